@@ -1,0 +1,102 @@
+//! A limit curve of the torque-speed plane, given by its corner points.
+
+use quantities::{AngularVelocity, Measure, Torque};
+
+/// One corner point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurvePoint {
+    /// Speed at the output.
+    pub speed: AngularVelocity,
+    /// Torque limit at that speed.
+    pub torque: Torque,
+}
+
+/// A limit curve: straight between its corner points, dropping vertically to zero at its last speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    points: Vec<CurvePoint>,
+}
+
+/// Why a list of points is no limit curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CurveFault {
+    /// Fewer than two points.
+    TooFewPoints,
+    /// The curve must start at standstill.
+    DoesNotStartAtZero,
+    /// Speeds must grow from point to point.
+    SpeedsNotAscending,
+    /// A torque is negative or not finite.
+    TorqueOutOfRange,
+}
+
+impl Curve {
+    /// A curve from its corner points.
+    ///
+    /// # Errors
+    /// [`CurveFault`] where the points do not describe a limit over speed.
+    pub fn new(points: Vec<CurvePoint>) -> Result<Self, CurveFault> {
+        if points.len() < 2 {
+            return Err(CurveFault::TooFewPoints);
+        }
+        if points.first().is_none_or(|point| point.speed.si() != 0.0) {
+            return Err(CurveFault::DoesNotStartAtZero);
+        }
+        if !points.iter().zip(points.iter().skip(1)).all(|(a, b)| b.speed.si() > a.speed.si()) {
+            return Err(CurveFault::SpeedsNotAscending);
+        }
+        if !points.iter().all(|point| point.torque.si().is_finite() && point.torque.si() >= 0.0) {
+            return Err(CurveFault::TorqueOutOfRange);
+        }
+        Ok(Self { points })
+    }
+
+    /// The corner points, by ascending speed.
+    #[must_use]
+    pub fn points(&self) -> &[CurvePoint] {
+        &self.points
+    }
+
+    /// The limit at a speed; zero beyond the last speed.
+    #[must_use]
+    pub fn at(&self, speed: AngularVelocity) -> Torque {
+        let speed = speed.si().abs();
+        for (low, high) in self.points.iter().zip(self.points.iter().skip(1)) {
+            let (a, b) = (low.speed.si(), high.speed.si());
+            if speed <= b {
+                let share = (speed - a) / (b - a);
+                return Torque::from_si(low.torque.si() + share * (high.torque.si() - low.torque.si()));
+            }
+        }
+        Torque::from_si(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(speed: f64, torque: f64) -> CurvePoint {
+        CurvePoint { speed: AngularVelocity::from_si(speed), torque: Torque::from_si(torque) }
+    }
+
+    #[test]
+    fn straight_between_the_corners_and_zero_beyond() {
+        let curve = Curve::new(vec![point(0.0, 32.0), point(25.0, 31.0), point(70.0, 20.0)]).unwrap();
+        let at = |speed| curve.at(AngularVelocity::from_si(speed)).si();
+        assert_eq!(at(0.0), 32.0);
+        assert_eq!(at(25.0), 31.0);
+        assert!((at(47.5) - 25.5).abs() < 1e-12);
+        assert_eq!(at(-70.0), 20.0);
+        assert_eq!(at(70.1), 0.0);
+    }
+
+    #[test]
+    fn what_is_no_curve_is_refused() {
+        assert_eq!(Curve::new(vec![point(0.0, 1.0)]), Err(CurveFault::TooFewPoints));
+        assert_eq!(Curve::new(vec![point(1.0, 1.0), point(2.0, 1.0)]), Err(CurveFault::DoesNotStartAtZero));
+        assert_eq!(Curve::new(vec![point(0.0, 1.0), point(0.0, 1.0)]), Err(CurveFault::SpeedsNotAscending));
+        assert_eq!(Curve::new(vec![point(0.0, 1.0), point(1.0, f64::NAN)]), Err(CurveFault::TorqueOutOfRange));
+    }
+}

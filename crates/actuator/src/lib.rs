@@ -1,0 +1,13 @@
+//! The physics of one actuator, from parameter structs: a printed actuator, a user's own and a measured one run
+//! the same code. Everything is referred to the output unless a name says `motor`.
+
+mod curve;
+mod motor;
+mod parameters;
+
+pub use curve::{Curve, CurveFault, CurvePoint};
+pub use motor::{
+    ContinuousLimit, FRICTION_LOSS_SHARE, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT, continuous_torque,
+    copper_resistance, current, estimated_continuous_torque, friction_current, speed_max, speed_rated_out,
+};
+pub use parameters::Parameters;

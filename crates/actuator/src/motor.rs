@@ -1,0 +1,193 @@
+//! Current, speed limits and continuous torque of the motor, seen from the output.
+
+use crate::parameters::Parameters;
+use provenance::{Grade, Missing, Source, Sourced};
+use quantities::{
+    AngularVelocity, ElectricCurrent, ElectricalResistance, Measure, NoLoadCurrentConstant, ThermodynamicTemperature,
+    Torque, TorqueConstant,
+};
+
+/// w: share of the friction loss that heats the winding's limit in the estimate of the continuous curve.
+///
+/// Calibrated on the published corner points of CHA-20A (docs/theory/continuous-torque.md); a guess elsewhere.
+pub const FRICTION_LOSS_SHARE: f64 = 0.58;
+
+/// Winding temperature of continuous duty in the estimate: the warning threshold of table 62.3, 80 °C, in kelvin.
+pub const WINDING_TEMPERATURE_CONTINUOUS: f64 = 353.15;
+
+/// τ_w: time constant of the winding in seconds; estimated from the S3 points of CHA-20A (48 s to 70 s).
+pub const WINDING_TIME_CONSTANT: f64 = 60.0;
+
+/// Half width of the band of the estimated continuous curve at the rated speed; zero at standstill, where T_0 is printed.
+const BAND_AT_RATED_SPEED: f64 = 0.15;
+
+/// Temperature coefficient of copper at 20 °C \[1/K\] (IEC 60034-1 uses 1/(235+20) = 3.92e-3; 3.93e-3 is the handbook value).
+const COPPER_TEMPERATURE_COEFFICIENT: f64 = 3.93e-3;
+
+/// Resistance of a copper winding at a temperature.
+///
+/// R = R_20 (1 + 3.93e-3 (ϑ − 20 °C))
+///
+/// # Valid    −40 °C to 200 °C, linear law of copper
+#[must_use]
+pub fn copper_resistance(
+    resistance_20: ElectricalResistance,
+    temperature: ThermodynamicTemperature,
+) -> ElectricalResistance {
+    let rise = temperature.si() - 293.15;
+    ElectricalResistance::from_si(resistance_20.si() * (1.0 + COPPER_TEMPERATURE_COEFFICIENT * rise))
+}
+
+/// Motor current that friction takes while the output turns.
+///
+/// I_f = I_NLS + K_INL |n|
+///
+/// # Symbols  I_NLS no-load starting current \[A\], K_INL no-load current constant [A/(1/min)] per **output** speed, n output speed [1/min]
+/// # Source   cha-manual section 6, rows I_NLS and K_INL; that K_INL counts output speed follows from its growth with i
+/// # Valid    while turning; at standstill friction gives at most I_NLS, and only against an outer torque
+#[must_use]
+pub fn friction_current(
+    starting: ElectricCurrent,
+    constant: NoLoadCurrentConstant,
+    speed: AngularVelocity,
+) -> ElectricCurrent {
+    ElectricCurrent::from_si(starting.si() + constant.si() * speed.si().abs())
+}
+
+/// Motor current for a torque at the output, signed like the torque.
+///
+/// I = T/k_Tout + I_f σ
+///
+/// Friction opposes the motion (direction σ): it adds to the current while driving and helps while braking.
+///
+/// # Source   docs/theory/current.md; T/k_Tout + I_NLS reproduces the printed I_0 of the 680 V windings
+#[must_use]
+pub fn current(
+    torque: Torque,
+    direction: f64,
+    friction: ElectricCurrent,
+    torque_constant_out: TorqueConstant,
+) -> ElectricCurrent {
+    ElectricCurrent::from_si(torque.si() / torque_constant_out.si() + friction.si() * direction)
+}
+
+/// Largest output speed: the exact quotient n_mot,max / i, or n_max where motor speed or ratio are not known.
+///
+/// The printed n_max is rounded (50A with i = 120 even upwards, 30 for 29.17), therefore the quotient comes first.
+///
+/// # Errors
+/// [`Missing`] if neither is known.
+pub fn speed_max(actuator: &Parameters) -> Result<Sourced<AngularVelocity>, Missing> {
+    match (actuator.speed_motor_max.known(), actuator.ratio.known()) {
+        (Some(motor), Some(ratio)) => Ok(Sourced {
+            value: AngularVelocity::from_si(motor.value.si() / ratio.value),
+            source: motor.source.clone(),
+            grade: motor.grade.worst(Grade::Computed),
+            errata: motor.errata,
+        }),
+        _ => actuator.speed_max.require("n_max").cloned(),
+    }
+}
+
+/// Largest mean speed at the output: n_N / i.
+///
+/// # Source   published corner points of CHA-20A: every continuous curve ends at n_N / i
+/// # Errors
+/// [`Missing`] if rated motor speed or ratio are not known.
+pub fn speed_rated_out(actuator: &Parameters) -> Result<Sourced<AngularVelocity>, Missing> {
+    let motor = actuator.speed_motor_rated.require("n_N")?;
+    let ratio = actuator.ratio.require("i")?;
+    Ok(Sourced {
+        value: AngularVelocity::from_si(motor.value.si() / ratio.value),
+        source: motor.source.clone(),
+        grade: motor.grade.worst(ratio.grade).worst(Grade::Computed),
+        errata: motor.errata,
+    })
+}
+
+/// The continuous torque at a speed, and what an estimate leaves open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContinuousLimit {
+    /// The limit that checks use: the published curve, or the lower edge of the estimate's band.
+    pub limit: Sourced<Torque>,
+    /// Upper edge of the band; equal to the limit where the curve is published.
+    pub upper: Torque,
+}
+
+/// Continuous torque at a mean speed: the published or measured curve if there is one, else the estimate.
+/// Neither ever exceeds the printed T_0.
+///
+/// # Errors
+/// [`Missing`] with the first datum that neither way can do without.
+pub fn continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
+    let Some(curve) = actuator.continuous_curve.known() else {
+        return estimated_continuous_torque(actuator, speed);
+    };
+    let mut torque = curve.value.at(speed);
+    if let Some(stall) = actuator.stall_torque.known() {
+        torque = Torque::from_si(torque.si().min(stall.value.si()));
+    }
+    Ok(ContinuousLimit {
+        limit: Sourced { value: torque, source: curve.source.clone(), grade: curve.grade, errata: curve.errata },
+        upper: torque,
+    })
+}
+
+/// Estimated continuous torque at a mean speed, with its band.
+///
+/// 1.5 R I² + w P_f = 1.5 R I_0², T = k_Tout (I − I_f), T ≤ T_0, for |n| ≤ n_N/i
+///
+/// with P_f = I_f k_TM ω_mot and I_f from the 80 °C values. The loss at standstill is that of the motor
+/// (the largest I_0 over the ratios), because T_0 of some ratios is limited by the gear.
+/// The band is ±15 % at n_N/i and shrinks linearly to zero at standstill, where T_0 is printed; checks use its lower edge.
+///
+/// # Symbols  R = R_LL at 80 °C \[Ω\] (1.5 R_LL I² is the copper loss of a star winding), w = 0.58, k_TM \[Nm/A\], ω_mot [rad/s]
+/// # Source   docs/theory/continuous-torque.md; calibrated on curves-20A
+/// # Valid    |n| ≤ n_N/i; zero beyond
+/// # Errors
+/// [`Missing`] with the first datum that is not known.
+pub fn estimated_continuous_torque(
+    actuator: &Parameters,
+    speed: AngularVelocity,
+) -> Result<ContinuousLimit, Missing> {
+    let stall_torque = actuator.stall_torque.require("T_0")?;
+    let rated = speed_rated_out(actuator)?;
+    let stall_current = match actuator.stall_current_motor.known() {
+        Some(motor) => motor,
+        None => actuator.stall_current.require("I_0")?,
+    };
+    let starting = actuator.no_load_starting_current.require("I_NLS")?;
+    let constant = actuator.no_load_current_constant_80.require("K_INL")?;
+    let torque_constant_out = actuator.torque_constant_out.require("k_Tout")?;
+    let torque_constant_motor = actuator.torque_constant_motor.require("k_TM")?;
+    let resistance = actuator.resistance_ll.require("R_LL")?;
+    let ratio = actuator.ratio.require("i")?;
+
+    let hot = copper_resistance(resistance.value, ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_CONTINUOUS));
+    let friction = friction_current(starting.value, constant.value, speed).si();
+    let speed_motor_rad_s = speed.si().abs() * ratio.value;
+    let friction_loss_w = friction * torque_constant_motor.value.si() * speed_motor_rad_s;
+    let square = stall_current.value.si().powi(2) - FRICTION_LOSS_SHARE * friction_loss_w / (1.5 * hot.si());
+    let counted =
+        if actuator.stall_current_includes_friction { friction } else { friction - starting.value.si() };
+    let share = speed.si().abs() / rated.value.si();
+    let centre = if share > 1.0 || square <= 0.0 {
+        0.0
+    } else {
+        (torque_constant_out.value.si() * (square.sqrt() - counted)).clamp(0.0, stall_torque.value.si())
+    };
+    let band = BAND_AT_RATED_SPEED * share.min(1.0);
+    Ok(ContinuousLimit {
+        limit: Sourced {
+            value: Torque::from_si(centre * (1.0 - band)),
+            source: Source::Model { name: "continuous-torque" },
+            grade: Grade::Estimated,
+            errata: stall_torque.errata,
+        },
+        upper: Torque::from_si((centre * (1.0 + BAND_AT_RATED_SPEED)).min(stall_torque.value.si())),
+    })
+}
+
+#[cfg(test)]
+#[path = "motor_tests.rs"]
+mod tests;

@@ -1,0 +1,103 @@
+//! What is known of one actuator. Every value may be absent, and a check that needs it says so.
+
+use crate::curve::Curve;
+use provenance::Datum;
+use quantities::{
+    AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, Length, Mass,
+    MomentOfInertia, NoLoadCurrentConstant, Torque, TorqueConstant, VoltageConstant,
+};
+
+/// The data of one actuator, in SI, each value with its source or with the reason of its absence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameters {
+    /// i: reduction ratio, magnitude.
+    pub ratio: Datum<f64>,
+    /// T_max: largest torque for acceleration and braking.
+    pub torque_max: Datum<Torque>,
+    /// n_max: largest output speed, used only where motor speed and ratio are not known.
+    pub speed_max: Datum<AngularVelocity>,
+    /// n_mot,max: largest motor speed.
+    pub speed_motor_max: Datum<AngularVelocity>,
+    /// n_N: rated motor speed, limit of the mean speed.
+    pub speed_motor_rated: Datum<AngularVelocity>,
+    /// I_max: largest motor current, rms.
+    pub current_max: Datum<ElectricCurrent>,
+    /// I_E: current at which demagnetisation begins, rms.
+    pub current_demagnetisation: Datum<ElectricCurrent>,
+    /// T_0: continuous torque at standstill.
+    pub stall_torque: Datum<Torque>,
+    /// I_0: current at T_0, rms.
+    pub stall_current: Datum<ElectricCurrent>,
+    /// The largest I_0 that the same motor shows at any ratio: its thermal limit where the gear limits T_0.
+    pub stall_current_motor: Datum<ElectricCurrent>,
+    /// Whether I_0 = T_0/k_Tout + I_NLS (680 V windings) or I_0 = T_0/k_Tout (48 V windings).
+    pub stall_current_includes_friction: bool,
+    /// I_NLS: no-load starting current, rms.
+    pub no_load_starting_current: Datum<ElectricCurrent>,
+    /// K_INL at 30 °C: no-load running current per output speed.
+    pub no_load_current_constant_30: Datum<NoLoadCurrentConstant>,
+    /// K_INL at 80 °C.
+    pub no_load_current_constant_80: Datum<NoLoadCurrentConstant>,
+    /// k_Tout: torque constant at the output, gear losses included.
+    pub torque_constant_out: Datum<TorqueConstant>,
+    /// k_TM: torque constant of the motor.
+    pub torque_constant_motor: Datum<TorqueConstant>,
+    /// k_EM: voltage constant of the motor, line to line, rms.
+    pub voltage_constant_motor: Datum<VoltageConstant>,
+    /// R_LL: resistance line to line at 20 °C.
+    pub resistance_ll: Datum<ElectricalResistance>,
+    /// L_LL: inductance line to line.
+    pub inductance_ll: Datum<Inductance>,
+    /// p: number of pole pairs.
+    pub pole_pairs: Datum<f64>,
+    /// J_out: own moment of inertia at the output, with the brake if there is one.
+    pub inertia_out: Datum<MomentOfInertia>,
+    /// m: mass, with the brake if there is one.
+    pub mass: Datum<Mass>,
+    /// L: length, with the brake if there is one.
+    pub length: Datum<Length>,
+    /// d_H: bore of the hollow shaft.
+    pub hollow_shaft: Datum<Length>,
+    /// U_DCmax: largest steady DC link voltage.
+    pub dc_link_max: Datum<ElectricPotential>,
+    /// U_M: motor terminal voltage (fundamental, line to line, rms) from which the performance holds.
+    pub terminal_voltage_min: Datum<ElectricPotential>,
+    /// Continuous-duty curve of the torque-speed plane, where one is published or measured.
+    pub continuous_curve: Datum<Curve>,
+}
+
+impl Parameters {
+    /// An actuator of which nothing is known yet.
+    #[must_use]
+    pub const fn unknown() -> Self {
+        Self {
+            ratio: Datum::NotPrinted,
+            torque_max: Datum::NotPrinted,
+            speed_max: Datum::NotPrinted,
+            speed_motor_max: Datum::NotPrinted,
+            speed_motor_rated: Datum::NotPrinted,
+            current_max: Datum::NotPrinted,
+            current_demagnetisation: Datum::NotPrinted,
+            stall_torque: Datum::NotPrinted,
+            stall_current: Datum::NotPrinted,
+            stall_current_motor: Datum::NotPrinted,
+            stall_current_includes_friction: true,
+            no_load_starting_current: Datum::NotPrinted,
+            no_load_current_constant_30: Datum::NotPrinted,
+            no_load_current_constant_80: Datum::NotPrinted,
+            torque_constant_out: Datum::NotPrinted,
+            torque_constant_motor: Datum::NotPrinted,
+            voltage_constant_motor: Datum::NotPrinted,
+            resistance_ll: Datum::NotPrinted,
+            inductance_ll: Datum::NotPrinted,
+            pole_pairs: Datum::NotPrinted,
+            inertia_out: Datum::NotPrinted,
+            mass: Datum::NotPrinted,
+            length: Datum::NotPrinted,
+            hollow_shaft: Datum::NotPrinted,
+            dc_link_max: Datum::NotPrinted,
+            terminal_voltage_min: Datum::NotPrinted,
+            continuous_curve: Datum::NotPrinted,
+        }
+    }
+}

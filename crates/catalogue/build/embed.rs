@@ -1,0 +1,364 @@
+//! From table files to flat cells, with errata applied and every rule of `data/README.md` held.
+
+use crate::read::{Data, Erratum, Row, Table};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+const KEYS: [&str; 5] = ["drive", "feedback", "ratio", "symbol", "condition"];
+const MERGED: &str = "<<";
+
+/// One printed cell with everything that tells it from the others.
+struct Cell<'a> {
+    table: usize,
+    row: usize,
+    column: usize,
+    keys: [String; 5],
+    unit: &'a str,
+    printed: &'a str,
+    corrected: &'a str,
+    checks_use: Option<&'a str>,
+    errata: Vec<usize>,
+}
+
+/// The meaning of a cell's text; mirrors `catalogue::Value`.
+fn value_expression(text: &str) -> String {
+    let number = |text: &str| quantities::parse_german(text.trim());
+    let text = text.trim();
+    if text.is_empty() || text == "-" {
+        return "Value::NotPrinted".into();
+    }
+    if let Some(value) = number(text) {
+        return format!("Value::Number({value:?})");
+    }
+    if let Some((low, high)) = text.split_once("...")
+        && let (Some(low), Some(high)) = (number(low), number(high))
+    {
+        return format!("Value::Range {{ low: {low:?}, high: {high:?} }}");
+    }
+    if let Some(bound) = text.strip_prefix('<').or_else(|| text.strip_prefix('≤')) {
+        let bound = bound.trim_start();
+        if let Some(value) = number(bound.strip_prefix('±').unwrap_or(bound)) {
+            return format!("Value::UpperBound({value:?})");
+        }
+    }
+    if let Some(value) = text.strip_prefix('≥').or_else(|| text.strip_prefix('>')).and_then(number) {
+        return format!("Value::LowerBound({value:?})");
+    }
+    if let Some(value) = text.strip_prefix('±').and_then(number) {
+        return format!("Value::PlusMinus({value:?})");
+    }
+    if let Some((nominal, percent)) = text.split_once('±')
+        && let (Some(nominal), Some(percent)) = (number(nominal), percent.trim().strip_suffix('%').and_then(number))
+    {
+        return format!("Value::Tolerance {{ nominal: {nominal:?}, plus_minus_percent: {percent:?} }}");
+    }
+    "Value::Text".into()
+}
+
+/// Splits a column head into its keys: `CHA-14A | 30` with keys drive and ratio.
+fn column_keys<'a>(table: &'a Table, column: &'a str) -> Vec<(&'a str, &'a str)> {
+    table.keys.iter().map(String::as_str).zip(column.split(" | ").map(str::trim)).collect()
+}
+
+/// The keys of a cell that stands on the columns `from..to`: what the table says, overridden by the row,
+/// and by the column where all its columns agree.
+fn cell_keys(table: &Table, row: &Row, columns: &[String]) -> [String; 5] {
+    let defaults = |key: &str| match key {
+        "drive" => row.drive.as_deref().or(table.drive.as_deref()),
+        "feedback" => row.feedback.as_deref().or(table.feedback.as_deref()),
+        "ratio" => row.ratio.as_deref(),
+        "symbol" => row.symbol.as_deref(),
+        _ => row.condition.as_deref(),
+    };
+    KEYS.map(|key| {
+        let mut heads = columns.iter().map(|column| {
+            column_keys(table, column).into_iter().filter(|(k, _)| *k == key).map(|(_, v)| v).collect::<Vec<_>>().join(", ")
+        });
+        let first = heads.next().unwrap_or_default();
+        let common = if heads.all(|head| head == first) { first } else { String::new() };
+        match (defaults(key), common.is_empty()) {
+            (None, _) => common,
+            (Some(own), true) => own.to_owned(),
+            (Some(own), false) if key == "condition" => format!("{own}, {common}"),
+            (Some(_), false) => common,
+        }
+    })
+}
+
+fn cells_of<'a>(index: usize, table: &'a Table, faults: &mut Vec<String>) -> Vec<Cell<'a>> {
+    let mut cells = Vec::new();
+    let at = |row: usize| format!("table {}, row {}", table.table, row + 1);
+    for key in &table.keys {
+        if !KEYS.contains(&key.as_str()) {
+            faults.push(format!("table {}: unknown key `{key}`", table.table));
+        }
+    }
+    for column in &table.columns {
+        if column.split(" | ").count() != table.keys.len() {
+            faults.push(format!("table {}: column `{column}` does not have {} keys", table.table, table.keys.len()));
+        }
+    }
+    for (row_index, row) in table.rows.iter().enumerate() {
+        let width = table.columns.len().max(1);
+        let single = row.cells.len() == 1;
+        if !single && row.cells.len() != width {
+            faults.push(format!("{}: {} cells on {width} columns", at(row_index), row.cells.len()));
+            continue;
+        }
+        if let Some(unit) = row.unit.as_deref()
+            && quantities::Unit::of(unit).is_none()
+        {
+            faults.push(format!("{}: unknown unit `{unit}`", at(row_index)));
+        }
+        for (column, text) in row.cells.iter().enumerate() {
+            if text == MERGED {
+                if column == 0 {
+                    faults.push(format!("{}: nothing to merge with on the left", at(row_index)));
+                }
+                continue;
+            }
+            if text.is_empty() {
+                continue;
+            }
+            let merged = row.cells.iter().skip(column + 1).take_while(|next| *next == MERGED).count();
+            let span = if single { table.columns.len() } else { merged + 1 };
+            let columns = table.columns.get(column..(column + span).min(table.columns.len())).unwrap_or_default();
+            let keys = cell_keys(table, row, columns);
+            if keys.get(3).is_none_or(String::is_empty) {
+                faults.push(format!("{}: a row needs a symbol", at(row_index)));
+            }
+            cells.push(Cell {
+                table: index,
+                row: row_index,
+                column,
+                keys,
+                unit: row.unit.as_deref().unwrap_or(""),
+                printed: text,
+                corrected: text,
+                checks_use: None,
+                errata: Vec::new(),
+            });
+        }
+    }
+    cells
+}
+
+/// Finds the one cell that an erratum names and applies it.
+fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut [Cell<'a>], faults: &mut Vec<String>) {
+    let id = &erratum.id;
+    if !["recovery", "print_error", "contradiction", "rounding", "edition"].contains(&erratum.kind.as_str()) {
+        faults.push(format!("erratum {id}: unknown kind `{}`", erratum.kind));
+    }
+    if !["corrected", "flagged"].contains(&erratum.status.as_str()) {
+        faults.push(format!("erratum {id}: unknown status `{}`", erratum.status));
+    }
+    if erratum.status == "flagged" && erratum.corrected != erratum.printed {
+        faults.push(format!("erratum {id}: flagged, so `corrected` must equal `printed`"));
+    }
+    if (erratum.kind == "recovery") != erratum.recovered.is_some() {
+        faults.push(format!("erratum {id}: `recovered` belongs to kind recovery, and only there"));
+    }
+    let Some(table) = erratum.table.as_deref() else {
+        if erratum.place.is_none() {
+            faults.push(format!("erratum {id}: needs `table` or `where`"));
+        }
+        return;
+    };
+    if !tables.iter().any(|t| t.table == table) {
+        faults.push(format!("erratum {id}: there is no table {table}"));
+        return;
+    }
+    if erratum.cell.is_empty() {
+        if erratum.place.is_none() {
+            faults.push(format!("erratum {id}: needs `cell` or `where`"));
+        }
+        return;
+    }
+    for key in erratum.cell.keys() {
+        if !KEYS.contains(&key.as_str()) {
+            faults.push(format!("erratum {id}: unknown key `{key}`"));
+        }
+    }
+    let mut found: Vec<&mut Cell<'a>> = cells
+        .iter_mut()
+        .filter(|cell| tables.get(cell.table).is_some_and(|t| t.table == table))
+        .filter(|cell| KEYS.iter().zip(&cell.keys).all(|(key, value)| erratum.cell.get(*key).is_none_or(|want| want == value)))
+        .collect();
+    match found.as_mut_slice() {
+        [cell] => {
+            if cell.printed != erratum.printed {
+                faults.push(format!("erratum {id}: says `{}` is printed, the table has `{}`", erratum.printed, cell.printed));
+            }
+            cell.errata.push(number);
+            if erratum.status == "corrected" {
+                cell.corrected = &erratum.corrected;
+            }
+            if let Some(limit) = &erratum.checks_use {
+                cell.checks_use = Some(limit);
+            }
+        }
+        none_or_many => faults.push(format!("erratum {id}: names {} cells, must name one", none_or_many.len())),
+    }
+}
+
+/// The embedded data as Rust source.
+pub(crate) fn embed(data: &Data, faults: &mut Vec<String>) -> String {
+    let mut cells: Vec<Cell<'_>> = Vec::new();
+    let mut ranges = Vec::new();
+    for (index, table) in data.tables.iter().enumerate() {
+        let first = cells.len();
+        cells.extend(cells_of(index, table, faults));
+        ranges.push((first, cells.len()));
+        if !data.sources.iter().any(|source| source.id == table.source) {
+            faults.push(format!("table {}: source `{}` is not in sources.toml", table.table, table.source));
+        }
+    }
+    for (number, erratum) in data.errata.iter().enumerate() {
+        apply(number, erratum, &data.tables, &mut cells, faults);
+    }
+    unique(data, &cells, faults);
+    let mut out = String::from("// Generated from data/ by the build script; do not edit.\n");
+    write_all(&mut out, data, &cells, &ranges);
+    out
+}
+
+fn unique(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
+    let mut seen = BTreeMap::new();
+    for erratum in &data.errata {
+        if seen.insert(("erratum", erratum.id.clone()), ()).is_some() {
+            faults.push(format!("erratum {} stands twice", erratum.id));
+        }
+    }
+    for table in &data.tables {
+        if seen.insert(("table", table.table.clone()), ()).is_some() {
+            faults.push(format!("table {} stands twice", table.table));
+        }
+    }
+    for term in &data.glossary {
+        if seen.insert(("term", term.symbol.clone()), ()).is_some() {
+            faults.push(format!("glossary: {} stands twice", term.symbol));
+        }
+    }
+    let mut keys: BTreeMap<(usize, &[String; 5]), usize> = BTreeMap::new();
+    for cell in cells {
+        if let Some(row) = keys.insert((cell.table, &cell.keys), cell.row) {
+            let table = data.tables.get(cell.table).map_or("", |t| t.table.as_str());
+            faults.push(format!("table {table}: rows {} and {} name the same cell {:?}", row + 1, cell.row + 1, cell.keys));
+        }
+        let symbol = &cell.keys[3];
+        if !symbol.is_empty() && !data.glossary.iter().any(|term| &term.symbol == symbol) {
+            let table = data.tables.get(cell.table).map_or("", |t| t.table.as_str());
+            faults.push(format!("table {table}: symbol `{symbol}` is not in glossary.toml"));
+        }
+    }
+}
+
+fn write_all(out: &mut String, data: &Data, cells: &[Cell<'_>], ranges: &[(usize, usize)]) {
+    let opt = |text: &Option<String>| text.as_deref().unwrap_or("").to_owned();
+    let _ = writeln!(out, "pub(crate) static CELLS: &[Cell] = &[");
+    for cell in cells {
+        let [drive, feedback, ratio, symbol, condition] = &cell.keys;
+        let table = data.tables.get(cell.table).map_or("", |t| t.table.as_str());
+        let errata: Vec<&str> =
+            cell.errata.iter().filter_map(|n| data.errata.get(*n)).map(|erratum| erratum.id.as_str()).collect();
+        let limit = cell.checks_use.map_or("None".into(), |text| format!("Some({})", value_expression(text)));
+        let _ = writeln!(
+            out,
+            "Cell {{ table: {table:?}, row: {}, column: {}, drive: {drive:?}, feedback: {feedback:?}, ratio: {ratio:?}, \
+             symbol: {symbol:?}, condition: {condition:?}, unit: {:?}, printed: {:?}, corrected: {:?}, value: {}, \
+             checks_use: {limit}, errata: &{errata:?} }},",
+            cell.row,
+            cell.column,
+            cell.unit,
+            cell.printed,
+            cell.corrected,
+            value_expression(cell.corrected),
+        );
+    }
+    let _ = writeln!(out, "];\npub(crate) static TABLES: &[Table] = &[");
+    for (table, (first, end)) in data.tables.iter().zip(ranges) {
+        let notes: Vec<String> = table
+            .footnotes
+            .iter()
+            .map(|note| format!("Footnote {{ mark: {:?}, en: {:?}, de: {:?} }}", note.mark, note.en, note.de))
+            .collect();
+        let row_notes: Vec<String> = table
+            .rows
+            .iter()
+            .enumerate()
+            .filter_map(|(index, row)| row.note.as_ref().map(|note| format!("({index}, {note:?})")))
+            .collect();
+        let _ = writeln!(
+            out,
+            "Table {{ id: {:?}, section: {:?}, page: {}, title_en: {:?}, title_de: {:?}, source: {:?}, footnotes: &[{}], \
+             row_notes: &[{}], first: {first}, end: {end} }},",
+            table.table,
+            opt(&table.section),
+            table.page.unwrap_or(0),
+            table.title.en,
+            table.title.de,
+            table.source,
+            notes.join(", "),
+            row_notes.join(", "),
+        );
+    }
+    let _ = writeln!(out, "];\npub(crate) static ERRATA: &[Erratum] = &[");
+    for erratum in &data.errata {
+        let kind = match erratum.kind.as_str() {
+            "recovery" => "Recovery",
+            "print_error" => "PrintError",
+            "rounding" => "Rounding",
+            "edition" => "Edition",
+            _ => "Contradiction",
+        };
+        let _ = writeln!(
+            out,
+            "Erratum {{ id: {:?}, table: {:?}, place: {:?}, recovered: {:?}, printed: {:?}, corrected: {:?}, checks_use: {:?}, \
+             kind: ErratumKind::{kind}, corrected_here: {}, evidence: {:?} }},",
+            erratum.id,
+            opt(&erratum.table),
+            erratum.place.clone().unwrap_or_else(|| place_of(erratum)),
+            erratum.recovered,
+            erratum.printed,
+            erratum.corrected,
+            erratum.checks_use,
+            erratum.status == "corrected",
+            erratum.evidence,
+        );
+    }
+    let _ = writeln!(out, "];\npub(crate) static SOURCES: &[Document] = &[");
+    for source in &data.sources {
+        let _ = writeln!(
+            out,
+            "Document {{ id: {:?}, title: {:?}, edition: {:?}, language: {:?}, publisher: {:?}, kind: {:?}, place: {:?}, note: {:?} }},",
+            source.id,
+            source.title,
+            opt(&source.edition),
+            opt(&source.language),
+            opt(&source.publisher),
+            opt(&source.kind),
+            opt(&source.place),
+            opt(&source.note),
+        );
+    }
+    let _ = writeln!(out, "];\npub(crate) static GLOSSARY: &[Term] = &[");
+    for term in &data.glossary {
+        let _ = writeln!(
+            out,
+            "Term {{ symbol: {:?}, identifier: {:?}, unit: {:?}, en: {:?}, de: {:?}, note_en: {:?}, note_de: {:?} }},",
+            term.symbol,
+            term.identifier,
+            opt(&term.unit),
+            term.en,
+            term.de,
+            opt(&term.note_en),
+            opt(&term.note_de),
+        );
+    }
+    let _ = writeln!(out, "];");
+}
+
+/// The place of an erratum in words, from the keys of its cell.
+fn place_of(erratum: &Erratum) -> String {
+    KEYS.iter().filter_map(|key| erratum.cell.get(*key)).cloned().collect::<Vec<_>>().join(", ")
+}

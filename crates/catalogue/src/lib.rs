@@ -1,0 +1,70 @@
+//! The products as they are printed: every cell of the tables, the errata, the glossary and the sources,
+//! embedded in the program, and typed access to them in SI.
+//!
+//! This crate knows what is printed and where; it knows no physics. Physics takes parameter structs that
+//! other crates fill from here.
+
+mod drive;
+mod record;
+
+pub use drive::{Drive, cells_about, datum_of, drive, drives};
+pub use record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value};
+
+mod embedded {
+    use crate::record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value};
+    include!(concat!(env!("OUT_DIR"), "/data.rs"));
+}
+
+/// Every printed cell of every table, in the order of the tables, rows and columns.
+#[must_use]
+pub fn cells() -> &'static [Cell] {
+    embedded::CELLS
+}
+
+/// Every table, the manual's first, in the order of their numbers.
+#[must_use]
+pub fn tables() -> &'static [Table] {
+    embedded::TABLES
+}
+
+/// The table with this number, e.g. `26.1`.
+#[must_use]
+pub fn table(id: &str) -> Option<&'static Table> {
+    embedded::TABLES.iter().find(|table| table.id == id)
+}
+
+/// Every known departure from the recovered text and every known error of the print.
+#[must_use]
+pub fn errata() -> &'static [Erratum] {
+    embedded::ERRATA
+}
+
+/// The erratum with this identifier.
+#[must_use]
+pub fn erratum(id: &str) -> Option<&'static Erratum> {
+    embedded::ERRATA.iter().find(|erratum| erratum.id == id)
+}
+
+/// The terms of the field: symbol, identifier, unit, English and German name.
+#[must_use]
+pub fn glossary() -> &'static [Term] {
+    embedded::GLOSSARY
+}
+
+/// The term with this symbol.
+#[must_use]
+pub fn term(symbol: &str) -> Option<&'static Term> {
+    embedded::GLOSSARY.iter().find(|term| term.symbol == symbol)
+}
+
+/// Every document that a number comes from.
+#[must_use]
+pub fn documents() -> &'static [Document] {
+    embedded::SOURCES
+}
+
+/// The document with this identifier.
+#[must_use]
+pub fn document(id: &str) -> Option<&'static Document> {
+    embedded::SOURCES.iter().find(|document| document.id == id)
+}

@@ -1,0 +1,259 @@
+//! The records of the embedded data.
+
+use provenance::CellRef;
+
+/// The meaning of a cell's text after errata, in the printed unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// A dash: the manual has a place for the value but prints none.
+    NotPrinted,
+    /// A single number.
+    Number(f64),
+    /// `a ... b`
+    Range {
+        /// Lower end.
+        low: f64,
+        /// Upper end.
+        high: f64,
+    },
+    /// `< a`, `≤ a`, `< ±a`
+    UpperBound(f64),
+    /// `> a`, `≥ a`
+    LowerBound(f64),
+    /// `±a`
+    PlusMinus(f64),
+    /// `a ±b %`
+    Tolerance {
+        /// Nominal value.
+        nominal: f64,
+        /// Tolerance in per cent of the nominal value.
+        plus_minus_percent: f64,
+    },
+    /// Anything that is not a number: a type, a connector, a colour.
+    Text,
+}
+
+impl Value {
+    /// The number to compute with: the number itself, the bound, the nominal value. A range has none.
+    #[must_use]
+    pub const fn number(self) -> Option<f64> {
+        match self {
+            Self::Number(value)
+            | Self::UpperBound(value)
+            | Self::LowerBound(value)
+            | Self::PlusMinus(value)
+            | Self::Tolerance { nominal: value, .. } => Some(value),
+            Self::NotPrinted | Self::Range { .. } | Self::Text => None,
+        }
+    }
+}
+
+/// One printed cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell {
+    /// Number of the table after errata.
+    pub table: &'static str,
+    /// Row of the table file, from zero.
+    pub row: u16,
+    /// First column on which the cell stands, from zero.
+    pub column: u16,
+    /// Drive as headed in 6.2-6.17, or the size where a table heads only that; empty: holds for all.
+    pub drive: &'static str,
+    /// Motor feedback; empty: holds for every feedback of the drive.
+    pub feedback: &'static str,
+    /// Reduction ratio; empty: printed once for all ratios.
+    pub ratio: &'static str,
+    /// Symbol, a key of the glossary.
+    pub symbol: &'static str,
+    /// What else tells this cell from others of the same symbol.
+    pub condition: &'static str,
+    /// Unit as printed, in ASCII; empty for pure numbers and texts.
+    pub unit: &'static str,
+    /// Text of the cell as the manual prints it.
+    pub printed: &'static str,
+    /// The same after errata; equal to `printed` where nothing is corrected.
+    pub corrected: &'static str,
+    /// Meaning of `corrected`.
+    pub value: Value,
+    /// The value that checks must use where an open contradiction asks for the safe side.
+    pub checks_use: Option<Value>,
+    /// Identifiers of the errata that concern this cell.
+    pub errata: &'static [&'static str],
+}
+
+impl Cell {
+    /// The place of this cell, for citations.
+    #[must_use]
+    pub const fn reference(&self) -> CellRef {
+        CellRef {
+            table: self.table,
+            symbol: self.symbol,
+            condition: self.condition,
+            drive: self.drive,
+            ratio: self.ratio,
+        }
+    }
+
+    /// The value that checks use: the safe one of a contradiction, otherwise the value after errata.
+    #[must_use]
+    pub fn limit(&self) -> Value {
+        self.checks_use.unwrap_or(self.value)
+    }
+
+    /// The value in machine form, in the printed unit: `1.12`, `220...430`, a text; empty where not printed.
+    #[must_use]
+    pub fn value_text(&self) -> String {
+        match self.value {
+            Value::NotPrinted => String::new(),
+            Value::Range { low, high } => format!("{low}...{high}"),
+            Value::Text => self.corrected.to_owned(),
+            Value::Number(value)
+            | Value::UpperBound(value)
+            | Value::LowerBound(value)
+            | Value::PlusMinus(value)
+            | Value::Tolerance { nominal: value, .. } => format!("{value}"),
+        }
+    }
+}
+
+/// A footnote of a table, in our own words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Footnote {
+    /// The mark as printed, without the parenthesis.
+    pub mark: &'static str,
+    /// English text.
+    pub en: &'static str,
+    /// German text.
+    pub de: &'static str,
+}
+
+/// One printed table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Table {
+    /// Number after errata, or the file's name for tables of other sources.
+    pub id: &'static str,
+    /// Section of the manual; empty for other sources.
+    pub section: &'static str,
+    /// Page of the manual; zero if unknown.
+    pub page: u16,
+    /// English title.
+    pub title_en: &'static str,
+    /// German title.
+    pub title_de: &'static str,
+    /// Identifier of the document that prints it.
+    pub source: &'static str,
+    /// Footnotes.
+    pub footnotes: &'static [Footnote],
+    /// Rows that carry a footnote mark.
+    pub row_notes: &'static [(u16, &'static str)],
+    pub(crate) first: usize,
+    pub(crate) end: usize,
+}
+
+impl Table {
+    /// The cells of this table.
+    #[must_use]
+    pub fn cells(&self) -> &'static [Cell] {
+        crate::cells().get(self.first..self.end).unwrap_or_default()
+    }
+
+    /// Whether the CHA manual prints this table.
+    #[must_use]
+    pub fn is_of_the_manual(&self) -> bool {
+        self.source == "cha-manual"
+    }
+}
+
+/// What is wrong, and with what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ErratumKind {
+    /// The recovered text differs from the print.
+    Recovery,
+    /// The print itself is wrong and its neighbours prove it.
+    PrintError,
+    /// Two printed facts exclude each other and nothing decides.
+    Contradiction,
+    /// Rounded to the unsafe side or with false digits.
+    Rounding,
+    /// Another edition prints otherwise.
+    Edition,
+}
+
+impl ErratumKind {
+    /// The identifier used in `errata.toml` and in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Recovery => "recovery",
+            Self::PrintError => "print_error",
+            Self::Contradiction => "contradiction",
+            Self::Rounding => "rounding",
+            Self::Edition => "edition",
+        }
+    }
+}
+
+/// One entry of `errata.toml`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Erratum {
+    /// Identifier.
+    pub id: &'static str,
+    /// Table concerned; empty for an erratum of the text.
+    pub table: &'static str,
+    /// The place in words.
+    pub place: &'static str,
+    /// What the recovered text has, for kind recovery.
+    pub recovered: Option<&'static str>,
+    /// What is printed.
+    pub printed: &'static str,
+    /// What is right; equal to `printed` where the matter is open.
+    pub corrected: &'static str,
+    /// What checks use where safety asks for the other value.
+    pub checks_use: Option<&'static str>,
+    /// Kind.
+    pub kind: ErratumKind,
+    /// Whether the value is corrected (otherwise it stays as printed and is flagged).
+    pub corrected_here: bool,
+    /// Why, with the figures.
+    pub evidence: &'static str,
+}
+
+/// A document that a number comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Document {
+    /// Identifier.
+    pub id: &'static str,
+    /// Title.
+    pub title: &'static str,
+    /// Edition; empty if unknown.
+    pub edition: &'static str,
+    /// Language; empty if unknown.
+    pub language: &'static str,
+    /// Publisher; empty if unknown.
+    pub publisher: &'static str,
+    /// Kind: manual, catalogue, data sheet, standard, library.
+    pub kind: &'static str,
+    /// Where it can be read; empty if nowhere public.
+    pub place: &'static str,
+    /// Remark.
+    pub note: &'static str,
+}
+
+/// A term of the field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Term {
+    /// Symbol in ASCII, as in the tables: `T_max`.
+    pub symbol: &'static str,
+    /// Long name as used in code and project files: `torque_max`.
+    pub identifier: &'static str,
+    /// Unit in ASCII; empty for pure numbers.
+    pub unit: &'static str,
+    /// English term.
+    pub en: &'static str,
+    /// German term.
+    pub de: &'static str,
+    /// English remark; may be empty.
+    pub note_en: &'static str,
+    /// German remark; may be empty.
+    pub note_de: &'static str,
+}

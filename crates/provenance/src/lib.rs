@@ -1,0 +1,205 @@
+//! Where a number comes from and how far it can be trusted.
+//!
+//! Every figure that antrieb shows carries a [`Source`] and a [`Grade`]; a figure that does not exist is
+//! [`Datum::NotPrinted`] or [`Datum::NotApplicable`], never a NaN or a quiet default.
+
+use std::fmt;
+
+/// How far a number can be trusted, best first.
+///
+/// The order is the order of trust: a result is graded by the worst grade among its inputs
+/// (see [`Grade::worst`]).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Grade {
+    /// A value that the maker's manual prints.
+    Printed,
+    /// Computed from printed values with an equation of the manual.
+    Computed,
+    /// A value of another public document, which is named.
+    Published,
+    /// A model of ours, which is named and has a stated band.
+    Estimated,
+    /// A default that the user did not confirm.
+    Assumed,
+}
+
+impl Grade {
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Printed => "printed",
+            Self::Computed => "computed",
+            Self::Published => "published",
+            Self::Estimated => "estimated",
+            Self::Assumed => "assumed",
+        }
+    }
+
+    /// The worse of two grades: a result is no better than its weakest input.
+    #[must_use]
+    pub fn worst(self, other: Self) -> Self {
+        self.max(other)
+    }
+}
+
+impl fmt::Display for Grade {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.id())
+    }
+}
+
+/// The place of one printed cell: table, row (symbol and condition) and column (ratio, drive, feedback).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CellRef {
+    /// Number of the table after errata, e.g. `26.1`.
+    pub table: &'static str,
+    /// Symbol of the row, e.g. `T_max`.
+    pub symbol: &'static str,
+    /// Condition of the row, e.g. `30 degC`; empty if there is none.
+    pub condition: &'static str,
+    /// Drive that the cell belongs to; empty if the table holds for all.
+    pub drive: &'static str,
+    /// Ratio of the column; empty if printed once for all ratios.
+    pub ratio: &'static str,
+}
+
+impl fmt::Display for CellRef {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "table {}, {}", self.table, self.symbol)?;
+        if !self.condition.is_empty() {
+            write!(f, " ({})", self.condition)?;
+        }
+        if !self.ratio.is_empty() {
+            write!(f, ", i = {}", self.ratio)?;
+        }
+        Ok(())
+    }
+}
+
+/// Where a number comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Source {
+    /// A printed cell of the manual.
+    Cell(CellRef),
+    /// An equation of a document: `cha-manual`, `69.1`.
+    Equation {
+        /// Identifier of the document in `data/sources.toml`.
+        document: &'static str,
+        /// Number of the equation as printed there.
+        number: &'static str,
+    },
+    /// A published document other than the manual.
+    Published {
+        /// Identifier of the document in `data/sources.toml`.
+        document: &'static str,
+        /// Place in our data: table and row.
+        cell: CellRef,
+    },
+    /// A model of ours, documented under `docs/theory`.
+    Model {
+        /// Name of the model's page.
+        name: &'static str,
+    },
+    /// A value that the user wrote in the project file.
+    Project {
+        /// Dotted path of the key, e.g. `actuator.torque_max`.
+        key: String,
+    },
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Cell(cell) => write!(f, "{cell}"),
+            Self::Equation { document, number } => write!(f, "{document} eq. {number}"),
+            Self::Published { document, cell } => write!(f, "{document} ({cell})"),
+            Self::Model { name } => write!(f, "model {name}"),
+            Self::Project { key } => write!(f, "project {key}"),
+        }
+    }
+}
+
+/// A value together with its source, grade and the errata that touch it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sourced<T> {
+    /// The value, in SI where it is a quantity.
+    pub value: T,
+    /// Where it comes from.
+    pub source: Source,
+    /// How far it can be trusted.
+    pub grade: Grade,
+    /// Identifiers of the errata that concern this value.
+    pub errata: &'static [&'static str],
+}
+
+impl<T> Sourced<T> {
+    /// The same provenance with another value, for conversions that add no information.
+    pub fn map<U>(self, convert: impl FnOnce(T) -> U) -> Sourced<U> {
+        Sourced { value: convert(self.value), source: self.source, grade: self.grade, errata: self.errata }
+    }
+}
+
+/// A value that may not exist. Absence is a type of its own and says why.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Datum<T> {
+    /// The value is known.
+    Known(Sourced<T>),
+    /// The source has a place for it, but prints a dash, or has no such row.
+    NotPrinted,
+    /// The question makes no sense for this product (a brake datum without a brake).
+    NotApplicable,
+}
+
+impl<T> Datum<T> {
+    /// The known value, if there is one.
+    pub const fn known(&self) -> Option<&Sourced<T>> {
+        match self {
+            Self::Known(sourced) => Some(sourced),
+            Self::NotPrinted | Self::NotApplicable => None,
+        }
+    }
+
+    /// The known value, or the name of what is missing, for checks that answer `not checked`.
+    ///
+    /// # Errors
+    /// [`Missing`] with the given symbol when the value is not known.
+    pub const fn require(&self, symbol: &'static str) -> Result<&Sourced<T>, Missing> {
+        match self {
+            Self::Known(sourced) => Ok(sourced),
+            Self::NotPrinted | Self::NotApplicable => Err(Missing { symbol }),
+        }
+    }
+}
+
+/// A datum that a check needs and nobody gave.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Missing {
+    /// Symbol of the datum, as in the glossary.
+    pub symbol: &'static str,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_result_is_as_good_as_its_worst_input() {
+        assert_eq!(Grade::Printed.worst(Grade::Estimated), Grade::Estimated);
+        assert_eq!(Grade::Assumed.worst(Grade::Published), Grade::Assumed);
+    }
+
+    #[test]
+    fn a_source_reads_like_a_citation() {
+        let cell = CellRef { table: "26.1", symbol: "K_INL", condition: "30 degC", drive: "CHA-20A-C1024", ratio: "50" };
+        assert_eq!(Source::Cell(cell).to_string(), "table 26.1, K_INL (30 degC), i = 50");
+        assert_eq!(Source::Equation { document: "cha-manual", number: "69.1" }.to_string(), "cha-manual eq. 69.1");
+    }
+
+    #[test]
+    fn absence_names_what_is_missing() {
+        let datum: Datum<f64> = Datum::NotPrinted;
+        assert_eq!(datum.require("I_E").unwrap_err().symbol, "I_E");
+    }
+}

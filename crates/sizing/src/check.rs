@@ -1,0 +1,134 @@
+//! The answer of one check.
+
+use provenance::{Grade, Source};
+use quantities::{Time, Torque, Unit};
+
+/// Identifier of a check, part of the contract with scripts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum CheckId {
+    /// Peak torque against T_max.
+    PeakTorque,
+    /// Peak speed against n_mot,max/i.
+    PeakSpeed,
+    /// Mean speed against n_N/i.
+    MeanSpeed,
+    /// Effective torque against the continuous torque at the mean speed.
+    ContinuousTorque,
+    /// Peak motor current against I_max.
+    PeakCurrent,
+    /// Peak motor current against I_E.
+    Demagnetisation,
+    /// Load inertia against three times the own inertia.
+    InertiaRatio,
+    /// Ambient temperature against the operating range.
+    Ambient,
+}
+
+impl CheckId {
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::PeakTorque => "peak_torque",
+            Self::PeakSpeed => "peak_speed",
+            Self::MeanSpeed => "mean_speed",
+            Self::ContinuousTorque => "continuous_torque",
+            Self::PeakCurrent => "peak_current",
+            Self::Demagnetisation => "demagnetisation",
+            Self::InertiaRatio => "inertia_ratio",
+            Self::Ambient => "ambient",
+        }
+    }
+}
+
+/// The answer of a check.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Inside the limit.
+    Pass,
+    /// Outside the limit.
+    Fail,
+    /// Inside every limit, but a recommendation is broken.
+    Advice,
+    /// A datum is missing; see [`Check::missing`].
+    NotChecked,
+}
+
+impl Verdict {
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::Fail => "fail",
+            Self::Advice => "advice",
+            Self::NotChecked => "not_checked",
+        }
+    }
+}
+
+/// A number with the unit that people read it in.
+#[derive(Clone, Copy, Debug)]
+pub struct Figure {
+    /// Value in SI.
+    pub si: f64,
+    /// Unit to show it in.
+    pub unit: &'static Unit,
+}
+
+impl Figure {
+    /// The value in its unit.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        self.unit.from_si(self.si)
+    }
+}
+
+/// What a reader must know about a check beyond its numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Note {
+    /// Driving friction counts with the value at 30 °C, braking friction with that at 80 °C.
+    FrictionTemperatures,
+    /// The limit is the lower edge of an estimate; the upper edge is this torque.
+    EstimatedUpTo(Torque),
+    /// The cycle is not short against the winding's time constant; the effective value alone is not safe.
+    CycleNotShort {
+        /// Duration of the cycle.
+        cycle: Time,
+    },
+    /// Eq. 69.2 takes the braking torque from the accelerating time; the exact integral decides.
+    BrakingTorqueAssumed,
+    /// The recommendation holds for highly dynamic duty.
+    RecommendationForHighDynamics,
+    /// The limit is the safe side of an open contradiction in the print: the erratum.
+    Erratum(&'static str),
+}
+
+/// The answer of one check, with everything needed to question it.
+#[derive(Clone, Debug)]
+pub struct Check {
+    /// Which check.
+    pub id: CheckId,
+    /// Its answer.
+    pub verdict: Verdict,
+    /// What the axis asks.
+    pub value: Option<Figure>,
+    /// What the actuator gives.
+    pub limit: Option<Figure>,
+    /// |value| / |limit|; for a recommendation the same ratio.
+    pub utilisation: Option<f64>,
+    /// Instant of the worst case within the cycle.
+    pub at: Option<Time>,
+    /// The worst grade among the inputs.
+    pub grade: Option<Grade>,
+    /// Where the value comes from.
+    pub value_source: Option<Source>,
+    /// Where the limit comes from.
+    pub limit_source: Option<Source>,
+    /// Symbol of the datum that is missing.
+    pub missing: Option<&'static str>,
+    /// Remarks.
+    pub notes: Vec<Note>,
+}

@@ -1,0 +1,361 @@
+//! The checks of one actuator for one axis.
+
+use crate::axis::Axis;
+use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use crate::demand::{Demand, ManualDemand};
+use actuator::Parameters;
+use provenance::{Grade, Missing, Source, Sourced};
+use quantities::unit::{AMPERE, DEGREE_CELSIUS, KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
+use quantities::{ElectricCurrent, Measure, Time, Unit};
+
+/// Permitted ambient temperature in operation, 0 °C to 40 °C, in kelvin (tables 13.1 and 13.2).
+const AMBIENT_RANGE_K: (f64, f64) = (273.15, 313.15);
+
+/// J_L ≤ 3 J_out is recommended for highly dynamic duty (table 70.1).
+const INERTIA_RATIO_RECOMMENDED: f64 = 3.0;
+
+/// Above this share of the winding's time constant a cycle is no longer short: the winding's temperature swings by
+/// more than a tenth of its rise, so the effective value alone says too little.
+const SHORT_CYCLE_SHARE: f64 = 0.2;
+
+/// Everything there is to say about one actuator for one axis.
+#[derive(Clone, Debug)]
+pub struct Judgement {
+    /// The demand by exact integrals; checks use it. `None` if the own inertia is not known.
+    pub demand: Option<Demand>,
+    /// The demand by the manual's equations, shown beside it.
+    pub manual: Option<ManualDemand>,
+    /// Every check, in a fixed order.
+    pub checks: Vec<Check>,
+}
+
+impl Judgement {
+    /// Whether no check fails.
+    #[must_use]
+    pub fn fits(&self) -> bool {
+        self.checks.iter().all(|check| check.verdict != Verdict::Fail)
+    }
+
+    /// The failing check that is exceeded most, if any.
+    #[must_use]
+    pub fn worst_failure(&self) -> Option<&Check> {
+        let key = |check: &Check| check.utilisation.unwrap_or(f64::INFINITY);
+        self.checks.iter().filter(|c| c.verdict == Verdict::Fail).max_by(|a, b| key(a).total_cmp(&key(b)))
+    }
+
+    /// The largest utilisation among the checks with a limit (recommendations apart).
+    #[must_use]
+    pub fn utilisation(&self) -> f64 {
+        self.checks
+            .iter()
+            .filter(|check| check.id != CheckId::InertiaRatio)
+            .filter_map(|check| check.utilisation)
+            .fold(0.0, f64::max)
+    }
+
+    /// The check with that utilisation.
+    #[must_use]
+    pub fn tightest(&self) -> Option<&Check> {
+        self.checks
+            .iter()
+            .filter(|check| check.id != CheckId::InertiaRatio && check.utilisation.is_some())
+            .max_by(|a, b| a.utilisation.unwrap_or(0.0).total_cmp(&b.utilisation.unwrap_or(0.0)))
+    }
+}
+
+/// Judges one actuator for one axis.
+#[must_use]
+pub fn judge(axis: &Axis, actuator: &Parameters) -> Judgement {
+    let inertia = actuator.inertia_out.known().map(|known| known.value);
+    let demand = inertia.map(|inertia| axis.demand(inertia));
+    let manual = inertia.map(|inertia| axis.manual_demand(inertia));
+    let mut checks = vec![
+        peak_torque(axis, actuator, demand.as_ref(), manual.as_ref()),
+        peak_speed(axis, actuator),
+        mean_speed(axis, actuator),
+        continuous_torque(axis, actuator, demand.as_ref(), manual.as_ref()),
+        peak_current(axis, actuator),
+        demagnetisation(axis, actuator),
+        inertia_ratio(axis, actuator),
+    ];
+    checks.extend(axis.ambient.map(|_| ambient(axis)));
+    Judgement { demand, manual, checks }
+}
+
+/// What a check compares, before it is a [`Check`].
+struct Comparison<'a> {
+    id: CheckId,
+    unit: &'static Unit,
+    value: f64,
+    value_source: Source,
+    at: Option<Time>,
+    limit: f64,
+    limit_source: &'a Source,
+    grade: Grade,
+    errata: &'static [&'static str],
+    notes: Vec<Note>,
+}
+
+impl Comparison<'_> {
+    /// Pass up to and including the limit; `otherwise` beyond.
+    fn answer(self, otherwise: Verdict) -> Check {
+        let verdict = if self.value.abs() <= self.limit.abs() { Verdict::Pass } else { otherwise };
+        let mut notes = self.notes;
+        notes.extend(self.errata.iter().map(|id| Note::Erratum(id)));
+        Check {
+            id: self.id,
+            verdict,
+            value: Some(Figure { si: self.value, unit: self.unit }),
+            limit: Some(Figure { si: self.limit, unit: self.unit }),
+            utilisation: (self.limit != 0.0).then(|| (self.value / self.limit).abs()),
+            at: self.at,
+            grade: Some(self.grade),
+            value_source: Some(self.value_source),
+            limit_source: Some(self.limit_source.clone()),
+            missing: None,
+            notes,
+        }
+    }
+}
+
+fn not_checked(id: CheckId, missing: Missing) -> Check {
+    Check {
+        id,
+        verdict: Verdict::NotChecked,
+        value: None,
+        limit: None,
+        utilisation: None,
+        at: None,
+        grade: None,
+        value_source: None,
+        limit_source: None,
+        missing: Some(missing.symbol),
+        notes: Vec::new(),
+    }
+}
+
+const fn equation(number: &'static str) -> Source {
+    Source::Equation { document: "cha-manual", number }
+}
+
+/// Says that eq. 69.2 takes the braking torque from the accelerating time, where it does.
+fn braking_note(manual: Option<&ManualDemand>) -> Vec<Note> {
+    manual.filter(|manual| manual.braking_assumed).map(|_| Note::BrakingTorqueAssumed).into_iter().collect()
+}
+
+/// T_peak ≤ T_max (cha-manual 7.1: T_1 < T_max; glossary T_max: largest accelerating and braking torque).
+fn peak_torque(axis: &Axis, actuator: &Parameters, demand: Option<&Demand>, manual: Option<&ManualDemand>) -> Check {
+    let id = CheckId::PeakTorque;
+    let (limit, demand) = match (actuator.torque_max.require("T_max"), demand) {
+        (Ok(limit), Some(demand)) => (limit, demand),
+        (Err(missing), _) => return not_checked(id, missing),
+        (_, None) => return not_checked(id, Missing { symbol: "J_out" }),
+    };
+    let _ = axis;
+    Comparison {
+        id,
+        unit: &NEWTON_METRE,
+        value: demand.torque_peak.si(),
+        value_source: equation("69.1"),
+        at: Some(demand.torque_peak_at),
+        limit: limit.value.si(),
+        limit_source: &limit.source,
+        grade: limit.grade,
+        errata: limit.errata,
+        notes: braking_note(manual),
+    }
+    .answer(Verdict::Fail)
+}
+
+/// n_peak ≤ n_mot,max / i, the exact quotient.
+fn peak_speed(axis: &Axis, actuator: &Parameters) -> Check {
+    let id = CheckId::PeakSpeed;
+    match actuator::speed_max(actuator) {
+        Ok(limit) => Comparison {
+            id,
+            unit: &REVOLUTION_PER_MINUTE,
+            value: axis.moments.speed_peak.si(),
+            value_source: Source::Project { key: "motion.speed".into() },
+            at: Some(axis.moments.speed_peak_at),
+            limit: limit.value.si(),
+            limit_source: &limit.source,
+            grade: limit.grade,
+            errata: limit.errata,
+            notes: Vec::new(),
+        }
+        .answer(Verdict::Fail),
+        Err(missing) => not_checked(id, missing),
+    }
+}
+
+/// n_av ≤ n_N / i.
+fn mean_speed(axis: &Axis, actuator: &Parameters) -> Check {
+    let id = CheckId::MeanSpeed;
+    match actuator::speed_rated_out(actuator) {
+        Ok(limit) => Comparison {
+            id,
+            unit: &REVOLUTION_PER_MINUTE,
+            value: axis.moments.speed_mean().si(),
+            value_source: equation("69.3"),
+            at: None,
+            limit: limit.value.si(),
+            limit_source: &limit.source,
+            grade: limit.grade,
+            errata: limit.errata,
+            notes: Vec::new(),
+        }
+        .answer(Verdict::Fail),
+        Err(missing) => not_checked(id, missing),
+    }
+}
+
+/// T_rms ≤ continuous torque at n_av (cha-manual 7.1: the point (n_av, T_rms) inside the continuous zone).
+fn continuous_torque(
+    axis: &Axis,
+    actuator: &Parameters,
+    demand: Option<&Demand>,
+    manual: Option<&ManualDemand>,
+) -> Check {
+    let id = CheckId::ContinuousTorque;
+    let Some(demand) = demand else { return not_checked(id, Missing { symbol: "J_out" }) };
+    let limit = match actuator::continuous_torque(actuator, demand.speed_mean) {
+        Ok(limit) => limit,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let mut notes = braking_note(manual);
+    if limit.limit.grade == Grade::Estimated {
+        notes.push(Note::EstimatedUpTo(limit.upper));
+    }
+    if axis.moments.duration.si() > SHORT_CYCLE_SHARE * actuator::WINDING_TIME_CONSTANT {
+        notes.push(Note::CycleNotShort { cycle: axis.moments.duration });
+    }
+    Comparison {
+        id,
+        unit: &NEWTON_METRE,
+        value: demand.torque_rms.si(),
+        value_source: equation("69.2"),
+        at: None,
+        limit: limit.limit.value.si(),
+        limit_source: &limit.limit.source,
+        grade: limit.limit.grade,
+        errata: limit.limit.errata,
+        notes,
+    }
+    .answer(Verdict::Fail)
+}
+
+/// The largest motor current of the cycle and its instant.
+///
+/// I = T/k_Tout + σ (I_NLS + K_INL |n|), linear in time over each ramp, so its extremes lie at the ends of the ramps.
+/// Friction that opposes the torque counts with the 30 °C value of K_INL, friction that helps with the 80 °C value:
+/// either way the larger current.
+fn largest_current(axis: &Axis, actuator: &Parameters) -> Result<(ElectricCurrent, Time, Grade), Missing> {
+    let inertia = actuator.inertia_out.require("J_out")?;
+    let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
+    let starting = actuator.no_load_starting_current.require("I_NLS")?;
+    let cold = actuator.no_load_current_constant_30.require("K_INL")?;
+    let warm = actuator.no_load_current_constant_80.known().unwrap_or(cold);
+    let mut largest = (ElectricCurrent::from_si(0.0), Time::from_si(0.0));
+    for segment in &axis.segments {
+        let torque = axis.load.torque(inertia.value, segment.acceleration(), segment.direction);
+        let helping = torque.si() * segment.direction < 0.0;
+        let constant = if helping { warm.value } else { cold.value };
+        for (speed, at) in [(segment.speed_start, segment.start), (segment.speed_end, segment.start + segment.duration)]
+        {
+            let friction = actuator::friction_current(starting.value, constant, speed);
+            let current = actuator::current(torque, segment.direction, friction, torque_constant.value);
+            if current.si().abs() > largest.0.si() {
+                largest = (ElectricCurrent::from_si(current.si().abs()), at);
+            }
+        }
+    }
+    let grade = [inertia.grade, torque_constant.grade, starting.grade, cold.grade]
+        .into_iter()
+        .fold(Grade::Computed, Grade::worst);
+    Ok((largest.0, largest.1, grade))
+}
+
+fn current_check(
+    id: CheckId,
+    axis: &Axis,
+    actuator: &Parameters,
+    limit: Result<&Sourced<ElectricCurrent>, Missing>,
+) -> Check {
+    let (limit, (current, at, grade)) = match limit.and_then(|limit| Ok((limit, largest_current(axis, actuator)?))) {
+        Ok(found) => found,
+        Err(missing) => return not_checked(id, missing),
+    };
+    Comparison {
+        id,
+        unit: &AMPERE,
+        value: current.si(),
+        value_source: Source::Model { name: "current" },
+        at: Some(at),
+        limit: limit.value.si(),
+        limit_source: &limit.source,
+        grade: grade.worst(limit.grade),
+        errata: limit.errata,
+        notes: vec![Note::FrictionTemperatures],
+    }
+    .answer(Verdict::Fail)
+}
+
+/// I_peak ≤ I_max.
+fn peak_current(axis: &Axis, actuator: &Parameters) -> Check {
+    current_check(CheckId::PeakCurrent, axis, actuator, actuator.current_max.require("I_max"))
+}
+
+/// I_peak ≤ I_E: at I_E demagnetisation begins.
+fn demagnetisation(axis: &Axis, actuator: &Parameters) -> Check {
+    current_check(CheckId::Demagnetisation, axis, actuator, actuator.current_demagnetisation.require("I_E"))
+}
+
+/// J_L ≤ 3 J_out is recommended for highly dynamic duty (table 70.1).
+fn inertia_ratio(axis: &Axis, actuator: &Parameters) -> Check {
+    let id = CheckId::InertiaRatio;
+    match actuator.inertia_out.require("J_out") {
+        Ok(own) => Comparison {
+            id,
+            unit: &KILOGRAM_SQUARE_METRE,
+            value: axis.load.inertia.si(),
+            value_source: Source::Project { key: "load.inertia".into() },
+            at: None,
+            limit: INERTIA_RATIO_RECOMMENDED * own.value.si(),
+            limit_source: &own.source,
+            grade: own.grade.worst(Grade::Computed),
+            errata: own.errata,
+            notes: vec![Note::RecommendationForHighDynamics],
+        }
+        .answer(Verdict::Advice),
+        Err(missing) => not_checked(id, missing),
+    }
+}
+
+/// The stated ambient temperature against 0 … 40 °C (tables 13.1 and 13.2); every figure of the tables holds up to 40 °C.
+fn ambient(axis: &Axis) -> Check {
+    let id = CheckId::Ambient;
+    let Some(stated) = axis.ambient else { return not_checked(id, Missing { symbol: "ambient" }) };
+    let (low, high) = AMBIENT_RANGE_K;
+    // A difference of a nanokelvin is a rounding of the conversion, not a warmer place.
+    let inside = stated.si() >= low - 1e-9 && stated.si() <= high + 1e-9;
+    let nearest = if stated.si() < low { low } else { high };
+    Check {
+        id,
+        verdict: if inside { Verdict::Pass } else { Verdict::Fail },
+        value: Some(Figure { si: stated.si(), unit: &DEGREE_CELSIUS }),
+        limit: Some(Figure { si: nearest, unit: &DEGREE_CELSIUS }),
+        utilisation: None,
+        at: None,
+        grade: Some(Grade::Printed),
+        value_source: Some(Source::Project { key: "requirements.ambient".into() }),
+        limit_source: Some(Source::Cell(provenance::CellRef {
+            table: "13.2",
+            symbol: "ambient_temperature_operation",
+            condition: "",
+            drive: "",
+            ratio: "",
+        })),
+        missing: None,
+        notes: Vec::new(),
+    }
+}

@@ -1,0 +1,161 @@
+//! What an axis asks of an actuator: the manual's procedure and the exact integrals.
+
+use crate::axis::Axis;
+use quantities::{AngularVelocity, Measure, MomentOfInertia, Time, Torque};
+
+/// What an axis asks of one actuator, whose own inertia is part of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Demand {
+    /// T_rms: effective torque over the cycle.
+    pub torque_rms: Torque,
+    /// T_peak: largest magnitude of the torque.
+    pub torque_peak: Torque,
+    /// Instant at which it is first reached.
+    pub torque_peak_at: Time,
+    /// n_av: mean of |n| over the cycle.
+    pub speed_mean: AngularVelocity,
+    /// n_peak: largest |n|.
+    pub speed_peak: AngularVelocity,
+    /// Instant at which it is first reached.
+    pub speed_peak_at: Time,
+    /// ED: share of the cycle in motion, 0 to 1.
+    pub duty_factor: f64,
+}
+
+/// The three torques of one move by the manual's equations, in the direction of the move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MoveTorques {
+    /// T_1: torque while accelerating.
+    pub accelerate: Torque,
+    /// T_2: torque while running.
+    pub run: Torque,
+    /// T_3: torque while braking.
+    pub brake: Torque,
+}
+
+/// The demand by the manual's equations 69.1 to 69.4.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ManualDemand {
+    /// The figures of the cycle.
+    pub demand: Demand,
+    /// The torques of each move.
+    pub moves: Vec<MoveTorques>,
+    /// Index of the move with the largest torque.
+    pub governing: usize,
+    /// Whether eq. 69.2 takes the braking torque from a braking time that is not the accelerating time.
+    /// Then T_3, and with it T_rms, differ from the exact integral.
+    pub braking_assumed: bool,
+}
+
+impl Axis {
+    /// The demand by exact integrals of the motion.
+    ///
+    /// T_rms² = (J² ∫α² dt + 2 J T_L ∫α σ dt + T_L² ∫σ² dt) / t_0 with J = J_out + J_L
+    ///
+    /// # Source   docs/theory/demand.md; the torque over each ramp is J α + T_L σ
+    /// # Valid    any cycle of linear speed ramps, friction independent of speed
+    #[must_use]
+    pub fn demand(&self, inertia_out: MomentOfInertia) -> Demand {
+        let moments = &self.moments;
+        let inertia = (self.load.inertia + inertia_out).si();
+        let friction = self.load.friction_torque.si();
+        let square = (inertia * inertia * moments.alpha_squared_rad2_s3
+            + 2.0 * inertia * friction * moments.alpha_direction_rad_s
+            + friction * friction * moments.moving.si())
+            / moments.duration.si();
+        let (torque_peak, torque_peak_at) = self.peak(inertia_out);
+        Demand {
+            // Rounding may leave a tiny negative sum where the torque vanishes.
+            torque_rms: Torque::from_si(square.max(0.0).sqrt()),
+            torque_peak,
+            torque_peak_at,
+            speed_mean: moments.speed_mean(),
+            speed_peak: moments.speed_peak,
+            speed_peak_at: moments.speed_peak_at,
+            duty_factor: moments.duty_factor(),
+        }
+    }
+
+    /// Largest magnitude of the torque and the instant at which it is first reached.
+    fn peak(&self, inertia_out: MomentOfInertia) -> (Torque, Time) {
+        let mut peak = (Torque::from_si(0.0), Time::from_si(0.0));
+        for segment in &self.segments {
+            let torque = self.load.torque(inertia_out, segment.acceleration(), segment.direction).si().abs();
+            if torque > peak.0.si() {
+                peak = (Torque::from_si(torque), segment.start);
+            }
+        }
+        peak
+    }
+
+    /// The demand by the manual's procedure.
+    ///
+    /// T_1 = T_L + (2π/60) (J_out + J_L) n_2 / t_1, T_2 = T_L, T_3 = T_L − (T_1 − T_L),
+    /// T_rms = √((T_1² t_1 + T_2² t_2 + T_3² t_3) / (t_1 + t_2 + t_3 + t_p)),
+    /// n_av = (|n_2|/2 t_1 + |n_2| t_2 + |n_2|/2 t_3) / (t_1 + t_2 + t_3 + t_p),
+    /// ED = (t_1 + t_2 + t_3) / (t_1 + t_2 + t_3 + t_p)
+    ///
+    /// Several moves: the sums of numerators and denominators. T_L opposes each move, so that the three torques of a
+    /// move are those of the same move in the positive direction.
+    ///
+    /// # Symbols  n_2 [1/min], t [s], T [Nm], J [kgm²]
+    /// # Source   cha-manual eq. 69.1, 69.2, 69.3, 69.4
+    /// # Valid    exact for t_3 = t_1; with another braking time eq. 69.2 keeps the torque of the acceleration, see
+    ///            [`ManualDemand::braking_assumed`]
+    #[must_use]
+    pub fn manual_demand(&self, inertia_out: MomentOfInertia) -> ManualDemand {
+        let mut square_time = 0.0;
+        let mut speed_time = 0.0;
+        let mut governing = 0;
+        let mut peak = -1.0;
+        let mut peak_at = 0.0;
+        let mut start = 0.0;
+        let mut braking_assumed = false;
+        let mut moves = Vec::with_capacity(self.cycle.moves().len());
+        for (index, each) in self.cycle.moves().iter().enumerate() {
+            let [t1, t2, t3, tp] = [each.accelerate, each.run, each.brake, each.pause].map(Measure::si);
+            let speed = each.speed.si().abs();
+            let friction = if speed > 0.0 { self.load.friction_torque.si() } else { 0.0 };
+            let inertia = (self.load.inertia + inertia_out).si();
+            let first = if speed > 0.0 { friction + inertia * speed / t1 } else { 0.0 };
+            let third = friction - (first - friction);
+            square_time += first * first * t1 + friction * friction * t2 + third * third * t3;
+            speed_time += speed / 2.0 * t1 + speed * t2 + speed / 2.0 * t3;
+            #[allow(clippy::float_cmp, reason = "equal inputs are meant, not equal results")]
+            let differs = speed > 0.0 && t1 != t3;
+            braking_assumed |= differs;
+            for (torque, at) in [(first, start), (friction, start + t1), (third, start + t1 + t2)] {
+                if torque.abs() > peak {
+                    peak = torque.abs();
+                    peak_at = at;
+                    governing = index;
+                }
+            }
+            moves.push(MoveTorques {
+                accelerate: Torque::from_si(first),
+                run: Torque::from_si(friction),
+                brake: Torque::from_si(third),
+            });
+            start += t1 + t2 + t3 + tp;
+        }
+        let whole = self.cycle.duration().si();
+        ManualDemand {
+            demand: Demand {
+                torque_rms: Torque::from_si((square_time / whole).sqrt()),
+                torque_peak: Torque::from_si(peak.max(0.0)),
+                torque_peak_at: Time::from_si(peak_at),
+                speed_mean: AngularVelocity::from_si(speed_time / whole),
+                speed_peak: self.moments.speed_peak,
+                speed_peak_at: self.moments.speed_peak_at,
+                duty_factor: self.cycle.moving_time().si() / whole,
+            },
+            moves,
+            governing,
+            braking_assumed,
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "demand_tests.rs"]
+mod tests;

@@ -1,0 +1,17 @@
+//! What an axis demands, whether an actuator gives it, and which actuator of many gives it best.
+//!
+//! [`Axis`] holds the load and the cycle with everything about them that does not depend on the actuator, so that
+//! judging one more candidate costs a few arithmetic operations per ramp. [`judge`] answers every check for one set
+//! of parameters; [`rank`] orders the judgements of many.
+
+mod axis;
+mod check;
+mod checks;
+mod demand;
+mod rank;
+
+pub use axis::Axis;
+pub use check::{Check, CheckId, Figure, Note, Verdict};
+pub use checks::{Judgement, judge};
+pub use demand::{Demand, ManualDemand, MoveTorques};
+pub use rank::{Standing, rank};

@@ -1,0 +1,116 @@
+use std::fmt;
+use std::path::PathBuf;
+
+/// Why a chore did not come to a good end.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Error {
+    /// A program could not be started at all.
+    NotStarted {
+        /// The command as it would be typed.
+        command: String,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// A program ran and ended badly.
+    Failed {
+        /// The command as it would be typed.
+        command: String,
+        /// Its exit status in words.
+        status: String,
+    },
+    /// A file or folder could not be read or written.
+    File {
+        /// The file or folder.
+        path: PathBuf,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// `cargo metadata` printed something else than it documents.
+    Metadata {
+        /// The entry that is absent or malformed.
+        entry: &'static str,
+    },
+    /// A package that a step needs is not in the workspace.
+    NoPackage {
+        /// Its name.
+        name: &'static str,
+    },
+    /// Tests were skipped.
+    Ignored {
+        /// How many.
+        count: u64,
+    },
+    /// The test runner printed no closing line.
+    NoTests,
+    /// The README shows no command that could be tried.
+    NoReadmeCommand,
+    /// A README command cannot be tried as it stands.
+    ReadmeSyntax {
+        /// Line in the README, from 1.
+        line: usize,
+        /// What is wrong with it.
+        why: &'static str,
+    },
+    /// A README command ended badly or not at all.
+    ReadmeCommand {
+        /// Line in the README, from 1.
+        line: usize,
+        /// The command as printed there.
+        command: String,
+        /// Exit status in words, or that it did not end.
+        status: String,
+    },
+    /// House rules are broken; the findings have been printed.
+    Untidy {
+        /// How many findings.
+        count: usize,
+    },
+    /// A step of `ci` failed.
+    Step {
+        /// Name of the step.
+        name: &'static str,
+        /// Why.
+        source: Box<Error>,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotStarted { command, source } => {
+                write!(f, "cannot start `{command}`: {source}")
+            }
+            Self::Failed { command, status } => write!(f, "`{command}` failed: {status}"),
+            Self::File { path, source } => write!(f, "{}: {source}", path.display()),
+            Self::Metadata { entry } => {
+                write!(f, "`cargo metadata` has no usable entry `{entry}`")
+            }
+            Self::NoPackage { name } => write!(f, "no package `{name}` in the workspace"),
+            Self::Ignored { count } => {
+                write!(f, "{count} tests were ignored; every test runs or goes")
+            }
+            Self::NoTests => write!(f, "the test runner printed no `test result:` line"),
+            Self::NoReadmeCommand => {
+                write!(f, "no `cargo run --release -- …` line in a fenced block of README.md")
+            }
+            Self::ReadmeSyntax { line, why } => write!(f, "README.md:{line}: {why}"),
+            Self::ReadmeCommand { line, command, status } => {
+                write!(f, "README.md:{line}: `{command}`: {status}")
+            }
+            Self::Untidy { count: 1 } => write!(f, "1 finding"),
+            Self::Untidy { count } => write!(f, "{count} findings"),
+            Self::Step { name, source } => write!(f, "step `{name}` failed: {source}"),
+        }
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::NotStarted { source, .. } | Self::File { source, .. } => Some(source),
+            Self::Step { source, .. } => Some(source.as_ref()),
+            _ => None,
+        }
+    }
+}

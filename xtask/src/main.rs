@@ -1,0 +1,93 @@
+//! `cargo xtask <command>`: the chores of the project. See [`xtask`] for what each one does.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who started it")]
+
+use std::process::ExitCode;
+
+use xtask::{Error, bench, ci, data, root, snapshots, tidy};
+
+const COMMANDS: [(&str, &str); 6] = [
+    ("ci", "everything CI runs, in its order; stops at the first failure"),
+    ("tidy", "the house rules: layers, sizes, absences, links, data files"),
+    ("data", "cross-checks of the data"),
+    ("snapshots", "run the tests and rewrite the snapshots, then list what changed"),
+    ("bench", "the bench gates; words after `bench` go to the benches"),
+    ("help", "this text"),
+];
+
+fn main() -> ExitCode {
+    let mut words = std::env::args().skip(1);
+    let Some(command) = words.next() else {
+        eprint!("{}", help());
+        return ExitCode::from(2);
+    };
+    let rest: Vec<String> = words.collect();
+    let outcome = match command.as_str() {
+        "help" | "--help" | "-h" => {
+            print!("{}", help());
+            Ok(())
+        }
+        "bench" => bench::run(&root(), &rest),
+        "ci" | "tidy" | "data" | "snapshots" if !rest.is_empty() => {
+            eprintln!("error: `{command}` takes no further words, got `{}`", rest.join(" "));
+            return ExitCode::from(2);
+        }
+        "ci" => ci::run(&root()),
+        "tidy" => tidy::run(&root()),
+        "data" => data::run(),
+        "snapshots" => snapshots::run(&root()),
+        unknown => {
+            eprintln!("error: no command `{unknown}`");
+            if let Some(near) = nearest(unknown) {
+                eprintln!("help: did you mean `{near}`?");
+            }
+            eprint!("\n{}", help());
+            return ExitCode::from(2);
+        }
+    };
+    report(outcome)
+}
+
+fn report(outcome: Result<(), Error>) -> ExitCode {
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn help() -> String {
+    let mut text = String::from("usage: cargo xtask <command>\n\n");
+    for (name, what) in COMMANDS {
+        text.push_str(&format!("  {name:<10} {what}\n"));
+    }
+    text
+}
+
+fn nearest(unknown: &str) -> Option<&'static str> {
+    COMMANDS
+        .iter()
+        .map(|(name, _)| (strsim::damerau_levenshtein(unknown, name), *name))
+        .filter(|(distance, name)| *distance <= name.len().div_ceil(2))
+        .min()
+        .map(|(_, name)| name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slip_of_the_finger_finds_its_command() {
+        assert_eq!(nearest("tydi"), Some("tidy"));
+        assert_eq!(nearest("snapshot"), Some("snapshots"));
+        assert_eq!(nearest("frobnicate"), None);
+    }
+
+    #[test]
+    fn help_lists_every_command() {
+        let text = help();
+        assert!(COMMANDS.iter().all(|(name, _)| text.contains(name)), "{text}");
+    }
+}

@@ -1,0 +1,225 @@
+//! The README's commands are tried as printed: what the first reader types must work.
+
+use std::fs::{self, File};
+use std::path::Path;
+use std::process::{Child, ExitStatus, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::Error;
+use crate::cargo::{Workspace, cargo};
+
+const PREFIX: &str = "cargo run --release -- ";
+/// A command that the README shows must answer while the reader waits.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// Runs the commands in their order in a fresh folder that holds a copy of `examples/`, so that one command
+/// may read what an earlier one wrote and the working tree stays clean.
+pub(crate) fn run(root: &Path) -> Result<(), Error> {
+    let readme = root.join("README.md");
+    let text = fs::read_to_string(&readme).map_err(|source| Error::File { path: readme, source })?;
+    let lines = commands(&text)?;
+    if lines.is_empty() {
+        return Err(Error::NoReadmeCommand);
+    }
+    let desk = Workspace::ask(root)?.target.join("xtask").join("readme");
+    if desk.exists() {
+        fs::remove_dir_all(&desk).map_err(|source| Error::File { path: desk.clone(), source })?;
+    }
+    create(&desk)?;
+    let examples = root.join("examples");
+    if examples.is_dir() {
+        copy(&examples, &desk.join("examples"))?;
+    }
+    lines.iter().try_for_each(|line| line.try_in(root, &desk))
+}
+
+#[derive(Debug, PartialEq)]
+struct Line {
+    number: usize,
+    printed: String,
+    words: Vec<String>,
+    into: Option<String>,
+}
+
+impl Line {
+    fn try_in(&self, root: &Path, desk: &Path) -> Result<(), Error> {
+        eprintln!("readme: {}", self.printed);
+        let manifest = root.join("Cargo.toml");
+        let mut command = cargo(desk, &["run", "--release", "--quiet", "--manifest-path"]);
+        command.arg(manifest).arg("--").args(&self.words).stdin(Stdio::null());
+        match &self.into {
+            None => command.stdout(Stdio::null()),
+            Some(name) => {
+                let path = desk.join(name);
+                command.stdout(File::create(&path).map_err(|source| Error::File { path, source })?)
+            }
+        };
+        let child = command.spawn().map_err(|source| self.not_started(source))?;
+        match self.wait(child)? {
+            Some(status) if status.success() => Ok(()),
+            Some(status) => Err(self.failed(status.to_string())),
+            None => Err(self.failed(format!("still running after {} s", PATIENCE.as_secs()))),
+        }
+    }
+
+    fn wait(&self, mut child: Child) -> Result<Option<ExitStatus>, Error> {
+        let begin = Instant::now();
+        loop {
+            if let Some(status) = child.try_wait().map_err(|source| self.not_started(source))? {
+                return Ok(Some(status));
+            }
+            if begin.elapsed() > PATIENCE {
+                child.kill().and_then(|()| child.wait()).map_err(|source| self.not_started(source))?;
+                return Ok(None);
+            }
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    fn not_started(&self, source: std::io::Error) -> Error {
+        Error::NotStarted { command: self.printed.clone(), source }
+    }
+
+    fn failed(&self, status: String) -> Error {
+        Error::ReadmeCommand { line: self.number, command: self.printed.clone(), status }
+    }
+}
+
+/// The commands in fenced blocks that start with `cargo run --release -- `, a prompt `$ ` allowed.
+fn commands(readme: &str) -> Result<Vec<Line>, Error> {
+    let mut found = Vec::new();
+    let mut fenced = false;
+    let mut open: Option<(usize, String)> = None;
+    for (number, raw) in (1..).zip(readme.lines()) {
+        let line = raw.trim();
+        if line.starts_with("```") {
+            fenced = !fenced;
+            continue;
+        }
+        let (start, text) = match open.take() {
+            Some((start, before)) => (start, format!("{before} {line}")),
+            None => {
+                let line = line.strip_prefix("$ ").unwrap_or(line);
+                if !fenced || !line.starts_with(PREFIX) {
+                    continue;
+                }
+                (number, line.to_owned())
+            }
+        };
+        match text.strip_suffix('\\') {
+            Some(before) => open = Some((start, before.trim_end().to_owned())),
+            None => found.push(command(start, &text)?),
+        }
+    }
+    Ok(found)
+}
+
+fn command(number: usize, printed: &str) -> Result<Line, Error> {
+    let syntax = |why| Error::ReadmeSyntax { line: number, why };
+    let mut words = split(printed.strip_prefix(PREFIX).unwrap_or(printed)).map_err(syntax)?;
+    let into = match words.iter().position(|word| word == &Word::Into) {
+        None => None,
+        Some(at) => {
+            let tail = words.split_off(at);
+            match tail.as_slice() {
+                [Word::Into, Word::Text(name)] => Some(name.clone()),
+                _ => return Err(syntax("after `>` stands one file name and nothing else")),
+            }
+        }
+    };
+    let words = words.into_iter().filter_map(Word::text).collect();
+    Ok(Line { number, printed: printed.to_owned(), words, into })
+}
+
+#[derive(Debug, PartialEq)]
+enum Word {
+    Text(String),
+    Into,
+}
+
+impl Word {
+    fn text(self) -> Option<String> {
+        match self {
+            Self::Text(text) => Some(text),
+            Self::Into => None,
+        }
+    }
+}
+
+/// Words as a shell splits them: quotes, `>` and a comment; nothing else, so that the README's commands read
+/// the same in every shell.
+fn split(line: &str) -> Result<Vec<Word>, &'static str> {
+    let mut words = Vec::new();
+    let mut word: Option<String> = None;
+    let mut quote: Option<char> = None;
+    for letter in line.chars() {
+        match (quote, letter) {
+            (Some(mark), _) if letter == mark => quote = None,
+            (Some(_), _) => word.get_or_insert_default().push(letter),
+            (None, '"' | '\'') => {
+                quote = Some(letter);
+                word.get_or_insert_default();
+            }
+            (None, '#') if word.is_none() => break,
+            (None, '>') => {
+                words.extend(word.take().map(Word::Text));
+                words.push(Word::Into);
+            }
+            (None, '|' | '&' | ';' | '<' | '$' | '`' | '\\' | '*') => {
+                return Err("a README command stands alone: no pipe, variable, pattern or second command");
+            }
+            (None, _) if letter.is_whitespace() => words.extend(word.take().map(Word::Text)),
+            (None, _) => word.get_or_insert_default().push(letter),
+        }
+    }
+    if quote.is_some() {
+        return Err("a quote is not closed");
+    }
+    words.extend(word.map(Word::Text));
+    Ok(words)
+}
+
+fn create(folder: &Path) -> Result<(), Error> {
+    fs::create_dir_all(folder).map_err(|source| Error::File { path: folder.to_path_buf(), source })
+}
+
+fn copy(from: &Path, to: &Path) -> Result<(), Error> {
+    let file = |source| Error::File { path: from.to_path_buf(), source };
+    create(to)?;
+    for entry in fs::read_dir(from).map_err(file)? {
+        let entry = entry.map_err(file)?;
+        let target = to.join(entry.file_name());
+        if entry.file_type().map_err(file)?.is_dir() {
+            copy(&entry.path(), &target)?;
+        } else {
+            fs::copy(entry.path(), target).map_err(file)?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_fenced_commands_count() {
+        let readme = "cargo run --release -- not this\n```sh\n$ cargo run --release -- new table > axis.toml\n\
+                      cargo build\ncargo run --release -- torsion X \\\n  --torque \"60 N m\"  # a remark\n```\n";
+        let lines = commands(readme).unwrap();
+        assert_eq!(lines.len(), 2);
+        assert_eq!((lines[0].number, lines[0].into.as_deref()), (3, Some("axis.toml")));
+        assert_eq!(lines[0].words, ["new", "table"]);
+        assert_eq!((lines[1].number, lines[1].into.as_deref()), (5, None));
+        assert_eq!(lines[1].words, ["torsion", "X", "--torque", "60 N m"]);
+    }
+
+    #[test]
+    fn what_no_plain_command_is_gets_told() {
+        for text in ["size a.toml | head", "size \"a", "size > ", "size > a b"] {
+            let readme = format!("```\n{PREFIX}{text}\n```\n");
+            let error = commands(&readme).unwrap_err();
+            assert!(matches!(error, Error::ReadmeSyntax { line: 2, .. }), "{text}: {error}");
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! The rules of the house that no compiler holds, all findings told at once.
+//!
+//! A rule is a function from the root of a tree to its findings, so each is tried on small trees that break it.
+
+use std::fmt;
+use std::path::Path;
+
+use crate::Error;
+
+mod architecture;
+mod data_files;
+mod layers;
+mod links;
+mod machine_paths;
+mod manifest;
+mod rust_text;
+mod source;
+mod tree;
+
+#[cfg(test)]
+mod scratch;
+
+/// A place where a rule of the house is broken.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Finding {
+    /// File, from the root of the tree, with `/` on every system.
+    pub path: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// Name of the rule.
+    pub rule: &'static str,
+    /// What is wrong and what to do instead.
+    pub message: String,
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: {}: {}", self.path, self.line, self.rule, self.message)
+    }
+}
+
+type Rule = fn(&Path) -> Vec<Finding>;
+
+const RULES: [Rule; 12] = [
+    tree::not_empty,
+    layers::rule,
+    architecture::rule,
+    source::length,
+    source::absences,
+    source::hash_order,
+    source::markers,
+    source::ignored,
+    data_files::rule,
+    manifest::lints,
+    links::rule,
+    machine_paths::rule,
+];
+
+/// Applies every rule to the tree at `root` and prints the findings on stdout.
+///
+/// # Errors
+/// When there is a finding.
+pub fn run(root: &Path) -> Result<(), Error> {
+    let findings = findings(root);
+    for finding in &findings {
+        println!("{finding}");
+    }
+    if findings.is_empty() {
+        return Ok(());
+    }
+    Err(Error::Untidy { count: findings.len() })
+}
+
+/// All findings in the tree at `root`, by file and line.
+#[must_use]
+pub fn findings(root: &Path) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = RULES.iter().flat_map(|rule| rule(root)).collect();
+    findings.sort();
+    findings.dedup();
+    findings
+}

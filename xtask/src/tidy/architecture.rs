@@ -1,0 +1,74 @@
+//! ARCHITECTURE.md names every crate and no path that is gone.
+
+use std::path::Path;
+
+use super::Finding;
+use super::links::code_spans;
+use super::manifest::Members;
+use super::tree::Tree;
+
+const FILE: &str = "ARCHITECTURE.md";
+
+pub(super) fn rule(root: &Path) -> Vec<Finding> {
+    let tree = Tree::read(root);
+    let tell = |line, message| Finding { path: FILE.to_owned(), line, rule: "architecture", message };
+    let Some(text) = tree.text(FILE) else {
+        return vec![tell(1, String::from("no such file"))];
+    };
+    let spans = code_spans(&text);
+    let mut findings = Vec::new();
+    for member in Members::read(&tree).list {
+        if !spans.iter().any(|(_, span)| *span == member.name) {
+            findings.push(tell(1, format!("crate `{}` is not named", member.name)));
+        }
+    }
+    for (line, span) in spans.iter().filter(|(_, span)| is_path(span)) {
+        if !tree.has(span) {
+            findings.push(tell(*line, format!("`{span}` is not in the tree")));
+        }
+    }
+    findings
+}
+
+/// A path has a slash and no sign that it stands for something else.
+fn is_path(span: &str) -> bool {
+    span.contains('/') && !span.contains("://") && !span.contains([' ', '*', '<', '>', '{', '}', '…', '?'])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tidy::scratch::Scratch;
+
+    fn told(architecture: &str) -> Vec<String> {
+        let scratch = Scratch::new(&[
+            ("Cargo.toml", "[workspace]\nmembers = [\"crates/*\"]\n"),
+            ("crates/motion/Cargo.toml", "[package]\nname = \"motion\"\n"),
+            (FILE, architecture),
+        ]);
+        rule(scratch.root()).iter().map(Finding::to_string).collect()
+    }
+
+    #[test]
+    fn a_crate_in_backticks_and_a_path_that_exists_are_fine() {
+        assert!(told("`motion` lives in `crates/motion/`; `crates/*` and `a / b` are no paths").is_empty());
+    }
+
+    #[test]
+    fn a_crate_left_out_is_found() {
+        assert_eq!(told("motion is only mentioned"), ["ARCHITECTURE.md:1: architecture: crate `motion` is not named"]);
+    }
+
+    #[test]
+    fn a_path_that_is_gone_is_found() {
+        assert_eq!(
+            told("# Rooms\n`motion` was in `crates/move`"),
+            ["ARCHITECTURE.md:2: architecture: `crates/move` is not in the tree"]
+        );
+    }
+
+    #[test]
+    fn the_document_itself_must_be_there() {
+        assert_eq!(rule(Scratch::new(&[]).root()).len(), 1);
+    }
+}

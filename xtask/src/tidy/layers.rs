@@ -1,0 +1,144 @@
+//! Which room may know which: a crate is built from lower layers only.
+
+use std::path::Path;
+
+use super::Finding;
+use super::manifest::{Dependency, Kind, Member, Members};
+use super::tree::Tree;
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Room {
+    /// Part of the product; may use lower layers.
+    Layer(u8),
+    /// Serves tests and nothing else.
+    DevOnly,
+    /// Looks at the product from outside.
+    Outside,
+}
+
+/// Every crate of the workspace by package name. A new crate is entered here first.
+const ROOMS: [(&str, Room); 20] = [
+    ("quantities", Room::Layer(0)),
+    ("provenance", Room::Layer(0)),
+    ("order-code", Room::Layer(0)),
+    ("catalogue", Room::Layer(1)),
+    ("motion", Room::Layer(1)),
+    ("mechanism", Room::Layer(1)),
+    ("actuator", Room::Layer(1)),
+    ("configurator", Room::Layer(2)),
+    ("sizing", Room::Layer(2)),
+    ("twin", Room::Layer(2)),
+    ("installation", Room::Layer(2)),
+    ("workbench", Room::Layer(3)),
+    ("report", Room::Layer(4)),
+    ("antrieb", Room::Layer(5)),
+    ("server", Room::Layer(5)),
+    ("testkit", Room::DevOnly),
+    ("xtask", Room::Outside),
+    ("benches", Room::Outside),
+    ("fuzz", Room::Outside),
+    ("validation", Room::Outside),
+];
+
+/// The one crate that may serve its own layer.
+const SERVES_ITS_LAYER: &str = "motion";
+
+pub(super) fn room(name: &str) -> Option<Room> {
+    ROOMS.iter().find(|(known, _)| *known == name).map(|(_, room)| *room)
+}
+
+pub(super) fn rule(root: &Path) -> Vec<Finding> {
+    let members = Members::read(&Tree::read(root));
+    let mut findings = members.findings.clone();
+    for member in &members.list {
+        let mut tell = |line, message| {
+            findings.push(Finding { path: member.manifest(), line, rule: "layers", message });
+        };
+        match room(&member.name) {
+            None => tell(1, format!("crate `{}` has no layer: enter it in xtask/src/tidy/layers.rs", member.name)),
+            Some(from) => {
+                for dependency in members.dependencies(member) {
+                    if let Some(message) = objection(member, from, &dependency) {
+                        tell(dependency.line, message);
+                    }
+                }
+            }
+        }
+    }
+    findings
+}
+
+fn objection(member: &Member, from: Room, dependency: &Dependency) -> Option<String> {
+    if dependency.kind == Kind::Dev {
+        return None;
+    }
+    let (name, on) = (&member.name, &dependency.name);
+    match (from, room(on)?) {
+        (_, Room::DevOnly) => Some(format!("`{on}` may only be a dev-dependency")),
+        (Room::Layer(_), Room::Outside) => Some(format!("`{name}` is part of the product and may not use `{on}`")),
+        (Room::Layer(own), Room::Layer(other)) => {
+            let served = on == SERVES_ITS_LAYER && name != SERVES_ITS_LAYER && own == other;
+            (other >= own && !served)
+                .then(|| format!("`{name}` (layer {own}) may not use `{on}` (layer {other}): only lower layers"))
+        }
+        (Room::DevOnly | Room::Outside, _) => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tidy::scratch::Scratch;
+
+    fn told(name: &str, rest: &str) -> Vec<String> {
+        let manifest = format!("[package]\nname = \"{name}\"\n{rest}");
+        let scratch = Scratch::new(&[
+            (
+                "Cargo.toml",
+                "[workspace]\nmembers = [\"crates/*\"]\n[workspace.dependencies]\nsz = { package = \"sizing\", path = \"crates/sizing\" }\n",
+            ),
+            ("crates/it/Cargo.toml", &manifest),
+        ]);
+        rule(scratch.root()).iter().map(Finding::to_string).collect()
+    }
+
+    #[test]
+    fn lower_layers_and_foreign_crates_are_fine() {
+        assert!(told("sizing", "[dependencies]\nmotion.workspace = true\ntoml = \"1\"\n[dev-dependencies]\ntestkit.workspace = true\nworkbench.workspace = true\n").is_empty());
+        assert!(told("actuator", "[dependencies]\nmotion.workspace = true\n").is_empty());
+        assert!(told("benches", "[dependencies]\nworkbench.workspace = true\n").is_empty());
+    }
+
+    #[test]
+    fn a_layer_that_looks_up_or_sideways_is_found() {
+        assert_eq!(
+            told("motion", "\n[dependencies]\nquantities.workspace = true\nsizing.workspace = true\n"),
+            ["crates/it/Cargo.toml:6: layers: `motion` (layer 1) may not use `sizing` (layer 2): only lower layers"]
+        );
+        assert_eq!(told("actuator", "[dependencies]\ncatalogue.workspace = true\n").len(), 1);
+        assert_eq!(told("order-code", "[dependencies]\nquantities.workspace = true\n").len(), 1);
+    }
+
+    #[test]
+    fn no_disguise_helps() {
+        assert_eq!(told("catalogue", "[build-dependencies]\nsizing.workspace = true\n").len(), 1);
+        assert_eq!(told("catalogue", "[dependencies]\nsz.workspace = true\n").len(), 1);
+        assert_eq!(told("catalogue", "[dependencies]\nx = { package = \"twin\", path = \"\" }\n").len(), 1);
+        assert_eq!(told("catalogue", "[target.'cfg(unix)'.dependencies]\nsizing = \"1\"\n").len(), 1);
+    }
+
+    #[test]
+    fn testkit_serves_tests_only_and_outside_is_outside() {
+        assert_eq!(
+            told("sizing", "[dependencies]\ntestkit.workspace = true\n"),
+            ["crates/it/Cargo.toml:4: layers: `testkit` may only be a dev-dependency"]
+        );
+        assert_eq!(told("antrieb", "[dependencies]\nxtask = \"0\"\n").len(), 1);
+    }
+
+    #[test]
+    fn a_crate_without_a_layer_is_found() {
+        let told = told("utils", "");
+        assert!(told.iter().any(|text| text.contains("crate `utils` has no layer")), "{told:?}");
+    }
+}

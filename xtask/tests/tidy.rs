@@ -1,0 +1,8 @@
+//! The rules of the house hold in the tree as it is, so `cargo test` holds them too.
+
+#[test]
+fn the_tree_is_tidy() {
+    let findings = xtask::tidy::findings(&xtask::root());
+    let told: Vec<String> = findings.iter().map(ToString::to_string).collect();
+    assert!(told.is_empty(), "{} findings:\n{}", told.len(), told.join("\n"));
+}
