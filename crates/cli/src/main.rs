@@ -1,1 +1,47 @@
-fn main() {}
+//! The command line of antrieb: stdout is data, stderr is talk.
+//!
+//! Exit code 0: fits, or answered; 1: does not fit; 2: the question could not be answered.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "this face speaks to the terminal")]
+
+mod answer;
+mod code;
+mod command;
+mod data;
+mod fault;
+mod judge;
+mod table;
+
+use answer::Answer;
+use clap::ArgMatches;
+use std::process::ExitCode;
+use workbench::Language;
+
+fn main() -> ExitCode {
+    let language = command::language_of(std::env::args_os());
+    let matches = match command::build(language).try_get_matches() {
+        Ok(matches) => matches,
+        Err(error) => {
+            let code = if error.use_stderr() { 2 } else { 0 };
+            // A closed pipe is the reader's business.
+            let _ = error.print();
+            return ExitCode::from(code);
+        }
+    };
+    let answer = dispatch(&matches, language);
+    answer.write()
+}
+
+fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
+    let json = matches.get_flag("json");
+    match matches.subcommand() {
+        Some(("size", found)) => judge::size(found, json, language),
+        Some(("check", found)) => judge::check(found, json, language),
+        Some(("code", found)) => code::dispatch(found, json, language),
+        Some(("data", found)) => data::sheet(found, json, language),
+        Some(("catalogue", found)) => data::catalogue(found, json),
+        Some(("schema", _)) => Answer::data(format!("{:#}\n", workbench::schema(language))),
+        Some(("completions", found)) => command::completions(found, language),
+        Some(("man", found)) => command::man(found, language),
+        _ => Answer::none(),
+    }
+}

@@ -1,0 +1,183 @@
+//! `code parse|list|complete`.
+
+use crate::answer::Answer;
+use crate::fault::report;
+use crate::table::{Align, Table};
+use clap::ArgMatches;
+use quantities::Language;
+use std::fmt::Write as _;
+use workbench::text::describe_field;
+use workbench::{CodeFault, CodeReading, Diagnostic, json};
+
+pub(crate) fn dispatch(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    match matches.subcommand() {
+        Some(("parse", found)) => parse(&read_argument(found), as_json, language),
+        Some(("list", found)) => list(found, as_json, language),
+        Some(("complete", found)) => complete(&read_argument(found), as_json, language),
+        _ => Answer::none(),
+    }
+}
+
+/// The words of a code argument joined: `code parse cha 20a 100 h c1024` needs no quotes.
+pub(crate) fn read_argument(matches: &ArgMatches) -> String {
+    matches.get_many::<String>("code").into_iter().flatten().cloned().collect::<Vec<_>>().join(" ")
+}
+
+/// Reads a code that a command is about, with a remark if it was not written canonically.
+pub(crate) fn parse_for_use(text: &str, as_json: bool, language: Language) -> Result<(CodeReading, String), Answer> {
+    match workbench::read_code(text, language) {
+        Ok(reading) => {
+            let note = understood(&reading, language);
+            Ok((reading, note))
+        }
+        Err((faults, nearest)) => {
+            let mut answer = code_report(text, &faults, language);
+            if !nearest.is_empty() {
+                let names: Vec<String> = nearest.iter().map(ToString::to_string).collect();
+                let word = match language {
+                    Language::En => "nearest valid codes",
+                    Language::De => "nächste gültige Codes",
+                };
+                let _ = writeln!(answer.talk, "{word}: {}", names.join(", "));
+            }
+            if as_json {
+                answer.data = format!("{:#}\n", json::code_faults(text, &faults, &nearest));
+            }
+            Err(answer)
+        }
+    }
+}
+
+fn understood(reading: &CodeReading, language: Language) -> String {
+    if reading.parsed.is_canonical() {
+        return String::new();
+    }
+    match language {
+        Language::En => format!("understood as {}\n", reading.parsed.code),
+        Language::De => format!("verstanden als {}\n", reading.parsed.code),
+    }
+}
+
+fn code_report(text: &str, faults: &[CodeFault], language: Language) -> Answer {
+    let faults: Vec<Diagnostic> = faults
+        .iter()
+        .map(|fault| Diagnostic::at(text, fault.span.clone(), fault.message.clone(), fault.hint.clone()))
+        .collect();
+    let name = match language {
+        Language::En => "code",
+        Language::De => "Code",
+    };
+    report(name, text, &faults, false, language)
+}
+
+fn parse(text: &str, as_json: bool, language: Language) -> Answer {
+    let (reading, talk) = match parse_for_use(text, as_json, language) {
+        Ok(found) => found,
+        Err(answer) => return answer,
+    };
+    if as_json {
+        return Answer { data: format!("{:#}\n", json::code_reading(&reading, language)), talk, code: 0 };
+    }
+    let mut data = format!("{}\n", reading.parsed.code);
+    let state = match (reading.availability.is_available(), language) {
+        (true, Language::En) => "available".to_owned(),
+        (true, Language::De) => "verfügbar".to_owned(),
+        (false, _) => {
+            let fields: Vec<&str> =
+                reading.availability.on_request.iter().map(|field| describe_field(*field, language)).collect();
+            match language {
+                Language::En => format!("on request: {}", fields.join(", ")),
+                Language::De => format!("auf Anfrage: {}", fields.join(", ")),
+            }
+        }
+    };
+    let _ = writeln!(data, "{state}\n");
+    let (field, token, meaning) = match language {
+        Language::En => ("field", "token", "meaning"),
+        Language::De => ("Feld", "Zeichen", "Bedeutung"),
+    };
+    let mut table = Table::new([(field, Align::Left), (token, Align::Left), (meaning, Align::Left)]);
+    for (each, token, meaning) in workbench::explain_code(&reading.parsed.code, language) {
+        let token = if token.is_empty() { "–".to_owned() } else { token };
+        table.row([describe_field(each, language).to_owned(), token, meaning]);
+    }
+    data.push_str(&table.render());
+    Answer { data, talk, code: 0 }
+}
+
+fn list(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let text = matches.get_one::<String>("pattern");
+    let pattern = match text.map(|text| workbench::read_pattern(text, language)).transpose() {
+        Ok(pattern) => pattern,
+        Err(faults) => return pattern_fault(text.map_or("", String::as_str), &faults, as_json, language),
+    };
+    let only_available = matches.get_flag("available");
+    let codes: Vec<_> = workbench::list_codes(pattern.as_ref())
+        .into_iter()
+        .filter(|(_, found)| !only_available || found.is_available())
+        .collect();
+    if as_json {
+        return Answer::data(format!("{:#}\n", json::codes(&codes, language))).fits(!codes.is_empty());
+    }
+    let mut data = String::new();
+    for (code, found) in &codes {
+        let state = match (found.is_available(), language) {
+            (true, _) => "",
+            (false, Language::En) => "\ton request",
+            (false, Language::De) => "\tauf Anfrage",
+        };
+        let _ = writeln!(data, "{code}{state}");
+    }
+    let available = codes.iter().filter(|(_, found)| found.is_available()).count();
+    let talk = match language {
+        Language::En => format!("{} codes: {available} available, {} on request\n", codes.len(), codes.len() - available),
+        Language::De => format!("{} Codes: {available} verfügbar, {} auf Anfrage\n", codes.len(), codes.len() - available),
+    };
+    Answer { data, talk, code: u8::from(codes.is_empty()) }
+}
+
+fn pattern_fault(text: &str, faults: &[CodeFault], as_json: bool, language: Language) -> Answer {
+    let mut answer = code_report(text, faults, language);
+    if as_json {
+        answer.data = format!("{:#}\n", json::code_faults(text, faults, &[]));
+    }
+    answer
+}
+
+fn complete(text: &str, as_json: bool, language: Language) -> Answer {
+    let pattern = match workbench::read_pattern(text, language) {
+        Ok(pattern) => pattern,
+        Err(faults) => return pattern_fault(text, &faults, as_json, language),
+    };
+    let choices = workbench::completion(&pattern, language);
+    let codes = workbench::list_codes(Some(&pattern));
+    if as_json {
+        return Answer::data(format!("{:#}\n", json::completion(&choices, &codes, language))).fits(!codes.is_empty());
+    }
+    let (field, may, none, request) = match language {
+        Language::En => ("field", "may be (○ on request)", "nothing", "on request"),
+        Language::De => ("Feld", "möglich (○ auf Anfrage)", "nichts", "auf Anfrage"),
+    };
+    let mut table = Table::new([(field, Align::Left), (may, Align::Left)]);
+    for (_, name, found) in &choices {
+        let tokens: Vec<String> = found
+            .iter()
+            .map(|choice| {
+                let token = if choice.token.is_empty() { none } else { choice.token };
+                if choice.available { token.to_owned() } else { format!("{token} ○") }
+            })
+            .collect();
+        table.row([(*name).to_owned(), tokens.join(", ")]);
+    }
+    let mut data = table.render();
+    data.push('\n');
+    for (code, found) in &codes {
+        let state = if found.is_available() { String::new() } else { format!("\t{request}") };
+        let _ = writeln!(data, "{code}{state}");
+    }
+    let talk = match language {
+        Language::En => format!("{} codes\n", codes.len()),
+        Language::De => format!("{} Codes\n", codes.len()),
+    };
+    Answer { data, talk, code: u8::from(codes.is_empty()) }
+}

@@ -1,0 +1,201 @@
+//! The commands and their help, in English and German.
+
+use crate::answer::Answer;
+use clap::builder::{PossibleValuesParser, Styles};
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use std::ffi::OsString;
+use workbench::Language;
+
+const NAME: &str = "antrieb";
+const LANG_VARIABLE: &str = "ANTRIEB_LANG";
+
+fn either(language: Language, en: &'static str, de: &'static str) -> &'static str {
+    match language {
+        Language::En => en,
+        Language::De => de,
+    }
+}
+
+/// The language asked for: `--lang`, else the variable `ANTRIEB_LANG`, else English. The locale of the machine is
+/// left out on purpose: the same call gives the same bytes everywhere.
+pub(crate) fn language_of(arguments: impl Iterator<Item = OsString>) -> Language {
+    let mut wanted = std::env::var(LANG_VARIABLE).ok();
+    let mut arguments = arguments.map(|argument| argument.to_string_lossy().into_owned());
+    while let Some(argument) = arguments.next() {
+        if argument == "--" {
+            break;
+        } else if argument == "--lang" {
+            wanted = arguments.next();
+        } else if let Some(value) = argument.strip_prefix("--lang=") {
+            wanted = Some(value.to_owned());
+        }
+    }
+    if wanted.is_some_and(|wanted| wanted.eq_ignore_ascii_case("de")) { Language::De } else { Language::En }
+}
+
+fn project(language: Language) -> Arg {
+    Arg::new("project")
+        .value_name("PROJECT")
+        .required(true)
+        .value_parser(value_parser!(std::path::PathBuf))
+        .help(either(language, "Project file (TOML); - reads standard input", "Projektdatei (TOML); - liest die Standardeingabe"))
+}
+
+/// The whole command line.
+pub(crate) fn build(language: Language) -> Command {
+    let t = |en, de| either(language, en, de);
+    let size = Command::new("size")
+        .about(t("Rank the whole catalogue for an axis", "Den ganzen Katalog für eine Achse ordnen"))
+        .arg(project(language))
+        .arg(
+            Arg::new("top")
+                .long("top")
+                .value_name("N")
+                .default_value("10")
+                .value_parser(value_parser!(u16).range(1..))
+                .help(t("How many fitting actuators to show", "Wie viele passende Antriebe gezeigt werden")),
+        )
+        .arg(
+            Arg::new("all")
+                .long("all")
+                .action(ArgAction::SetTrue)
+                .help(t("Show every actuator, the rejected ones with their reason", "Alle Antriebe zeigen, die abgelehnten mit Grund")),
+        );
+    let check = Command::new("check")
+        .about(t("Judge one actuator, every check with its margin", "Einen Antrieb beurteilen, jede Prüfung mit ihrer Reserve"))
+        .arg(project(language))
+        .arg(
+            Arg::new("code")
+                .long("code")
+                .value_name("CODE")
+                .help(t("Ordering code; without it the project's own [actuator] is judged", "Bestellcode; ohne ihn wird der eigene [actuator] des Projekts beurteilt")),
+        );
+    let code_arg = |help| Arg::new("code").value_name("CODE").required(true).num_args(1..).help(help);
+    let code = Command::new("code")
+        .about(t("Read, list and complete ordering codes", "Bestellcodes lesen, auflisten und ergänzen"))
+        .subcommand_required(true)
+        .arg_required_else_help(true)
+        .subcommand(
+            Command::new("parse")
+                .about(t("Read a code and explain each field", "Einen Code lesen und jedes Feld erklären"))
+                .arg(code_arg(t("Ordering code, for example CHA-20A-100-H-C1024-B", "Bestellcode, zum Beispiel CHA-20A-100-H-C1024-B"))),
+        )
+        .subcommand(
+            Command::new("list")
+                .about(t("List the valid codes", "Die gültigen Codes auflisten"))
+                .arg(
+                    Arg::new("pattern")
+                        .value_name("PATTERN")
+                        .help(t("Partial code, for example CHA-20A-*-H; all without it", "Teilcode, zum Beispiel CHA-20A-*-H; ohne ihn alle")),
+                )
+                .arg(
+                    Arg::new("available")
+                        .long("available")
+                        .action(ArgAction::SetTrue)
+                        .help(t("Only codes that are available without asking", "Nur Codes, die ohne Anfrage verfügbar sind")),
+                ),
+        )
+        .subcommand(
+            Command::new("complete")
+                .about(t("Complete a partial code and say what may follow", "Einen Teilcode ergänzen und zeigen, was folgen kann"))
+                .arg(code_arg(t("Partial code; * stands for any value of a field", "Teilcode; * steht für jeden Wert eines Feldes"))),
+        );
+    let data = Command::new("data")
+        .about(t("Data sheet of one actuator, each value with its table", "Datenblatt eines Antriebs, jeder Wert mit seiner Tabelle"))
+        .arg(code_arg(t("Ordering code", "Bestellcode")));
+    let catalogue = Command::new("catalogue")
+        .about(t("The whole catalogue", "Der ganze Katalog"))
+        .subcommand_required(true)
+        .arg_required_else_help(true)
+        .subcommand(
+            Command::new("export")
+                .about(t("Every printed cell in long form", "Jede gedruckte Zelle in langer Form"))
+                .arg(
+                    Arg::new("format")
+                        .long("format")
+                        .value_name("FORMAT")
+                        .default_value("csv")
+                        .value_parser(PossibleValuesParser::new(["csv", "json"]))
+                        .help(t("Format", "Format")),
+                ),
+        );
+    let shells = PossibleValuesParser::new(["bash", "elvish", "fish", "powershell", "zsh"]);
+    Command::new(NAME)
+        .version(env!("CARGO_PKG_VERSION"))
+        .about(t(
+            "Engineering workbench for hollow-shaft servo actuators of the CHA series",
+            "Auslegungswerkzeug für Hohlwellen-Servoantriebe der Baureihe CHA",
+        ))
+        .after_help(t(
+            "Exit code: 0 fits or answered, 1 does not fit, 2 the question could not be answered.",
+            "Rückgabewert: 0 passt oder beantwortet, 1 passt nicht, 2 die Frage ließ sich nicht beantworten.",
+        ))
+        .styles(Styles::styled())
+        .subcommand_required(true)
+        .arg_required_else_help(true)
+        .arg(
+            Arg::new("json")
+                .long("json")
+                .global(true)
+                .action(ArgAction::SetTrue)
+                .help(t("Answer as JSON", "Antwort als JSON")),
+        )
+        .arg(
+            Arg::new("lang")
+                .long("lang")
+                .global(true)
+                .value_name("LANG")
+                .value_parser(PossibleValuesParser::new(["de", "en"]))
+                .help(t("Language of the answer (or variable ANTRIEB_LANG)", "Sprache der Antwort (oder Variable ANTRIEB_LANG)")),
+        )
+        .subcommand(size)
+        .subcommand(check)
+        .subcommand(code)
+        .subcommand(data)
+        .subcommand(catalogue)
+        .subcommand(Command::new("schema").about(t("JSON Schema of the project file", "JSON-Schema der Projektdatei")))
+        .subcommand(
+            Command::new("completions")
+                .about(t("Completion script for a shell", "Vervollständigung für eine Shell"))
+                .arg(Arg::new("shell").required(true).value_parser(shells).help(t("Shell", "Shell"))),
+        )
+        .subcommand(
+            Command::new("man")
+                .about(t("Manual page (roff)", "Handbuchseite (roff)"))
+                .arg(Arg::new("command").value_name("COMMAND").help(t("Command; antrieb itself without it", "Befehl; ohne ihn antrieb selbst"))),
+        )
+}
+
+/// The completion script of a shell.
+pub(crate) fn completions(matches: &ArgMatches, language: Language) -> Answer {
+    let mut out = Vec::new();
+    let mut command = build(language);
+    let shell = matches.get_one::<String>("shell").and_then(|name| name.parse::<clap_complete::Shell>().ok());
+    if let Some(shell) = shell {
+        clap_complete::generate(shell, &mut command, NAME, &mut out);
+    }
+    Answer::data(String::from_utf8_lossy(&out).into_owned())
+}
+
+/// A manual page.
+pub(crate) fn man(matches: &ArgMatches, language: Language) -> Answer {
+    let mut whole = build(language);
+    whole.build();
+    let wanted = matches.get_one::<String>("command");
+    let page = match wanted {
+        None => Some(whole),
+        Some(name) => whole.find_subcommand(name).map(|found| found.clone().display_name(format!("{NAME}-{name}"))),
+    };
+    let Some(page) = page else {
+        let name = wanted.map_or("", String::as_str);
+        return Answer::fault(match language {
+            Language::En => format!("antrieb: there is no command `{name}`\n"),
+            Language::De => format!("antrieb: es gibt keinen Befehl `{name}`\n"),
+        });
+    };
+    let mut out = Vec::new();
+    match clap_mangen::Man::new(page).render(&mut out) {
+        Ok(()) => Answer::data(String::from_utf8_lossy(&out).into_owned()),
+        Err(error) => Answer::fault(format!("antrieb: {error}\n")),
+    }
+}

@@ -1,0 +1,103 @@
+//! `data` and `catalogue export`.
+
+use crate::answer::Answer;
+use crate::code::{parse_for_use, read_argument};
+use crate::table::{Align, Table, paragraph};
+use clap::ArgMatches;
+use quantities::Language;
+use std::fmt::Write as _;
+use workbench::text::symbol_term;
+use workbench::{EXPORT_COLUMNS, Sheet, export_rows, json};
+
+/// `antrieb data CODE`
+pub(crate) fn sheet(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let (reading, talk) = match parse_for_use(&read_argument(matches), as_json, language) {
+        Ok(found) => found,
+        Err(answer) => return answer,
+    };
+    let Some(sheet) = workbench::sheet(&reading.parsed.code) else {
+        let what = match language {
+            Language::En => "error: the manual prints no data for this code (on request only)\n",
+            Language::De => "Fehler: für diesen Code druckt die Anleitung keine Daten (nur auf Anfrage)\n",
+        };
+        return Answer::fault(what.to_owned());
+    };
+    let data =
+        if as_json { format!("{:#}\n", json::sheet(&sheet, language)) } else { sheet_text(&sheet, language) };
+    Answer { data, talk, code: 0 }
+}
+
+fn sheet_text(sheet: &Sheet, language: Language) -> String {
+    let mut out = format!("{}\n", sheet.code);
+    let mut errata: Vec<&'static str> = Vec::new();
+    for section in &sheet.sections {
+        let (title, word) = match language {
+            Language::En => (section.table.title_en, "table"),
+            Language::De => (section.table.title_de, "Tabelle"),
+        };
+        let _ = writeln!(out, "\n{title} ({word} {})", section.table.id);
+        let (symbol, value, unit, name) = match language {
+            Language::En => ("symbol", "value", "unit", "name"),
+            Language::De => ("Symbol", "Wert", "Einheit", "Benennung"),
+        };
+        let mut table = Table::new([(symbol, Align::Left), (value, Align::Left), (unit, Align::Left), (name, Align::Left)]);
+        for row in &section.rows {
+            let cell = row.cell;
+            let mut name = symbol_term(cell.symbol, language);
+            if !cell.condition.is_empty() {
+                let _ = write!(name, " ({})", cell.condition.replace("degC", "°C"));
+            }
+            let mut value = decimal(cell.corrected, language);
+            if cell.corrected != cell.printed {
+                let printed = decimal(cell.printed, language);
+                let _ = match language {
+                    Language::En => write!(value, " (printed {printed})"),
+                    Language::De => write!(value, " (gedruckt {printed})"),
+                };
+            }
+            if !cell.errata.is_empty() {
+                value.push_str(" *");
+                errata.extend(cell.errata.iter().filter(|id| !errata.contains(id)).copied().collect::<Vec<_>>());
+            }
+            let unit = quantities::Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol);
+            table.row([cell.symbol.to_owned(), value, unit.to_owned(), name]);
+        }
+        out.push_str(&table.render());
+    }
+    if !errata.is_empty() {
+        out.push('\n');
+    }
+    for id in errata {
+        let evidence = catalogue::erratum(id).map_or("", |erratum| erratum.evidence);
+        out.push_str(&paragraph(&format!("* {id}: "), evidence));
+    }
+    out
+}
+
+/// Printed numbers have a decimal comma; English readers get a point. Texts stay as they are.
+fn decimal(text: &str, language: Language) -> String {
+    let numeric = text.chars().all(|c| c.is_ascii_digit() || " ,.<>≤≥±%-".contains(c));
+    if language == Language::En && numeric { text.replace(',', ".") } else { text.to_owned() }
+}
+
+/// `antrieb catalogue export`
+pub(crate) fn catalogue(matches: &ArgMatches, as_json: bool) -> Answer {
+    let Some(("export", found)) = matches.subcommand() else { return Answer::none() };
+    let json_wanted = as_json || found.get_one::<String>("format").is_some_and(|format| format == "json");
+    if json_wanted {
+        return Answer::data(format!("{:#}\n", json::export()));
+    }
+    let mut out = EXPORT_COLUMNS.join(",");
+    out.push('\n');
+    for (_, row) in export_rows() {
+        let fields: Vec<String> = row.iter().map(|field| quoted(field)).collect();
+        out.push_str(&fields.join(","));
+        out.push('\n');
+    }
+    Answer::data(out)
+}
+
+/// A CSV field (RFC 4180): quoted where it holds a comma, a quote or a line break.
+fn quoted(field: &str) -> String {
+    if field.contains([',', '"', '\n', '\r']) { format!("\"{}\"", field.replace('"', "\"\"")) } else { field.to_owned() }
+}

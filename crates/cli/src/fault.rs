@@ -1,0 +1,112 @@
+//! Faults of the input, shown with file, line, column and the offending text underlined.
+
+use crate::answer::Answer;
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use quantities::Language;
+use std::io::Read;
+use std::path::Path;
+use workbench::{Diagnostic, PROJECT_MAX_BYTES, Project, json};
+
+/// Longest line that is shown with an underline; a longer one is cut out of the picture.
+const LINE_MAX: usize = 400;
+
+/// Reads a project file; a fault is the finished answer.
+pub(crate) fn read_project(path: &Path, as_json: bool, language: Language) -> Result<Project, Answer> {
+    let name = path.display().to_string();
+    let bytes = read_bytes(path).map_err(|error| unreadable(&name, &error.to_string(), as_json, language))?;
+    if bytes.len() > PROJECT_MAX_BYTES {
+        let what = match language {
+            Language::En => format!("the file is larger than {PROJECT_MAX_BYTES} bytes; a project file is text of a few kilobytes"),
+            Language::De => format!("die Datei ist größer als {PROJECT_MAX_BYTES} Byte; eine Projektdatei ist Text von wenigen Kilobyte"),
+        };
+        return Err(unreadable(&name, &what, as_json, language));
+    }
+    let text = match String::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) => {
+            let at = error.utf8_error().valid_up_to();
+            let line = error.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count() + 1;
+            let what = match language {
+                Language::En => format!("line {line}: not UTF-8 text"),
+                Language::De => format!("Zeile {line}: kein UTF-8-Text"),
+            };
+            return Err(unreadable(&name, &what, as_json, language));
+        }
+    };
+    Project::read(&text, language).map_err(|faults| report(&name, &text, &faults, as_json, language))
+}
+
+/// At most one byte more than a project file may have: a large file or an endless stream is not read to its end.
+fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
+    let limit = PROJECT_MAX_BYTES as u64 + 1;
+    let mut bytes = Vec::new();
+    if path.as_os_str() == "-" {
+        std::io::stdin().lock().take(limit).read_to_end(&mut bytes)?;
+    } else {
+        std::fs::File::open(path)?.take(limit).read_to_end(&mut bytes)?;
+    }
+    Ok(bytes)
+}
+
+fn unreadable(file: &str, what: &str, as_json: bool, language: Language) -> Answer {
+    let word = error_word(language);
+    let talk = format!("{word}: {file}: {what}\n");
+    let mut answer = Answer::fault(talk);
+    if as_json {
+        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "file": file, "message": what }] }));
+    }
+    answer
+}
+
+/// The word that heads a fault.
+pub(crate) const fn error_word(language: Language) -> &'static str {
+    match language {
+        Language::En => "error",
+        Language::De => "Fehler",
+    }
+}
+
+const fn help_word(language: Language) -> &'static str {
+    match language {
+        Language::En => "help",
+        Language::De => "Hilfe",
+    }
+}
+
+/// Every fault of a text, underlined.
+pub(crate) fn report(file: &str, text: &str, faults: &[Diagnostic], as_json: bool, language: Language) -> Answer {
+    let mut talk = String::new();
+    for fault in faults {
+        talk.push_str(&render(file, text, fault, language));
+        talk.push('\n');
+    }
+    talk.push_str(&match (language, faults.len()) {
+        (Language::En, 1) => "antrieb: 1 error; nothing was calculated\n".to_owned(),
+        (Language::En, n) => format!("antrieb: {n} errors; nothing was calculated\n"),
+        (Language::De, n) => format!("antrieb: {n} Fehler; es wurde nichts gerechnet\n"),
+    });
+    let mut answer = Answer::fault(talk);
+    if as_json {
+        answer.data = format!("{:#}\n", json::diagnostics(file, faults));
+    }
+    answer
+}
+
+fn render(file: &str, text: &str, fault: &Diagnostic, language: Language) -> String {
+    let place = format!("{file}:{}:{}", fault.line, fault.column);
+    let line = text.lines().nth(fault.line.saturating_sub(1)).unwrap_or_default();
+    let long = line.len() > LINE_MAX || fault.span.len() > LINE_MAX;
+    let help = fault.hint.as_deref().map(|hint| format!("{}: {hint}", help_word(language)));
+    if long {
+        let help = help.map(|help| format!("  {help}\n")).unwrap_or_default();
+        return format!("{}: {}\n  --> {place}\n{help}", error_word(language), fault.message);
+    }
+    let level = Level::ERROR.with_name(error_word(language));
+    let mut group: Group<'_> = level.primary_title(fault.message.as_str()).element(
+        Snippet::source(text).path(file).annotation(AnnotationKind::Primary.span(fault.span.clone())),
+    );
+    if let Some(hint) = fault.hint.as_deref() {
+        group = group.element(Level::HELP.with_name(help_word(language)).message(hint));
+    }
+    format!("{}\n", Renderer::styled().render(&[group]))
+}

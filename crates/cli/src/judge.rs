@@ -1,0 +1,401 @@
+//! `size` and `check`: the axis against the catalogue, and against one actuator.
+
+use crate::answer::Answer;
+use crate::code::parse_for_use;
+use crate::fault::{error_word, read_project};
+use crate::table::{Align, Table, paragraph};
+use anstyle::{AnsiColor, Style};
+use clap::ArgMatches;
+use quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
+use quantities::{Language, Measure, Unit, format_number, format_significant};
+use sizing::{Check, Demand, Figure, Verdict};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use workbench::text::{
+    assumption_text, check_missing, check_title, describe_rule, note_text, ranking_rule, source_text, unmet_text,
+    verdict_word,
+};
+use workbench::{Candidate, CandidateId, Objection, Project, Refusal, Sizing, json};
+
+fn t(language: Language, en: &str, de: &str) -> String {
+    match language {
+        Language::En => en.to_owned(),
+        Language::De => de.to_owned(),
+    }
+}
+
+fn shown(si: f64, unit: &Unit, language: Language) -> String {
+    format_significant(unit.from_si(si), 4, language)
+}
+
+fn figure(figure: Option<Figure>, language: Language) -> String {
+    figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
+}
+
+fn percent(utilisation: Option<f64>, language: Language) -> String {
+    utilisation.map_or_else(|| "–".into(), |share| format_number(share * 100.0, 1, language))
+}
+
+fn paint(text: &str, verdict: Verdict) -> String {
+    let colour = match verdict {
+        Verdict::Pass => AnsiColor::Green,
+        Verdict::Fail => AnsiColor::Red,
+        Verdict::Advice => AnsiColor::Yellow,
+        Verdict::NotChecked => AnsiColor::Magenta,
+    };
+    let style = Style::new().fg_color(Some(colour.into())).bold();
+    format!("{style}{text}{style:#}")
+}
+
+fn project_of(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Project, Answer> {
+    let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
+    read_project(&path, as_json, language)
+}
+
+/// `antrieb size PROJECT`
+pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let project = match project_of(matches, as_json, language) {
+        Ok(project) => project,
+        Err(answer) => return answer,
+    };
+    let all = matches.get_flag("all");
+    let top = if all { usize::MAX } else { usize::from(matches.get_one::<u16>("top").copied().unwrap_or(10)) };
+    let sizing = workbench::size(&project);
+    let fits = sizing.fits();
+    if as_json {
+        return Answer::data(format!("{:#}\n", json::sizing(&sizing, top, language))).fits(fits);
+    }
+    Answer::data(sizing_text(&sizing, top, all, language)).fits(fits)
+}
+
+fn sizing_text(sizing: &Sizing<'_>, top: usize, all: bool, language: Language) -> String {
+    let mut out = String::new();
+    let total = sizing.candidates.len();
+    let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits()).count();
+    let name = if sizing.name.is_empty() { t(language, "axis", "Achse") } else { sizing.name.to_owned() };
+    let _ = match sizing.answer() {
+        Some(best) => writeln!(out, "{name}: {}", paint(&best.id.to_string(), Verdict::Pass)),
+        None => writeln!(
+            out,
+            "{name}: {}",
+            paint(&t(language, "no actuator of the catalogue fits", "kein Antrieb des Katalogs passt"), Verdict::Fail)
+        ),
+    };
+    let judged = match language {
+        Language::En => format!("{total} actuators judged, {fitting} fit"),
+        Language::De => format!("{total} Antriebe beurteilt, {fitting} passen"),
+    };
+    let _ = writeln!(out, "{judged}\n");
+    if let Some(best) = sizing.answer() {
+        out.push_str(&demand_text(best, language));
+        out.push('\n');
+    }
+    if fitting > 0 {
+        out.push_str(&ranking_table(sizing, top, language).render());
+        out.push_str(&paragraph("", &ranking_rule(language)));
+        if fitting > top {
+            let more = fitting - top;
+            let line = match language {
+                Language::En => format!("{more} more fit; --top N or --all shows them"),
+                Language::De => format!("{more} weitere passen; --top N oder --all zeigt sie"),
+            };
+            let _ = writeln!(out, "{line}");
+        }
+        out.push('\n');
+    }
+    if let Some(best) = sizing.answer() {
+        let open: Vec<String> = best
+            .not_checked()
+            .map(|check| format!("{} ({})", check_title(check.id, language), missing(check, language)))
+            .collect();
+        if !open.is_empty() {
+            out.push_str(&paragraph(&t(language, "not checked: ", "nicht geprüft: "), &open.join("; ")));
+        }
+        out.push_str(&remarks(best, language));
+    }
+    out.push_str(&rejected_text(sizing, all, language));
+    if let Some(own) = &sizing.own {
+        let _ = writeln!(out, "\n{}", t(language, "own actuator of the project:", "eigener Antrieb des Projekts:"));
+        out.push_str(&candidate_text(own, language));
+    }
+    out.push_str(&assumptions_text(sizing.assumptions, language));
+    out
+}
+
+fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
+    let (rank, code, util, tightest, mass) = match language {
+        Language::En => ("#", "ordering code", "util. %", "tightest check", "m kg"),
+        Language::De => ("#", "Bestellcode", "Ausl. %", "engste Prüfung", "m kg"),
+    };
+    let note = t(language, "remark", "Bemerkung");
+    let mut table = Table::new([
+        (rank, Align::Right),
+        (code, Align::Left),
+        (util, Align::Right),
+        (tightest, Align::Left),
+        ("T_rms Nm", Align::Right),
+        (mass, Align::Right),
+        (note.as_str(), Align::Left),
+    ]);
+    for (index, candidate) in sizing.candidates.iter().filter(|candidate| candidate.fits()).take(top).enumerate() {
+        let judgement = &candidate.judgement;
+        let mass = candidate.parameters.mass.known();
+        let mut remarks: Vec<String> = judgement
+            .checks
+            .iter()
+            .filter(|check| check.verdict == Verdict::Advice)
+            .map(|check| format!("{}: {}", verdict_word(check.verdict, language), check_title(check.id, language)))
+            .collect();
+        if !candidate.on_request.is_empty() {
+            remarks.push(t(language, "on request", "auf Anfrage"));
+        }
+        table.row([
+            (index + 1).to_string(),
+            candidate.id.to_string(),
+            percent(Some(candidate.standing.utilisation), language),
+            judgement.tightest().map(|check| check_title(check.id, language)).unwrap_or_default(),
+            judgement.demand.map(|d| shown(d.torque_rms.si(), &NEWTON_METRE, language)).unwrap_or_default(),
+            mass.map(|m| format_number(KILOGRAM.from_si(m.value.si()), 1, language)).unwrap_or_default(),
+            remarks.join(", "),
+        ]);
+    }
+    table
+}
+
+/// The reason of a rejection in one line: the failing check that is exceeded most, else the first objection.
+fn reason(candidate: &Candidate<'_>, language: Language) -> String {
+    if let Some(check) = candidate.worst_failure() {
+        let unit = check.value.map_or("", |figure| figure.unit.symbol);
+        let over = check.utilisation.map(|_| format!(" ({} %)", percent(check.utilisation, language))).unwrap_or_default();
+        return format!(
+            "{}: {} > {} {unit}{over}",
+            check_title(check.id, language),
+            figure(check.value, language),
+            figure(check.limit, language),
+        );
+    }
+    candidate.objections.first().map(|objection| objection_text(candidate, objection, language)).unwrap_or_default()
+}
+
+fn objection_text(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> String {
+    match (objection, &candidate.id) {
+        (Objection::Unmet(unmet), _) => unmet_text(unmet, language),
+        (Objection::Rule(rule), CandidateId::Code(code)) => describe_rule(code, rule, language),
+        (Objection::Rule(rule), CandidateId::Own(_)) => rule.table.to_owned(),
+    }
+}
+
+fn rejected_text(sizing: &Sizing<'_>, all: bool, language: Language) -> String {
+    let rejected: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|candidate| !candidate.fits()).collect();
+    if rejected.is_empty() {
+        return String::new();
+    }
+    let mut out = String::new();
+    if all {
+        let code = t(language, "rejected", "abgelehnt");
+        let why = t(language, "reason", "Grund");
+        let mut table = Table::new([(code.as_str(), Align::Left), (why.as_str(), Align::Left)]);
+        for candidate in rejected {
+            table.row([candidate.id.to_string(), reason(candidate, language)]);
+        }
+        out.push_str(&table.render());
+        return out;
+    }
+    let mut counts: Vec<(String, usize)> = Vec::new();
+    for candidate in &rejected {
+        let what = candidate.worst_failure().map_or_else(
+            || t(language, "requirement", "Anforderung"),
+            |check| check_title(check.id, language),
+        );
+        match counts.iter_mut().find(|(name, _)| *name == what) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((what, 1)),
+        }
+    }
+    counts.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+    let parts: Vec<String> = counts.iter().map(|(name, count)| format!("{name} {count}")).collect();
+    let head = match language {
+        Language::En => format!("rejected {}: ", rejected.len()),
+        Language::De => format!("abgelehnt {}: ", rejected.len()),
+    };
+    let tail = t(language, " (--all shows each with its reason)", " (--all zeigt jeden mit Grund)");
+    out.push_str(&paragraph(&head, &format!("{}{tail}", parts.join(", "))));
+    if let Some(nearest) = rejected.first() {
+        let head = t(language, "nearest miss: ", "knapp daneben: ");
+        out.push_str(&paragraph(&head, &format!("{}, {}", nearest.id, reason(nearest, language))));
+    }
+    out
+}
+
+fn missing(check: &Check, language: Language) -> String {
+    check.missing.map(|symbol| check_missing(symbol, language)).unwrap_or_default()
+}
+
+fn demand_line(name: &str, demand: &Demand, language: Language) -> String {
+    format!(
+        "{name:<10} T_rms {} Nm · T_peak {} Nm · n_av {} {rpm} · n_peak {} {rpm} · ED {} %\n",
+        shown(demand.torque_rms.si(), &NEWTON_METRE, language),
+        shown(demand.torque_peak.si(), &NEWTON_METRE, language),
+        shown(demand.speed_mean.si(), &REVOLUTION_PER_MINUTE, language),
+        shown(demand.speed_peak.si(), &REVOLUTION_PER_MINUTE, language),
+        format_number(PERCENT.from_si(demand.duty_factor), 2, language),
+        rpm = REVOLUTION_PER_MINUTE.symbol,
+    )
+}
+
+/// The demand in both modes; the exact integral is shown where it says something else.
+fn demand_text(candidate: &Candidate<'_>, language: Language) -> String {
+    let mut out = String::new();
+    let name = match language {
+        Language::En => format!("demand on {}", candidate.id),
+        Language::De => format!("Anforderung an {}", candidate.id),
+    };
+    let _ = writeln!(out, "{name}");
+    if let Some(manual) = &candidate.judgement.manual {
+        for (index, each) in manual.moves.iter().enumerate().take(5) {
+            let which = if manual.moves.len() > 1 { format!(" ({})", index + 1) } else { String::new() };
+            let _ = writeln!(
+                out,
+                "  T_1 {} · T_2 {} · T_3 {} Nm{which}",
+                shown(each.accelerate.si(), &NEWTON_METRE, language),
+                shown(each.run.si(), &NEWTON_METRE, language),
+                shown(each.brake.si(), &NEWTON_METRE, language),
+            );
+        }
+        out.push_str("  ");
+        out.push_str(&demand_line("manual", &manual.demand, language));
+    }
+    if let Some(demand) = &candidate.judgement.demand {
+        out.push_str("  ");
+        out.push_str(&demand_line("integral", demand, language));
+    }
+    out
+}
+
+fn remarks(candidate: &Candidate<'_>, language: Language) -> String {
+    let mut out = String::new();
+    let mut seen: Vec<String> = Vec::new();
+    for check in &candidate.judgement.checks {
+        for note in &check.notes {
+            let text = note_text(note, language);
+            if !text.is_empty() && !seen.contains(&text) {
+                out.push_str(&paragraph(&format!("{}: ", check_title(check.id, language)), &text));
+                seen.push(text);
+            }
+        }
+    }
+    out
+}
+
+fn assumptions_text(assumptions: &[workbench::Assumption], language: Language) -> String {
+    let head = t(language, "assumed: ", "angenommen: ");
+    assumptions.iter().map(|assumption| paragraph(&head, &assumption_text(*assumption, language))).collect()
+}
+
+/// Every check of one actuator.
+fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
+    let mut out = String::new();
+    let verdict = if candidate.fits() {
+        paint(&t(language, "fits", "passt"), Verdict::Pass)
+    } else {
+        paint(&t(language, "does not fit", "passt nicht"), Verdict::Fail)
+    };
+    let _ = writeln!(out, "{}: {verdict}", candidate.id);
+    if !candidate.on_request.is_empty() {
+        let _ = writeln!(out, "{}", t(language, "on request only", "nur auf Anfrage"));
+    }
+    out.push_str(&demand_text(candidate, language));
+    out.push('\n');
+    let heads: [&str; 8] = match language {
+        Language::En => ["check", "verdict", "value", "limit", "unit", "util. %", "at s", "grade, source of the limit"],
+        Language::De => ["Prüfung", "Urteil", "Wert", "Grenze", "Einheit", "Ausl. %", "bei s", "Güte, Quelle der Grenze"],
+    };
+    let [check, word, value, limit, unit, util, at, source] = heads;
+    let mut table = Table::new([
+        (check, Align::Left),
+        (word, Align::Left),
+        (value, Align::Right),
+        (limit, Align::Right),
+        (unit, Align::Left),
+        (util, Align::Right),
+        (at, Align::Right),
+        (source, Align::Left),
+    ]);
+    for check in &candidate.judgement.checks {
+        let source = match (&check.limit_source, check.grade) {
+            (Some(source), Some(grade)) => format!("{grade}, {}", source_text(source, language)),
+            _ => missing(check, language),
+        };
+        table.row([
+            check_title(check.id, language),
+            verdict_word(check.verdict, language),
+            figure(check.value, language),
+            figure(check.limit, language),
+            check.value.map_or("", |figure| figure.unit.symbol).to_owned(),
+            percent(check.utilisation, language),
+            check.at.map_or_else(|| "–".into(), |at| format_significant(at.si(), 3, language)),
+            source,
+        ]);
+    }
+    out.push_str(&table.render());
+    for objection in &candidate.objections {
+        let head = t(language, "requirement not met: ", "Anforderung nicht erfüllt: ");
+        out.push_str(&paragraph(&head, &objection_text(candidate, objection, language)));
+    }
+    out.push_str(&remarks(candidate, language));
+    out
+}
+
+/// `antrieb check PROJECT --code CODE`
+pub(crate) fn check(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let project = match project_of(matches, as_json, language) {
+        Ok(project) => project,
+        Err(answer) => return answer,
+    };
+    let mut talk = String::new();
+    let judged = match matches.get_one::<String>("code") {
+        None => workbench::check_own(&project),
+        Some(text) => match parse_for_use(text, as_json, language) {
+            Ok((reading, note)) => {
+                talk = note;
+                workbench::check(&project, &reading.parsed.code)
+            }
+            Err(answer) => return answer,
+        },
+    };
+    let candidate = match judged {
+        Ok(candidate) => candidate,
+        Err(refusal) => return refuse(&refusal, as_json, language),
+    };
+    let data = if as_json {
+        let mut value = json::candidate(&candidate, language);
+        if let serde_json::Value::Object(map) = &mut value {
+            map.insert("axis".into(), serde_json::json!(project.name));
+            map.insert("assumptions".into(), serde_json::json!(json::assumptions(&project.assumptions, language)));
+        }
+        format!("{value:#}\n")
+    } else {
+        format!("{}{}", candidate_text(&candidate, language), assumptions_text(&project.assumptions, language))
+    };
+    Answer { data, talk, code: u8::from(!candidate.fits()) }
+}
+
+fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> Answer {
+    let what = match refusal {
+        Refusal::NoActuator => t(
+            language,
+            "the project has no [actuator]; name one of the catalogue with --code",
+            "das Projekt hat keinen [actuator]; einen aus dem Katalog mit --code nennen",
+        ),
+        _ => t(
+            language,
+            "the manual prints no data for this code (on request only): it cannot be judged",
+            "für diesen Code druckt die Anleitung keine Daten (nur auf Anfrage): er kann nicht beurteilt werden",
+        ),
+    };
+    let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
+    if as_json {
+        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
+    }
+    answer
+}

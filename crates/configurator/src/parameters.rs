@@ -1,0 +1,149 @@
+//! From an ordering code to the parameters of its actuator.
+
+use actuator::{Curve, CurvePoint, Parameters};
+use catalogue::Drive;
+use order_code::{Brake, OrderCode, Ratio, Size, Winding};
+use provenance::{Datum, Grade, Source, Sourced};
+use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE};
+use quantities::{AngularVelocity, ElectricCurrent, Measure, Torque};
+
+/// What is printed about the actuator of a code; `None` where the manual prints no data for it
+/// (the resolver on 20A to 58A).
+#[must_use]
+pub fn parameters(code: &OrderCode) -> Option<Parameters> {
+    let drive = catalogue::drive(code.size, code.winding, code.feedback)?;
+    let (feedback, ratio) = (code.feedback, code.ratio);
+    let braked = code.brake == Brake::With;
+    let pick = |without: &'static str, with: &'static str| if braked { with } else { without };
+    // The 14A and 17A tables of the 48 V winding give the starting current at two temperatures; inside the operating
+    // range lies the one at +20 °C.
+    let starting = if code.winding == Winding::E { "20 degC" } else { "" };
+    Some(Parameters {
+        ratio: Datum::Known(Sourced {
+            value: f64::from(ratio.value()),
+            source: Source::Cell(provenance::CellRef {
+                table: "12.1",
+                symbol: "i",
+                condition: "",
+                drive: drive.name,
+                ratio: "",
+            }),
+            grade: Grade::Printed,
+            errata: &[],
+        }),
+        torque_max: drive.datum("T_max", "", feedback, ratio),
+        speed_max: drive.datum("n_max", "", feedback, ratio),
+        speed_motor_max: drive.datum("n_mot_max", "", feedback, ratio),
+        speed_motor_rated: drive.datum("n_N", "", feedback, ratio),
+        current_max: drive.datum("I_max", "", feedback, ratio),
+        current_demagnetisation: drive.datum("I_E", "", feedback, ratio),
+        stall_torque: drive.datum("T_0", "", feedback, ratio),
+        stall_current: drive.datum("I_0", "", feedback, ratio),
+        stall_current_motor: largest_stall_current(drive, code),
+        stall_current_includes_friction: code.winding != Winding::E,
+        no_load_starting_current: drive.datum("I_NLS", starting, feedback, ratio),
+        no_load_current_constant_30: drive.datum("K_INL", "30 degC", feedback, ratio),
+        no_load_current_constant_80: drive.datum("K_INL", "80 degC", feedback, ratio),
+        torque_constant_out: drive.datum("k_Tout", "", feedback, ratio),
+        torque_constant_motor: drive.datum("k_TM", "", feedback, ratio),
+        voltage_constant_motor: drive.datum("k_EM", "20 degC", feedback, ratio),
+        resistance_ll: drive.datum("R_LL", "20 degC", feedback, ratio),
+        inductance_ll: drive.datum("L_LL", "", feedback, ratio),
+        pole_pairs: plain_number(drive, "p", code),
+        inertia_out: drive.datum(pick("J_out", "J_out_brake"), "", feedback, ratio),
+        mass: drive.datum(pick("m", "m_brake"), "", feedback, ratio),
+        length: drive.datum(pick("L", "L_brake"), "", feedback, ratio),
+        hollow_shaft: drive.datum("d_H", "", feedback, ratio),
+        dc_link_max: drive.datum("U_DCmax", "", feedback, ratio),
+        terminal_voltage_min: terminal_voltage_min(drive, code),
+        continuous_curve: published_curve(code.size, ratio),
+    })
+}
+
+/// The largest I_0 over the ratios of a drive: one motor, so its thermal limit is the same at every ratio, while the
+/// gear may limit T_0, and with it I_0, at the higher ones.
+fn largest_stall_current(drive: &Drive, code: &OrderCode) -> Datum<ElectricCurrent> {
+    let mut largest: Datum<ElectricCurrent> = Datum::NotPrinted;
+    for &ratio in &drive.ratios {
+        let here: Datum<ElectricCurrent> = drive.datum("I_0", "", code.feedback, ratio);
+        if let Some(current) = here.known()
+            && largest.known().is_none_or(|known| current.value.si() > known.value.si())
+        {
+            largest = here;
+        }
+    }
+    largest
+}
+
+/// The lower end of the printed range of the terminal voltage: `220 ... 430`.
+fn terminal_voltage_min(drive: &Drive, code: &OrderCode) -> Datum<quantities::ElectricPotential> {
+    match drive.cell("U_M", "", code.feedback, code.ratio).map(|cell| (cell, cell.value)) {
+        Some((cell, catalogue::Value::Range { low, .. })) => Datum::Known(Sourced {
+            value: quantities::ElectricPotential::from_si(low),
+            source: Source::Cell(cell.reference()),
+            grade: Grade::Printed,
+            errata: cell.errata,
+        }),
+        _ => Datum::NotPrinted,
+    }
+}
+
+fn plain_number(drive: &Drive, symbol: &str, code: &OrderCode) -> Datum<f64> {
+    match drive.cell(symbol, "", code.feedback, code.ratio).and_then(|cell| Some((cell, cell.limit().number()?))) {
+        Some((cell, value)) => Datum::Known(Sourced {
+            value,
+            source: Source::Cell(cell.reference()),
+            grade: Grade::Printed,
+            errata: cell.errata,
+        }),
+        None => Datum::NotPrinted,
+    }
+}
+
+/// Reads corner points written as `(0;32)(25;31)(70;20)`: speed in 1/min, torque in Nm.
+#[must_use]
+pub fn published_curve_points(text: &str) -> Option<Vec<(f64, f64)>> {
+    let inner = text.trim().strip_prefix('(')?.strip_suffix(')')?;
+    inner
+        .split(")(")
+        .map(|point| {
+            let (speed, torque) = point.split_once(';')?;
+            Some((quantities::parse_german(speed.trim())?, quantities::parse_german(torque.trim())?))
+        })
+        .collect()
+}
+
+/// The published continuous curve, which exists for CHA-20A only, and there not for every ratio.
+fn published_curve(size: Size, ratio: Ratio) -> Datum<Curve> {
+    if size != Size::S20A {
+        return Datum::NotPrinted;
+    }
+    let wanted = ratio.to_string();
+    let cell = catalogue::table("curves-20A")
+        .map(catalogue::Table::cells)
+        .unwrap_or_default()
+        .iter()
+        .find(|cell| cell.condition.starts_with("continuous") && cell.ratio == wanted);
+    let Some((cell, points)) = cell.and_then(|cell| Some((cell, published_curve_points(cell.corrected)?))) else {
+        return Datum::NotPrinted;
+    };
+    let points = points
+        .into_iter()
+        .map(|(speed, torque)| CurvePoint {
+            speed: AngularVelocity::new_in(speed, &REVOLUTION_PER_MINUTE),
+            torque: Torque::new_in(torque, &NEWTON_METRE),
+        })
+        .collect();
+    match Curve::new(points) {
+        Ok(curve) => Datum::Known(Sourced {
+            value: curve,
+            source: Source::Published {
+                document: catalogue::table("curves-20A").map_or("", |table| table.source),
+                cell: cell.reference(),
+            },
+            grade: Grade::Published,
+            errata: cell.errata,
+        }),
+        Err(_) => Datum::NotPrinted,
+    }
+}

@@ -1,0 +1,127 @@
+//! What the user requires of the actuator beyond the checks.
+
+use actuator::Parameters;
+use order_code::{Brake, Feedback, OrderCode};
+use provenance::Datum;
+use quantities::{ElectricPotential, Length, Mass, Measure};
+
+/// Requirements that filter the ordering codes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Requirements {
+    /// Permitted motor feedback systems; empty: any.
+    pub feedback: Vec<Feedback>,
+    /// Whether a brake must be there (`true`), must not be there (`false`), or may.
+    pub brake: Option<bool>,
+    /// Smallest bore of the hollow shaft.
+    pub hollow_shaft_min: Option<Length>,
+    /// Largest length.
+    pub length_max: Option<Length>,
+    /// Largest mass.
+    pub mass_max: Option<Mass>,
+    /// DC link voltage that feeds the drive.
+    pub supply: Option<ElectricPotential>,
+}
+
+/// A requirement that an actuator does not meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Unmet {
+    /// The feedback is not among the permitted ones.
+    Feedback(Feedback),
+    /// A brake is required, or must not be there.
+    Brake(Brake),
+    /// The hollow shaft is too narrow.
+    HollowShaft {
+        /// Bore of the actuator.
+        has: Length,
+        /// Bore required.
+        needs: Length,
+    },
+    /// The actuator is too long.
+    Length {
+        /// Length of the actuator.
+        has: Length,
+        /// Length permitted.
+        permits: Length,
+    },
+    /// The actuator is too heavy.
+    Mass {
+        /// Mass of the actuator, the larger one where the print is in doubt.
+        has: Mass,
+        /// Mass permitted.
+        permits: Mass,
+    },
+    /// The DC link voltage is above what the winding is made for.
+    SupplyTooHigh {
+        /// U_DCmax of the winding.
+        permits: ElectricPotential,
+        /// DC link voltage.
+        supply: ElectricPotential,
+    },
+    /// The DC link voltage cannot give the terminal voltage from which the printed performance holds.
+    SupplyTooLow {
+        /// U_M from which the performance holds.
+        needs: ElectricPotential,
+        /// U_DC/√2, the largest fundamental that the supply can give.
+        gives: ElectricPotential,
+    },
+    /// The datum that the requirement needs is not printed.
+    NotKnown {
+        /// Symbol of the datum.
+        symbol: &'static str,
+    },
+}
+
+impl Requirements {
+    /// Every requirement that an actuator does not meet; a datum that is not known meets nothing.
+    #[must_use]
+    pub fn unmet(&self, code: &OrderCode, actuator: &Parameters) -> Vec<Unmet> {
+        let mut unmet = Vec::new();
+        if !self.feedback.is_empty() && !self.feedback.contains(&code.feedback) {
+            unmet.push(Unmet::Feedback(code.feedback));
+        }
+        if self.brake.is_some_and(|brake| brake != (code.brake == Brake::With)) {
+            unmet.push(Unmet::Brake(code.brake));
+        }
+        unmet.extend(self.unmet_by_data(actuator));
+        unmet
+    }
+
+    /// The requirements that look at data only, and so also hold for a user's own actuator.
+    #[must_use]
+    pub fn unmet_by_data(&self, actuator: &Parameters) -> Vec<Unmet> {
+        let mut unmet = Vec::new();
+        compare(&mut unmet, self.hollow_shaft_min, &actuator.hollow_shaft, "d_H", |needs, has| {
+            (has.si() < needs.si()).then_some(Unmet::HollowShaft { has, needs })
+        });
+        compare(&mut unmet, self.length_max, &actuator.length, "L", |permits, has| {
+            (has.si() > permits.si()).then_some(Unmet::Length { has, permits })
+        });
+        compare(&mut unmet, self.mass_max, &actuator.mass, "m", |permits, has| {
+            (has.si() > permits.si()).then_some(Unmet::Mass { has, permits })
+        });
+        compare(&mut unmet, self.supply, &actuator.dc_link_max, "U_DCmax", |supply, permits| {
+            (supply.si() > permits.si()).then_some(Unmet::SupplyTooHigh { permits, supply })
+        });
+        compare(&mut unmet, self.supply, &actuator.terminal_voltage_min, "U_M", |supply, needs| {
+            let gives = ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2);
+            (gives.si() < needs.si()).then_some(Unmet::SupplyTooLow { needs, gives })
+        });
+        unmet
+    }
+}
+
+/// Compares a requirement with a datum, if there is a requirement.
+fn compare<Q: Copy>(
+    unmet: &mut Vec<Unmet>,
+    required: Option<Q>,
+    datum: &Datum<Q>,
+    symbol: &'static str,
+    breaks: impl FnOnce(Q, Q) -> Option<Unmet>,
+) {
+    let Some(required) = required else { return };
+    match datum.known() {
+        Some(known) => unmet.extend(breaks(required, known.value)),
+        None => unmet.push(Unmet::NotKnown { symbol }),
+    }
+}

@@ -1,0 +1,79 @@
+//! Partial codes: `CHA-20A-100-H-*`.
+
+use crate::error::CodeErrors;
+use crate::field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
+use crate::parse::scan;
+
+/// One field of a partial code.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Slot<T> {
+    /// Anything, or nothing where the field is optional.
+    #[default]
+    Any,
+    /// This value.
+    Exactly(T),
+}
+
+impl<T: PartialEq> Slot<T> {
+    fn allows(&self, value: &T) -> bool {
+        match self {
+            Self::Any => true,
+            Self::Exactly(wanted) => wanted == value,
+        }
+    }
+}
+
+/// A partial code. What it does not name is open: an optional field that it passes over may be there or not.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pattern {
+    /// Frame size.
+    pub size: Slot<Size>,
+    /// Reduction ratio.
+    pub ratio: Slot<Ratio>,
+    /// Motor winding and connectors.
+    pub winding: Slot<Winding>,
+    /// Motor feedback.
+    pub feedback: Slot<Feedback>,
+    /// Brake.
+    pub brake: Slot<Brake>,
+    /// Sensor option.
+    pub option_1: Slot<Option<Option1>>,
+    /// Cable and connector option.
+    pub option_2: Slot<Option<Option2>>,
+    /// Special design.
+    pub special: Slot<bool>,
+}
+
+impl Pattern {
+    /// Reads a partial code; `*` stands for any value of one field, and the text may stop anywhere.
+    ///
+    /// # Errors
+    /// Every fault with its place.
+    pub fn parse(text: &str) -> Result<Self, CodeErrors> {
+        let (tokens, _) = scan(text, true)?;
+        let token = |field: Field| tokens.iter().find(|found| found.field == field).and_then(|found| found.token);
+        Ok(Self {
+            size: token(Field::Size).and_then(Size::of).map_or(Slot::Any, Slot::Exactly),
+            ratio: token(Field::Ratio).and_then(Ratio::of).map_or(Slot::Any, Slot::Exactly),
+            winding: token(Field::Winding).and_then(Winding::of).map_or(Slot::Any, Slot::Exactly),
+            feedback: token(Field::Feedback).and_then(Feedback::of).map_or(Slot::Any, Slot::Exactly),
+            brake: token(Field::Brake).map_or(Slot::Any, |_| Slot::Exactly(Brake::With)),
+            option_1: token(Field::Option1).map_or(Slot::Any, |token| Slot::Exactly(Option1::of(token))),
+            option_2: token(Field::Option2).map_or(Slot::Any, |token| Slot::Exactly(Option2::of(token))),
+            special: token(Field::Special).map_or(Slot::Any, |_| Slot::Exactly(true)),
+        })
+    }
+
+    /// Whether a code is among those that the pattern allows.
+    #[must_use]
+    pub fn matches(&self, code: &OrderCode) -> bool {
+        self.size.allows(&code.size)
+            && self.ratio.allows(&code.ratio)
+            && self.winding.allows(&code.winding)
+            && self.feedback.allows(&code.feedback)
+            && self.brake.allows(&code.brake)
+            && self.option_1.allows(&code.option_1)
+            && self.option_2.allows(&code.option_2)
+            && self.special.allows(&code.special)
+    }
+}

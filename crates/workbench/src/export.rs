@@ -1,0 +1,26 @@
+//! The catalogue in long form: one row per printed cell.
+
+use catalogue::Cell;
+
+/// The columns of the long form, part of the contract with scripts.
+pub const EXPORT_COLUMNS: [&str; 10] =
+    ["drive", "feedback", "ratio", "symbol", "condition", "printed", "value", "unit", "table", "erratum"];
+
+/// Every printed cell, in the order of [`EXPORT_COLUMNS`]; several errata of one cell are joined by `;`.
+pub fn export_rows() -> impl Iterator<Item = (&'static Cell, [String; 10])> {
+    catalogue::cells().iter().map(|cell| {
+        let row = [
+            cell.drive.to_owned(),
+            cell.feedback.to_owned(),
+            cell.ratio.to_owned(),
+            cell.symbol.to_owned(),
+            cell.condition.to_owned(),
+            cell.printed.to_owned(),
+            cell.value_text(),
+            cell.unit.to_owned(),
+            cell.table.to_owned(),
+            cell.errata.join(";"),
+        ];
+        (cell, row)
+    })
+}

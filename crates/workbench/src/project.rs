@@ -1,0 +1,257 @@
+//! The project file as typed data.
+
+mod read;
+mod schema;
+mod spec;
+
+pub use schema::schema;
+pub(crate) use spec::Kind;
+
+use crate::diagnostic::Diagnostic;
+use crate::text::Speak;
+use actuator::{Curve, CurvePoint, Parameters};
+use configurator::Requirements;
+use mechanism::DirectLoad;
+use motion::{Cycle, CycleFault, ManualMove};
+use order_code::{Feedback, Option1, Option2};
+use provenance::{Datum, Grade, Source, Sourced};
+use quantities::{AngularVelocity, Language, Measure, Time, Torque};
+use read::{Entry, Reader, Section};
+use sizing::Axis;
+
+/// Largest project file that is read, in bytes.
+pub const PROJECT_MAX_BYTES: usize = 1 << 20;
+
+/// A default that the user did not confirm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Assumption {
+    /// No friction torque is given: zero is assumed.
+    NoFriction,
+    /// No ambient temperature is given: the printed figures hold up to 40 °C.
+    AmbientWithinRange,
+    /// The plate of table 13.3 cools the actuator.
+    CoolingPlate,
+    /// Loads on the flange are given, but the bearing is not judged yet.
+    BearingNotJudged,
+}
+
+/// An actuator that the user describes.
+#[derive(Clone, Debug)]
+pub struct OwnActuator {
+    /// Its name.
+    pub name: String,
+    /// What is known of it.
+    pub parameters: Parameters,
+}
+
+/// A project: one axis with its requirements.
+#[derive(Clone, Debug)]
+pub struct Project {
+    /// Name of the axis; empty if none is given.
+    pub name: String,
+    /// Load and motion.
+    pub axis: Axis,
+    /// What the actuator must have.
+    pub requirements: Requirements,
+    /// Sensor option asked for.
+    pub option_1: Option<Option1>,
+    /// Cable and connector option asked for.
+    pub option_2: Option<Option2>,
+    /// The user's own actuator, if there is one.
+    pub actuator: Option<OwnActuator>,
+    /// Defaults that were taken.
+    pub assumptions: Vec<Assumption>,
+}
+
+impl Project {
+    /// Reads a project file.
+    ///
+    /// # Errors
+    /// Every fault of the file, each with its place, in the order of the file.
+    pub fn read(text: &str, language: Language) -> Result<Self, Vec<Diagnostic>> {
+        if text.len() > PROJECT_MAX_BYTES {
+            let message = language.file_too_large(text.len(), PROJECT_MAX_BYTES);
+            return Err(vec![Diagnostic::at(text, 0..0, message, None)]);
+        }
+        let mut reader = Reader::new(text, language);
+        let root = reader.read();
+        let axis = build_axis(&root, &mut reader, language);
+        let actuator = build_actuator(&root, &mut reader, language);
+        let mut faults = reader.faults;
+        match axis {
+            Some(axis) if faults.is_empty() => Ok(Self {
+                name: root.table("axis").and_then(|axis| axis.text("name")).unwrap_or_default().to_owned(),
+                assumptions: assumptions(&root),
+                requirements: requirements(&root),
+                option_1: option(&root, "option_1").and_then(|word| (word == "EC").then_some(Option1::EC)),
+                option_2: option(&root, "option_2").and_then(|word| match word {
+                    "K" => Some(Option2::K),
+                    "R" => Some(Option2::R),
+                    "S" => Some(Option2::S),
+                    _ => None,
+                }),
+                axis,
+                actuator,
+            }),
+            _ => {
+                faults.sort_by_key(|fault| (fault.span.start, fault.span.end));
+                faults.dedup();
+                Err(faults)
+            }
+        }
+    }
+}
+
+fn option<'s>(root: &'s Section, name: &str) -> Option<&'s str> {
+    root.table("requirements").and_then(|section| section.text(name))
+}
+
+fn assumptions(root: &Section) -> Vec<Assumption> {
+    let mut found = Vec::new();
+    if root.table("load").is_none_or(|load| load.get("friction_torque").is_none()) {
+        found.push(Assumption::NoFriction);
+    }
+    if root.table("requirements").is_none_or(|section| section.get("ambient").is_none()) {
+        found.push(Assumption::AmbientWithinRange);
+    }
+    found.push(Assumption::CoolingPlate);
+    if root.table("bearing").is_some() {
+        found.push(Assumption::BearingNotJudged);
+    }
+    found
+}
+
+fn requirements(root: &Section) -> Requirements {
+    let Some(section) = root.table("requirements") else { return Requirements::default() };
+    Requirements {
+        feedback: section
+            .list("feedback")
+            .iter()
+            .filter_map(|word| Feedback::ALL.iter().copied().find(|feedback| feedback.as_str() == word))
+            .collect(),
+        brake: section.bool("brake"),
+        hollow_shaft_min: section.quantity("hollow_shaft_min"),
+        length_max: section.quantity("length_max"),
+        mass_max: section.quantity("mass_max"),
+        supply: section.quantity("supply"),
+    }
+}
+
+fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Axis> {
+    let sections = root.tables("motion");
+    let moves: Option<Vec<ManualMove>> = sections.iter().map(build_move).collect();
+    let load = root.table("load")?;
+    let load = DirectLoad {
+        inertia: load.quantity("inertia")?,
+        friction_torque: load.quantity("friction_torque").unwrap_or_else(|| Torque::from_si(0.0)),
+    };
+    let moves = moves?;
+    if root.get("motion").is_none() {
+        return None;
+    }
+    match Cycle::new(moves) {
+        Ok(cycle) => {
+            let ambient = root.table("requirements").and_then(|section| section.quantity("ambient"));
+            Some(Axis::new(load, cycle, ambient))
+        }
+        Err(faults) => {
+            for fault in faults {
+                let (span, message) = describe_cycle_fault(fault, root, sections, language);
+                reader.fault(span, message, None);
+            }
+            None
+        }
+    }
+}
+
+fn build_move(section: &Section) -> Option<ManualMove> {
+    Some(ManualMove {
+        speed: section.quantity("speed")?,
+        accelerate: section.quantity("accelerate")?,
+        run: section.quantity("run")?,
+        brake: section.quantity("brake")?,
+        pause: section.quantity("pause")?,
+    })
+}
+
+fn describe_cycle_fault(
+    fault: CycleFault,
+    root: &Section,
+    sections: &[Section],
+    language: Language,
+) -> (std::ops::Range<usize>, String) {
+    let whole = root.span_of("motion");
+    let of = |index: usize, key: &str| sections.get(index).map_or_else(|| whole.clone(), |section| section.span_of(key));
+    match fault {
+        CycleFault::NoTimeToChangeSpeed { of_move } => {
+            let zero = |key: &str| {
+                sections.get(of_move).and_then(|s| s.quantity::<Time>(key)).is_some_and(|time| time.si() <= 0.0)
+            };
+            let key = if zero("accelerate") { "accelerate" } else { "brake" };
+            (of(of_move, key), language.no_time_to_change_speed(key))
+        }
+        CycleFault::NoDuration => (of(0, "pause"), language.no_duration()),
+        CycleFault::NoMove => (whole.clone(), language.no_move()),
+        CycleFault::TimeOutOfRange { of_move } => (of(of_move, "run"), language.no_duration()),
+        CycleFault::SpeedOutOfRange { of_move } => (of(of_move, "speed"), language.no_move()),
+        _ => (whole, language.no_move()),
+    }
+}
+
+fn build_actuator(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<OwnActuator> {
+    let section = root.table("actuator")?;
+    let mut parameters = Parameters::unknown();
+    parameters.torque_max = own(section, "torque_max");
+    parameters.speed_max = own(section, "speed_max");
+    parameters.speed_motor_max = own(section, "speed_motor_max");
+    parameters.speed_motor_rated = own(section, "speed_motor_rated");
+    parameters.inertia_out = own(section, "inertia_out");
+    parameters.stall_torque = own(section, "stall_torque");
+    parameters.stall_current = own(section, "stall_current");
+    parameters.current_max = own(section, "current_max");
+    parameters.current_demagnetisation = own(section, "current_demagnetisation");
+    parameters.no_load_starting_current = own(section, "no_load_starting_current");
+    parameters.no_load_current_constant_30 = own(section, "no_load_current_constant_30");
+    parameters.no_load_current_constant_80 = own(section, "no_load_current_constant_80");
+    parameters.torque_constant_out = own(section, "torque_constant_out");
+    parameters.torque_constant_motor = own(section, "torque_constant_motor");
+    parameters.voltage_constant_motor = own(section, "voltage_constant_motor");
+    parameters.resistance_ll = own(section, "resistance_ll");
+    parameters.inductance_ll = own(section, "inductance_ll");
+    parameters.mass = own(section, "mass");
+    parameters.length = own(section, "length");
+    parameters.hollow_shaft = own(section, "hollow_shaft");
+    parameters.dc_link_max = own(section, "dc_link_max");
+    parameters.terminal_voltage_min = own(section, "terminal_voltage_min");
+    parameters.ratio = section.number("ratio").map_or(Datum::NotPrinted, |value| known("ratio", value));
+    parameters.pole_pairs = section.number("pole_pairs").map_or(Datum::NotPrinted, |value| known("pole_pairs", value));
+    if let Some(Entry::Curve(points)) = section.get("continuous_curve") {
+        let points = points
+            .iter()
+            .map(|(speed, torque)| CurvePoint {
+                speed: AngularVelocity::from_si(*speed),
+                torque: Torque::from_si(*torque),
+            })
+            .collect();
+        match Curve::new(points) {
+            Ok(curve) => parameters.continuous_curve = known("continuous_curve", curve),
+            Err(fault) => reader.fault(section.span_of("continuous_curve"), language.no_curve(fault), None),
+        }
+    }
+    Some(OwnActuator { name: section.text("name")?.to_owned(), parameters })
+}
+
+/// A value that the user wrote: as good as a printed one, and named as the user's.
+fn known<T>(name: &str, value: T) -> Datum<T> {
+    let source = Source::Project { key: format!("actuator.{name}") };
+    Datum::Known(Sourced { value, source, grade: Grade::Printed, errata: &[] })
+}
+
+fn own<Q: Measure>(section: &Section, name: &str) -> Datum<Q> {
+    section.quantity(name).map_or(Datum::NotPrinted, |value| known(name, value))
+}
+
+#[cfg(test)]
+#[path = "project_tests.rs"]
+mod tests;

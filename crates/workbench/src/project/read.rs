@@ -1,0 +1,377 @@
+//! Reads a project file against its description and reports every fault at once.
+
+use super::spec::{Key, Kind, ROOT, Range};
+use crate::diagnostic::Diagnostic;
+use crate::text::Speak;
+use quantities::{Language, Measure};
+use std::collections::BTreeMap;
+use std::ops::Range as Span;
+use toml::Spanned;
+use toml::de::{DeArray, DeTable, DeValue};
+
+/// A value that passed its description.
+#[derive(Clone, Debug)]
+pub(crate) enum Entry {
+    /// SI value of a quantity.
+    Quantity(f64),
+    Number(f64),
+    Integer(i64),
+    Bool(bool),
+    Text(String),
+    List(Vec<String>),
+    /// Speed and torque in SI.
+    Curve(Vec<(f64, f64)>),
+    Table(Section),
+    Tables(Vec<Section>),
+}
+
+/// A table that passed its description.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Section {
+    pub(crate) span: Span<usize>,
+    entries: BTreeMap<&'static str, (Entry, Span<usize>)>,
+}
+
+impl Section {
+    pub(crate) fn get(&self, name: &str) -> Option<&Entry> {
+        self.entries.get(name).map(|(entry, _)| entry)
+    }
+
+    pub(crate) fn span_of(&self, name: &str) -> Span<usize> {
+        self.entries.get(name).map_or_else(|| self.span.clone(), |(_, span)| span.clone())
+    }
+
+    pub(crate) fn quantity<Q: Measure>(&self, name: &str) -> Option<Q> {
+        match self.get(name) {
+            Some(Entry::Quantity(si)) => Some(Q::from_si(*si)),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn text(&self, name: &str) -> Option<&str> {
+        match self.get(name) {
+            Some(Entry::Text(text)) => Some(text),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn list(&self, name: &str) -> &[String] {
+        match self.get(name) {
+            Some(Entry::List(list)) => list,
+            _ => &[],
+        }
+    }
+
+    pub(crate) fn number(&self, name: &str) -> Option<f64> {
+        match self.get(name) {
+            Some(Entry::Number(number)) => Some(*number),
+            #[allow(clippy::cast_precision_loss, reason = "bounded by its description")]
+            Some(Entry::Integer(number)) => Some(*number as f64),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn bool(&self, name: &str) -> Option<bool> {
+        match self.get(name) {
+            Some(Entry::Bool(value)) => Some(*value),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn table(&self, name: &str) -> Option<&Self> {
+        match self.get(name) {
+            Some(Entry::Table(section)) => Some(section),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn tables(&self, name: &str) -> &[Self] {
+        match self.get(name) {
+            Some(Entry::Tables(sections)) => sections,
+            _ => &[],
+        }
+    }
+}
+
+/// Longest free text.
+const TEXT_MAX: usize = 200;
+
+/// Most moves in one cycle, and most points of a curve.
+const LIST_MAX: usize = 10_000;
+
+pub(crate) struct Reader<'t> {
+    text: &'t str,
+    language: Language,
+    pub(crate) faults: Vec<Diagnostic>,
+}
+
+impl<'t> Reader<'t> {
+    pub(crate) const fn new(text: &'t str, language: Language) -> Self {
+        Self { text, language, faults: Vec::new() }
+    }
+
+    /// Reads the whole file; faults are collected in `self.faults`.
+    pub(crate) fn read(&mut self) -> Section {
+        let (root, errors) = DeTable::parse_recoverable(self.text);
+        for error in &errors {
+            let span = error.span().unwrap_or(0..0);
+            self.fault(span, self.language.toml_syntax(error.message()), None);
+        }
+        self.section(root.get_ref(), 0..0, ROOT, "", !errors.is_empty())
+    }
+
+    pub(crate) fn fault(&mut self, span: Span<usize>, message: String, hint: Option<String>) {
+        let end = span.end.min(self.text.len());
+        let start = span.start.min(end);
+        self.faults.push(Diagnostic::at(self.text, start..end, message, hint));
+    }
+
+    /// `damaged`: the syntax had errors, so a missing key may stand in the part that could not be read.
+    fn section(&mut self, table: &DeTable<'_>, span: Span<usize>, keys: &'static [Key], path: &str, damaged: bool) -> Section {
+        let mut section = Section { span: span.clone(), entries: BTreeMap::new() };
+        for (name, value) in table {
+            let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
+                self.unknown_key(name, keys, path);
+                continue;
+            };
+            let path = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
+            if let Some(entry) = self.entry(value, key, &path, damaged) {
+                section.entries.insert(key.name, (entry, value.span()));
+            }
+        }
+        if !damaged {
+            for key in keys.iter().filter(|key| key.required) {
+                if !table.iter().any(|(name, _)| name.get_ref().as_ref() == key.name) {
+                    let message = self.language.missing_key(path, key.name, matches!(key.kind, Kind::Tables(_)));
+                    let hint = example(key).map(|line| self.language.for_example(&line));
+                    self.fault(span.start..span.start + usize::from(!span.is_empty()), message, hint);
+                }
+            }
+        }
+        section
+    }
+
+    fn unknown_key(&mut self, name: &Spanned<std::borrow::Cow<'_, str>>, keys: &'static [Key], path: &str) {
+        let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
+        let message = self.language.unknown_key(path, name.get_ref());
+        let hint = Some(self.nearest(name.get_ref(), &names));
+        self.fault(name.span(), message, hint);
+    }
+
+    /// "did you mean …", or the whole list where nothing is near.
+    fn nearest(&self, written: &str, valid: &[&str]) -> String {
+        let written: String = written.chars().take(60).collect();
+        let near = valid
+            .iter()
+            .map(|name| (strsim::damerau_levenshtein(&written.to_lowercase(), &name.to_lowercase()), *name))
+            .min()
+            .filter(|(distance, name)| *distance * 2 <= name.chars().count().max(2));
+        match near {
+            Some((_, name)) => self.language.did_you_mean(name),
+            None => self.language.valid_are(valid),
+        }
+    }
+
+    fn entry(&mut self, value: &Spanned<DeValue<'_>>, key: &'static Key, path: &str, damaged: bool) -> Option<Entry> {
+        let span = value.span();
+        match (&key.kind, value.get_ref()) {
+            (Kind::Quantity(..), DeValue::String(text)) => self.quantity(text, span, key, path).map(Entry::Quantity),
+            (Kind::Quantity(dimension, _), DeValue::Integer(_) | DeValue::Float(_)) => {
+                let message = self.language.bare_number(path, *dimension);
+                let unit = dimension.units().first().map_or("", |unit| unit.ascii);
+                let written = self.text.get(span.clone()).unwrap_or_default();
+                let hint = self.language.write_with_unit(written, unit, *dimension);
+                self.fault(span, message, Some(hint));
+                None
+            }
+            (Kind::Number(low, high), DeValue::Integer(_) | DeValue::Float(_)) => {
+                let number: Option<f64> = self.text.get(span.clone()).and_then(|t| t.replace('_', "").parse().ok());
+                match number.filter(|number| number.is_finite() && number >= low && number <= high) {
+                    Some(number) => Some(Entry::Number(number)),
+                    None => self.refuse(span, self.language.number_out_of_range(path, *low, *high)),
+                }
+            }
+            (Kind::Integer(low, high), DeValue::Integer(number)) => {
+                let number = i64::from_str_radix(number.as_str(), number.radix()).ok();
+                match number.filter(|number| number >= low && number <= high) {
+                    Some(number) => Some(Entry::Integer(number)),
+                    #[allow(clippy::cast_precision_loss, reason = "bounds are small")]
+                    None => self.refuse(span, self.language.number_out_of_range(path, *low as f64, *high as f64)),
+                }
+            }
+            (Kind::Bool, DeValue::Boolean(value)) => Some(Entry::Bool(*value)),
+            (Kind::Text, DeValue::String(text)) => {
+                if text.chars().count() > TEXT_MAX {
+                    return self.refuse(span, self.language.text_too_long(path, TEXT_MAX));
+                }
+                if text.chars().any(char::is_control) {
+                    return self.refuse(span, self.language.control_character(path));
+                }
+                Some(Entry::Text(text.to_string()))
+            }
+            (Kind::OneOf(words), DeValue::String(text)) => self.word(text, span, words, path).map(Entry::Text),
+            (Kind::ListOf(words), DeValue::Array(items)) => self.list(items, words, path),
+            (Kind::Curve, DeValue::Array(items)) => self.curve(items, span, path),
+            (Kind::Table(keys), DeValue::Table(table)) => {
+                Some(Entry::Table(self.section(table, span, keys, path, damaged)))
+            }
+            (Kind::Tables(keys), DeValue::Array(items)) => self.tables(items, span, keys, path, damaged),
+            (_, found) => {
+                let message = self.language.wrong_type(path, &key.kind_words(self.language), found.type_str());
+                let hint = example(key).map(|line| self.language.for_example(&line));
+                self.fault(span, message, hint);
+                None
+            }
+        }
+    }
+
+    fn refuse(&mut self, span: Span<usize>, message: String) -> Option<Entry> {
+        self.fault(span, message, None);
+        None
+    }
+
+    fn quantity(&mut self, text: &str, span: Span<usize>, key: &Key, path: &str) -> Option<f64> {
+        let Kind::Quantity(dimension, range) = key.kind else { return None };
+        match quantities::parse(dimension, text) {
+            Err(error) => {
+                let inner = self.inside(&span, text, error.span());
+                self.fault(inner, format!("`{path}`: {}", error.message(self.language)), error.hint(self.language));
+                None
+            }
+            Ok(reading) => {
+                // A temperature is bounded below by absolute zero, every other quantity by its range.
+                let fine = match range {
+                    Range::Any => dimension != quantities::Dimension::Temperature || reading.si >= 0.0,
+                    Range::NotNegative => reading.si >= 0.0,
+                    Range::Positive => reading.si > 0.0,
+                };
+                if !fine {
+                    let message = self.language.quantity_out_of_range(path, text, range == Range::Positive);
+                    self.fault(span, message, None);
+                    return None;
+                }
+                Some(reading.si)
+            }
+        }
+    }
+
+    /// The place of a part of a string value in the file, where the string is written without escapes.
+    fn inside(&self, span: &Span<usize>, text: &str, part: Span<usize>) -> Span<usize> {
+        let raw = self.text.get(span.clone()).unwrap_or_default();
+        match raw.find(text) {
+            Some(at) if !text.is_empty() => {
+                let start = span.start + at + part.start.min(text.len());
+                let end = span.start + at + part.end.min(text.len());
+                if start < end { start..end } else { span.clone() }
+            }
+            _ => span.clone(),
+        }
+    }
+
+    fn word(&mut self, text: &str, span: Span<usize>, words: &'static [&'static str], path: &str) -> Option<String> {
+        if words.contains(&text) {
+            return Some(text.to_owned());
+        }
+        let hint = self.nearest(text, words);
+        self.fault(span, self.language.not_a_choice(path, text), Some(hint));
+        None
+    }
+
+    fn list(&mut self, items: &DeArray<'_>, words: &'static [&'static str], path: &str) -> Option<Entry> {
+        let mut list = Vec::new();
+        for item in items.iter() {
+            match item.get_ref() {
+                DeValue::String(text) => list.extend(self.word(text, item.span(), words, path)),
+                other => {
+                    let message = self.language.wrong_type(path, &self.language.a_text(), other.type_str());
+                    self.fault(item.span(), message, None);
+                }
+            }
+        }
+        Some(Entry::List(list))
+    }
+
+    fn tables(
+        &mut self,
+        items: &DeArray<'_>,
+        span: Span<usize>,
+        keys: &'static [Key],
+        path: &str,
+        damaged: bool,
+    ) -> Option<Entry> {
+        if items.len() > LIST_MAX {
+            return self.refuse(span, self.language.too_many(path, LIST_MAX));
+        }
+        let mut sections = Vec::new();
+        for (index, item) in items.iter().enumerate() {
+            let path = format!("{path}[{}]", index + 1);
+            match item.get_ref() {
+                DeValue::Table(table) => sections.push(self.section(table, item.span(), keys, &path, damaged)),
+                other => {
+                    let message = self.language.wrong_type(&path, &self.language.a_table(), other.type_str());
+                    self.fault(item.span(), message, None);
+                }
+            }
+        }
+        Some(Entry::Tables(sections))
+    }
+
+    fn curve(&mut self, items: &DeArray<'_>, span: Span<usize>, path: &str) -> Option<Entry> {
+        if items.len() > LIST_MAX {
+            return self.refuse(span, self.language.too_many(path, LIST_MAX));
+        }
+        let mut points = Vec::new();
+        for item in items.iter() {
+            let pair: Option<Vec<(&str, Span<usize>)>> = match item.get_ref() {
+                DeValue::Array(pair) if pair.len() == 2 => {
+                    pair.iter().map(|part| Some((part.get_ref().as_str()?, part.span()))).collect()
+                }
+                _ => None,
+            };
+            match pair.as_deref() {
+                Some([(speed, speed_span), (torque, torque_span)]) => {
+                    let speed = self.part(quantities::Dimension::AngularVelocity, speed, speed_span.clone(), path);
+                    let torque = self.part(quantities::Dimension::Torque, torque, torque_span.clone(), path);
+                    points.extend(speed.zip(torque));
+                }
+                _ => self.fault(item.span(), self.language.not_a_point(path), None),
+            }
+        }
+        Some(Entry::Curve(points))
+    }
+
+    fn part(&mut self, dimension: quantities::Dimension, text: &str, span: Span<usize>, path: &str) -> Option<f64> {
+        match quantities::parse(dimension, text) {
+            Ok(reading) => Some(reading.si),
+            Err(error) => {
+                let inner = self.inside(&span, text, error.span());
+                self.fault(inner, format!("`{path}`: {}", error.message(self.language)), error.hint(self.language));
+                None
+            }
+        }
+    }
+}
+
+impl Key {
+    /// What may stand here, in words.
+    pub(crate) fn kind_words(&self, language: Language) -> String {
+        language.kind(&self.kind)
+    }
+}
+
+/// A line that would be valid here.
+pub(crate) fn example(key: &Key) -> Option<String> {
+    let name = key.name;
+    match key.kind {
+        Kind::Quantity(dimension, _) => Some(format!("{name} = \"{}\"", dimension.example())),
+        Kind::Integer(low, _) => Some(format!("{name} = {low}")),
+        Kind::Number(low, _) => Some(format!("{name} = {low:.1}")),
+        Kind::Bool => Some(format!("{name} = true")),
+        Kind::Text => Some(format!("{name} = \"…\"")),
+        Kind::OneOf(words) => words.first().map(|word| format!("{name} = \"{word}\"")),
+        Kind::ListOf(words) => words.first().map(|word| format!("{name} = [\"{word}\"]")),
+        Kind::Curve => Some(format!("{name} = [[\"0 1/min\", \"32 N m\"], [\"70 1/min\", \"20 N m\"]]")),
+        Kind::Table(_) => Some(format!("[{name}]")),
+        Kind::Tables(_) => Some(format!("[[{name}]]")),
+    }
+}

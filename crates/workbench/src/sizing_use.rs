@@ -1,0 +1,197 @@
+//! Ranking the catalogue for an axis, and judging one actuator.
+
+use crate::project::{Assumption, OwnActuator, Project};
+use actuator::Parameters;
+use configurator::{BrokenRule, Unmet, availability};
+use order_code::{Field, OrderCode};
+use quantities::Measure;
+use sizing::{Check, Judgement, Standing, Verdict, judge, rank};
+use std::sync::LazyLock;
+
+/// What a candidate is called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CandidateId {
+    /// An actuator of the catalogue.
+    Code(OrderCode),
+    /// The user's own actuator.
+    Own(String),
+}
+
+impl std::fmt::Display for CandidateId {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Code(code) => write!(f, "{code}"),
+            Self::Own(name) => f.write_str(name),
+        }
+    }
+}
+
+/// What speaks against a candidate besides a failing check.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Objection {
+    /// A requirement of the project is not met.
+    Unmet(Unmet),
+    /// With the options asked for, the code breaks a rule of the ordering tables.
+    Rule(BrokenRule),
+}
+
+/// One judged actuator.
+#[derive(Clone, Debug)]
+pub struct Candidate<'p> {
+    /// What it is called; a code is complete and can be ordered.
+    pub id: CandidateId,
+    /// Fields of the code that are on request only.
+    pub on_request: Vec<Field>,
+    /// Its data.
+    pub parameters: &'p Parameters,
+    /// Every check.
+    pub judgement: Judgement,
+    /// What else speaks against it.
+    pub objections: Vec<Objection>,
+    /// What the ranking looks at.
+    pub standing: Standing,
+}
+
+impl Candidate<'_> {
+    /// Whether nothing speaks against it.
+    #[must_use]
+    pub const fn fits(&self) -> bool {
+        self.standing.fits
+    }
+
+    /// The failing check that is exceeded most.
+    #[must_use]
+    pub fn worst_failure(&self) -> Option<&Check> {
+        self.judgement.worst_failure()
+    }
+
+    /// The checks that could not be answered.
+    pub fn not_checked(&self) -> impl Iterator<Item = &Check> {
+        self.judgement.checks.iter().filter(|check| check.verdict == Verdict::NotChecked)
+    }
+}
+
+/// The catalogue judged for one axis.
+#[derive(Clone, Debug)]
+pub struct Sizing<'p> {
+    /// Name of the axis.
+    pub name: &'p str,
+    /// Every candidate, best first.
+    pub candidates: Vec<Candidate<'p>>,
+    /// The user's own actuator, judged beside the catalogue.
+    pub own: Option<Candidate<'p>>,
+    /// Defaults that were taken.
+    pub assumptions: &'p [Assumption],
+}
+
+impl Sizing<'_> {
+    /// The best candidate, if one fits.
+    #[must_use]
+    pub fn answer(&self) -> Option<&Candidate<'_>> {
+        self.candidates.first().filter(|candidate| candidate.fits())
+    }
+
+    /// Whether any candidate fits, the user's own included.
+    #[must_use]
+    pub fn fits(&self) -> bool {
+        self.answer().is_some() || self.own.as_ref().is_some_and(Candidate::fits)
+    }
+}
+
+/// Why an actuator cannot be judged.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// The code breaks rules of the ordering tables.
+    Broken(Vec<BrokenRule>),
+    /// The manual prints no data for this code.
+    NoData,
+    /// The project describes no actuator of its own, and no code is given.
+    NoActuator,
+}
+
+/// Every actuator of the catalogue that has printed data and can be had without asking, with its parameters:
+/// each size, ratio, winding, feedback and brake, without options.
+pub fn catalogue_actuators() -> &'static [(OrderCode, Parameters)] {
+    static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| {
+        configurator::all()
+            .iter()
+            .filter(|(code, found)| code.option_1.is_none() && code.option_2.is_none() && found.is_available())
+            .filter_map(|(code, _)| Some((*code, configurator::parameters(code)?)))
+            .collect()
+    });
+    &ACTUATORS
+}
+
+/// Judges the whole catalogue for the axis of a project and ranks it.
+///
+/// Cost: O(ramps) to prepare the motion, O(ramps) per actuator, O(n log n) to rank.
+#[must_use]
+pub fn size(project: &Project) -> Sizing<'_> {
+    let mut candidates: Vec<Candidate<'_>> = catalogue_actuators()
+        .iter()
+        .map(|(code, parameters)| {
+            let code = OrderCode { option_1: project.option_1, option_2: project.option_2, ..*code };
+            candidate(project, code, parameters)
+        })
+        .collect();
+    candidates.sort_by(|a, b| rank(&a.standing, &b.standing));
+    Sizing {
+        name: &project.name,
+        candidates,
+        own: project.actuator.as_ref().map(|own| own_candidate(project, own)),
+        assumptions: &project.assumptions,
+    }
+}
+
+/// Judges one code for the axis of a project.
+///
+/// # Errors
+/// [`Refusal`] where the code cannot be ordered or has no printed data.
+pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
+    availability(code).map_err(Refusal::Broken)?;
+    let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
+    let (_, parameters) =
+        catalogue_actuators().iter().find(|(known, _)| *known == bare).ok_or(Refusal::NoData)?;
+    Ok(candidate(project, *code, parameters))
+}
+
+/// Judges the user's own actuator.
+///
+/// # Errors
+/// [`Refusal::NoActuator`] if the project describes none.
+pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
+    project.actuator.as_ref().map(|own| own_candidate(project, own)).ok_or(Refusal::NoActuator)
+}
+
+fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Parameters) -> Candidate<'p> {
+    let judgement = judge(&project.axis, parameters);
+    let mut objections: Vec<Objection> =
+        project.requirements.unmet(&code, parameters).into_iter().map(Objection::Unmet).collect();
+    let on_request = match availability(&code) {
+        Ok(found) => found.on_request,
+        Err(broken) => {
+            objections.extend(broken.into_iter().map(Objection::Rule));
+            Vec::new()
+        }
+    };
+    let mass = parameters.mass.known().map(|mass| mass.value.si());
+    let standing = Standing::of(&judgement, objections.is_empty(), code.size.number(), mass);
+    Candidate { id: CandidateId::Code(code), on_request, parameters, judgement, objections, standing }
+}
+
+fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p> {
+    let judgement = judge(&project.axis, &own.parameters);
+    let objections: Vec<Objection> =
+        project.requirements.unmet_by_data(&own.parameters).into_iter().map(Objection::Unmet).collect();
+    let mass = own.parameters.mass.known().map(|mass| mass.value.si());
+    let standing = Standing::of(&judgement, objections.is_empty(), 0, mass);
+    Candidate {
+        id: CandidateId::Own(own.name.clone()),
+        on_request: Vec::new(),
+        parameters: &own.parameters,
+        judgement,
+        objections,
+        standing,
+    }
+}

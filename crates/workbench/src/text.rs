@@ -1,0 +1,22 @@
+//! What antrieb says, in English and German. Both stand side by side, so that none can be missing.
+
+mod codes;
+mod reading;
+mod results;
+
+pub use codes::{describe_code_error, describe_field, describe_rule, describe_token};
+pub(crate) use reading::Speak;
+pub use results::{
+    assumption_text, check_missing, check_title, note_text, ranking_rule, source_text, symbol_term, unmet_text,
+    verdict_word,
+};
+
+use quantities::Language;
+
+/// Chooses between the two languages.
+pub(crate) fn either(language: Language, en: impl Into<String>, de: impl Into<String>) -> String {
+    match language {
+        Language::En => en.into(),
+        Language::De => de.into(),
+    }
+}

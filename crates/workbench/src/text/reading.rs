@@ -1,0 +1,223 @@
+//! Messages of the project reader.
+
+use super::either;
+use crate::project::Kind;
+use actuator::CurveFault;
+use quantities::{Dimension, Language};
+
+/// The messages of the project reader in a language.
+pub(crate) trait Speak: Copy {
+    fn toml_syntax(self, message: &str) -> String;
+    fn missing_key(self, path: &str, key: &str, array: bool) -> String;
+    fn unknown_key(self, path: &str, key: &str) -> String;
+    fn for_example(self, line: &str) -> String;
+    fn did_you_mean(self, name: &str) -> String;
+    fn valid_are(self, names: &[&str]) -> String;
+    fn bare_number(self, path: &str, dimension: Dimension) -> String;
+    fn write_with_unit(self, written: &str, unit: &str, dimension: Dimension) -> String;
+    fn number_out_of_range(self, path: &str, low: f64, high: f64) -> String;
+    fn quantity_out_of_range(self, path: &str, text: &str, positive: bool) -> String;
+    fn text_too_long(self, path: &str, most: usize) -> String;
+    fn control_character(self, path: &str) -> String;
+    fn wrong_type(self, path: &str, expected: &str, found: &str) -> String;
+    fn not_a_choice(self, path: &str, text: &str) -> String;
+    fn a_text(self) -> String;
+    fn a_table(self) -> String;
+    fn too_many(self, path: &str, most: usize) -> String;
+    fn not_a_point(self, path: &str) -> String;
+    fn kind(self, kind: &Kind) -> String;
+    fn file_too_large(self, bytes: usize, most: usize) -> String;
+    fn no_time_to_change_speed(self, key: &str) -> String;
+    fn no_duration(self) -> String;
+    fn no_move(self) -> String;
+    fn no_curve(self, fault: CurveFault) -> String;
+}
+
+fn place(path: &str, key: &str) -> String {
+    if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
+}
+
+impl Speak for Language {
+    fn toml_syntax(self, message: &str) -> String {
+        either(self, format!("not valid TOML: {message}"), format!("kein gültiges TOML: {message}"))
+    }
+
+    fn missing_key(self, path: &str, key: &str, array: bool) -> String {
+        let name = if array { format!("[[{key}]]") } else { place(path, key) };
+        either(self, format!("`{name}` is missing"), format!("`{name}` fehlt"))
+    }
+
+    fn unknown_key(self, path: &str, key: &str) -> String {
+        let key: String = key.chars().take(60).collect();
+        let name = place(path, &key);
+        either(self, format!("unknown key `{name}`"), format!("unbekannter Schlüssel `{name}`"))
+    }
+
+    fn for_example(self, line: &str) -> String {
+        either(self, format!("for example: {line}"), format!("zum Beispiel: {line}"))
+    }
+
+    fn did_you_mean(self, name: &str) -> String {
+        either(self, format!("did you mean `{name}`?"), format!("gemeint ist vielleicht `{name}`"))
+    }
+
+    fn valid_are(self, names: &[&str]) -> String {
+        let names = names.join(", ");
+        either(self, format!("valid here: {names}"), format!("hier gültig: {names}"))
+    }
+
+    fn bare_number(self, path: &str, dimension: Dimension) -> String {
+        let name = dimension.name(self);
+        either(
+            self,
+            format!("`{path}`: a number without a unit; expected: {name}"),
+            format!("`{path}`: Zahl ohne Einheit; erwartet: {name}"),
+        )
+    }
+
+    fn write_with_unit(self, written: &str, unit: &str, dimension: Dimension) -> String {
+        let units: Vec<&str> = dimension.units().iter().map(|unit| unit.ascii).collect();
+        let units = units.join(", ");
+        either(
+            self,
+            format!("write \"{written} {unit}\" if that is the unit meant; units: {units}"),
+            format!("\"{written} {unit}\" schreiben, falls diese Einheit gemeint ist; Einheiten: {units}"),
+        )
+    }
+
+    fn number_out_of_range(self, path: &str, low: f64, high: f64) -> String {
+        either(
+            self,
+            format!("`{path}` must be a number from {low} to {high}"),
+            format!("`{path}` muss eine Zahl von {low} bis {high} sein"),
+        )
+    }
+
+    fn quantity_out_of_range(self, path: &str, text: &str, positive: bool) -> String {
+        let (en, de) =
+            if positive { ("must be greater than zero", "muss größer als null sein") } else { ("must not be negative", "darf nicht negativ sein") };
+        either(self, format!("`{path}` {en}, not \"{text}\""), format!("`{path}` {de}, nicht „{text}“"))
+    }
+
+    fn text_too_long(self, path: &str, most: usize) -> String {
+        either(
+            self,
+            format!("`{path}` is longer than {most} characters"),
+            format!("`{path}` ist länger als {most} Zeichen"),
+        )
+    }
+
+    fn control_character(self, path: &str) -> String {
+        either(
+            self,
+            format!("`{path}` contains a control character"),
+            format!("`{path}` enthält ein Steuerzeichen"),
+        )
+    }
+
+    fn wrong_type(self, path: &str, expected: &str, found: &str) -> String {
+        let german = match found {
+            "string" => "Text",
+            "integer" => "ganze Zahl",
+            "float" => "Zahl",
+            "boolean" => "Wahrheitswert",
+            "datetime" => "Datum",
+            "array" => "Liste",
+            "table" => "Tabelle",
+            other => other,
+        };
+        either(
+            self,
+            format!("`{path}` must be {expected}, found {found}"),
+            format!("`{path}`: erwartet {expected}, gefunden {german}"),
+        )
+    }
+
+    fn not_a_choice(self, path: &str, text: &str) -> String {
+        let text: String = text.chars().take(60).collect();
+        either(
+            self,
+            format!("`{path}`: \"{text}\" is not a valid choice"),
+            format!("`{path}`: „{text}“ steht hier nicht zur Wahl"),
+        )
+    }
+
+    fn a_text(self) -> String {
+        either(self, "a text in quotes", "Text in Anführungszeichen")
+    }
+
+    fn a_table(self) -> String {
+        either(self, "a table", "Tabelle")
+    }
+
+    fn too_many(self, path: &str, most: usize) -> String {
+        either(self, format!("`{path}` has more than {most} entries"), format!("`{path}` hat mehr als {most} Einträge"))
+    }
+
+    fn not_a_point(self, path: &str) -> String {
+        either(
+            self,
+            format!("`{path}`: a point is written [\"speed\", \"torque\"]"),
+            format!("`{path}`: ein Punkt wird als [\"Drehzahl\", \"Drehmoment\"] geschrieben"),
+        )
+    }
+
+    fn kind(self, kind: &Kind) -> String {
+        match kind {
+            Kind::Quantity(dimension, _) => {
+                let (name, example) = (dimension.name(self), dimension.example());
+                either(
+                    self,
+                    format!("a quantity with its unit ({name}, for example \"{example}\")"),
+                    format!("Zahl mit Einheit ({name}, zum Beispiel \"{example}\")"),
+                )
+            }
+            Kind::Number(..) => either(self, "a number", "Zahl"),
+            Kind::Integer(..) => either(self, "a whole number", "ganze Zahl"),
+            Kind::Bool => either(self, "true or false", "true oder false"),
+            Kind::Text => self.a_text(),
+            Kind::OneOf(words) => {
+                either(self, format!("one of {}", words.join(", ")), format!("eines von {}", words.join(", ")))
+            }
+            Kind::ListOf(words) => {
+                either(self, format!("a list of {}", words.join(", ")), format!("Liste aus {}", words.join(", ")))
+            }
+            Kind::Curve => either(self, "a list of corner points", "Liste von Eckpunkten"),
+            Kind::Table(_) => self.a_table(),
+            Kind::Tables(_) => either(self, "an array of tables, [[…]]", "Liste von Tabellen, [[…]]"),
+        }
+    }
+
+    fn file_too_large(self, bytes: usize, most: usize) -> String {
+        either(
+            self,
+            format!("the project file has {bytes} bytes; {most} are read at most"),
+            format!("die Projektdatei hat {bytes} Byte; gelesen werden höchstens {most}"),
+        )
+    }
+
+    fn no_time_to_change_speed(self, key: &str) -> String {
+        either(
+            self,
+            format!("`{key}` must be greater than zero: a speed cannot be reached or left in no time"),
+            format!("`{key}` muss größer als null sein: eine Drehzahl wird nicht in der Zeit null erreicht oder verlassen"),
+        )
+    }
+
+    fn no_duration(self) -> String {
+        either(self, "the cycle has no duration: all its times are zero", "der Zyklus hat keine Dauer: alle Zeiten sind null")
+    }
+
+    fn no_move(self) -> String {
+        either(self, "the cycle needs at least one [[motion]]", "der Zyklus braucht mindestens ein [[motion]]")
+    }
+
+    fn no_curve(self, fault: CurveFault) -> String {
+        match fault {
+            CurveFault::TooFewPoints => either(self, "a curve needs at least two points", "eine Kennlinie braucht mindestens zwei Punkte"),
+            CurveFault::DoesNotStartAtZero => either(self, "a curve starts at standstill, 0 1/min", "eine Kennlinie beginnt im Stillstand, 0 1/min"),
+            CurveFault::SpeedsNotAscending => either(self, "the speeds of a curve must grow from point to point", "die Drehzahlen einer Kennlinie müssen von Punkt zu Punkt wachsen"),
+            _ => either(self, "the torques of a curve must not be negative", "die Drehmomente einer Kennlinie dürfen nicht negativ sein"),
+        }
+    }
+}

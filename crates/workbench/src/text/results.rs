@@ -1,0 +1,195 @@
+//! Words about results: checks, notes, requirements, assumptions, sources.
+
+use super::either;
+use crate::project::Assumption;
+use configurator::Unmet;
+use order_code::Brake;
+use provenance::Source;
+use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND, VOLT};
+use quantities::{Language, Measure, Unit, format_number, format_significant};
+use sizing::{CheckId, Note, Verdict};
+
+/// The title of a check.
+#[must_use]
+pub fn check_title(id: CheckId, language: Language) -> String {
+    let (en, de) = match id {
+        CheckId::PeakTorque => ("peak torque", "Spitzendrehmoment"),
+        CheckId::PeakSpeed => ("peak speed", "Spitzendrehzahl"),
+        CheckId::MeanSpeed => ("mean speed", "mittlere Drehzahl"),
+        CheckId::ContinuousTorque => ("continuous torque", "Dauerdrehmoment"),
+        CheckId::PeakCurrent => ("peak current", "Spitzenstrom"),
+        CheckId::Demagnetisation => ("demagnetisation", "Entmagnetisierung"),
+        CheckId::InertiaRatio => ("inertia ratio", "Trägheitsverhältnis"),
+        CheckId::Ambient => ("ambient temperature", "Umgebungstemperatur"),
+        _ => (id.id(), id.id()),
+    };
+    either(language, en, de)
+}
+
+/// A verdict in one word; never told by colour alone.
+#[must_use]
+pub fn verdict_word(verdict: Verdict, language: Language) -> String {
+    let (en, de) = match verdict {
+        Verdict::Pass => ("pass", "erfüllt"),
+        Verdict::Fail => ("FAIL", "VERFEHLT"),
+        Verdict::Advice => ("advice", "Hinweis"),
+        Verdict::NotChecked => ("not checked", "nicht geprüft"),
+    };
+    either(language, en, de)
+}
+
+/// The field's word for a symbol, from the glossary; the symbol itself where the glossary has none.
+#[must_use]
+pub fn symbol_term(symbol: &str, language: Language) -> String {
+    catalogue::term(symbol).map_or_else(|| symbol.to_owned(), |term| either(language, term.en, term.de))
+}
+
+/// What a check lacks.
+#[must_use]
+pub fn check_missing(symbol: &str, language: Language) -> String {
+    let term = symbol_term(symbol, language);
+    let shown = if term == symbol { symbol.to_owned() } else { format!("{symbol} ({term})") };
+    either(language, format!("missing: {shown}"), format!("es fehlt: {shown}"))
+}
+
+fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
+    format!("{} {}", format_significant(unit.from_si(si), digits, language), unit.symbol)
+}
+
+/// A remark on a check.
+#[must_use]
+pub fn note_text(note: &Note, language: Language) -> String {
+    match note {
+        Note::FrictionTemperatures => either(
+            language,
+            "friction that opposes the torque counts cold (K_INL at 30 °C), friction that helps counts warm (80 °C)",
+            "hemmende Reibung zählt kalt (K_INL bei 30 °C), helfende Reibung warm (80 °C)",
+        ),
+        Note::EstimatedUpTo(upper) => {
+            let upper = with_unit(upper.si(), &NEWTON_METRE, 3, language);
+            either(
+                language,
+                format!("no continuous curve is published for this actuator: the limit is the lower edge of an estimate that reaches up to {upper}"),
+                format!("für diesen Antrieb ist keine Dauerkennlinie veröffentlicht: die Grenze ist der untere Rand einer Schätzung, die bis {upper} reicht"),
+            )
+        }
+        Note::CycleNotShort { cycle } => {
+            let cycle = with_unit(cycle.si(), &SECOND, 3, language);
+            either(
+                language,
+                format!("the cycle of {cycle} is not short against the winding's time constant of about 60 s: the effective value alone does not prove the thermal load"),
+                format!("der Zyklus von {cycle} ist nicht kurz gegen die Wicklungszeitkonstante von etwa 60 s: der Effektivwert allein beweist die thermische Belastung nicht"),
+            )
+        }
+        Note::BrakingTorqueAssumed => either(
+            language,
+            "braking and accelerating times differ: eq. 69.2 would take T_3 from the accelerating time; the exact integral decides",
+            "Brems- und Beschleunigungszeit sind verschieden: Gl. 69.2 nähme T_3 aus der Beschleunigungszeit; es entscheidet das exakte Integral",
+        ),
+        Note::RecommendationForHighDynamics => either(
+            language,
+            "J_L ≤ 3 J_out is a recommendation for highly dynamic duty, not a limit",
+            "J_L ≤ 3 J_out ist eine Empfehlung für hochdynamischen Betrieb, keine Grenze",
+        ),
+        Note::Erratum(id) => {
+            let evidence = catalogue::erratum(id).map_or("", |erratum| erratum.evidence);
+            either(language, format!("erratum {id}: {evidence}"), format!("Erratum {id}: {evidence}"))
+        }
+        _ => String::new(),
+    }
+}
+
+/// A requirement that is not met.
+#[must_use]
+pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
+    let mm = |si| with_unit(si, &MILLIMETRE, 4, language);
+    let volt = |si| with_unit(si, &VOLT, 3, language);
+    let kg = |si: f64| format!("{} {}", format_number(KILOGRAM.from_si(si), 1, language), KILOGRAM.symbol);
+    match unmet {
+        Unmet::Feedback(feedback) => {
+            either(language, format!("feedback {feedback} is not asked for"), format!("Feedback {feedback} ist nicht gefordert"))
+        }
+        Unmet::Brake(Brake::Without) => either(language, "has no brake", "hat keine Bremse"),
+        Unmet::Brake(Brake::With) => either(language, "has a brake", "hat eine Bremse"),
+        Unmet::HollowShaft { has, needs } => either(
+            language,
+            format!("hollow shaft {} is narrower than {}", mm(has.si()), mm(needs.si())),
+            format!("Hohlwelle {} ist enger als {}", mm(has.si()), mm(needs.si())),
+        ),
+        Unmet::Length { has, permits } => either(
+            language,
+            format!("length {} is above {}", mm(has.si()), mm(permits.si())),
+            format!("Länge {} liegt über {}", mm(has.si()), mm(permits.si())),
+        ),
+        Unmet::Mass { has, permits } => either(
+            language,
+            format!("mass {} is above {}", kg(has.si()), kg(permits.si())),
+            format!("Masse {} liegt über {}", kg(has.si()), kg(permits.si())),
+        ),
+        Unmet::SupplyTooHigh { permits, supply } => either(
+            language,
+            format!("DC link {} is above the {} of the winding", volt(supply.si()), volt(permits.si())),
+            format!("Zwischenkreis {} liegt über den {} der Wicklung", volt(supply.si()), volt(permits.si())),
+        ),
+        Unmet::SupplyTooLow { needs, gives } => either(
+            language,
+            format!("the supply gives {} at the motor terminals, the winding needs {}", volt(gives.si()), volt(needs.si())),
+            format!("die Versorgung gibt {} an den Motorklemmen, die Wicklung braucht {}", volt(gives.si()), volt(needs.si())),
+        ),
+        Unmet::NotKnown { symbol } => {
+            let term = symbol_term(symbol, language);
+            either(language, format!("{symbol} ({term}) is not known"), format!("{symbol} ({term}) ist nicht bekannt"))
+        }
+        _ => String::new(),
+    }
+}
+
+/// A default that the user did not confirm.
+#[must_use]
+pub fn assumption_text(assumption: Assumption, language: Language) -> String {
+    let (en, de) = match assumption {
+        Assumption::NoFriction => (
+            "no friction torque given: 0 Nm assumed",
+            "kein Reibmoment angegeben: 0 Nm angenommen",
+        ),
+        Assumption::AmbientWithinRange => (
+            "no ambient temperature given: 0 °C to 40 °C assumed, for which the printed data hold",
+            "keine Umgebungstemperatur angegeben: 0 °C bis 40 °C angenommen, dafür gelten die gedruckten Daten",
+        ),
+        Assumption::CoolingPlate => (
+            "mounted on the aluminium plate of table 13.3: continuous data hold for it only",
+            "auf der Aluminiumplatte nach Tabelle 13.3 montiert: nur dafür gelten die Dauerdaten",
+        ),
+        Assumption::BearingNotJudged => (
+            "not checked: the loads of [bearing]; this version does not judge the output bearing yet",
+            "nicht geprüft: die Lasten aus [bearing]; diese Version beurteilt das Abtriebslager noch nicht",
+        ),
+    };
+    either(language, en, de)
+}
+
+/// Where a number comes from.
+#[must_use]
+pub fn source_text(source: &Source, language: Language) -> String {
+    match (source, language) {
+        (_, Language::En) => source.to_string(),
+        (Source::Cell(cell), Language::De) => cell.to_string().replacen("table", "Tabelle", 1),
+        (Source::Equation { document, number }, Language::De) => format!("{document} Gl. {number}"),
+        (Source::Published { document, cell }, Language::De) => {
+            format!("{document} ({})", cell.to_string().replacen("table", "Tabelle", 1))
+        }
+        (Source::Model { name }, Language::De) => format!("Modell {name}"),
+        (Source::Project { key }, Language::De) => format!("Projekt {key}"),
+        (other, Language::De) => other.to_string(),
+    }
+}
+
+/// The stated rule of the ranking.
+#[must_use]
+pub fn ranking_rule(language: Language) -> String {
+    either(
+        language,
+        "order: what fits first, then the smaller frame size, then the lower highest utilisation, then the lower mass",
+        "Reihenfolge: was passt zuerst, dann die kleinere Baugröße, dann die geringere höchste Auslastung, dann die geringere Masse",
+    )
+}
