@@ -60,6 +60,11 @@ fn column_keys<'a>(table: &'a Table, column: &'a str) -> Vec<(&'a str, &'a str)>
     table.keys.iter().map(String::as_str).zip(column.split(" | ").map(str::trim)).collect()
 }
 
+/// What the head of a column says about one key.
+fn head_of(table: &Table, column: &str, key: &str) -> String {
+    column_keys(table, column).into_iter().filter(|(k, _)| *k == key).map(|(_, v)| v).collect::<Vec<_>>().join(", ")
+}
+
 /// The keys of a cell that stands on the columns `from..to`: what the table says, overridden by the row,
 /// and by the column where all its columns agree.
 fn cell_keys(table: &Table, row: &Row, columns: &[String]) -> [String; 5] {
@@ -71,11 +76,15 @@ fn cell_keys(table: &Table, row: &Row, columns: &[String]) -> [String; 5] {
         _ => row.condition.as_deref(),
     };
     KEYS.map(|key| {
-        let mut heads = columns.iter().map(|column| {
-            column_keys(table, column).into_iter().filter(|(k, _)| *k == key).map(|(_, v)| v).collect::<Vec<_>>().join(", ")
-        });
-        let first = heads.next().unwrap_or_default();
-        let common = if heads.all(|head| head == first) { first } else { String::new() };
+        let heads: Vec<String> = columns.iter().map(|column| head_of(table, column, key)).collect();
+        let mut distinct = heads.clone();
+        distinct.dedup();
+        let common = match distinct.as_slice() {
+            [only] => only.clone(),
+            // Printed once for some of the drives: it holds for each of them. For all: it holds for whatever comes.
+            some if key == "drive" && columns.len() < table.columns.len() => some.join(" / "),
+            _ => String::new(),
+        };
         match (defaults(key), common.is_empty()) {
             (None, _) => common,
             (Some(own), true) => own.to_owned(),

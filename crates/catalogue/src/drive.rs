@@ -147,7 +147,7 @@ pub fn cells_about(size: Size, winding: Winding, feedback: Feedback, ratio: Rati
         .filter(|table| table.is_of_the_manual())
         .flat_map(crate::Table::cells)
         .filter(|cell| {
-            let by_drive = cell.drive == drive.name || cell.drive == size_head;
+            let by_drive = cell.drive.split(" / ").any(|head| head == drive.name || head == size_head);
             let by_feedback = cell.drive.is_empty() && !cell.feedback.is_empty() && is_feedback_table(cell);
             (by_drive || by_feedback) && covers(cell.feedback, feedback) && covers_ratio(cell.ratio, ratio)
         })

@@ -65,10 +65,9 @@ static MATRIX: LazyLock<Matrix> = LazyLock::new(|| {
     for &size in Size::ALL {
         let head = format!("CHA-{size}");
         for &condition in &conditions {
-            // A cell merged over several sizes carries no drive; it holds for those that have no cell of their own.
-            let own = table("12.1").iter().find(|cell| cell.condition == condition && cell.drive == head);
-            let merged = || table("12.1").iter().find(|cell| cell.condition == condition && cell.drive.is_empty());
-            if let Some(entry) = own.or_else(merged).and_then(entry_of) {
+            // A cell merged over several sizes names all of them.
+            let covers = |cell: &&Cell| cell.condition == condition && cell.drive.split(" / ").any(|each| each == head);
+            if let Some(entry) = table("12.1").iter().find(covers).and_then(entry_of) {
                 entries.insert((size, condition), entry);
             }
         }

@@ -104,24 +104,35 @@ pub fn describe_rule(code: &OrderCode, broken: &BrokenRule, language: Language) 
 /// A fault of a code's spelling in words, without the hint.
 #[must_use]
 pub fn describe_code_error(error: &CodeError, language: Language) -> String {
-    let field = |field: &Field| describe_field(*field, language);
+    let name = |field: &Field| describe_field(*field, language);
     match error {
-        CodeError::Empty { .. } => either(language, "the code is empty", "der Code ist leer"),
-        CodeError::TooLong { .. } => either(language, "the code is too long", "der Code ist zu lang"),
-        CodeError::Missing { field: missing, .. } => {
-            either(language, format!("{} is missing", field(missing)), format!("es fehlt: {}", field(missing)))
+        CodeError::Empty => either(language, "the code is empty", "der Code ist leer"),
+        CodeError::TooLong { most, .. } => either(
+            language,
+            format!("the code is longer than {most} characters"),
+            format!("der Code ist länger als {most} Zeichen"),
+        ),
+        CodeError::EmptyPart { .. } => {
+            either(language, "nothing stands at this hyphen", "an diesem Bindestrich steht nichts")
         }
-        _ => {
-            let found = error.to_string();
-            either(language, found.clone(), german(error, language).unwrap_or(found))
+        CodeError::UnknownToken { field, found, .. } => either(
+            language,
+            format!("`{found}` is not known as: {}", name(field)),
+            format!("`{found}` ist nicht bekannt als: {}", name(field)),
+        ),
+        CodeError::OutOfOrder { field, found, .. } => either(
+            language,
+            format!("`{found}` ({}) stands in the wrong place", name(field)),
+            format!("`{found}` ({}) steht an der falschen Stelle", name(field)),
+        ),
+        CodeError::Repeated { field, found, .. } => either(
+            language,
+            format!("{} is given twice, here as `{found}`", name(field)),
+            format!("{} ist zweimal angegeben, hier als `{found}`", name(field)),
+        ),
+        CodeError::Missing { field, .. } => {
+            either(language, format!("{} is missing", name(field)), format!("es fehlt: {}", name(field)))
         }
+        other => other.to_string(),
     }
-}
-
-/// German for the faults that name a piece of the text.
-fn german(error: &CodeError, language: Language) -> Option<String> {
-    let field = |field: &Field| describe_field(*field, language);
-    let _ = field;
-    let _ = error;
-    None
 }
