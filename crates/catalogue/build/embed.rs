@@ -323,7 +323,7 @@ fn write_all(out: &mut String, data: &Data, cells: &[Cell<'_>], ranges: &[(usize
         let _ = writeln!(
             out,
             "Erratum {{ id: {:?}, table: {:?}, place: {:?}, recovered: {:?}, printed: {:?}, corrected: {:?}, checks_use: {:?}, \
-             kind: ErratumKind::{kind}, corrected_here: {}, evidence: {:?} }},",
+             kind: ErratumKind::{kind}, corrected_here: {}, evidence: {:?}, evidence_de: {:?} }},",
             erratum.id,
             opt(&erratum.table),
             erratum.place.clone().unwrap_or_else(|| place_of(erratum)),
@@ -333,6 +333,7 @@ fn write_all(out: &mut String, data: &Data, cells: &[Cell<'_>], ranges: &[(usize
             erratum.checks_use,
             erratum.status == "corrected",
             erratum.evidence,
+            erratum.evidence_de.as_deref().unwrap_or(&erratum.evidence),
         );
     }
     let _ = writeln!(out, "];\npub(crate) static SOURCES: &[Document] = &[");

@@ -1,6 +1,6 @@
 //! The sixteen drives of sections 6.2 to 6.17, and typed access to what is printed about them.
 
-use crate::record::Cell;
+use crate::record::{Cell, Table};
 use order_code::{Feedback, Ratio, Size, Winding};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Measure, Unit};
@@ -136,22 +136,29 @@ pub fn datum_of<Q: Measure>(cell: &'static Cell) -> Datum<Q> {
     }
 }
 
-/// Every printed cell that concerns one actuator, in the order of the manual: its drive's tables, the tables by
-/// size, and the tables of its feedback.
+/// Every printed value of one actuator, in the order of the manual: the general data of its winding, its drive's
+/// tables, the tables by size, and the tables of its feedback. Ordering tables and pin-outs are left out.
 #[must_use]
 pub fn cells_about(size: Size, winding: Winding, feedback: Feedback, ratio: Ratio) -> Vec<&'static Cell> {
     let Some(drive) = drive(size, winding, feedback) else { return Vec::new() };
     let size_head = format!("CHA-{size}");
+    // Heads of tables 13.1 and 13.2.
+    let general_head = if winding == Winding::E { "CHA-xxA-E" } else { "CHA-xxA-H/N" };
     crate::tables()
         .iter()
-        .filter(|table| table.is_of_the_manual())
+        .filter(|table| table.is_of_the_manual() && !is_ordering_or_wiring(table))
         .flat_map(crate::Table::cells)
         .filter(|cell| {
-            let by_drive = cell.drive.split(" / ").any(|head| head == drive.name || head == size_head);
+            let by_drive = cell.drive.split(" / ").any(|head| [drive.name, &size_head, general_head].contains(&head));
             let by_feedback = cell.drive.is_empty() && !cell.feedback.is_empty() && is_feedback_table(cell);
             (by_drive || by_feedback) && covers(cell.feedback, feedback) && covers_ratio(cell.ratio, ratio)
         })
         .collect()
+}
+
+/// Chapters 4 and 5 say what can be ordered, section 6.24 how it is wired.
+fn is_ordering_or_wiring(table: &Table) -> bool {
+    table.section == "4" || table.section == "5" || table.section.starts_with("6.24")
 }
 
 /// The tables of section 6.22 hold for a feedback on every drive.

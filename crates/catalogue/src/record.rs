@@ -214,8 +214,10 @@ pub struct Erratum {
     pub kind: ErratumKind,
     /// Whether the value is corrected (otherwise it stays as printed and is flagged).
     pub corrected_here: bool,
-    /// Why, with the figures.
+    /// Why, with the figures, in English.
     pub evidence: &'static str,
+    /// The same in German.
+    pub evidence_de: &'static str,
 }
 
 /// A document that a number comes from.

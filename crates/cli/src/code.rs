@@ -4,10 +4,9 @@ use crate::answer::Answer;
 use crate::fault::report;
 use crate::table::{Align, Table};
 use clap::ArgMatches;
-use quantities::Language;
 use std::fmt::Write as _;
 use workbench::text::describe_field;
-use workbench::{CodeFault, CodeReading, Diagnostic, json};
+use workbench::{CodeFault, CodeReading, Diagnostic, Language, json};
 
 pub(crate) fn dispatch(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     match matches.subcommand() {

@@ -4,10 +4,11 @@ use crate::answer::Answer;
 use crate::code::{parse_for_use, read_argument};
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
-use quantities::Language;
 use std::fmt::Write as _;
 use workbench::text::symbol_term;
-use workbench::{EXPORT_COLUMNS, Sheet, export_rows, json};
+use workbench::quantities::Unit;
+use workbench::text::evidence_text;
+use workbench::{EXPORT_COLUMNS, Language, Sheet, export_rows, json};
 
 /// `antrieb data CODE`
 pub(crate) fn sheet(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -59,7 +60,7 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
                 value.push_str(" *");
                 errata.extend(cell.errata.iter().filter(|id| !errata.contains(id)).copied().collect::<Vec<_>>());
             }
-            let unit = quantities::Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol);
+            let unit = Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol);
             table.row([cell.symbol.to_owned(), value, unit.to_owned(), name]);
         }
         out.push_str(&table.render());
@@ -68,8 +69,7 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
         out.push('\n');
     }
     for id in errata {
-        let evidence = catalogue::erratum(id).map_or("", |erratum| erratum.evidence);
-        out.push_str(&paragraph(&format!("* {id}: "), evidence));
+        out.push_str(&paragraph(&format!("* {id}: "), evidence_text(id, language)));
     }
     out
 }

@@ -2,10 +2,9 @@
 
 use crate::answer::Answer;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use quantities::Language;
 use std::io::Read;
 use std::path::Path;
-use workbench::{Diagnostic, PROJECT_MAX_BYTES, Project, json};
+use workbench::{Diagnostic, Language, PROJECT_MAX_BYTES, Project, json};
 
 /// Longest line that is shown with an underline; a longer one is cut out of the picture.
 const LINE_MAX: usize = 400;

@@ -6,16 +6,17 @@ use crate::fault::{error_word, read_project};
 use crate::table::{Align, Table, paragraph};
 use anstyle::{AnsiColor, Style};
 use clap::ArgMatches;
-use quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
-use quantities::{Language, Measure, Unit, format_number, format_significant};
-use sizing::{Check, Demand, Figure, Verdict};
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
+use workbench::quantities::{Measure, Unit, format_number, format_significant};
 use workbench::text::{
-    assumption_text, check_missing, check_title, describe_rule, note_text, ranking_rule, source_text, unmet_text,
+    assumption_text, check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, source_text, unmet_text,
     verdict_word,
 };
-use workbench::{Candidate, CandidateId, Objection, Project, Refusal, Sizing, json};
+use workbench::{
+    Candidate, CandidateId, Check, Demand, Figure, Language, Objection, Project, Refusal, Sizing, Verdict, json,
+};
 
 fn t(language: Language, en: &str, de: &str) -> String {
     match language {
@@ -323,7 +324,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     ]);
     for check in &candidate.judgement.checks {
         let source = match (&check.limit_source, check.grade) {
-            (Some(source), Some(grade)) => format!("{grade}, {}", source_text(source, language)),
+            (Some(source), Some(grade)) => format!("{}, {}", grade_word(grade, language), source_text(source, language)),
             _ => missing(check, language),
         };
         table.row([

@@ -3,6 +3,9 @@
 /// Widest line.
 pub(crate) const WIDTH: usize = 100;
 
+/// A column is not wrapped to less than this.
+const NARROWEST: usize = 12;
+
 /// How a column is aligned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Align {
@@ -26,11 +29,8 @@ impl Table {
         self.rows.push(cells.into_iter().collect());
     }
 
-    pub(crate) fn is_empty(&self) -> bool {
-        self.rows.is_empty()
-    }
 
-    /// The table as text. A last column on the left is wrapped so that no line is wider than [`WIDTH`].
+    /// The table as text. Columns on the left are wrapped, the widest first, so that no line is wider than [`WIDTH`].
     pub(crate) fn render(&self) -> String {
         let width = |index: usize| {
             let head = self.columns.get(index).map_or(0, |(head, _)| head.chars().count());
@@ -38,10 +38,17 @@ impl Table {
             cells.max().unwrap_or(0).max(head)
         };
         let mut widths: Vec<usize> = (0..self.columns.len()).map(width).collect();
-        let gaps = 2 * widths.len().saturating_sub(1);
-        if let Some((last, others)) = widths.split_last_mut() {
-            let room = WIDTH.saturating_sub(others.iter().sum::<usize>() + gaps);
-            *last = (*last).min(room.max(20));
+        let room = WIDTH.saturating_sub(2 * widths.len().saturating_sub(1));
+        while widths.iter().sum::<usize>() > room {
+            let widest = widths
+                .iter_mut()
+                .zip(&self.columns)
+                .filter(|(width, (_, align))| *align == Align::Left && **width > NARROWEST)
+                .max_by_key(|(width, _)| **width);
+            match widest {
+                Some((width, _)) => *width -= 1,
+                None => break,
+            }
         }
         let heads: Vec<String> = self.columns.iter().map(|(head, _)| head.clone()).collect();
         let mut out = String::new();
@@ -55,28 +62,25 @@ impl Table {
     }
 
     fn line(&self, out: &mut String, cells: &[String], widths: &[usize]) {
-        let last = cells.len().saturating_sub(1);
-        let wrapped = wrap(cells.last().map_or("", String::as_str), widths.last().copied().unwrap_or(WIDTH));
-        for (index, part) in wrapped.iter().enumerate() {
+        let wrapped: Vec<Vec<String>> = cells.iter().zip(widths).map(|(cell, width)| wrap(cell, *width)).collect();
+        let height = wrapped.iter().map(Vec::len).max().unwrap_or(0);
+        for index in 0..height {
             let mut line = String::new();
-            for (column, cell) in cells.iter().enumerate() {
-                let text = match (column == last, index) {
-                    (true, _) => part.as_str(),
-                    (false, 0) => cell.as_str(),
-                    (false, _) => "",
-                };
-                let width = widths.get(column).copied().unwrap_or(0);
+            for (column, ((_, align), (parts, width))) in self.columns.iter().zip(wrapped.iter().zip(widths)).enumerate() {
+                let text = parts.get(index).map_or("", String::as_str);
                 let pad = " ".repeat(width.saturating_sub(text.chars().count()));
-                let left = self.columns.get(column).is_none_or(|(_, align)| *align == Align::Left);
                 if column > 0 {
                     line.push_str("  ");
                 }
-                if left {
-                    line.push_str(text);
-                    line.push_str(&pad);
-                } else {
-                    line.push_str(&pad);
-                    line.push_str(text);
+                match align {
+                    Align::Left => {
+                        line.push_str(text);
+                        line.push_str(&pad);
+                    }
+                    Align::Right => {
+                        line.push_str(&pad);
+                        line.push_str(text);
+                    }
                 }
             }
             out.push_str(line.trim_end());

@@ -15,7 +15,7 @@ pub enum Grade {
     Printed,
     /// Computed from printed values with an equation of the manual.
     Computed,
-    /// A value of another public document, which is named.
+    /// A value of another document: a public one, which is named, or the user's own data sheet.
     Published,
     /// A model of ours, which is named and has a stated band.
     Estimated,

@@ -70,7 +70,7 @@ pub fn judge(axis: &Axis, actuator: &Parameters) -> Judgement {
     let demand = inertia.map(|inertia| axis.demand(inertia));
     let manual = inertia.map(|inertia| axis.manual_demand(inertia));
     let mut checks = vec![
-        peak_torque(axis, actuator, demand.as_ref(), manual.as_ref()),
+        peak_torque(actuator, demand.as_ref(), manual.as_ref()),
         peak_speed(axis, actuator),
         mean_speed(axis, actuator),
         continuous_torque(axis, actuator, demand.as_ref(), manual.as_ref()),
@@ -144,14 +144,13 @@ fn braking_note(manual: Option<&ManualDemand>) -> Vec<Note> {
 }
 
 /// T_peak ≤ T_max (cha-manual 7.1: T_1 < T_max; glossary T_max: largest accelerating and braking torque).
-fn peak_torque(axis: &Axis, actuator: &Parameters, demand: Option<&Demand>, manual: Option<&ManualDemand>) -> Check {
+fn peak_torque(actuator: &Parameters, demand: Option<&Demand>, manual: Option<&ManualDemand>) -> Check {
     let id = CheckId::PeakTorque;
     let (limit, demand) = match (actuator.torque_max.require("T_max"), demand) {
         (Ok(limit), Some(demand)) => (limit, demand),
         (Err(missing), _) => return not_checked(id, missing),
         (_, None) => return not_checked(id, Missing { symbol: "J_out" }),
     };
-    let _ = axis;
     Comparison {
         id,
         unit: &NEWTON_METRE,

@@ -100,8 +100,8 @@ impl Axis {
     ///
     /// # Symbols  n_2 [1/min], t [s], T [Nm], J [kgm²]
     /// # Source   cha-manual eq. 69.1, 69.2, 69.3, 69.4
-    /// # Valid    exact for t_3 = t_1; with another braking time eq. 69.2 keeps the torque of the acceleration, see
-    ///            [`ManualDemand::braking_assumed`]
+    /// # Valid    exact for t_3 = t_1; with another braking time eq. 69.2 keeps the torque of the acceleration,
+    /// see [`ManualDemand::braking_assumed`]
     #[must_use]
     pub fn manual_demand(&self, inertia_out: MomentOfInertia) -> ManualDemand {
         let mut square_time = 0.0;

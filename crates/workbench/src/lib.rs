@@ -16,6 +16,9 @@ pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, re
 pub use diagnostic::{Diagnostic, place};
 pub use export::{EXPORT_COLUMNS, export_rows};
 pub use project::{Assumption, OwnActuator, PROJECT_MAX_BYTES, Project, schema};
-pub use quantities::Language;
+pub use configurator::{Availability, Choice};
+pub use order_code::{Field, OrderCode};
+pub use quantities::{self, Language};
+pub use sizing::{Check, Demand, Figure, Verdict};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
 pub use sizing_use::{Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, size};

@@ -242,10 +242,10 @@ fn build_actuator(root: &Section, reader: &mut Reader<'_>, language: Language) -
     Some(OwnActuator { name: section.text("name")?.to_owned(), parameters })
 }
 
-/// A value that the user wrote: as good as a printed one, and named as the user's.
+/// A value that the user wrote: graded as published, since it stands in some document of the user's.
 fn known<T>(name: &str, value: T) -> Datum<T> {
     let source = Source::Project { key: format!("actuator.{name}") };
-    Datum::Known(Sourced { value, source, grade: Grade::Printed, errata: &[] })
+    Datum::Known(Sourced { value, source, grade: Grade::Published, errata: &[] })
 }
 
 fn own<Q: Measure>(section: &Section, name: &str) -> Datum<Q> {

@@ -57,7 +57,7 @@ pub fn sheet(code: &OrderCode) -> Option<Sheet> {
     Some(Sheet { code: *code, sections })
 }
 
-/// Whether a cell holds for this code's brake variant, and is data rather than a rule of ordering.
+/// Whether a cell holds for this code's brake variant.
 fn concerns(cell: &Cell, code: &OrderCode) -> bool {
     let of_the_other_variant = match code.brake {
         Brake::With => ["J_out", "J", "m", "L"].contains(&cell.symbol),
@@ -66,6 +66,5 @@ fn concerns(cell: &Cell, code: &OrderCode) -> bool {
                 || ["U_Br", "T_Br", "I_OBr", "I_HBr", "N_brakings", "N_emergency", "t_o", "t_c"].contains(&cell.symbol)
         }
     };
-    let ordering = cell.table.starts_with("11.") || cell.table.starts_with("12.");
-    !of_the_other_variant && !ordering
+    !of_the_other_variant
 }

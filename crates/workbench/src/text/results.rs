@@ -4,7 +4,7 @@ use super::either;
 use crate::project::Assumption;
 use configurator::Unmet;
 use order_code::Brake;
-use provenance::Source;
+use provenance::{Grade, Source};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND, VOLT};
 use quantities::{Language, Measure, Unit, format_number, format_significant};
 use sizing::{CheckId, Note, Verdict};
@@ -56,6 +56,28 @@ fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language) -> String 
     format!("{} {}", format_significant(unit.from_si(si), digits, language), unit.symbol)
 }
 
+/// Why an erratum says what it says.
+#[must_use]
+pub fn evidence_text(id: &str, language: Language) -> &'static str {
+    catalogue::erratum(id).map_or("", |erratum| match language {
+        Language::En => erratum.evidence,
+        Language::De => erratum.evidence_de,
+    })
+}
+
+/// A grade in one word.
+#[must_use]
+pub fn grade_word(grade: Grade, language: Language) -> &'static str {
+    match (language, grade) {
+        (Language::En, grade) => grade.id(),
+        (Language::De, Grade::Printed) => "gedruckt",
+        (Language::De, Grade::Computed) => "berechnet",
+        (Language::De, Grade::Published) => "veröffentlicht",
+        (Language::De, Grade::Estimated) => "geschätzt",
+        (Language::De, Grade::Assumed) => "angenommen",
+    }
+}
+
 /// A remark on a check.
 #[must_use]
 pub fn note_text(note: &Note, language: Language) -> String {
@@ -92,7 +114,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
             "J_L ≤ 3 J_out ist eine Empfehlung für hochdynamischen Betrieb, keine Grenze",
         ),
         Note::Erratum(id) => {
-            let evidence = catalogue::erratum(id).map_or("", |erratum| erratum.evidence);
+            let evidence = evidence_text(id, language);
             either(language, format!("erratum {id}: {evidence}"), format!("Erratum {id}: {evidence}"))
         }
         _ => String::new(),

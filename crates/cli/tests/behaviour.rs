@@ -1,0 +1,195 @@
+//! What a user can rely on: exit codes, streams, JSON, refusals.
+#![allow(missing_docs)]
+
+mod run;
+
+use run::{root, run, run_with};
+use serde_json::Value;
+use testkit::agrees;
+
+const EXAMPLES: [&str; 3] =
+    ["examples/indexing-table.toml", "examples/manual-example.toml", "examples/two-way-shuttle.toml"];
+
+#[test]
+fn the_examples_are_all_there_and_fit() {
+    let mut files: Vec<String> = std::fs::read_dir(root().join("examples"))
+        .unwrap()
+        .flatten()
+        .map(|entry| format!("examples/{}", entry.file_name().to_string_lossy()))
+        .collect();
+    files.sort();
+    assert_eq!(files, EXAMPLES);
+    for example in EXAMPLES {
+        let run = run(&["size", example]);
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{example}");
+    }
+}
+
+#[test]
+fn the_worked_example_in_json() {
+    let run = run(&["check", "examples/manual-example.toml", "--json"]);
+    assert_eq!(run.code, 0);
+    let value: Value = serde_json::from_str(&run.out).unwrap();
+    let demand = &value["demand"];
+    for (name, printed) in
+        [("T_1", "103.98"), ("T_2", "5.00"), ("T_3", "-93.98"), ("T_rms", "38.90"), ("n_av", "6.15"), ("ED", "23.08")]
+    {
+        assert!(agrees(demand[name].as_f64().unwrap(), printed), "{name}: {}", demand[name]);
+        if name.len() > 3 {
+            assert!(agrees(demand["integral"][name].as_f64().unwrap(), printed), "{name}");
+        }
+    }
+    let checks = value["checks"].as_array().unwrap();
+    for check in checks {
+        for field in ["id", "verdict", "value", "limit", "unit", "utilisation", "at", "grade", "source", "missing"] {
+            assert!(check.get(field).is_some(), "{field} in {check}");
+        }
+        assert_eq!(check["verdict"] == "not_checked", check["missing"].is_string(), "{check}");
+    }
+    assert_eq!(checks.iter().find(|check| check["id"] == "peak_torque").unwrap()["verdict"], "pass");
+    assert_eq!(checks.iter().find(|check| check["id"] == "continuous_torque").unwrap()["missing"], "T_0");
+}
+
+#[test]
+fn sizing_in_json_names_an_answer_and_a_reason_for_each_rejection() {
+    let run = run(&["size", "examples/indexing-table.toml", "--json", "--top", "2"]);
+    let value: Value = serde_json::from_str(&run.out).unwrap();
+    assert_eq!(value["ranking"].as_array().unwrap().len(), 2);
+    assert_eq!(value["answer"], value["ranking"][0]["code"]);
+    let rejected = value["rejected"].as_array().unwrap();
+    assert_eq!(value["judged"].as_u64().unwrap(), value["fitting"].as_u64().unwrap() + rejected.len() as u64);
+    for each in rejected {
+        let by_check = each["check"].is_string() && each["value"].is_number();
+        assert!(by_check || !each["objections"].as_array().unwrap().is_empty(), "{each}");
+    }
+}
+
+#[test]
+fn every_command_answers_in_json() {
+    for arguments in [
+        &["code", "list", "--json"][..],
+        &["code", "complete", "CHA-20A", "--json"],
+        &["data", "CHA-20A-100-H-C1024", "--json"],
+        &["catalogue", "export", "--format", "json"],
+        &["catalogue", "export", "--json"],
+        &["schema", "--json"],
+    ] {
+        let run = run(arguments);
+        assert_eq!(run.code, 0, "{arguments:?}");
+        let _: Value = serde_json::from_str(&run.out).unwrap_or_else(|error| panic!("{arguments:?}: {error}"));
+    }
+}
+
+#[test]
+fn exit_codes_tell_fit_misfit_and_no_answer() {
+    assert_eq!(run(&["check", "examples/indexing-table.toml", "--code", "CHA-32A-50-H-C1024"]).code, 0);
+    assert_eq!(run(&["check", "examples/indexing-table.toml", "--code", "CHA-14A-30-E-RES"]).code, 1);
+    assert_eq!(run(&["check", "examples/indexing-table.toml", "--code", "CHA-14A-31-E-RES"]).code, 2);
+    assert_eq!(run(&["check", "examples/indexing-table.toml", "--code", "CHA-58A-50-H-RES"]).code, 2, "no data");
+    assert_eq!(run(&["check", "examples/indexing-table.toml"]).code, 2, "no actuator named");
+    assert_eq!(run(&["size"]).code, 2);
+    assert_eq!(run(&["--version"]).code, 0);
+    let heavy = std::fs::read_to_string(root().join(EXAMPLES[0])).unwrap().replace("1.3 kg m^2", "1300 kg m^2");
+    let run = run_with(&["size", "-"], heavy.as_bytes());
+    assert_eq!(run.code, 1);
+    assert!(run.out.contains("no actuator of the catalogue fits") && run.out.contains("nearest miss"));
+}
+
+#[test]
+fn a_pipe_gets_no_colour_and_no_line_is_wider_than_100() {
+    for arguments in [
+        &["size", "examples/indexing-table.toml", "--all"][..],
+        &["size", "examples/two-way-shuttle.toml", "--lang", "de"],
+        &["check", "examples/indexing-table.toml", "--code", "CHA-25A-50-H-M512P", "--lang", "de"],
+        &["data", "CHA-14A-30-E-M128S-B", "--lang", "de"],
+        &["data", "CHA-20A-100-H-C1024-B-EC"],
+        &["code", "parse", "CHA-20A-100-H-C1024-B-EC-K-SP", "--lang", "de"],
+        &["code", "complete", "CHA-20A-100-H"],
+    ] {
+        let run = run(arguments);
+        assert!(!run.out.contains('\u{1b}') && !run.err.contains('\u{1b}'), "{arguments:?}");
+        for line in run.out.lines() {
+            assert!(line.chars().count() <= 100, "{arguments:?}: {line}");
+        }
+    }
+}
+
+#[test]
+fn the_same_call_gives_the_same_bytes() {
+    for arguments in [&["size", "examples/indexing-table.toml", "--json"][..], &["catalogue", "export"]] {
+        assert_eq!(run(arguments).out, run(arguments).out);
+    }
+}
+
+#[test]
+fn broken_input_is_refused_without_a_panic() {
+    let junk: Vec<u8> = (0..=255).cycle().take(4096).collect();
+    let big = vec![b'#'; 10 << 20];
+    for (name, input) in [
+        ("empty", &b""[..]),
+        ("junk", &junk),
+        ("10 MB", &big),
+        ("latin-1", b"format = 1 # \xe4\n"),
+        ("nesting", "[".repeat(100_000).as_bytes()),
+        ("null", &[0; 64]),
+        ("bom", "\u{feff}format = 1".as_bytes()),
+    ] {
+        for json in [false, true] {
+            let mut arguments = vec!["size", "-"];
+            if json {
+                arguments.push("--json");
+            }
+            let run = run_with(&arguments, input);
+            assert_eq!(run.code, 2, "{name}: {}", run.err);
+            assert!(!run.err.is_empty() && !run.err.contains("panicked"), "{name}: {}", run.err);
+            if json {
+                let value: Value = serde_json::from_str(&run.out).unwrap();
+                assert!(!value["errors"].as_array().unwrap().is_empty(), "{name}");
+            } else {
+                assert_eq!(run.out, "", "{name}");
+            }
+        }
+    }
+    assert_eq!(run(&["size", "examples"]).code, 2, "a folder is no project");
+}
+
+#[test]
+fn a_code_one_letter_off_finds_its_neighbours() {
+    let run = run(&["code", "parse", "CHA-20A-100-H-C1204"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("C1024") && run.err.contains("CHA-20A-100-H-C1024"), "{}", run.err);
+}
+
+#[test]
+fn the_long_form_has_the_columns_of_the_contract() {
+    let run = run(&["catalogue", "export", "--format", "csv"]);
+    let mut lines = run.out.lines();
+    assert_eq!(lines.next(), Some("drive,feedback,ratio,symbol,condition,printed,value,unit,table,erratum"));
+    let rows: Vec<&str> = lines.collect();
+    for row in [
+        r"CHA-20A-C1024,C1024,50,T_max,,56,56,Nm,26.1,",
+        r#"CHA-14A-E,,30,I_0,,"5,8",5.8,A,14.1,"#,
+        r#"CHA-25A-M512P,M512P,50,J_out,,"0,97",1.1,kgm^2,40.2,25A-M512P-J_out-50"#,
+        r#"CHA-32A-M512P,M512P,,tau_m,20 degC,"7,1",7.1,ms,42.1,T42.1-tau_m;32A-M512P-tau_m"#,
+        r#"CHA-14A-H/N,RES,30,J_out,,"0,031",0.031,kgm^2,18.1,"#,
+        r"CHA-20A-C1024,C1024,,U_M,,220 ... 430,220...430,V,26.1,",
+        r"CHA-14A-E,,,I_E,,-,,A,14.1,",
+        r"CHA-20A-C1024,C1024,,L,,118,118,mm,51.3,",
+    ] {
+        assert!(rows.contains(&row), "{row}");
+    }
+}
+
+#[test]
+fn completions_and_manual_pages_are_made_for_every_command() {
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let run = run(&["completions", shell]);
+        assert_eq!(run.code, 0);
+        assert!(run.out.contains("catalogue"), "{shell}");
+    }
+    for page in ["size", "check", "code", "data", "catalogue", "schema", "completions", "man"] {
+        assert!(run(&["man", page]).out.contains(".TH"), "{page}");
+    }
+    assert!(run(&["man"]).out.contains("antrieb"));
+    assert_eq!(run(&["man", "none"]).code, 2);
+}

@@ -1,0 +1,49 @@
+//! Runs the binary as a user does, from the root of the repository.
+
+#![allow(dead_code, reason = "each test file uses its part")]
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+pub(crate) struct Run {
+    pub(crate) out: String,
+    pub(crate) err: String,
+    pub(crate) code: i32,
+}
+
+pub(crate) fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+pub(crate) fn run(arguments: &[&str]) -> Run {
+    run_with(arguments, b"")
+}
+
+pub(crate) fn run_with(arguments: &[&str], input: &[u8]) -> Run {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_antrieb"))
+        .args(arguments)
+        .current_dir(root())
+        .env_remove("ANTRIEB_LANG")
+        .env_remove("CLICOLOR_FORCE")
+        .env("COLUMNS", "100")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A program that refuses early closes its input; that is its right.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    let output = child.wait_with_output().unwrap();
+    Run {
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+        code: output.status.code().unwrap(),
+    }
+}
+
+/// Everything a user sees, for snapshots.
+pub(crate) fn shown(arguments: &[&str]) -> String {
+    let run = run(arguments);
+    format!("$ antrieb {}\n{}--- stderr\n{}--- exit {}\n", arguments.join(" "), run.out, run.err, run.code)
+}
