@@ -43,6 +43,82 @@ fn project(language: Language) -> Arg {
 
 /// The whole command line.
 pub(crate) fn build(language: Language) -> Command {
+    headed(commands(language), language)
+}
+
+/// Gives a command and all its subcommands the headings of the language and a help flag in it.
+fn headed(command: Command, language: Language) -> Command {
+    let t = |en, de| either(language, en, de);
+    let mut command = command
+        .disable_help_flag(true)
+        .disable_help_subcommand(true)
+        .help_template(match language {
+            Language::En => "{about}\n\nUsage: {usage}\n\n{all-args}{after-help}",
+            Language::De => "{about}\n\nAufruf: {usage}\n\n{all-args}{after-help}",
+        })
+        .subcommand_help_heading(t("Commands", "Befehle"))
+        .mut_args(|argument| {
+            let heading = if argument.is_positional() { t("Arguments", "Argumente") } else { t("Options", "Optionen") };
+            let takes_value = argument.get_action().takes_values();
+            argument.help_heading(heading).hide_default_value(takes_value).hide_possible_values(takes_value)
+        })
+        .arg(
+            Arg::new("help")
+                .short('h')
+                .long("help")
+                .action(ArgAction::Help)
+                .help_heading(t("Options", "Optionen"))
+                .help(t("Print this help", "Diese Hilfe zeigen")),
+        );
+    if command.get_name() == NAME {
+        command = command.disable_version_flag(true).arg(
+            Arg::new("version")
+                .short('V')
+                .long("version")
+                .action(ArgAction::Version)
+                .help_heading(t("Options", "Optionen"))
+                .help(t("Print the version", "Die Version zeigen")),
+        );
+    }
+    command.mut_subcommands(|subcommand| headed(subcommand, language))
+}
+
+/// A fault of the command line in German; the library speaks English only.
+pub(crate) fn german(error: &clap::Error) -> Option<String> {
+    use clap::error::{ContextKind, ContextValue, ErrorKind};
+    let context = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.clone()),
+        Some(ContextValue::Strings(texts)) => Some(texts.join(", ")),
+        _ => None,
+    };
+    let mut text = match error.kind() {
+        ErrorKind::InvalidSubcommand => {
+            format!("Fehler: unbekannter Befehl „{}“", context(ContextKind::InvalidSubcommand)?)
+        }
+        ErrorKind::UnknownArgument => format!("Fehler: unbekannte Option „{}“", context(ContextKind::InvalidArg)?),
+        ErrorKind::MissingRequiredArgument => format!("Fehler: es fehlt {}", context(ContextKind::InvalidArg)?),
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => format!(
+            "Fehler: „{}“ ist kein Wert für {}",
+            context(ContextKind::InvalidValue)?,
+            context(ContextKind::InvalidArg)?
+        ),
+        _ => return None,
+    };
+    for (kind, head) in [
+        (ContextKind::ValidValue, "gültig"),
+        (ContextKind::SuggestedSubcommand, "gemeint ist vielleicht"),
+        (ContextKind::SuggestedArg, "gemeint ist vielleicht"),
+        (ContextKind::SuggestedValue, "gemeint ist vielleicht"),
+    ] {
+        if let Some(found) = context(kind).filter(|found| !found.is_empty()) {
+            text.push_str(&format!("\n  {head}: {found}"));
+        }
+    }
+    text.push_str("\n\nMehr dazu: antrieb --help --lang de\n");
+    Some(text)
+}
+
+fn commands(language: Language) -> Command {
     let t = |en, de| either(language, en, de);
     let size = Command::new("size")
         .about(t("Rank the whole catalogue for an axis", "Den ganzen Katalog für eine Achse ordnen"))
@@ -53,7 +129,7 @@ pub(crate) fn build(language: Language) -> Command {
                 .value_name("N")
                 .default_value("10")
                 .value_parser(value_parser!(u16).range(1..))
-                .help(t("How many fitting actuators to show", "Wie viele passende Antriebe gezeigt werden")),
+                .help(t("How many fitting actuators to show (10)", "Wie viele passende Antriebe gezeigt werden (10)")),
         )
         .arg(
             Arg::new("all")
@@ -116,7 +192,7 @@ pub(crate) fn build(language: Language) -> Command {
                         .value_name("FORMAT")
                         .default_value("csv")
                         .value_parser(PossibleValuesParser::new(["csv", "json"]))
-                        .help(t("Format", "Format")),
+                        .help(t("csv (default) or json", "csv (Vorgabe) oder json")),
                 ),
         );
     let shells = PossibleValuesParser::new(["bash", "elvish", "fish", "powershell", "zsh"]);
@@ -146,7 +222,7 @@ pub(crate) fn build(language: Language) -> Command {
                 .global(true)
                 .value_name("LANG")
                 .value_parser(PossibleValuesParser::new(["de", "en"]))
-                .help(t("Language of the answer (or variable ANTRIEB_LANG)", "Sprache der Antwort (oder Variable ANTRIEB_LANG)")),
+                .help(t("Language of the answer, en or de (or variable ANTRIEB_LANG)", "Sprache der Antwort, en oder de (oder Variable ANTRIEB_LANG)")),
         )
         .subcommand(size)
         .subcommand(check)
@@ -157,7 +233,7 @@ pub(crate) fn build(language: Language) -> Command {
         .subcommand(
             Command::new("completions")
                 .about(t("Completion script for a shell", "Vervollständigung für eine Shell"))
-                .arg(Arg::new("shell").required(true).value_parser(shells).help(t("Shell", "Shell"))),
+                .arg(Arg::new("shell").required(true).value_parser(shells).help("bash, elvish, fish, powershell, zsh")),
         )
         .subcommand(
             Command::new("man")

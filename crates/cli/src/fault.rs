@@ -12,7 +12,7 @@ const LINE_MAX: usize = 400;
 /// Reads a project file; a fault is the finished answer.
 pub(crate) fn read_project(path: &Path, as_json: bool, language: Language) -> Result<Project, Answer> {
     let name = path.display().to_string();
-    let bytes = read_bytes(path).map_err(|error| unreadable(&name, &error.to_string(), as_json, language))?;
+    let bytes = read_bytes(path).map_err(|error| unreadable(&name, &io_text(&error, language), as_json, language))?;
     if bytes.len() > PROJECT_MAX_BYTES {
         let what = match language {
             Language::En => format!("the file is larger than {PROJECT_MAX_BYTES} bytes; a project file is text of a few kilobytes"),
@@ -45,6 +45,21 @@ fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
         std::fs::File::open(path)?.take(limit).read_to_end(&mut bytes)?;
     }
     Ok(bytes)
+}
+
+/// What the system says about a file that cannot be read.
+fn io_text(error: &std::io::Error, language: Language) -> String {
+    use std::io::ErrorKind;
+    let (en, de) = match error.kind() {
+        ErrorKind::NotFound => ("there is no such file", "diese Datei gibt es nicht"),
+        ErrorKind::PermissionDenied => ("permission denied", "kein Zugriff"),
+        ErrorKind::IsADirectory => ("this is a folder, not a project file", "das ist ein Ordner, keine Projektdatei"),
+        _ => return error.to_string(),
+    };
+    match language {
+        Language::En => en.to_owned(),
+        Language::De => de.to_owned(),
+    }
 }
 
 fn unreadable(file: &str, what: &str, as_json: bool, language: Language) -> Answer {

@@ -254,10 +254,14 @@ fn demand_text(candidate: &Candidate<'_>, language: Language) -> String {
     let _ = writeln!(out, "{name}");
     if let Some(manual) = &candidate.judgement.manual {
         for (index, each) in manual.moves.iter().enumerate().take(5) {
-            let which = if manual.moves.len() > 1 { format!(" ({})", index + 1) } else { String::new() };
+            let which = match (manual.moves.len() > 1, language) {
+                (false, _) => String::new(),
+                (true, Language::En) => format!("move {}: ", index + 1),
+                (true, Language::De) => format!("Bewegung {}: ", index + 1),
+            };
             let _ = writeln!(
                 out,
-                "  T_1 {} · T_2 {} · T_3 {} Nm{which}",
+                "  {which}T_1 {} · T_2 {} · T_3 {} Nm",
                 shown(each.accelerate.si(), &NEWTON_METRE, language),
                 shown(each.run.si(), &NEWTON_METRE, language),
                 shown(each.brake.si(), &NEWTON_METRE, language),

@@ -22,6 +22,9 @@ fn main() -> ExitCode {
         Ok(matches) => matches,
         Err(error) => {
             let code = if error.use_stderr() { 2 } else { 0 };
+            if let Some(text) = (language == Language::De).then(|| command::german(&error)).flatten() {
+                return Answer::fault(text).write();
+            }
             // A closed pipe is the reader's business.
             let _ = error.print();
             return ExitCode::from(code);

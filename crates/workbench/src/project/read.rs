@@ -161,6 +161,13 @@ impl<'t> Reader<'t> {
     /// "did you mean …", or the whole list where nothing is near.
     fn nearest(&self, written: &str, valid: &[&str]) -> String {
         let written: String = written.chars().take(60).collect();
+        // A word that was cut short or spun out is nearer than its count of letters says.
+        let akin = valid.iter().find(|name| {
+            written.len() >= 3 && (name.starts_with(written.as_str()) || written.starts_with(**name))
+        });
+        if let Some(name) = akin {
+            return self.language.did_you_mean(name);
+        }
         let near = valid
             .iter()
             .map(|name| (strsim::damerau_levenshtein(&written.to_lowercase(), &name.to_lowercase()), *name))

@@ -48,8 +48,8 @@ pub fn symbol_term(symbol: &str, language: Language) -> String {
 #[must_use]
 pub fn check_missing(symbol: &str, language: Language) -> String {
     let term = symbol_term(symbol, language);
-    let shown = if term == symbol { symbol.to_owned() } else { format!("{symbol} ({term})") };
-    either(language, format!("missing: {shown}"), format!("es fehlt: {shown}"))
+    let shown = if term == symbol { symbol.to_owned() } else { format!("{symbol}, {term}") };
+    either(language, format!("not known: {shown}"), format!("nicht bekannt: {shown}"))
 }
 
 fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
