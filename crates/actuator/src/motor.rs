@@ -146,10 +146,7 @@ pub fn continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Resul
 /// # Valid    |n| ≤ n_N/i; zero beyond
 /// # Errors
 /// [`Missing`] with the first datum that is not known.
-pub fn estimated_continuous_torque(
-    actuator: &Parameters,
-    speed: AngularVelocity,
-) -> Result<ContinuousLimit, Missing> {
+pub fn estimated_continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
     let stall_torque = actuator.stall_torque.require("T_0")?;
     let rated = speed_rated_out(actuator)?;
     let stall_current = match actuator.stall_current_motor.known() {
@@ -168,8 +165,7 @@ pub fn estimated_continuous_torque(
     let speed_motor_rad_s = speed.si().abs() * ratio.value;
     let friction_loss_w = friction * torque_constant_motor.value.si() * speed_motor_rad_s;
     let square = stall_current.value.si().powi(2) - FRICTION_LOSS_SHARE * friction_loss_w / (1.5 * hot.si());
-    let counted =
-        if actuator.stall_current_includes_friction { friction } else { friction - starting.value.si() };
+    let counted = if actuator.stall_current_includes_friction { friction } else { friction - starting.value.si() };
     let share = speed.si().abs() / rated.value.si();
     let centre = if share > 1.0 || square <= 0.0 {
         0.0

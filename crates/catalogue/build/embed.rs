@@ -191,12 +191,17 @@ fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut 
     let mut found: Vec<&mut Cell<'a>> = cells
         .iter_mut()
         .filter(|cell| tables.get(cell.table).is_some_and(|t| t.table == table))
-        .filter(|cell| KEYS.iter().zip(&cell.keys).all(|(key, value)| erratum.cell.get(*key).is_none_or(|want| want == value)))
+        .filter(|cell| {
+            KEYS.iter().zip(&cell.keys).all(|(key, value)| erratum.cell.get(*key).is_none_or(|want| want == value))
+        })
         .collect();
     match found.as_mut_slice() {
         [cell] => {
             if cell.printed != erratum.printed {
-                faults.push(format!("erratum {id}: says `{}` is printed, the table has `{}`", erratum.printed, cell.printed));
+                faults.push(format!(
+                    "erratum {id}: says `{}` is printed, the table has `{}`",
+                    erratum.printed, cell.printed
+                ));
             }
             cell.errata.push(number);
             if erratum.status == "corrected" {
@@ -252,7 +257,12 @@ fn unique(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
     for cell in cells {
         if let Some(row) = keys.insert((cell.table, &cell.keys), cell.row) {
             let table = data.tables.get(cell.table).map_or("", |t| t.table.as_str());
-            faults.push(format!("table {table}: rows {} and {} name the same cell {:?}", row + 1, cell.row + 1, cell.keys));
+            faults.push(format!(
+                "table {table}: rows {} and {} name the same cell {:?}",
+                row + 1,
+                cell.row + 1,
+                cell.keys
+            ));
         }
         let symbol = &cell.keys[3];
         if !symbol.is_empty() && !data.glossary.iter().any(|term| &term.symbol == symbol) {

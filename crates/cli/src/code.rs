@@ -129,8 +129,12 @@ fn list(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     }
     let available = codes.iter().filter(|(_, found)| found.is_available()).count();
     let talk = match language {
-        Language::En => format!("{} codes: {available} available, {} on request\n", codes.len(), codes.len() - available),
-        Language::De => format!("{} Codes: {available} verfügbar, {} auf Anfrage\n", codes.len(), codes.len() - available),
+        Language::En => {
+            format!("{} codes: {available} available, {} on request\n", codes.len(), codes.len() - available)
+        }
+        Language::De => {
+            format!("{} Codes: {available} verfügbar, {} auf Anfrage\n", codes.len(), codes.len() - available)
+        }
     };
     Answer { data, talk, code: u8::from(codes.is_empty()) }
 }

@@ -34,11 +34,13 @@ pub(crate) fn language_of(arguments: impl Iterator<Item = OsString>) -> Language
 }
 
 fn project(language: Language) -> Arg {
-    Arg::new("project")
-        .value_name("PROJECT")
-        .required(true)
-        .value_parser(value_parser!(std::path::PathBuf))
-        .help(either(language, "Project file (TOML); - reads standard input", "Projektdatei (TOML); - liest die Standardeingabe"))
+    Arg::new("project").value_name("PROJECT").required(true).value_parser(value_parser!(std::path::PathBuf)).help(
+        either(
+            language,
+            "Project file (TOML); - reads standard input",
+            "Projektdatei (TOML); - liest die Standardeingabe",
+        ),
+    )
 }
 
 /// The whole command line.
@@ -131,21 +133,20 @@ fn commands(language: Language) -> Command {
                 .value_parser(value_parser!(u16).range(1..))
                 .help(t("How many fitting actuators to show (10)", "Wie viele passende Antriebe gezeigt werden (10)")),
         )
-        .arg(
-            Arg::new("all")
-                .long("all")
-                .action(ArgAction::SetTrue)
-                .help(t("Show every actuator, the rejected ones with their reason", "Alle Antriebe zeigen, die abgelehnten mit Grund")),
-        );
+        .arg(Arg::new("all").long("all").action(ArgAction::SetTrue).help(t(
+            "Show every actuator, the rejected ones with their reason",
+            "Alle Antriebe zeigen, die abgelehnten mit Grund",
+        )));
     let check = Command::new("check")
-        .about(t("Judge one actuator, every check with its margin", "Einen Antrieb beurteilen, jede Prüfung mit ihrer Reserve"))
+        .about(t(
+            "Judge one actuator, every check with its margin",
+            "Einen Antrieb beurteilen, jede Prüfung mit ihrer Reserve",
+        ))
         .arg(project(language))
-        .arg(
-            Arg::new("code")
-                .long("code")
-                .value_name("CODE")
-                .help(t("Ordering code; without it the project's own [actuator] is judged", "Bestellcode; ohne ihn wird der eigene [actuator] des Projekts beurteilt")),
-        );
+        .arg(Arg::new("code").long("code").value_name("CODE").help(t(
+            "Ordering code; without it the project's own [actuator] is judged",
+            "Bestellcode; ohne ihn wird der eigene [actuator] des Projekts beurteilt",
+        )));
     let code_arg = |help| Arg::new("code").value_name("CODE").required(true).num_args(1..).help(help);
     let code = Command::new("code")
         .about(t("Read, list and complete ordering codes", "Bestellcodes lesen, auflisten und ergänzen"))
@@ -154,30 +155,39 @@ fn commands(language: Language) -> Command {
         .subcommand(
             Command::new("parse")
                 .about(t("Read a code and explain each field", "Einen Code lesen und jedes Feld erklären"))
-                .arg(code_arg(t("Ordering code, for example CHA-20A-100-H-C1024-B", "Bestellcode, zum Beispiel CHA-20A-100-H-C1024-B"))),
+                .arg(code_arg(t(
+                    "Ordering code, for example CHA-20A-100-H-C1024-B",
+                    "Bestellcode, zum Beispiel CHA-20A-100-H-C1024-B",
+                ))),
         )
         .subcommand(
             Command::new("list")
                 .about(t("List the valid codes", "Die gültigen Codes auflisten"))
-                .arg(
-                    Arg::new("pattern")
-                        .value_name("PATTERN")
-                        .help(t("Partial code, for example CHA-20A-*-H; all without it", "Teilcode, zum Beispiel CHA-20A-*-H; ohne ihn alle")),
-                )
-                .arg(
-                    Arg::new("available")
-                        .long("available")
-                        .action(ArgAction::SetTrue)
-                        .help(t("Only codes that are available without asking", "Nur Codes, die ohne Anfrage verfügbar sind")),
-                ),
+                .arg(Arg::new("pattern").value_name("PATTERN").help(t(
+                    "Partial code, for example CHA-20A-*-H; all without it",
+                    "Teilcode, zum Beispiel CHA-20A-*-H; ohne ihn alle",
+                )))
+                .arg(Arg::new("available").long("available").action(ArgAction::SetTrue).help(t(
+                    "Only codes that are available without asking",
+                    "Nur Codes, die ohne Anfrage verfügbar sind",
+                ))),
         )
         .subcommand(
             Command::new("complete")
-                .about(t("Complete a partial code and say what may follow", "Einen Teilcode ergänzen und zeigen, was folgen kann"))
-                .arg(code_arg(t("Partial code; * stands for any value of a field", "Teilcode; * steht für jeden Wert eines Feldes"))),
+                .about(t(
+                    "Complete a partial code and say what may follow",
+                    "Einen Teilcode ergänzen und zeigen, was folgen kann",
+                ))
+                .arg(code_arg(t(
+                    "Partial code; * stands for any value of a field",
+                    "Teilcode; * steht für jeden Wert eines Feldes",
+                ))),
         );
     let data = Command::new("data")
-        .about(t("Data sheet of one actuator, each value with its table", "Datenblatt eines Antriebs, jeder Wert mit seiner Tabelle"))
+        .about(t(
+            "Data sheet of one actuator, each value with its table",
+            "Datenblatt eines Antriebs, jeder Wert mit seiner Tabelle",
+        ))
         .arg(code_arg(t("Ordering code", "Bestellcode")));
     let catalogue = Command::new("catalogue")
         .about(t("The whole catalogue", "Der ganze Katalog"))
@@ -222,7 +232,10 @@ fn commands(language: Language) -> Command {
                 .global(true)
                 .value_name("LANG")
                 .value_parser(PossibleValuesParser::new(["de", "en"]))
-                .help(t("Language of the answer, en or de (or variable ANTRIEB_LANG)", "Sprache der Antwort, en oder de (oder Variable ANTRIEB_LANG)")),
+                .help(t(
+                    "Language of the answer, en or de (or variable ANTRIEB_LANG)",
+                    "Sprache der Antwort, en oder de (oder Variable ANTRIEB_LANG)",
+                )),
         )
         .subcommand(size)
         .subcommand(check)
@@ -236,9 +249,11 @@ fn commands(language: Language) -> Command {
                 .arg(Arg::new("shell").required(true).value_parser(shells).help("bash, elvish, fish, powershell, zsh")),
         )
         .subcommand(
-            Command::new("man")
-                .about(t("Manual page (roff)", "Handbuchseite (roff)"))
-                .arg(Arg::new("command").value_name("COMMAND").help(t("Command; antrieb itself without it", "Befehl; ohne ihn antrieb selbst"))),
+            Command::new("man").about(t("Manual page (roff)", "Handbuchseite (roff)")).arg(
+                Arg::new("command")
+                    .value_name("COMMAND")
+                    .help(t("Command; antrieb itself without it", "Befehl; ohne ihn antrieb selbst")),
+            ),
         )
 }
 

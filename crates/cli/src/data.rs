@@ -2,12 +2,12 @@
 
 use crate::answer::Answer;
 use crate::code::{parse_for_use, read_argument};
+use crate::judge::refuse;
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
-use workbench::text::symbol_term;
 use workbench::quantities::Unit;
-use workbench::text::evidence_text;
+use workbench::text::{condition_text, evidence_text, symbol_term};
 use workbench::{EXPORT_COLUMNS, Language, Sheet, export_rows, json};
 
 /// `antrieb data CODE`
@@ -17,14 +17,9 @@ pub(crate) fn sheet(matches: &ArgMatches, as_json: bool, language: Language) -> 
         Err(answer) => return answer,
     };
     let Some(sheet) = workbench::sheet(&reading.parsed.code) else {
-        let what = match language {
-            Language::En => "error: the manual prints no data for this code (on request only)\n",
-            Language::De => "Fehler: für diesen Code druckt die Anleitung keine Daten (nur auf Anfrage)\n",
-        };
-        return Answer::fault(what.to_owned());
+        return refuse(&workbench::Refusal::NoData, as_json, language);
     };
-    let data =
-        if as_json { format!("{:#}\n", json::sheet(&sheet, language)) } else { sheet_text(&sheet, language) };
+    let data = if as_json { format!("{:#}\n", json::sheet(&sheet, language)) } else { sheet_text(&sheet, language) };
     Answer { data, talk, code: 0 }
 }
 
@@ -41,12 +36,13 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
             Language::En => ("symbol", "value", "unit", "name"),
             Language::De => ("Symbol", "Wert", "Einheit", "Benennung"),
         };
-        let mut table = Table::new([(symbol, Align::Left), (value, Align::Left), (unit, Align::Left), (name, Align::Left)]);
+        let mut table =
+            Table::new([(symbol, Align::Left), (value, Align::Left), (unit, Align::Left), (name, Align::Left)]);
         for row in &section.rows {
             let cell = row.cell;
             let mut name = symbol_term(cell.symbol, language);
             if !cell.condition.is_empty() {
-                let _ = write!(name, " ({})", cell.condition.replace("degC", "°C"));
+                let _ = write!(name, " ({})", condition_text(cell.condition, language));
             }
             let mut value = decimal(cell.corrected, language);
             if cell.corrected != cell.printed {
@@ -99,5 +95,9 @@ pub(crate) fn catalogue(matches: &ArgMatches, as_json: bool) -> Answer {
 
 /// A CSV field (RFC 4180): quoted where it holds a comma, a quote or a line break.
 fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) { format!("\"{}\"", field.replace('"', "\"\"")) } else { field.to_owned() }
+    if field.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", field.replace('"', "\"\""))
+    } else {
+        field.to_owned()
+    }
 }

@@ -15,8 +15,12 @@ pub(crate) fn read_project(path: &Path, as_json: bool, language: Language) -> Re
     let bytes = read_bytes(path).map_err(|error| unreadable(&name, &io_text(&error, language), as_json, language))?;
     if bytes.len() > PROJECT_MAX_BYTES {
         let what = match language {
-            Language::En => format!("the file is larger than {PROJECT_MAX_BYTES} bytes; a project file is text of a few kilobytes"),
-            Language::De => format!("die Datei ist größer als {PROJECT_MAX_BYTES} Byte; eine Projektdatei ist Text von wenigen Kilobyte"),
+            Language::En => {
+                format!("the file is larger than {PROJECT_MAX_BYTES} bytes; a project file is text of a few kilobytes")
+            }
+            Language::De => format!(
+                "die Datei ist größer als {PROJECT_MAX_BYTES} Byte; eine Projektdatei ist Text von wenigen Kilobyte"
+            ),
         };
         return Err(unreadable(&name, &what, as_json, language));
     }
@@ -116,9 +120,9 @@ fn render(file: &str, text: &str, fault: &Diagnostic, language: Language) -> Str
         return format!("{}: {}\n  --> {place}\n{help}", error_word(language), fault.message);
     }
     let level = Level::ERROR.with_name(error_word(language));
-    let mut group: Group<'_> = level.primary_title(fault.message.as_str()).element(
-        Snippet::source(text).path(file).annotation(AnnotationKind::Primary.span(fault.span.clone())),
-    );
+    let mut group: Group<'_> = level
+        .primary_title(fault.message.as_str())
+        .element(Snippet::source(text).path(file).annotation(AnnotationKind::Primary.span(fault.span.clone())));
     if let Some(hint) = fault.hint.as_deref() {
         group = group.element(Level::HELP.with_name(help_word(language)).message(hint));
     }

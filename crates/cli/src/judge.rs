@@ -11,8 +11,8 @@ use std::path::PathBuf;
 use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
 use workbench::quantities::{Measure, Unit, format_number, format_significant};
 use workbench::text::{
-    assumption_text, check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, source_text, unmet_text,
-    verdict_word,
+    assumption_text, check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, source_text,
+    unmet_text, verdict_word,
 };
 use workbench::{
     Candidate, CandidateId, Check, Demand, Figure, Language, Objection, Project, Refusal, Sizing, Verdict, json,
@@ -167,7 +167,8 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
 fn reason(candidate: &Candidate<'_>, language: Language) -> String {
     if let Some(check) = candidate.worst_failure() {
         let unit = check.value.map_or("", |figure| figure.unit.symbol);
-        let over = check.utilisation.map(|_| format!(" ({} %)", percent(check.utilisation, language))).unwrap_or_default();
+        let over =
+            check.utilisation.map(|_| format!(" ({} %)", percent(check.utilisation, language))).unwrap_or_default();
         return format!(
             "{}: {} > {} {unit}{over}",
             check_title(check.id, language),
@@ -204,10 +205,9 @@ fn rejected_text(sizing: &Sizing<'_>, all: bool, language: Language) -> String {
     }
     let mut counts: Vec<(String, usize)> = Vec::new();
     for candidate in &rejected {
-        let what = candidate.worst_failure().map_or_else(
-            || t(language, "requirement", "Anforderung"),
-            |check| check_title(check.id, language),
-        );
+        let what = candidate
+            .worst_failure()
+            .map_or_else(|| t(language, "requirement", "Anforderung"), |check| check_title(check.id, language));
         match counts.iter_mut().find(|(name, _)| *name == what) {
             Some((_, count)) => *count += 1,
             None => counts.push((what, 1)),
@@ -313,7 +313,9 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     out.push('\n');
     let heads: [&str; 8] = match language {
         Language::En => ["check", "verdict", "value", "limit", "unit", "util. %", "at s", "grade, source of the limit"],
-        Language::De => ["Prüfung", "Urteil", "Wert", "Grenze", "Einheit", "Ausl. %", "bei s", "Güte, Quelle der Grenze"],
+        Language::De => {
+            ["Prüfung", "Urteil", "Wert", "Grenze", "Einheit", "Ausl. %", "bei s", "Güte, Quelle der Grenze"]
+        }
     };
     let [check, word, value, limit, unit, util, at, source] = heads;
     let mut table = Table::new([
@@ -328,7 +330,9 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     ]);
     for check in &candidate.judgement.checks {
         let source = match (&check.limit_source, check.grade) {
-            (Some(source), Some(grade)) => format!("{}, {}", grade_word(grade, language), source_text(source, language)),
+            (Some(source), Some(grade)) => {
+                format!("{}, {}", grade_word(grade, language), source_text(source, language))
+            }
             _ => missing(check, language),
         };
         table.row([
@@ -385,7 +389,7 @@ pub(crate) fn check(matches: &ArgMatches, as_json: bool, language: Language) -> 
     Answer { data, talk, code: u8::from(!candidate.fits()) }
 }
 
-fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> Answer {
+pub(crate) fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> Answer {
     let what = match refusal {
         Refusal::NoActuator => t(
             language,
@@ -394,8 +398,8 @@ fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> Answer {
         ),
         _ => t(
             language,
-            "the manual prints no data for this code (on request only): it cannot be judged",
-            "für diesen Code druckt die Anleitung keine Daten (nur auf Anfrage): er kann nicht beurteilt werden",
+            "the manual prints no data for this code: it is on request only",
+            "für diesen Code druckt die Anleitung keine Daten: er ist nur auf Anfrage lieferbar",
         ),
     };
     let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));

@@ -29,7 +29,6 @@ impl Table {
         self.rows.push(cells.into_iter().collect());
     }
 
-
     /// The table as text. Columns on the left are wrapped, the widest first, so that no line is wider than [`WIDTH`].
     pub(crate) fn render(&self) -> String {
         let width = |index: usize| {
@@ -66,7 +65,9 @@ impl Table {
         let height = wrapped.iter().map(Vec::len).max().unwrap_or(0);
         for index in 0..height {
             let mut line = String::new();
-            for (column, ((_, align), (parts, width))) in self.columns.iter().zip(wrapped.iter().zip(widths)).enumerate() {
+            for (column, ((_, align), (parts, width))) in
+                self.columns.iter().zip(wrapped.iter().zip(widths)).enumerate()
+            {
                 let text = parts.get(index).map_or("", String::as_str);
                 let pad = " ".repeat(width.saturating_sub(text.chars().count()));
                 if column > 0 {

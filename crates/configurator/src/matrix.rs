@@ -75,15 +75,15 @@ static MATRIX: LazyLock<Matrix> = LazyLock::new(|| {
     let mut pairs = Vec::new();
     for &winding in Winding::ALL {
         for &feedback in Feedback::ALL {
-            let named = |cell: &&Cell| {
-                cell.condition == format!("winding={winding}") && cell.feedback == feedback.as_str()
-            };
+            let named =
+                |cell: &&Cell| cell.condition == format!("winding={winding}") && cell.feedback == feedback.as_str();
             if table("11.3").iter().any(|cell| named(&cell)) {
                 pairs.push((winding, feedback));
             }
         }
     }
-    let windings_ordered = Winding::ALL.iter().copied().filter(|w| pairs.iter().any(|(winding, _)| winding == w)).collect();
+    let windings_ordered =
+        Winding::ALL.iter().copied().filter(|w| pairs.iter().any(|(winding, _)| winding == w)).collect();
     Matrix { entries, pairs, windings_ordered }
 });
 

@@ -2,6 +2,13 @@
 //!
 //! Corner points of the continuous curves of CHA-20A, published with page 39 of the English edition 8/2018 V03:
 //! output speed [1/min], torque [Nm].
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "a test fails loudly"
+)]
 
 use order_code::parse;
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE};
@@ -53,7 +60,10 @@ fn the_band_of_the_estimate_covers_every_published_point() {
             let estimate = actuator::estimated_continuous_torque(&actuator, speed).unwrap();
             let published = torque.min(stall);
             let (low, high) = (estimate.limit.value.si(), estimate.upper.si());
-            assert!(low <= published + 0.5 && published <= high + 0.5, "i = {ratio}, n = {n}: {low} {published} {high}");
+            assert!(
+                low <= published + 0.5 && published <= high + 0.5,
+                "i = {ratio}, n = {n}: {low} {published} {high}"
+            );
         }
     }
 }

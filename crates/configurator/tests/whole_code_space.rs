@@ -1,4 +1,11 @@
 //! Properties over every valid ordering code.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "a test fails loudly"
+)]
 
 use configurator::{all, availability, choices, complete, nearest, parameters};
 use order_code::{Brake, Feedback, Field, Pattern, Size, Winding, parse};
@@ -77,7 +84,9 @@ fn a_brake_adds_inertia_mass_and_length() {
         let mut bare = *code;
         bare.brake = Brake::Without;
         let without = parameters(&bare).unwrap();
-        let si = |datum: &provenance::Datum<_>| datum.known().map(|known: &provenance::Sourced<quantities::Mass>| known.value.si());
+        let si = |datum: &provenance::Datum<_>| {
+            datum.known().map(|known: &provenance::Sourced<quantities::Mass>| known.value.si())
+        };
         assert!(si(&with.mass) > si(&without.mass), "{code}");
         let inertia = |p: &actuator::Parameters| p.inertia_out.known().unwrap().value.si();
         assert!(inertia(&with) > inertia(&without), "{code}");
@@ -132,7 +141,8 @@ fn one_wrong_letter_finds_its_code_among_the_nearest() {
 #[test]
 fn the_tables_and_the_grammar_know_the_same_words() {
     for &winding in Winding::ALL {
-        let listed = catalogue::table("12.1").unwrap().cells().iter().any(|c| c.condition == format!("winding={winding}"));
+        let listed =
+            catalogue::table("12.1").unwrap().cells().iter().any(|c| c.condition == format!("winding={winding}"));
         assert!(listed, "{winding}");
     }
     for &feedback in Feedback::ALL {

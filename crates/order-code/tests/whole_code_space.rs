@@ -1,4 +1,11 @@
 //! Properties over every code of the grammar, 30 720 of them.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "a test fails loudly"
+)]
 
 use order_code::{
     Brake, CodeError, Departure, Feedback, Field, Option1, Option2, OrderCode, Pattern, Ratio, Size, Slot, Winding,
@@ -16,7 +23,14 @@ fn every_code() -> Vec<OrderCode> {
                             for option_2 in [None, Some(Option2::K), Some(Option2::R), Some(Option2::S)] {
                                 for special in [false, true] {
                                     codes.push(OrderCode {
-                                        size, ratio, winding, feedback, brake, option_1, option_2, special,
+                                        size,
+                                        ratio,
+                                        winding,
+                                        feedback,
+                                        brake,
+                                        option_1,
+                                        option_2,
+                                        special,
                                     });
                                 }
                             }
@@ -158,7 +172,8 @@ fn patterns_allow_exactly_their_codes() {
 
 #[test]
 fn no_text_makes_it_panic() {
-    let pieces = ["CHA", "-", "20A", " ", "100", "H", "*", "C1024", "é", "\u{0}", "–", "B", "EC", "K", "SP", "ß", "∞", "\t"];
+    let pieces =
+        ["CHA", "-", "20A", " ", "100", "H", "*", "C1024", "é", "\u{0}", "–", "B", "EC", "K", "SP", "ß", "∞", "\t"];
     let mut state: u64 = 7;
     for _ in 0..50_000 {
         let mut text = String::new();

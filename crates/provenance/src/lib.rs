@@ -192,7 +192,8 @@ mod tests {
 
     #[test]
     fn a_source_reads_like_a_citation() {
-        let cell = CellRef { table: "26.1", symbol: "K_INL", condition: "30 degC", drive: "CHA-20A-C1024", ratio: "50" };
+        let cell =
+            CellRef { table: "26.1", symbol: "K_INL", condition: "30 degC", drive: "CHA-20A-C1024", ratio: "50" };
         assert_eq!(Source::Cell(cell).to_string(), "table 26.1, K_INL (30 degC), i = 50");
         assert_eq!(Source::Equation { document: "cha-manual", number: "69.1" }.to_string(), "cha-manual eq. 69.1");
     }

@@ -11,7 +11,7 @@ pub fn torque_of(inertia: MomentOfInertia, acceleration: AngularAcceleration) ->
 /// P = T ω
 #[must_use]
 pub fn power_of(torque: Torque, speed: AngularVelocity) -> Power {
-    (torque * speed).into()
+    torque * speed
 }
 
 /// α = Δω / Δt

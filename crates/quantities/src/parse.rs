@@ -217,7 +217,11 @@ pub fn parse(expected: Dimension, text: &str) -> Result<Reading, QuantityError> 
         }
         return Err(QuantityError::UnitMissing { span: number_span, expected });
     }
-    if unit_text.starts_with(|c: char| c.is_ascii_digit()) && rest.starts_with(char::is_whitespace) && !unit_text.starts_with("1/") && !unit_text.starts_with("10^") {
+    if unit_text.starts_with(|c: char| c.is_ascii_digit())
+        && rest.starts_with(char::is_whitespace)
+        && !unit_text.starts_with("1/")
+        && !unit_text.starts_with("10^")
+    {
         let span = start..start + trimmed.len();
         return Err(QuantityError::NotANumber { span, found: excerpt(trimmed), expected });
     }
@@ -297,7 +301,9 @@ mod tests {
         let fault = |dimension, text: &str| parse(dimension, text).unwrap_err();
         assert_eq!(fault(Dimension::Torque, "  ").span(), 0..0);
         assert_eq!(fault(Dimension::Torque, " five Nm").span(), 1..5);
-        assert!(matches!(fault(Dimension::Torque, "1,5 Nm"), QuantityError::DecimalComma { span, .. } if span == (0..3)));
+        assert!(
+            matches!(fault(Dimension::Torque, "1,5 Nm"), QuantityError::DecimalComma { span, .. } if span == (0..3))
+        );
         assert!(matches!(fault(Dimension::Torque, "1e999 Nm"), QuantityError::NotFinite { .. }));
         assert!(matches!(fault(Dimension::Torque, "NaN Nm"), QuantityError::NotFinite { .. }));
         assert!(matches!(fault(Dimension::Torque, "-inf Nm"), QuantityError::NotFinite { .. }));

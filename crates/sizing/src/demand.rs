@@ -121,9 +121,8 @@ impl Axis {
             let third = friction - (first - friction);
             square_time += first * first * t1 + friction * friction * t2 + third * third * t3;
             speed_time += speed / 2.0 * t1 + speed * t2 + speed / 2.0 * t3;
-            #[allow(clippy::float_cmp, reason = "equal inputs are meant, not equal results")]
-            let differs = speed > 0.0 && t1 != t3;
-            braking_assumed |= differs;
+            // Equal inputs are meant here, not equal results.
+            braking_assumed |= speed > 0.0 && t1 != t3;
             for (torque, at) in [(first, start), (friction, start + t1), (third, start + t1 + t2)] {
                 if torque.abs() > peak {
                     peak = torque.abs();

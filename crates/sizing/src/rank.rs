@@ -53,7 +53,7 @@ mod tests {
 
     #[test]
     fn fitting_first_then_smallest_then_widest_margin_then_lightest() {
-        let mut field = vec![
+        let mut field = [
             standing(false, 14, 1.2, 1.0),
             standing(true, 25, 0.4, 5.0),
             standing(false, 14, 3.0, 1.0),

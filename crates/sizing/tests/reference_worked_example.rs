@@ -3,6 +3,13 @@
 //! The worked example of cha-manual section 7.1 (tables 71.1 and 71.3). The figures of the solution are lost with
 //! the drawing; the exact values below were computed by hand from eqs. 69.1 to 69.4, the rounded ones are printed in
 //! the English edition 1018854 (8/2018, V03, page 72).
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "a test fails loudly"
+)]
 
 use mechanism::DirectLoad;
 use motion::{Cycle, ManualMove};

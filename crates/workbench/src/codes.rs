@@ -68,7 +68,11 @@ fn spelling_faults(errors: &CodeErrors, language: Language) -> Vec<CodeFault> {
         .iter()
         .map(|error| {
             let hint = match error.nearest() {
-                Some(near) => Some(either(language, format!("did you mean `{near}`?"), format!("gemeint ist vielleicht `{near}`"))),
+                Some(near) => Some(either(
+                    language,
+                    format!("did you mean `{near}`?"),
+                    format!("gemeint ist vielleicht `{near}`"),
+                )),
                 None if error.expected().is_empty() => None,
                 None => {
                     let valid = error.expected().join(", ");

@@ -81,7 +81,8 @@ pub fn demand(manual: Option<&ManualDemand>, integral: Option<&Demand>) -> Value
     }
     map.insert("units".into(), json!({ "T": "Nm", "n": "1/min", "ED": "%" }));
     if manual.moves.len() > 1 {
-        let moves: Vec<Value> = manual.moves.iter().map(|each| Value::Object(torques(each).into_iter().collect())).collect();
+        let moves: Vec<Value> =
+            manual.moves.iter().map(|each| Value::Object(torques(each).into_iter().collect())).collect();
         map.insert("moves".into(), Value::Array(moves));
         map.insert("governing_move".into(), json!(manual.governing + 1));
     }
@@ -121,7 +122,8 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> Value {
     map.insert("on_request".into(), json!(names(&candidate.on_request, language)));
     map.insert("demand".into(), demand(candidate.judgement.manual.as_ref(), candidate.judgement.demand.as_ref()));
     map.insert("checks".into(), candidate.judgement.checks.iter().map(|each| check(each, language)).collect());
-    let objections: Vec<String> = candidate.objections.iter().map(|each| objection(candidate, each, language)).collect();
+    let objections: Vec<String> =
+        candidate.objections.iter().map(|each| objection(candidate, each, language)).collect();
     map.insert("objections".into(), json!(objections));
     Value::Object(map)
 }
@@ -136,7 +138,8 @@ fn rejection(candidate: &Candidate<'_>, language: Language) -> Value {
         .filter(|check| check.verdict == sizing::Verdict::Fail)
         .map(|check| check.id.id())
         .collect();
-    let objections: Vec<String> = candidate.objections.iter().map(|each| objection(candidate, each, language)).collect();
+    let objections: Vec<String> =
+        candidate.objections.iter().map(|each| objection(candidate, each, language)).collect();
     json!({
         "code": candidate.id.to_string(),
         "check": worst.map(|check| check.id.id()),
@@ -195,7 +198,12 @@ pub fn code_reading(reading: &CodeReading, language: Language) -> Value {
     let fields: Vec<Value> = explain_code(&reading.parsed.code, language)
         .into_iter()
         .map(|(field, token, meaning)| {
-            let span = reading.parsed.spans.iter().find(|(spanned, _)| *spanned == field).map(|(_, span)| [span.start, span.end]);
+            let span = reading
+                .parsed
+                .spans
+                .iter()
+                .find(|(spanned, _)| *spanned == field)
+                .map(|(_, span)| [span.start, span.end]);
             json!({
                 "field": field_id(field),
                 "name": describe_field(field, language),

@@ -13,12 +13,37 @@ mod sizing_use;
 pub mod text;
 
 pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, read_code, read_pattern};
+pub use configurator::{Availability, Choice};
 pub use diagnostic::{Diagnostic, place};
 pub use export::{EXPORT_COLUMNS, export_rows};
-pub use project::{Assumption, OwnActuator, PROJECT_MAX_BYTES, Project, schema};
-pub use configurator::{Availability, Choice};
 pub use order_code::{Field, OrderCode};
+pub use project::{Assumption, OwnActuator, PROJECT_MAX_BYTES, Project, schema};
 pub use quantities::{self, Language};
-pub use sizing::{Check, Demand, Figure, Verdict};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
+pub use sizing::{Check, Demand, Figure, Verdict};
 pub use sizing_use::{Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, size};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every condition on every German data sheet is symbols, numbers and German words.
+    #[test]
+    fn no_english_condition_is_left_on_a_german_data_sheet() {
+        let mut seen: Vec<String> = Vec::new();
+        for (code, _) in list_codes(None) {
+            let Some(sheet) = sheet(code) else { continue };
+            for row in sheet.sections.iter().flat_map(|section| &section.rows) {
+                let text = text::condition_text(row.cell.condition, Language::De);
+                if !seen.contains(&text) {
+                    seen.push(text);
+                }
+            }
+        }
+        assert!(seen.len() > 20, "{seen:?}");
+        let english = ["no ", "load", "max. no", "above", "part", "with", "and", "side", "turn", "ing", "level"];
+        for text in &seen {
+            assert!(!english.iter().any(|word| text.contains(word)), "{text}");
+        }
+    }
+}

@@ -147,9 +147,7 @@ fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Op
         friction_torque: load.quantity("friction_torque").unwrap_or_else(|| Torque::from_si(0.0)),
     };
     let moves = moves?;
-    if root.get("motion").is_none() {
-        return None;
-    }
+    root.get("motion")?;
     match Cycle::new(moves) {
         Ok(cycle) => {
             let ambient = root.table("requirements").and_then(|section| section.quantity("ambient"));
@@ -182,7 +180,8 @@ fn describe_cycle_fault(
     language: Language,
 ) -> (std::ops::Range<usize>, String) {
     let whole = root.span_of("motion");
-    let of = |index: usize, key: &str| sections.get(index).map_or_else(|| whole.clone(), |section| section.span_of(key));
+    let of =
+        |index: usize, key: &str| sections.get(index).map_or_else(|| whole.clone(), |section| section.span_of(key));
     match fault {
         CycleFault::NoTimeToChangeSpeed { of_move } => {
             let zero = |key: &str| {

@@ -151,8 +151,7 @@ pub fn size(project: &Project) -> Sizing<'_> {
 pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
     availability(code).map_err(Refusal::Broken)?;
     let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
-    let (_, parameters) =
-        catalogue_actuators().iter().find(|(known, _)| *known == bare).ok_or(Refusal::NoData)?;
+    let (_, parameters) = catalogue_actuators().iter().find(|(known, _)| *known == bare).ok_or(Refusal::NoData)?;
     Ok(candidate(project, *code, parameters))
 }
 

@@ -127,7 +127,14 @@ impl<'t> Reader<'t> {
     }
 
     /// `damaged`: the syntax had errors, so a missing key may stand in the part that could not be read.
-    fn section(&mut self, table: &DeTable<'_>, span: Span<usize>, keys: &'static [Key], path: &str, damaged: bool) -> Section {
+    fn section(
+        &mut self,
+        table: &DeTable<'_>,
+        span: Span<usize>,
+        keys: &'static [Key],
+        path: &str,
+        damaged: bool,
+    ) -> Section {
         let mut section = Section { span: span.clone(), entries: BTreeMap::new() };
         for (name, value) in table {
             let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
@@ -162,9 +169,9 @@ impl<'t> Reader<'t> {
     fn nearest(&self, written: &str, valid: &[&str]) -> String {
         let written: String = written.chars().take(60).collect();
         // A word that was cut short or spun out is nearer than its count of letters says.
-        let akin = valid.iter().find(|name| {
-            written.len() >= 3 && (name.starts_with(written.as_str()) || written.starts_with(**name))
-        });
+        let akin = valid
+            .iter()
+            .find(|name| written.len() >= 3 && (name.starts_with(written.as_str()) || written.starts_with(**name)));
         if let Some(name) = akin {
             return self.language.did_you_mean(name);
         }

@@ -42,19 +42,36 @@ pub fn describe_token(code: &OrderCode, field: Field, language: Language) -> Str
             "680 V DC link; cable exit, 8-pin and 17-pin M17 connectors",
             "Zwischenkreis 680 V; Kabelabgang, Stecker M17, 8- und 17-polig",
         ),
-        (Field::Winding, "L") => ("named in the matrix only, not in the ordering tables", "nur in der Matrix genannt, nicht in den Bestelltabellen"),
+        (Field::Winding, "L") => (
+            "named in the matrix only, not in the ordering tables",
+            "nur in der Matrix genannt, nicht in den Bestelltabellen",
+        ),
         (Field::Winding, _) => (
             "680 V DC link; cable exit, M23 connectors, motor 6-pin, feedback 17-pin (resolver 12-pin)",
             "Zwischenkreis 680 V; Kabelabgang, Stecker M23, Motor 6-polig, Feedback 17-polig (Resolver 12-polig)",
         ),
-        (Field::Feedback, "C1024") => ("incremental encoder, 1024 sine periods, with commutation track", "Inkrementalgeber, 1024 Sinusperioden, mit Kommutierungsspur"),
-        (Field::Feedback, "M512P") => ("multiturn absolute encoder, EnDat, 512 sine periods", "Multiturn-Absolutwertgeber, EnDat, 512 Sinusperioden"),
+        (Field::Feedback, "C1024") => (
+            "incremental encoder, 1024 sine periods, with commutation track",
+            "Inkrementalgeber, 1024 Sinusperioden, mit Kommutierungsspur",
+        ),
+        (Field::Feedback, "M512P") => (
+            "multiturn absolute encoder, EnDat, 512 sine periods",
+            "Multiturn-Absolutwertgeber, EnDat, 512 Sinusperioden",
+        ),
         (Field::Feedback, "RES") => ("resolver, one pole pair", "Resolver, einpolpaarig"),
-        (Field::Feedback, "D2048") => ("incremental encoder, 2048 lines, square wave, commutation signals", "Inkrementalgeber, 2048 Striche, Rechteck, Kommutierungssignale"),
-        (Field::Feedback, _) => ("multiturn absolute encoder, SSI, 128 sine periods, battery-buffered", "Multiturn-Absolutwertgeber, SSI, 128 Sinusperioden, batteriegepuffert"),
+        (Field::Feedback, "D2048") => (
+            "incremental encoder, 2048 lines, square wave, commutation signals",
+            "Inkrementalgeber, 2048 Striche, Rechteck, Kommutierungssignale",
+        ),
+        (Field::Feedback, _) => (
+            "multiturn absolute encoder, SSI, 128 sine periods, battery-buffered",
+            "Multiturn-Absolutwertgeber, SSI, 128 Sinusperioden, batteriegepuffert",
+        ),
         (Field::Brake, "B") => ("holding brake, 24 V", "Haltebremse, 24 V"),
         (Field::Brake, _) => ("without brake", "ohne Bremse"),
-        (Field::Option1, "EC") => ("single-turn absolute EnDat encoder at the output", "Singleturn-Absolutwertgeber EnDat am Abtrieb"),
+        (Field::Option1, "EC") => {
+            ("single-turn absolute EnDat encoder at the output", "Singleturn-Absolutwertgeber EnDat am Abtrieb")
+        }
         (Field::Option1, _) => ("without output encoder", "ohne Abtriebsgeber"),
         (Field::Option2, "K") => ("axial cable exit", "axialer Kabelabgang"),
         (Field::Option2, "R") => ("axial connector exit", "axialer Steckerabgang"),
@@ -84,8 +101,12 @@ pub fn describe_rule(code: &OrderCode, broken: &BrokenRule, language: Language) 
         ),
         Rule::NotInOrderingTables => either(
             language,
-            format!("winding {token} stands in the matrix 12.1, but no ordering table lists it (table {table}); ask the maker"),
-            format!("Wicklung {token} steht in der Matrix 12.1, aber in keiner Bestelltabelle (Tabelle {table}); beim Hersteller fragen"),
+            format!(
+                "winding {token} stands in the matrix 12.1, but no ordering table lists it (table {table}); ask the maker"
+            ),
+            format!(
+                "Wicklung {token} steht in der Matrix 12.1, aber in keiner Bestelltabelle (Tabelle {table}); beim Hersteller fragen"
+            ),
         ),
         Rule::OnlyWithM512P => either(
             language,
@@ -94,8 +115,12 @@ pub fn describe_rule(code: &OrderCode, broken: &BrokenRule, language: Language) 
         ),
         Rule::OnlyWithResolver => either(
             language,
-            format!("option {token} exists for size {size} with the resolver only, and with a longer housing (table {table}, footnote 1)"),
-            format!("Option {token} gibt es bei Baugröße {size} nur mit Resolver und größerer Baulänge (Tabelle {table}, Fußnote 1)"),
+            format!(
+                "option {token} exists for size {size} with the resolver only, and with a longer housing (table {table}, footnote 1)"
+            ),
+            format!(
+                "Option {token} gibt es bei Baugröße {size} nur mit Resolver und größerer Baulänge (Tabelle {table}, Fußnote 1)"
+            ),
         ),
         _ => either(language, format!("not offered (table {table})"), format!("nicht angeboten (Tabelle {table})")),
     }

@@ -94,8 +94,11 @@ impl Speak for Language {
     }
 
     fn quantity_out_of_range(self, path: &str, text: &str, positive: bool) -> String {
-        let (en, de) =
-            if positive { ("must be greater than zero", "muss größer als null sein") } else { ("must not be negative", "darf nicht negativ sein") };
+        let (en, de) = if positive {
+            ("must be greater than zero", "muss größer als null sein")
+        } else {
+            ("must not be negative", "darf nicht negativ sein")
+        };
         either(self, format!("`{path}` {en}, not \"{text}\""), format!("`{path}` {de}, nicht „{text}“"))
     }
 
@@ -108,11 +111,7 @@ impl Speak for Language {
     }
 
     fn control_character(self, path: &str) -> String {
-        either(
-            self,
-            format!("`{path}` contains a control character"),
-            format!("`{path}` enthält ein Steuerzeichen"),
-        )
+        either(self, format!("`{path}` contains a control character"), format!("`{path}` enthält ein Steuerzeichen"))
     }
 
     fn wrong_type(self, path: &str, expected: &str, found: &str) -> String {
@@ -200,12 +199,18 @@ impl Speak for Language {
         either(
             self,
             format!("`{key}` must be greater than zero: a speed cannot be reached or left in no time"),
-            format!("`{key}` muss größer als null sein: eine Drehzahl wird nicht in der Zeit null erreicht oder verlassen"),
+            format!(
+                "`{key}` muss größer als null sein: eine Drehzahl wird nicht in der Zeit null erreicht oder verlassen"
+            ),
         )
     }
 
     fn no_duration(self) -> String {
-        either(self, "the cycle has no duration: all its times are zero", "der Zyklus hat keine Dauer: alle Zeiten sind null")
+        either(
+            self,
+            "the cycle has no duration: all its times are zero",
+            "der Zyklus hat keine Dauer: alle Zeiten sind null",
+        )
     }
 
     fn no_move(self) -> String {
@@ -214,10 +219,22 @@ impl Speak for Language {
 
     fn no_curve(self, fault: CurveFault) -> String {
         match fault {
-            CurveFault::TooFewPoints => either(self, "a curve needs at least two points", "eine Kennlinie braucht mindestens zwei Punkte"),
-            CurveFault::DoesNotStartAtZero => either(self, "a curve starts at standstill, 0 1/min", "eine Kennlinie beginnt im Stillstand, 0 1/min"),
-            CurveFault::SpeedsNotAscending => either(self, "the speeds of a curve must grow from point to point", "die Drehzahlen einer Kennlinie müssen von Punkt zu Punkt wachsen"),
-            _ => either(self, "the torques of a curve must not be negative", "die Drehmomente einer Kennlinie dürfen nicht negativ sein"),
+            CurveFault::TooFewPoints => {
+                either(self, "a curve needs at least two points", "eine Kennlinie braucht mindestens zwei Punkte")
+            }
+            CurveFault::DoesNotStartAtZero => {
+                either(self, "a curve starts at standstill, 0 1/min", "eine Kennlinie beginnt im Stillstand, 0 1/min")
+            }
+            CurveFault::SpeedsNotAscending => either(
+                self,
+                "the speeds of a curve must grow from point to point",
+                "die Drehzahlen einer Kennlinie müssen von Punkt zu Punkt wachsen",
+            ),
+            _ => either(
+                self,
+                "the torques of a curve must not be negative",
+                "die Drehmomente einer Kennlinie dürfen nicht negativ sein",
+            ),
         }
     }
 }

@@ -44,6 +44,37 @@ pub fn symbol_term(symbol: &str, language: Language) -> String {
     catalogue::term(symbol).map_or_else(|| symbol.to_owned(), |term| either(language, term.en, term.de))
 }
 
+/// Words of table conditions in German, longer phrases before their parts.
+const CONDITIONS: [(&str, &str); 13] = [
+    ("no condensation", "ohne Kondensation"),
+    ("above sea level", "über NN"),
+    ("aluminium, ambient", "Aluminium, Umgebung"),
+    ("typ. at 5 V DC, no load", "typ. bei 5 V DC, ohne Last"),
+    ("no load", "ohne Last"),
+    ("incremental", "inkrementell"),
+    ("commutation", "Kommutierung"),
+    ("salt spray", "Salzsprühtest"),
+    ("part 2", "Teil 2"),
+    ("warning", "Warnung"),
+    ("shutdown", "Abschaltung"),
+    ("dry joint, friction coefficient", "entfettete Fuge, Reibungszahl"),
+    ("sensor=", "Sensor "),
+];
+
+/// The condition of a table row for people.
+#[must_use]
+pub fn condition_text(condition: &str, language: Language) -> String {
+    let mut text = condition.replace("degC", "°C");
+    if language == Language::De {
+        for (en, de) in CONDITIONS {
+            text = text.replace(en, de);
+        }
+    } else {
+        text = text.replace("sensor=", "sensor ");
+    }
+    text
+}
+
 /// What a check lacks.
 #[must_use]
 pub fn check_missing(symbol: &str, language: Language) -> String {
@@ -91,16 +122,24 @@ pub fn note_text(note: &Note, language: Language) -> String {
             let upper = with_unit(upper.si(), &NEWTON_METRE, 3, language);
             either(
                 language,
-                format!("no continuous curve is published for this actuator: the limit is the lower edge of an estimate that reaches up to {upper}"),
-                format!("für diesen Antrieb ist keine Dauerkennlinie veröffentlicht: die Grenze ist der untere Rand einer Schätzung, die bis {upper} reicht"),
+                format!(
+                    "no continuous curve is published for this actuator: the limit is the lower edge of an estimate that reaches up to {upper}"
+                ),
+                format!(
+                    "für diesen Antrieb ist keine Dauerkennlinie veröffentlicht: die Grenze ist der untere Rand einer Schätzung, die bis {upper} reicht"
+                ),
             )
         }
         Note::CycleNotShort { cycle } => {
             let cycle = with_unit(cycle.si(), &SECOND, 3, language);
             either(
                 language,
-                format!("the cycle of {cycle} is not short against the winding's time constant of about 60 s: the effective value alone does not prove the thermal load"),
-                format!("der Zyklus von {cycle} ist nicht kurz gegen die Wicklungszeitkonstante von etwa 60 s: der Effektivwert allein beweist die thermische Belastung nicht"),
+                format!(
+                    "the cycle of {cycle} is not short against the winding's time constant of about 60 s: the effective value alone does not prove the thermal load"
+                ),
+                format!(
+                    "der Zyklus von {cycle} ist nicht kurz gegen die Wicklungszeitkonstante von etwa 60 s: der Effektivwert allein beweist die thermische Belastung nicht"
+                ),
             )
         }
         Note::BrakingTorqueAssumed => either(
@@ -128,9 +167,11 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
     let volt = |si| with_unit(si, &VOLT, 3, language);
     let kg = |si: f64| format!("{} {}", format_number(KILOGRAM.from_si(si), 1, language), KILOGRAM.symbol);
     match unmet {
-        Unmet::Feedback(feedback) => {
-            either(language, format!("feedback {feedback} is not asked for"), format!("Feedback {feedback} ist nicht gefordert"))
-        }
+        Unmet::Feedback(feedback) => either(
+            language,
+            format!("feedback {feedback} is not asked for"),
+            format!("Feedback {feedback} ist nicht gefordert"),
+        ),
         Unmet::Brake(Brake::Without) => either(language, "has no brake", "hat keine Bremse"),
         Unmet::Brake(Brake::With) => either(language, "has a brake", "hat eine Bremse"),
         Unmet::HollowShaft { has, needs } => either(
@@ -155,8 +196,16 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
         ),
         Unmet::SupplyTooLow { needs, gives } => either(
             language,
-            format!("the supply gives {} at the motor terminals, the winding needs {}", volt(gives.si()), volt(needs.si())),
-            format!("die Versorgung gibt {} an den Motorklemmen, die Wicklung braucht {}", volt(gives.si()), volt(needs.si())),
+            format!(
+                "the supply gives {} at the motor terminals, the winding needs {}",
+                volt(gives.si()),
+                volt(needs.si())
+            ),
+            format!(
+                "die Versorgung gibt {} an den Motorklemmen, die Wicklung braucht {}",
+                volt(gives.si()),
+                volt(needs.si())
+            ),
         ),
         Unmet::NotKnown { symbol } => {
             let term = symbol_term(symbol, language);
@@ -170,10 +219,9 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
 #[must_use]
 pub fn assumption_text(assumption: Assumption, language: Language) -> String {
     let (en, de) = match assumption {
-        Assumption::NoFriction => (
-            "no friction torque given: 0 Nm assumed",
-            "kein Reibmoment angegeben: 0 Nm angenommen",
-        ),
+        Assumption::NoFriction => {
+            ("no friction torque given: 0 Nm assumed", "kein Reibmoment angegeben: 0 Nm angenommen")
+        }
         Assumption::AmbientWithinRange => (
             "no ambient temperature given: 0 °C to 40 °C assumed, for which the printed data hold",
             "keine Umgebungstemperatur angegeben: 0 °C bis 40 °C angenommen, dafür gelten die gedruckten Daten",
