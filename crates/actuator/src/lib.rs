@@ -3,11 +3,16 @@
 
 mod curve;
 mod motor;
+mod output_bearing;
 mod parameters;
 
 pub use curve::{Curve, CurveFault, CurvePoint};
 pub use motor::{
     ContinuousLimit, FRICTION_LOSS_SHARE, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT, continuous_torque,
     copper_resistance, current, estimated_continuous_torque, friction_current, speed_max, speed_rated_out,
+};
+pub use output_bearing::{
+    BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, static_safety, tilt_angle,
+    tilting_moment,
 };
 pub use parameters::Parameters;

@@ -1,6 +1,7 @@
 //! What is known of one actuator. Every value may be absent, and a check that needs it says so.
 
 use crate::curve::Curve;
+use crate::output_bearing::OutputBearing;
 use provenance::Datum;
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, Length, Mass,
@@ -64,6 +65,8 @@ pub struct Parameters {
     pub terminal_voltage_min: Datum<ElectricPotential>,
     /// Continuous-duty curve of the torque-speed plane, where one is published or measured.
     pub continuous_curve: Datum<Curve>,
+    /// The output bearing.
+    pub output_bearing: OutputBearing,
 }
 
 impl Parameters {
@@ -98,6 +101,7 @@ impl Parameters {
             dc_link_max: Datum::NotPrinted,
             terminal_voltage_min: Datum::NotPrinted,
             continuous_curve: Datum::NotPrinted,
+            output_bearing: OutputBearing::unknown(),
         }
     }
 }

@@ -121,6 +121,41 @@ impl Drive {
     }
 }
 
+/// The cell of a symbol in the tables that are headed by size only (accuracy, stiffness, output bearing, fits, screws).
+#[must_use]
+pub fn size_cell(size: Size, ratio: Ratio, symbol: &str) -> Option<&'static Cell> {
+    let head = SIZE_HEADS.iter().find(|(known, _)| *known == size).map_or("", |(_, head)| head);
+    SIZE_CELLS
+        .get(symbol)?
+        .iter()
+        .copied()
+        .find(|cell| cell.drive.split(" / ").any(|drive| drive == head) && covers_ratio(cell.ratio, ratio))
+}
+
+/// How the tables head a size.
+const SIZE_HEADS: [(Size, &str); 8] = [
+    (Size::S14A, "CHA-14A"),
+    (Size::S17A, "CHA-17A"),
+    (Size::S20A, "CHA-20A"),
+    (Size::S25A, "CHA-25A"),
+    (Size::S32A, "CHA-32A"),
+    (Size::S40A, "CHA-40A"),
+    (Size::S50A, "CHA-50A"),
+    (Size::S58A, "CHA-58A"),
+];
+
+/// The cells of the tables of sections 6.19 to 6.21, 8.1 and 9.3, by symbol.
+static SIZE_CELLS: LazyLock<BTreeMap<&'static str, Vec<&'static Cell>>> = LazyLock::new(|| {
+    let mut by_symbol: BTreeMap<&'static str, Vec<&'static Cell>> = BTreeMap::new();
+    let sections = ["6.19", "6.20", "6.21", "8.1", "9.3"];
+    let tables =
+        crate::tables().iter().filter(|table| sections.iter().any(|section| table.section.starts_with(section)));
+    for cell in tables.flat_map(Table::cells) {
+        by_symbol.entry(cell.symbol).or_default().push(cell);
+    }
+    by_symbol
+});
+
 /// The value of a cell in SI, as checks use it.
 #[must_use]
 pub fn datum_of<Q: Measure>(cell: &'static Cell) -> Datum<Q> {

@@ -7,7 +7,7 @@
 mod drive;
 mod record;
 
-pub use drive::{Drive, cells_about, datum_of, drive, drives};
+pub use drive::{Drive, cells_about, datum_of, drive, drives, size_cell};
 pub use record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value};
 
 mod embedded {

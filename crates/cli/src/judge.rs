@@ -340,7 +340,10 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
             verdict_word(check.verdict, language),
             figure(check.value, language),
             figure(check.limit, language),
-            check.value.map_or("", |figure| figure.unit.symbol).to_owned(),
+            check
+                .value
+                .map_or("", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol })
+                .to_owned(),
             percent(check.utilisation, language),
             check.at.map_or_else(|| "–".into(), |at| format_significant(at.si(), 3, language)),
             source,

@@ -1,6 +1,6 @@
 //! From an ordering code to the parameters of its actuator.
 
-use actuator::{Curve, CurvePoint, Parameters};
+use actuator::{BearingType, Curve, CurvePoint, OutputBearing, Parameters};
 use catalogue::Drive;
 use order_code::{Brake, OrderCode, Ratio, Size, Winding};
 use provenance::{Datum, Grade, Source, Sourced};
@@ -57,6 +57,7 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
         dc_link_max: drive.datum("U_DCmax", "", feedback, ratio),
         terminal_voltage_min: terminal_voltage_min(drive, code),
         continuous_curve: published_curve(code.size, ratio),
+        output_bearing: output_bearing(code),
     })
 }
 
@@ -97,6 +98,33 @@ fn plain_number(drive: &Drive, symbol: &str, code: &OrderCode) -> Datum<f64> {
             errata: cell.errata,
         }),
         None => Datum::NotPrinted,
+    }
+}
+
+/// What table 55.1 prints about the output bearing of a size.
+fn output_bearing(code: &OrderCode) -> OutputBearing {
+    fn of<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
+        catalogue::size_cell(code.size, code.ratio, symbol).map_or(Datum::NotPrinted, catalogue::datum_of)
+    }
+    let kind = catalogue::size_cell(code.size, code.ratio, "bearing_type").and_then(|cell| {
+        let value = match cell.corrected {
+            "C" => BearingType::CrossedRoller,
+            "F" => BearingType::FourPoint,
+            _ => return None,
+        };
+        let source = Source::Cell(cell.reference());
+        Some(Datum::Known(Sourced { value, source, grade: Grade::Printed, errata: cell.errata }))
+    });
+    OutputBearing {
+        kind: kind.unwrap_or(Datum::NotPrinted),
+        pitch_diameter: of(code, "d_p"),
+        offset: of(code, "R"),
+        dynamic_rating: of(code, "C"),
+        static_rating: of(code, "C_0"),
+        tilting_moment_max: of(code, "M_dyn_max"),
+        axial_max: of(code, "F_A_dyn_max"),
+        radial_max: of(code, "F_R_dyn_max"),
+        tilting_stiffness: of(code, "K_B"),
     }
 }
 

@@ -26,6 +26,8 @@ pub struct Moments {
     pub angle_travelled: Angle,
     /// ∫ω dt: angle between the end and the start of the cycle.
     pub angle_net: Angle,
+    /// Largest minus smallest position within one cycle.
+    pub angle_swing: Angle,
     /// max |ω|
     pub speed_peak: AngularVelocity,
     /// Instant at which the peak speed is first reached.
@@ -43,9 +45,12 @@ impl Moments {
             alpha_direction_rad_s: 0.0,
             angle_travelled: Angle::from_si(0.0),
             angle_net: Angle::from_si(0.0),
+            angle_swing: Angle::from_si(0.0),
             speed_peak: AngularVelocity::from_si(0.0),
             speed_peak_at: Time::from_si(0.0),
         };
+        // The direction never changes within a ramp, so the extremes of the position lie at its ends.
+        let (mut lowest, mut highest) = (0.0_f64, 0.0_f64);
         for segment in cycle.segments() {
             let duration = segment.duration.si();
             let alpha = segment.acceleration().si();
@@ -54,6 +59,8 @@ impl Moments {
             sum.alpha_direction_rad_s += alpha * segment.direction * duration;
             sum.angle_net += Angle::from_si(angle);
             sum.angle_travelled += Angle::from_si(angle.abs());
+            lowest = lowest.min(sum.angle_net.si());
+            highest = highest.max(sum.angle_net.si());
             if segment.phase != Phase::Pause {
                 sum.moving += segment.duration;
             }
@@ -66,7 +73,14 @@ impl Moments {
                 }
             }
         }
+        sum.angle_swing = Angle::from_si(highest - lowest);
         sum
+    }
+
+    /// Whether the cycle ends where it began, up to a millionth of what it travels: a swing, not a rotation.
+    #[must_use]
+    pub fn is_swing(&self) -> bool {
+        self.angle_net.si().abs() <= 1e-6 * self.angle_travelled.si()
     }
 
     /// n_av: mean of |n| over the cycle, pause included.
@@ -127,6 +141,15 @@ mod tests {
     #[test]
     fn from_rest_to_rest_the_acceleration_along_the_motion_cancels() {
         assert!(Moments::of(&cycle()).alpha_direction_rad_s.abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_swing_is_the_span_of_the_positions() {
+        let moments = Moments::of(&cycle());
+        // Forth: 4·(0.05 + 0.3 + 0.125) = 1.9 rad; back: 2.5·(0.2 + 0.1) = 0.75 rad.
+        assert!((moments.angle_swing.si() - 1.9).abs() < 1e-12);
+        assert!((moments.angle_net.si() - 1.15).abs() < 1e-12);
+        assert!(!moments.is_swing());
     }
 
     #[test]

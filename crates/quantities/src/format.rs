@@ -22,11 +22,22 @@ pub fn format_number(value: f64, digits: usize, language: Language) -> String {
     }
 }
 
-/// A number with a count of significant digits. Whole digits are never cut: 12345 with three digits stays 12345.
+/// From here on numbers are written with a power of ten.
+const POWER_FROM: f64 = 1e7;
+
+/// A number with a count of significant digits. Below 10⁷ whole digits are never cut: 12345 with three digits stays
+/// 12345; above, a power of ten is written: 2.27·10⁹.
 #[must_use]
 pub fn format_significant(value: f64, digits: usize, language: Language) -> String {
     if value == 0.0 || !value.is_finite() {
         return format_number(value, 0, language);
+    }
+    if value.abs() >= POWER_FROM {
+        let text = format!("{value:.*e}", digits.saturating_sub(1));
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        let mantissa: f64 = mantissa.parse().unwrap_or(value);
+        let raised: String = exponent.chars().map(raised).collect();
+        return format!("{}·10{raised}", format_number(mantissa, digits.saturating_sub(1), language));
     }
     let magnitude = value.abs().log10().floor();
     // Rounding may carry into the next decade: 9.996 with three digits is 10.0.
@@ -37,6 +48,22 @@ pub fn format_significant(value: f64, digits: usize, language: Language) -> Stri
     let exponent = exponent + i32::from(carried);
     let decimals = i32::try_from(digits).unwrap_or(1) - 1 - exponent;
     format_number(value, usize::try_from(decimals.clamp(0, 12)).unwrap_or(0), language)
+}
+
+const fn raised(digit: char) -> char {
+    match digit {
+        '0' => '⁰',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '4' => '⁴',
+        '5' => '⁵',
+        '6' => '⁶',
+        '7' => '⁷',
+        '8' => '⁸',
+        '9' => '⁹',
+        other => other,
+    }
 }
 
 /// A number of a German table: digits with an optional decimal comma and sign, nothing else.
@@ -76,6 +103,8 @@ mod tests {
         assert_eq!(format_significant(38.9012, 4, Language::De), "38,90");
         assert_eq!(format_significant(0.012_345, 3, Language::En), "0.0123");
         assert_eq!(format_significant(12345.6, 3, Language::En), "12346");
+        assert_eq!(format_significant(2_273_506_756.0, 4, Language::De), "2,274·10⁹");
+        assert_eq!(format_significant(9_999_999.0, 4, Language::En), "9999999");
         assert_eq!(format_significant(9.996, 3, Language::En), "10.0");
         assert_eq!(format_significant(0.0, 3, Language::En), "0");
         assert_eq!(format_significant(100.0, 4, Language::En), "100.0");

@@ -1,7 +1,7 @@
 //! The answer of one check.
 
 use provenance::{Grade, Source};
-use quantities::{Time, Torque, Unit};
+use quantities::{Angle, Time, Torque, Unit};
 
 /// Identifier of a check, part of the contract with scripts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -21,6 +21,18 @@ pub enum CheckId {
     Demagnetisation,
     /// Load inertia against three times the own inertia.
     InertiaRatio,
+    /// Axial force on the flange against the permissible one.
+    BearingAxial,
+    /// Radial force on the flange against the permissible one.
+    BearingRadial,
+    /// Tilting moment against the permissible one.
+    BearingTiltingMoment,
+    /// Life of the output bearing against the life required.
+    BearingLife,
+    /// Static safety of the output bearing against that of the operating condition.
+    BearingStatic,
+    /// Tilt of the flange against the tilt permitted.
+    TiltAngle,
     /// Ambient temperature against the operating range.
     Ambient,
 }
@@ -37,6 +49,12 @@ impl CheckId {
             Self::PeakCurrent => "peak_current",
             Self::Demagnetisation => "demagnetisation",
             Self::InertiaRatio => "inertia_ratio",
+            Self::BearingAxial => "bearing_axial",
+            Self::BearingRadial => "bearing_radial",
+            Self::BearingTiltingMoment => "bearing_tilting_moment",
+            Self::BearingLife => "bearing_life",
+            Self::BearingStatic => "bearing_static",
+            Self::TiltAngle => "tilt_angle",
             Self::Ambient => "ambient",
         }
     }
@@ -102,6 +120,13 @@ pub enum Note {
     BrakingTorqueAssumed,
     /// The recommendation holds for highly dynamic duty.
     RecommendationForHighDynamics,
+    /// The axis swings by less than 5°: the bearing may fret for want of lubrication.
+    SwingTooSmall {
+        /// Swing of the axis.
+        swing: Angle,
+    },
+    /// The permissible loads hold one at a time; together the life and the static safety decide.
+    LoadsOneAtATime,
     /// The limit is the safe side of an open contradiction in the print: the erratum.
     Erratum(&'static str),
 }

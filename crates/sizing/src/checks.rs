@@ -1,6 +1,7 @@
 //! The checks of one actuator for one axis.
 
 use crate::axis::Axis;
+use crate::bearing_checks;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::demand::{Demand, ManualDemand};
 use actuator::Parameters;
@@ -78,27 +79,28 @@ pub fn judge(axis: &Axis, actuator: &Parameters) -> Judgement {
         demagnetisation(axis, actuator),
         inertia_ratio(axis, actuator),
     ];
+    checks.extend(bearing_checks::judge(axis, &actuator.output_bearing));
     checks.extend(axis.ambient.map(|_| ambient(axis)));
     Judgement { demand, manual, checks }
 }
 
 /// What a check compares, before it is a [`Check`].
-struct Comparison<'a> {
-    id: CheckId,
-    unit: &'static Unit,
-    value: f64,
-    value_source: Source,
-    at: Option<Time>,
-    limit: f64,
-    limit_source: &'a Source,
-    grade: Grade,
-    errata: &'static [&'static str],
-    notes: Vec<Note>,
+pub(crate) struct Comparison<'a> {
+    pub(crate) id: CheckId,
+    pub(crate) unit: &'static Unit,
+    pub(crate) value: f64,
+    pub(crate) value_source: Source,
+    pub(crate) at: Option<Time>,
+    pub(crate) limit: f64,
+    pub(crate) limit_source: &'a Source,
+    pub(crate) grade: Grade,
+    pub(crate) errata: &'static [&'static str],
+    pub(crate) notes: Vec<Note>,
 }
 
 impl Comparison<'_> {
     /// Pass up to and including the limit; `otherwise` beyond.
-    fn answer(self, otherwise: Verdict) -> Check {
+    pub(crate) fn answer(self, otherwise: Verdict) -> Check {
         let verdict = if self.value.abs() <= self.limit.abs() { Verdict::Pass } else { otherwise };
         let mut notes = self.notes;
         notes.extend(self.errata.iter().map(|id| Note::Erratum(id)));
@@ -118,7 +120,7 @@ impl Comparison<'_> {
     }
 }
 
-fn not_checked(id: CheckId, missing: Missing) -> Check {
+pub(crate) fn not_checked(id: CheckId, missing: Missing) -> Check {
     Check {
         id,
         verdict: Verdict::NotChecked,
@@ -134,7 +136,7 @@ fn not_checked(id: CheckId, missing: Missing) -> Check {
     }
 }
 
-const fn equation(number: &'static str) -> Source {
+pub(crate) const fn equation(number: &'static str) -> Source {
     Source::Equation { document: "cha-manual", number }
 }
 

@@ -15,7 +15,7 @@ fn axis(inertia: f64, friction: f64, moves: &[(f64, [f64; 4])]) -> Axis {
         })
         .collect();
     let load = DirectLoad { inertia: MomentOfInertia::from_si(inertia), friction_torque: Torque::from_si(friction) };
-    Axis::new(load, Cycle::new(moves).unwrap(), None)
+    Axis::new(load, Cycle::new(moves).unwrap())
 }
 
 const MOVES: &[(f64, [f64; 4])] =

@@ -5,12 +5,13 @@
 //! of parameters; [`rank`] orders the judgements of many.
 
 mod axis;
+mod bearing_checks;
 mod check;
 mod checks;
 mod demand;
 mod rank;
 
-pub use axis::Axis;
+pub use axis::{Axis, BearingDuty, OperatingCondition};
 pub use check::{Check, CheckId, Figure, Note, Verdict};
 pub use checks::{Judgement, judge};
 pub use demand::{Demand, ManualDemand, MoveTorques};

@@ -32,7 +32,7 @@ fn example() -> (Axis, MomentOfInertia) {
         inertia: MomentOfInertia::new_in(1.3, &KILOGRAM_SQUARE_METRE),
         friction_torque: Torque::new_in(5.0, &NEWTON_METRE),
     };
-    (Axis::new(load, cycle, None), MomentOfInertia::new_in(1.063, &KILOGRAM_SQUARE_METRE))
+    (Axis::new(load, cycle), MomentOfInertia::new_in(1.063, &KILOGRAM_SQUARE_METRE))
 }
 
 #[test]

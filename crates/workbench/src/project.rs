@@ -9,15 +9,15 @@ pub(crate) use spec::Kind;
 
 use crate::diagnostic::Diagnostic;
 use crate::text::Speak;
-use actuator::{Curve, CurvePoint, Parameters};
+use actuator::{Curve, CurvePoint, FlangeLoad, Parameters};
 use configurator::Requirements;
 use mechanism::DirectLoad;
 use motion::{Cycle, CycleFault, ManualMove};
 use order_code::{Feedback, Option1, Option2};
 use provenance::{Datum, Grade, Source, Sourced};
-use quantities::{AngularVelocity, Language, Measure, Time, Torque};
+use quantities::{AngularVelocity, Force, Language, Length, Measure, Time, Torque};
 use read::{Entry, Reader, Section};
-use sizing::Axis;
+use sizing::{Axis, BearingDuty, OperatingCondition};
 
 /// Largest project file that is read, in bytes.
 pub const PROJECT_MAX_BYTES: usize = 1 << 20;
@@ -32,8 +32,10 @@ pub enum Assumption {
     AmbientWithinRange,
     /// The plate of table 13.3 cools the actuator.
     CoolingPlate,
-    /// Loads on the flange are given, but the bearing is not judged yet.
-    BearingNotJudged,
+    /// No loads on the flange are given: the output bearing is not judged.
+    NoFlangeLoads,
+    /// The loads on the flange are constant over the cycle.
+    FlangeLoadsConstant,
 }
 
 /// An actuator that the user describes.
@@ -116,9 +118,9 @@ fn assumptions(root: &Section) -> Vec<Assumption> {
         found.push(Assumption::AmbientWithinRange);
     }
     found.push(Assumption::CoolingPlate);
-    if root.table("bearing").is_some() {
-        found.push(Assumption::BearingNotJudged);
-    }
+    let bearing =
+        if root.table("bearing").is_some() { Assumption::FlangeLoadsConstant } else { Assumption::NoFlangeLoads };
+    found.push(bearing);
     found
 }
 
@@ -150,8 +152,10 @@ fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Op
     root.get("motion")?;
     match Cycle::new(moves) {
         Ok(cycle) => {
-            let ambient = root.table("requirements").and_then(|section| section.quantity("ambient"));
-            Some(Axis::new(load, cycle, ambient))
+            let mut axis = Axis::new(load, cycle);
+            axis.ambient = root.table("requirements").and_then(|section| section.quantity("ambient"));
+            axis.bearing = bearing_duty(root, reader, language);
+            Some(axis)
         }
         Err(faults) => {
             for fault in faults {
@@ -161,6 +165,36 @@ fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Op
             None
         }
     }
+}
+
+/// The loads on the flange. A force needs the distance at which it acts; a force that is not given does not act.
+fn bearing_duty(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<BearingDuty> {
+    let section = root.table("bearing")?;
+    let requirements = root.table("requirements");
+    for (force, distance) in [("radial_force", "radial_distance"), ("axial_force", "axial_distance")] {
+        for (given, needed) in [(force, distance), (distance, force)] {
+            if section.get(given).is_some() && section.get(needed).is_none() {
+                reader.fault(section.span_of(given), language.missing_key("bearing", needed, false), None);
+            }
+        }
+    }
+    Some(BearingDuty {
+        load: FlangeLoad {
+            radial_force: section.quantity("radial_force").unwrap_or_else(|| Force::from_si(0.0)),
+            radial_distance: section.quantity("radial_distance").unwrap_or_else(|| Length::from_si(0.0)),
+            axial_force: section.quantity("axial_force").unwrap_or_else(|| Force::from_si(0.0)),
+            axial_distance: section.quantity("axial_distance").unwrap_or_else(|| Length::from_si(0.0)),
+        },
+        load_factor: section.number("load_factor"),
+        operating_condition: section.text("operating_condition").and_then(|word| match word {
+            "normal" => Some(OperatingCondition::Normal),
+            "shock" => Some(OperatingCondition::Shock),
+            "high_accuracy" => Some(OperatingCondition::HighAccuracy),
+            _ => None,
+        }),
+        life_min: requirements.and_then(|section| section.quantity("bearing_life_min")),
+        tilt_max: requirements.and_then(|section| section.quantity("tilt_angle_max")),
+    })
 }
 
 fn build_move(section: &Section) -> Option<ManualMove> {

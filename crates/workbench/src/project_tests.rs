@@ -32,7 +32,10 @@ fn a_good_project_is_read() {
     let project = Project::read(GOOD, Language::En).unwrap();
     assert_eq!(project.name, "axis");
     assert!((project.axis.cycle.duration().si() - 1.3).abs() < 1e-12);
-    assert_eq!(project.assumptions, [Assumption::AmbientWithinRange, Assumption::CoolingPlate]);
+    assert_eq!(
+        project.assumptions,
+        [Assumption::AmbientWithinRange, Assumption::CoolingPlate, Assumption::NoFlangeLoads]
+    );
 }
 
 #[test]
@@ -58,11 +61,15 @@ name = "CanisDrive-25A-50"
 "#
     );
     let project = Project::read(&text, Language::En).unwrap();
-    assert!(project.assumptions.contains(&Assumption::BearingNotJudged), "never passed over in silence");
+    assert!(project.assumptions.contains(&Assumption::FlangeLoadsConstant));
     let sizing = crate::size(&project);
     let answer = sizing.answer().unwrap();
     assert!(answer.id.to_string().ends_with("-H-M512P-B"), "{}", answer.id);
-    assert!(answer.judgement.checks.iter().any(|check| check.id == CheckId::Ambient));
+    let verdict = |id| answer.judgement.checks.iter().find(|check| check.id == id).map(|check| check.verdict);
+    assert_eq!(verdict(CheckId::Ambient), Some(sizing::Verdict::Pass));
+    assert_eq!(verdict(CheckId::BearingTiltingMoment), Some(sizing::Verdict::Pass));
+    assert_eq!(verdict(CheckId::BearingStatic), Some(sizing::Verdict::Pass));
+    assert_eq!(verdict(CheckId::BearingLife), Some(sizing::Verdict::NotChecked), "no life is required");
 }
 
 #[test]

@@ -236,6 +236,20 @@ const REQUIREMENTS: &[Key] = &[
         "ambient temperature in operation",
         "Umgebungstemperatur im Betrieb",
     ),
+    quantity(
+        "bearing_life_min",
+        Dimension::Time,
+        Range::Positive,
+        "life required of the output bearing",
+        "geforderte Lebensdauer des Abtriebslagers",
+    ),
+    quantity(
+        "tilt_angle_max",
+        Dimension::Angle,
+        Range::Positive,
+        "tilt of the flange permitted under the tilting moment",
+        "zulässiger Kippwinkel des Flansches unter dem Kippmoment",
+    ),
     key("option_1", Kind::OneOf(&["EC"]), false, "sensor option", "Option 1 (Sensor)"),
     key("option_2", Kind::OneOf(&["K", "R", "S"]), false, "cable and connector option", "Option 2 (Kabel/Stecker)"),
 ];

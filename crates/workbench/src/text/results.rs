@@ -5,7 +5,7 @@ use crate::project::Assumption;
 use configurator::Unmet;
 use order_code::Brake;
 use provenance::{Grade, Source};
-use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND, VOLT};
+use quantities::unit::{DEGREE, KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND, VOLT};
 use quantities::{Language, Measure, Unit, format_number, format_significant};
 use sizing::{CheckId, Note, Verdict};
 
@@ -20,6 +20,12 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::PeakCurrent => ("peak current", "Spitzenstrom"),
         CheckId::Demagnetisation => ("demagnetisation", "Entmagnetisierung"),
         CheckId::InertiaRatio => ("inertia ratio", "Trägheitsverhältnis"),
+        CheckId::BearingAxial => ("bearing, axial", "Lager axial"),
+        CheckId::BearingRadial => ("bearing, radial", "Lager radial"),
+        CheckId::BearingTiltingMoment => ("bearing, tilting", "Lager, Kippmoment"),
+        CheckId::BearingLife => ("bearing life", "Lagerlebensdauer"),
+        CheckId::BearingStatic => ("bearing, static", "Lager statisch"),
+        CheckId::TiltAngle => ("tilt angle", "Kippwinkel"),
         CheckId::Ambient => ("ambient temperature", "Umgebungstemperatur"),
         _ => (id.id(), id.id()),
     };
@@ -78,6 +84,9 @@ pub fn condition_text(condition: &str, language: Language) -> String {
 /// What a check lacks.
 #[must_use]
 pub fn check_missing(symbol: &str, language: Language) -> String {
+    if symbol.contains('.') {
+        return either(language, format!("no limit given: {symbol}"), format!("keine Grenze angegeben: {symbol}"));
+    }
     let term = symbol_term(symbol, language);
     let shown = if term == symbol { symbol.to_owned() } else { format!("{symbol}, {term}") };
     either(language, format!("not known: {shown}"), format!("nicht bekannt: {shown}"))
@@ -151,6 +160,19 @@ pub fn note_text(note: &Note, language: Language) -> String {
             language,
             "J_L ≤ 3 J_out is a recommendation for highly dynamic duty, not a limit",
             "J_L ≤ 3 J_out ist eine Empfehlung für hochdynamischen Betrieb, keine Grenze",
+        ),
+        Note::SwingTooSmall { swing } => {
+            let swing = with_unit(swing.si(), &DEGREE, 3, language);
+            either(
+                language,
+                format!("the axis swings by {swing} only; below 5° the bearing may fret, ask the maker"),
+                format!("die Achse schwenkt nur um {swing}; unter 5° droht Reibkorrosion, beim Hersteller fragen"),
+            )
+        }
+        Note::LoadsOneAtATime => either(
+            language,
+            "the permissible forces hold one at a time; for several together life and static safety decide",
+            "die zulässigen Kräfte gelten je für sich; bei mehreren zugleich entscheiden Lebensdauer und statische Sicherheit",
         ),
         Note::Erratum(id) => {
             let evidence = evidence_text(id, language);
@@ -230,9 +252,13 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "mounted on the aluminium plate of table 13.3: continuous data hold for it only",
             "auf der Aluminiumplatte nach Tabelle 13.3 montiert: nur dafür gelten die Dauerdaten",
         ),
-        Assumption::BearingNotJudged => (
-            "not checked: the loads of [bearing]; this version does not judge the output bearing yet",
-            "nicht geprüft: die Lasten aus [bearing]; diese Version beurteilt das Abtriebslager noch nicht",
+        Assumption::NoFlangeLoads => (
+            "no loads on the flange given ([bearing]): the output bearing is not checked",
+            "keine Lasten am Flansch angegeben ([bearing]): das Abtriebslager ist nicht geprüft",
+        ),
+        Assumption::FlangeLoadsConstant => (
+            "loads on the flange taken as constant over the cycle, radial and axial moment in the same direction",
+            "Lasten am Flansch über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet",
         ),
     };
     either(language, en, de)

@@ -1,0 +1,195 @@
+//! The checks of the output bearing.
+
+use crate::axis::{Axis, BearingDuty};
+use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use crate::checks::{Comparison, equation, not_checked};
+use actuator::OutputBearing;
+use provenance::{Grade, Missing, Source, Sourced};
+use quantities::unit::{ARCMINUTE, DEGREE, HOUR, NEWTON, NEWTON_METRE, ONE};
+use quantities::{Measure, Torque, Unit};
+
+/// Below this swing the manual warns of fretting (section 7.3.2).
+const SWING_MIN_DEG: f64 = 5.0;
+
+/// Every check of the output bearing; none where the user gave no loads.
+pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing) -> Vec<Check> {
+    let Some(duty) = &axis.bearing else { return Vec::new() };
+    vec![
+        force(
+            CheckId::BearingAxial,
+            duty.load.axial_force.si(),
+            "axial_force",
+            bearing.axial_max.require("F_A_dyn_max"),
+        ),
+        force(
+            CheckId::BearingRadial,
+            duty.load.radial_force.si(),
+            "radial_force",
+            bearing.radial_max.require("F_R_dyn_max"),
+        ),
+        tilting_moment(duty, bearing),
+        life(axis, duty, bearing),
+        static_safety(duty, bearing),
+        tilt_angle(duty, bearing),
+    ]
+}
+
+/// F_a ≤ F_A,dyn(max) and F_r ≤ F_R,dyn(max), each alone (table 55.1, footnote 4).
+fn force<Q: Measure>(id: CheckId, value: f64, key: &str, limit: Result<&Sourced<Q>, Missing>) -> Check {
+    match limit {
+        Ok(limit) => Comparison {
+            id,
+            unit: &NEWTON,
+            value,
+            value_source: Source::Project { key: format!("bearing.{key}") },
+            at: None,
+            limit: limit.value.si(),
+            limit_source: &limit.source,
+            grade: limit.grade,
+            errata: limit.errata,
+            notes: vec![Note::LoadsOneAtATime],
+        }
+        .answer(Verdict::Fail),
+        Err(missing) => not_checked(id, missing),
+    }
+}
+
+fn moment_of(duty: &BearingDuty, bearing: &OutputBearing) -> Result<Torque, Missing> {
+    let offset = bearing.offset.require("R")?;
+    Ok(actuator::tilting_moment(&duty.load, offset.value))
+}
+
+/// M ≤ M_dyn(max): from the tilt that the gear allows, so it holds even where the life would allow more.
+fn tilting_moment(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
+    let id = CheckId::BearingTiltingMoment;
+    let found = moment_of(duty, bearing).and_then(|m| Ok((m, bearing.tilting_moment_max.require("M_dyn_max")?)));
+    match found {
+        Ok((moment, limit)) => Comparison {
+            id,
+            unit: &NEWTON_METRE,
+            value: moment.si(),
+            value_source: Source::Model { name: "output-bearing" },
+            at: None,
+            limit: limit.value.si(),
+            limit_source: &limit.source,
+            grade: limit.grade,
+            errata: limit.errata,
+            notes: Vec::new(),
+        }
+        .answer(Verdict::Fail),
+        Err(missing) => not_checked(id, missing),
+    }
+}
+
+/// A value that grows the safer it is, against the least that is asked; with no such limit it is shown, not judged.
+fn at_least(
+    id: CheckId,
+    unit: &'static Unit,
+    value: f64,
+    asked: Option<f64>,
+    key: &'static str,
+    source: Source,
+) -> Check {
+    let verdict = match asked {
+        None => Verdict::NotChecked,
+        Some(limit) if value >= limit => Verdict::Pass,
+        Some(_) => Verdict::Fail,
+    };
+    Check {
+        id,
+        verdict,
+        value: Some(Figure { si: value, unit }),
+        limit: asked.map(|limit| Figure { si: limit, unit }),
+        utilisation: asked.map(|limit| limit / value),
+        at: None,
+        grade: Some(Grade::Computed),
+        value_source: Some(source),
+        limit_source: asked.map(|_| Source::Project { key: key.to_owned() }),
+        missing: asked.is_none().then_some(key),
+        notes: Vec::new(),
+    }
+}
+
+/// L_10 ≥ the life required (eq. 74.1, 74.3).
+fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Check {
+    let id = CheckId::BearingLife;
+    let found = (|| {
+        let moment = moment_of(duty, bearing)?;
+        let pitch = bearing.pitch_diameter.require("d_p")?;
+        let rating = bearing.dynamic_rating.require("C")?;
+        let kind = bearing.kind.require("bearing_type")?;
+        let load_factor = duty.load_factor.ok_or(Missing { symbol: "f_w" })?;
+        let equivalent = actuator::dynamic_equivalent_load(&duty.load, moment, pitch.value);
+        if equivalent.si() <= 0.0 {
+            return Err(Missing { symbol: "F_r" });
+        }
+        let speed = axis.moments().speed_mean();
+        if speed.si() <= 0.0 {
+            return Err(Missing { symbol: "n_av" });
+        }
+        Ok(actuator::bearing_life(rating.value, equivalent, load_factor, kind.value.life_exponent(), speed))
+    })();
+    let life = match found {
+        Ok(life) => life,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let number = if axis.moments().is_swing() { "74.3" } else { "74.1" };
+    let asked = duty.life_min.map(Measure::si);
+    let mut check = at_least(id, &HOUR, life.si(), asked, "requirements.bearing_life_min", equation(number));
+    let swing = axis.moments().angle_swing;
+    if axis.moments().is_swing() && swing.in_unit(&DEGREE) < SWING_MIN_DEG {
+        check.notes.push(Note::SwingTooSmall { swing });
+        if check.verdict == Verdict::Pass {
+            check.verdict = Verdict::Advice;
+        }
+    }
+    check
+}
+
+/// f_s = C_0/P_0 ≥ the least of the operating condition (eq. 76.1, table 76.3).
+fn static_safety(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
+    let id = CheckId::BearingStatic;
+    let found = (|| {
+        let moment = moment_of(duty, bearing)?;
+        let pitch = bearing.pitch_diameter.require("d_p")?;
+        let rating = bearing.static_rating.require("C_0")?;
+        let safety = actuator::static_safety(rating.value, &duty.load, moment, pitch.value);
+        if safety.is_finite() { Ok(safety) } else { Err(Missing { symbol: "F_r" }) }
+    })();
+    match found {
+        Ok(safety) => {
+            let asked = duty.operating_condition.map(crate::axis::OperatingCondition::static_safety_min);
+            at_least(id, &ONE, safety, asked, "bearing.operating_condition", equation("76.1"))
+        }
+        Err(missing) => not_checked(id, missing),
+    }
+}
+
+/// γ = M/K_B ≤ the tilt permitted (eq. 76.4).
+fn tilt_angle(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
+    let id = CheckId::TiltAngle;
+    let found = moment_of(duty, bearing).and_then(|m| Ok((m, bearing.tilting_stiffness.require("K_B")?)));
+    let (moment, stiffness) = match found {
+        Ok(found) => found,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let tilt = actuator::tilt_angle(moment, stiffness.value);
+    let limit = duty.tilt_max;
+    Check {
+        id,
+        verdict: match limit {
+            None => Verdict::NotChecked,
+            Some(limit) if tilt.si() <= limit.si() => Verdict::Pass,
+            Some(_) => Verdict::Fail,
+        },
+        value: Some(Figure { si: tilt.si(), unit: &ARCMINUTE }),
+        limit: limit.map(|limit| Figure { si: limit.si(), unit: &ARCMINUTE }),
+        utilisation: limit.map(|limit| tilt.si() / limit.si()),
+        at: None,
+        grade: Some(stiffness.grade.worst(Grade::Computed)),
+        value_source: Some(equation("76.4")),
+        limit_source: limit.map(|_| Source::Project { key: "requirements.tilt_angle_max".into() }),
+        missing: limit.is_none().then_some("requirements.tilt_angle_max"),
+        notes: Vec::new(),
+    }
+}
