@@ -173,7 +173,7 @@ mod tests {
         let moment = tilting_moment(&load, Length::from_si(0.018));
         assert!((moment.si() - 40.0).abs() < 1e-12);
         let equivalent = dynamic_equivalent_load(&load, moment, Length::from_si(0.088));
-        assert!((equivalent.si() - 1499.090_909).abs() < 1e-5);
+        assert!((equivalent.si() - 1_499.090_909).abs() < 1e-5);
         let speed = AngularVelocity::new_in(15.0, &REVOLUTION_PER_MINUTE);
         let life = bearing_life(Force::from_si(30_000.0), equivalent, 1.2, 10.0 / 3.0, speed);
         assert!((life.in_unit(&HOUR) / 1.3166e7 - 1.0).abs() < 1e-3, "{}", life.in_unit(&HOUR));

@@ -90,22 +90,41 @@ impl Table {
     }
 }
 
-/// Breaks a text at spaces so that no line is wider than `width`; a longer word keeps its line.
+/// Breaks a text at spaces, and longer words behind a point, a slash or an underscore, so that no line is wider than
+/// `width`.
 pub(crate) fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
-    for word in text.split(' ') {
+    for word in text.split(' ').flat_map(|word| pieces(word, width)) {
+        let (piece, glued) = word;
         let Some(line) = lines.last_mut() else { continue };
         let used = line.chars().count();
-        if used == 0 {
-            line.push_str(word);
-        } else if used + 1 + word.chars().count() <= width {
-            line.push(' ');
-            line.push_str(word);
+        let gap = usize::from(used > 0 && !glued);
+        if used + gap + piece.chars().count() <= width || used == 0 {
+            if gap > 0 {
+                line.push(' ');
+            }
+            line.push_str(&piece);
         } else {
-            lines.push(word.to_owned());
+            lines.push(piece);
         }
     }
     lines
+}
+
+/// A word in pieces of at most `width` characters; each with whether it belongs to the piece before it.
+fn pieces(word: &str, width: usize) -> Vec<(String, bool)> {
+    let mut found: Vec<(String, bool)> = Vec::new();
+    let mut rest = word;
+    while rest.chars().count() > width.max(1) {
+        let end = rest.char_indices().nth(width.max(1)).map_or(rest.len(), |(at, _)| at);
+        let head = rest.get(..end).unwrap_or(rest);
+        let cut = head.rfind(['.', '/', '_']).map_or(end, |at| at + 1);
+        let (piece, tail) = rest.split_at(cut);
+        found.push((piece.to_owned(), !found.is_empty()));
+        rest = tail;
+    }
+    found.push((rest.to_owned(), !found.is_empty()));
+    found
 }
 
 /// A paragraph with a hanging indent.
@@ -136,6 +155,13 @@ mod tests {
         let text = table.render();
         assert!(text.lines().all(|line| line.chars().count() <= WIDTH), "{text}");
         assert!(text.lines().count() > 4);
+    }
+
+    #[test]
+    fn long_words_are_broken_where_they_have_joints() {
+        assert_eq!(wrap("project requirements.bearing_life_min", 16), ["project", "requirements.", "bearing_life_min"]);
+        assert_eq!(wrap("aaaaaaaaaa", 4), ["aaaa", "aaaa", "aa"]);
+        assert_eq!(wrap("", 4), [""]);
     }
 
     #[test]
