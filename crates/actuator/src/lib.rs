@@ -2,11 +2,13 @@
 //! the same code. Everything is referred to the output unless a name says `motor`.
 
 mod curve;
+mod gear;
 mod motor;
 mod output_bearing;
 mod parameters;
 
 pub use curve::{Curve, CurveFault, CurvePoint};
+pub use gear::{Gear, Torsion, cubic_mean_torque, natural_frequency, wave_generator_life};
 pub use motor::{
     ContinuousLimit, FRICTION_LOSS_SHARE, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT, continuous_torque,
     copper_resistance, current, estimated_continuous_torque, friction_current, speed_max, speed_rated_out,

@@ -1,6 +1,7 @@
 //! What is known of one actuator. Every value may be absent, and a check that needs it says so.
 
 use crate::curve::Curve;
+use crate::gear::Gear;
 use crate::output_bearing::OutputBearing;
 use provenance::Datum;
 use quantities::{
@@ -65,6 +66,8 @@ pub struct Parameters {
     pub terminal_voltage_min: Datum<ElectricPotential>,
     /// Continuous-duty curve of the torque-speed plane, where one is published or measured.
     pub continuous_curve: Datum<Curve>,
+    /// The gear.
+    pub gear: Gear,
     /// The output bearing.
     pub output_bearing: OutputBearing,
 }
@@ -101,6 +104,7 @@ impl Parameters {
             dc_link_max: Datum::NotPrinted,
             terminal_voltage_min: Datum::NotPrinted,
             continuous_curve: Datum::NotPrinted,
+            gear: Gear::unknown(),
             output_bearing: OutputBearing::unknown(),
         }
     }

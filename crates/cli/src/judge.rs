@@ -107,6 +107,8 @@ fn sizing_text(sizing: &Sizing<'_>, top: usize, all: bool, language: Language) -
     if let Some(best) = sizing.answer() {
         let open: Vec<String> = best
             .not_checked()
+            // A value without a limit is shown by `check`; here stands what could not be answered at all.
+            .filter(|check| check.value.is_none())
             .map(|check| format!("{} ({})", check_title(check.id, language), missing(check, language)))
             .collect();
         if !open.is_empty() {

@@ -1,6 +1,6 @@
 //! From an ordering code to the parameters of its actuator.
 
-use actuator::{BearingType, Curve, CurvePoint, OutputBearing, Parameters};
+use actuator::{BearingType, Curve, CurvePoint, Gear, OutputBearing, Parameters};
 use catalogue::Drive;
 use order_code::{Brake, OrderCode, Ratio, Size, Winding};
 use provenance::{Datum, Grade, Source, Sourced};
@@ -57,6 +57,7 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
         dc_link_max: drive.datum("U_DCmax", "", feedback, ratio),
         terminal_voltage_min: terminal_voltage_min(drive, code),
         continuous_curve: published_curve(code.size, ratio),
+        gear: gear(code),
         output_bearing: output_bearing(code),
     })
 }
@@ -101,11 +102,44 @@ fn plain_number(drive: &Drive, symbol: &str, code: &OrderCode) -> Datum<f64> {
     }
 }
 
+/// A value of the tables headed by size.
+fn by_size<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
+    catalogue::size_cell(code.size, code.ratio, symbol).map_or(Datum::NotPrinted, catalogue::datum_of)
+}
+
+/// What tables 54.3 and 54.4 print about the gear, and the published ratings where there are any.
+fn gear(code: &OrderCode) -> Gear {
+    Gear {
+        torque_1: by_size(code, "T_1"),
+        torque_2: by_size(code, "T_2"),
+        stiffness: [by_size(code, "K_1"), by_size(code, "K_2"), by_size(code, "K_3")],
+        rated_torque: published_rating(code, "T_N"),
+        average_torque_max: published_rating(code, "T_A"),
+    }
+}
+
+/// A rating of the interchangeable gear with the same T_R, from another maker's catalogue.
+fn published_rating(code: &OrderCode, symbol: &str) -> Datum<Torque> {
+    let Some(table) = catalogue::table("gear-ratings") else { return Datum::NotPrinted };
+    let head = format!("CHA-{}", code.size);
+    let cell = table
+        .cells()
+        .iter()
+        .find(|cell| cell.symbol == symbol && cell.drive == head && cell.ratio == code.ratio.as_str());
+    match cell.map_or(Datum::NotPrinted, catalogue::datum_of::<Torque>) {
+        Datum::Known(mut known) => {
+            if let Source::Cell(cell) = known.source {
+                known.source = Source::Published { document: table.source, cell };
+            }
+            known.grade = Grade::Published;
+            Datum::Known(known)
+        }
+        unknown => unknown,
+    }
+}
+
 /// What table 55.1 prints about the output bearing of a size.
 fn output_bearing(code: &OrderCode) -> OutputBearing {
-    fn of<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
-        catalogue::size_cell(code.size, code.ratio, symbol).map_or(Datum::NotPrinted, catalogue::datum_of)
-    }
     let kind = catalogue::size_cell(code.size, code.ratio, "bearing_type").and_then(|cell| {
         let value = match cell.corrected {
             "C" => BearingType::CrossedRoller,
@@ -117,14 +151,14 @@ fn output_bearing(code: &OrderCode) -> OutputBearing {
     });
     OutputBearing {
         kind: kind.unwrap_or(Datum::NotPrinted),
-        pitch_diameter: of(code, "d_p"),
-        offset: of(code, "R"),
-        dynamic_rating: of(code, "C"),
-        static_rating: of(code, "C_0"),
-        tilting_moment_max: of(code, "M_dyn_max"),
-        axial_max: of(code, "F_A_dyn_max"),
-        radial_max: of(code, "F_R_dyn_max"),
-        tilting_stiffness: of(code, "K_B"),
+        pitch_diameter: by_size(code, "d_p"),
+        offset: by_size(code, "R"),
+        dynamic_rating: by_size(code, "C"),
+        static_rating: by_size(code, "C_0"),
+        tilting_moment_max: by_size(code, "M_dyn_max"),
+        axial_max: by_size(code, "F_A_dyn_max"),
+        radial_max: by_size(code, "F_R_dyn_max"),
+        tilting_stiffness: by_size(code, "K_B"),
     }
 }
 

@@ -3,7 +3,7 @@
 use actuator::FlangeLoad;
 use mechanism::DirectLoad;
 use motion::{Cycle, Moments, Segment};
-use quantities::{Angle, ThermodynamicTemperature, Time};
+use quantities::{Angle, Frequency, ThermodynamicTemperature, Time};
 
 /// Operating condition of the output bearing (table 76.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +56,12 @@ pub struct Axis {
     pub ambient: Option<ThermodynamicTemperature>,
     /// Loads on the output bearing, if the user gave any.
     pub bearing: Option<BearingDuty>,
+    /// Life required of the gear.
+    pub gear_life_min: Option<Time>,
+    /// Torsion of the gear permitted.
+    pub torsion_max: Option<Angle>,
+    /// Least first natural frequency asked for.
+    pub natural_frequency_min: Option<Frequency>,
     pub(crate) moments: Moments,
     pub(crate) segments: Vec<Segment>,
 }
@@ -66,7 +72,17 @@ impl Axis {
     pub fn new(load: DirectLoad, cycle: Cycle) -> Self {
         let moments = Moments::of(&cycle);
         let segments = cycle.segments().collect();
-        Self { load, cycle, ambient: None, bearing: None, moments, segments }
+        Self {
+            load,
+            cycle,
+            ambient: None,
+            bearing: None,
+            gear_life_min: None,
+            torsion_max: None,
+            natural_frequency_min: None,
+            moments,
+            segments,
+        }
     }
 
     /// The integrals of the cycle.

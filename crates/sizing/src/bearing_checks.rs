@@ -1,12 +1,12 @@
 //! The checks of the output bearing.
 
 use crate::axis::{Axis, BearingDuty};
-use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::checks::{Comparison, equation, not_checked};
+use crate::check::{Check, CheckId, Note, Verdict};
+use crate::checks::{Comparison, at_least, equation, not_checked, shown_or_at_most};
 use actuator::OutputBearing;
-use provenance::{Grade, Missing, Source, Sourced};
+use provenance::{Missing, Source, Sourced};
 use quantities::unit::{ARCMINUTE, DEGREE, HOUR, NEWTON, NEWTON_METRE, ONE};
-use quantities::{Measure, Torque, Unit};
+use quantities::{Measure, Torque};
 
 /// Below this swing the manual warns of fretting (section 7.3.2).
 const SWING_MIN_DEG: f64 = 5.0;
@@ -81,35 +81,6 @@ fn tilting_moment(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
     }
 }
 
-/// A value that grows the safer it is, against the least that is asked; with no such limit it is shown, not judged.
-fn at_least(
-    id: CheckId,
-    unit: &'static Unit,
-    value: f64,
-    asked: Option<f64>,
-    key: &'static str,
-    source: Source,
-) -> Check {
-    let verdict = match asked {
-        None => Verdict::NotChecked,
-        Some(limit) if value >= limit => Verdict::Pass,
-        Some(_) => Verdict::Fail,
-    };
-    Check {
-        id,
-        verdict,
-        value: Some(Figure { si: value, unit }),
-        limit: asked.map(|limit| Figure { si: limit, unit }),
-        utilisation: asked.map(|limit| limit / value),
-        at: None,
-        grade: Some(Grade::Computed),
-        value_source: Some(source),
-        limit_source: asked.map(|_| Source::Project { key: key.to_owned() }),
-        missing: asked.is_none().then_some(key),
-        notes: Vec::new(),
-    }
-}
-
 /// L_10 ≥ the life required (eq. 74.1, 74.3).
 fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Check {
     let id = CheckId::BearingLife;
@@ -173,23 +144,7 @@ fn tilt_angle(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let tilt = actuator::tilt_angle(moment, stiffness.value);
-    let limit = duty.tilt_max;
-    Check {
-        id,
-        verdict: match limit {
-            None => Verdict::NotChecked,
-            Some(limit) if tilt.si() <= limit.si() => Verdict::Pass,
-            Some(_) => Verdict::Fail,
-        },
-        value: Some(Figure { si: tilt.si(), unit: &ARCMINUTE }),
-        limit: limit.map(|limit| Figure { si: limit.si(), unit: &ARCMINUTE }),
-        utilisation: limit.map(|limit| tilt.si() / limit.si()),
-        at: None,
-        grade: Some(stiffness.grade.worst(Grade::Computed)),
-        value_source: Some(equation("76.4")),
-        limit_source: limit.map(|_| Source::Project { key: "requirements.tilt_angle_max".into() }),
-        missing: limit.is_none().then_some("requirements.tilt_angle_max"),
-        notes: Vec::new(),
-    }
+    let tilt = actuator::tilt_angle(moment, stiffness.value).si();
+    let limit = duty.tilt_max.map(Measure::si);
+    shown_or_at_most(id, &ARCMINUTE, tilt, limit, "requirements.tilt_angle_max", equation("76.4"))
 }

@@ -21,6 +21,14 @@ pub enum CheckId {
     Demagnetisation,
     /// Load inertia against three times the own inertia.
     InertiaRatio,
+    /// Cubic mean torque against T_A.
+    GearMeanTorque,
+    /// Life of the wave-generator bearing against the life required.
+    GearLife,
+    /// Torsion of the gear under the largest torque against the torsion permitted.
+    Torsion,
+    /// First natural frequency against the least asked for.
+    NaturalFrequency,
     /// Axial force on the flange against the permissible one.
     BearingAxial,
     /// Radial force on the flange against the permissible one.
@@ -49,6 +57,10 @@ impl CheckId {
             Self::PeakCurrent => "peak_current",
             Self::Demagnetisation => "demagnetisation",
             Self::InertiaRatio => "inertia_ratio",
+            Self::GearMeanTorque => "gear_mean_torque",
+            Self::GearLife => "gear_life",
+            Self::Torsion => "torsion",
+            Self::NaturalFrequency => "natural_frequency",
             Self::BearingAxial => "bearing_axial",
             Self::BearingRadial => "bearing_radial",
             Self::BearingTiltingMoment => "bearing_tilting_moment",
@@ -125,6 +137,8 @@ pub enum Note {
         /// Swing of the axis.
         swing: Angle,
     },
+    /// The gear's rating is that of an interchangeable gear of another maker with the same T_R.
+    RatingOfInterchangeableGear,
     /// The permissible loads hold one at a time; together the life and the static safety decide.
     LoadsOneAtATime,
     /// The limit is the safe side of an open contradiction in the print: the erratum.

@@ -4,6 +4,7 @@ use crate::axis::Axis;
 use crate::bearing_checks;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::demand::{Demand, ManualDemand};
+use crate::gear_checks;
 use actuator::Parameters;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{AMPERE, DEGREE_CELSIUS, KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
@@ -79,6 +80,7 @@ pub fn judge(axis: &Axis, actuator: &Parameters) -> Judgement {
         demagnetisation(axis, actuator),
         inertia_ratio(axis, actuator),
     ];
+    checks.extend(gear_checks::judge(axis, actuator));
     checks.extend(bearing_checks::judge(axis, &actuator.output_bearing));
     checks.extend(axis.ambient.map(|_| ambient(axis)));
     Judgement { demand, manual, checks }
@@ -134,6 +136,52 @@ pub(crate) fn not_checked(id: CheckId, missing: Missing) -> Check {
         missing: Some(missing.symbol),
         notes: Vec::new(),
     }
+}
+
+/// A value that grows the safer it is, against the least that is asked; with no such limit it is shown, not judged.
+pub(crate) fn at_least(
+    id: CheckId,
+    unit: &'static Unit,
+    value: f64,
+    asked: Option<f64>,
+    key: &'static str,
+    source: Source,
+) -> Check {
+    let verdict = match asked {
+        None => Verdict::NotChecked,
+        Some(limit) if value >= limit => Verdict::Pass,
+        Some(_) => Verdict::Fail,
+    };
+    Check {
+        id,
+        verdict,
+        value: Some(Figure { si: value, unit }),
+        limit: asked.map(|limit| Figure { si: limit, unit }),
+        utilisation: asked.map(|limit| limit / value),
+        at: None,
+        grade: Some(Grade::Computed),
+        value_source: Some(source),
+        limit_source: asked.map(|_| Source::Project { key: key.to_owned() }),
+        missing: asked.is_none().then_some(key),
+        notes: Vec::new(),
+    }
+}
+
+/// A value that grows the worse it is, against the most that is permitted; with no such limit it is shown, not judged.
+pub(crate) fn shown_or_at_most(
+    id: CheckId,
+    unit: &'static Unit,
+    value: f64,
+    permitted: Option<f64>,
+    key: &'static str,
+    source: Source,
+) -> Check {
+    let mut check = at_least(id, unit, value, permitted, key, source);
+    if let Some(limit) = permitted {
+        check.verdict = if value <= limit { Verdict::Pass } else { Verdict::Fail };
+        check.utilisation = Some(value / limit);
+    }
+    check
 }
 
 pub(crate) const fn equation(number: &'static str) -> Source {

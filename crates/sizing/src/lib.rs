@@ -9,6 +9,7 @@ mod bearing_checks;
 mod check;
 mod checks;
 mod demand;
+mod gear_checks;
 mod rank;
 
 pub use axis::{Axis, BearingDuty, OperatingCondition};

@@ -153,7 +153,12 @@ fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Op
     match Cycle::new(moves) {
         Ok(cycle) => {
             let mut axis = Axis::new(load, cycle);
-            axis.ambient = root.table("requirements").and_then(|section| section.quantity("ambient"));
+            if let Some(asked) = root.table("requirements") {
+                axis.ambient = asked.quantity("ambient");
+                axis.gear_life_min = asked.quantity("gear_life_min");
+                axis.torsion_max = asked.quantity("torsion_max");
+                axis.natural_frequency_min = asked.quantity("natural_frequency_min");
+            }
             axis.bearing = bearing_duty(root, reader, language);
             Some(axis)
         }

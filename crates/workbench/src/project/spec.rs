@@ -244,6 +244,27 @@ const REQUIREMENTS: &[Key] = &[
         "geforderte Lebensdauer des Abtriebslagers",
     ),
     quantity(
+        "gear_life_min",
+        Dimension::Time,
+        Range::Positive,
+        "life required of the wave-generator bearing",
+        "geforderte Lebensdauer des Wave-Generator-Lagers",
+    ),
+    quantity(
+        "torsion_max",
+        Dimension::Angle,
+        Range::Positive,
+        "torsion of the gear permitted under the largest torque",
+        "zulässiger Torsionswinkel des Getriebes unter dem größten Drehmoment",
+    ),
+    quantity(
+        "natural_frequency_min",
+        Dimension::Frequency,
+        Range::Positive,
+        "least first natural frequency with blocked motor",
+        "kleinste erste Eigenfrequenz bei blockiertem Motor",
+    ),
+    quantity(
         "tilt_angle_max",
         Dimension::Angle,
         Range::Positive,

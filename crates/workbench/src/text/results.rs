@@ -20,6 +20,10 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::PeakCurrent => ("peak current", "Spitzenstrom"),
         CheckId::Demagnetisation => ("demagnetisation", "Entmagnetisierung"),
         CheckId::InertiaRatio => ("inertia ratio", "Trägheitsverhältnis"),
+        CheckId::GearMeanTorque => ("gear mean torque", "mittl. Getriebemoment"),
+        CheckId::GearLife => ("gear life", "Getriebelebensdauer"),
+        CheckId::Torsion => ("torsion", "Torsionswinkel"),
+        CheckId::NaturalFrequency => ("natural frequency", "Eigenfrequenz"),
         CheckId::BearingAxial => ("bearing, axial", "Lager axial"),
         CheckId::BearingRadial => ("bearing, radial", "Lager radial"),
         CheckId::BearingTiltingMoment => ("bearing, tilting", "Lager, Kippmoment"),
@@ -169,6 +173,11 @@ pub fn note_text(note: &Note, language: Language) -> String {
                 format!("die Achse schwenkt nur um {swing}; unter 5° droht Reibkorrosion, beim Hersteller fragen"),
             )
         }
+        Note::RatingOfInterchangeableGear => either(
+            language,
+            "the gear's rating is that of another maker's interchangeable gear with the same T_R; the manual prints none",
+            "die Getriebewerte sind die eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung druckt keine",
+        ),
         Note::LoadsOneAtATime => either(
             language,
             "the permissible forces hold one at a time; for several together life and static safety decide",

@@ -1,0 +1,198 @@
+//! The strain-wave gear: torsion, natural frequency, mean torque, life of the wave-generator bearing.
+
+use provenance::Datum;
+use quantities::{Angle, AngularVelocity, Frequency, Measure, MomentOfInertia, Time, Torque, TorsionalStiffness};
+
+/// What is known of the gear.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gear {
+    /// T_1: end of the first stiffness region.
+    pub torque_1: Datum<Torque>,
+    /// T_2: end of the second stiffness region.
+    pub torque_2: Datum<Torque>,
+    /// K_1, K_2, K_3: torsional stiffness of the three regions.
+    pub stiffness: [Datum<TorsionalStiffness>; 3],
+    /// T_N: rated torque, reference of the life equation only.
+    pub rated_torque: Datum<Torque>,
+    /// T_A: limit of the cubic mean torque.
+    pub average_torque_max: Datum<Torque>,
+}
+
+impl Gear {
+    /// A gear of which nothing is known.
+    #[must_use]
+    pub const fn unknown() -> Self {
+        Self {
+            torque_1: Datum::NotPrinted,
+            torque_2: Datum::NotPrinted,
+            stiffness: [Datum::NotPrinted, Datum::NotPrinted, Datum::NotPrinted],
+            rated_torque: Datum::NotPrinted,
+            average_torque_max: Datum::NotPrinted,
+        }
+    }
+
+    /// The torsion curve, if all five of its values are known.
+    #[must_use]
+    pub fn torsion(&self) -> Option<Torsion> {
+        let [k1, k2, k3] = &self.stiffness;
+        Some(Torsion {
+            torque_1: self.torque_1.known()?.value,
+            torque_2: self.torque_2.known()?.value,
+            stiffness: [k1.known()?.value, k2.known()?.value, k3.known()?.value],
+        })
+    }
+}
+
+/// The torsion curve of a gear with blocked input: three straight regions, odd in the torque.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Torsion {
+    /// T_1
+    pub torque_1: Torque,
+    /// T_2
+    pub torque_2: Torque,
+    /// K_1, K_2, K_3
+    pub stiffness: [TorsionalStiffness; 3],
+}
+
+impl Torsion {
+    /// Torsion angle of a torque.
+    ///
+    /// φ = T/K_1 up to T_1, then φ_1 + (T − T_1)/K_2 up to T_2, then φ_2 + (T − T_2)/K_3; odd in T
+    ///
+    /// # Source   cha-manual eq. 73.1, 73.2, 73.3
+    /// # Valid    mean values of many gears, blocked wave generator
+    #[must_use]
+    pub fn angle(&self, torque: Torque) -> Angle {
+        let [k1, k2, k3] = self.stiffness.map(Measure::si);
+        let (t1, t2, t) = (self.torque_1.si(), self.torque_2.si(), torque.si().abs());
+        let angle = t.min(t1) / k1 + (t.min(t2) - t1).max(0.0) / k2 + (t - t2).max(0.0) / k3;
+        Angle::from_si(angle.copysign(torque.si()))
+    }
+
+    /// Torque that twists the gear by an angle: the inverse of [`Torsion::angle`].
+    #[must_use]
+    pub fn torque(&self, angle: Angle) -> Torque {
+        let [k1, k2, k3] = self.stiffness.map(Measure::si);
+        let (phi1, phi2) = (self.angle(self.torque_1).si(), self.angle(self.torque_2).si());
+        let phi = angle.si().abs();
+        let torque = phi.min(phi1) * k1 + (phi.min(phi2) - phi1).max(0.0) * k2 + (phi - phi2).max(0.0) * k3;
+        Torque::from_si(torque.copysign(angle.si()))
+    }
+}
+
+/// First natural frequency of a load on the gear with blocked motor.
+///
+/// f = (1/2π) √(K / J_L)
+///
+/// # Symbols  K torsional stiffness of a region [Nm/rad], J_L inertia of the load \[kgm²\]
+/// # Source   docs/theory/gear.md, the oscillator of one mass and one spring
+/// # Valid    J_L > 0; no damping
+#[must_use]
+pub fn natural_frequency(stiffness: TorsionalStiffness, inertia: MomentOfInertia) -> Frequency {
+    Frequency::from_si((stiffness.si() / inertia.si()).sqrt() / std::f64::consts::TAU)
+}
+
+/// Cubic mean torque of a cycle: (Σ |T_j|³ |n_j| t_j / Σ |n_j| t_j)^(1/3), from the angle travelled under each torque.
+///
+/// # Source   csd-2a-engineering-data, selection of the gear; T_av ≤ T_A
+/// # Valid    torque constant over each part of the motion; zero where nothing moves
+#[must_use]
+pub fn cubic_mean_torque(parts: impl Iterator<Item = (Torque, Angle)>) -> Torque {
+    let (mut cubes, mut travelled) = (0.0, 0.0);
+    for (torque, angle) in parts {
+        cubes += torque.si().abs().powi(3) * angle.si().abs();
+        travelled += angle.si().abs();
+    }
+    Torque::from_si(if travelled > 0.0 { (cubes / travelled).cbrt() } else { 0.0 })
+}
+
+/// L_n: nominal life of the wave-generator bearing of the CPU series, 35 000 h (gear-life; the CHA is built on CPU-H).
+const NOMINAL_LIFE_H: f64 = 35_000.0;
+
+/// n_N: reference input speed of the life equation, 2000 1/min.
+const REFERENCE_SPEED_RPM: f64 = 2_000.0;
+
+/// L_50 / L_10
+const LIFE_RATIO: f64 = 5.0;
+
+/// Life of the wave-generator bearing that 90 % of the gears reach.
+///
+/// L_50 = L_n (n_N / n_in,av) (T_N / T_av)³, L_10 = L_50 / 5
+///
+/// # Symbols  n_in,av mean input speed, T_N rated torque, T_av cubic mean torque
+/// # Source   csd-2a-engineering-data; constants in the table gear-life
+/// # Valid    n_in,av > 0 and T_av > 0
+#[must_use]
+pub fn wave_generator_life(rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
+    let speed_rpm = speed_in_mean.si().abs() * 60.0 / std::f64::consts::TAU;
+    let hours = NOMINAL_LIFE_H * REFERENCE_SPEED_RPM / speed_rpm * (rated.si() / mean.si()).powi(3) / LIFE_RATIO;
+    Time::from_si(hours * 3600.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use quantities::unit::{ARCMINUTE, HOUR, REVOLUTION_PER_MINUTE};
+
+    /// CanisDrive-32A-100 of the manual's example.
+    fn torsion() -> Torsion {
+        Torsion {
+            torque_1: Torque::from_si(29.0),
+            torque_2: Torque::from_si(108.0),
+            stiffness: [6.7e4, 1.1e5, 1.2e5].map(TorsionalStiffness::from_si),
+        }
+    }
+
+    /// cha-manual, example of section 7.2: 60 Nm, 7.15e-4 rad, printed 2.5 arcmin.
+    #[test]
+    fn the_worked_example_of_the_torsion() {
+        let angle = torsion().angle(Torque::from_si(60.0));
+        assert!((angle.si() - 7.15e-4).abs() < 0.005e-4);
+        assert!((angle.in_unit(&ARCMINUTE) - 2.46).abs() < 0.005);
+    }
+
+    #[test]
+    fn the_curve_is_continuous_odd_and_rising_and_its_inverse_undoes_it() {
+        let curve = torsion();
+        for border in [29.0, 108.0] {
+            let below = curve.angle(Torque::from_si(border * (1.0 - 1e-12))).si();
+            let above = curve.angle(Torque::from_si(border * (1.0 + 1e-12))).si();
+            assert!((below - above).abs() < 1e-12);
+        }
+        let mut last = f64::NEG_INFINITY;
+        for step in -400..=400 {
+            let torque = Torque::from_si(f64::from(step));
+            let angle = curve.angle(torque);
+            assert!(angle.si() > last);
+            assert!((curve.torque(angle).si() - torque.si()).abs() < 1e-9);
+            assert!((curve.angle(Torque::from_si(-torque.si())).si() + angle.si()).abs() < 1e-15);
+            last = angle.si();
+        }
+    }
+
+    #[test]
+    fn a_stiff_gear_does_not_oscillate_slowly() {
+        let f = |k, j| natural_frequency(TorsionalStiffness::from_si(k), MomentOfInertia::from_si(j)).si();
+        assert!((f(4.0 * std::f64::consts::PI.powi(2), 1.0) - 1.0).abs() < 1e-12);
+        assert!((f(4e4, 1.0) / f(1e4, 1.0) - 2.0).abs() < 1e-12);
+    }
+
+    /// Selection example of the gear catalogues: 400 Nm at 7, 320 at 14, 200 at 7 1/min for 0.3, 3.0, 0.4 s:
+    /// 319.74 Nm, printed 319.
+    #[test]
+    fn the_mean_torque_of_the_catalogue_example() {
+        let parts = [(400.0, 7.0 * 0.3), (320.0, 14.0 * 3.0), (200.0, 7.0 * 0.4)];
+        let mean = cubic_mean_torque(parts.into_iter().map(|(t, a)| (Torque::from_si(t), Angle::from_si(a))));
+        assert!((mean.si() - 319.74).abs() < 0.005, "{}", mean.si());
+        assert!(cubic_mean_torque(std::iter::empty()).si().abs() < 1e-15);
+    }
+
+    /// At rated torque and reference speed the gear reaches L_n/5 = 7000 h; twice the torque takes an eighth.
+    #[test]
+    fn the_life_at_the_reference_point() {
+        let speed = AngularVelocity::new_in(2000.0, &REVOLUTION_PER_MINUTE);
+        let life = |mean| wave_generator_life(Torque::from_si(25.0), Torque::from_si(mean), speed).in_unit(&HOUR);
+        assert!((life(25.0) - 7000.0).abs() < 1e-6);
+        assert!((life(50.0) - 875.0).abs() < 1e-6);
+    }
+}
