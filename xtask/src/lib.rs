@@ -1,12 +1,13 @@
 //! The chores of the project, each one a module with a `run`.
 //!
 //! [`ci`] is exactly what CI runs. [`tidy`] holds the rules of the house that no compiler holds.
-//! [`data`] cross-checks the data, [`snapshots`] rewrites the snapshots, [`mod@bench`] runs the bench gates.
+//! [`data`] prints the cross-checks of the data in [`audit`], [`snapshots`] rewrites the snapshots, [`mod@bench`] runs the bench gates.
 //! Nothing here needs more than a Rust toolchain.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who started it")]
 
 use std::path::{Path, PathBuf};
 
+pub mod audit;
 pub mod bench;
 mod cargo;
 pub mod ci;

@@ -1,0 +1,209 @@
+//! Inertia, speed and brake torque at the output, and what must grow or fall (tables 14.1 to 53.6).
+
+use super::motor::each_ratio;
+use super::tally::{Excuse, Tally};
+use super::view::{Entry, Span, View, brief};
+use std::collections::BTreeMap;
+
+/// J_out = J i², and J_out_brake = J_brake i²
+///
+/// Source: chapter 6.1 of the manual; J in 10⁻⁴ kgm² at the motor, J_out in kgm² at the output.
+/// Tolerance: the rounding of both values. A zero behind the comma of either may be padding (3,50 printed for 3,56 of
+/// table 26.2): the value then counts as known to one digit less, by rule. Everything else needs an erratum on J_out.
+pub(super) fn inertia(view: &View, tally: &mut Tally) {
+    for drive in view.drives() {
+        for (out, motor) in [("J_out", "J"), ("J_out_brake", "J_brake")] {
+            let mut seen = 0;
+            for cell in drive.entries.iter().filter(|entry| entry.cell.symbol == out) {
+                let beside = drive.beside(motor, cell);
+                let square = cell.cell.ratio.parse::<f64>().ok().map(|i| i * i * 1e-4);
+                let spans = (cell.span(), beside.and_then(Entry::span), square);
+                let (Some(printed), Some(at_motor), Some(square)) = spans else {
+                    tally.absent(cell.place());
+                    continue;
+                };
+                seen += 1;
+                let expected = at_motor * square;
+                let padded = beside.and_then(|entry| Span::padded(&entry.text)).unwrap_or(at_motor) * square;
+                let loose = Span::padded(&cell.text).unwrap_or(printed);
+                let rule = loose.meets(padded).then_some("a last zero of J or J_out is padding");
+                tally.compare_or(printed.meets(expected), &[cell], Excuse { rule, ..Excuse::default() }, || {
+                    format!("{} is {}, {motor} i² gives {expected}", cell.place(), cell.text)
+                });
+            }
+            if seen < drive.ratios().len() {
+                tally.absent(format_args!("{out} of {}", drive.name));
+            }
+        }
+    }
+}
+
+/// n_max = n_mot_max / i
+///
+/// Source: chapter 6.1 of the manual.
+/// Tolerance: half of the last printed digit of n_max; n_mot_max is exact (a setting, not a measurement).
+pub(super) fn speed(view: &View, tally: &mut Tally) {
+    each_ratio(view, tally, "n_max", |drive, ratio, cell, tally| {
+        let quotient = drive.once("n_mot_max")?.number()? / ratio.parse::<f64>().ok()?;
+        let fits = cell.span()?.meets(Span::exact(quotient));
+        tally.compare(fits, &[cell], || {
+            format!("{} is {}, n_mot_max/i gives {}", cell.place(), cell.text, brief(quotient))
+        });
+        Some(())
+    });
+}
+
+/// T_Br = min(T_b i, T_max) with one motor brake torque T_b per size, and T_Br ≤ T_max
+///
+/// T_b is read from the ratios where T_Br stays below T_max: the quotient T_Br / i that most of them agree in. Where no
+/// ratio is unlimited (14A), T_b is at least the largest T_max / i.
+///
+/// Source: found in the tables; the manual states no formula.
+/// Tolerance: the rounding of T_Br. Blamed: T_Br.
+pub(super) fn brake(view: &View, tally: &mut Tally) {
+    let mut by_size: BTreeMap<&str, Vec<(&Entry, f64, f64)>> = BTreeMap::new();
+    for drive in view.drives() {
+        for ratio in drive.ratios() {
+            let cells = drive.at("T_Br", ratio).zip(drive.at("T_max", ratio).and_then(Entry::number));
+            match cells.zip(ratio.parse().ok()) {
+                Some(((cell, limit), i)) => by_size.entry(drive.size()).or_default().push((cell, limit, i)),
+                None => tally.absent(format_args!("T_Br of {}, i = {ratio}", drive.name)),
+            }
+        }
+    }
+    for (size, cells) in by_size {
+        let Some(spans) = cells.iter().map(|(cell, ..)| cell.span()).collect::<Option<Vec<Span>>>() else {
+            tally.absent(format_args!("T_Br of {size}"));
+            continue;
+        };
+        let unlimited: Vec<Span> = cells
+            .iter()
+            .zip(&spans)
+            .filter(|((_, limit, _), span)| span.high < *limit)
+            .map(|((_, _, i), span)| *span * (1.0 / i))
+            .collect();
+        let votes = |value: f64| unlimited.iter().filter(|span| span.meets(Span::exact(value))).count();
+        let chosen = unlimited.iter().map(|span| span.mid).max_by_key(|value| votes(*value));
+        let motor = chosen.unwrap_or_else(|| cells.iter().map(|(_, limit, i)| limit / i).fold(0.0, f64::max));
+        for ((cell, limit, i), span) in cells.iter().zip(spans) {
+            let expected = (motor * i).min(*limit);
+            tally.compare(span.meets(Span::exact(expected)), &[cell], || {
+                let (expected, motor) = (brief(expected), brief(motor));
+                format!("{} is {}, min(T_b i, T_max) gives {expected} with T_b = {motor}", cell.place(), cell.text)
+            });
+            tally.compare(span.mid <= *limit, &[cell], || {
+                format!("{} is {}, above T_max = {limit}", cell.place(), cell.text)
+            });
+        }
+    }
+}
+
+/// What must not fall with the ratio, what must not rise, and what a brake must add
+///
+/// T_max, T_0, k_Tout and K_INL do not fall with i, n_max falls, I_NLS (20 °C) does not rise; J, J_out, mass and length
+/// grow with the brake.
+///
+/// Source: the manual's own order; a misplaced column or digit breaks it.
+/// Tolerance: none, the printed numbers are compared. Blamed: both values.
+pub(super) fn order(view: &View, tally: &mut Tally) {
+    for drive in view.drives() {
+        let ratios = drive.ratios();
+        for ratio in ratios.windows(2) {
+            let [before, after] = ratio else { continue };
+            for symbol in ["T_max", "T_0", "k_Tout", "K_INL", "J_out", "J_out_brake", "n_max", "I_NLS"] {
+                for first in drive.every(symbol, before).filter(|entry| !cold(entry)) {
+                    let second = drive.every(symbol, after).find(|entry| {
+                        (entry.cell.condition, entry.cell.feedback) == (first.cell.condition, first.cell.feedback)
+                    });
+                    let fits: fn(f64, f64) -> bool = match symbol {
+                        "n_max" => |a, b| a > b,
+                        "I_NLS" => |a, b| a >= b,
+                        "J_out" | "J_out_brake" => |a, b| a < b,
+                        _ => |a, b| a <= b,
+                    };
+                    step(tally, Some(first), second, fits, "out of order with its neighbour");
+                }
+            }
+        }
+        for (without, with) in
+            [("J", "J_brake"), ("J_out", "J_out_brake"), ("m", "m_brake"), ("L", "L_brake"), ("I_HBr", "I_OBr")]
+        {
+            for bare in drive.entries.iter().copied().filter(|entry| entry.cell.symbol == without) {
+                let braked = drive.beside(with, bare);
+                if braked.is_some_and(|entry| entry.text == "-") {
+                    continue;
+                }
+                step(tally, Some(bare), braked, |a, b| a < b, "not below the value with which it is paired");
+            }
+        }
+    }
+}
+
+/// I_NLS at the cold limit rises with i; only the value at 20 °C falls.
+fn cold(entry: &Entry) -> bool {
+    entry.cell.symbol == "I_NLS" && entry.cell.condition.starts_with('-')
+}
+
+/// Compares two numbers.
+pub(super) fn step(
+    tally: &mut Tally,
+    first: Option<&Entry>,
+    second: Option<&Entry>,
+    fits: impl Fn(f64, f64) -> bool,
+    words: &str,
+) {
+    let (Some(first), Some(second)) = (first, second) else {
+        let known = first.or(second).map_or_else(String::new, Entry::place);
+        tally.absent(format_args!("no partner of {known}"));
+        return;
+    };
+    let (Some(a), Some(b)) = (first.number(), second.number()) else {
+        tally.absent(format_args!("{} or {}", first.place(), second.place()));
+        return;
+    };
+    tally.compare(fits(a, b), &[first, second], || {
+        format!("{} is {}, {words}: {} is {}", first.place(), first.text, second.place(), second.text)
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::told;
+    use super::*;
+
+    fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> View {
+        View::with(table, text, |cell| cell.symbol == symbol && cell.ratio == ratio)
+    }
+
+    #[test]
+    fn a_changed_inertia_is_found() {
+        assert_eq!(told(inertia, &altered("26.2", "J_out", "100", "1,21")).len(), 1);
+        // 0,13 at i = 30 has too few digits to tell.
+        assert_eq!(told(inertia, &altered("26.2", "J_brake", "", "1,44")).len(), 5);
+    }
+
+    #[test]
+    fn padding_excuses_one_digit_and_no_more() {
+        assert!(told(inertia, &altered("26.2", "J_out_brake", "160", "3,60")).is_empty());
+        assert_eq!(told(inertia, &altered("26.2", "J_out_brake", "160", "3,40")).len(), 1);
+    }
+
+    #[test]
+    fn a_changed_speed_is_found() {
+        assert_eq!(told(speed, &altered("26.1", "n_max", "80", "76")).len(), 1);
+    }
+
+    #[test]
+    fn a_changed_brake_torque_is_found() {
+        assert_eq!(told(brake, &altered("26.3", "T_Br", "50", "54")).len(), 1);
+        assert_eq!(told(brake, &altered("26.3", "T_Br", "100", "90")).len(), 2);
+    }
+
+    #[test]
+    fn a_value_out_of_order_is_found() {
+        assert_eq!(told(order, &altered("26.1", "T_max", "80", "47")).len(), 1);
+        assert_eq!(told(order, &altered("26.1", "m_brake", "", "2,9")).len(), 1);
+        let view = View::with("51.3", "117", |cell| cell.symbol == "L_brake" && cell.drive == "CHA-20A-C1024");
+        assert_eq!(told(order, &view).len(), 1);
+    }
+}

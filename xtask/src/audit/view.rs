@@ -1,0 +1,346 @@
+//! The printed cells as the checks see them: their text in one of three readings, and spans of rounding.
+
+use catalogue::{Cell, Erratum, ErratumKind};
+use std::ops::{Add, Div, Mul, Sub};
+
+/// Which text of a cell a run of the checks reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// As the manual prints it: every deviation needs an erratum.
+    Printed,
+    /// After errata: a corrected value must fit its neighbours, only a flagged one may still deviate.
+    Corrected,
+    /// As checks of a drive use it: a value set for the safe side must fit too.
+    Limits,
+}
+
+impl Reading {
+    pub(super) const ALL: [Self; 3] = [Self::Printed, Self::Corrected, Self::Limits];
+
+    /// Name in reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Printed => "printed",
+            Self::Corrected => "corrected",
+            Self::Limits => "as checks use it",
+        }
+    }
+
+    /// Whether an erratum may explain a deviation in this reading. A recovery is no error of the print and another
+    /// edition proves nothing about this one; once a value is replaced, its replacement has to fit.
+    pub(super) fn explains(self, erratum: &Erratum) -> bool {
+        let of_the_print =
+            matches!(erratum.kind, ErratumKind::PrintError | ErratumKind::Contradiction | ErratumKind::Rounding);
+        let replaced = match self {
+            Self::Printed => false,
+            Self::Corrected => erratum.corrected_here,
+            Self::Limits => erratum.corrected_here || erratum.checks_use.is_some(),
+        };
+        of_the_print && !replaced
+    }
+
+    fn text(self, cell: &Cell) -> String {
+        let safe = cell.errata.iter().filter_map(|id| catalogue::erratum(id)?.checks_use).next();
+        match self {
+            Self::Printed => cell.printed,
+            Self::Corrected => cell.corrected,
+            Self::Limits => safe.unwrap_or(cell.corrected),
+        }
+        .to_owned()
+    }
+}
+
+/// One cell with the text that this reading gives it.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    /// The cell.
+    pub cell: &'static Cell,
+    /// Its text.
+    pub text: String,
+}
+
+impl Entry {
+    /// The value with half its last printed digit to both sides; `None` for dashes, ranges and texts.
+    pub(super) fn span(&self) -> Option<Span> {
+        Span::of(&self.text)
+    }
+
+    /// The value alone.
+    pub(super) fn number(&self) -> Option<f64> {
+        self.span().map(|span| span.mid)
+    }
+
+    /// Where the cell stands, for messages.
+    pub(super) fn place(&self) -> String {
+        let mut place = format!("table {}, {}", self.cell.table, self.cell.symbol);
+        for part in [self.cell.condition, self.cell.drive, self.cell.feedback] {
+            if !part.is_empty() {
+                place.push_str(&format!(", {part}"));
+            }
+        }
+        if !self.cell.ratio.is_empty() {
+            place.push_str(&format!(", i = {}", self.cell.ratio));
+        }
+        place
+    }
+}
+
+/// All cells in one reading.
+pub(super) struct View {
+    /// The reading.
+    pub reading: Reading,
+    entries: Vec<Entry>,
+}
+
+impl View {
+    /// The embedded tables.
+    pub(super) fn of(reading: Reading) -> Self {
+        let entries = catalogue::cells().iter().map(|cell| Entry { cell, text: reading.text(cell) }).collect();
+        Self { reading, entries }
+    }
+
+    /// The cells of a table.
+    pub(super) fn table<'a, 'b>(&'a self, id: &'b str) -> impl Iterator<Item = &'a Entry> + use<'a, 'b> {
+        self.entries.iter().filter(move |entry| entry.cell.table == id)
+    }
+
+    /// The cells of a symbol in a table, in the order of its columns.
+    pub(super) fn row<'a, 'b>(
+        &'a self,
+        table: &'b str,
+        symbol: &'b str,
+    ) -> impl Iterator<Item = &'a Entry> + use<'a, 'b> {
+        self.table(table).filter(move |entry| entry.cell.symbol == symbol)
+    }
+
+    /// The cell of a symbol in a table with one column per size.
+    pub(super) fn of_size(&self, table: &str, symbol: &str, size: &str) -> Option<&Entry> {
+        self.row(table, symbol).find(|entry| entry.cell.drive == size)
+    }
+
+    /// The first cell that a predicate accepts.
+    pub(super) fn find(&self, accept: impl Fn(&Cell) -> bool) -> Option<&Entry> {
+        self.entries.iter().find(|entry| accept(entry.cell))
+    }
+
+    /// The cells that the tables of one drive print, technical data, inertias, brake and lengths.
+    pub(super) fn drive(&self, name: &'static str) -> DriveView<'_> {
+        DriveView { name, entries: self.entries.iter().filter(|entry| entry.cell.drive == name).collect() }
+    }
+
+    /// All sixteen drives.
+    pub(super) fn drives(&self) -> Vec<DriveView<'_>> {
+        catalogue::drives().iter().map(|drive| self.drive(drive.name)).collect()
+    }
+}
+
+#[cfg(test)]
+impl View {
+    /// As printed, with the text of one cell changed; the cell must exist once and bear no erratum.
+    pub(super) fn with(table: &str, text: &str, accept: impl Fn(&Cell) -> bool) -> Self {
+        let mut view = Self::of(Reading::Printed);
+        let mut hits = view.entries.iter_mut().filter(|entry| entry.cell.table == table && accept(entry.cell));
+        let entry = hits.next().expect("the cell to change exists");
+        assert!(entry.cell.errata.is_empty(), "{} has an erratum already", entry.place());
+        assert!(hits.next().is_none(), "more than one cell to change");
+        text.clone_into(&mut entry.text);
+        view
+    }
+}
+
+/// The cells of one drive.
+pub(super) struct DriveView<'a> {
+    /// Head of its section.
+    pub name: &'static str,
+    /// Its cells.
+    pub entries: Vec<&'a Entry>,
+}
+
+impl<'a> DriveView<'a> {
+    /// Its ratios, ascending, as the columns of its tables name them.
+    pub(super) fn ratios(&self) -> Vec<&'static str> {
+        self.entries.iter().filter(|entry| entry.cell.symbol == "T_max").map(|entry| entry.cell.ratio).collect()
+    }
+
+    /// The cell of a symbol at a ratio; a value printed once holds for every ratio. Where a symbol is printed for
+    /// several temperatures, the warm-room one: 20 °C.
+    pub(super) fn at(&self, symbol: &str, ratio: &str) -> Option<&'a Entry> {
+        self.every(symbol, ratio).find(|entry| ["", "20 degC"].contains(&entry.cell.condition))
+    }
+
+    /// The cells of a symbol at a ratio, under any condition and feedback.
+    pub(super) fn every(&self, symbol: &str, ratio: &str) -> impl Iterator<Item = &'a Entry> {
+        self.entries.iter().copied().filter(move |entry| {
+            entry.cell.symbol == symbol && (entry.cell.ratio.is_empty() || entry.cell.ratio == ratio)
+        })
+    }
+
+    /// The cell of a symbol printed once for all ratios.
+    pub(super) fn once(&self, symbol: &str) -> Option<&'a Entry> {
+        self.at(symbol, "")
+    }
+
+    /// The cell that stands like `other`, feedback, condition and ratio alike, under another symbol.
+    pub(super) fn beside(&self, symbol: &str, other: &Entry) -> Option<&'a Entry> {
+        self.entries.iter().copied().find(|entry| {
+            entry.cell.symbol == symbol
+                && entry.cell.feedback == other.cell.feedback
+                && entry.cell.condition == other.cell.condition
+                && (entry.cell.ratio.is_empty() || entry.cell.ratio == other.cell.ratio)
+        })
+    }
+
+    /// The size as other tables head it: `CHA-20A`.
+    pub(super) fn size(&self) -> &'static str {
+        self.name.get(..7).unwrap_or(self.name)
+    }
+
+    /// Whether this is a drive with the 48 V winding E.
+    pub(super) fn is_48_v(&self) -> bool {
+        self.name.ends_with("-E")
+    }
+
+    /// Whether the size is 14A or 17A.
+    pub(super) fn is_small(&self) -> bool {
+        ["CHA-14A", "CHA-17A"].contains(&self.size())
+    }
+}
+
+/// A positive value with the interval that its rounding allows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Span {
+    /// Lower end.
+    pub low: f64,
+    /// The value as printed, or its image.
+    pub mid: f64,
+    /// Upper end.
+    pub high: f64,
+}
+
+impl Span {
+    /// The span of a printed text: half the last printed digit to both sides. Signs of bounds are left out.
+    pub(super) fn of(text: &str) -> Option<Self> {
+        let text = text.trim_start_matches(['<', '>', '≤', '≥', '±', ' ']);
+        let digits = text.split_once(',').map_or(0, |(_, behind)| behind.len());
+        Some(Self::around(text.replace(',', ".").parse().ok()?, digits))
+    }
+
+    /// The same where a zero behind the comma is taken as padding: the value is known to one digit less.
+    pub(super) fn padded(text: &str) -> Option<Self> {
+        match text.strip_suffix('0') {
+            Some(shorter) if text.contains(',') => Self::of(shorter.trim_end_matches(',')),
+            _ => Self::of(text),
+        }
+    }
+
+    fn around(mid: f64, digits: usize) -> Self {
+        let half = 0.5 * 0.1_f64.powi(i32::try_from(digits).unwrap_or(0));
+        Self { low: mid - half, mid, high: mid + half }
+    }
+
+    /// A value without rounding.
+    pub(super) const fn exact(value: f64) -> Self {
+        Self { low: value, mid: value, high: value }
+    }
+
+    /// Whether the two intervals have a value in common (with the noise of floating point).
+    pub(super) fn meets(self, other: Self) -> bool {
+        let noise = 1e-9 * self.mid.abs().max(other.mid.abs());
+        self.low <= other.high + noise && other.low <= self.high + noise
+    }
+}
+
+impl std::fmt::Display for Span {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} … {}", brief(self.low), brief(self.high))
+    }
+}
+
+/// Four significant digits.
+pub(super) fn brief(value: f64) -> String {
+    let whole = value.abs().max(1e-12).log10().floor();
+    let digits = if whole >= 3.0 { 0 } else { 3_usize.saturating_add_signed(-(whole as isize)) };
+    format!("{value:.digits$}")
+}
+
+/// The median of values; the mean of the middle two where their number is even; zero of none.
+pub(super) fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let upper = values.get(values.len() / 2).copied().unwrap_or_default();
+    let lower = values.get(values.len().saturating_sub(1) / 2).copied().unwrap_or_default();
+    f64::midpoint(lower, upper)
+}
+
+impl Mul<f64> for Span {
+    type Output = Self;
+    fn mul(self, by: f64) -> Self {
+        Self { low: self.low * by, mid: self.mid * by, high: self.high * by }
+    }
+}
+
+impl Mul for Span {
+    type Output = Self;
+    fn mul(self, by: Self) -> Self {
+        Self { low: self.low * by.low, mid: self.mid * by.mid, high: self.high * by.high }
+    }
+}
+
+impl Div for Span {
+    type Output = Self;
+    fn div(self, by: Self) -> Self {
+        Self { low: self.low / by.high, mid: self.mid / by.mid, high: self.high / by.low }
+    }
+}
+
+impl Add for Span {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { low: self.low + other.low, mid: self.mid + other.mid, high: self.high + other.high }
+    }
+}
+
+impl Sub for Span {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self { low: self.low - other.high, mid: self.mid - other.mid, high: self.high - other.low }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_printed_digit_sets_the_span() {
+        let span = Span::of("1,12").unwrap();
+        assert!((span.low - 1.115).abs() < 1e-12 && (span.high - 1.125).abs() < 1e-12, "{span:?}");
+        assert!((Span::of("< ±0,1").unwrap().high - 0.15).abs() < 1e-12);
+        assert_eq!(Span::of("0 ... 40"), None);
+        assert_eq!(Span::of("-"), None);
+    }
+
+    #[test]
+    fn a_zero_behind_the_comma_may_be_padding() {
+        assert_eq!(Span::padded("3,50"), Span::of("3,5"));
+        assert_eq!(Span::padded("3,0"), Span::of("3"));
+        assert_eq!(Span::padded("3,55"), Span::of("3,55"));
+        assert_eq!(Span::padded("30"), Span::of("30"));
+    }
+
+    #[test]
+    fn a_replaced_value_is_not_explained_by_its_erratum() {
+        let corrected = catalogue::erratum("25A-M512P-J_out-50").unwrap();
+        let safe = catalogue::erratum("25A-C1024-T_Br-30").unwrap();
+        let edition = catalogue::erratum("50A-M512P-J_out_brake-50").unwrap();
+        assert_eq!(Reading::ALL.map(|reading| reading.explains(corrected)), [true, false, false]);
+        assert_eq!(Reading::ALL.map(|reading| reading.explains(safe)), [true, true, false]);
+        assert_eq!(Reading::ALL.map(|reading| reading.explains(edition)), [false; 3]);
+    }
+
+    #[test]
+    fn the_median_of_an_even_number_is_the_mean_of_the_middle_two() {
+        assert!((median(vec![4.0, 1.0, 2.0, 3.0]) - 2.5).abs() < 1e-12);
+        assert!((median(vec![3.0, 1.0, 2.0]) - 2.0).abs() < 1e-12);
+    }
+}
