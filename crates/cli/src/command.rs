@@ -242,6 +242,22 @@ fn commands(language: Language) -> Command {
         .subcommand(code)
         .subcommand(data)
         .subcommand(catalogue)
+        .subcommand(
+            Command::new("torsion")
+                .about(t("Torsion of the gear under a torque", "Torsion des Getriebes unter einem Drehmoment"))
+                .arg(Arg::new("code").value_name("CODE").required(true).help(t("Ordering code", "Bestellcode")))
+                .arg(
+                    Arg::new("torque")
+                        .long("torque")
+                        .value_name("TORQUE")
+                        .required(true)
+                        .allow_hyphen_values(true)
+                        .help(t(
+                            "Torque at the output, for example \"60 N m\"",
+                            "Drehmoment am Abtrieb, zum Beispiel \"60 N m\"",
+                        )),
+                ),
+        )
         .subcommand(Command::new("schema").about(t("JSON Schema of the project file", "JSON-Schema der Projektdatei")))
         .subcommand(
             Command::new("completions")

@@ -2,11 +2,13 @@
 
 use crate::answer::Answer;
 use crate::code::{parse_for_use, read_argument};
+use crate::fault::error_word;
 use crate::judge::refuse;
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
-use workbench::quantities::Unit;
+use workbench::quantities::unit::{ARCMINUTE, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE};
+use workbench::quantities::{Measure, Unit, format_significant};
 use workbench::text::{condition_text, evidence_text, symbol_term};
 use workbench::{EXPORT_COLUMNS, Language, Sheet, export_rows, json};
 
@@ -74,6 +76,52 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
 fn decimal(text: &str, language: Language) -> String {
     let numeric = text.chars().all(|c| c.is_ascii_digit() || " ,.<>≤≥±%-".contains(c));
     if language == Language::En && numeric { text.replace(',', ".") } else { text.to_owned() }
+}
+
+/// `antrieb torsion CODE --torque "60 N m"`
+pub(crate) fn torsion(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let (reading, talk) = match parse_for_use(&read_argument(matches), as_json, language) {
+        Ok(found) => found,
+        Err(answer) => return answer,
+    };
+    let text = matches.get_one::<String>("torque").map_or("", String::as_str);
+    let torque = match workbench::read_torque(text, language) {
+        Ok(torque) => torque,
+        Err((message, hint)) => {
+            let hint = hint.map(|hint| format!("  {hint}\n")).unwrap_or_default();
+            let mut answer = Answer::fault(format!("{}: --torque: {message}\n{hint}", error_word(language)));
+            if as_json {
+                answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": message }] }));
+            }
+            return answer;
+        }
+    };
+    let Some(answer) = workbench::torsion(&reading.parsed.code, torque) else {
+        return refuse(&workbench::Refusal::NoData, as_json, language);
+    };
+    if as_json {
+        let value = json::torsion(&reading.parsed.code, &answer);
+        return Answer { data: format!("{value:#}\n"), talk, code: 0 };
+    }
+    let number = |value: f64, digits| format_significant(value, digits, language);
+    let [k1, k2, k3] = answer.curve.stiffness.map(|k| number(k.in_unit(&KILONEWTON_METRE_PER_RADIAN), 3));
+    let (torque, angle) = (number(torque.in_unit(&NEWTON_METRE), 4), number(answer.angle.in_unit(&ARCMINUTE), 3));
+    let radian = number(answer.angle.si() * 1e3, 3);
+    let (t1, t2) = (number(answer.curve.torque_1.si(), 3), number(answer.curve.torque_2.si(), 3));
+    let table = if reading.parsed.code.size.number() >= 32 { "54.4" } else { "54.3" };
+    let data = match language {
+        Language::En => format!(
+            "{}: {angle} arcmin ({radian} mrad) under {torque} Nm, stiffness region {}\n\
+             T_1 {t1} Nm, T_2 {t2} Nm, K_1 {k1}, K_2 {k2}, K_3 {k3} kNm/rad (table {table}); mean values, blocked motor\n",
+            reading.parsed.code, answer.region
+        ),
+        Language::De => format!(
+            "{}: {angle} arcmin ({radian} mrad) unter {torque} Nm, Steifigkeitsbereich {}\n\
+             T_1 {t1} Nm, T_2 {t2} Nm, K_1 {k1}, K_2 {k2}, K_3 {k3} kNm/rad (Tabelle {table}); Mittelwerte, Motor blockiert\n",
+            reading.parsed.code, answer.region
+        ),
+    };
+    Answer { data, talk, code: 0 }
 }
 
 /// `antrieb catalogue export`

@@ -42,6 +42,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("code", found)) => code::dispatch(found, json, language),
         Some(("data", found)) => data::sheet(found, json, language),
         Some(("catalogue", found)) => data::catalogue(found, json),
+        Some(("torsion", found)) => data::torsion(found, json, language),
         Some(("schema", _)) => Answer::data(format!("{:#}\n", workbench::schema(language))),
         Some(("completions", found)) => command::completions(found, language),
         Some(("man", found)) => command::man(found, language),

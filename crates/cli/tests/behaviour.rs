@@ -180,6 +180,18 @@ fn the_long_form_has_the_columns_of_the_contract() {
     }
 }
 
+/// The example of section 7.2: 60 Nm on the values of 32A-100 twist 7.15e-4 rad, printed 2.5 arcmin.
+#[test]
+fn the_torsion_of_the_worked_example() {
+    let run_it = run(&["torsion", "CHA-32A-100-H-C1024", "--torque", "60 N m", "--json"]);
+    let value: Value = serde_json::from_str(&run_it.out).unwrap();
+    assert!((value["angle_rad"].as_f64().unwrap() - 7.15e-4).abs() < 0.005e-4);
+    assert!((value["angle_arcmin"].as_f64().unwrap() - 2.46).abs() < 0.005);
+    assert_eq!(value["region"], 2);
+    assert_eq!(run(&["torsion", "CHA-32A-100-H-C1024", "--torque", "60"]).code, 2);
+    assert_eq!(run(&["torsion", "CHA-32A-100-H-C1024", "--torque", "-60 N m"]).code, 0);
+}
+
 #[test]
 fn completions_and_manual_pages_are_made_for_every_command() {
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
@@ -187,7 +199,7 @@ fn completions_and_manual_pages_are_made_for_every_command() {
         assert_eq!(run.code, 0);
         assert!(run.out.contains("catalogue"), "{shell}");
     }
-    for page in ["size", "check", "code", "data", "catalogue", "schema", "completions", "man"] {
+    for page in ["size", "check", "torsion", "code", "data", "catalogue", "schema", "completions", "man"] {
         assert!(run(&["man", page]).out.contains(".TH"), "{page}");
     }
     assert!(run(&["man"]).out.contains("antrieb"));

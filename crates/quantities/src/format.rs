@@ -3,55 +3,51 @@
 use crate::Language;
 
 /// A number with a fixed count of decimals; decimal comma in German; no negative zero.
+///
+/// What is no number is said in words, so that it cannot pass for a result.
+///
+/// ```
+/// use quantities::{Language, format_number};
+/// assert_eq!(format_number(-93.984, 2, Language::De), "−93,98");
+/// ```
 #[must_use]
 pub fn format_number(value: f64, digits: usize, language: Language) -> String {
-    if value.is_nan() {
-        return "NaN".to_owned();
-    }
-    if value.is_infinite() {
-        return if value > 0.0 { "∞" } else { "−∞" }.to_owned();
-    }
-    let mut text = format!("{value:.digits$}");
-    if text.starts_with('-') && text.chars().all(|c| !c.is_ascii_digit() || c == '0') {
-        text.remove(0);
-    }
-    let text = text.replacen('-', "−", 1);
-    match language {
-        Language::En => text,
-        Language::De => text.replacen('.', ",", 1),
-    }
+    if value.is_finite() { typeset(&format!("{value:.digits$}"), language) } else { not_finite(value, language) }
 }
 
-/// From here on numbers are written with a power of ten.
-const POWER_FROM: f64 = 1e7;
-
-/// A number with a count of significant digits. Below 10⁷ whole digits are never cut: 12345 with three digits stays
-/// 12345; above, a power of ten is written: 2.27·10⁹.
+/// A number with a count of significant digits; decimal comma in German.
+///
+/// Whole digits are never cut: 12345 with three digits stays 12345. Below 10⁻⁴ and from 10⁷ on a power of ten is
+/// written.
+///
+/// ```
+/// use quantities::{Language, format_significant};
+/// assert_eq!(format_significant(0.012_345, 3, Language::En), "0.0123");
+/// assert_eq!(format_significant(2_273_506_756.0, 4, Language::De), "2,274·10⁹");
+/// ```
 #[must_use]
 pub fn format_significant(value: f64, digits: usize, language: Language) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return format_number(value, 0, language);
+    if value == 0.0 {
+        return "0".to_owned();
     }
-    if value.abs() >= POWER_FROM {
-        let text = format!("{value:.*e}", digits.saturating_sub(1));
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        let mantissa: f64 = mantissa.parse().unwrap_or(value);
+    if !value.is_finite() {
+        return not_finite(value, language);
+    }
+    let digits = digits.clamp(1, 17);
+    // Rounded before the exponent is read: 9.996 with three digits is 10.0.
+    let scientific = format!("{value:.*e}", digits - 1);
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    if !(1e-4..1e7).contains(&value.abs()) {
         let raised: String = exponent.chars().map(raised).collect();
-        return format!("{}·10{raised}", format_number(mantissa, digits.saturating_sub(1), language));
+        return format!("{}·10{raised}", typeset(mantissa, language));
     }
-    let magnitude = value.abs().log10().floor();
-    // Rounding may carry into the next decade: 9.996 with three digits is 10.0.
-    #[allow(clippy::cast_possible_truncation, reason = "the exponent of an f64 is small")]
-    let exponent = magnitude as i32;
-    let scale = 10f64.powi(exponent - i32::try_from(digits).unwrap_or(1) + 1);
-    let carried = (value.abs() / scale).round() * scale >= 10f64.powi(exponent + 1);
-    let exponent = exponent + i32::from(carried);
-    let decimals = i32::try_from(digits).unwrap_or(1) - 1 - exponent;
-    format_number(value, usize::try_from(decimals.clamp(0, 12)).unwrap_or(0), language)
+    let decimals = i32::try_from(digits).unwrap_or(17) - 1 - exponent.parse().unwrap_or(0);
+    format_number(value, usize::try_from(decimals).unwrap_or(0), language)
 }
 
 const fn raised(digit: char) -> char {
     match digit {
+        '-' => '⁻',
         '0' => '⁰',
         '1' => '¹',
         '2' => '²',
@@ -67,17 +63,42 @@ const fn raised(digit: char) -> char {
 }
 
 /// A number of a German table: digits with an optional decimal comma and sign, nothing else.
+///
+/// ```
+/// use quantities::parse_german;
+/// assert_eq!(parse_german("1,12"), Some(1.12));
+/// assert_eq!(parse_german("1.12"), None);
+/// ```
 #[must_use]
 pub fn parse_german(text: &str) -> Option<f64> {
     let digits = text.strip_prefix(['-', '−']).unwrap_or(text);
-    let mut parts = digits.split(',');
-    let (whole, fraction) = (parts.next()?, parts.next());
+    let (whole, fraction) = digits.split_once(',').map_or((digits, None), |(whole, rest)| (whole, Some(rest)));
     let plain = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
-    if !plain(whole) || !fraction.is_none_or(plain) || parts.next().is_some() {
+    if !plain(whole) || !fraction.is_none_or(plain) {
         return None;
     }
-    let value: f64 = digits.replace(',', ".").parse().ok()?;
+    let value: f64 = digits.replace(',', ".").parse().ok().filter(|value: &f64| value.is_finite())?;
     Some(if digits.len() == text.len() { value } else { -value })
+}
+
+/// The point or comma of the language, a true minus sign, and no minus before zero.
+fn typeset(text: &str, language: Language) -> String {
+    let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
+    let text = if zero { text.replace('-', "") } else { text.replace('-', "−") };
+    match language {
+        Language::En => text,
+        Language::De => text.replacen('.', ",", 1),
+    }
+}
+
+fn not_finite(value: f64, language: Language) -> String {
+    let text = match (value.is_nan(), value > 0.0, language) {
+        (true, _, Language::En) => "not a number",
+        (true, _, Language::De) => "keine Zahl",
+        (false, true, _) => "∞",
+        (false, false, _) => "−∞",
+    };
+    text.to_owned()
 }
 
 #[cfg(test)]
@@ -86,27 +107,66 @@ mod tests {
 
     #[test]
     fn german_numbers_of_a_table() {
-        assert_eq!(parse_german("1,12"), Some(1.12));
-        assert_eq!(parse_german("-20"), Some(-20.0));
-        assert_eq!(parse_german("10000000"), Some(1e7));
-        for wrong in ["", "-", "1.12", "1,", ",5", "1,2,3", "1 000", "12.9 ", "NaN", "1e3"] {
-            assert_eq!(parse_german(wrong), None, "{wrong}");
+        for (text, value) in [("1,12", 1.12), ("-20", -20.0), ("−0,5", -0.5), ("10000000", 1e7), ("007,50", 7.5)] {
+            let read = parse_german(text).unwrap();
+            assert!((read - value).abs() < 1e-15, "{text}: {read}");
+        }
+        let huge = "9".repeat(400);
+        for wrong in [
+            "", "-", "--1", "+1", "1.12", "1.000,5", "1,", ",5", "1,2,3", "1 000", "12,9 ", " 1", "NaN", "1e3", "±12",
+            "٣", &huge,
+        ] {
+            assert!(parse_german(wrong).is_none(), "{wrong}");
         }
     }
 
     #[test]
-    fn numbers_are_written_in_the_language() {
+    fn decimals_are_written_in_the_language() {
         assert_eq!(format_number(103.984, 2, Language::De), "103,98");
         assert_eq!(format_number(-93.984, 2, Language::En), "−93.98");
-        assert_eq!(format_number(-0.001, 2, Language::En), "0.00");
-        assert_eq!(format_number(f64::NAN, 2, Language::En), "NaN");
-        assert_eq!(format_significant(38.9012, 4, Language::De), "38,90");
-        assert_eq!(format_significant(0.012_345, 3, Language::En), "0.0123");
-        assert_eq!(format_significant(12345.6, 3, Language::En), "12346");
-        assert_eq!(format_significant(2_273_506_756.0, 4, Language::De), "2,274·10⁹");
-        assert_eq!(format_significant(9_999_999.0, 4, Language::En), "9999999");
-        assert_eq!(format_significant(9.996, 3, Language::En), "10.0");
-        assert_eq!(format_significant(0.0, 3, Language::En), "0");
-        assert_eq!(format_significant(100.0, 4, Language::En), "100.0");
+        assert_eq!(format_number(12345.0, 0, Language::De), "12345");
+        assert_eq!(format_number(1e300, 0, Language::En).len(), 301);
+    }
+
+    #[test]
+    fn zero_has_no_sign() {
+        for value in [-0.001, -0.0, 0.0, 0.004] {
+            assert_eq!(format_number(value, 2, Language::En), "0.00");
+        }
+        assert_eq!(format_number(-0.4, 0, Language::En), "0");
+        assert_eq!(format_significant(-0.0, 3, Language::De), "0");
+    }
+
+    #[test]
+    fn significant_digits_count_from_the_first_that_is_not_zero() {
+        for (value, digits, text) in [
+            (38.9012, 4, "38,90"),
+            (0.012_345, 3, "0,0123"),
+            (12345.6, 3, "12346"),
+            (9.996, 3, "10,0"),
+            (0.099_96, 3, "0,100"),
+            (100.0, 4, "100,0"),
+            (-7.25, 2, "−7,2"),
+            (5.0, 0, "5"),
+            (0.0001, 3, "0,000100"),
+            (9_999_999.6, 3, "10000000"),
+            (1e7, 3, "1,00·10⁷"),
+            (9_999_999.0, 4, "9999999"),
+            (2_273_506_756.0, 4, "2,274·10⁹"),
+            (9.999_96e9, 4, "1,000·10¹⁰"),
+            (1.234e300, 3, "1,23·10³⁰⁰"),
+            (-2.5e-7, 3, "−2,50·10⁻⁷"),
+            (9.9e-5, 1, "1·10⁻⁴"),
+        ] {
+            assert_eq!(format_significant(value, digits, Language::De), text);
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_said() {
+        assert_eq!(format_number(f64::NAN, 2, Language::En), "not a number");
+        assert_eq!(format_significant(f64::NAN, 2, Language::De), "keine Zahl");
+        assert_eq!(format_number(f64::INFINITY, 2, Language::En), "∞");
+        assert_eq!(format_significant(f64::NEG_INFINITY, 2, Language::De), "−∞");
     }
 }

@@ -1,26 +1,48 @@
 //! Typed physical quantities: make, convert, parse and print them. The only home of conversion factors.
 //!
-//! The types are those of `uom` (f64, SI inside); a few that `uom` lacks are newtypes here. [`Unit`] tells how a unit
-//! is written and converts through `uom`; [`parse`] reads `"1.3 kg m^2"`; [`format_number`] writes numbers for people.
+//! The types are those of `uom` (f64, SI inside); the few that `uom` does not tell apart are newtypes here.
+//! [`Unit`] says how a unit is written and converts through `uom`, [`parse()`] reads `"1.3 kg m^2"`, and
+//! [`format_number`] writes numbers for people.
+//!
+//! ```
+//! use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE};
+//! use quantities::{AngularVelocity, Language, Measure, Torque, format_significant, parse_as, power_of};
+//!
+//! let torque: Torque = parse_as("85 N m")?;
+//! let speed = AngularVelocity::new_in(40.0, &REVOLUTION_PER_MINUTE);
+//! assert_eq!(format_significant(power_of(torque, speed).si(), 4, Language::De), "356,0");
+//!
+//! let fault = parse_as::<Torque>("85 1/min").unwrap_err();
+//! assert_eq!(fault.span(), 3..8);
+//! assert_eq!(fault.to_string(), "\"1/min\" is a unit of rotational speed, expected a unit of torque");
+//! assert_eq!(torque.in_unit(&NEWTON_METRE), 85.0);
+//! # Ok::<(), quantities::QuantityError>(())
+//! ```
 
 mod algebra;
+mod dimension;
+mod error;
 mod format;
 mod measure;
 mod parse;
+
+pub mod unit;
 mod units;
 
-pub use algebra::{acceleration_of, power_of, torque_of};
+pub use algebra::{acceleration_of, force_of, power_of, torque_of};
+pub use dimension::Dimension;
+pub use error::QuantityError;
 pub use format::{format_number, format_significant, parse_german};
 pub use measure::{
     Measure, NoLoadCurrentConstant, TiltingStiffness, TorqueConstant, TorsionalStiffness, ViscousFriction,
     VoltageConstant,
 };
-pub use parse::{QuantityError, Reading, parse, parse_as};
-pub use units::{Dimension, Unit, unit};
+pub use parse::{Reading, parse, parse_as};
+pub use units::Unit;
 pub use uom::si::f64::{
     Acceleration, Angle, AngularAcceleration, AngularVelocity, ElectricCurrent, ElectricPotential,
     ElectricalResistance, Energy, Force, Frequency, Inductance, Length, Mass, MomentOfInertia, Power, Pressure, Ratio,
-    TemperatureInterval, ThermodynamicTemperature, Time, Torque,
+    TemperatureInterval, ThermodynamicTemperature, Time, Torque, Velocity,
 };
 
 /// A language of the program.

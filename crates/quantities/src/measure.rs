@@ -1,6 +1,7 @@
 //! A quantity type seen from outside: its dimension and its value in SI.
 
-use crate::units::{Dimension, Unit};
+use crate::dimension::Dimension;
+use crate::units::Unit;
 use std::marker::PhantomData;
 
 /// A typed quantity. `uom` types and the newtypes of this crate implement it.
@@ -63,9 +64,11 @@ measures! {
     Power => Power,
     Pressure => Pressure,
     Ratio => Ratio,
+    TemperatureInterval => TemperatureInterval,
     ThermodynamicTemperature => Temperature,
     Time => Time,
     Torque => Torque,
+    Velocity => Velocity,
 }
 
 /// Quantities that `uom` does not tell apart: torque constant and voltage constant have the same dimension.

@@ -313,6 +313,24 @@ pub fn sheet(sheet: &Sheet, language: Language) -> Value {
     json!({ "code": sheet.code.to_string(), "sections": sections })
 }
 
+/// The torsion of a gear under a torque.
+#[must_use]
+pub fn torsion(code: &OrderCode, answer: &crate::TorsionAnswer) -> Value {
+    use quantities::unit::{ARCMINUTE, NEWTON_METRE_PER_RADIAN, RADIAN};
+    json!({
+        "code": code.to_string(),
+        "torque": in_unit(answer.torque.si(), &NEWTON_METRE),
+        "angle_rad": in_unit(answer.angle.si(), &RADIAN),
+        "angle_arcmin": in_unit(answer.angle.si(), &ARCMINUTE),
+        "region": answer.region,
+        "T_1": in_unit(answer.curve.torque_1.si(), &NEWTON_METRE),
+        "T_2": in_unit(answer.curve.torque_2.si(), &NEWTON_METRE),
+        "K": answer.curve.stiffness.map(|k| in_unit(k.si(), &NEWTON_METRE_PER_RADIAN)),
+        "units": { "T": "Nm", "K": "Nm/rad" },
+        "source": "cha-manual eq. 73.1 to 73.4",
+    })
+}
+
 fn cell_value(cell: &catalogue::Cell) -> Value {
     match cell.value {
         CellValue::NotPrinted => Value::Null,

@@ -11,6 +11,7 @@ mod project;
 mod sheet;
 mod sizing_use;
 pub mod text;
+mod torsion;
 
 pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, read_code, read_pattern};
 pub use configurator::{Availability, Choice};
@@ -22,6 +23,7 @@ pub use quantities::{self, Language};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
 pub use sizing::{Check, Demand, Figure, Verdict};
 pub use sizing_use::{Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, size};
+pub use torsion::{TorsionAnswer, read_torque, torsion};
 
 #[cfg(test)]
 mod tests {

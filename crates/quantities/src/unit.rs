@@ -1,0 +1,290 @@
+//! Every unit by name.
+//!
+//! A unit that `uom` has takes its factor from there (`is`). For the others the factor is an exact definition: `times`
+//! and `over` say by what a value is multiplied or divided to be SI, `si` that nothing is to be done.
+
+use crate::dimension::Dimension;
+use crate::units::Unit;
+use uom::si::{angle, angular_velocity, time};
+
+macro_rules! units {
+    ($(
+        $dimension:ident $uom:tt {
+            $(
+                $(#[$note:meta])*
+                $name:ident: $ascii:literal, $symbol:literal, $json:literal, [$($other:literal),*],
+                $how:tt;
+            )*
+        }
+    )*) => {
+        $($(
+            #[doc = concat!("`", $symbol, "`, in project files `", $ascii, "`.")]
+            $(#[$note])*
+            pub static $name: Unit = Unit {
+                dimension: Dimension::$dimension,
+                ascii: $ascii,
+                symbol: $symbol,
+                json: $json,
+                others: &[$($other),*],
+                forth: forth!($uom $how),
+                back: back!($uom $how),
+            };
+        )*)*
+
+        /// Every unit, the usual one of each dimension first.
+        pub static ALL: &[&Unit] = &[$($(&$name),*),*];
+
+        /// The units of a dimension, the usual one first.
+        pub(crate) fn of_dimension(dimension: Dimension) -> &'static [Unit] {
+            match dimension {
+                $(Dimension::$dimension => {
+                    static UNITS: &[Unit] = &[$($name),*];
+                    UNITS
+                })*
+            }
+        }
+    };
+}
+
+/// From a unit to SI.
+macro_rules! forth {
+    ([$quantity:ident $module:ident] (is $unit:ident)) => {
+        |value| uom::si::f64::$quantity::new::<uom::si::$module::$unit>(value).value
+    };
+    ([$($uom:ident)*] (times $factor:expr)) => {
+        |value| value * $factor
+    };
+    ([$($uom:ident)*] (over $divisor:expr)) => {
+        |value| value / $divisor
+    };
+    ([$($uom:ident)*] (si)) => {
+        |value| value
+    };
+}
+
+/// From SI to a unit.
+macro_rules! back {
+    ([$quantity:ident $module:ident] (is $unit:ident)) => {
+        |si| {
+            let (dimension, units) = (std::marker::PhantomData, std::marker::PhantomData);
+            uom::si::f64::$quantity { dimension, units, value: si }.get::<uom::si::$module::$unit>()
+        }
+    };
+    ([$($uom:ident)*] (times $factor:expr)) => {
+        |si| si / $factor
+    };
+    ([$($uom:ident)*] (over $divisor:expr)) => {
+        |si| si * $divisor
+    };
+    ([$($uom:ident)*] (si)) => {
+        |si| si
+    };
+}
+
+/// One revolution per minute, 2π/60 rad/s, as `uom` has it.
+fn per_minute() -> f64 {
+    uom::si::f64::AngularVelocity::new::<angular_velocity::revolution_per_minute>(1.0).value
+}
+
+/// One minute of arc, π/10800 rad, as `uom` has it.
+fn arcminute() -> f64 {
+    uom::si::f64::Angle::new::<angle::minute>(1.0).value
+}
+
+/// One day, as `uom` has it.
+fn day() -> f64 {
+    uom::si::f64::Time::new::<time::day>(1.0).value
+}
+
+units! {
+    Torque [Torque torque] {
+        NEWTON_METRE: "N m", "Nm", "Nm", [], (is newton_meter);
+        KILONEWTON_METRE: "kN m", "kNm", "kNm", [], (is kilonewton_meter);
+        MILLINEWTON_METRE: "mN m", "mNm", "mNm", [], (is millinewton_meter);
+        NEWTON_CENTIMETRE: "N cm", "Ncm", "Ncm", [], (is newton_centimeter);
+        NEWTON_MILLIMETRE: "N mm", "Nmm", "Nmm", [], (is newton_millimeter);
+    }
+    AngularVelocity [AngularVelocity angular_velocity] {
+        ///
+        /// A rotational speed: 1/min means revolutions per minute, 2π/60 rad/s.
+        REVOLUTION_PER_MINUTE: "1/min", "min⁻¹", "1/min",
+            ["min^-1", "rpm", "rev/min", "U/min", "r/min"],
+            (is revolution_per_minute);
+        RADIAN_PER_SECOND: "rad/s", "rad/s", "rad/s", [], (is radian_per_second);
+        DEGREE_PER_SECOND: "deg/s", "°/s", "deg/s", [], (is degree_per_second);
+        ///
+        /// Never written 1/s, which some read as rad/s.
+        REVOLUTION_PER_SECOND: "rev/s", "rev/s", "rev/s", ["U/s", "r/s"], (is revolution_per_second);
+    }
+    AngularAcceleration [AngularAcceleration angular_acceleration] {
+        RADIAN_PER_SECOND_SQUARED: "rad/s^2", "rad/s²", "rad/s^2", [], (is radian_per_second_squared);
+        DEGREE_PER_SECOND_SQUARED: "deg/s^2", "°/s²", "deg/s^2", [], (is degree_per_second_squared);
+    }
+    MomentOfInertia [MomentOfInertia moment_of_inertia] {
+        KILOGRAM_SQUARE_METRE: "kg m^2", "kgm²", "kgm^2", [], (is kilogram_square_meter);
+        ///
+        /// The unit of the tables for what turns with the motor.
+        TEN_THOUSANDTH_KILOGRAM_SQUARE_METRE: "10^-4 kg m^2", "10⁻⁴ kgm²", "10^-4 kgm^2", [], (over 1e4);
+        ///
+        /// (10⁻² m)² = 10⁻⁴ m².
+        KILOGRAM_SQUARE_CENTIMETRE: "kg cm^2", "kgcm²", "kgcm^2", [], (over 1e4);
+        ///
+        /// 10⁻³ kg × 10⁻⁴ m².
+        GRAM_SQUARE_CENTIMETRE: "g cm^2", "gcm²", "gcm^2", [], (over 1e7);
+    }
+    Time [Time time] {
+        SECOND: "s", "s", "s", [], (is second);
+        MILLISECOND: "ms", "ms", "ms", [], (is millisecond);
+        MICROSECOND: "us", "µs", "us", [], (is microsecond);
+        MINUTE: "min", "min", "min", [], (is minute);
+        HOUR: "h", "h", "h", [], (is hour);
+        DAY: "d", "d", "d", [], (is day);
+        ///
+        /// The Julian year of 365.25 days (IAU), not the 365 days of `uom`.
+        YEAR: "a", "a", "a", [], (times 365.25 * day());
+    }
+    Length [Length length] {
+        MILLIMETRE: "mm", "mm", "mm", [], (is millimeter);
+        METRE: "m", "m", "m", [], (is meter);
+        CENTIMETRE: "cm", "cm", "cm", [], (is centimeter);
+        MICROMETRE: "um", "µm", "um", [], (is micrometer);
+        KILOMETRE: "km", "km", "km", [], (is kilometer);
+    }
+    Mass [Mass mass] {
+        KILOGRAM: "kg", "kg", "kg", [], (is kilogram);
+        GRAM: "g", "g", "g", [], (is gram);
+        ///
+        /// 1000 kg.
+        TONNE: "t", "t", "t", [], (is ton);
+    }
+    Force [Force force] {
+        NEWTON: "N", "N", "N", [], (is newton);
+        KILONEWTON: "kN", "kN", "kN", [], (is kilonewton);
+        MEGANEWTON: "MN", "MN", "MN", [], (is meganewton);
+        MILLINEWTON: "mN", "mN", "mN", [], (is millinewton);
+    }
+    Current [ElectricCurrent electric_current] {
+        AMPERE: "A", "A", "A", ["Aeff", "A_eff", "Arms", "A_rms"], (is ampere);
+        MILLIAMPERE: "mA", "mA", "mA", [], (is milliampere);
+        MICROAMPERE: "uA", "µA", "uA", [], (is microampere);
+    }
+    Voltage [ElectricPotential electric_potential] {
+        VOLT: "V", "V", "V", ["VDC", "VAC", "Veff", "V_eff", "Vrms", "V_rms"], (is volt);
+        MILLIVOLT: "mV", "mV", "mV", [], (is millivolt);
+        KILOVOLT: "kV", "kV", "kV", [], (is kilovolt);
+    }
+    Resistance [ElectricalResistance electrical_resistance] {
+        OHM: "ohm", "Ω", "ohm", ["Ohm"], (is ohm);
+        MILLIOHM: "mohm", "mΩ", "mohm", ["mOhm"], (is milliohm);
+        KILOOHM: "kohm", "kΩ", "kohm", ["kOhm"], (is kiloohm);
+        MEGAOHM: "Mohm", "MΩ", "Mohm", ["MOhm"], (is megaohm);
+    }
+    Inductance [Inductance inductance] {
+        MILLIHENRY: "mH", "mH", "mH", [], (is millihenry);
+        HENRY: "H", "H", "H", [], (is henry);
+        MICROHENRY: "uH", "µH", "uH", [], (is microhenry);
+    }
+    Angle [Angle angle] {
+        DEGREE: "deg", "°", "deg", [], (is degree);
+        RADIAN: "rad", "rad", "rad", [], (is radian);
+        MILLIRADIAN: "mrad", "mrad", "mrad", [], (over 1e3);
+        ARCMINUTE: "arcmin", "arcmin", "arcmin", ["′"], (is minute);
+        ARCSECOND: "arcsec", "arcsec", "arcsec", ["″"], (is second);
+        REVOLUTION: "rev", "rev", "rev", [], (is revolution);
+    }
+    Power [Power power] {
+        WATT: "W", "W", "W", [], (is watt);
+        KILOWATT: "kW", "kW", "kW", [], (is kilowatt);
+    }
+    Energy [Energy energy] {
+        JOULE: "J", "J", "J", [], (is joule);
+        KILOJOULE: "kJ", "kJ", "kJ", [], (is kilojoule);
+        WATT_HOUR: "W h", "Wh", "Wh", [], (is watt_hour);
+    }
+    Temperature [ThermodynamicTemperature thermodynamic_temperature] {
+        ///
+        /// The only unit with an offset: 0 °C is 273.15 K.
+        DEGREE_CELSIUS: "degC", "°C", "degC", [], (is degree_celsius);
+        KELVIN: "K", "K", "K", [], (is kelvin);
+    }
+    TemperatureInterval [TemperatureInterval temperature_interval] {
+        ///
+        /// Of a temperature difference; a temperature has [`KELVIN`].
+        KELVIN_DIFFERENCE: "K", "K", "K", [], (is kelvin);
+    }
+    Frequency [Frequency frequency] {
+        HERTZ: "Hz", "Hz", "Hz", [], (is hertz);
+        KILOHERTZ: "kHz", "kHz", "kHz", [], (is kilohertz);
+    }
+    Pressure [Pressure pressure] {
+        PASCAL: "Pa", "Pa", "Pa", [], (is pascal);
+        KILOPASCAL: "kPa", "kPa", "kPa", [], (is kilopascal);
+        MEGAPASCAL: "MPa", "MPa", "MPa", ["N/mm^2"], (is megapascal);
+        BAR: "bar", "bar", "bar", [], (is bar);
+    }
+    Velocity [Velocity velocity] {
+        METRE_PER_SECOND: "m/s", "m/s", "m/s", [], (is meter_per_second);
+        MILLIMETRE_PER_SECOND: "mm/s", "mm/s", "mm/s", [], (is millimeter_per_second);
+        METRE_PER_MINUTE: "m/min", "m/min", "m/min", [], (over 60.0);
+    }
+    Acceleration [Acceleration acceleration] {
+        METRE_PER_SECOND_SQUARED: "m/s^2", "m/s²", "m/s^2", [], (is meter_per_second_squared);
+        ///
+        /// Standard gravity, 9.80665 m/s² (CGPM 1901); of a mass, `g` is [`GRAM`].
+        STANDARD_GRAVITY: "g", "g", "g", [], (is standard_gravity);
+    }
+    Ratio [Ratio ratio] {
+        PERCENT: "%", "%", "%", [], (is percent);
+        ///
+        /// A pure number; the unit of a ratio without one.
+        ONE: "1", "1", "1", [], (is ratio);
+        PER_MILLE: "‰", "‰", "‰", [], (is per_mille);
+    }
+    TorqueConstant [] {
+        NEWTON_METRE_PER_AMPERE: "N m/A", "Nm/A", "Nm/A", ["Nm/Aeff", "Nm/Arms"], (si);
+    }
+    VoltageConstant [] {
+        ///
+        /// 1 V at 1000 revolutions per minute.
+        VOLT_PER_THOUSAND_REVOLUTIONS: "V/1000 1/min", "V/1000 min⁻¹", "V/1000 min^-1",
+            ["V/(1000 1/min)", "V/(1000 min^-1)", "V/1000 rpm", "V/krpm", "Veff/1000 min^-1"],
+            (over (1000.0 * per_minute()));
+        VOLT_SECOND_PER_RADIAN: "V s/rad", "Vs/rad", "Vs/rad", ["V/(rad/s)"], (si);
+    }
+    NoLoadCurrentConstant [] {
+        AMPERE_PER_REVOLUTION_PER_MINUTE: "A/(1/min)", "A/min⁻¹", "A/min^-1",
+            ["A/(min^-1)", "A/rpm"],
+            (over per_minute());
+        MILLIAMPERE_PER_REVOLUTION_PER_MINUTE: "10^-3 A/(1/min)", "10⁻³ A/min⁻¹", "10^-3 A/min^-1",
+            ["mA/(1/min)", "mA/(min^-1)", "mA/min^-1", "mA/rpm"],
+            (over (1e3 * per_minute()));
+        AMPERE_SECOND_PER_RADIAN: "A s/rad", "As/rad", "As/rad", ["A/(rad/s)"], (si);
+    }
+    TorsionalStiffness [] {
+        NEWTON_METRE_PER_RADIAN: "N m/rad", "Nm/rad", "Nm/rad", [], (si);
+        KILONEWTON_METRE_PER_RADIAN: "10^3 N m/rad", "10³ Nm/rad", "10^3 Nm/rad", ["kNm/rad"], (times 1e3);
+        ///
+        /// Of a shaft; of a bearing it is [`NEWTON_METRE_PER_ARCMINUTE`].
+        TORSIONAL_NEWTON_METRE_PER_ARCMINUTE: "N m/arcmin", "Nm/arcmin", "Nm/arcmin", [], (over arcminute());
+    }
+    TiltingStiffness [] {
+        ///
+        /// Of a bearing; of a shaft it is [`TORSIONAL_NEWTON_METRE_PER_ARCMINUTE`].
+        NEWTON_METRE_PER_ARCMINUTE: "N m/arcmin", "Nm/arcmin", "Nm/arcmin", [], (over arcminute());
+        ///
+        /// Of a bearing; of a shaft it is [`NEWTON_METRE_PER_RADIAN`].
+        TILTING_NEWTON_METRE_PER_RADIAN: "N m/rad", "Nm/rad", "Nm/rad", [], (si);
+        ///
+        /// Of a bearing; of a shaft it is [`KILONEWTON_METRE_PER_RADIAN`].
+        TILTING_KILONEWTON_METRE_PER_RADIAN: "10^3 N m/rad", "10³ Nm/rad", "10^3 Nm/rad", ["kNm/rad"], (times 1e3);
+    }
+    ViscousFriction [] {
+        NEWTON_METRE_SECOND_PER_RADIAN: "N m s/rad", "Nms/rad", "Nms/rad", ["N m/(rad/s)"], (si);
+        NEWTON_METRE_PER_REVOLUTION_PER_MINUTE: "N m/(1/min)", "Nm/min⁻¹", "Nm/min^-1",
+            ["N m/(min^-1)", "N m/rpm"],
+            (over per_minute());
+    }
+    Information [] {
+        BIT: "bit", "bit", "bit", [], (si);
+    }
+}

@@ -1,0 +1,241 @@
+//! Every fault of a text: its kind, its place, its words.
+
+use quantities::{Dimension, Language, QuantityError, Torque, parse, parse_as};
+
+#[allow(clippy::panic, reason = "part of a test")]
+fn fault(dimension: Dimension, text: &str) -> QuantityError {
+    match parse(dimension, text) {
+        Err(fault) => fault,
+        Ok(reading) => panic!("{text:?} reads as {reading:?}"),
+    }
+}
+
+/// Kind of the fault and the part of the text that it points to.
+fn kind_and_place(dimension: Dimension, text: &str) -> (&'static str, &str) {
+    let fault = fault(dimension, text);
+    let kind = match fault {
+        QuantityError::Empty { .. } => "empty",
+        QuantityError::NumberMissing { .. } => "number missing",
+        QuantityError::NumberUnreadable { .. } => "number unreadable",
+        QuantityError::DecimalComma { .. } => "comma",
+        QuantityError::NotFinite { .. } => "not finite",
+        QuantityError::UnitMissing { .. } => "unit missing",
+        QuantityError::UnitUnknown { .. } => "unit unknown",
+        QuantityError::WrongQuantity { .. } => "wrong quantity",
+        _ => "new",
+    };
+    (kind, text.get(fault.span()).unwrap_or("no place in the text"))
+}
+
+#[test]
+fn quantities_as_people_write_them() {
+    for (dimension, text, si) in [
+        (Dimension::MomentOfInertia, "1.3 kg m^2", 1.3),
+        (Dimension::MomentOfInertia, "1.3kgm²", 1.3),
+        (Dimension::MomentOfInertia, "1.12 10^-4 kgm^2", 1.12e-4),
+        (Dimension::MomentOfInertia, "1.12 10⁻⁴ kgm²", 1.12e-4),
+        (Dimension::MomentOfInertia, "1.12·10⁻⁴ kgm²", 1.12e-4),
+        (Dimension::NoLoadCurrentConstant, "6.6 10^-3 A/min^-1", 0.063_025_357_464_390_55),
+        (Dimension::Torque, " 5 N m ", 5.0),
+        (Dimension::Torque, "+5\u{a0}N\u{a0}m", 5.0),
+        (Dimension::Torque, "-5e-1 Nm", -0.5),
+        (Dimension::Torque, "−5E+1Nm", -50.0),
+        (Dimension::Torque, "5e−1 Nm", 0.5),
+        (Dimension::Torque, ".5 Nm", 0.5),
+        (Dimension::Torque, "5. Nm", 5.0),
+        (Dimension::AngularVelocity, "40 1/min", 4.188_790_204_786_391),
+        (Dimension::AngularVelocity, "40 min⁻¹", 4.188_790_204_786_391),
+        (Dimension::Temperature, "40 degC", 313.15),
+        (Dimension::Temperature, "40 °C", 313.15),
+        (Dimension::TemperatureInterval, "40 K", 40.0),
+        (Dimension::Ratio, "0.5", 0.5),
+        (Dimension::Ratio, "50 %", 0.5),
+        (Dimension::Ratio, "500‰", 0.5),
+    ] {
+        let read = parse(dimension, text).unwrap().si;
+        assert!((read - si).abs() <= 1e-14 * si.abs(), "{text}: {read}");
+    }
+    assert!((parse_as::<Torque>("5 N m").unwrap().value - 5.0).abs() < 1e-15);
+    assert_eq!(parse(Dimension::Ratio, "0.5").unwrap().unit.ascii, "1");
+}
+
+#[test]
+fn every_fault_has_its_kind_and_place() {
+    for (text, kind, place) in [
+        ("", "empty", ""),
+        ("  ", "empty", "  "),
+        (" N m ", "number missing", "N m"),
+        ("kg", "number missing", "kg"),
+        (" five Nm", "number unreadable", "five"),
+        ("- 5 Nm", "number unreadable", "-"),
+        (". Nm", "number unreadable", "."),
+        ("1 000 Nm", "number unreadable", "1 000"),
+        ("1\u{202f}000 Nm", "number unreadable", "1\u{202f}000"),
+        ("1 000", "number unreadable", "1 000"),
+        ("1'000 Nm", "number unreadable", "1'000"),
+        ("1_000 Nm", "number unreadable", "1_000"),
+        ("1.000.000 Nm", "number unreadable", "1.000.000"),
+        ("1.000,5 Nm", "number unreadable", "1.000,5"),
+        ("1,000,000 Nm", "number unreadable", "1,000,000"),
+        ("5, Nm", "number unreadable", "5,"),
+        (" 1,5 Nm", "comma", "1,5"),
+        ("1,5e3 Nm", "comma", "1,5e3"),
+        ("-1,5", "comma", "-1,5"),
+        ("-,5 Nm", "comma", "-,5"),
+        ("1e999 Nm", "not finite", "1e999"),
+        ("1e308 kNm", "not finite", "1e308"),
+        ("NaN Nm", "not finite", "NaN"),
+        ("-inf Nm", "not finite", "-inf"),
+        ("∞ Nm", "not finite", "∞"),
+        ("5", "unit missing", "5"),
+        (" 0 ", "unit missing", "0"),
+        ("5 Nn", "unit unknown", "Nn"),
+        ("5µ Nm", "unit unknown", "µ Nm"),
+        ("5 10^-4 Nm", "unit unknown", "10^-4 Nm"),
+        ("0x10 Nm", "unit unknown", "x10 Nm"),
+        ("5 Nm 3", "unit unknown", "Nm 3"),
+        ("5 1", "number unreadable", "5 1"),
+        ("5 kg", "wrong quantity", "kg"),
+        ("5 N", "wrong quantity", "N"),
+        ("40 1/min", "wrong quantity", "1/min"),
+    ] {
+        assert_eq!(kind_and_place(Dimension::Torque, text), (kind, place), "{text:?}");
+    }
+    assert_eq!(kind_and_place(Dimension::Ratio, "1 000"), ("number unreadable", "1 000"));
+    assert_eq!(kind_and_place(Dimension::AngularVelocity, "401/min"), ("unit unknown", "/min"));
+}
+
+#[test]
+fn messages_and_hints_speak_both_languages() {
+    let units_en = "units of torque: N m, kN m, mN m, N cm, N mm";
+    let units_de = "Einheiten für Drehmoment: N m, kN m, mN m, N cm, N mm";
+    for (text, message, hint) in [
+        (
+            "",
+            ["empty, expected a torque such as \"5 N m\"", "leer: erwartet wird ein Drehmoment, zum Beispiel „5 N m“"],
+            [units_en, units_de],
+        ),
+        (
+            "N m",
+            [
+                "the number is missing before \"N m\", expected a torque such as \"5 N m\"",
+                "Zahl fehlt vor „N m“: erwartet wird ein Drehmoment, zum Beispiel „5 N m“",
+            ],
+            [units_en, units_de],
+        ),
+        (
+            "1 000 Nm",
+            ["\"1 000\" is not a number", "„1 000“ ist keine Zahl"],
+            [
+                "write digits without separators, with a decimal point, for example \"5 N m\"",
+                "Ziffern ohne Trennzeichen schreiben, mit Dezimalpunkt, zum Beispiel „5 N m“",
+            ],
+        ),
+        (
+            "1,5 Nm",
+            ["decimal comma in \"1,5\"", "Dezimalkomma in „1,5“"],
+            ["write a decimal point: 1.5", "mit Dezimalpunkt schreiben: 1.5"],
+        ),
+        (
+            "1,500 Nm",
+            ["decimal comma in \"1,500\"", "Dezimalkomma in „1,500“"],
+            [
+                "write a decimal point: 1.500; or no separator for thousands: 1500",
+                "mit Dezimalpunkt schreiben: 1.500; Tausender ohne Trennzeichen: 1500",
+            ],
+        ),
+        (
+            "-,5 Nm",
+            ["decimal comma in \"-,5\"", "Dezimalkomma in „-,5“"],
+            ["write a decimal point: -0.5", "mit Dezimalpunkt schreiben: -0.5"],
+        ),
+        (
+            "5",
+            [
+                "the unit is missing, expected a torque such as \"5 N m\"",
+                "Einheit fehlt: erwartet wird ein Drehmoment, zum Beispiel „5 N m“",
+            ],
+            [units_en, units_de],
+        ),
+        ("5 furlong", ["unknown unit \"furlong\"", "unbekannte Einheit „furlong“"], [units_en, units_de]),
+        (
+            "5 kg",
+            [
+                "\"kg\" is a unit of mass, expected a unit of torque",
+                "„kg“ ist eine Einheit der Größe Masse, erwartet wird ein Drehmoment",
+            ],
+            [units_en, units_de],
+        ),
+    ] {
+        let fault = fault(Dimension::Torque, text);
+        assert_eq!([fault.message(Language::En), fault.message(Language::De)], message);
+        assert_eq!([fault.hint(Language::En).unwrap(), fault.hint(Language::De).unwrap()], hint, "{text}");
+        assert_eq!(fault.to_string(), message[0]);
+    }
+    assert_eq!(fault(Dimension::Torque, "1e999 Nm").message(Language::De), "„1e999“ ist keine endliche Zahl");
+    assert_eq!(fault(Dimension::Torque, "1e999 Nm").hint(Language::De), None);
+}
+
+#[test]
+fn a_misspelt_unit_brings_the_nearest_one() {
+    for (dimension, text, near) in [
+        (Dimension::Torque, "5 nm", Some("N m")),
+        (Dimension::Torque, "5 Nn", Some("N m")),
+        (Dimension::Torque, "5 knm", Some("kN m")),
+        (Dimension::AngularVelocity, "40 1/mn", Some("1/min")),
+        (Dimension::AngularVelocity, "40 RPM", Some("1/min")),
+        (Dimension::AngularVelocity, "40/min", Some("1/min")),
+        (Dimension::MomentOfInertia, "1 kgm^3", Some("kg m^2")),
+        (Dimension::Temperature, "40 C", None),
+        (Dimension::Time, "5 sec", Some("s")),
+        (Dimension::Torque, "5 q", None),
+        (Dimension::Torque, "5 furlong", None),
+    ] {
+        let QuantityError::UnitUnknown { nearest, .. } = fault(dimension, text) else { panic!("{text}") };
+        assert_eq!(nearest.map(|unit| unit.ascii), near, "{text}");
+    }
+    let fault = fault(Dimension::Force, "5 kn");
+    assert_eq!(fault.hint(Language::En).unwrap(), "did you mean \"kN\"? units of force: N, kN, MN, mN");
+    assert_eq!(fault.hint(Language::De).unwrap(), "gemeint ist vielleicht „kN“; Einheiten für Kraft: N, kN, MN, mN");
+}
+
+#[test]
+fn long_texts_make_short_messages() {
+    for text in [format!("5 {}", "é".repeat(10_000)), "é".repeat(10_000), format!("1,{}", "5".repeat(10_000))] {
+        let fault = fault(Dimension::Torque, &text);
+        assert!(fault.to_string().chars().count() < 120, "{fault}");
+        assert!(text.get(fault.span()).is_some());
+        assert!(fault.hint(Language::De).is_some_and(|hint| hint.chars().count() < 120));
+    }
+}
+
+#[test]
+fn no_text_makes_it_panic() {
+    let pieces = [
+        "1", ".", "e", "-", "+", ",", " ", "N", "m", "²", "µ", "°", "∞", "\u{0}", "/", "min", "é", "−", "'",
+        "\u{202f}", "10^", "⁻", "kg", "Ω", "0", "(", "%", "NaN", "𝟏", "e\u{301}",
+    ];
+    let mut state: u64 = 1;
+    let mut next = move |below: usize| {
+        // Knuth's MMIX generator.
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(state >> 33).unwrap() % below
+    };
+    for round in 0..30_000 {
+        let mut text: String = (0..next(9)).map(|_| pieces[next(pieces.len())]).collect();
+        if round % 2 == 0 {
+            text.insert_str(0, ["1.5 ", "-2e3", "40 1/"][next(3)]);
+        }
+        for dimension in [Dimension::AngularVelocity, Dimension::Ratio, Dimension::Temperature] {
+            match parse(dimension, &text) {
+                Ok(reading) => assert!(reading.si.is_finite() && reading.unit.dimension == dimension, "{text:?}"),
+                Err(fault) => {
+                    assert!(text.get(fault.span()).is_some(), "{text:?} {fault:?}");
+                    for language in [Language::En, Language::De] {
+                        assert!(!fault.message(language).is_empty() && fault.hint(language) != Some(String::new()));
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! The torsion of a gear under a torque, alone.
+
+use actuator::Torsion;
+use order_code::OrderCode;
+use quantities::{Angle, Language, QuantityError, Torque, parse_as};
+
+/// The torsion of one code's gear under a torque.
+#[derive(Clone, Copy, Debug)]
+pub struct TorsionAnswer {
+    /// The curve: T_1, T_2, K_1, K_2, K_3.
+    pub curve: Torsion,
+    /// The torque.
+    pub torque: Torque,
+    /// The angle.
+    pub angle: Angle,
+    /// Stiffness region of the torque: 1, 2 or 3.
+    pub region: u8,
+}
+
+/// Reads a torque such as `60 N m`.
+///
+/// # Errors
+/// What is wrong with the text, in a language.
+pub fn read_torque(text: &str, language: Language) -> Result<Torque, (String, Option<String>)> {
+    parse_as(text).map_err(|error: QuantityError| (error.message(language), error.hint(language)))
+}
+
+/// The torsion of a code's gear under a torque; `None` where the stiffness is not printed.
+///
+/// # Source   cha-manual eq. 73.1 to 73.4, tables 54.3 and 54.4
+#[must_use]
+pub fn torsion(code: &OrderCode, torque: Torque) -> Option<TorsionAnswer> {
+    use quantities::Measure;
+    let curve = configurator::parameters(code)?.gear.torsion()?;
+    let size = torque.si().abs();
+    let region = if size <= curve.torque_1.si() {
+        1
+    } else if size <= curve.torque_2.si() {
+        2
+    } else {
+        3
+    };
+    Some(TorsionAnswer { curve, torque, angle: curve.angle(torque), region })
+}
