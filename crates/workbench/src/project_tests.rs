@@ -112,6 +112,14 @@ fn numbers_that_are_none_are_refused() {
 }
 
 #[test]
+fn magnitudes_that_no_machine_has_are_refused() {
+    for wrong in ["1e13 s", "1e-13 s", "1e-320 s"] {
+        let fault = one(&GOOD.replace("pause = \"1 s\"", &format!("pause = \"{wrong}\"")));
+        assert!(fault.message.contains("no machine"), "{fault:?}");
+    }
+}
+
+#[test]
 fn a_cycle_without_time_is_refused() {
     let still = GOOD.replace("40 1/min", "0 1/min").replace("0.1 s", "0 s").replace("\"1 s\"", "\"0 s\"");
     assert!(one(&still).message.contains("no duration"));

@@ -96,6 +96,9 @@ impl Section {
 /// Longest free text.
 const TEXT_MAX: usize = 200;
 
+/// Magnitudes that a machine can have, in SI: from here products and powers of them stay finite.
+const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
+
 /// Most moves in one cycle, and most points of a curve.
 const LIST_MAX: usize = 10_000;
 
@@ -259,6 +262,9 @@ impl<'t> Reader<'t> {
                     Range::NotNegative => reading.si >= 0.0,
                     Range::Positive => reading.si > 0.0,
                 };
+                if !self.is_plausible(reading.si, &span, text, path) {
+                    return None;
+                }
                 if !fine {
                     let message = self.language.quantity_out_of_range(path, text, range == Range::Positive);
                     self.fault(span, message, None);
@@ -267,6 +273,16 @@ impl<'t> Reader<'t> {
                 Some(reading.si)
             }
         }
+    }
+
+    /// Refuses magnitudes that no machine has.
+    fn is_plausible(&mut self, si: f64, span: &Span<usize>, text: &str, path: &str) -> bool {
+        let plausible = si == 0.0 || MAGNITUDES.contains(&si.abs());
+        if !plausible {
+            let message = self.language.implausible(path, text, *MAGNITUDES.start(), *MAGNITUDES.end());
+            self.fault(span.clone(), message, None);
+        }
+        plausible
     }
 
     /// The place of a part of a string value in the file, where the string is written without escapes.
@@ -356,7 +372,7 @@ impl<'t> Reader<'t> {
 
     fn part(&mut self, dimension: quantities::Dimension, text: &str, span: Span<usize>, path: &str) -> Option<f64> {
         match quantities::parse(dimension, text) {
-            Ok(reading) => Some(reading.si),
+            Ok(reading) => self.is_plausible(reading.si, &span, text, path).then_some(reading.si),
             Err(error) => {
                 let inner = self.inside(&span, text, error.span());
                 self.fault(inner, format!("`{path}`: {}", error.message(self.language)), error.hint(self.language));

@@ -17,6 +17,7 @@ pub(crate) trait Speak: Copy {
     fn write_with_unit(self, written: &str, unit: &str, dimension: Dimension) -> String;
     fn number_out_of_range(self, path: &str, low: f64, high: f64) -> String;
     fn quantity_out_of_range(self, path: &str, text: &str, positive: bool) -> String;
+    fn implausible(self, path: &str, text: &str, low: f64, high: f64) -> String;
     fn text_too_long(self, path: &str, most: usize) -> String;
     fn control_character(self, path: &str) -> String;
     fn wrong_type(self, path: &str, expected: &str, found: &str) -> String;
@@ -100,6 +101,18 @@ impl Speak for Language {
             ("must not be negative", "darf nicht negativ sein")
         };
         either(self, format!("`{path}` {en}, not \"{text}\""), format!("`{path}` {de}, nicht „{text}“"))
+    }
+
+    fn implausible(self, path: &str, text: &str, low: f64, high: f64) -> String {
+        either(
+            self,
+            format!(
+                "`{path}`: no machine has \"{text}\"; read are magnitudes from {low:e} to {high:e} in SI, and zero"
+            ),
+            format!(
+                "`{path}`: „{text}“ hat keine Maschine; gelesen werden Beträge von {low:e} bis {high:e} in SI, und null"
+            ),
+        )
     }
 
     fn text_too_long(self, path: &str, most: usize) -> String {

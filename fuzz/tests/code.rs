@@ -1,0 +1,54 @@
+//! Ordering codes: whatever the text, no panic, and never another code than the one written.
+
+use arbtest::arbtest;
+use fuzz::{budget_ms, mutate};
+use order_code::{Pattern, parse};
+use workbench::{Language, read_code};
+
+fn bare(text: &str) -> String {
+    text.chars().filter(|c| c.is_ascii_alphanumeric()).collect::<String>().to_ascii_uppercase()
+}
+
+fn hold(text: &str) {
+    match parse(text) {
+        Ok(parsed) => assert_eq!(bare(text), bare(&parsed.code.to_string()), "{text:?}"),
+        Err(faults) => assert!(faults.iter().all(|fault| text.get(fault.span()).is_some()), "{text:?}"),
+    }
+    if let Err(faults) = Pattern::parse(text) {
+        assert!(faults.iter().all(|fault| text.get(fault.span()).is_some()), "{text:?}");
+    }
+    for language in [Language::En, Language::De] {
+        if let Err((faults, _)) = read_code(text, language) {
+            assert!(!faults.is_empty());
+            assert!(faults.iter().all(|fault| text.get(fault.span.clone()).is_some() && !fault.message.is_empty()));
+        }
+    }
+}
+
+#[test]
+fn codes_from_any_text() {
+    arbtest(|u| {
+        hold(&String::from_utf8_lossy(&u.arbitrary::<Vec<u8>>()?));
+        Ok(())
+    })
+    .budget_ms(budget_ms(2));
+}
+
+#[test]
+fn codes_with_a_few_edits() {
+    let codes: Vec<String> = workbench::list_codes(None).into_iter().map(|(code, _)| code.to_string()).collect();
+    arbtest(|u| {
+        let code = u.choose(&codes)?;
+        let edits: Vec<(u16, u8)> = u.arbitrary()?;
+        hold(&mutate(code, edits.get(..edits.len().min(4)).unwrap_or_default()));
+        Ok(())
+    })
+    .budget_ms(budget_ms(2));
+}
+
+#[test]
+fn inputs_that_once_were_hard() {
+    for text in include_str!("../corpus/codes.txt").lines() {
+        hold(text);
+    }
+}

@@ -1,0 +1,49 @@
+//! Quantities: whatever the text, no panic, a finite value or a fault inside the text.
+
+use arbtest::arbtest;
+use fuzz::{budget_ms, mutate};
+use quantities::{Dimension, Language, parse, unit};
+
+fn hold(text: &str) {
+    for unit in unit::ALL {
+        match parse(unit.dimension, text) {
+            Ok(reading) => assert!(reading.si.is_finite(), "{text:?} as {:?}", unit.dimension),
+            Err(error) => {
+                assert!(text.get(error.span()).is_some(), "{text:?}: {error:?}");
+                for language in [Language::En, Language::De] {
+                    assert!(!error.message(language).is_empty());
+                    let _ = error.hint(language);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn quantities_from_any_text() {
+    arbtest(|u| {
+        hold(&String::from_utf8_lossy(&u.arbitrary::<Vec<u8>>()?));
+        Ok(())
+    })
+    .budget_ms(budget_ms(2));
+}
+
+#[test]
+fn quantities_with_a_few_edits() {
+    let examples: Vec<&str> = unit::ALL.iter().map(|unit| unit.dimension.example()).collect();
+    arbtest(|u| {
+        let example = u.choose(&examples)?;
+        let edits: Vec<(u16, u8)> = u.arbitrary()?;
+        hold(&mutate(example, edits.get(..edits.len().min(4)).unwrap_or_default()));
+        Ok(())
+    })
+    .budget_ms(budget_ms(2));
+}
+
+#[test]
+fn inputs_that_once_were_hard() {
+    for text in include_str!("../corpus/quantities.txt").lines() {
+        hold(text);
+    }
+    assert!(parse(Dimension::Torque, "5 N m").is_ok());
+}
