@@ -3,6 +3,7 @@
 //! Every figure that antrieb shows carries a [`Source`] and a [`Grade`]; a figure that does not exist is
 //! [`Datum::NotPrinted`] or [`Datum::NotApplicable`], never a NaN or a quiet default.
 
+use std::borrow::Cow;
 use std::fmt;
 
 /// How far a number can be trusted, best first.
@@ -105,7 +106,7 @@ pub enum Source {
     /// A value that the user wrote in the project file.
     Project {
         /// Dotted path of the key, e.g. `actuator.torque_max`.
-        key: String,
+        key: Cow<'static, str>,
     },
 }
 

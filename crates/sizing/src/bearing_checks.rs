@@ -18,13 +18,13 @@ pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing) -> Vec<Check> {
         force(
             CheckId::BearingAxial,
             duty.load.axial_force.si(),
-            "axial_force",
+            "bearing.axial_force",
             bearing.axial_max.require("F_A_dyn_max"),
         ),
         force(
             CheckId::BearingRadial,
             duty.load.radial_force.si(),
-            "radial_force",
+            "bearing.radial_force",
             bearing.radial_max.require("F_R_dyn_max"),
         ),
         tilting_moment(duty, bearing),
@@ -35,13 +35,13 @@ pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing) -> Vec<Check> {
 }
 
 /// F_a ≤ F_A,dyn(max) and F_r ≤ F_R,dyn(max), each alone (table 55.1, footnote 4).
-fn force<Q: Measure>(id: CheckId, value: f64, key: &str, limit: Result<&Sourced<Q>, Missing>) -> Check {
+fn force<Q: Measure>(id: CheckId, value: f64, key: &'static str, limit: Result<&Sourced<Q>, Missing>) -> Check {
     match limit {
         Ok(limit) => Comparison {
             id,
             unit: &NEWTON,
             value,
-            value_source: Source::Project { key: format!("bearing.{key}") },
+            value_source: Source::Project { key: key.into() },
             at: None,
             limit: limit.value.si(),
             limit_source: &limit.source,

@@ -161,7 +161,7 @@ pub(crate) fn at_least(
         at: None,
         grade: Some(Grade::Computed),
         value_source: Some(source),
-        limit_source: asked.map(|_| Source::Project { key: key.to_owned() }),
+        limit_source: asked.map(|_| Source::Project { key: key.into() }),
         missing: asked.is_none().then_some(key),
         notes: Vec::new(),
     }

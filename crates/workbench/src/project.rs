@@ -282,7 +282,7 @@ fn build_actuator(root: &Section, reader: &mut Reader<'_>, language: Language) -
 
 /// A value that the user wrote: graded as published, since it stands in some document of the user's.
 fn known<T>(name: &str, value: T) -> Datum<T> {
-    let source = Source::Project { key: format!("actuator.{name}") };
+    let source = Source::Project { key: format!("actuator.{name}").into() };
     Datum::Known(Sourced { value, source, grade: Grade::Published, errata: &[] })
 }
 

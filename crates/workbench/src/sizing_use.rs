@@ -167,9 +167,12 @@ fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Paramete
     let judgement = judge(&project.axis, parameters);
     let mut objections: Vec<Objection> =
         project.requirements.unmet(&code, parameters).into_iter().map(Objection::Unmet).collect();
-    let on_request = match availability(&code) {
-        Ok(found) => found.on_request,
-        Err(broken) => {
+    // Without options the code stands in the catalogue because it is available; only options can change that.
+    let optional = code.option_1.is_some() || code.option_2.is_some() || code.special;
+    let on_request = match optional.then(|| availability(&code)) {
+        None => Vec::new(),
+        Some(Ok(found)) => found.on_request,
+        Some(Err(broken)) => {
             objections.extend(broken.into_iter().map(Objection::Rule));
             Vec::new()
         }
