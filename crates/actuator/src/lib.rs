@@ -6,6 +6,7 @@ mod gear;
 mod motor;
 mod output_bearing;
 mod parameters;
+mod voltage;
 
 pub use curve::{Curve, CurveFault, CurvePoint};
 pub use gear::{Gear, Torsion, cubic_mean_torque, natural_frequency, wave_generator_life};
@@ -18,3 +19,4 @@ pub use output_bearing::{
     tilting_moment,
 };
 pub use parameters::Parameters;
+pub use voltage::MotorVoltage;

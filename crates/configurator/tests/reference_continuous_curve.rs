@@ -1,7 +1,7 @@
 //! Reference values by other hands; no tool rewrites this file.
 //!
 //! Corner points of the continuous curves of CHA-20A, published with page 39 of the English edition 8/2018 V03:
-//! output speed [1/min], torque [Nm].
+//! output speed [1/min], torque \[Nm\].
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

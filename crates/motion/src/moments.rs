@@ -9,7 +9,7 @@ use quantities::{Angle, AngularVelocity, Measure, Time};
 /// ∫T² dt / t_0 = (J² ∫α² dt + 2 J T_c ∫α σ dt + T_c² ∫σ² dt) / t_0,
 /// a polynomial in J and T_c with the coefficients kept here: one pass over the motion, then O(1) per actuator.
 ///
-/// # Symbols  α angular acceleration [rad/s²], σ direction [1], t_0 cycle time [s]
+/// # Symbols  α angular acceleration [rad/s²], σ direction, t_0 cycle time \[s\]
 /// # Source   own derivation, docs/theory/demand.md
 /// # Valid    any sequence of linear speed ramps; each ramp keeps its direction of motion
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use actuator::FlangeLoad;
 use mechanism::DirectLoad;
 use motion::{Cycle, Moments, Segment};
-use quantities::{Angle, Frequency, ThermodynamicTemperature, Time};
+use quantities::{Angle, ElectricPotential, Frequency, ThermodynamicTemperature, Time};
 
 /// Operating condition of the output bearing (table 76.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +56,8 @@ pub struct Axis {
     pub ambient: Option<ThermodynamicTemperature>,
     /// Loads on the output bearing, if the user gave any.
     pub bearing: Option<BearingDuty>,
+    /// DC link voltage, and the share of U_DC/√2 that the drive can use.
+    pub supply: Option<(ElectricPotential, f64)>,
     /// Life required of the gear.
     pub gear_life_min: Option<Time>,
     /// Torsion of the gear permitted.
@@ -77,6 +79,7 @@ impl Axis {
             cycle,
             ambient: None,
             bearing: None,
+            supply: None,
             gear_life_min: None,
             torsion_max: None,
             natural_frequency_min: None,

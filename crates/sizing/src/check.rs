@@ -19,6 +19,8 @@ pub enum CheckId {
     PeakCurrent,
     /// Peak motor current against I_E.
     Demagnetisation,
+    /// Terminal voltage of the motor against what the DC link gives.
+    Voltage,
     /// Load inertia against three times the own inertia.
     InertiaRatio,
     /// Cubic mean torque against T_A.
@@ -56,6 +58,7 @@ impl CheckId {
             Self::ContinuousTorque => "continuous_torque",
             Self::PeakCurrent => "peak_current",
             Self::Demagnetisation => "demagnetisation",
+            Self::Voltage => "voltage",
             Self::InertiaRatio => "inertia_ratio",
             Self::GearMeanTorque => "gear_mean_torque",
             Self::GearLife => "gear_life",

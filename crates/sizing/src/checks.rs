@@ -5,10 +5,14 @@ use crate::bearing_checks;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::demand::{Demand, ManualDemand};
 use crate::gear_checks;
-use actuator::Parameters;
+use actuator::{MotorVoltage, Parameters};
+use motion::Segment;
 use provenance::{Grade, Missing, Source, Sourced};
-use quantities::unit::{AMPERE, DEGREE_CELSIUS, KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use quantities::{ElectricCurrent, Measure, Time, Unit};
+use quantities::unit::{AMPERE, DEGREE_CELSIUS, KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
+use quantities::{
+    AngularVelocity, ElectricCurrent, ElectricPotential, Measure, MomentOfInertia, NoLoadCurrentConstant, Time,
+    TorqueConstant, Unit,
+};
 
 /// Permitted ambient temperature in operation, 0 °C to 40 °C, in kelvin (tables 13.1 and 13.2).
 const AMBIENT_RANGE_K: (f64, f64) = (273.15, 313.15);
@@ -78,8 +82,9 @@ pub fn judge(axis: &Axis, actuator: &Parameters) -> Judgement {
         continuous_torque(axis, actuator, demand.as_ref(), manual.as_ref()),
         peak_current(axis, actuator),
         demagnetisation(axis, actuator),
-        inertia_ratio(axis, actuator),
     ];
+    checks.extend(axis.supply.map(|(supply, reserve)| voltage(axis, actuator, supply, reserve)));
+    checks.push(inertia_ratio(axis, actuator));
     checks.extend(gear_checks::judge(axis, actuator));
     checks.extend(bearing_checks::judge(axis, &actuator.output_bearing));
     checks.extend(axis.ambient.map(|_| ambient(axis)));
@@ -293,35 +298,95 @@ fn continuous_torque(
     .answer(Verdict::Fail)
 }
 
-/// The largest motor current of the cycle and its instant.
+/// The motor current at both ends of every ramp.
 ///
 /// I = T/k_Tout + σ (I_NLS + K_INL |n|), linear in time over each ramp, so its extremes lie at the ends of the ramps.
 /// Friction that opposes the torque counts with the 30 °C value of K_INL, friction that helps with the 80 °C value:
 /// either way the larger current.
-fn largest_current(axis: &Axis, actuator: &Parameters) -> Result<(ElectricCurrent, Time, Grade), Missing> {
-    let inertia = actuator.inertia_out.require("J_out")?;
-    let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
-    let starting = actuator.no_load_starting_current.require("I_NLS")?;
-    let cold = actuator.no_load_current_constant_30.require("K_INL")?;
-    let warm = actuator.no_load_current_constant_80.known().unwrap_or(cold);
-    let mut largest = (ElectricCurrent::from_si(0.0), Time::from_si(0.0));
-    for segment in &axis.segments {
-        let torque = axis.load.torque(inertia.value, segment.acceleration(), segment.direction);
+struct Currents<'a> {
+    axis: &'a Axis,
+    inertia: MomentOfInertia,
+    torque_constant: TorqueConstant,
+    starting: ElectricCurrent,
+    cold: NoLoadCurrentConstant,
+    warm: NoLoadCurrentConstant,
+    grade: Grade,
+}
+
+impl<'a> Currents<'a> {
+    fn of(axis: &'a Axis, actuator: &Parameters) -> Result<Self, Missing> {
+        let inertia = actuator.inertia_out.require("J_out")?;
+        let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
+        let starting = actuator.no_load_starting_current.require("I_NLS")?;
+        let cold = actuator.no_load_current_constant_30.require("K_INL")?;
+        let warm = actuator.no_load_current_constant_80.known().unwrap_or(cold);
+        let grades = [inertia.grade, torque_constant.grade, starting.grade, cold.grade];
+        Ok(Self {
+            axis,
+            inertia: inertia.value,
+            torque_constant: torque_constant.value,
+            starting: starting.value,
+            cold: cold.value,
+            warm: warm.value,
+            grade: grades.into_iter().fold(Grade::Computed, Grade::worst),
+        })
+    }
+
+    /// Speed and current at both ends of a ramp.
+    fn at_ends(&self, segment: &Segment) -> [(AngularVelocity, ElectricCurrent); 2] {
+        let torque = self.axis.load.torque(self.inertia, segment.acceleration(), segment.direction);
         let helping = torque.si() * segment.direction < 0.0;
-        let constant = if helping { warm.value } else { cold.value };
-        for (speed, at) in [(segment.speed_start, segment.start), (segment.speed_end, segment.start + segment.duration)]
-        {
-            let friction = actuator::friction_current(starting.value, constant, speed);
-            let current = actuator::current(torque, segment.direction, friction, torque_constant.value);
-            if current.si().abs() > largest.0.si() {
-                largest = (ElectricCurrent::from_si(current.si().abs()), at);
+        let constant = if helping { self.warm } else { self.cold };
+        [segment.speed_start, segment.speed_end].map(|speed| {
+            let friction = actuator::friction_current(self.starting, constant, speed);
+            (speed, actuator::current(torque, segment.direction, friction, self.torque_constant))
+        })
+    }
+
+    /// The largest magnitude and its instant.
+    fn largest(&self) -> (ElectricCurrent, Time) {
+        let mut largest = (ElectricCurrent::from_si(0.0), Time::from_si(0.0));
+        for segment in &self.axis.segments {
+            let instants = [segment.start, segment.start + segment.duration];
+            for ((_, current), at) in self.at_ends(segment).into_iter().zip(instants) {
+                if current.si().abs() > largest.0.si() {
+                    largest = (ElectricCurrent::from_si(current.si().abs()), at);
+                }
             }
         }
+        largest
     }
-    let grade = [inertia.grade, torque_constant.grade, starting.grade, cold.grade]
-        .into_iter()
-        .fold(Grade::Computed, Grade::worst);
-    Ok((largest.0, largest.1, grade))
+}
+
+/// U ≤ (U_DC/√2) · reserve: the motor's terminal voltage at every instant of the cycle, winding hot.
+fn voltage(axis: &Axis, actuator: &Parameters, supply: ElectricPotential, reserve: f64) -> Check {
+    let id = CheckId::Voltage;
+    let (motor, currents) = match MotorVoltage::of(actuator).and_then(|m| Ok((m, Currents::of(axis, actuator)?))) {
+        Ok(found) => found,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let (mut worst, mut at) = (0.0, None);
+    for segment in &axis.segments {
+        let volts = motor.largest(currents.at_ends(segment)).si();
+        if volts > worst {
+            worst = volts;
+            let faster_at_end = segment.speed_end.si().abs() >= segment.speed_start.si().abs();
+            at = Some(if faster_at_end { segment.start + segment.duration } else { segment.start });
+        }
+    }
+    Comparison {
+        id,
+        unit: &VOLT,
+        value: worst,
+        value_source: Source::Model { name: "voltage" },
+        at,
+        limit: supply.si() / std::f64::consts::SQRT_2 * reserve,
+        limit_source: &Source::Project { key: "requirements.supply".into() },
+        grade: motor.grade.worst(currents.grade),
+        errata: &[],
+        notes: vec![Note::FrictionTemperatures],
+    }
+    .answer(Verdict::Fail)
 }
 
 fn current_check(
@@ -330,10 +395,11 @@ fn current_check(
     actuator: &Parameters,
     limit: Result<&Sourced<ElectricCurrent>, Missing>,
 ) -> Check {
-    let (limit, (current, at, grade)) = match limit.and_then(|limit| Ok((limit, largest_current(axis, actuator)?))) {
+    let (limit, currents) = match limit.and_then(|limit| Ok((limit, Currents::of(axis, actuator)?))) {
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
+    let (current, at) = currents.largest();
     Comparison {
         id,
         unit: &AMPERE,
@@ -342,7 +408,7 @@ fn current_check(
         at: Some(at),
         limit: limit.value.si(),
         limit_source: &limit.source,
-        grade: grade.worst(limit.grade),
+        grade: currents.grade.worst(limit.grade),
         errata: limit.errata,
         notes: vec![Note::FrictionTemperatures],
     }

@@ -98,7 +98,7 @@ impl Axis {
     /// Several moves: the sums of numerators and denominators. T_L opposes each move, so that the three torques of a
     /// move are those of the same move in the positive direction.
     ///
-    /// # Symbols  n_2 [1/min], t [s], T [Nm], J [kgm²]
+    /// # Symbols  n_2 [1/min], t \[s\], T \[Nm\], J \[kgm²\]
     /// # Source   cha-manual eq. 69.1, 69.2, 69.3, 69.4
     /// # Valid    exact for t_3 = t_1; with another braking time eq. 69.2 keeps the torque of the acceleration,
     /// see [`ManualDemand::braking_assumed`]

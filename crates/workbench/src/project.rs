@@ -22,6 +22,9 @@ use sizing::{Axis, BearingDuty, OperatingCondition};
 /// Largest project file that is read, in bytes.
 pub const PROJECT_MAX_BYTES: usize = 1 << 20;
 
+/// Share of U_DC/√2 that a drive can use unless the user says otherwise: room for dead times and current control.
+const MODULATION_RESERVE: f64 = 0.9;
+
 /// A default that the user did not confirm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -32,6 +35,10 @@ pub enum Assumption {
     AmbientWithinRange,
     /// The plate of table 13.3 cools the actuator.
     CoolingPlate,
+    /// A DC link voltage is given without a modulation reserve.
+    ModulationReserve,
+    /// No DC link voltage is given: the terminal voltage is not checked.
+    NoSupply,
     /// No loads on the flange are given: the output bearing is not judged.
     NoFlangeLoads,
     /// The loads on the flange are constant over the cycle.
@@ -118,6 +125,12 @@ fn assumptions(root: &Section) -> Vec<Assumption> {
         found.push(Assumption::AmbientWithinRange);
     }
     found.push(Assumption::CoolingPlate);
+    let asks = |key: &str| root.table("requirements").is_some_and(|section| section.get(key).is_some());
+    if !asks("supply") {
+        found.push(Assumption::NoSupply);
+    } else if !asks("modulation_reserve") {
+        found.push(Assumption::ModulationReserve);
+    }
     let bearing =
         if root.table("bearing").is_some() { Assumption::FlangeLoadsConstant } else { Assumption::NoFlangeLoads };
     found.push(bearing);
@@ -155,6 +168,9 @@ fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Op
             let mut axis = Axis::new(load, cycle);
             if let Some(asked) = root.table("requirements") {
                 axis.ambient = asked.quantity("ambient");
+                axis.supply = asked
+                    .quantity("supply")
+                    .map(|supply| (supply, asked.number("modulation_reserve").unwrap_or(MODULATION_RESERVE)));
                 axis.gear_life_min = asked.quantity("gear_life_min");
                 axis.torsion_max = asked.quantity("torsion_max");
                 axis.natural_frequency_min = asked.quantity("natural_frequency_min");

@@ -229,6 +229,13 @@ const REQUIREMENTS: &[Key] = &[
     ),
     quantity("mass_max", Dimension::Mass, Range::Positive, "largest mass of the actuator", "größte Masse des Antriebs"),
     quantity("supply", Dimension::Voltage, Range::Positive, "DC link voltage", "Zwischenkreisspannung"),
+    key(
+        "modulation_reserve",
+        Kind::Number(0.5, 1.0),
+        false,
+        "share of U_DC/√2 that the drive can give as fundamental",
+        "Anteil von U_DC/√2, den der Regler als Grundwelle stellen kann",
+    ),
     quantity(
         "ambient",
         Dimension::Temperature,

@@ -19,6 +19,7 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::ContinuousTorque => ("continuous torque", "Dauerdrehmoment"),
         CheckId::PeakCurrent => ("peak current", "Spitzenstrom"),
         CheckId::Demagnetisation => ("demagnetisation", "Entmagnetisierung"),
+        CheckId::Voltage => ("terminal voltage", "Klemmenspannung"),
         CheckId::InertiaRatio => ("inertia ratio", "Trägheitsverhältnis"),
         CheckId::GearMeanTorque => ("gear mean torque", "mittl. Getriebemoment"),
         CheckId::GearLife => ("gear life", "Getriebelebensdauer"),
@@ -260,6 +261,14 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         Assumption::CoolingPlate => (
             "mounted on the aluminium plate of table 13.3: continuous data hold for it only",
             "auf der Aluminiumplatte nach Tabelle 13.3 montiert: nur dafür gelten die Dauerdaten",
+        ),
+        Assumption::ModulationReserve => (
+            "the drive gives 90 % of U_DC/√2 at the motor terminals (requirements.modulation_reserve)",
+            "der Regler stellt 90 % von U_DC/√2 an den Motorklemmen (requirements.modulation_reserve)",
+        ),
+        Assumption::NoSupply => (
+            "no DC link voltage given (requirements.supply): the terminal voltage is not checked",
+            "keine Zwischenkreisspannung angegeben (requirements.supply): die Klemmenspannung ist nicht geprüft",
         ),
         Assumption::NoFlangeLoads => (
             "no loads on the flange given ([bearing]): the output bearing is not checked",

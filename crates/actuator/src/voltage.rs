@@ -1,0 +1,167 @@
+//! Terminal voltage of the motor in the rotor's dq frame.
+
+use crate::motor::copper_resistance;
+use crate::parameters::Parameters;
+use provenance::{Grade, Missing};
+use quantities::{AngularVelocity, ElectricCurrent, ElectricPotential, Measure, ThermodynamicTemperature};
+
+/// Winding temperature of the voltage check, 90 °C in kelvin: the shutdown threshold of table 62.3, where the
+/// resistance is largest.
+const WINDING_TEMPERATURE_HOT: f64 = 363.15;
+
+/// The electrical constants of a motor, per phase of the star.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotorVoltage {
+    /// i: reduction ratio.
+    ratio: f64,
+    /// p: pole pairs.
+    pole_pairs: f64,
+    /// R = R_LL/2 at 90 °C \[Ω\]
+    resistance_ohm: f64,
+    /// L = L_LL/2 \[H\]
+    inductance_h: f64,
+    /// ψ: flux linkage, peak value of one phase \[Vs\]
+    flux_vs: f64,
+    /// The worst grade among the inputs.
+    pub grade: Grade,
+}
+
+impl MotorVoltage {
+    /// The constants of an actuator's motor, winding hot.
+    ///
+    /// ψ = k_EM √(2/3) / p, with k_EM the rms voltage line to line per mechanical angular velocity
+    ///
+    /// # Errors
+    /// [`Missing`] with the first datum that is not known.
+    pub fn of(actuator: &Parameters) -> Result<Self, Missing> {
+        let ratio = actuator.ratio.require("i")?;
+        let pole_pairs = actuator.pole_pairs.require("p")?;
+        let resistance = actuator.resistance_ll.require("R_LL")?;
+        let inductance = actuator.inductance_ll.require("L_LL")?;
+        let constant = actuator.voltage_constant_motor.require("k_EM")?;
+        let hot = copper_resistance(resistance.value, ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_HOT));
+        Ok(Self {
+            ratio: ratio.value,
+            pole_pairs: pole_pairs.value,
+            resistance_ohm: hot.si() / 2.0,
+            inductance_h: inductance.value.si() / 2.0,
+            flux_vs: constant.value.si() * (2.0_f64 / 3.0).sqrt() / pole_pairs.value,
+            grade: [pole_pairs.grade, resistance.grade, inductance.grade, constant.grade]
+                .into_iter()
+                .fold(Grade::Computed, Grade::worst),
+        })
+    }
+
+    /// u_d and u_q \[V\], peak values of one phase, with i_d = 0.
+    ///
+    /// u_d = −ω_e L i_q, u_q = R i_q + ω_e ψ, ω_e = p i ω_out, i_q = √2 I
+    fn components(&self, speed_out: AngularVelocity, current: ElectricCurrent) -> (f64, f64) {
+        let omega_e = self.pole_pairs * self.ratio * speed_out.si();
+        let i_q = std::f64::consts::SQRT_2 * current.si();
+        (-omega_e * self.inductance_h * i_q, self.resistance_ohm * i_q + omega_e * self.flux_vs)
+    }
+
+    /// Terminal voltage, fundamental, line to line, rms.
+    ///
+    /// U = √(3/2) √(u_d² + u_q²)
+    ///
+    /// # Symbols  I motor current, rms, signed like the torque; ω_out output speed, signed
+    /// # Source   docs/theory/voltage.md; model of the synchronous machine with surface magnets
+    /// # Valid    sinusoidal quantities, no saturation, i_d = 0
+    #[must_use]
+    pub fn at(&self, speed_out: AngularVelocity, current: ElectricCurrent) -> ElectricPotential {
+        let (u_d, u_q) = self.components(speed_out, current);
+        ElectricPotential::from_si(1.5_f64.sqrt() * u_d.hypot(u_q))
+    }
+
+    /// The largest terminal voltage over a ramp on which speed and current change linearly from one end to the other.
+    ///
+    /// Where both grow or both are constant the maximum lies at an end and is exact. Where the current falls while the
+    /// speed grows, u_d may peak inside the ramp; the largest u_d and the largest u_q are then taken together, an
+    /// upper bound.
+    #[must_use]
+    pub fn largest(&self, ends: [(AngularVelocity, ElectricCurrent); 2]) -> ElectricPotential {
+        let [(n0, i0), (n1, i1)] = ends;
+        let at_ends = self.at(n0, i0).si().max(self.at(n1, i1).si());
+        // u_d is proportional to n·I, a parabola over the ramp with its vertex at s.
+        let (dn, di) = (n1.si() - n0.si(), i1.si() - i0.si());
+        let curvature = 2.0 * dn * di;
+        let s = if curvature == 0.0 { -1.0 } else { -(n0.si() * di + i0.si() * dn) / curvature };
+        if !(0.0..=1.0).contains(&s) {
+            return ElectricPotential::from_si(at_ends);
+        }
+        let vertex = (AngularVelocity::from_si(n0.si() + s * dn), ElectricCurrent::from_si(i0.si() + s * di));
+        let parts = [ends[0], ends[1], vertex].map(|(n, i)| self.components(n, i));
+        let largest = |pick: fn(&(f64, f64)) -> f64| parts.iter().map(pick).fold(0.0_f64, |a, b| a.max(b.abs()));
+        let bound = 1.5_f64.sqrt() * largest(|part| part.0).hypot(largest(|part| part.1));
+        ElectricPotential::from_si(bound.max(at_ends))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use provenance::{CellRef, Datum, Source, Sourced};
+    use quantities::unit::{MILLIHENRY, OHM, REVOLUTION_PER_MINUTE, VOLT_PER_THOUSAND_REVOLUTIONS};
+    use quantities::{ElectricalResistance, Inductance, VoltageConstant};
+
+    fn known<T>(value: T) -> Datum<T> {
+        let cell = CellRef { table: "26.1", symbol: "x", condition: "", drive: "", ratio: "" };
+        Datum::Known(Sourced { value, source: Source::Cell(cell), grade: Grade::Printed, errata: &[] })
+    }
+
+    /// The motor of CHA-20A (table 26.1) at i = 50.
+    fn motor(resistance: f64, inductance: f64) -> MotorVoltage {
+        MotorVoltage::of(&Parameters {
+            ratio: known(50.0),
+            pole_pairs: known(5.0),
+            resistance_ll: known(ElectricalResistance::new_in(resistance, &OHM)),
+            inductance_ll: known(Inductance::new_in(inductance, &MILLIHENRY)),
+            voltage_constant_motor: known(VoltageConstant::new_in(23.0, &VOLT_PER_THOUSAND_REVOLUTIONS)),
+            ..Parameters::unknown()
+        })
+        .unwrap()
+    }
+
+    fn rpm(n: f64) -> AngularVelocity {
+        AngularVelocity::new_in(n, &REVOLUTION_PER_MINUTE)
+    }
+
+    /// Without current only the back-EMF stands at the terminals: k_EM · 6000 = 138 V at 120 1/min with i = 50.
+    #[test]
+    fn without_current_the_back_emf_is_left() {
+        let volts = motor(5.9, 8.0).at(rpm(120.0), ElectricCurrent::from_si(0.0)).si();
+        assert!((volts - 138.0).abs() < 1e-9, "{volts}");
+    }
+
+    /// At standstill only the hot resistance counts: √3 · R/2 · I = √3/2 · 5.9 · 1.2751 · 2 A.
+    #[test]
+    fn at_standstill_the_resistance_is_left() {
+        let volts = motor(5.9, 8.0).at(rpm(0.0), ElectricCurrent::from_si(2.0)).si();
+        assert!((volts - 3.0_f64.sqrt() / 2.0 * 5.9 * (1.0 + 3.93e-3 * 70.0) * 2.0).abs() < 1e-9, "{volts}");
+    }
+
+    #[test]
+    fn braking_needs_less_voltage_than_driving() {
+        let motor = motor(5.9, 8.0);
+        let current = ElectricCurrent::from_si(3.0);
+        assert!(motor.at(rpm(100.0), -current).si() < motor.at(rpm(100.0), current).si());
+        assert!((motor.at(rpm(-100.0), -current).si() - motor.at(rpm(100.0), current).si()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_largest_voltage_bounds_every_point_of_the_ramp() {
+        let motor = motor(5.9, 60.0);
+        for (n0, i0, n1, i1) in
+            [(0.0, 4.0, 120.0, 4.2), (120.0, -1.0, 0.0, -4.0), (0.0, 5.0, 120.0, -1.0), (50.0, 2.0, 50.0, 2.0)]
+        {
+            let (a, b) = ((rpm(n0), ElectricCurrent::from_si(i0)), (rpm(n1), ElectricCurrent::from_si(i1)));
+            let bound = motor.largest([a, b]).si();
+            for step in 0..=100 {
+                let s = f64::from(step) / 100.0;
+                let here = motor.at(rpm(n0 + s * (n1 - n0)), ElectricCurrent::from_si(i0 + s * (i1 - i0))).si();
+                assert!(here <= bound + 1e-9, "{n0} {i0} {n1} {i1} {s}: {here} > {bound}");
+            }
+        }
+    }
+}
