@@ -4,9 +4,9 @@
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// Median time of one call: the smallest of three medians, so that a disturbance of one series does not count.
+/// Median time of one call: the smallest of five medians, so that a disturbance of one series does not count.
 pub fn median(runs: usize, mut call: impl FnMut()) -> Duration {
-    (0..3)
+    (0..5)
         .map(|_| {
             let mut times: Vec<Duration> = (0..runs.max(1))
                 .map(|_| {

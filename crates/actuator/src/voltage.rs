@@ -71,7 +71,7 @@ impl MotorVoltage {
     #[must_use]
     pub fn at(&self, speed_out: AngularVelocity, current: ElectricCurrent) -> ElectricPotential {
         let (u_d, u_q) = self.components(speed_out, current);
-        ElectricPotential::from_si(1.5_f64.sqrt() * u_d.hypot(u_q))
+        ElectricPotential::from_si((1.5 * (u_d * u_d + u_q * u_q)).sqrt())
     }
 
     /// The largest terminal voltage over a ramp on which speed and current change linearly from one end to the other.
@@ -93,7 +93,8 @@ impl MotorVoltage {
         let vertex = (AngularVelocity::from_si(n0.si() + s * dn), ElectricCurrent::from_si(i0.si() + s * di));
         let parts = [ends[0], ends[1], vertex].map(|(n, i)| self.components(n, i));
         let largest = |pick: fn(&(f64, f64)) -> f64| parts.iter().map(pick).fold(0.0_f64, |a, b| a.max(b.abs()));
-        let bound = 1.5_f64.sqrt() * largest(|part| part.0).hypot(largest(|part| part.1));
+        let (u_d, u_q) = (largest(|part| part.0), largest(|part| part.1));
+        let bound = (1.5 * (u_d * u_d + u_q * u_q)).sqrt();
         ElectricPotential::from_si(bound.max(at_ends))
     }
 }

@@ -24,6 +24,9 @@ const INERTIA_RATIO_RECOMMENDED: f64 = 3.0;
 /// more than a tenth of its rise, so the effective value alone says too little.
 const SHORT_CYCLE_SHARE: f64 = 0.2;
 
+/// Room for all checks of one actuator, so that judging many does not grow one vector after the other.
+const CHECKS_MOST: usize = 24;
+
 /// Everything there is to say about one actuator for one axis.
 #[derive(Clone, Debug)]
 pub struct Judgement {
@@ -75,14 +78,15 @@ pub fn judge(axis: &Axis, actuator: &Parameters) -> Judgement {
     let inertia = actuator.inertia_out.known().map(|known| known.value);
     let demand = inertia.map(|inertia| axis.demand(inertia));
     let manual = inertia.map(|inertia| axis.manual_demand(inertia));
-    let mut checks = vec![
+    let mut checks = Vec::with_capacity(CHECKS_MOST);
+    checks.extend([
         peak_torque(actuator, demand.as_ref(), manual.as_ref()),
         peak_speed(axis, actuator),
         mean_speed(axis, actuator),
         continuous_torque(axis, actuator, demand.as_ref(), manual.as_ref()),
         peak_current(axis, actuator),
         demagnetisation(axis, actuator),
-    ];
+    ]);
     checks.extend(axis.supply.map(|(supply, reserve)| voltage(axis, actuator, supply, reserve)));
     checks.push(inertia_ratio(axis, actuator));
     checks.extend(gear_checks::judge(axis, actuator));
