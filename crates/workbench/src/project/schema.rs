@@ -61,12 +61,18 @@ fn kind(key: &Key, language: Language) -> Value {
     }
 }
 
-/// Number and unit, with the canonical spellings of the units; the reader understands a few more.
+/// Number and unit in the spellings that the reader knows; it also forgives spaces inside a unit.
 fn pattern(dimension: Dimension) -> String {
-    let units: Vec<String> = dimension.units().iter().map(|unit| escape(unit.ascii)).collect();
-    format!(r"^\s*[+-]?[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]+)?\s*({}).*$", units.join("|"))
+    let mut units: Vec<String> = Vec::new();
+    for spelling in dimension.units().iter().flat_map(quantities::Unit::spellings).map(escape) {
+        if !units.contains(&spelling) {
+            units.push(spelling);
+        }
+    }
+    format!(r"^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?\s*({})\s*$", units.join("|"))
 }
 
+/// A text as a regular expression for itself.
 fn escape(text: &str) -> String {
-    text.chars().flat_map(|c| if c.is_ascii_alphanumeric() || c == ' ' { vec![c] } else { vec!['\\', c] }).collect()
+    text.chars().flat_map(|c| if r"^.*+?()[]{}|\$".contains(c) { vec!['\\', c] } else { vec![c] }).collect()
 }
