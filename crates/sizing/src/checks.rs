@@ -468,7 +468,7 @@ fn ambient(axis: &Axis) -> Check {
         grade: Some(Grade::Printed),
         value_source: Some(Source::Project { key: "requirements.ambient".into() }),
         limit_source: Some(Source::Cell(provenance::CellRef {
-            table: "13.2",
+            table: "13.1, 13.2",
             symbol: "ambient_temperature_operation",
             condition: "",
             drive: "",
