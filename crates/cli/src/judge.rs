@@ -249,6 +249,9 @@ fn demand_line(name: &str, demand: &Demand, language: Language) -> String {
 /// The demand in both modes; the exact integral is shown where it says something else.
 fn demand_text(candidate: &Candidate<'_>, language: Language) -> String {
     let mut out = String::new();
+    if candidate.judgement.demand.is_none() {
+        return out;
+    }
     let name = match language {
         Language::En => format!("demand on {}", candidate.id),
         Language::De => format!("Anforderung an {}", candidate.id),
@@ -302,7 +305,14 @@ fn assumptions_text(assumptions: &[workbench::Assumption], language: Language) -
 /// Every check of one actuator.
 fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     let mut out = String::new();
-    let verdict = if candidate.fits() {
+    let open = candidate.open_questions();
+    let verdict = if candidate.fits() && open > 0 {
+        let words = match language {
+            Language::En => format!("nothing speaks against it; {open} questions not answered"),
+            Language::De => format!("nichts spricht dagegen; {open} Fragen nicht beantwortet"),
+        };
+        paint(&words, Verdict::NotChecked)
+    } else if candidate.fits() {
         paint(&t(language, "fits", "passt"), Verdict::Pass)
     } else {
         paint(&t(language, "does not fit", "passt nicht"), Verdict::Fail)
@@ -353,7 +363,12 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     }
     out.push_str(&table.render());
     for objection in &candidate.objections {
-        let head = t(language, "requirement not met: ", "Anforderung nicht erfüllt: ");
+        let head = match objection {
+            Objection::Unmet(workbench::Unmet::NotKnown { .. }) => {
+                t(language, "requirement not checked: ", "Anforderung nicht geprüft: ")
+            }
+            _ => t(language, "requirement not met: ", "Anforderung nicht erfüllt: "),
+        };
         out.push_str(&paragraph(&head, &objection_text(candidate, objection, language)));
     }
     out.push_str(&remarks(candidate, language));

@@ -125,6 +125,7 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> Value {
     let objections: Vec<String> =
         candidate.objections.iter().map(|each| objection(candidate, each, language)).collect();
     map.insert("objections".into(), json!(objections));
+    map.insert("open_questions".into(), json!(candidate.open_questions()));
     Value::Object(map)
 }
 

@@ -14,7 +14,7 @@ pub mod text;
 mod torsion;
 
 pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, read_code, read_pattern};
-pub use configurator::{Availability, Choice};
+pub use configurator::{Availability, Choice, Unmet};
 pub use diagnostic::{Diagnostic, place};
 pub use export::{EXPORT_COLUMNS, export_rows};
 pub use order_code::{Field, OrderCode};

@@ -65,6 +65,14 @@ impl Candidate<'_> {
         self.judgement.worst_failure()
     }
 
+    /// How many questions could not be answered for want of a datum: checks without a value, requirements left open.
+    #[must_use]
+    pub fn open_questions(&self) -> usize {
+        let checks = self.not_checked().filter(|check| check.value.is_none()).count();
+        let open = |objection: &&Objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. }));
+        checks + self.objections.iter().filter(open).count()
+    }
+
     /// The checks that could not be answered.
     pub fn not_checked(&self) -> impl Iterator<Item = &Check> {
         self.judgement.checks.iter().filter(|check| check.verdict == Verdict::NotChecked)
@@ -187,7 +195,9 @@ fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p
     let objections: Vec<Objection> =
         project.requirements.unmet_by_data(&own.parameters).into_iter().map(Objection::Unmet).collect();
     let mass = own.parameters.mass.known().map(|mass| mass.value.si());
-    let standing = Standing::of(&judgement, objections.is_empty(), 0, mass);
+    // Of a user's actuator little may be known: an unknown datum leaves a requirement open, it does not break it.
+    let met = objections.iter().all(|objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. })));
+    let standing = Standing::of(&judgement, met, 0, mass);
     Candidate {
         id: CandidateId::Own(own.name.clone()),
         on_request: Vec::new(),
