@@ -11,7 +11,7 @@ const LINE_MAX: usize = 400;
 
 /// Reads a project file; a fault is the finished answer.
 pub(crate) fn read_project(path: &Path, as_json: bool, language: Language) -> Result<Project, Answer> {
-    let name = path.display().to_string();
+    let name = if path.as_os_str() == "-" { "stdin".to_owned() } else { path.display().to_string() };
     let bytes = read_bytes(path).map_err(|error| unreadable(&name, &io_text(&error, language), as_json, language))?;
     if bytes.len() > PROJECT_MAX_BYTES {
         let what = match language {

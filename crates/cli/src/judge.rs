@@ -286,7 +286,12 @@ fn remarks(candidate: &Candidate<'_>, language: Language) -> String {
     let mut out = String::new();
     let mut seen: Vec<String> = Vec::new();
     for check in &candidate.judgement.checks {
+        // The erratum of a limit that is far away is told by --json; here it would drown the rest.
+        let far = check.verdict == Verdict::Pass && check.utilisation.is_some_and(|share| share < 0.5);
         for note in &check.notes {
+            if far && note.is_erratum() {
+                continue;
+            }
             let text = note_text(note, language);
             if !text.is_empty() && !seen.contains(&text) {
                 out.push_str(&paragraph(&format!("{}: ", check_title(check.id, language)), &text));
@@ -308,7 +313,9 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     let open = candidate.open_questions();
     let verdict = if candidate.fits() && open > 0 {
         let words = match language {
+            Language::En if open == 1 => "nothing speaks against it; 1 question not answered".to_owned(),
             Language::En => format!("nothing speaks against it; {open} questions not answered"),
+            Language::De if open == 1 => "nichts spricht dagegen; 1 Frage nicht beantwortet".to_owned(),
             Language::De => format!("nichts spricht dagegen; {open} Fragen nicht beantwortet"),
         };
         paint(&words, Verdict::NotChecked)

@@ -4,7 +4,7 @@
 pub(crate) const WIDTH: usize = 100;
 
 /// A column is not wrapped to less than this.
-const NARROWEST: usize = 12;
+const NARROWEST: usize = 18;
 
 /// How a column is aligned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

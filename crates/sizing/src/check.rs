@@ -148,6 +148,14 @@ pub enum Note {
     Erratum(&'static str),
 }
 
+impl Note {
+    /// Whether the remark cites an erratum.
+    #[must_use]
+    pub const fn is_erratum(&self) -> bool {
+        matches!(self, Self::Erratum(_))
+    }
+}
+
 /// The answer of one check, with everything needed to question it.
 #[derive(Clone, Debug)]
 pub struct Check {

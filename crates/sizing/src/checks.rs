@@ -52,14 +52,15 @@ impl Judgement {
         self.checks.iter().filter(|c| c.verdict == Verdict::Fail).max_by(|a, b| key(a).total_cmp(&key(b)))
     }
 
-    /// The largest utilisation among the checks with a limit (recommendations apart).
+    /// The largest utilisation among the checks with a limit (recommendations apart); infinite where a limit of zero
+    /// is exceeded.
     #[must_use]
     pub fn utilisation(&self) -> f64 {
-        self.checks
-            .iter()
-            .filter(|check| check.id != CheckId::InertiaRatio)
-            .filter_map(|check| check.utilisation)
-            .fold(0.0, f64::max)
+        let share = |check: &Check| match check.utilisation {
+            None if check.verdict == Verdict::Fail && check.id != CheckId::Ambient => f64::INFINITY,
+            share => share.unwrap_or(0.0),
+        };
+        self.checks.iter().filter(|check| check.id != CheckId::InertiaRatio).map(share).fold(0.0, f64::max)
     }
 
     /// The check with that utilisation.
@@ -114,7 +115,7 @@ impl Comparison<'_> {
     pub(crate) fn answer(self, otherwise: Verdict) -> Check {
         let verdict = if self.value.abs() <= self.limit.abs() { Verdict::Pass } else { otherwise };
         let mut notes = self.notes;
-        notes.extend(self.errata.iter().map(|id| Note::Erratum(id)));
+        cite(&mut notes, self.errata);
         Check {
             id: self.id,
             verdict,
@@ -193,6 +194,21 @@ pub(crate) fn shown_or_at_most(
     check
 }
 
+/// Cites errata, each once.
+fn cite(notes: &mut Vec<Note>, errata: &'static [&'static str]) {
+    for id in errata {
+        let note = Note::Erratum(id);
+        if !notes.contains(&note) {
+            notes.push(note);
+        }
+    }
+}
+
+/// The errata of the own inertia, which is part of every torque.
+fn inertia_errata(actuator: &Parameters) -> &'static [&'static str] {
+    actuator.inertia_out.known().map_or(&[], |known| known.errata)
+}
+
 pub(crate) const fn equation(number: &'static str) -> Source {
     Source::Equation { document: "cha-manual", number }
 }
@@ -210,17 +226,22 @@ fn peak_torque(actuator: &Parameters, demand: Option<&Demand>, manual: Option<&M
         (Err(missing), _) => return not_checked(id, missing),
         (_, None) => return not_checked(id, Missing { symbol: "J_out" }),
     };
+    // Where eq. 69.2 assumes the braking torque, the peak may be one that only the exact integral sees.
+    let assumed = manual.is_some_and(|manual| manual.braking_assumed);
+    let value_source = if assumed { Source::Model { name: "demand" } } else { equation("69.1") };
+    let mut notes = braking_note(manual);
+    cite(&mut notes, inertia_errata(actuator));
     Comparison {
         id,
         unit: &NEWTON_METRE,
         value: demand.torque_peak.si(),
-        value_source: equation("69.1"),
+        value_source,
         at: Some(demand.torque_peak_at),
         limit: limit.value.si(),
         limit_source: &limit.source,
         grade: limit.grade,
         errata: limit.errata,
-        notes: braking_note(manual),
+        notes,
     }
     .answer(Verdict::Fail)
 }
@@ -281,7 +302,12 @@ fn continuous_torque(
         Err(missing) => return not_checked(id, missing),
     };
     let mut notes = braking_note(manual);
+    cite(&mut notes, inertia_errata(actuator));
     if limit.limit.grade == Grade::Estimated {
+        for datum in [&actuator.stall_current, &actuator.stall_current_motor] {
+            cite(&mut notes, datum.known().map_or(&[], |known| known.errata));
+        }
+        cite(&mut notes, actuator.torque_constant_out.known().map_or(&[], |known| known.errata));
         notes.push(Note::EstimatedUpTo(limit.upper));
     }
     if axis.moments.duration.si() > SHORT_CYCLE_SHARE * actuator::WINDING_TIME_CONSTANT {
@@ -315,6 +341,7 @@ struct Currents<'a> {
     cold: NoLoadCurrentConstant,
     warm: NoLoadCurrentConstant,
     grade: Grade,
+    errata: [&'static [&'static str]; 2],
 }
 
 impl<'a> Currents<'a> {
@@ -333,7 +360,17 @@ impl<'a> Currents<'a> {
             cold: cold.value,
             warm: warm.value,
             grade: grades.into_iter().fold(Grade::Computed, Grade::worst),
+            errata: [inertia.errata, torque_constant.errata],
         })
+    }
+
+    /// How friction counts, and the errata of the inputs.
+    fn notes(&self) -> Vec<Note> {
+        let mut notes = vec![Note::FrictionTemperatures];
+        for errata in self.errata {
+            cite(&mut notes, errata);
+        }
+        notes
     }
 
     /// Speed and current at both ends of a ramp.
@@ -388,7 +425,7 @@ fn voltage(axis: &Axis, actuator: &Parameters, supply: ElectricPotential, reserv
         limit_source: &Source::Project { key: "requirements.supply".into() },
         grade: motor.grade.worst(currents.grade),
         errata: &[],
-        notes: vec![Note::FrictionTemperatures],
+        notes: currents.notes(),
     }
     .answer(Verdict::Fail)
 }
@@ -414,7 +451,7 @@ fn current_check(
         limit_source: &limit.source,
         grade: currents.grade.worst(limit.grade),
         errata: limit.errata,
-        notes: vec![Note::FrictionTemperatures],
+        notes: currents.notes(),
     }
     .answer(Verdict::Fail)
 }

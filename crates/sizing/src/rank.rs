@@ -30,16 +30,20 @@ impl Standing {
 }
 
 /// The stated rule: what fits before what does not; then the smaller frame size; then the lower utilisation, that is
-/// the larger margin; then the lower mass. Among those that do not fit, the one that misses by least comes first.
+/// the larger margin; then the lower mass. Among those that do not fit, the one that misses by least comes first, then
+/// the smaller frame size: what every check would pass misses by nothing.
 ///
 /// Equal standings keep the order in which they came, the order of the catalogue.
 #[must_use]
 pub fn rank(a: &Standing, b: &Standing) -> Ordering {
     let by_margin = || a.utilisation.total_cmp(&b.utilisation);
+    let by_miss = || a.utilisation.max(1.0).total_cmp(&b.utilisation.max(1.0));
     let by_size = || a.size.cmp(&b.size);
     b.fits
         .cmp(&a.fits)
-        .then_with(|| if a.fits { by_size().then_with(by_margin) } else { by_margin().then_with(by_size) })
+        .then_with(|| {
+            if a.fits { by_size().then_with(by_margin) } else { by_miss().then_with(by_size).then_with(by_margin) }
+        })
         .then_with(|| a.mass_kg.total_cmp(&b.mass_kg))
 }
 

@@ -154,6 +154,7 @@ fn requirements(root: &Section) -> Requirements {
 }
 
 fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Axis> {
+    let bearing = bearing_duty(root, reader, language);
     let sections = root.tables("motion");
     let moves: Option<Vec<ManualMove>> = sections.iter().map(build_move).collect();
     let load = root.table("load")?;
@@ -175,7 +176,7 @@ fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Op
                 axis.torsion_max = asked.quantity("torsion_max");
                 axis.natural_frequency_min = asked.quantity("natural_frequency_min");
             }
-            axis.bearing = bearing_duty(root, reader, language);
+            axis.bearing = bearing;
             Some(axis)
         }
         Err(faults) => {
@@ -243,7 +244,7 @@ fn describe_cycle_fault(
                 sections.get(of_move).and_then(|s| s.quantity::<Time>(key)).is_some_and(|time| time.si() <= 0.0)
             };
             let key = if zero("accelerate") { "accelerate" } else { "brake" };
-            (of(of_move, key), language.no_time_to_change_speed(key))
+            (of(of_move, key), language.no_time_to_change_speed(&format!("motion[{}].{key}", of_move + 1)))
         }
         CycleFault::NoDuration => (of(0, "pause"), language.no_duration()),
         CycleFault::NoMove => (whole.clone(), language.no_move()),

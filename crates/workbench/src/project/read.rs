@@ -141,7 +141,10 @@ impl<'t> Reader<'t> {
         let mut section = Section { span: span.clone(), entries: BTreeMap::new() };
         for (name, value) in table {
             let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
-                self.unknown_key(name, keys, path);
+                // In a damaged file the key may stand under a head that could not be read.
+                if !damaged {
+                    self.unknown_key(name, keys, path);
+                }
                 continue;
             };
             let path = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
@@ -182,7 +185,7 @@ impl<'t> Reader<'t> {
             .iter()
             .map(|name| (strsim::damerau_levenshtein(&written.to_lowercase(), &name.to_lowercase()), *name))
             .min()
-            .filter(|(distance, name)| *distance * 2 <= name.chars().count().max(2));
+            .filter(|(distance, name)| *distance * 2 <= name.chars().count());
         match near {
             Some((_, name)) => self.language.did_you_mean(name),
             None => self.language.valid_are(valid),
@@ -266,7 +269,10 @@ impl<'t> Reader<'t> {
                     return None;
                 }
                 if !fine {
-                    let message = self.language.quantity_out_of_range(path, text, range == Range::Positive);
+                    let message = match range {
+                        Range::Any => self.language.below_absolute_zero(path, text),
+                        _ => self.language.quantity_out_of_range(path, text, range == Range::Positive),
+                    };
                     self.fault(span, message, None);
                     return None;
                 }
@@ -393,7 +399,17 @@ impl Key {
 pub(crate) fn example(key: &Key) -> Option<String> {
     let name = key.name;
     match key.kind {
-        Kind::Quantity(dimension, _) => Some(format!("{name} = \"{}\"", dimension.example())),
+        Kind::Quantity(dimension, _) => {
+            let example = match name {
+                "bearing_life_min" | "gear_life_min" => "20000 h",
+                "tilt_angle_max" | "torsion_max" => "2 arcmin",
+                "natural_frequency_min" => "25 Hz",
+                "mass_max" => "10 kg",
+                "length_max" => "200 mm",
+                _ => dimension.example(),
+            };
+            Some(format!("{name} = \"{example}\""))
+        }
         Kind::Integer(low, _) => Some(format!("{name} = {low}")),
         Kind::Number(low, _) => Some(format!("{name} = {low:.1}")),
         Kind::Bool => Some(format!("{name} = true")),

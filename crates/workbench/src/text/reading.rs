@@ -17,6 +17,7 @@ pub(crate) trait Speak: Copy {
     fn write_with_unit(self, written: &str, unit: &str, dimension: Dimension) -> String;
     fn number_out_of_range(self, path: &str, low: f64, high: f64) -> String;
     fn quantity_out_of_range(self, path: &str, text: &str, positive: bool) -> String;
+    fn below_absolute_zero(self, path: &str, text: &str) -> String;
     fn implausible(self, path: &str, text: &str, low: f64, high: f64) -> String;
     fn text_too_long(self, path: &str, most: usize) -> String;
     fn control_character(self, path: &str) -> String;
@@ -87,6 +88,10 @@ impl Speak for Language {
     }
 
     fn number_out_of_range(self, path: &str, low: f64, high: f64) -> String {
+        #[allow(clippy::float_cmp, reason = "bounds that are written equal")]
+        if low == high {
+            return either(self, format!("`{path}` must be {low}"), format!("`{path}` muss {low} sein"));
+        }
         either(
             self,
             format!("`{path}` must be a number from {low} to {high}"),
@@ -101,6 +106,14 @@ impl Speak for Language {
             ("must not be negative", "darf nicht negativ sein")
         };
         either(self, format!("`{path}` {en}, not \"{text}\""), format!("`{path}` {de}, nicht „{text}“"))
+    }
+
+    fn below_absolute_zero(self, path: &str, text: &str) -> String {
+        either(
+            self,
+            format!("`{path}`: \"{text}\" is below absolute zero"),
+            format!("`{path}`: „{text}“ liegt unter dem absoluten Nullpunkt"),
+        )
     }
 
     fn implausible(self, path: &str, text: &str, low: f64, high: f64) -> String {
