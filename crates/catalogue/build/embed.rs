@@ -343,7 +343,7 @@ fn write_all(out: &mut String, data: &Data, cells: &[Cell<'_>], ranges: &[(usize
             erratum.checks_use,
             erratum.status == "corrected",
             erratum.evidence,
-            erratum.evidence_de.as_deref().unwrap_or(&erratum.evidence),
+            erratum.evidence_de,
         );
     }
     let _ = writeln!(out, "];\npub(crate) static SOURCES: &[Document] = &[");

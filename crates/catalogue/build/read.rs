@@ -73,7 +73,7 @@ pub(crate) struct Erratum {
     pub(crate) kind: String,
     pub(crate) status: String,
     pub(crate) evidence: String,
-    pub(crate) evidence_de: Option<String>,
+    pub(crate) evidence_de: String,
 }
 
 /// One entry of `sources.toml`.
