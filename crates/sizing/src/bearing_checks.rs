@@ -38,16 +38,8 @@ pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing) -> Vec<Check> {
 fn force<Q: Measure>(id: CheckId, value: f64, key: &'static str, limit: Result<&Sourced<Q>, Missing>) -> Check {
     match limit {
         Ok(limit) => Comparison {
-            id,
-            unit: &NEWTON,
-            value,
-            value_source: Source::Project { key: key.into() },
-            at: None,
-            limit: limit.value.si(),
-            limit_source: &limit.source,
-            grade: limit.grade,
-            errata: limit.errata,
             notes: vec![Note::LoadsOneAtATime],
+            ..Comparison::with(id, &NEWTON, value, Source::Project { key: key.into() }, limit)
         }
         .answer(Verdict::Fail),
         Err(missing) => not_checked(id, missing),
@@ -64,19 +56,10 @@ fn tilting_moment(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
     let id = CheckId::BearingTiltingMoment;
     let found = moment_of(duty, bearing).and_then(|m| Ok((m, bearing.tilting_moment_max.require("M_dyn_max")?)));
     match found {
-        Ok((moment, limit)) => Comparison {
-            id,
-            unit: &NEWTON_METRE,
-            value: moment.si(),
-            value_source: Source::Model { name: "output-bearing" },
-            at: None,
-            limit: limit.value.si(),
-            limit_source: &limit.source,
-            grade: limit.grade,
-            errata: limit.errata,
-            notes: Vec::new(),
+        Ok((moment, limit)) => {
+            let source = Source::Model { name: "output-bearing" };
+            Comparison::with(id, &NEWTON_METRE, moment.si(), source, limit).answer(Verdict::Fail)
         }
-        .answer(Verdict::Fail),
         Err(missing) => not_checked(id, missing),
     }
 }

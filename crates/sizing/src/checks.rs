@@ -110,7 +110,29 @@ pub(crate) struct Comparison<'a> {
     pub(crate) notes: Vec<Note>,
 }
 
-impl Comparison<'_> {
+impl<'a> Comparison<'a> {
+    /// A value against a limit that is known with its source.
+    pub(crate) fn with<Q: Measure>(
+        id: CheckId,
+        unit: &'static Unit,
+        value: f64,
+        value_source: Source,
+        limit: &'a Sourced<Q>,
+    ) -> Self {
+        Self {
+            id,
+            unit,
+            value,
+            value_source,
+            at: None,
+            limit: limit.value.si(),
+            limit_source: &limit.source,
+            grade: limit.grade,
+            errata: limit.errata,
+            notes: Vec::new(),
+        }
+    }
+
     /// Pass up to and including the limit; `otherwise` beyond.
     pub(crate) fn answer(self, otherwise: Verdict) -> Check {
         let verdict = if self.value.abs() <= self.limit.abs() { Verdict::Pass } else { otherwise };
@@ -232,16 +254,9 @@ fn peak_torque(actuator: &Parameters, demand: Option<&Demand>, manual: Option<&M
     let mut notes = braking_note(manual);
     cite(&mut notes, inertia_errata(actuator));
     Comparison {
-        id,
-        unit: &NEWTON_METRE,
-        value: demand.torque_peak.si(),
-        value_source,
         at: Some(demand.torque_peak_at),
-        limit: limit.value.si(),
-        limit_source: &limit.source,
-        grade: limit.grade,
-        errata: limit.errata,
         notes,
+        ..Comparison::with(id, &NEWTON_METRE, demand.torque_peak.si(), value_source, limit)
     }
     .answer(Verdict::Fail)
 }
@@ -250,19 +265,15 @@ fn peak_torque(actuator: &Parameters, demand: Option<&Demand>, manual: Option<&M
 fn peak_speed(axis: &Axis, actuator: &Parameters) -> Check {
     let id = CheckId::PeakSpeed;
     match actuator::speed_max(actuator) {
-        Ok(limit) => Comparison {
-            id,
-            unit: &REVOLUTION_PER_MINUTE,
-            value: axis.moments.speed_peak.si(),
-            value_source: Source::Project { key: "motion.speed".into() },
-            at: Some(axis.moments.speed_peak_at),
-            limit: limit.value.si(),
-            limit_source: &limit.source,
-            grade: limit.grade,
-            errata: limit.errata,
-            notes: Vec::new(),
+        Ok(limit) => {
+            let source = Source::Project { key: "motion.speed".into() };
+            let value = axis.moments.speed_peak.si();
+            Comparison {
+                at: Some(axis.moments.speed_peak_at),
+                ..Comparison::with(id, &REVOLUTION_PER_MINUTE, value, source, &limit)
+            }
+            .answer(Verdict::Fail)
         }
-        .answer(Verdict::Fail),
         Err(missing) => not_checked(id, missing),
     }
 }
@@ -271,19 +282,10 @@ fn peak_speed(axis: &Axis, actuator: &Parameters) -> Check {
 fn mean_speed(axis: &Axis, actuator: &Parameters) -> Check {
     let id = CheckId::MeanSpeed;
     match actuator::speed_rated_out(actuator) {
-        Ok(limit) => Comparison {
-            id,
-            unit: &REVOLUTION_PER_MINUTE,
-            value: axis.moments.speed_mean().si(),
-            value_source: equation("69.3"),
-            at: None,
-            limit: limit.value.si(),
-            limit_source: &limit.source,
-            grade: limit.grade,
-            errata: limit.errata,
-            notes: Vec::new(),
+        Ok(limit) => {
+            let value = axis.moments.speed_mean().si();
+            Comparison::with(id, &REVOLUTION_PER_MINUTE, value, equation("69.3"), &limit).answer(Verdict::Fail)
         }
-        .answer(Verdict::Fail),
         Err(missing) => not_checked(id, missing),
     }
 }
@@ -313,19 +315,8 @@ fn continuous_torque(
     if axis.moments.duration.si() > SHORT_CYCLE_SHARE * actuator::WINDING_TIME_CONSTANT {
         notes.push(Note::CycleNotShort { cycle: axis.moments.duration });
     }
-    Comparison {
-        id,
-        unit: &NEWTON_METRE,
-        value: demand.torque_rms.si(),
-        value_source: equation("69.2"),
-        at: None,
-        limit: limit.limit.value.si(),
-        limit_source: &limit.limit.source,
-        grade: limit.limit.grade,
-        errata: limit.limit.errata,
-        notes,
-    }
-    .answer(Verdict::Fail)
+    Comparison { notes, ..Comparison::with(id, &NEWTON_METRE, demand.torque_rms.si(), equation("69.2"), &limit.limit) }
+        .answer(Verdict::Fail)
 }
 
 /// The motor current at both ends of every ramp.
@@ -470,19 +461,16 @@ fn demagnetisation(axis: &Axis, actuator: &Parameters) -> Check {
 fn inertia_ratio(axis: &Axis, actuator: &Parameters) -> Check {
     let id = CheckId::InertiaRatio;
     match actuator.inertia_out.require("J_out") {
-        Ok(own) => Comparison {
-            id,
-            unit: &KILOGRAM_SQUARE_METRE,
-            value: axis.load.inertia.si(),
-            value_source: Source::Project { key: "load.inertia".into() },
-            at: None,
-            limit: INERTIA_RATIO_RECOMMENDED * own.value.si(),
-            limit_source: &own.source,
-            grade: own.grade.worst(Grade::Computed),
-            errata: own.errata,
-            notes: vec![Note::RecommendationForHighDynamics],
+        Ok(own) => {
+            let source = Source::Project { key: "load.inertia".into() };
+            Comparison {
+                limit: INERTIA_RATIO_RECOMMENDED * own.value.si(),
+                grade: own.grade.worst(Grade::Computed),
+                notes: vec![Note::RecommendationForHighDynamics],
+                ..Comparison::with(id, &KILOGRAM_SQUARE_METRE, axis.load.inertia.si(), source, own)
+            }
+            .answer(Verdict::Advice)
         }
-        .answer(Verdict::Advice),
         Err(missing) => not_checked(id, missing),
     }
 }

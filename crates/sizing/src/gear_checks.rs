@@ -27,16 +27,8 @@ fn mean_torque(axis: &Axis, actuator: &Parameters) -> Check {
     let id = CheckId::GearMeanTorque;
     match actuator.gear.average_torque_max.require("T_A") {
         Ok(limit) => Comparison {
-            id,
-            unit: &NEWTON_METRE,
-            value: mean_of(axis).si(),
-            value_source: Source::Model { name: "gear" },
-            at: None,
-            limit: limit.value.si(),
-            limit_source: &limit.source,
-            grade: limit.grade,
-            errata: limit.errata,
             notes: vec![Note::RatingOfInterchangeableGear],
+            ..Comparison::with(id, &NEWTON_METRE, mean_of(axis).si(), Source::Model { name: "gear" }, limit)
         }
         .answer(Verdict::Fail),
         Err(missing) => not_checked(id, missing),
