@@ -81,16 +81,28 @@ pub fn choices(pattern: &Pattern) -> Vec<(Field, Vec<Choice>)> {
         .collect()
 }
 
-/// The valid codes nearest to a text, by the number of letters to insert, delete, change or swap.
+/// The words of a code in alphabetical order, so that two codes with the same words in another order are equal.
+fn sorted_words(text: &str) -> String {
+    let mut words: Vec<&str> = text.split('-').collect();
+    words.sort_unstable();
+    words.join("-")
+}
+
+/// The valid codes nearest to a text, by the number of letters to insert, delete, change or swap; words in the wrong
+/// order count as one step.
 ///
-/// Cost: one edit distance (some 20 × 20 steps) per valid code.
+/// Cost: two edit distances (some 20 × 20 steps each) per valid code.
 #[must_use]
 pub fn nearest(text: &str, most: usize) -> Vec<OrderCode> {
     let wanted: String = text.trim().to_uppercase().chars().take(40).collect();
+    let wanted_words = sorted_words(&wanted);
     let mut scored: Vec<(usize, bool, OrderCode)> = ALL
         .iter()
         .map(|(code, availability)| {
-            (order_code::edit_distance(&wanted, &code.to_string()), !availability.is_available(), *code)
+            let text = code.to_string();
+            let as_written = order_code::edit_distance(&wanted, &text);
+            let reordered = 1 + order_code::edit_distance(&wanted_words, &sorted_words(&text));
+            (as_written.min(reordered), !availability.is_available(), *code)
         })
         .collect();
     scored.sort();

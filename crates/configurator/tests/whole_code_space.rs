@@ -134,6 +134,8 @@ fn one_wrong_letter_finds_its_code_among_the_nearest() {
             assert!(found.contains(code), "{wrong} -> {found:?}");
         }
     }
+    let swapped: Vec<String> = nearest("CHA-20A-100-C1024-H", 1).iter().map(ToString::to_string).collect();
+    assert_eq!(swapped, ["CHA-20A-100-H-C1024"]);
     assert!(nearest("completely different", 3).is_empty());
     assert!(nearest("", 3).is_empty());
 }

@@ -5,6 +5,8 @@ use std::ops::Range;
 use thiserror::Error;
 
 /// One fault of a code.
+///
+/// The hint is apart from the message: [`Self::nearest`] or else [`Self::expected`].
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum CodeError {
@@ -19,41 +21,49 @@ pub enum CodeError {
         /// Longest text that is read.
         most: usize,
     },
-    /// Nothing stands between two hyphens, or behind the last one.
+    /// Nothing stands between two hyphens, before the first one or behind the last one.
     #[error("nothing stands at this hyphen")]
     EmptyPart {
         /// Place of the hyphen.
         span: Range<usize>,
+        /// Fields that could stand behind the last hyphen; empty at any other hyphen, which is simply too much.
+        expected: Vec<Field>,
     },
-    /// No token of this field.
-    #[error("\"{found}\" is no {field}")]
+    /// No word of the field that is expected here.
+    #[error("{found:?} is no {field}")]
     UnknownToken {
-        /// Field expected here.
+        /// Field expected here; where several may stand, the one with the nearest word.
         field: Field,
         /// Place in the text.
         span: Range<usize>,
-        /// What stands there.
+        /// What stands there, cut after 24 characters.
         found: String,
+        /// Every field that could stand here, in their order; none behind a complete code.
+        expected: Vec<Field>,
     },
-    /// A token that belongs to an earlier field.
-    #[error("{field} \"{found}\" stands in the wrong place")]
+    /// A word of another field, and that field belongs to another place.
+    #[error("{field} {found:?} stands in the wrong place")]
     OutOfOrder {
-        /// Field that the token belongs to.
+        /// Field that the word belongs to.
         field: Field,
         /// Place in the text.
         span: Range<usize>,
         /// What stands there.
         found: String,
+        /// Every field that could stand here.
+        expected: Vec<Field>,
     },
     /// A field for the second time.
-    #[error("{field} is given twice, here as \"{found}\"")]
+    #[error("{field} is given twice, here as {found:?}")]
     Repeated {
         /// Field.
         field: Field,
-        /// Place in the text.
+        /// Place of the second.
         span: Range<usize>,
         /// What stands there.
         found: String,
+        /// Every field that could stand here.
+        expected: Vec<Field>,
     },
     /// A field that may not be left out.
     #[error("{field} is missing")]
@@ -63,66 +73,114 @@ pub enum CodeError {
         /// Place where it should stand.
         at: usize,
     },
+    /// Words without hyphens that can be read in more than one way.
+    ///
+    /// Cannot happen with the words of today, see the grammar; it stands here so that a new word cannot bring a guess.
+    #[error("{found:?} can be read as {}", .readings.join(" or "))]
+    Ambiguous {
+        /// Place in the text.
+        span: Range<usize>,
+        /// What stands there.
+        found: String,
+        /// The readings, with hyphens.
+        readings: Vec<String>,
+    },
 }
 
 impl CodeError {
-    /// The offending part of the text, in bytes.
+    /// The offending part of the text, in bytes; empty where something is missing.
     #[must_use]
     pub fn span(&self) -> Range<usize> {
         match self {
             Self::Empty => 0..0,
             Self::Missing { at, .. } => *at..*at,
             Self::TooLong { span, .. }
-            | Self::EmptyPart { span }
+            | Self::EmptyPart { span, .. }
             | Self::UnknownToken { span, .. }
             | Self::OutOfOrder { span, .. }
-            | Self::Repeated { span, .. } => span.clone(),
+            | Self::Repeated { span, .. }
+            | Self::Ambiguous { span, .. } => span.clone(),
         }
     }
 
-    /// The tokens that would be valid here.
+    /// The words that would be valid here.
     #[must_use]
-    pub const fn expected(&self) -> &'static [&'static str] {
-        match self {
-            Self::UnknownToken { field, .. } | Self::Missing { field, .. } => field.tokens(),
-            Self::Empty => Field::Series.tokens(),
-            _ => &[],
-        }
+    pub fn expected(&self) -> Vec<&'static str> {
+        let fields: &[Field] = match self {
+            Self::Empty => &[Field::Series],
+            Self::Missing { field, .. } => std::slice::from_ref(field),
+            Self::EmptyPart { expected, .. }
+            | Self::UnknownToken { expected, .. }
+            | Self::OutOfOrder { expected, .. }
+            | Self::Repeated { expected, .. } => expected,
+            Self::TooLong { .. } | Self::Ambiguous { .. } => &[],
+        };
+        fields.iter().flat_map(|field| field.tokens()).copied().collect()
     }
 
-    /// The valid token that is nearest to what stands here, if one is near.
+    /// The valid word that is nearest to what stands here, if one is near: at most half of its letters are wrong.
     #[must_use]
     pub fn nearest(&self) -> Option<&'static str> {
-        let Self::UnknownToken { field, found, .. } = self else { return None };
-        let found: String = found.chars().take(16).collect();
-        field
-            .tokens()
-            .iter()
-            .map(|token| (crate::edit_distance(&found, token), *token))
-            .min()
-            .filter(|(distance, token)| *distance * 2 <= token.len())
-            .map(|(_, token)| token)
+        match self {
+            Self::UnknownToken { found, expected, .. } => nearest_token(found, expected).map(|(_, token)| token),
+            _ => None,
+        }
     }
 }
 
-/// Every fault of a code; never empty.
+/// Among the words of some fields the one that is nearest to a text, with its field. Of several as near, the one that
+/// begins most like the text, then the first in the order of the fields.
+pub(crate) fn nearest_token(found: &str, fields: &[Field]) -> Option<(Field, &'static str)> {
+    let found: String = found.chars().take(16).collect();
+    fields
+        .iter()
+        .flat_map(|field| field.tokens().iter().map(move |token| (*field, *token)))
+        .map(|(field, token)| (crate::edit_distance(&found, token), field, token))
+        .filter(|(distance, _, token)| distance * 2 <= token.len())
+        .min_by_key(|(distance, _, token)| (*distance, std::cmp::Reverse(common_beginning(&found, token))))
+        .map(|(_, field, token)| (field, token))
+}
+
+fn common_beginning(a: &str, b: &str) -> usize {
+    a.bytes().zip(b.bytes()).take_while(|(a, b)| a.eq_ignore_ascii_case(b)).count()
+}
+
+/// Every fault of a code, in the order of the text; at least one.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{}", first(.faults))]
+#[error("{}", joined(.faults))]
 pub struct CodeErrors {
     faults: Vec<CodeError>,
 }
 
-fn first(faults: &[CodeError]) -> String {
-    faults.first().map(ToString::to_string).unwrap_or_default()
+fn joined(faults: &[CodeError]) -> String {
+    let sentences: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    sentences.join("; ")
 }
 
 impl CodeErrors {
-    pub(crate) fn new(faults: Vec<CodeError>) -> Self {
+    /// Several faults, sorted by their place. The caller has at least one.
+    pub(crate) fn new(mut faults: Vec<CodeError>) -> Self {
+        faults.sort_by_key(|fault| fault.span().start);
         Self { faults }
     }
 
     /// The faults, in the order of the text.
-    pub fn iter(&self) -> impl Iterator<Item = &CodeError> {
+    pub fn iter(&self) -> std::slice::Iter<'_, CodeError> {
         self.faults.iter()
+    }
+}
+
+impl From<CodeError> for CodeErrors {
+    fn from(fault: CodeError) -> Self {
+        Self { faults: vec![fault] }
+    }
+}
+
+impl<'a> IntoIterator for &'a CodeErrors {
+    type Item = &'a CodeError;
+    type IntoIter = std::slice::Iter<'a, CodeError>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
     }
 }

@@ -33,7 +33,10 @@ macro_rules! tokens {
 }
 
 tokens! {
-    /// Frame size with version letter (cha-manual table 11.1).
+    /// Frame size with version letter.
+    ///
+    /// # Source
+    /// cha-manual table 11.1
     Size {
         /// Size 14.
         S14A => "14A",
@@ -72,7 +75,10 @@ impl Size {
 }
 
 tokens! {
-    /// Reduction ratio (cha-manual table 11.1).
+    /// Reduction ratio.
+    ///
+    /// # Source
+    /// cha-manual table 11.1
     Ratio {
         /// 30 : 1
         R30 => "30",
@@ -105,7 +111,10 @@ impl Ratio {
 }
 
 tokens! {
-    /// Motor winding and connector configuration (cha-manual tables 11.2 and 11.3; L stands in table 12.1 only).
+    /// Motor winding and connector configuration.
+    ///
+    /// # Source
+    /// cha-manual tables 11.2 and 11.3; L stands in table 12.1 only, without a meaning
     Winding {
         /// 48 V DC link, connectors on the housing.
         E => "E",
@@ -119,15 +128,18 @@ tokens! {
 }
 
 tokens! {
-    /// Motor feedback system (cha-manual table 11.4).
+    /// Motor feedback system.
+    ///
+    /// # Source
+    /// cha-manual table 11.4
     Feedback {
-        /// Incremental encoder with 1024 sine periods.
+        /// Incremental encoder.
         C1024 => "C1024",
         /// Multiturn absolute encoder, EnDat.
         M512P => "M512P",
         /// Resolver.
         RES => "RES",
-        /// Incremental encoder with 2048 lines.
+        /// Incremental encoder.
         D2048 => "D2048",
         /// Multiturn absolute encoder, SSI.
         M128S => "M128S",
@@ -135,15 +147,21 @@ tokens! {
 }
 
 tokens! {
-    /// Option 1, sensor (cha-manual table 11.5).
+    /// Option 1, sensor.
+    ///
+    /// # Source
+    /// cha-manual table 11.5
     Option1 {
-        /// Single-turn absolute encoder at the output.
+        /// Single-turn absolute EnDat encoder at the output.
         EC => "EC",
     }
 }
 
 tokens! {
-    /// Option 2, cable and connector exit (cha-manual table 11.6).
+    /// Option 2, cable and connector exit; without it the cable leaves radially.
+    ///
+    /// # Source
+    /// cha-manual table 11.6
     Option2 {
         /// Axial cable exit.
         K => "K",
@@ -155,15 +173,26 @@ tokens! {
 }
 
 /// Holding brake.
+///
+/// # Source
+/// cha-manual table 11.1
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Brake {
     /// No brake, nothing in the code.
     Without,
-    /// `B`
+    /// `B` in the code.
     With,
 }
 
+impl Brake {
+    /// Both values.
+    pub const ALL: &'static [Self] = &[Self::Without, Self::With];
+}
+
 /// The fields of a code, in their order.
+///
+/// # Source
+/// cha-manual table 11.1
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Field {
     /// `CHA`
@@ -221,11 +250,6 @@ impl Field {
     pub const fn is_optional(self) -> bool {
         matches!(self, Self::Brake | Self::Option1 | Self::Option2 | Self::Special)
     }
-
-    /// The field that a token belongs to; every token belongs to one field only.
-    pub(crate) fn of_token(token: &str) -> Option<Self> {
-        Self::ALL.iter().copied().find(|field| field.tokens().contains(&token))
-    }
 }
 
 impl fmt::Display for Field {
@@ -245,6 +269,12 @@ impl fmt::Display for Field {
 }
 
 /// An ordering code that keeps the grammar; whether it can be ordered is another question.
+///
+/// Displayed in the canonical spelling, `CHA-20A-100-H-C1024-B-EC-K-SP`; an absent field leaves nothing. Sorted by the
+/// fields in their order, each as in the ordering tables.
+///
+/// # Source
+/// cha-manual table 11.1
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct OrderCode {
     /// Frame size and version.

@@ -2,7 +2,7 @@
 
 use crate::error::CodeErrors;
 use crate::field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
-use crate::parse::scan;
+use crate::scan::{Form, scan};
 
 /// One field of a partial code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,7 +23,22 @@ impl<T: PartialEq> Slot<T> {
     }
 }
 
-/// A partial code. What it does not name is open: an optional field that it passes over may be there or not.
+/// A partial code, for completing and listing: `CHA-20A-100-H-*`, `CHA-20A`, `CHA-*-100-*-M512P-B`, or nothing at all.
+///
+/// `*` stands for any value of one field, or for the absence of an optional one. What the text does not name is open:
+/// everything behind its end, and an optional field that it passes over may be there or not. Absence cannot be written;
+/// set the slot instead.
+///
+/// ```
+/// use order_code::{Brake, Pattern, Slot, parse};
+///
+/// let mut pattern = Pattern::parse("CHA-20A-100-H-C1024")?;
+/// let braked = parse("CHA-20A-100-H-C1024-B")?.code;
+/// assert!(pattern.matches(&braked));
+/// pattern.brake = Slot::Exactly(Brake::Without);
+/// assert!(!pattern.matches(&braked));
+/// # Ok::<(), order_code::CodeErrors>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pattern {
     /// Frame size.
@@ -45,12 +60,14 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// Reads a partial code; `*` stands for any value of one field, and the text may stop anywhere.
+    /// Reads a partial code, as tolerant of spelling as [`parse`](crate::parse()).
+    ///
+    /// `*` stands alone between hyphens: `20A*` and `1?0` are faults, no shell patterns.
     ///
     /// # Errors
-    /// Every fault with its place.
+    /// Every fault with its place; a hyphen at the end is one.
     pub fn parse(text: &str) -> Result<Self, CodeErrors> {
-        let (tokens, _) = scan(text, true)?;
+        let (tokens, _) = scan(text, Form::Pattern)?;
         let token = |field: Field| tokens.iter().find(|found| found.field == field).and_then(|found| found.token);
         Ok(Self {
             size: token(Field::Size).and_then(Size::of).map_or(Slot::Any, Slot::Exactly),

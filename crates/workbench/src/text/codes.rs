@@ -140,6 +140,14 @@ pub fn describe_code_error(error: &CodeError, language: Language) -> String {
         CodeError::EmptyPart { .. } => {
             either(language, "nothing stands at this hyphen", "an diesem Bindestrich steht nichts")
         }
+        CodeError::UnknownToken { found, expected, .. } if expected.len() > 1 => {
+            either(language, format!("`{found}` is not known here"), format!("`{found}` ist hier nicht bekannt"))
+        }
+        CodeError::Ambiguous { found, .. } => either(
+            language,
+            format!("`{found}` can be read in more than one way; write the hyphens"),
+            format!("`{found}` lässt sich auf mehr als eine Weise lesen; bitte mit Bindestrichen schreiben"),
+        ),
         CodeError::UnknownToken { field, found, .. } => either(
             language,
             format!("`{found}` is not known as: {}", name(field)),

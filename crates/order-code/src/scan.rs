@@ -1,0 +1,309 @@
+//! From text to words: separators, readings, and what is wrong where there is none.
+
+use crate::error::{CodeError, CodeErrors, nearest_token};
+use crate::field::Field;
+use crate::parse::Departure;
+use crate::tokens::{Found, Step, complete_readings, in_any_order, readings};
+use std::ops::Range;
+
+/// Longest text that is read as a code, in characters: the longest code has 29, and 45 with spaces around its hyphens.
+const LENGTH_MAX: usize = 64;
+
+/// An unknown text longer than this holds more than one word, and what is missing cannot be told from what is misspelt.
+const LENGTH_WORD_MAX: usize = 7;
+
+/// What a text is read as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// A code with all its mandatory fields.
+    Code,
+    /// A partial code that may hold wildcards and stop anywhere.
+    Pattern,
+}
+
+/// The words of a text in the order of the fields with its departures, or every fault.
+pub(crate) fn scan(text: &str, form: Form) -> Result<(Vec<Found>, Vec<Departure>), CodeErrors> {
+    if let Some((at, _)) = text.char_indices().nth(LENGTH_MAX) {
+        return Err(CodeError::TooLong { span: at..text.len(), most: LENGTH_MAX }.into());
+    }
+    let Parts { parts, departures, faults, trailing } = split(text);
+    if parts.is_empty() && form == Form::Code && faults.is_empty() {
+        return Err(CodeError::Empty.into());
+    }
+    let only_hyphens = parts.is_empty() && !faults.is_empty();
+    let mut reader = Reader {
+        text,
+        form,
+        next: 0,
+        seen: Vec::new(),
+        tokens: Vec::new(),
+        departures,
+        faults,
+        swallowed: only_hyphens,
+    };
+    for (index, part) in parts.iter().enumerate() {
+        reader.read(part, parts.get(index + 1..).unwrap_or_default());
+    }
+    if let Some(span) = trailing {
+        let expected = reader.reachable();
+        reader.faults.push(CodeError::EmptyPart { span, expected });
+    }
+    reader.finish(parts.last().map_or(0, |part| part.span.end))
+}
+
+/// A part of the text between separators.
+struct Part {
+    capitals: String,
+    span: Range<usize>,
+}
+
+/// The parts of a text, with the departures and faults in its separators.
+struct Parts {
+    parts: Vec<Part>,
+    departures: Vec<Departure>,
+    faults: Vec<CodeError>,
+    /// A hyphen behind the last part.
+    trailing: Option<Range<usize>>,
+}
+
+fn is_other_dash(c: char) -> bool {
+    matches!(c, '‐' | '‑' | '‒' | '–' | '—' | '―' | '−')
+}
+
+fn is_dash(c: char) -> bool {
+    c == '-' || is_other_dash(c)
+}
+
+/// Spaces of any width. Tabs and ends of lines are none: inside a code they are a slip.
+fn is_space(c: char) -> bool {
+    c.is_whitespace() && !c.is_control() && !matches!(c, '\u{2028}' | '\u{2029}')
+}
+
+fn split(text: &str) -> Parts {
+    let mut found = Parts { parts: Vec::new(), departures: Vec::new(), faults: Vec::new(), trailing: None };
+    let trimmed = text.trim();
+    if trimmed.len() != text.len() {
+        found.departures.push(Departure::SurroundingSpace);
+    }
+    let mut rest = trimmed;
+    let mut at = text.len() - text.trim_start().len();
+    while !rest.is_empty() {
+        let separates = |c: char| is_dash(c) || is_space(c);
+        let (part, tail) = rest.split_at(rest.find(separates).unwrap_or(rest.len()));
+        let (gap, next) = tail.split_at(tail.find(|c: char| !separates(c)).unwrap_or(tail.len()));
+        let span = at..at + part.len();
+        let gap_span = span.end..span.end + gap.len();
+        at = gap_span.end;
+        rest = next;
+        if !part.is_empty() {
+            // ASCII only: no other letter may turn into one of a word ("ſp" is not SP), and all places stay.
+            found.parts.push(Part { capitals: part.to_ascii_uppercase(), span });
+        }
+        let dashes = gap.chars().filter(|c| is_dash(*c)).count();
+        if dashes > 0 && next.is_empty() && !found.parts.is_empty() {
+            found.trailing = Some(gap_span);
+        } else if dashes > 1 || (dashes == 1 && (part.is_empty() || next.is_empty())) {
+            found.faults.push(CodeError::EmptyPart { span: gap_span, expected: Vec::new() });
+        } else {
+            if gap.contains(is_space) {
+                found.departures.push(Departure::Spaces { span: gap_span.clone() });
+            }
+            if let Some((offset, dash)) = gap.char_indices().find(|(_, c)| is_other_dash(*c)) {
+                let start = gap_span.start + offset;
+                found.departures.push(Departure::OtherDash { span: start..start + dash.len_utf8() });
+            }
+        }
+    }
+    found
+}
+
+fn position(field: Field) -> usize {
+    Field::ALL.iter().position(|known| *known == field).unwrap_or(0)
+}
+
+/// What follows a word: the words behind it in its own part, and the parts behind that.
+struct Ahead<'a> {
+    steps: &'a [Step<Field>],
+    parts: &'a [Part],
+}
+
+impl Ahead<'_> {
+    /// Whether a word of this field is still to come, in whatever order. Asked for faulty codes only.
+    fn names(&self, field: Field) -> bool {
+        let named = |steps: &[Step<Field>]| steps.iter().any(|step| step.0 == field);
+        named(self.steps) || self.parts.iter().any(|part| named(&in_any_order(&part.capitals).unwrap_or_default()))
+    }
+}
+
+/// Reads part after part.
+struct Reader<'a> {
+    text: &'a str,
+    form: Form,
+    /// Position of the first field that may come.
+    next: usize,
+    /// Fields that were named, also in a wrong place.
+    seen: Vec<Field>,
+    tokens: Vec<Found>,
+    departures: Vec<Departure>,
+    faults: Vec<CodeError>,
+    /// Whether an unknown text may hold what is missing.
+    swallowed: bool,
+}
+
+impl Reader<'_> {
+    /// Reads one part; `ahead` are the parts behind it.
+    fn read(&mut self, part: &Part, ahead: &[Part]) {
+        if self.form == Form::Pattern
+            && part.capitals == "*"
+            && let Some(field) = self.open().first()
+        {
+            self.tokens.push(Found { field: *field, token: None, span: part.span.clone() });
+            self.next += 1;
+            return;
+        }
+        let mut found = complete_readings(&part.capitals, self.open());
+        if found.len() > 1 {
+            let joined = |steps: &Vec<Step<Field>>| steps.iter().map(|step| step.1).collect::<Vec<_>>().join("-");
+            let readings = found.iter().map(joined).collect();
+            self.faults.push(CodeError::Ambiguous {
+                span: part.span.clone(),
+                found: self.written(&part.span),
+                readings,
+            });
+            self.swallowed = true;
+            return;
+        }
+        match found.pop().or_else(|| in_any_order(&part.capitals)) {
+            Some(steps) => self.place_all(&steps, part.span.start, ahead),
+            None => self.diagnose(part, ahead),
+        }
+    }
+
+    /// The fields that may come, in their order.
+    fn open(&self) -> &'static [Field] {
+        Field::ALL.get(self.next..).unwrap_or_default()
+    }
+
+    /// The fields of which a word may stand here: up to the first that may not be absent.
+    fn reachable(&self) -> Vec<Field> {
+        let mut fields = Vec::new();
+        for field in self.open().iter().filter(|field| !self.seen.contains(field)) {
+            fields.push(*field);
+            if !field.is_optional() {
+                break;
+            }
+        }
+        fields
+    }
+
+    fn written(&self, span: &Range<usize>) -> String {
+        self.text.get(span.clone()).unwrap_or_default().chars().take(24).collect()
+    }
+
+    /// Takes known words, one behind the other from `start` on.
+    fn place_all(&mut self, steps: &[Step<Field>], start: usize, ahead: &[Part]) {
+        for (index, (field, token, offset)) in steps.iter().enumerate() {
+            let begin = start + offset;
+            if index > 0 {
+                self.departures.push(Departure::MissingHyphen { at: begin });
+            }
+            let later = Ahead { steps: steps.get(index + 1..).unwrap_or_default(), parts: ahead };
+            self.place(Found { field: *field, token: Some(token), span: begin..begin + token.len() }, &later);
+        }
+    }
+
+    /// Takes a known word, or says why it may not stand here.
+    fn place(&mut self, word: Found, ahead: &Ahead<'_>) {
+        let (field, span, place) = (word.field, word.span.clone(), position(word.field));
+        let found = self.written(&span);
+        if self.seen.contains(&field) {
+            let expected = self.reachable();
+            self.faults.push(CodeError::Repeated { field, span, found, expected });
+            return;
+        }
+        let skipped: Vec<Field> = Field::ALL
+            .get(self.next..place)
+            .unwrap_or_default()
+            .iter()
+            .copied()
+            .filter(|field| !field.is_optional() && !self.seen.contains(field))
+            .collect();
+        // Too late, or too early: what must stand before it is still to come.
+        if place < self.next || skipped.iter().any(|field| ahead.names(*field)) {
+            let expected = self.reachable();
+            self.faults.push(CodeError::OutOfOrder { field, span, found, expected });
+            self.seen.push(field);
+            return;
+        }
+        self.faults.extend(skipped.into_iter().map(|field| CodeError::Missing { field, at: span.start }));
+        self.next = place + 1;
+        self.seen.push(field);
+        if word.token.is_some_and(|token| token != found) {
+            self.departures.push(Departure::LowerCase { span });
+        }
+        self.tokens.push(word);
+    }
+
+    /// Says what is wrong with a part that is no run of known words.
+    fn diagnose(&mut self, part: &Part, ahead: &[Part]) {
+        let whole_is_near = nearest_token(&part.capitals, &self.reachable()).is_some();
+        let mut from = 0;
+        if !whole_is_near && !part.capitals.contains('*') {
+            // Known words without hyphens before the unknown one.
+            if let Some((end, steps)) = readings(&part.capitals, self.open()).into_iter().max_by_key(|(end, _)| *end) {
+                self.place_all(&steps, part.span.start, ahead);
+                from = end;
+            }
+        }
+        let rest = part.capitals.get(from..).unwrap_or_default();
+        // Known words behind it, if exactly one field is expected here.
+        let expected = self.reachable();
+        let behind = match expected.as_slice() {
+            [only] if !only.is_optional() && !whole_is_near => known_behind(rest, position(*only) + 1),
+            _ => None,
+        };
+        let length = behind.as_ref().map_or(rest.len(), |(length, _)| *length);
+        let start = part.span.start + from;
+        let span = start..start + length;
+        let steps = behind.as_ref().map_or(&[][..], |(_, steps)| steps);
+        self.unknown(span, expected, &Ahead { steps, parts: ahead });
+        if let Some((length, steps)) = behind {
+            self.place_all(&steps, start + length, ahead);
+        }
+    }
+
+    /// Records an unknown word.
+    fn unknown(&mut self, span: Range<usize>, expected: Vec<Field>, ahead: &Ahead<'_>) {
+        let found = self.written(&span);
+        let near = nearest_token(&found, &expected).map(|(field, _)| field);
+        let field = near.or(expected.first().copied()).unwrap_or(Field::Special);
+        self.swallowed |= found.chars().count() > LENGTH_WORD_MAX;
+        // It stands for the field expected here, unless that is still to come.
+        if !field.is_optional() && !ahead.names(field) {
+            self.next = self.next.max(position(field) + 1);
+        }
+        self.faults.push(CodeError::UnknownToken { field, span, found, expected });
+    }
+
+    fn finish(mut self, end: usize) -> Result<(Vec<Found>, Vec<Departure>), CodeErrors> {
+        if self.form == Form::Code && !self.swallowed {
+            let missing = self.open().iter().filter(|field| !field.is_optional() && !self.seen.contains(field));
+            let missing: Vec<Field> = missing.copied().collect();
+            self.faults.extend(missing.into_iter().map(|field| CodeError::Missing { field, at: end }));
+        }
+        if !self.faults.is_empty() {
+            return Err(CodeErrors::new(self.faults));
+        }
+        self.departures.sort_by_key(|departure| departure.span().map_or(0, |span| span.start));
+        Ok((self.tokens, self.departures))
+    }
+}
+
+/// The shortest beginning of `text` behind which all is known words of the fields from `next` on, with those words.
+fn known_behind(text: &str, next: usize) -> Option<(usize, Vec<Step<Field>>)> {
+    let fields = Field::ALL.get(next..)?;
+    text.char_indices().skip(1).find_map(|(at, _)| {
+        let steps = complete_readings(text.get(at..)?, fields).into_iter().next()?;
+        Some((at, steps))
+    })
+}

@@ -1,0 +1,172 @@
+//! Words without hyphens between them: every reading in the order of the fields, and one in any order.
+
+use crate::field::Field;
+use std::ops::Range;
+
+/// One word found in the text; the wildcard of a pattern has no token.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Found {
+    pub(crate) field: Field,
+    pub(crate) token: Option<&'static str>,
+    pub(crate) span: Range<usize>,
+}
+
+/// What the search must know of a field.
+pub(crate) trait Word: Copy {
+    fn words(self) -> &'static [&'static str];
+    fn may_be_absent(self) -> bool;
+}
+
+impl Word for Field {
+    fn words(self) -> &'static [&'static str] {
+        self.tokens()
+    }
+
+    fn may_be_absent(self) -> bool {
+        self.is_optional()
+    }
+}
+
+/// A word with its field and where it begins.
+pub(crate) type Step<F> = (F, &'static str, usize);
+
+/// Every way to read the beginning of `text`, or all of it, as words of `fields` in their order; each with its end.
+///
+/// A field that may not be absent is never passed over. A reading has at most one word per field, so the search is small
+/// whatever the text.
+pub(crate) fn readings<F: Word>(text: &str, fields: &[F]) -> Vec<(usize, Vec<Step<F>>)> {
+    let mut all = Vec::new();
+    read_on(text, 0, fields, &mut Vec::new(), &mut all);
+    all
+}
+
+fn read_on<F: Word>(
+    text: &str,
+    at: usize,
+    fields: &[F],
+    so_far: &mut Vec<Step<F>>,
+    all: &mut Vec<(usize, Vec<Step<F>>)>,
+) {
+    if !so_far.is_empty() {
+        all.push((at, so_far.clone()));
+    }
+    let rest = text.get(at..).unwrap_or_default();
+    for (index, field) in fields.iter().enumerate() {
+        for token in field.words() {
+            if rest.starts_with(token) {
+                so_far.push((*field, token, at));
+                read_on(text, at + token.len(), fields.get(index + 1..).unwrap_or_default(), so_far, all);
+                so_far.pop();
+            }
+        }
+        if !field.may_be_absent() {
+            return;
+        }
+    }
+}
+
+/// Every way to read all of `text` as words of `fields` in their order.
+pub(crate) fn complete_readings<F: Word>(text: &str, fields: &[F]) -> Vec<Vec<Step<F>>> {
+    readings(text, fields).into_iter().filter(|(end, _)| *end == text.len()).map(|(_, reading)| reading).collect()
+}
+
+/// All of `text` as words of any fields in any order, in as few words as can be: what somebody may have meant who got
+/// the order wrong. Several words of one letter each are rather a typing error, and no reading.
+pub(crate) fn in_any_order(text: &str) -> Option<Vec<Step<Field>>> {
+    // From the end: how few words read the rest from each place, and the first of them.
+    let mut fewest: Vec<Option<usize>> = vec![None; text.len()];
+    fewest.push(Some(0));
+    let mut first: Vec<Option<(Field, &'static str)>> = vec![None; text.len()];
+    for (at, _) in text.char_indices().rev() {
+        let rest = text.get(at..).unwrap_or_default();
+        let words = Field::ALL.iter().flat_map(|field| field.tokens().iter().map(move |token| (*field, *token)));
+        for word in words.filter(|(_, token)| rest.starts_with(token)) {
+            let Some(count) = fewest.get(at + word.1.len()).copied().flatten() else { continue };
+            if let (Some(least), Some(chosen)) = (fewest.get_mut(at), first.get_mut(at))
+                && least.is_none_or(|least| count + 1 < least)
+            {
+                *least = Some(count + 1);
+                *chosen = Some(word);
+            }
+        }
+    }
+    let mut steps = Vec::new();
+    let mut at = 0;
+    while at < text.len() {
+        let (field, token) = first.get(at).copied().flatten()?;
+        steps.push((field, token, at));
+        at += token.len();
+    }
+    (steps.len() == 1 || steps.iter().any(|(_, token, _)| token.len() > 1)).then_some(steps)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    enum Invented {
+        Letter,
+        Perhaps,
+        Last,
+    }
+
+    impl Word for Invented {
+        fn words(self) -> &'static [&'static str] {
+            match self {
+                Self::Letter => &["A", "AB"],
+                Self::Perhaps => &["B"],
+                Self::Last => &["C", "BC"],
+            }
+        }
+
+        fn may_be_absent(self) -> bool {
+            matches!(self, Self::Perhaps)
+        }
+    }
+
+    #[test]
+    fn the_search_finds_every_reading() {
+        let fields = [Invented::Letter, Invented::Perhaps, Invented::Last];
+        let found = complete_readings("ABC", &fields);
+        let words: Vec<Vec<&str>> = found.iter().map(|reading| reading.iter().map(|step| step.1).collect()).collect();
+        assert_eq!(words, [vec!["A", "B", "C"], vec!["A", "BC"], vec!["AB", "C"]]);
+        assert!(complete_readings("AX", &fields).is_empty());
+    }
+
+    /// Whatever stands first and whichever fields follow, glued words have one reading only.
+    #[test]
+    fn no_run_of_words_has_two_readings() {
+        fn walk(text: &str, from: usize, next: usize, runs: &mut usize) {
+            if !text.is_empty() {
+                let fields = Field::ALL.get(from..).unwrap();
+                assert_eq!(complete_readings(text, fields).len(), 1, "{text} from field {from}");
+                *runs += 1;
+            }
+            for (index, field) in Field::ALL.iter().enumerate().skip(next) {
+                for token in field.tokens() {
+                    walk(&format!("{text}{token}"), from, index + 1, runs);
+                }
+                if !field.is_optional() {
+                    return;
+                }
+            }
+        }
+        let mut runs = 0;
+        for from in 0..Field::ALL.len() {
+            walk("", from, from, &mut runs);
+        }
+        assert!(runs > 2 * 30_720, "{runs}");
+    }
+
+    #[test]
+    fn any_order_takes_the_fewest_words() {
+        let words = |text: &str| in_any_order(text).map(|steps| steps.iter().map(|step| step.1).collect::<Vec<_>>());
+        assert_eq!(words("RES"), Some(vec!["RES"]));
+        assert_eq!(words("C1024H"), Some(vec!["C1024", "H"]));
+        assert_eq!(words("RE"), None, "a typing error, not option 2 and winding");
+        assert_eq!(words("X"), None);
+        assert_eq!(words(&"RES".repeat(21)).map(|all| all.len()), Some(21));
+        assert_eq!(words("é"), None);
+    }
+}
