@@ -3,7 +3,7 @@
 //! Baseline: the bare sum that every judgement contains, T_rms by its formula for the same number of inertias.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
-use benches::{Gates, median};
+use benches::{Gates, measure, milliseconds};
 use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -24,27 +24,27 @@ fn main() -> ExitCode {
     let judged = size(&project).candidates.len();
     let inertias: Vec<f64> = (0..judged).map(|index| 0.1 + 0.01 * index as f64).collect();
     let (a, c, t0) = (3.5e3_f64, 0.3_f64, 1.3_f64);
-    let baseline = median(300, || {
+    let baseline = measure(300, || {
         for inertia in &inertias {
             let (j, friction) = (1.3 + inertia, 5.0);
             black_box(((j * j * a + friction * friction * c) / t0).sqrt());
         }
     });
-    let whole = median(300, || {
+    let whole = measure(300, || {
         black_box(size(black_box(&project)));
     });
     let name = ("the bare T_rms of as many candidates", baseline);
     gates.hold(&format!("judge the catalogue ({judged} actuators)"), whole, Duration::from_millis(1), name);
-    println!("  per actuator: {:.0} ns", whole.as_secs_f64() * 1e9 / judged as f64);
+    println!("  per actuator: {:.0} ns", whole.median.as_secs_f64() * 1e9 / judged as f64);
     for count in [10, 100, 1000] {
         let many = Project::read(&with_moves(count), Language::En).expect("the repeated example is valid");
-        let time = median(20, || {
+        let time = measure(20, || {
             black_box(size(black_box(&many)));
         });
         println!(
             "  cycle of {count} moves: {:.3} ms, {:.1} × one move",
-            time.as_secs_f64() * 1e3,
-            time.as_secs_f64() / whole.as_secs_f64()
+            milliseconds(time.median),
+            time.median.as_secs_f64() / whole.median.as_secs_f64()
         );
     }
     gates.close()

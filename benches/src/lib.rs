@@ -4,22 +4,41 @@
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// Median time of one call: the smallest of five medians, so that a disturbance of one series does not count.
-pub fn median(runs: usize, mut call: impl FnMut()) -> Duration {
-    (0..5)
-        .map(|_| {
-            let mut times: Vec<Duration> = (0..runs.max(1))
-                .map(|_| {
-                    let start = Instant::now();
-                    call();
-                    start.elapsed()
-                })
-                .collect();
-            times.sort();
-            times.get(times.len() / 2).copied().unwrap_or_default()
-        })
-        .min()
-        .unwrap_or_default()
+/// How long one call takes.
+#[derive(Clone, Copy, Debug)]
+pub struct Times {
+    /// Shortest call of all.
+    pub least: Duration,
+    /// The smallest of five medians, so that a disturbance of one series does not count.
+    pub median: Duration,
+    /// Longest call of all.
+    pub most: Duration,
+}
+
+/// Times a call in five series of `runs`.
+pub fn measure(runs: usize, mut call: impl FnMut()) -> Times {
+    let mut times = Times { least: Duration::MAX, median: Duration::MAX, most: Duration::ZERO };
+    for _ in 0..5 {
+        let mut series: Vec<Duration> = (0..runs.max(1))
+            .map(|_| {
+                let start = Instant::now();
+                call();
+                start.elapsed()
+            })
+            .collect();
+        series.sort();
+        let at = |index: usize| series.get(index).copied().unwrap_or_default();
+        times.least = times.least.min(at(0));
+        times.median = times.median.min(at(series.len() / 2));
+        times.most = times.most.max(at(series.len() - 1));
+    }
+    times
+}
+
+/// Milliseconds of a duration.
+#[must_use]
+pub const fn milliseconds(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e3
 }
 
 /// The gates of a bench: what was measured, what is promised.
@@ -30,17 +49,17 @@ pub struct Gates {
 
 impl Gates {
     /// Prints a measurement against its promise and against a baseline of the same run.
-    pub fn hold(&mut self, what: &str, measured: Duration, promise: Duration, baseline: (&str, Duration)) {
-        let ratio = measured.as_secs_f64() / baseline.1.as_secs_f64().max(1e-12);
-        let verdict = if measured <= promise { "kept" } else { "MISSED" };
+    pub fn hold(&mut self, what: &str, measured: Times, promise: Duration, baseline: (&str, Times)) {
+        let ratio = measured.median.as_secs_f64() / baseline.1.median.as_secs_f64().max(1e-12);
+        let verdict = if measured.median <= promise { "kept" } else { "MISSED" };
         println!(
-            "{what}: {:.3} ms, promised {:.0} ms: {verdict}; {ratio:.2} × {} ({:.3} ms)",
-            measured.as_secs_f64() * 1e3,
-            promise.as_secs_f64() * 1e3,
-            baseline.0,
-            baseline.1.as_secs_f64() * 1e3,
+            "{what}: median {:.3} ms, promised {:.0} ms: {verdict}",
+            milliseconds(measured.median),
+            milliseconds(promise),
         );
-        if measured > promise {
+        println!("  from {:.3} to {:.3} ms", milliseconds(measured.least), milliseconds(measured.most));
+        println!("  {ratio:.2} × {} ({:.3} ms)", baseline.0, milliseconds(baseline.1.median));
+        if measured.median > promise {
             self.missed.push(what.to_owned());
         }
     }

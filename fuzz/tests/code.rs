@@ -1,12 +1,11 @@
 //! Ordering codes: whatever the text, no panic, and never another code than the one written.
 
-use arbtest::arbtest;
-use fuzz::{budget_ms, mutate};
+use fuzz::{any_edits, any_text, explore, mutate};
 use order_code::{Pattern, parse};
 use workbench::{Language, read_code};
 
 fn bare(text: &str) -> String {
-    text.chars().filter(|c| c.is_ascii_alphanumeric()).collect::<String>().to_ascii_uppercase()
+    text.chars().filter(|c| c.is_alphanumeric()).collect::<String>().to_ascii_uppercase()
 }
 
 fn hold(text: &str) {
@@ -27,23 +26,20 @@ fn hold(text: &str) {
 
 #[test]
 fn codes_from_any_text() {
-    arbtest(|u| {
-        hold(&String::from_utf8_lossy(&u.arbitrary::<Vec<u8>>()?));
+    explore(2, |u| {
+        hold(&any_text(u, 80)?);
         Ok(())
-    })
-    .budget_ms(budget_ms(2));
+    });
 }
 
 #[test]
 fn codes_with_a_few_edits() {
     let codes: Vec<String> = workbench::list_codes(None).into_iter().map(|(code, _)| code.to_string()).collect();
-    arbtest(|u| {
+    explore(2, |u| {
         let code = u.choose(&codes)?;
-        let edits: Vec<(u16, u8)> = u.arbitrary()?;
-        hold(&mutate(code, edits.get(..edits.len().min(4)).unwrap_or_default()));
+        hold(&mutate(code, &any_edits(u, 4)?));
         Ok(())
-    })
-    .budget_ms(budget_ms(2));
+    });
 }
 
 #[test]

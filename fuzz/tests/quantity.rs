@@ -1,7 +1,6 @@
 //! Quantities: whatever the text, no panic, a finite value or a fault inside the text.
 
-use arbtest::arbtest;
-use fuzz::{budget_ms, mutate};
+use fuzz::{any_edits, any_text, explore, mutate};
 use quantities::{Dimension, Language, parse, unit};
 
 fn hold(text: &str) {
@@ -21,23 +20,20 @@ fn hold(text: &str) {
 
 #[test]
 fn quantities_from_any_text() {
-    arbtest(|u| {
-        hold(&String::from_utf8_lossy(&u.arbitrary::<Vec<u8>>()?));
+    explore(2, |u| {
+        hold(&any_text(u, 60)?);
         Ok(())
-    })
-    .budget_ms(budget_ms(2));
+    });
 }
 
 #[test]
 fn quantities_with_a_few_edits() {
     let examples: Vec<&str> = unit::ALL.iter().map(|unit| unit.dimension.example()).collect();
-    arbtest(|u| {
+    explore(2, |u| {
         let example = u.choose(&examples)?;
-        let edits: Vec<(u16, u8)> = u.arbitrary()?;
-        hold(&mutate(example, edits.get(..edits.len().min(4)).unwrap_or_default()));
+        hold(&mutate(example, &any_edits(u, 4)?));
         Ok(())
-    })
-    .budget_ms(budget_ms(2));
+    });
 }
 
 #[test]

@@ -99,6 +99,8 @@ pub(crate) fn report(file: &str, text: &str, faults: &[Diagnostic], as_json: boo
         talk.push('\n');
     }
     talk.push_str(&match (language, faults.len()) {
+        (Language::En, 51..) => "antrieb: more than 50 errors; nothing was calculated\n".to_owned(),
+        (Language::De, 51..) => "antrieb: mehr als 50 Fehler; es wurde nichts gerechnet\n".to_owned(),
         (Language::En, 1) => "antrieb: 1 error; nothing was calculated\n".to_owned(),
         (Language::En, n) => format!("antrieb: {n} errors; nothing was calculated\n"),
         (Language::De, n) => format!("antrieb: {n} Fehler; es wurde nichts gerechnet\n"),

@@ -87,7 +87,7 @@ impl Project {
         let root = reader.read();
         let axis = build_axis(&root, &mut reader, language);
         let actuator = build_actuator(&root, &mut reader, language);
-        let mut faults = reader.faults;
+        let faults = reader.into_faults();
         match axis {
             Some(axis) if faults.is_empty() => Ok(Self {
                 name: root.table("axis").and_then(|axis| axis.text("name")).unwrap_or_default().to_owned(),
@@ -103,11 +103,7 @@ impl Project {
                 axis,
                 actuator,
             }),
-            _ => {
-                faults.sort_by_key(|fault| (fault.span.start, fault.span.end));
-                faults.dedup();
-                Err(faults)
-            }
+            _ => Err(faults),
         }
     }
 }

@@ -147,6 +147,18 @@ fn broken_toml_is_no_panic_and_hides_no_other_fault_as_missing() {
     }
 }
 
+/// The cost of a refusal grows with the file, not with its square: 1 MiB full of faults is answered at once.
+#[test]
+fn a_file_full_of_faults_is_answered_at_once() {
+    for piece in ["=\n", "a=0\n", "feedback=[\"x\"]\n", "[[motion]]\nlaw=1\n"] {
+        let most = if piece.starts_with("[[") { 9_000 } else { usize::MAX };
+        let text = piece.repeat(((PROJECT_MAX_BYTES - 1) / piece.len()).min(most));
+        let found = faults(&text);
+        assert!(found.len() <= 52, "{piece:?}: {}", found.len());
+        assert!(found.last().unwrap().message.contains("more faults"), "{piece:?}: {:?}", found.last());
+    }
+}
+
 #[test]
 fn a_large_file_is_refused_before_it_is_read() {
     let text = "#".repeat(PROJECT_MAX_BYTES + 1);

@@ -106,11 +106,16 @@ pub(crate) struct Reader<'t> {
     text: &'t str,
     language: Language,
     pub(crate) faults: Vec<Diagnostic>,
+    /// How many faults there are beyond those that are kept.
+    more: usize,
 }
+
+/// So many faults are told one by one; of further ones only the count, so that the cost stays in proportion to the file.
+const FAULTS_MOST: usize = 50;
 
 impl<'t> Reader<'t> {
     pub(crate) const fn new(text: &'t str, language: Language) -> Self {
-        Self { text, language, faults: Vec::new() }
+        Self { text, language, faults: Vec::new(), more: 0 }
     }
 
     /// Reads the whole file; faults are collected in `self.faults`.
@@ -123,7 +128,23 @@ impl<'t> Reader<'t> {
         self.section(root.get_ref(), 0..0, ROOT, "", !errors.is_empty())
     }
 
+    /// The faults, with a last one that counts those that were not told.
+    pub(crate) fn into_faults(mut self) -> Vec<Diagnostic> {
+        self.faults.sort_by_key(|fault| (fault.span.start, fault.span.end));
+        self.faults.dedup();
+        if self.more > 0 {
+            let end = self.faults.last().map_or(0, |fault| fault.span.start);
+            let message = self.language.more_faults(self.more);
+            self.faults.push(Diagnostic::at(self.text, end..end, message, None));
+        }
+        self.faults
+    }
+
     pub(crate) fn fault(&mut self, span: Span<usize>, message: String, hint: Option<String>) {
+        if self.faults.len() >= FAULTS_MOST {
+            self.more += 1;
+            return;
+        }
         let end = span.end.min(self.text.len());
         let start = span.start.min(end);
         self.faults.push(Diagnostic::at(self.text, start..end, message, hint));
@@ -173,6 +194,9 @@ impl<'t> Reader<'t> {
 
     /// "did you mean …", or the whole list where nothing is near.
     fn nearest(&self, written: &str, valid: &[&str]) -> String {
+        if self.faults.len() >= FAULTS_MOST {
+            return String::new();
+        }
         let written: String = written.chars().take(60).collect();
         // A word that was cut short or spun out is nearer than its count of letters says.
         let akin = valid

@@ -32,6 +32,7 @@ pub(crate) trait Speak: Copy {
     fn no_time_to_change_speed(self, key: &str) -> String;
     fn no_duration(self) -> String;
     fn no_move(self) -> String;
+    fn more_faults(self, count: usize) -> String;
     fn no_curve(self, fault: CurveFault) -> String;
 }
 
@@ -241,6 +242,10 @@ impl Speak for Language {
 
     fn no_move(self) -> String {
         either(self, "the cycle needs at least one [[motion]]", "der Zyklus braucht mindestens ein [[motion]]")
+    }
+
+    fn more_faults(self, count: usize) -> String {
+        either(self, format!("and {count} more faults of this kind or others"), format!("und {count} weitere Fehler"))
     }
 
     fn no_curve(self, fault: CurveFault) -> String {
