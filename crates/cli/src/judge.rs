@@ -83,7 +83,9 @@ fn sizing_text(sizing: &Sizing<'_>, top: usize, all: bool, language: Language) -
         ),
     };
     let judged = match language {
+        Language::En if fitting == 1 => format!("{total} actuators judged, 1 fits"),
         Language::En => format!("{total} actuators judged, {fitting} fit"),
+        Language::De if fitting == 1 => format!("{total} Antriebe beurteilt, 1 passt"),
         Language::De => format!("{total} Antriebe beurteilt, {fitting} passen"),
     };
     let _ = writeln!(out, "{judged}\n");

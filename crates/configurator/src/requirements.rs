@@ -1,7 +1,7 @@
 //! What the user requires of the actuator beyond the checks.
 
 use actuator::Parameters;
-use order_code::{Brake, Feedback, OrderCode};
+use order_code::{Brake, Feedback, Option2, OrderCode, Size};
 use provenance::Datum;
 use quantities::{ElectricPotential, Length, Mass, Measure};
 
@@ -83,7 +83,13 @@ impl Requirements {
         if self.brake.is_some_and(|brake| brake != (code.brake == Brake::With)) {
             unmet.push(Unmet::Brake(code.brake));
         }
-        unmet.extend(self.unmet_by_data(actuator));
+        if self.length_max.is_some() && is_longer_than_printed(code) {
+            unmet.push(Unmet::NotKnown { symbol: "L" });
+            let others = Self { length_max: None, ..self.clone() };
+            unmet.extend(others.unmet_by_data(actuator));
+        } else {
+            unmet.extend(self.unmet_by_data(actuator));
+        }
         unmet
     }
 
@@ -111,6 +117,11 @@ impl Requirements {
     }
 }
 
+/// Option K makes 14A and 17A longer than the printed length (table 12.1, footnote 1); by how much is not printed.
+const fn is_longer_than_printed(code: &OrderCode) -> bool {
+    matches!(code.option_2, Some(Option2::K)) && matches!(code.size, Size::S14A | Size::S17A)
+}
+
 /// Compares a requirement with a datum, if there is a requirement.
 fn compare<Q: Copy>(
     unmet: &mut Vec<Unmet>,
@@ -123,5 +134,42 @@ fn compare<Q: Copy>(
     match datum.known() {
         Some(known) => unmet.extend(breaks(required, known.value)),
         None => unmet.push(Unmet::NotKnown { symbol }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use quantities::unit::{MILLIMETRE, VOLT};
+
+    fn unmet(requirements: &Requirements, text: &str) -> Vec<Unmet> {
+        let code = order_code::parse(text).unwrap().code;
+        requirements.unmet(&code, &crate::parameters(&code).unwrap())
+    }
+
+    #[test]
+    fn the_length_with_option_k_is_not_the_printed_one() {
+        let short = Requirements { length_max: Some(Length::new_in(130.0, &MILLIMETRE)), ..Requirements::default() };
+        assert_eq!(unmet(&short, "CHA-14A-30-E-RES"), []);
+        assert_eq!(unmet(&short, "CHA-14A-30-E-RES-K"), [Unmet::NotKnown { symbol: "L" }]);
+        assert!(matches!(unmet(&short, "CHA-25A-30-H-C1024").as_slice(), [Unmet::Length { .. }]));
+    }
+
+    #[test]
+    fn the_supply_must_suit_the_winding_from_both_sides() {
+        let at =
+            |volts| Requirements { supply: Some(ElectricPotential::new_in(volts, &VOLT)), ..Requirements::default() };
+        assert_eq!(unmet(&at(48.0), "CHA-14A-30-E-RES"), []);
+        assert!(matches!(unmet(&at(560.0), "CHA-14A-30-E-RES").as_slice(), [Unmet::SupplyTooHigh { .. }]));
+        assert_eq!(unmet(&at(560.0), "CHA-14A-30-H-RES"), []);
+        assert!(matches!(unmet(&at(48.0), "CHA-14A-30-H-RES").as_slice(), [Unmet::SupplyTooLow { .. }]));
+    }
+
+    #[test]
+    fn a_doubtful_mass_counts_with_the_heavier_value() {
+        use quantities::unit::KILOGRAM;
+        let light = Requirements { mass_max: Some(Mass::new_in(5.0, &KILOGRAM)), ..Requirements::default() };
+        assert_eq!(unmet(&light, "CHA-25A-50-H-C1024"), []);
+        assert!(matches!(unmet(&light, "CHA-25A-50-H-M512P").as_slice(), [Unmet::Mass { .. }]));
     }
 }
