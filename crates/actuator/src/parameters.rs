@@ -6,7 +6,7 @@ use crate::output_bearing::OutputBearing;
 use provenance::Datum;
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, Length, Mass,
-    MomentOfInertia, NoLoadCurrentConstant, Torque, TorqueConstant, VoltageConstant,
+    MomentOfInertia, NoLoadCurrentConstant, ThermodynamicTemperature, Torque, TorqueConstant, VoltageConstant,
 };
 
 /// The data of one actuator, in SI, each value with its source or with the reason of its absence.
@@ -64,6 +64,8 @@ pub struct Parameters {
     pub dc_link_max: Datum<ElectricPotential>,
     /// U_M: motor terminal voltage (fundamental, line to line, rms) from which the performance holds.
     pub terminal_voltage_min: Datum<ElectricPotential>,
+    /// Permitted ambient temperature in operation, lowest and highest.
+    pub ambient_range: Datum<(ThermodynamicTemperature, ThermodynamicTemperature)>,
     /// Continuous-duty curve of the torque-speed plane, where one is published or measured.
     pub continuous_curve: Datum<Curve>,
     /// The gear.
@@ -103,6 +105,7 @@ impl Parameters {
             hollow_shaft: Datum::NotPrinted,
             dc_link_max: Datum::NotPrinted,
             terminal_voltage_min: Datum::NotPrinted,
+            ambient_range: Datum::NotPrinted,
             continuous_curve: Datum::NotPrinted,
             gear: Gear::unknown(),
             output_bearing: OutputBearing::unknown(),

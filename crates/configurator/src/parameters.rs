@@ -4,8 +4,8 @@ use actuator::{BearingType, Curve, CurvePoint, Gear, OutputBearing, Parameters};
 use catalogue::Drive;
 use order_code::{Brake, OrderCode, Ratio, Size, Winding};
 use provenance::{Datum, Grade, Source, Sourced};
-use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use quantities::{AngularVelocity, ElectricCurrent, Measure, Torque};
+use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE};
+use quantities::{AngularVelocity, ElectricCurrent, Measure, ThermodynamicTemperature, Torque};
 
 /// What is printed about the actuator of a code; `None` where the manual prints no data for it
 /// (the resolver on 20A to 58A).
@@ -56,6 +56,7 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
         hollow_shaft: drive.datum("d_H", "", feedback, ratio),
         dc_link_max: drive.datum("U_DCmax", "", feedback, ratio),
         terminal_voltage_min: terminal_voltage_min(drive, code),
+        ambient_range: ambient_range(code.winding),
         continuous_curve: published_curve(code.size, ratio),
         gear: gear(code),
         output_bearing: output_bearing(code),
@@ -86,6 +87,24 @@ fn terminal_voltage_min(drive: &Drive, code: &OrderCode) -> Datum<quantities::El
             grade: Grade::Printed,
             errata: cell.errata,
         }),
+        _ => Datum::NotPrinted,
+    }
+}
+
+/// The permitted ambient temperature in operation: table 13.1 for the 48 V winding, 13.2 for the others.
+fn ambient_range(winding: Winding) -> Datum<(ThermodynamicTemperature, ThermodynamicTemperature)> {
+    let table = if winding == Winding::E { "13.1" } else { "13.2" };
+    let cells = catalogue::table(table).map(catalogue::Table::cells).unwrap_or_default();
+    match cells.iter().find(|cell| cell.symbol == "ambient_temperature_operation").map(|cell| (cell, cell.value)) {
+        Some((cell, catalogue::Value::Range { low, high })) => {
+            let celsius = |value| ThermodynamicTemperature::new_in(value, &DEGREE_CELSIUS);
+            Datum::Known(Sourced {
+                value: (celsius(low), celsius(high)),
+                source: Source::Cell(cell.reference()),
+                grade: Grade::Printed,
+                errata: cell.errata,
+            })
+        }
         _ => Datum::NotPrinted,
     }
 }

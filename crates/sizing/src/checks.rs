@@ -10,12 +10,9 @@ use motion::Segment;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{AMPERE, DEGREE_CELSIUS, KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{
-    AngularVelocity, ElectricCurrent, ElectricPotential, Measure, MomentOfInertia, NoLoadCurrentConstant, Time,
-    TorqueConstant, Unit,
+    AngularVelocity, ElectricCurrent, ElectricPotential, Measure, MomentOfInertia, NoLoadCurrentConstant,
+    ThermodynamicTemperature, Time, TorqueConstant, Unit,
 };
-
-/// Permitted ambient temperature in operation, 0 °C to 40 °C, in kelvin (tables 13.1 and 13.2).
-const AMBIENT_RANGE_K: (f64, f64) = (273.15, 313.15);
 
 /// J_L ≤ 3 J_out is recommended for highly dynamic duty (table 70.1).
 const INERTIA_RATIO_RECOMMENDED: f64 = 3.0;
@@ -92,7 +89,7 @@ pub fn judge(axis: &Axis, actuator: &Parameters) -> Judgement {
     checks.push(inertia_ratio(axis, actuator));
     checks.extend(gear_checks::judge(axis, actuator));
     checks.extend(bearing_checks::judge(axis, &actuator.output_bearing));
-    checks.extend(axis.ambient.map(|_| ambient(axis)));
+    checks.extend(axis.ambient.map(|stated| ambient(stated, actuator)));
     Judgement { demand, manual, checks }
 }
 
@@ -475,11 +472,14 @@ fn inertia_ratio(axis: &Axis, actuator: &Parameters) -> Check {
     }
 }
 
-/// The stated ambient temperature against 0 … 40 °C (tables 13.1 and 13.2); every figure of the tables holds up to 40 °C.
-fn ambient(axis: &Axis) -> Check {
+/// The stated ambient temperature against the range that the actuator's data hold for (tables 13.1 and 13.2).
+fn ambient(stated: ThermodynamicTemperature, actuator: &Parameters) -> Check {
     let id = CheckId::Ambient;
-    let Some(stated) = axis.ambient else { return not_checked(id, Missing { symbol: "ambient" }) };
-    let (low, high) = AMBIENT_RANGE_K;
+    let range = match actuator.ambient_range.require("ambient_temperature_operation") {
+        Ok(range) => range,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let (low, high) = (range.value.0.si(), range.value.1.si());
     // A difference of a nanokelvin is a rounding of the conversion, not a warmer place.
     let inside = stated.si() >= low - 1e-9 && stated.si() <= high + 1e-9;
     let nearest = if stated.si() < low { low } else { high };
@@ -490,15 +490,9 @@ fn ambient(axis: &Axis) -> Check {
         limit: Some(Figure { si: nearest, unit: &DEGREE_CELSIUS }),
         utilisation: None,
         at: None,
-        grade: Some(Grade::Printed),
+        grade: Some(range.grade),
         value_source: Some(Source::Project { key: "requirements.ambient".into() }),
-        limit_source: Some(Source::Cell(provenance::CellRef {
-            table: "13.1, 13.2",
-            symbol: "ambient_temperature_operation",
-            condition: "",
-            drive: "",
-            ratio: "",
-        })),
+        limit_source: Some(range.source.clone()),
         missing: None,
         notes: Vec::new(),
     }

@@ -39,6 +39,8 @@ pub enum Assumption {
     ModulationReserve,
     /// No DC link voltage is given: the terminal voltage is not checked.
     NoSupply,
+    /// I_0 of the user's actuator is taken to include the no-load starting current.
+    OwnStallCurrentIncludesFriction,
     /// No loads on the flange are given: the output bearing is not judged.
     NoFlangeLoads,
     /// The loads on the flange are constant over the cycle.
@@ -121,6 +123,9 @@ fn assumptions(root: &Section) -> Vec<Assumption> {
         found.push(Assumption::AmbientWithinRange);
     }
     found.push(Assumption::CoolingPlate);
+    if root.table("actuator").is_some_and(|own| own.get("stall_current").is_some()) {
+        found.push(Assumption::OwnStallCurrentIncludesFriction);
+    }
     let asks = |key: &str| root.table("requirements").is_some_and(|section| section.get(key).is_some());
     if !asks("supply") {
         found.push(Assumption::NoSupply);

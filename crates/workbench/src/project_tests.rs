@@ -201,3 +201,18 @@ fn the_schema_knows_every_key_and_refuses_others() {
     assert_eq!(schema["required"], serde_json::json!(["format", "load", "motion"]));
     assert_eq!(root["motion"]["items"]["properties"]["law"]["enum"], serde_json::json!(["manual"]));
 }
+
+/// What the CHA tables say of the ambient must not be cited for an actuator of another maker.
+#[test]
+fn the_tables_of_the_catalogue_do_not_speak_for_an_own_actuator() {
+    let text =
+        format!("{GOOD}[requirements]\nambient = \"60 degC\"\n[actuator]\nname = \"own\"\nstall_current = \"2 A\"\n");
+    let project = Project::read(&text, Language::En).unwrap();
+    assert!(project.assumptions.contains(&Assumption::OwnStallCurrentIncludesFriction));
+    let ambient = |candidate: &crate::Candidate<'_>| {
+        candidate.judgement.checks.iter().find(|check| check.id == CheckId::Ambient).map(|check| check.verdict)
+    };
+    assert_eq!(ambient(&crate::check_own(&project).unwrap()), Some(sizing::Verdict::NotChecked));
+    let sizing = crate::size(&project);
+    assert!(sizing.candidates.iter().all(|candidate| ambient(candidate) == Some(sizing::Verdict::Fail)));
+}

@@ -270,6 +270,10 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "no DC link voltage given (requirements.supply): the terminal voltage is not checked",
             "keine Zwischenkreisspannung angegeben (requirements.supply): die Klemmenspannung ist nicht geprüft",
         ),
+        Assumption::OwnStallCurrentIncludesFriction => (
+            "I_0 of the own actuator taken to include its no-load starting current I_NLS",
+            "I_0 des eigenen Antriebs enthält annahmegemäß den lastfreien Anlaufstrom I_NLS",
+        ),
         Assumption::NoFlangeLoads => (
             "no loads on the flange given ([bearing]): the output bearing is not checked",
             "keine Lasten am Flansch angegeben ([bearing]): das Abtriebslager ist nicht geprüft",
