@@ -15,8 +15,8 @@ pub use motor::{
     copper_resistance, current, estimated_continuous_torque, friction_current, speed_max, speed_rated_out,
 };
 pub use output_bearing::{
-    BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, static_safety, tilt_angle,
-    tilting_moment,
+    BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, mean_load, static_safety,
+    tilt_angle, tilting_moment,
 };
 pub use parameters::Parameters;
 pub use voltage::MotorVoltage;

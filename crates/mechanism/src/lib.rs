@@ -1,46 +1,245 @@
 //! From what is moved to torque and inertia at the output of the actuator.
 //!
-//! So far the load is given directly; screws, arms, belts and tables will join here.
+//! A [`Mechanism`] answers for any state of the output (position, speed, acceleration) which torque the actuator must
+//! give to the load, split into the part that does useful work and friction. The kinds differ only in how inertia and
+//! position-dependent torque arise: a [`Rotor`] turns with the output, a [`Linear`] drive moves a mass along a line, a
+//! [`SliderCrank`] does so with a changing lever, a [`Table`] is given point by point.
 
-use quantities::{AngularAcceleration, Measure, MomentOfInertia, Torque};
+mod friction;
+mod linear;
+mod rotor;
+mod slider_crank;
+mod table;
 
-/// A load given at the output of the actuator.
+pub use friction::Friction;
+pub use linear::{Linear, LinearKind};
+pub use rotor::Rotor;
+pub use slider_crank::SliderCrank;
+pub use table::{Table, TableFault, TablePoint};
+
+use quantities::{Force, Mass, Measure, MomentOfInertia, Torque};
+
+/// g_n: standard acceleration of free fall [m/s²].
+///
+/// # Source   ISO 80000-3, exact by definition
+pub const GRAVITY_M_S2: f64 = 9.806_65;
+
+/// What a segment of the motion adds to the load.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DirectLoad {
-    /// J_L: moment of inertia at the output.
+pub struct Extra {
+    /// Mass carried along: on the slide, the belt or the rod's slider.
+    pub mass: Mass,
+    /// Inertia carried along at the output.
     pub inertia: MomentOfInertia,
-    /// T_L: magnitude of the Coulomb friction torque at the output; opposes every motion, vanishes at rest.
-    pub friction_torque: Torque,
+    /// Process force along the line of a linear drive, counted against the positive direction.
+    pub force: Force,
+    /// Process torque at the output, counted against the positive direction.
+    pub torque: Torque,
 }
 
-impl DirectLoad {
-    /// Torque that the output must give to accelerate an inertia against the friction.
-    ///
-    /// T = (J_L + J_own) α + T_L σ
-    ///
-    /// # Symbols  J_own further inertia on the same shaft \[kgm²\], α acceleration [rad/s²], σ direction of motion (+1, 0, −1)
-    /// # Source   cha-manual eq. 69.1 and 69.2, with the sign of the direction made explicit
-    /// # Valid    friction independent of speed
+impl Extra {
+    /// Nothing added.
     #[must_use]
-    pub fn torque(&self, own_inertia: MomentOfInertia, acceleration: AngularAcceleration, direction: f64) -> Torque {
-        quantities::torque_of(self.inertia + own_inertia, acceleration)
-            + Torque::from_si(self.friction_torque.si() * direction)
+    pub fn none() -> Self {
+        Self {
+            mass: Mass::from_si(0.0),
+            inertia: MomentOfInertia::from_si(0.0),
+            force: Force::from_si(0.0),
+            torque: Torque::from_si(0.0),
+        }
+    }
+}
+
+/// Where the output stands, in SI: q \[rad\], ω [rad/s], α [rad/s²].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Output {
+    /// q \[rad\]
+    pub position_rad: f64,
+    /// ω [rad/s]
+    pub speed_rad_s: f64,
+    /// α [rad/s²]
+    pub acceleration_rad_s2: f64,
+    /// σ: direction of motion, +1, −1, or 0 at rest; kept apart from ω because it is also asked at the ends of a move.
+    pub direction: f64,
+}
+
+/// The inertia that the output feels at a position, its slope and the torque of the position alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Reduced {
+    /// J(q) \[kgm²\]
+    pub(crate) inertia: f64,
+    /// dJ/dq [kgm²/rad]
+    pub(crate) slope: f64,
+    /// Torque that holds the load at rest without friction: gravity and process \[Nm\].
+    pub(crate) holding: f64,
+    /// Coulomb friction that the position or the load adds to the stated one \[Nm\].
+    pub(crate) coulomb: f64,
+}
+
+/// How the load hangs on the output.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Kind {
+    /// Turns with the output: direct load, turntable, unbalanced arm.
+    Rotor(Rotor),
+    /// Moves along a line in proportion to the angle: screw, belt, rack, conveyor.
+    Linear(Linear),
+    /// Crank, rod and slider.
+    SliderCrank(SliderCrank),
+    /// Inertia and torque over the position, point by point.
+    Table(Table),
+}
+
+/// A load with its friction and the efficiency of what lies between.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mechanism {
+    /// How the load hangs on the output.
+    pub kind: Kind,
+    /// Friction at the output.
+    pub friction: Friction,
+    /// η while the actuator drives the load.
+    pub efficiency_driving: f64,
+    /// η while the load drives the actuator.
+    pub efficiency_driven: f64,
+}
+
+/// What must agree between the end of a cycle and its beginning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Endless {
+    /// The load is the same at every position and the travel has no end.
+    Everywhere,
+    /// The load repeats with each revolution.
+    EachRevolution,
+    /// The travel is bounded: the cycle must come back.
+    Never,
+}
+
+impl Mechanism {
+    /// A load that turns with the output, given by its inertia and its Coulomb friction.
+    #[must_use]
+    pub fn direct(inertia: MomentOfInertia, friction_torque: Torque) -> Self {
+        Self {
+            kind: Kind::Rotor(Rotor::balanced(inertia)),
+            friction: Friction { coulomb: friction_torque, ..Friction::none() },
+            efficiency_driving: 1.0,
+            efficiency_driven: 1.0,
+        }
+    }
+
+    pub(crate) fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
+        match &self.kind {
+            Kind::Rotor(rotor) => rotor.reduced(position_rad, extra),
+            Kind::Linear(linear) => linear.reduced(extra),
+            Kind::SliderCrank(crank) => crank.reduced(position_rad, extra),
+            Kind::Table(table) => table.reduced(position_rad, extra),
+        }
+    }
+
+    /// Torque that the load takes without friction and losses \[Nm\].
+    ///
+    /// T_u = J(q) α + ½ J'(q) ω² + T_h(q)
+    ///
+    /// # Symbols  J' slope of the inertia over the position [kgm²/rad], T_h gravity, process and external torque \[Nm\]
+    /// # Source   docs/theory/mechanisms.md, Lagrange's equation of one degree of freedom; cha-manual eq. 70.3, 70.5
+    #[must_use]
+    pub fn useful_torque(&self, output: &Output, extra: &Extra) -> f64 {
+        let reduced = self.reduced(output.position_rad, extra);
+        self.useful(&reduced, output)
+    }
+
+    fn useful(&self, reduced: &Reduced, output: &Output) -> f64 {
+        reduced.inertia * output.acceleration_rad_s2
+            + 0.5 * reduced.slope * output.speed_rad_s * output.speed_rad_s
+            + reduced.holding
+            + self.friction.external.si()
+    }
+
+    /// Torque that the output must give to the load \[Nm\].
+    ///
+    /// T = T_u/η_1 if T_u σ > 0, T_u η_2 if T_u σ < 0, plus T_c σ + b ω
+    ///
+    /// # Symbols  η_1 efficiency while driving, η_2 while driven, T_c Coulomb friction \[Nm\], b viscous friction [Nm s/rad]
+    /// # Source   docs/theory/mechanisms.md
+    /// # Valid    at rest (σ = 0) neither friction nor efficiency counts: the torque that holds without their help
+    #[must_use]
+    pub fn torque(&self, output: &Output, extra: &Extra) -> f64 {
+        let reduced = self.reduced(output.position_rad, extra);
+        let useful = self.useful(&reduced, output);
+        let power = useful * output.direction;
+        let passed = if power > 0.0 {
+            useful / self.efficiency_driving
+        } else if power < 0.0 {
+            useful * self.efficiency_driven
+        } else {
+            useful
+        };
+        passed
+            + (self.friction.coulomb.si() + reduced.coulomb) * output.direction
+            + self.friction.viscous.si() * output.speed_rad_s
+    }
+
+    /// J_L at a position.
+    #[must_use]
+    pub fn inertia(&self, position_rad: f64, extra: &Extra) -> MomentOfInertia {
+        MomentOfInertia::from_si(self.reduced(position_rad, extra).inertia)
+    }
+
+    /// Torque that holds the load at rest at a position without the help of friction.
+    #[must_use]
+    pub fn holding_torque(&self, position_rad: f64, extra: &Extra) -> Torque {
+        Torque::from_si(self.reduced(position_rad, extra).holding + self.friction.external.si())
+    }
+
+    /// Whether torque or inertia depend on the position.
+    #[must_use]
+    pub fn depends_on_position(&self) -> bool {
+        match &self.kind {
+            Kind::Rotor(rotor) => rotor.is_unbalanced(),
+            Kind::Linear(_) => false,
+            Kind::SliderCrank(_) | Kind::Table(_) => true,
+        }
+    }
+
+    /// Whether the torque over a ramp of constant acceleration is constant: no viscous friction, no dependence on the
+    /// position.
+    #[must_use]
+    pub fn is_constant_over_ramps(&self) -> bool {
+        !self.depends_on_position() && self.friction.viscous.si() == 0.0
+    }
+
+    /// What the cycle must come back to.
+    #[must_use]
+    pub fn endless(&self) -> Endless {
+        match &self.kind {
+            Kind::Rotor(rotor) if rotor.is_unbalanced() => Endless::EachRevolution,
+            Kind::Rotor(_) => Endless::Everywhere,
+            Kind::SliderCrank(_) => Endless::EachRevolution,
+            Kind::Linear(linear) if linear.kind == LinearKind::Conveyor => Endless::Everywhere,
+            Kind::Linear(_) => Endless::Never,
+            Kind::Table(table) if table.is_periodic() => Endless::EachRevolution,
+            Kind::Table(_) => Endless::Never,
+        }
+    }
+
+    /// Travel along the line per angle of the output [m/rad], where it is constant.
+    #[must_use]
+    pub fn travel_m_per_rad(&self) -> Option<f64> {
+        match &self.kind {
+            Kind::Linear(linear) => Some(linear.travel_m_per_rad),
+            _ => None,
+        }
+    }
+
+    /// Positions within 0…2π (or the table's span) at which the reduced quantities have a kink.
+    #[must_use]
+    pub fn kinks(&self) -> Vec<f64> {
+        match &self.kind {
+            Kind::Table(table) => table.kinks(),
+            _ => Vec::new(),
+        }
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn friction_helps_braking_and_is_gone_at_rest() {
-        let load = DirectLoad { inertia: MomentOfInertia::from_si(1.3), friction_torque: Torque::from_si(5.0) };
-        let own = MomentOfInertia::from_si(1.063);
-        let alpha = 40.0 * std::f64::consts::TAU / 60.0 / 0.1;
-        let at = |alpha, direction| load.torque(own, AngularAcceleration::from_si(alpha), direction).si();
-        assert!((at(alpha, 1.0) - 103.98).abs() < 0.005, "T_1 of the worked example");
-        assert!((at(-alpha, 1.0) - -93.98).abs() < 0.005, "T_3 of the worked example");
-        assert!((at(-alpha, -1.0) - -103.98).abs() < 0.005, "the mirror image");
-        assert_eq!(at(0.0, 0.0), 0.0);
-    }
-}
+#[path = "mechanism_tests.rs"]
+mod tests;

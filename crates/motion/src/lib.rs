@@ -1,11 +1,19 @@
-//! What the output shaft is asked to do: moves, the ramps they consist of, and the moments of a cycle.
+//! What the output shaft is asked to do: laws of motion, the pieces they consist of, and the chain of a cycle.
 //!
-//! Everything is referred to the output of the actuator. A [`Cycle`] is a list of [`ManualMove`]s, the cycle of
-//! the manual's figure in 7.1; its [`Segment`]s are exact linear ramps of speed, so every integral over them is a
-//! closed form ([`Moments`]) and no sampling is involved.
+//! Everything is referred to the output of the actuator. A [`Motion`] is a chain of [`Piece`]s whose acceleration is a
+//! cubic polynomial of time plus one harmonic, so position, speed and acceleration are closed forms at every instant;
+//! [`lobatto`] gives the quadrature that integrates what is made of them.
 
-mod cycle;
-mod moments;
+mod chain;
+mod faults;
+mod law;
+mod piece;
+mod quadrature;
+mod seven_phase;
+mod solve;
 
-pub use cycle::{Cycle, CycleFault, ManualMove, Phase, Segment};
-pub use moments::Moments;
+pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch};
+pub use faults::{MotionFault, MoveFault, Needed};
+pub use law::{Given, Law, Solved};
+pub use piece::{Piece, State, roots};
+pub use quadrature::lobatto;

@@ -54,6 +54,8 @@ dimensions! {
     AngularVelocity: a "rotational speed", eine "Drehzahl", "40 1/min";
     /// Angular acceleration, SI unit rad/s².
     AngularAcceleration: an "angular acceleration", eine "Winkelbeschleunigung", "42 rad/s^2";
+    /// Angular jerk, SI unit rad/s³.
+    AngularJerk: an "angular jerk", ein "Winkelruck", "900 rad/s^3";
     /// Moment of inertia, SI unit kg m².
     MomentOfInertia: a "moment of inertia", ein "Massenträgheitsmoment", "1.3 kg m^2";
     /// Time, SI unit s.
@@ -90,6 +92,8 @@ dimensions! {
     Velocity: a "velocity", eine "Geschwindigkeit", "0.5 m/s";
     /// Acceleration along a line, SI unit m/s².
     Acceleration: an "acceleration", eine "Beschleunigung", "9.81 m/s^2";
+    /// Jerk along a line, SI unit m/s³.
+    Jerk: a "jerk", ein "Ruck", "50 m/s^3";
     /// Ratio, a pure number; the only kind that may go without a unit.
     Ratio: a "ratio", ein "Verhältnis", "25 %";
     /// Torque constant, torque per current, SI unit N m/A.

@@ -120,6 +120,10 @@ units! {
         RADIAN_PER_SECOND_SQUARED: "rad/s^2", "rad/s²", "rad/s^2", [], (is radian_per_second_squared);
         DEGREE_PER_SECOND_SQUARED: "deg/s^2", "°/s²", "deg/s^2", [], (is degree_per_second_squared);
     }
+    AngularJerk [AngularJerk angular_jerk] {
+        RADIAN_PER_SECOND_CUBED: "rad/s^3", "rad/s³", "rad/s^3", [], (is radian_per_second_cubed);
+        DEGREE_PER_SECOND_CUBED: "deg/s^3", "°/s³", "deg/s^3", [], (is degree_per_second_cubed);
+    }
     MomentOfInertia [MomentOfInertia moment_of_inertia] {
         KILOGRAM_SQUARE_METRE: "kg m^2", "kgm²", "kgm^2", [], (is kilogram_square_meter);
         ///
@@ -232,6 +236,9 @@ units! {
         ///
         /// Standard gravity, 9.80665 m/s² (CGPM 1901); of a mass, `g` is [`GRAM`].
         STANDARD_GRAVITY: "g", "g", "g", [], (is standard_gravity);
+    }
+    Jerk [Jerk jerk] {
+        METRE_PER_SECOND_CUBED: "m/s^3", "m/s³", "m/s^3", [], (is meter_per_second_cubed);
     }
     Ratio [Ratio ratio] {
         PERCENT: "%", "%", "%", [], (is percent);

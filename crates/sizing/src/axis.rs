@@ -1,9 +1,13 @@
-//! The axis: load and cycle, prepared once for all candidates.
+//! The axis: load and motion, prepared once for all candidates.
 
+use crate::trace::Trace;
 use actuator::FlangeLoad;
-use mechanism::DirectLoad;
-use motion::{Cycle, Moments, Segment};
-use quantities::{Angle, ElectricPotential, Frequency, ThermodynamicTemperature, Time};
+use mechanism::{Endless, Extra, Mechanism};
+use motion::{Closing, ManualMove, Motion};
+use quantities::{
+    Angle, AngularVelocity, ElectricPotential, Frequency, Measure, MomentOfInertia, ThermodynamicTemperature, Time,
+    Torque,
+};
 
 /// Operating condition of the output bearing (table 76.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,10 +35,10 @@ impl OperatingCondition {
 }
 
 /// What the output bearing has to bear, and what is asked of it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct BearingDuty {
-    /// Forces on the flange, constant over the cycle.
-    pub load: FlangeLoad,
+    /// Forces on the flange in each segment of the motion.
+    pub loads: Vec<FlangeLoad>,
     /// f_w: load factor of table 74.2.
     pub load_factor: Option<f64>,
     /// Operating condition, for the static safety.
@@ -45,13 +49,81 @@ pub struct BearingDuty {
     pub tilt_max: Option<Angle>,
 }
 
+/// The motion in figures that no actuator changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moments {
+    /// t_0: duration of the cycle.
+    pub duration: Time,
+    /// Time in motion.
+    pub moving: Time,
+    /// ∫|ω| dt: angle travelled, counted positive in both directions.
+    pub angle_travelled: Angle,
+    /// Angle between the end and the start of the cycle.
+    pub angle_net: Angle,
+    /// Largest minus smallest position within one cycle.
+    pub angle_swing: Angle,
+    /// max |ω|
+    pub speed_peak: AngularVelocity,
+    /// Instant at which the peak speed is first reached.
+    pub speed_peak_at: Time,
+    /// Largest J_L on the way.
+    pub inertia_max: MomentOfInertia,
+    /// Largest magnitude of the torque of the load, without the actuator's own inertia.
+    pub load_peak: Torque,
+    /// Instant at which it is first reached.
+    pub load_peak_at: Time,
+    /// Cubic mean of the torque of the load over the angle travelled: (∫|T|³|ω| dt / ∫|ω| dt)^(1/3).
+    pub load_cubic_mean: Torque,
+}
+
+impl Moments {
+    fn of(trace: &Trace, duration: Time) -> Self {
+        let (speed, speed_at) = trace.largest(|extent| extent.speed, |node| node.speed.abs());
+        let (load, load_at) = trace.largest(|extent| extent.torque(0.0), |node| node.load.abs());
+        let travelled = trace.gram.travelled();
+        Self {
+            duration,
+            moving: Time::from_si(trace.gram.moving()),
+            angle_travelled: Angle::from_si(travelled),
+            angle_net: Angle::from_si(trace.net),
+            angle_swing: Angle::from_si(trace.span.1 - trace.span.0),
+            speed_peak: AngularVelocity::from_si(speed),
+            speed_peak_at: Time::from_si(speed_at),
+            inertia_max: MomentOfInertia::from_si(trace.inertia.0),
+            load_peak: Torque::from_si(load),
+            load_peak_at: Time::from_si(load_at),
+            load_cubic_mean: Torque::from_si(if travelled > 0.0 { (trace.cubes / travelled).cbrt() } else { 0.0 }),
+        }
+    }
+
+    /// Whether the cycle ends where it began, up to a millionth of what it travels: a swing, not a rotation.
+    #[must_use]
+    pub fn is_swing(&self) -> bool {
+        self.angle_net.si().abs() <= 1e-6 * self.angle_travelled.si()
+    }
+
+    /// n_av: mean of |n| over the cycle, pause included.
+    #[must_use]
+    pub fn speed_mean(&self) -> AngularVelocity {
+        AngularVelocity::from_si(self.angle_travelled.si() / self.duration.si())
+    }
+
+    /// ED: share of the cycle in motion.
+    #[must_use]
+    pub fn duty_factor(&self) -> f64 {
+        self.moving.si() / self.duration.si()
+    }
+}
+
 /// Load and motion of one axis, with the moments of its cycle.
 #[derive(Clone, Debug)]
 pub struct Axis {
     /// What is moved.
-    pub load: DirectLoad,
+    pub mechanism: Mechanism,
     /// How it is moved.
-    pub cycle: Cycle,
+    pub motion: Motion,
+    /// What each segment adds to the load.
+    pub extras: Vec<Extra>,
     /// Ambient temperature, if the user stated one.
     pub ambient: Option<ThermodynamicTemperature>,
     /// Loads on the output bearing, if the user gave any.
@@ -65,18 +137,19 @@ pub struct Axis {
     /// Least first natural frequency asked for.
     pub natural_frequency_min: Option<Frequency>,
     pub(crate) moments: Moments,
-    pub(crate) segments: Vec<Segment>,
+    pub(crate) trace: Trace,
 }
 
 impl Axis {
     /// Prepares an axis: one pass over the motion.
     #[must_use]
-    pub fn new(load: DirectLoad, cycle: Cycle) -> Self {
-        let moments = Moments::of(&cycle);
-        let segments = cycle.segments().collect();
+    pub fn new(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>) -> Self {
+        let trace = Trace::of(&mechanism, &motion, &extras);
+        let moments = Moments::of(&trace, motion.duration());
         Self {
-            load,
-            cycle,
+            mechanism,
+            motion,
+            extras,
             ambient: None,
             bearing: None,
             supply: None,
@@ -84,7 +157,7 @@ impl Axis {
             torsion_max: None,
             natural_frequency_min: None,
             moments,
-            segments,
+            trace,
         }
     }
 
@@ -92,5 +165,29 @@ impl Axis {
     #[must_use]
     pub const fn moments(&self) -> &Moments {
         &self.moments
+    }
+
+    /// What a cycle of a mechanism must come back to.
+    #[must_use]
+    pub fn closing(mechanism: &Mechanism) -> Closing {
+        match mechanism.endless() {
+            Endless::Everywhere => Closing::Speed,
+            Endless::EachRevolution => Closing::Revolutions,
+            Endless::Never => Closing::Position,
+        }
+    }
+
+    /// J_L, T_L and the moves where the manual's equations describe the axis: a constant inertia, a friction that does
+    /// not depend on the speed, nothing else, and a cycle of the manual's moves only.
+    pub(crate) fn by_the_manual(&self) -> Option<(MomentOfInertia, Torque, &[ManualMove])> {
+        let moves = self.motion.manual()?;
+        let plain = self.mechanism.is_constant_over_ramps()
+            && self.mechanism.efficiency_driving == 1.0
+            && self.mechanism.efficiency_driven == 1.0
+            && self.extras.iter().all(|extra| *extra == Extra::none())
+            && self.mechanism.holding_torque(0.0, &Extra::none()).si() == 0.0
+            && matches!(self.mechanism.kind, mechanism::Kind::Rotor(_));
+        let load = self.mechanism.inertia(0.0, &Extra::none());
+        plain.then_some((load, self.mechanism.friction.coulomb, moves))
     }
 }

@@ -3,10 +3,10 @@
 use crate::axis::{Axis, BearingDuty};
 use crate::check::{Check, CheckId, Note, Verdict};
 use crate::checks::{Comparison, at_least, equation, not_checked, shown_or_at_most};
-use actuator::OutputBearing;
+use actuator::{FlangeLoad, OutputBearing};
 use provenance::{Missing, Source, Sourced};
 use quantities::unit::{ARCMINUTE, DEGREE, HOUR, NEWTON, NEWTON_METRE, ONE};
-use quantities::{Measure, Torque};
+use quantities::{Angle, Force, Length, Measure, Torque};
 
 /// Below this swing the manual warns of fretting (section 7.3.2).
 const SWING_MIN_DEG: f64 = 5.0;
@@ -17,13 +17,13 @@ pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing) -> Vec<Check> {
     vec![
         force(
             CheckId::BearingAxial,
-            duty.load.axial_force.si(),
+            largest(duty, |load| load.axial_force.si()),
             "bearing.axial_force",
             bearing.axial_max.require("F_A_dyn_max"),
         ),
         force(
             CheckId::BearingRadial,
-            duty.load.radial_force.si(),
+            largest(duty, |load| load.radial_force.si()),
             "bearing.radial_force",
             bearing.radial_max.require("F_R_dyn_max"),
         ),
@@ -46,9 +46,36 @@ fn force<Q: Measure>(id: CheckId, value: f64, key: &'static str, limit: Result<&
     }
 }
 
+/// The largest value over the segments, at rest as well as in motion.
+fn largest(duty: &BearingDuty, value: impl Fn(&FlangeLoad) -> f64) -> f64 {
+    duty.loads.iter().map(value).fold(0.0, f64::max)
+}
+
+/// The largest tilting moment of the cycle.
 fn moment_of(duty: &BearingDuty, bearing: &OutputBearing) -> Result<Torque, Missing> {
     let offset = bearing.offset.require("R")?;
-    Ok(actuator::tilting_moment(&duty.load, offset.value))
+    Ok(Torque::from_si(largest(duty, |load| actuator::tilting_moment(load, offset.value).si())))
+}
+
+/// The averages of eq. 75.2 and 75.3 over the segments, and the tilting moment of the averages.
+///
+/// F_r (L_r + R) and F_a L_a are averaged like the forces, so that with distances that do not change the moment is
+/// F_rav (L_r + R) + F_aav L_a.
+fn mean_load(axis: &Axis, duty: &BearingDuty, offset: Length, exponent: f64) -> (FlangeLoad, Torque) {
+    let mean = |value: &dyn Fn(&FlangeLoad) -> f64| {
+        let parts = duty.loads.iter().zip(&axis.trace.shares);
+        actuator::mean_load(parts.map(|(load, share)| (value(load), Angle::from_si(share.travelled))), exponent)
+    };
+    let none = Length::from_si(0.0);
+    let load = FlangeLoad {
+        radial_force: Force::from_si(mean(&|load| load.radial_force.si())),
+        radial_distance: none,
+        axial_force: Force::from_si(mean(&|load| load.axial_force.si())),
+        axial_distance: none,
+    };
+    let moment = mean(&|load| load.radial_force.si() * (load.radial_distance.si() + offset.si()))
+        + mean(&|load| load.axial_force.si() * load.axial_distance.si());
+    (load, Torque::from_si(moment))
 }
 
 /// M ≤ M_dyn(max): from the tilt that the gear allows, so it holds even where the life would allow more.
@@ -68,12 +95,13 @@ fn tilting_moment(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
 fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Check {
     let id = CheckId::BearingLife;
     let found = (|| {
-        let moment = moment_of(duty, bearing)?;
+        let offset = bearing.offset.require("R")?;
         let pitch = bearing.pitch_diameter.require("d_p")?;
         let rating = bearing.dynamic_rating.require("C")?;
         let kind = bearing.kind.require("bearing_type")?;
         let load_factor = duty.load_factor.ok_or(Missing { symbol: "f_w" })?;
-        let equivalent = actuator::dynamic_equivalent_load(&duty.load, moment, pitch.value);
+        let (load, moment) = mean_load(axis, duty, offset.value, kind.value.life_exponent());
+        let equivalent = actuator::dynamic_equivalent_load(&load, moment, pitch.value);
         if equivalent.si() <= 0.0 {
             return Err(Missing { symbol: "F_r" });
         }
@@ -104,10 +132,14 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Check {
 fn static_safety(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
     let id = CheckId::BearingStatic;
     let found = (|| {
-        let moment = moment_of(duty, bearing)?;
+        let offset = bearing.offset.require("R")?;
         let pitch = bearing.pitch_diameter.require("d_p")?;
         let rating = bearing.static_rating.require("C_0")?;
-        let safety = actuator::static_safety(rating.value, &duty.load, moment, pitch.value);
+        let safety = duty.loads.iter().map(|load| {
+            let moment = actuator::tilting_moment(load, offset.value);
+            actuator::static_safety(rating.value, load, moment, pitch.value)
+        });
+        let safety = safety.fold(f64::INFINITY, f64::min);
         if safety.is_finite() { Ok(safety) } else { Err(Missing { symbol: "F_r" }) }
     })();
     match found {

@@ -5,14 +5,11 @@ use crate::bearing_checks;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::demand::{Demand, ManualDemand};
 use crate::gear_checks;
+use crate::trace::{Extent, Node};
 use actuator::{MotorVoltage, Parameters};
-use motion::Segment;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{AMPERE, DEGREE_CELSIUS, KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
-use quantities::{
-    AngularVelocity, ElectricCurrent, ElectricPotential, Measure, MomentOfInertia, NoLoadCurrentConstant,
-    ThermodynamicTemperature, Time, TorqueConstant, Unit,
-};
+use quantities::{AngularVelocity, ElectricCurrent, ElectricPotential, Measure, ThermodynamicTemperature, Time, Unit};
 
 /// J_L ≤ 3 J_out is recommended for highly dynamic duty (table 70.1).
 const INERTIA_RATIO_RECOMMENDED: f64 = 3.0;
@@ -20,6 +17,9 @@ const INERTIA_RATIO_RECOMMENDED: f64 = 3.0;
 /// Above this share of the winding's time constant a cycle is no longer short: the winding's temperature swings by
 /// more than a tenth of its rise, so the effective value alone says too little.
 const SHORT_CYCLE_SHARE: f64 = 0.2;
+
+/// Up to so many instants the voltage is also looked for between them; a recording is denser than that matters.
+const VOLTAGE_BETWEEN_NODES: usize = 20_000;
 
 /// Room for all checks of one actuator, so that judging many does not grow one vector after the other.
 const CHECKS_MOST: usize = 24;
@@ -75,16 +75,15 @@ impl Judgement {
 pub fn judge(axis: &Axis, actuator: &Parameters) -> Judgement {
     let inertia = actuator.inertia_out.known().map(|known| known.value);
     let demand = inertia.map(|inertia| axis.demand(inertia));
-    let manual = inertia.map(|inertia| axis.manual_demand(inertia));
+    let manual = inertia.and_then(|inertia| axis.manual_demand(inertia));
     let mut checks = Vec::with_capacity(CHECKS_MOST);
     checks.extend([
         peak_torque(actuator, demand.as_ref(), manual.as_ref()),
         peak_speed(axis, actuator),
         mean_speed(axis, actuator),
         continuous_torque(axis, actuator, demand.as_ref(), manual.as_ref()),
-        peak_current(axis, actuator),
-        demagnetisation(axis, actuator),
     ]);
+    checks.extend(current_checks(axis, actuator));
     checks.extend(axis.supply.map(|(supply, reserve)| voltage(axis, actuator, supply, reserve)));
     checks.push(inertia_ratio(axis, actuator));
     checks.extend(gear_checks::judge(axis, actuator));
@@ -316,24 +315,22 @@ fn continuous_torque(
         .answer(Verdict::Fail)
 }
 
-/// The motor current at both ends of every ramp.
+/// The motor current at every instant.
 ///
-/// I = T/k_Tout + σ (I_NLS + K_INL |n|), linear in time over each ramp, so its extremes lie at the ends of the ramps.
-/// Friction that opposes the torque counts with the 30 °C value of K_INL, friction that helps with the 80 °C value:
-/// either way the larger current.
-struct Currents<'a> {
-    axis: &'a Axis,
-    inertia: MomentOfInertia,
-    torque_constant: TorqueConstant,
-    starting: ElectricCurrent,
-    cold: NoLoadCurrentConstant,
-    warm: NoLoadCurrentConstant,
+/// I = T/k_Tout + σ (I_NLS + K_INL |n|). Friction that opposes the torque counts with the 30 °C value of K_INL, friction
+/// that helps with the 80 °C value: either way the larger current.
+struct Currents {
+    inertia: f64,
+    torque_constant: f64,
+    starting: f64,
+    cold: f64,
+    warm: f64,
     grade: Grade,
     errata: [&'static [&'static str]; 2],
 }
 
-impl<'a> Currents<'a> {
-    fn of(axis: &'a Axis, actuator: &Parameters) -> Result<Self, Missing> {
+impl Currents {
+    fn of(actuator: &Parameters) -> Result<Self, Missing> {
         let inertia = actuator.inertia_out.require("J_out")?;
         let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
         let starting = actuator.no_load_starting_current.require("I_NLS")?;
@@ -341,12 +338,11 @@ impl<'a> Currents<'a> {
         let warm = actuator.no_load_current_constant_80.known().unwrap_or(cold);
         let grades = [inertia.grade, torque_constant.grade, starting.grade, cold.grade];
         Ok(Self {
-            axis,
-            inertia: inertia.value,
-            torque_constant: torque_constant.value,
-            starting: starting.value,
-            cold: cold.value,
-            warm: warm.value,
+            inertia: inertia.value.si(),
+            torque_constant: torque_constant.value.si(),
+            starting: starting.value.si(),
+            cold: cold.value.si(),
+            warm: warm.value.si(),
             grade: grades.into_iter().fold(Grade::Computed, Grade::worst),
             errata: [inertia.errata, torque_constant.errata],
         })
@@ -354,53 +350,56 @@ impl<'a> Currents<'a> {
 
     /// How friction counts, and the errata of the inputs.
     fn notes(&self) -> Vec<Note> {
-        let mut notes = vec![Note::FrictionTemperatures];
+        let mut notes = Vec::with_capacity(4);
+        notes.push(Note::FrictionTemperatures);
         for errata in self.errata {
             cite(&mut notes, errata);
         }
         notes
     }
 
-    /// Speed and current at both ends of a ramp.
-    fn at_ends(&self, segment: &Segment) -> [(AngularVelocity, ElectricCurrent); 2] {
-        let torque = self.axis.load.torque(self.inertia, segment.acceleration(), segment.direction);
-        let helping = torque.si() * segment.direction < 0.0;
-        let constant = if helping { self.warm } else { self.cold };
-        [segment.speed_start, segment.speed_end].map(|speed| {
-            let friction = actuator::friction_current(self.starting, constant, speed);
-            (speed, actuator::current(torque, segment.direction, friction, self.torque_constant))
-        })
+    fn at(&self, node: &Node) -> f64 {
+        let torque = self.inertia * node.acceleration + node.load;
+        let constant = if torque * node.direction < 0.0 { self.warm } else { self.cold };
+        torque / self.torque_constant + node.direction * (self.starting + constant * node.speed.abs())
+    }
+
+    /// No current of a block of nodes is above this.
+    fn bound(&self, extent: &Extent) -> f64 {
+        extent.torque(self.inertia) / self.torque_constant + self.starting + self.cold.max(self.warm) * extent.speed
     }
 
     /// The largest magnitude and its instant.
-    fn largest(&self) -> (ElectricCurrent, Time) {
-        let mut largest = (ElectricCurrent::from_si(0.0), Time::from_si(0.0));
-        for segment in &self.axis.segments {
-            let instants = [segment.start, segment.start + segment.duration];
-            for ((_, current), at) in self.at_ends(segment).into_iter().zip(instants) {
-                if current.si().abs() > largest.0.si() {
-                    largest = (ElectricCurrent::from_si(current.si().abs()), at);
-                }
-            }
-        }
-        largest
+    fn largest(&self, axis: &Axis) -> (f64, Time) {
+        let (current, at) = axis.trace.largest(|extent| self.bound(extent), |node| self.at(node).abs());
+        (current, Time::from_si(at))
     }
 }
 
 /// U ≤ (U_DC/√2) · reserve: the motor's terminal voltage at every instant of the cycle, winding hot.
 fn voltage(axis: &Axis, actuator: &Parameters, supply: ElectricPotential, reserve: f64) -> Check {
     let id = CheckId::Voltage;
-    let (motor, currents) = match MotorVoltage::of(actuator).and_then(|m| Ok((m, Currents::of(axis, actuator)?))) {
+    let (motor, currents) = match MotorVoltage::of(actuator).and_then(|m| Ok((m, Currents::of(actuator)?))) {
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let (mut worst, mut at) = (0.0, None);
-    for segment in &axis.segments {
-        let volts = motor.largest(currents.at_ends(segment)).si();
-        if volts > worst {
-            worst = volts;
-            let faster_at_end = segment.speed_end.si().abs() >= segment.speed_start.si().abs();
-            at = Some(if faster_at_end { segment.start + segment.duration } else { segment.start });
+    let typed = |node: &Node| (AngularVelocity::from_si(node.speed), ElectricCurrent::from_si(currents.at(node)));
+    // The voltage of a block is below the one at its largest current and speed together.
+    let (mut worst, at) = axis.trace.largest(
+        |extent| {
+            motor.at(AngularVelocity::from_si(extent.speed), ElectricCurrent::from_si(currents.bound(extent))).si()
+        },
+        |node| {
+            let (speed, current) = typed(node);
+            motor.at(speed, current).si()
+        },
+    );
+    // Between two instants of a short trace the voltage may rise above both; speed and current are taken as straight.
+    if axis.trace.nodes().len() <= VOLTAGE_BETWEEN_NODES {
+        for (a, b) in axis.trace.nodes().iter().zip(axis.trace.nodes().iter().skip(1)) {
+            if b.time > a.time && a.direction != 0.0 {
+                worst = worst.max(motor.largest([typed(a), typed(b)]).si());
+            }
         }
     }
     Comparison {
@@ -408,7 +407,7 @@ fn voltage(axis: &Axis, actuator: &Parameters, supply: ElectricPotential, reserv
         unit: &VOLT,
         value: worst,
         value_source: Source::Model { name: "voltage" },
-        at,
+        at: Some(Time::from_si(at)),
         limit: supply.si() / std::f64::consts::SQRT_2 * reserve,
         limit_source: &Source::Project { key: "requirements.supply".into() },
         grade: motor.grade.worst(currents.grade),
@@ -418,40 +417,35 @@ fn voltage(axis: &Axis, actuator: &Parameters, supply: ElectricPotential, reserv
     .answer(Verdict::Fail)
 }
 
-fn current_check(
-    id: CheckId,
-    axis: &Axis,
-    actuator: &Parameters,
-    limit: Result<&Sourced<ElectricCurrent>, Missing>,
-) -> Check {
-    let (limit, currents) = match limit.and_then(|limit| Ok((limit, Currents::of(axis, actuator)?))) {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
-    };
-    let (current, at) = currents.largest();
-    Comparison {
-        id,
-        unit: &AMPERE,
-        value: current.si(),
-        value_source: Source::Model { name: "current" },
-        at: Some(at),
-        limit: limit.value.si(),
-        limit_source: &limit.source,
-        grade: currents.grade.worst(limit.grade),
-        errata: limit.errata,
-        notes: currents.notes(),
-    }
-    .answer(Verdict::Fail)
-}
-
-/// I_peak ≤ I_max.
-fn peak_current(axis: &Axis, actuator: &Parameters) -> Check {
-    current_check(CheckId::PeakCurrent, axis, actuator, actuator.current_max.require("I_max"))
-}
-
-/// I_peak ≤ I_E: at I_E demagnetisation begins.
-fn demagnetisation(axis: &Axis, actuator: &Parameters) -> Check {
-    current_check(CheckId::Demagnetisation, axis, actuator, actuator.current_demagnetisation.require("I_E"))
+/// I_peak ≤ I_max, and I_peak ≤ I_E, at which demagnetisation begins.
+fn current_checks(axis: &Axis, actuator: &Parameters) -> [Check; 2] {
+    let currents = Currents::of(actuator);
+    let peak = currents.as_ref().ok().map(|currents| currents.largest(axis));
+    let limits = [
+        (CheckId::PeakCurrent, actuator.current_max.require("I_max")),
+        (CheckId::Demagnetisation, actuator.current_demagnetisation.require("I_E")),
+    ];
+    limits.map(|(id, limit)| {
+        let (limit, currents, (current, at)) = match (limit, &currents, peak) {
+            (Ok(limit), Ok(currents), Some(peak)) => (limit, currents, peak),
+            (Err(missing), ..) => return not_checked(id, missing),
+            (_, Err(missing), _) => return not_checked(id, *missing),
+            _ => return not_checked(id, Missing { symbol: "J_out" }),
+        };
+        Comparison {
+            id,
+            unit: &AMPERE,
+            value: current,
+            value_source: Source::Model { name: "current" },
+            at: Some(at),
+            limit: limit.value.si(),
+            limit_source: &limit.source,
+            grade: currents.grade.worst(limit.grade),
+            errata: limit.errata,
+            notes: currents.notes(),
+        }
+        .answer(Verdict::Fail)
+    })
 }
 
 /// J_L ≤ 3 J_out is recommended for highly dynamic duty (table 70.1).
@@ -464,7 +458,7 @@ fn inertia_ratio(axis: &Axis, actuator: &Parameters) -> Check {
                 limit: INERTIA_RATIO_RECOMMENDED * own.value.si(),
                 grade: own.grade.worst(Grade::Computed),
                 notes: vec![Note::RecommendationForHighDynamics],
-                ..Comparison::with(id, &KILOGRAM_SQUARE_METRE, axis.load.inertia.si(), source, own)
+                ..Comparison::with(id, &KILOGRAM_SQUARE_METRE, axis.moments.inertia_max.si(), source, own)
             }
             .answer(Verdict::Advice)
         }

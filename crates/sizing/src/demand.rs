@@ -50,25 +50,21 @@ pub struct ManualDemand {
 impl Axis {
     /// The demand by exact integrals of the motion.
     ///
-    /// T_rms² = (J² ∫α² dt + 2 J T_L ∫α σ dt + T_L² ∫σ² dt) / t_0 with J = J_out + J_L
+    /// T_rms² = (J² G_αα + 2 J G_αT + G_TT) / t_0 with J = J_out
     ///
-    /// # Source   docs/theory/demand.md; the torque over each ramp is J α + T_L σ
-    /// # Valid    any cycle of linear speed ramps, friction independent of speed
+    /// # Symbols  G_xy = ∫ x y dt over the cycle, T torque of the load without J_out
+    /// # Source   docs/theory/moments.md; the torque at every instant is J_out α + T
     #[must_use]
     pub fn demand(&self, inertia_out: MomentOfInertia) -> Demand {
         let moments = &self.moments;
-        let inertia = (self.load.inertia + inertia_out).si();
-        let friction = self.load.friction_torque.si();
-        let square = (inertia * inertia * moments.alpha_squared_rad2_s3
-            + 2.0 * inertia * friction * moments.alpha_direction_rad_s
-            + friction * friction * moments.moving.si())
-            / moments.duration.si();
-        let (torque_peak, torque_peak_at) = self.peak(inertia_out);
+        let inertia = inertia_out.si();
+        let square = self.trace.gram.square([inertia, 1.0, 0.0, 0.0]) / moments.duration.si();
+        let (peak, at) =
+            self.trace.largest(|extent| extent.torque(inertia), |node| (inertia * node.acceleration + node.load).abs());
         Demand {
-            // Rounding may leave a tiny negative sum where the torque vanishes.
-            torque_rms: Torque::from_si(square.max(0.0).sqrt()),
-            torque_peak,
-            torque_peak_at,
+            torque_rms: Torque::from_si(square.sqrt()),
+            torque_peak: Torque::from_si(peak),
+            torque_peak_at: Time::from_si(at),
             speed_mean: moments.speed_mean(),
             speed_peak: moments.speed_peak,
             speed_peak_at: moments.speed_peak_at,
@@ -76,19 +72,7 @@ impl Axis {
         }
     }
 
-    /// Largest magnitude of the torque and the instant at which it is first reached.
-    fn peak(&self, inertia_out: MomentOfInertia) -> (Torque, Time) {
-        let mut peak = (Torque::from_si(0.0), Time::from_si(0.0));
-        for segment in &self.segments {
-            let torque = self.load.torque(inertia_out, segment.acceleration(), segment.direction).si().abs();
-            if torque > peak.0.si() {
-                peak = (Torque::from_si(torque), segment.start);
-            }
-        }
-        peak
-    }
-
-    /// The demand by the manual's procedure.
+    /// The demand by the manual's procedure; `None` where its equations do not describe the axis.
     ///
     /// T_1 = T_L + (2π/60) (J_out + J_L) n_2 / t_1, T_2 = T_L, T_3 = T_L − (T_1 − T_L),
     /// T_rms = √((T_1² t_1 + T_2² t_2 + T_3² t_3) / (t_1 + t_2 + t_3 + t_p)),
@@ -103,24 +87,27 @@ impl Axis {
     /// # Valid    exact for t_3 = t_1; with another braking time eq. 69.2 keeps the torque of the acceleration,
     /// see [`ManualDemand::braking_assumed`]
     #[must_use]
-    pub fn manual_demand(&self, inertia_out: MomentOfInertia) -> ManualDemand {
+    pub fn manual_demand(&self, inertia_out: MomentOfInertia) -> Option<ManualDemand> {
+        let (load_inertia, load_friction, cycle) = self.by_the_manual()?;
+        let inertia = (load_inertia + inertia_out).si();
         let mut square_time = 0.0;
         let mut speed_time = 0.0;
+        let mut moving = 0.0;
         let mut governing = 0;
         let mut peak = -1.0;
         let mut peak_at = 0.0;
         let mut start = 0.0;
         let mut braking_assumed = false;
-        let mut moves = Vec::with_capacity(self.cycle.moves().len());
-        for (index, each) in self.cycle.moves().iter().enumerate() {
+        let mut moves = Vec::with_capacity(cycle.len());
+        for (index, each) in cycle.iter().enumerate() {
             let [t1, t2, t3, tp] = [each.accelerate, each.run, each.brake, each.pause].map(Measure::si);
             let speed = each.speed.si().abs();
-            let friction = if speed > 0.0 { self.load.friction_torque.si() } else { 0.0 };
-            let inertia = (self.load.inertia + inertia_out).si();
+            let friction = if speed > 0.0 { load_friction.si() } else { 0.0 };
             let first = if speed > 0.0 { friction + inertia * speed / t1 } else { 0.0 };
             let third = friction - (first - friction);
             square_time += first * first * t1 + friction * friction * t2 + third * third * t3;
             speed_time += speed / 2.0 * t1 + speed * t2 + speed / 2.0 * t3;
+            moving += t1 + t2 + t3;
             // Equal inputs are meant here, not equal results.
             braking_assumed |= speed > 0.0 && t1 != t3;
             for (torque, at) in [(first, start), (friction, start + t1), (third, start + t1 + t2)] {
@@ -137,21 +124,20 @@ impl Axis {
             });
             start += t1 + t2 + t3 + tp;
         }
-        let whole = self.cycle.duration().si();
-        ManualDemand {
+        Some(ManualDemand {
             demand: Demand {
-                torque_rms: Torque::from_si((square_time / whole).sqrt()),
+                torque_rms: Torque::from_si((square_time / start).sqrt()),
                 torque_peak: Torque::from_si(peak.max(0.0)),
                 torque_peak_at: Time::from_si(peak_at),
-                speed_mean: AngularVelocity::from_si(speed_time / whole),
+                speed_mean: AngularVelocity::from_si(speed_time / start),
                 speed_peak: self.moments.speed_peak,
                 speed_peak_at: self.moments.speed_peak_at,
-                duty_factor: self.cycle.moving_time().si() / whole,
+                duty_factor: moving / start,
             },
             moves,
             governing,
             braking_assumed,
-        }
+        })
     }
 }
 

@@ -6,20 +6,11 @@ use crate::checks::{Comparison, at_least, not_checked, shown_or_at_most};
 use actuator::Parameters;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{ARCMINUTE, HERTZ, HOUR, NEWTON_METRE};
-use quantities::{Angle, AngularVelocity, Measure, Torque};
+use quantities::{AngularVelocity, Measure};
 
-/// Every check of the gear.
+/// Every check of the gear. It carries the torque of the load only: the rotor's inertia is on its other side.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
     vec![mean_torque(axis, actuator), life(axis, actuator), torsion(axis, actuator), natural_frequency(axis, actuator)]
-}
-
-/// T_av of the cycle. The gear carries the torque of the load only: the rotor's inertia is on its other side.
-fn mean_of(axis: &Axis) -> Torque {
-    let own = quantities::MomentOfInertia::from_si(0.0);
-    actuator::cubic_mean_torque(axis.segments.iter().map(|segment| {
-        let angle = 0.5 * (segment.speed_start.si() + segment.speed_end.si()) * segment.duration.si();
-        (axis.load.torque(own, segment.acceleration(), segment.direction), Angle::from_si(angle))
-    }))
 }
 
 /// T_av ≤ T_A; only where a rating of the gear is published.
@@ -28,7 +19,13 @@ fn mean_torque(axis: &Axis, actuator: &Parameters) -> Check {
     match actuator.gear.average_torque_max.require("T_A") {
         Ok(limit) => Comparison {
             notes: vec![Note::RatingOfInterchangeableGear],
-            ..Comparison::with(id, &NEWTON_METRE, mean_of(axis).si(), Source::Model { name: "gear" }, limit)
+            ..Comparison::with(
+                id,
+                &NEWTON_METRE,
+                axis.moments().load_cubic_mean.si(),
+                Source::Model { name: "gear" },
+                limit,
+            )
         }
         .answer(Verdict::Fail),
         Err(missing) => not_checked(id, missing),
@@ -41,7 +38,7 @@ fn life(axis: &Axis, actuator: &Parameters) -> Check {
     let found = (|| {
         let rated = actuator.gear.rated_torque.require("T_N")?;
         let ratio = actuator.ratio.require("i")?;
-        let mean = mean_of(axis);
+        let mean = axis.moments().load_cubic_mean;
         let speed = AngularVelocity::from_si(axis.moments().speed_mean().si() * ratio.value);
         if speed.si() <= 0.0 || mean.si() <= 0.0 {
             return Err(Missing { symbol: "n_av" });
@@ -65,20 +62,12 @@ fn life(axis: &Axis, actuator: &Parameters) -> Check {
 fn torsion(axis: &Axis, actuator: &Parameters) -> Check {
     let id = CheckId::Torsion;
     let Some(curve) = actuator.gear.torsion() else { return not_checked(id, Missing { symbol: "K_1" }) };
-    let own = quantities::MomentOfInertia::from_si(0.0);
-    let (mut worst, mut at) = (Torque::from_si(0.0), None);
-    for segment in &axis.segments {
-        let torque = axis.load.torque(own, segment.acceleration(), segment.direction);
-        if torque.si().abs() > worst.si() {
-            worst = Torque::from_si(torque.si().abs());
-            at = Some(segment.start);
-        }
-    }
+    let worst = axis.moments().load_peak;
     let source = Source::Equation { document: "cha-manual", number: "73.1" };
     let limit = axis.torsion_max.map(Measure::si);
     let mut check =
         shown_or_at_most(id, &ARCMINUTE, curve.angle(worst).si(), limit, "requirements.torsion_max", source);
-    check.at = at;
+    check.at = Some(axis.moments().load_peak_at);
     check
 }
 
@@ -88,10 +77,10 @@ fn natural_frequency(axis: &Axis, actuator: &Parameters) -> Check {
     let [softest, _, _] = &actuator.gear.stiffness;
     let found = softest
         .require("K_1")
-        .and_then(|k| if axis.load.inertia.si() > 0.0 { Ok(k) } else { Err(Missing { symbol: "J_L" }) });
+        .and_then(|k| if axis.moments().inertia_max.si() > 0.0 { Ok(k) } else { Err(Missing { symbol: "J_L" }) });
     match found {
         Ok(k) => {
-            let frequency = actuator::natural_frequency(k.value, axis.load.inertia);
+            let frequency = actuator::natural_frequency(k.value, axis.moments().inertia_max);
             let asked = axis.natural_frequency_min.map(Measure::si);
             let source = Source::Model { name: "gear" };
             at_least(id, &HERTZ, frequency.si(), asked, "requirements.natural_frequency_min", source)

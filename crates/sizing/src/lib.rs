@@ -11,8 +11,9 @@ mod checks;
 mod demand;
 mod gear_checks;
 mod rank;
+mod trace;
 
-pub use axis::{Axis, BearingDuty, OperatingCondition};
+pub use axis::{Axis, BearingDuty, Moments, OperatingCondition};
 pub use check::{Check, CheckId, Figure, Note, Verdict};
 pub use checks::{Judgement, judge};
 pub use demand::{Demand, ManualDemand, MoveTorques};

@@ -11,34 +11,32 @@
     reason = "a test fails loudly"
 )]
 
-use mechanism::DirectLoad;
-use motion::{Cycle, ManualMove};
+use mechanism::Mechanism;
+use motion::{Closing, ManualMove, Motion, SegmentSpec};
 use quantities::unit::{KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND};
-use quantities::{AngularVelocity, Measure, MomentOfInertia, Time, Torque};
+use quantities::{Angle, AngularVelocity, Measure, MomentOfInertia, Time, Torque};
 use sizing::Axis;
 use testkit::agrees;
 
 fn example() -> (Axis, MomentOfInertia) {
     let s = |t| Time::new_in(t, &SECOND);
-    let cycle = Cycle::new(vec![ManualMove {
+    let only = SegmentSpec::Manual(ManualMove {
         speed: AngularVelocity::new_in(40.0, &REVOLUTION_PER_MINUTE),
         accelerate: s(0.1),
         run: s(0.1),
         brake: s(0.1),
         pause: s(1.0),
-    }])
-    .unwrap();
-    let load = DirectLoad {
-        inertia: MomentOfInertia::new_in(1.3, &KILOGRAM_SQUARE_METRE),
-        friction_torque: Torque::new_in(5.0, &NEWTON_METRE),
-    };
-    (Axis::new(load, cycle), MomentOfInertia::new_in(1.063, &KILOGRAM_SQUARE_METRE))
+    });
+    let motion = Motion::new(&[only], Angle::from_si(0.0), Closing::Speed).unwrap();
+    let load =
+        Mechanism::direct(MomentOfInertia::new_in(1.3, &KILOGRAM_SQUARE_METRE), Torque::new_in(5.0, &NEWTON_METRE));
+    (Axis::new(load, motion, Vec::new()), MomentOfInertia::new_in(1.063, &KILOGRAM_SQUARE_METRE))
 }
 
 #[test]
 fn the_manual_procedure_gives_the_worked_example() {
     let (axis, own) = example();
-    let manual = axis.manual_demand(own);
+    let manual = axis.manual_demand(own).unwrap();
     let [only] = manual.moves.as_slice() else { panic!("one move") };
     assert!(agrees(only.accelerate.in_unit(&NEWTON_METRE), "103.98"), "T_1");
     assert!(agrees(only.run.in_unit(&NEWTON_METRE), "5.00"), "T_2");
@@ -52,7 +50,7 @@ fn the_manual_procedure_gives_the_worked_example() {
 #[test]
 fn the_exact_integral_gives_the_same() {
     let (axis, own) = example();
-    let (manual, exact) = (axis.manual_demand(own).demand, axis.demand(own));
+    let (manual, exact) = (axis.manual_demand(own).unwrap().demand, axis.demand(own));
     for (a, b) in [
         (manual.torque_rms.si(), exact.torque_rms.si()),
         (manual.torque_peak.si(), exact.torque_peak.si()),
@@ -67,7 +65,7 @@ fn the_exact_integral_gives_the_same() {
 #[test]
 fn the_printed_solution_is_met_within_its_rounding() {
     let (axis, own) = example();
-    let manual = axis.manual_demand(own);
+    let manual = axis.manual_demand(own).unwrap();
     for (value, printed) in [
         (manual.moves[0].accelerate.si(), 103.8),
         (manual.moves[0].brake.si(), -93.8),
@@ -84,7 +82,7 @@ fn the_printed_solution_is_met_within_its_rounding() {
 #[test]
 fn the_older_example_with_another_inertia() {
     let (axis, _) = example();
-    let manual = axis.manual_demand(MomentOfInertia::from_si(0.86));
+    let manual = axis.manual_demand(MomentOfInertia::from_si(0.86)).unwrap();
     assert!(agrees(manual.moves[0].accelerate.si(), "95.5"));
     assert!(agrees(manual.demand.torque_rms.si(), "35.6"));
 }

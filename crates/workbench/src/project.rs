@@ -1,5 +1,6 @@
 //! The project file as typed data.
 
+mod load;
 mod read;
 mod schema;
 mod spec;
@@ -9,14 +10,12 @@ pub(crate) use spec::Kind;
 
 use crate::diagnostic::Diagnostic;
 use crate::text::Speak;
-use actuator::{Curve, CurvePoint, FlangeLoad, Parameters};
+use actuator::{Curve, CurvePoint, Parameters};
 use configurator::Requirements;
-use mechanism::DirectLoad;
-use motion::{Cycle, CycleFault, ManualMove};
 use order_code::{Feedback, Option1, Option2};
 use provenance::{Datum, Grade, Source, Sourced};
-use quantities::{AngularVelocity, Force, Language, Length, Measure, Time, Torque};
-use read::{Entry, Reader, Section};
+use quantities::{AngularVelocity, Language, Measure, Torque};
+use read::{Reader, Section};
 use sizing::{Axis, BearingDuty, OperatingCondition};
 
 /// Largest project file that is read, in bytes.
@@ -45,6 +44,18 @@ pub enum Assumption {
     NoFlangeLoads,
     /// The loads on the flange are constant over the cycle.
     FlangeLoadsConstant,
+    /// The moments of radial and axial force point in the same direction.
+    FlangeMomentsAligned,
+    /// No efficiency of the mechanism is given: one is assumed.
+    NoLosses,
+    /// No efficiency for driving backwards is given: the losses do not help to brake.
+    LossesDoNotHelp,
+    /// A trapezoid given by two quantities accelerates, runs and brakes for a third of the time each.
+    TrapezoidThirds,
+    /// A single move is judged as if it were repeated without a pause.
+    SingleMoveRepeats,
+    /// In a dwell without `hold` the motor carries the load.
+    MotorHolds,
 }
 
 /// An actuator that the user describes.
@@ -116,9 +127,7 @@ fn option<'s>(root: &'s Section, name: &str) -> Option<&'s str> {
 
 fn assumptions(root: &Section) -> Vec<Assumption> {
     let mut found = Vec::new();
-    if root.table("load").is_none_or(|load| load.get("friction_torque").is_none()) {
-        found.push(Assumption::NoFriction);
-    }
+    load::assumptions(root, &mut found);
     if root.table("requirements").is_none_or(|section| section.get("ambient").is_none()) {
         found.push(Assumption::AmbientWithinRange);
     }
@@ -132,9 +141,14 @@ fn assumptions(root: &Section) -> Vec<Assumption> {
     } else if !asks("modulation_reserve") {
         found.push(Assumption::ModulationReserve);
     }
-    let bearing =
-        if root.table("bearing").is_some() { Assumption::FlangeLoadsConstant } else { Assumption::NoFlangeLoads };
-    found.push(bearing);
+    let own = root.tables("motion").iter().any(|section| section.get("bearing").is_some());
+    if root.table("bearing").is_none() && !own {
+        found.push(Assumption::NoFlangeLoads);
+    } else if !own {
+        found.push(Assumption::FlangeLoadsConstant);
+    } else {
+        found.push(Assumption::FlangeMomentsAligned);
+    }
     found
 }
 
@@ -156,103 +170,41 @@ fn requirements(root: &Section) -> Requirements {
 
 fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Axis> {
     let bearing = bearing_duty(root, reader, language);
-    let sections = root.tables("motion");
-    let moves: Option<Vec<ManualMove>> = sections.iter().map(build_move).collect();
-    let load = root.table("load")?;
-    let load = DirectLoad {
-        inertia: load.quantity("inertia")?,
-        friction_torque: load.quantity("friction_torque").unwrap_or_else(|| Torque::from_si(0.0)),
-    };
-    let moves = moves?;
-    root.get("motion")?;
-    match Cycle::new(moves) {
-        Ok(cycle) => {
-            let mut axis = Axis::new(load, cycle);
-            if let Some(asked) = root.table("requirements") {
-                axis.ambient = asked.quantity("ambient");
-                axis.supply = asked
-                    .quantity("supply")
-                    .map(|supply| (supply, asked.number("modulation_reserve").unwrap_or(MODULATION_RESERVE)));
-                axis.gear_life_min = asked.quantity("gear_life_min");
-                axis.torsion_max = asked.quantity("torsion_max");
-                axis.natural_frequency_min = asked.quantity("natural_frequency_min");
-            }
-            axis.bearing = bearing;
-            Some(axis)
-        }
-        Err(faults) => {
-            for fault in faults {
-                let (span, message) = describe_cycle_fault(fault, root, sections, language);
-                reader.fault(span, message, None);
-            }
-            None
-        }
+    let load = load::load(root, reader, language)?;
+    let (motion, extras) = load::motion(root, &load, reader, language)?;
+    let mut axis = Axis::new(load.mechanism, motion, extras);
+    if let Some(asked) = root.table("requirements") {
+        axis.ambient = asked.quantity("ambient");
+        axis.supply = asked
+            .quantity("supply")
+            .map(|supply| (supply, asked.number("modulation_reserve").unwrap_or(MODULATION_RESERVE)));
+        axis.gear_life_min = asked.quantity("gear_life_min");
+        axis.torsion_max = asked.quantity("torsion_max");
+        axis.natural_frequency_min = asked.quantity("natural_frequency_min");
     }
+    axis.bearing = bearing;
+    Some(axis)
 }
 
-/// The loads on the flange. A force needs the distance at which it acts; a force that is not given does not act.
+/// The loads on the flange and what is asked of the bearing.
 fn bearing_duty(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<BearingDuty> {
-    let section = root.table("bearing")?;
+    let loads = load::flange_loads(root, reader, language)?;
+    let section = root.table("bearing");
     let requirements = root.table("requirements");
-    for (force, distance) in [("radial_force", "radial_distance"), ("axial_force", "axial_distance")] {
-        for (given, needed) in [(force, distance), (distance, force)] {
-            if section.get(given).is_some() && section.get(needed).is_none() {
-                reader.fault(section.span_of(given), language.missing_key("bearing", needed, false), None);
-            }
-        }
-    }
     Some(BearingDuty {
-        load: FlangeLoad {
-            radial_force: section.quantity("radial_force").unwrap_or_else(|| Force::from_si(0.0)),
-            radial_distance: section.quantity("radial_distance").unwrap_or_else(|| Length::from_si(0.0)),
-            axial_force: section.quantity("axial_force").unwrap_or_else(|| Force::from_si(0.0)),
-            axial_distance: section.quantity("axial_distance").unwrap_or_else(|| Length::from_si(0.0)),
-        },
-        load_factor: section.number("load_factor"),
-        operating_condition: section.text("operating_condition").and_then(|word| match word {
-            "normal" => Some(OperatingCondition::Normal),
-            "shock" => Some(OperatingCondition::Shock),
-            "high_accuracy" => Some(OperatingCondition::HighAccuracy),
-            _ => None,
-        }),
+        loads,
+        load_factor: section.and_then(|section| section.number("load_factor")),
+        operating_condition: section.and_then(|section| section.text("operating_condition")).and_then(
+            |word| match word {
+                "normal" => Some(OperatingCondition::Normal),
+                "shock" => Some(OperatingCondition::Shock),
+                "high_accuracy" => Some(OperatingCondition::HighAccuracy),
+                _ => None,
+            },
+        ),
         life_min: requirements.and_then(|section| section.quantity("bearing_life_min")),
         tilt_max: requirements.and_then(|section| section.quantity("tilt_angle_max")),
     })
-}
-
-fn build_move(section: &Section) -> Option<ManualMove> {
-    Some(ManualMove {
-        speed: section.quantity("speed")?,
-        accelerate: section.quantity("accelerate")?,
-        run: section.quantity("run")?,
-        brake: section.quantity("brake")?,
-        pause: section.quantity("pause")?,
-    })
-}
-
-fn describe_cycle_fault(
-    fault: CycleFault,
-    root: &Section,
-    sections: &[Section],
-    language: Language,
-) -> (std::ops::Range<usize>, String) {
-    let whole = root.span_of("motion");
-    let of =
-        |index: usize, key: &str| sections.get(index).map_or_else(|| whole.clone(), |section| section.span_of(key));
-    match fault {
-        CycleFault::NoTimeToChangeSpeed { of_move } => {
-            let zero = |key: &str| {
-                sections.get(of_move).and_then(|s| s.quantity::<Time>(key)).is_some_and(|time| time.si() <= 0.0)
-            };
-            let key = if zero("accelerate") { "accelerate" } else { "brake" };
-            (of(of_move, key), language.no_time_to_change_speed(&format!("motion[{}].{key}", of_move + 1)))
-        }
-        CycleFault::NoDuration => (of(0, "pause"), language.no_duration()),
-        CycleFault::NoMove => (whole.clone(), language.no_move()),
-        CycleFault::TimeOutOfRange { of_move } => (of(of_move, "run"), language.no_duration()),
-        CycleFault::SpeedOutOfRange { of_move } => (of(of_move, "speed"), language.no_move()),
-        _ => (whole, language.no_move()),
-    }
 }
 
 fn build_actuator(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<OwnActuator> {
@@ -282,12 +234,15 @@ fn build_actuator(root: &Section, reader: &mut Reader<'_>, language: Language) -
     parameters.terminal_voltage_min = own(section, "terminal_voltage_min");
     parameters.ratio = section.number("ratio").map_or(Datum::NotPrinted, |value| known("ratio", value));
     parameters.pole_pairs = section.number("pole_pairs").map_or(Datum::NotPrinted, |value| known("pole_pairs", value));
-    if let Some(Entry::Curve(points)) = section.get("continuous_curve") {
-        let points = points
+    if section.get("continuous_curve").is_some() {
+        let points = section
+            .rows("continuous_curve")
             .iter()
-            .map(|(speed, torque)| CurvePoint {
-                speed: AngularVelocity::from_si(*speed),
-                torque: Torque::from_si(*torque),
+            .filter_map(|row| match row.as_slice() {
+                [speed, torque] => {
+                    Some(CurvePoint { speed: AngularVelocity::from_si(*speed), torque: Torque::from_si(*torque) })
+                }
+                _ => None,
             })
             .collect();
         match Curve::new(points) {

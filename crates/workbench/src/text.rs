@@ -1,6 +1,7 @@
 //! What antrieb says, in English and German. Both stand side by side, so that none can be missing.
 
 mod codes;
+mod motion;
 mod reading;
 mod results;
 

@@ -1,9 +1,9 @@
 //! Reads a project file against its description and reports every fault at once.
 
-use super::spec::{Key, Kind, ROOT, Range};
+use super::spec::{Key, Kind, ROOT, Range, Variants};
 use crate::diagnostic::Diagnostic;
 use crate::text::Speak;
-use quantities::{Language, Measure};
+use quantities::{Dimension, Language, Measure};
 use std::collections::BTreeMap;
 use std::ops::Range as Span;
 use toml::Spanned;
@@ -14,13 +14,15 @@ use toml::de::{DeArray, DeTable, DeValue};
 pub(crate) enum Entry {
     /// SI value of a quantity.
     Quantity(f64),
+    /// SI value and which dimension it was written in.
+    Along(Dimension, f64),
     Number(f64),
     Integer(i64),
     Bool(bool),
     Text(String),
     List(Vec<String>),
-    /// Speed and torque in SI.
-    Curve(Vec<(f64, f64)>),
+    /// Rows of SI values.
+    Rows(Vec<Vec<f64>>),
     Table(Section),
     Tables(Vec<Section>),
 }
@@ -30,11 +32,23 @@ pub(crate) enum Entry {
 pub(crate) struct Section {
     pub(crate) span: Span<usize>,
     entries: BTreeMap<&'static str, (Entry, Span<usize>)>,
+    /// Keys that are there, but whose value was refused.
+    refused: Vec<&'static str>,
 }
 
 impl Section {
     pub(crate) fn get(&self, name: &str) -> Option<&Entry> {
         self.entries.get(name).map(|(entry, _)| entry)
+    }
+
+    /// Whether a key is there, with a valid value or not.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.entries.contains_key(name) || self.refused.contains(&name)
+    }
+
+    /// Whether no value was refused.
+    pub(crate) const fn is_whole(&self) -> bool {
+        self.refused.is_empty()
     }
 
     pub(crate) fn span_of(&self, name: &str) -> Span<usize> {
@@ -46,6 +60,28 @@ impl Section {
             Some(Entry::Quantity(si)) => Some(Q::from_si(*si)),
             _ => None,
         }
+    }
+
+    pub(crate) fn along(&self, name: &str) -> Option<(Dimension, f64)> {
+        match self.get(name) {
+            Some(Entry::Along(dimension, si)) => Some((*dimension, *si)),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn rows(&self, name: &str) -> &[Vec<f64>] {
+        match self.get(name) {
+            Some(Entry::Rows(rows)) => rows,
+            _ => &[],
+        }
+    }
+
+    /// The tables within, by name.
+    pub(crate) fn subtables(&self) -> impl Iterator<Item = (&'static str, &Self)> {
+        self.entries.iter().filter_map(|(name, (entry, _))| match entry {
+            Entry::Table(section) => Some((*name, section)),
+            _ => None,
+        })
     }
 
     pub(crate) fn text(&self, name: &str) -> Option<&str> {
@@ -106,6 +142,7 @@ pub(crate) struct Reader<'t> {
     text: &'t str,
     language: Language,
     pub(crate) faults: Vec<Diagnostic>,
+    damaged: bool,
     /// How many faults there are beyond those that are kept.
     more: usize,
 }
@@ -115,7 +152,7 @@ const FAULTS_MOST: usize = 50;
 
 impl<'t> Reader<'t> {
     pub(crate) const fn new(text: &'t str, language: Language) -> Self {
-        Self { text, language, faults: Vec::new(), more: 0 }
+        Self { text, language, faults: Vec::new(), damaged: false, more: 0 }
     }
 
     /// Reads the whole file; faults are collected in `self.faults`.
@@ -125,7 +162,18 @@ impl<'t> Reader<'t> {
             let span = error.span().unwrap_or(0..0);
             self.fault(span, self.language.toml_syntax(error.message()), None);
         }
-        self.section(root.get_ref(), 0..0, ROOT, "", !errors.is_empty())
+        self.damaged = !errors.is_empty();
+        self.section(root.get_ref(), 0..0, ROOT, "", self.damaged)
+    }
+
+    /// Whether the syntax had errors, so that what seems missing may be there.
+    pub(crate) const fn is_damaged(&self) -> bool {
+        self.damaged
+    }
+
+    /// How many faults have been told so far.
+    pub(crate) const fn fault_count(&self) -> usize {
+        self.faults.len() + self.more
     }
 
     /// The faults, with a last one that counts those that were not told.
@@ -159,7 +207,7 @@ impl<'t> Reader<'t> {
         path: &str,
         damaged: bool,
     ) -> Section {
-        let mut section = Section { span: span.clone(), entries: BTreeMap::new() };
+        let mut section = Section { span: span.clone(), ..Section::default() };
         for (name, value) in table {
             let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
                 // In a damaged file the key may stand under a head that could not be read.
@@ -171,12 +219,15 @@ impl<'t> Reader<'t> {
             let path = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
             if let Some(entry) = self.entry(value, key, &path, damaged) {
                 section.entries.insert(key.name, (entry, value.span()));
+            } else {
+                section.refused.push(key.name);
             }
         }
         if !damaged {
             for key in keys.iter().filter(|key| key.required) {
                 if !table.iter().any(|(name, _)| name.get_ref().as_ref() == key.name) {
-                    let message = self.language.missing_key(path, key.name, matches!(key.kind, Kind::Tables(_)));
+                    let list = matches!(key.kind, Kind::Tables(_) | Kind::Variants(_));
+                    let message = self.language.missing_key(path, key.name, list);
                     let hint = example(key).map(|line| self.language.for_example(&line));
                     self.fault(span.start..span.start + usize::from(!span.is_empty()), message, hint);
                 }
@@ -219,8 +270,11 @@ impl<'t> Reader<'t> {
     fn entry(&mut self, value: &Spanned<DeValue<'_>>, key: &'static Key, path: &str, damaged: bool) -> Option<Entry> {
         let span = value.span();
         match (&key.kind, value.get_ref()) {
-            (Kind::Quantity(..), DeValue::String(text)) => self.quantity(text, span, key, path).map(Entry::Quantity),
-            (Kind::Quantity(dimension, _), DeValue::Integer(_) | DeValue::Float(_)) => {
+            (Kind::Quantity(dimension, range), DeValue::String(text)) => {
+                self.quantity(text, span, (*dimension, *range), path).map(Entry::Quantity)
+            }
+            (Kind::Along(..), DeValue::String(text)) => self.along(text, span, key, path),
+            (Kind::Quantity(dimension, _) | Kind::Along(dimension, ..), DeValue::Integer(_) | DeValue::Float(_)) => {
                 let message = self.language.bare_number(path, *dimension);
                 let unit = dimension.units().first().map_or("", |unit| unit.ascii);
                 let written = self.text.get(span.clone()).unwrap_or_default();
@@ -255,11 +309,14 @@ impl<'t> Reader<'t> {
             }
             (Kind::OneOf(words), DeValue::String(text)) => self.word(text, span, words, path).map(Entry::Text),
             (Kind::ListOf(words), DeValue::Array(items)) => self.list(items, words, path),
-            (Kind::Curve, DeValue::Array(items)) => self.curve(items, span, path),
+            (Kind::Rows(dimensions), DeValue::Array(items)) => self.rows(items, dimensions, span, path),
             (Kind::Table(keys), DeValue::Table(table)) => {
                 Some(Entry::Table(self.section(table, span, keys, path, damaged)))
             }
-            (Kind::Tables(keys), DeValue::Array(items)) => self.tables(items, span, keys, path, damaged),
+            (Kind::Tables(keys), DeValue::Array(items)) => self.tables(items, span, (keys, None), path, damaged),
+            (Kind::Variants(variants), DeValue::Array(items)) => {
+                self.tables(items, span, (variants.keys, Some(variants)), path, damaged)
+            }
             (_, found) => {
                 let message = self.language.wrong_type(path, &key.kind_words(self.language), found.type_str());
                 let hint = example(key).map(|line| self.language.for_example(&line));
@@ -274,8 +331,20 @@ impl<'t> Reader<'t> {
         None
     }
 
-    fn quantity(&mut self, text: &str, span: Span<usize>, key: &Key, path: &str) -> Option<f64> {
-        let Kind::Quantity(dimension, range) = key.kind else { return None };
+    /// A quantity of the rotation or of the line; a unit of neither is told against the first.
+    fn along(&mut self, text: &str, span: Span<usize>, key: &Key, path: &str) -> Option<Entry> {
+        let Kind::Along(turning, line, range) = key.kind else { return None };
+        let dimension = if quantities::parse(line, text).is_ok() { line } else { turning };
+        self.quantity(text, span, (dimension, range), path).map(|si| Entry::Along(dimension, si))
+    }
+
+    fn quantity(
+        &mut self,
+        text: &str,
+        span: Span<usize>,
+        (dimension, range): (Dimension, Range),
+        path: &str,
+    ) -> Option<f64> {
         match quantities::parse(dimension, text) {
             Err(error) => {
                 let inner = self.inside(&span, text, error.span());
@@ -355,7 +424,7 @@ impl<'t> Reader<'t> {
         &mut self,
         items: &DeArray<'_>,
         span: Span<usize>,
-        keys: &'static [Key],
+        (keys, variants): (&'static [Key], Option<&'static Variants>),
         path: &str,
         damaged: bool,
     ) -> Option<Entry> {
@@ -366,7 +435,12 @@ impl<'t> Reader<'t> {
         for (index, item) in items.iter().enumerate() {
             let path = format!("{path}[{}]", index + 1);
             match item.get_ref() {
-                DeValue::Table(table) => sections.push(self.section(table, item.span(), keys, &path, damaged)),
+                DeValue::Table(table) => {
+                    sections.push(self.section(table, item.span(), keys, &path, damaged));
+                    if let Some(variants) = variants {
+                        self.variant(table, item.span(), variants, &path, damaged);
+                    }
+                }
                 other => {
                     let message = self.language.wrong_type(&path, &self.language.a_table(), other.type_str());
                     self.fault(item.span(), message, None);
@@ -376,28 +450,65 @@ impl<'t> Reader<'t> {
         Some(Entry::Tables(sections))
     }
 
-    fn curve(&mut self, items: &DeArray<'_>, span: Span<usize>, path: &str) -> Option<Entry> {
+    /// The keys of a table must be those of its kind.
+    fn variant(&mut self, table: &DeTable<'_>, span: Span<usize>, variants: &Variants, path: &str, damaged: bool) {
+        let find = |name: &str| table.iter().find(|(key, _)| key.get_ref().as_ref() == name);
+        let Some(kind) = find(variants.by).and_then(|(_, value)| value.get_ref().as_str()) else { return };
+        let Some((_, needed, allowed)) = variants.kinds.iter().find(|(name, ..)| *name == kind) else { return };
+        if !damaged {
+            for name in needed.iter().filter(|name| find(name).is_none()) {
+                let hint = variants.keys.iter().find(|key| key.name == *name).and_then(example);
+                let hint = hint.map(|line| self.language.for_example(&line));
+                let message = self.language.missing_key(path, name, false);
+                self.fault(span.start..span.start + usize::from(!span.is_empty()), message, hint);
+            }
+        }
+        let belongs = |name: &str| {
+            name == variants.by || [*needed, *allowed, variants.shared].iter().any(|names| names.contains(&name))
+        };
+        for (name, _) in table {
+            let known = variants.keys.iter().any(|key| key.name == name.get_ref().as_ref());
+            if known && !belongs(name.get_ref()) {
+                let names: Vec<&str> = [*needed, *allowed].concat();
+                let message =
+                    self.language.key_of_another_kind(&format!("{path}.{}", name.get_ref()), variants.by, kind);
+                let hint = self.language.valid_are(&names);
+                self.fault(name.span(), message, Some(hint));
+            }
+        }
+    }
+
+    fn rows(
+        &mut self,
+        items: &DeArray<'_>,
+        dimensions: &'static [Dimension],
+        span: Span<usize>,
+        path: &str,
+    ) -> Option<Entry> {
         if items.len() > LIST_MAX {
             return self.refuse(span, self.language.too_many(path, LIST_MAX));
         }
-        let mut points = Vec::new();
+        let mut rows = Vec::new();
         for item in items.iter() {
-            let pair: Option<Vec<(&str, Span<usize>)>> = match item.get_ref() {
-                DeValue::Array(pair) if pair.len() == 2 => {
-                    pair.iter().map(|part| Some((part.get_ref().as_str()?, part.span()))).collect()
+            let parts: Option<Vec<(&str, Span<usize>)>> = match item.get_ref() {
+                DeValue::Array(row) if row.len() == dimensions.len() => {
+                    row.iter().map(|part| Some((part.get_ref().as_str()?, part.span()))).collect()
                 }
                 _ => None,
             };
-            match pair.as_deref() {
-                Some([(speed, speed_span), (torque, torque_span)]) => {
-                    let speed = self.part(quantities::Dimension::AngularVelocity, speed, speed_span.clone(), path);
-                    let torque = self.part(quantities::Dimension::Torque, torque, torque_span.clone(), path);
-                    points.extend(speed.zip(torque));
-                }
-                _ => self.fault(item.span(), self.language.not_a_point(path), None),
-            }
+            let Some(parts) = parts else {
+                let names: Vec<&str> = dimensions.iter().map(|dimension| dimension.name(self.language)).collect();
+                self.fault(item.span(), self.language.not_a_row(path, &names), None);
+                continue;
+            };
+            let row: Vec<Option<f64>> = parts
+                .into_iter()
+                .zip(dimensions)
+                .map(|((text, span), dimension)| self.part(*dimension, text, span, path))
+                .collect();
+            rows.extend(row.into_iter().collect::<Option<Vec<f64>>>());
         }
-        Some(Entry::Curve(points))
+        Some(Entry::Rows(rows))
     }
 
     fn part(&mut self, dimension: quantities::Dimension, text: &str, span: Span<usize>, path: &str) -> Option<f64> {
@@ -440,8 +551,12 @@ pub(crate) fn example(key: &Key) -> Option<String> {
         Kind::Text => Some(format!("{name} = \"…\"")),
         Kind::OneOf(words) => words.first().map(|word| format!("{name} = \"{word}\"")),
         Kind::ListOf(words) => words.first().map(|word| format!("{name} = [\"{word}\"]")),
-        Kind::Curve => Some(format!("{name} = [[\"0 1/min\", \"32 N m\"], [\"70 1/min\", \"20 N m\"]]")),
+        Kind::Along(dimension, ..) => Some(format!("{name} = \"{}\"", dimension.example())),
+        Kind::Rows(dimensions) => {
+            let row: Vec<String> = dimensions.iter().map(|dimension| format!("\"{}\"", dimension.example())).collect();
+            Some(format!("{name} = [[{}], …]", row.join(", ")))
+        }
         Kind::Table(_) => Some(format!("[{name}]")),
-        Kind::Tables(_) => Some(format!("[[{name}]]")),
+        Kind::Tables(_) | Kind::Variants(_) => Some(format!("[[{name}]]")),
     }
 }

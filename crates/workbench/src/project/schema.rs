@@ -1,7 +1,7 @@
 //! JSON Schema of the project file, from the same description that the reader uses.
 
 use super::read::example;
-use super::spec::{Key, Kind, ROOT};
+use super::spec::{Key, Kind, ROOT, Variants};
 use quantities::{Dimension, Language};
 use serde_json::{Map, Value, json};
 
@@ -43,22 +43,56 @@ fn kind(key: &Key, language: Language) -> Value {
         Kind::Text => json!({ "type": "string" }),
         Kind::OneOf(words) => json!({ "type": "string", "enum": words }),
         Kind::ListOf(words) => json!({ "type": "array", "items": { "type": "string", "enum": words } }),
-        Kind::Curve => json!({
-            "type": "array",
-            "minItems": 2,
-            "items": {
-                "type": "array",
-                "prefixItems": [
-                    { "type": "string", "pattern": pattern(Dimension::AngularVelocity) },
-                    { "type": "string", "pattern": pattern(Dimension::Torque) },
-                ],
-                "minItems": 2,
-                "maxItems": 2,
-            },
+        Kind::Along(turning, line, _) => json!({
+            "type": "string",
+            "anyOf": [{ "pattern": pattern(turning) }, { "pattern": pattern(line) }],
         }),
+        Kind::Rows(dimensions) => {
+            let parts: Vec<Value> = dimensions
+                .iter()
+                .map(|dimension| json!({ "type": "string", "pattern": pattern(*dimension) }))
+                .collect();
+            json!({
+                "type": "array",
+                "minItems": 2,
+                "items": {
+                    "type": "array",
+                    "prefixItems": parts,
+                    "minItems": dimensions.len(),
+                    "maxItems": dimensions.len(),
+                },
+            })
+        }
         Kind::Table(keys) => table(keys, language),
         Kind::Tables(keys) => json!({ "type": "array", "minItems": 1, "items": table(keys, language) }),
+        Kind::Variants(variants) => {
+            let mut items = table(variants.keys, language);
+            if let Value::Object(map) = &mut items {
+                map.insert("allOf".into(), variants.kinds.iter().map(|kind| condition(variants, *kind)).collect());
+            }
+            json!({ "type": "array", "minItems": 1, "items": items })
+        }
     }
+}
+
+/// "If it is of this kind, it needs these keys and has no others."
+fn condition(variants: &Variants, (name, needed, allowed): (&str, &[&str], &[&str])) -> Value {
+    let foreign: Vec<Value> = variants
+        .keys
+        .iter()
+        .map(|key| key.name)
+        .filter(|key| *key != variants.by && ![needed, allowed, variants.shared].iter().any(|keys| keys.contains(key)))
+        .map(|key| json!({ "required": [key] }))
+        .collect();
+    let mut then = Map::new();
+    then.insert("required".into(), json!(needed));
+    if !foreign.is_empty() {
+        then.insert("not".into(), json!({ "anyOf": foreign }));
+    }
+    json!({
+        "if": { "properties": { variants.by: { "const": name } }, "required": [variants.by] },
+        "then": then,
+    })
 }
 
 /// Number and unit in the spellings that the reader knows; it also forgives spaces inside a unit.

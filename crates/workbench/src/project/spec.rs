@@ -18,6 +18,8 @@ pub(crate) enum Range {
 pub(crate) enum Kind {
     /// A number with its unit, written as text.
     Quantity(Dimension, Range),
+    /// A number with a unit of one of two dimensions: of the rotation, or of the line of a linear mechanism.
+    Along(Dimension, Dimension, Range),
     /// A plain number within bounds.
     Number(f64, f64),
     /// A whole number within bounds.
@@ -30,12 +32,26 @@ pub(crate) enum Kind {
     OneOf(&'static [&'static str]),
     /// A list of these words.
     ListOf(&'static [&'static str]),
-    /// Corner points `[["0 1/min", "32 N m"], …]`.
-    Curve,
+    /// Rows of quantities, `[["0 1/min", "32 N m"], …]`.
+    Rows(&'static [Dimension]),
     /// A table.
     Table(&'static [Key]),
     /// An array of tables.
     Tables(&'static [Key]),
+    /// An array of tables, each of one of several kinds.
+    Variants(&'static Variants),
+}
+
+/// Tables of several kinds that share a description: one key says which kind it is, and so which others belong.
+#[derive(Debug)]
+pub(crate) struct Variants {
+    pub(crate) keys: &'static [Key],
+    /// The key that names the kind.
+    pub(crate) by: &'static str,
+    /// Name, keys that must be there, keys that may be there besides those of every kind.
+    pub(crate) kinds: &'static [(&'static str, &'static [&'static str], &'static [&'static str])],
+    /// Keys that every kind may have.
+    pub(crate) shared: &'static [&'static str],
 }
 
 /// One key of the project file.
@@ -56,6 +72,11 @@ const fn quantity(name: &'static str, d: Dimension, range: Range, en: &'static s
     key(name, Kind::Quantity(d, range), false, en, de)
 }
 
+const fn along(name: &'static str, d: [Dimension; 2], range: Range, en: &'static str, de: &'static str) -> Key {
+    let [turning, line] = d;
+    key(name, Kind::Along(turning, line, range), false, en, de)
+}
+
 const fn needed(name: &'static str, d: Dimension, range: Range, en: &'static str, de: &'static str) -> Key {
     key(name, Kind::Quantity(d, range), true, en, de)
 }
@@ -71,38 +92,171 @@ pub(crate) const FEEDBACKS: &[&str] = &["C1024", "M512P", "RES", "D2048", "M128S
 pub(crate) const ROOT: &[Key] = &[
     key("format", Kind::Integer(FORMAT, FORMAT), true, "version of the file format, 1", "Version des Dateiformats, 1"),
     key("axis", Kind::Table(AXIS), false, "the axis", "die Achse"),
-    key("load", Kind::Table(LOAD), true, "what is moved, referred to the output", "was bewegt wird, auf den Abtrieb bezogen"),
-    key("motion", Kind::Tables(MOTION), true, "the moves of one cycle, in order", "die Bewegungen eines Zyklus, der Reihe nach"),
+    key("load", Kind::Table(LOAD), false, "what is moved, referred to the output; or [mechanism.…]", "was bewegt wird, auf den Abtrieb bezogen; oder [mechanism.…]"),
+    key("mechanism", Kind::Table(MECHANISM), false, "what lies between output and load; one of its tables", "was zwischen Abtrieb und Last liegt; eine seiner Tabellen"),
+    key("motion", Kind::Variants(&MOTIONS), true, "the moves of one cycle, in order", "die Bewegungen eines Zyklus, der Reihe nach"),
     key("bearing", Kind::Table(BEARING), false, "loads on the output flange", "Lasten am Abtriebsflansch"),
     key("requirements", Kind::Table(REQUIREMENTS), false, "what the actuator must have", "was der Antrieb haben muss"),
     key("actuator", Kind::Table(ACTUATOR), false, "an actuator that the catalogue lacks", "ein Antrieb, der nicht im Katalog steht"),
 ];
 
 #[rustfmt::skip] // one line per key
-const AXIS: &[Key] = &[key("name", Kind::Text, false, "name of the axis", "Name der Achse")];
+const AXIS: &[Key] = &[
+    key("name", Kind::Text, false, "name of the axis", "Name der Achse"),
+    key("single_move", Kind::Bool, false, "true: the motion is one move and need not come back", "true: die Bewegung ist einmalig und muss nicht zurückkehren"),
+];
 
 #[rustfmt::skip] // one line per key
 const LOAD: &[Key] = &[
     needed("inertia", Dimension::MomentOfInertia, Range::NotNegative, "J_L, moment of inertia of the load at the output", "J_L, Massenträgheitsmoment der Last am Abtrieb"),
-    quantity("friction_torque", Dimension::Torque, Range::NotNegative, "T_L, friction torque at the output; opposes every motion", "T_L, Reibmoment am Abtrieb; wirkt jeder Bewegung entgegen"),
+    FRICTION_TORQUE, VISCOUS_FRICTION, EXTERNAL_TORQUE,
+];
+
+#[rustfmt::skip] // one line per key
+const FRICTION_TORQUE: Key = quantity("friction_torque", Dimension::Torque, Range::NotNegative, "T_L, friction torque at the output; opposes every motion", "T_L, Reibmoment am Abtrieb; wirkt jeder Bewegung entgegen");
+#[rustfmt::skip] // one line per key
+const VISCOUS_FRICTION: Key = quantity("viscous_friction", Dimension::ViscousFriction, Range::NotNegative, "friction at the output in proportion to the speed", "drehzahlproportionale Reibung am Abtrieb");
+#[rustfmt::skip] // one line per key
+const EXTERNAL_TORQUE: Key = quantity("external_torque", Dimension::Torque, Range::Any, "constant torque at the output against the positive direction; does not reverse", "konstantes Moment am Abtrieb gegen die positive Richtung; kehrt nicht um");
+#[rustfmt::skip] // one line per key
+const EFFICIENCY: Key = key("efficiency", Kind::Number(0.01, 1.0), false, "efficiency while the actuator drives the load", "Wirkungsgrad, wenn der Antrieb die Last treibt");
+#[rustfmt::skip] // one line per key
+const EFFICIENCY_BACK: Key = key("efficiency_back", Kind::Number(0.0, 1.0), false, "efficiency while the load drives the actuator", "Wirkungsgrad, wenn die Last den Antrieb treibt");
+#[rustfmt::skip] // one line per key
+const MASS: Key = needed("mass", Dimension::Mass, Range::NotNegative, "moved mass", "bewegte Masse");
+#[rustfmt::skip] // one line per key
+const TURNING_INERTIA: Key = quantity("inertia", Dimension::MomentOfInertia, Range::NotNegative, "moment of inertia of what turns with the output", "Massenträgheitsmoment dessen, was sich mit dem Abtrieb dreht");
+#[rustfmt::skip] // one line per key
+const INCLINATION: Key = quantity("inclination", Dimension::Angle, Range::Any, "positive direction above the horizontal; 90 deg is upwards; horizontal without it", "positive Richtung über der Waagerechten; 90 deg ist aufwärts; ohne Angabe waagerecht");
+#[rustfmt::skip] // one line per key
+const COUNTERWEIGHT: Key = quantity("counterweight", Dimension::Mass, Range::NotNegative, "counterweight that moves with the slide", "mitbewegtes Gegengewicht");
+#[rustfmt::skip] // one line per key
+const FRICTION_FORCE: Key = quantity("friction_force", Dimension::Force, Range::NotNegative, "friction force of seals and guides", "Reibkraft von Dichtungen und Führungen");
+#[rustfmt::skip] // one line per key
+const FRICTION_COEFFICIENT: Key = key("friction_coefficient", Kind::Number(0.0, 10.0), false, "friction coefficient of the guide", "Reibzahl der Führung");
+#[rustfmt::skip] // one line per key
+const PROCESS_FORCE: Key = quantity("process_force", Dimension::Force, Range::Any, "process force along the line, against the positive direction; does not reverse", "Prozesskraft längs der Führung, gegen die positive Richtung; kehrt nicht um");
+#[rustfmt::skip] // one line per key
+const START_ANGLE: Key = needed("start_angle", Dimension::Angle, Range::Any, "position in which the motion begins", "Stellung, in der die Bewegung beginnt");
+
+#[rustfmt::skip] // one line per key
+const MECHANISM: &[Key] = &[
+    key("arm", Kind::Table(ARM), false, "unbalanced arm", "unausgewuchteter Arm"),
+    key("screw", Kind::Table(SCREW), false, "screw with slide", "Gewindetrieb mit Schlitten"),
+    key("belt", Kind::Table(BELT), false, "belt, or rack and pinion, with slide", "Zahnriemen oder Zahnstange mit Schlitten"),
+    key("conveyor", Kind::Table(CONVEYOR), false, "conveyor or roller that runs endlessly", "endlos laufendes Förderband oder Walze"),
+    key("slider_crank", Kind::Table(SLIDER_CRANK), false, "crank, rod and slider", "Schubkurbel"),
+    key("table", Kind::Table(TABLE), false, "inertia and torque over the position", "Massenträgheitsmoment und Moment über der Stellung"),
+];
+
+#[rustfmt::skip] // one line per key
+const ARM: &[Key] = &[
+    needed("inertia", Dimension::MomentOfInertia, Range::NotNegative, "moment of inertia of the arm about the axis, without payload", "Massenträgheitsmoment des Arms um die Drehachse, ohne Nutzlast"),
+    needed("mass", Dimension::Mass, Range::NotNegative, "mass of the arm", "Masse des Arms"),
+    needed("centre_distance", Dimension::Length, Range::NotNegative, "distance of its centre of mass from the axis", "Abstand seines Schwerpunkts von der Drehachse"),
+    quantity("payload_distance", Dimension::Length, Range::NotNegative, "distance of the payload of a segment from the axis", "Abstand der Nutzlast eines Abschnitts von der Drehachse"),
+    needed("axis_tilt", Dimension::Angle, Range::Any, "tilt of the rotation axis from the vertical; 90 deg for a horizontal axis", "Neigung der Drehachse gegen die Senkrechte; 90 deg bei waagerechter Achse"),
+    START_ANGLE, FRICTION_TORQUE, VISCOUS_FRICTION, EXTERNAL_TORQUE, EFFICIENCY, EFFICIENCY_BACK,
+];
+
+#[rustfmt::skip] // one line per key
+const SCREW: &[Key] = &[
+    needed("lead", Dimension::Length, Range::Positive, "travel per revolution", "Steigung, Weg je Umdrehung"),
+    MASS, TURNING_INERTIA, INCLINATION, COUNTERWEIGHT, FRICTION_FORCE, FRICTION_COEFFICIENT, PROCESS_FORCE,
+    FRICTION_TORQUE, VISCOUS_FRICTION, EXTERNAL_TORQUE, EFFICIENCY, EFFICIENCY_BACK,
+];
+
+#[rustfmt::skip] // one line per key
+const BELT: &[Key] = &[
+    needed("pulley_diameter", Dimension::Length, Range::Positive, "pitch diameter of the driving pulley or pinion", "Wirkdurchmesser der Antriebsscheibe oder des Ritzels"),
+    MASS, TURNING_INERTIA, INCLINATION, COUNTERWEIGHT, FRICTION_FORCE, FRICTION_COEFFICIENT, PROCESS_FORCE,
+    FRICTION_TORQUE, VISCOUS_FRICTION, EXTERNAL_TORQUE, EFFICIENCY, EFFICIENCY_BACK,
+];
+
+#[rustfmt::skip] // one line per key
+const CONVEYOR: &[Key] = &[
+    needed("roller_diameter", Dimension::Length, Range::Positive, "diameter of the driving roller", "Durchmesser der Antriebswalze"),
+    MASS, TURNING_INERTIA, INCLINATION, FRICTION_FORCE, FRICTION_COEFFICIENT, PROCESS_FORCE,
+    FRICTION_TORQUE, VISCOUS_FRICTION, EXTERNAL_TORQUE, EFFICIENCY, EFFICIENCY_BACK,
+];
+
+#[rustfmt::skip] // one line per key
+const SLIDER_CRANK: &[Key] = &[
+    needed("crank", Dimension::Length, Range::Positive, "crank radius", "Kurbelradius"),
+    needed("rod", Dimension::Length, Range::Positive, "rod length, longer than the crank", "Pleuellänge, größer als der Kurbelradius"),
+    MASS, TURNING_INERTIA, INCLINATION, START_ANGLE, PROCESS_FORCE,
+    FRICTION_TORQUE, VISCOUS_FRICTION, EXTERNAL_TORQUE, EFFICIENCY, EFFICIENCY_BACK,
+];
+
+#[rustfmt::skip] // one line per key
+const TABLE: &[Key] = &[
+    key("points", Kind::Rows(&[Dimension::Angle, Dimension::MomentOfInertia, Dimension::Torque]), true, "position, moment of inertia, holding torque; straight between the points", "Stellung, Massenträgheitsmoment, Haltemoment; gerade zwischen den Punkten"),
+    START_ANGLE, FRICTION_TORQUE, VISCOUS_FRICTION, EXTERNAL_TORQUE, EFFICIENCY, EFFICIENCY_BACK,
+];
+
+/// The laws of motion with the keys that each needs and those it may have.
+#[rustfmt::skip] // one line per law
+static MOTIONS: Variants = Variants {
+    keys: MOTION,
+    by: "law",
+    kinds: &[
+        ("manual", &["speed", "accelerate", "run", "brake", "pause"], &[]),
+        ("trapezoid", &[], &["distance", "time", "speed", "acceleration", "end_speed"]),
+        ("triangle", &[], &["distance", "time", "speed", "acceleration"]),
+        ("jerk", &["distance", "speed", "acceleration", "jerk"], &["end_speed"]),
+        ("polynomial_5", &[], &["distance", "time", "speed", "acceleration", "end_speed"]),
+        ("modified_sine", &[], &["distance", "time", "speed", "acceleration"]),
+        ("modified_trapezoid", &[], &["distance", "time", "speed", "acceleration"]),
+        ("simple_sine", &[], &["distance", "time", "speed", "acceleration"]),
+        ("inclined_sine", &[], &["distance", "time", "speed", "acceleration"]),
+        ("parabola", &[], &["distance", "time", "speed", "acceleration"]),
+        ("constant", &["speed"], &["time", "distance"]),
+        ("dwell", &["time"], &["hold"]),
+    ],
+    shared: &["payload", "payload_inertia", "process_force", "process_torque", "bearing"],
+};
+
+#[rustfmt::skip] // one line per law
+const LAWS: &[&str] = &[
+    "manual", "trapezoid", "triangle", "jerk", "polynomial_5", "modified_sine", "modified_trapezoid", "simple_sine",
+    "inclined_sine", "parabola", "constant", "dwell",
 ];
 
 #[rustfmt::skip] // one line per key
 const MOTION: &[Key] = &[
-    key("law", Kind::OneOf(&["manual"]), true, "law of the motion", "Bewegungsgesetz"),
-    needed("speed", Dimension::AngularVelocity, Range::Any, "n_2, speed at the output while running; negative for the way back", "n_2, Abtriebsdrehzahl während der Fahrt; negativ für den Rückweg"),
-    needed("accelerate", Dimension::Time, Range::NotNegative, "t_1, time of acceleration from rest", "t_1, Beschleunigungszeit aus dem Stillstand"),
-    needed("run", Dimension::Time, Range::NotNegative, "t_2, time at constant speed", "t_2, Zeit mit konstanter Drehzahl"),
-    needed("brake", Dimension::Time, Range::NotNegative, "t_3, time of braking to rest", "t_3, Bremszeit bis zum Stillstand"),
-    needed("pause", Dimension::Time, Range::NotNegative, "t_p, rest after the move", "t_p, Stillstand nach der Bewegung"),
+    key("law", Kind::OneOf(LAWS), true, "law of the motion", "Bewegungsgesetz"),
+    along("speed", [Dimension::AngularVelocity, Dimension::Velocity], Range::Any, "largest speed, at the output or along the line; negative for the way back", "größte Drehzahl am Abtrieb oder Geschwindigkeit längs der Führung; negativ für den Rückweg"),
+    quantity("accelerate", Dimension::Time, Range::NotNegative, "t_1, time of acceleration from rest", "t_1, Beschleunigungszeit aus dem Stillstand"),
+    quantity("run", Dimension::Time, Range::NotNegative, "t_2, time at constant speed", "t_2, Zeit mit konstanter Drehzahl"),
+    quantity("brake", Dimension::Time, Range::NotNegative, "t_3, time of braking to rest", "t_3, Bremszeit bis zum Stillstand"),
+    quantity("pause", Dimension::Time, Range::NotNegative, "t_p, rest after the move", "t_p, Stillstand nach der Bewegung"),
+    along("distance", [Dimension::Angle, Dimension::Length], Range::Any, "travel, negative backwards", "Weg, rückwärts negativ"),
+    quantity("time", Dimension::Time, Range::NotNegative, "duration of the segment", "Dauer des Abschnitts"),
+    along("acceleration", [Dimension::AngularAcceleration, Dimension::Acceleration], Range::Positive, "largest acceleration and deceleration", "größte Beschleunigung und Verzögerung"),
+    along("jerk", [Dimension::AngularJerk, Dimension::Jerk], Range::Positive, "largest jerk", "größter Ruck"),
+    along("end_speed", [Dimension::AngularVelocity, Dimension::Velocity], Range::Any, "speed at the end of the segment; rest without it", "Geschwindigkeit am Ende des Abschnitts; ohne Angabe Stillstand"),
+    key("hold", Kind::OneOf(&["motor", "brake", "free"]), false, "what holds the load at rest; the motor without it", "was die Last im Stillstand hält; ohne Angabe der Motor"),
+    quantity("payload", Dimension::Mass, Range::NotNegative, "mass carried in this segment", "in diesem Abschnitt mitgeführte Masse"),
+    quantity("payload_inertia", Dimension::MomentOfInertia, Range::NotNegative, "moment of inertia at the output carried in this segment", "in diesem Abschnitt mitgeführtes Massenträgheitsmoment am Abtrieb"),
+    quantity("process_force", Dimension::Force, Range::Any, "process force along the line in this segment, against the positive direction", "Prozesskraft längs der Führung in diesem Abschnitt, gegen die positive Richtung"),
+    quantity("process_torque", Dimension::Torque, Range::Any, "process torque at the output in this segment, against the positive direction", "Prozessmoment am Abtrieb in diesem Abschnitt, gegen die positive Richtung"),
+    key("bearing", Kind::Table(SEGMENT_BEARING), false, "loads on the output flange in this segment, instead of [bearing]", "Lasten am Abtriebsflansch in diesem Abschnitt, anstelle von [bearing]"),
 ];
 
 #[rustfmt::skip] // one line per key
+const SEGMENT_BEARING: &[Key] = &[RADIAL_FORCE, RADIAL_DISTANCE, AXIAL_FORCE, AXIAL_DISTANCE];
+#[rustfmt::skip] // one line per key
+const RADIAL_FORCE: Key = quantity("radial_force", Dimension::Force, Range::NotNegative, "F_r, radial force on the flange", "F_r, Radialkraft am Flansch");
+#[rustfmt::skip] // one line per key
+const RADIAL_DISTANCE: Key = quantity("radial_distance", Dimension::Length, Range::NotNegative, "L_r, distance of the radial force from the flange face", "L_r, Abstand der Radialkraft von der Flanschfläche");
+#[rustfmt::skip] // one line per key
+const AXIAL_FORCE: Key = quantity("axial_force", Dimension::Force, Range::NotNegative, "F_a, axial force on the flange", "F_a, Axialkraft am Flansch");
+#[rustfmt::skip] // one line per key
+const AXIAL_DISTANCE: Key = quantity("axial_distance", Dimension::Length, Range::NotNegative, "L_a, distance of the axial force from the axis", "L_a, Abstand der Axialkraft von der Drehachse");
+
+#[rustfmt::skip] // one line per key
 const BEARING: &[Key] = &[
-    quantity("radial_force", Dimension::Force, Range::NotNegative, "F_r, radial force on the flange", "F_r, Radialkraft am Flansch"),
-    quantity("radial_distance", Dimension::Length, Range::NotNegative, "L_r, distance of the radial force from the flange face", "L_r, Abstand der Radialkraft von der Flanschfläche"),
-    quantity("axial_force", Dimension::Force, Range::NotNegative, "F_a, axial force on the flange", "F_a, Axialkraft am Flansch"),
-    quantity("axial_distance", Dimension::Length, Range::NotNegative, "L_a, distance of the axial force from the axis", "L_a, Abstand der Axialkraft von der Drehachse"),
+    RADIAL_FORCE, RADIAL_DISTANCE, AXIAL_FORCE, AXIAL_DISTANCE,
     key("load_factor", Kind::Number(1.0, 3.0), false, "f_w, load factor of table 74.2", "f_w, Betriebsfaktor nach Tabelle 74.2"),
     key("operating_condition", Kind::OneOf(&["normal", "shock", "high_accuracy"]), false, "operating condition of table 76.3", "Betriebsbedingung nach Tabelle 76.3"),
 ];
@@ -153,5 +307,5 @@ const ACTUATOR: &[Key] = &[
     quantity("hollow_shaft", Dimension::Length, Range::NotNegative, "d_H", "d_H"),
     quantity("dc_link_max", Dimension::Voltage, Range::Positive, "U_DCmax", "U_DCmax"),
     quantity("terminal_voltage_min", Dimension::Voltage, Range::Positive, "U_M from which the performance holds", "U_M, ab der die Leistungsdaten gelten"),
-    key("continuous_curve", Kind::Curve, false, "continuous-duty curve by its corner points, from standstill", "Dauerbetriebskennlinie durch ihre Eckpunkte, ab Stillstand"),
+    key("continuous_curve", Kind::Rows(&[Dimension::AngularVelocity, Dimension::Torque]), false, "continuous-duty curve by its corner points, from standstill", "Dauerbetriebskennlinie durch ihre Eckpunkte, ab Stillstand"),
 ];

@@ -3,6 +3,8 @@
 use super::either;
 use crate::project::Kind;
 use actuator::CurveFault;
+use mechanism::TableFault;
+use motion::MoveFault;
 use quantities::{Dimension, Language};
 
 /// The messages of the project reader in a language.
@@ -26,12 +28,16 @@ pub(crate) trait Speak: Copy {
     fn a_text(self) -> String;
     fn a_table(self) -> String;
     fn too_many(self, path: &str, most: usize) -> String;
-    fn not_a_point(self, path: &str) -> String;
+    fn not_a_row(self, path: &str, names: &[&str]) -> String;
+    fn key_of_another_kind(self, path: &str, by: &str, kind: &str) -> String;
+    fn motion_fault(self, fault: &MoveFault) -> (String, Option<String>);
+    fn no_mechanism(self) -> String;
+    fn too_many_mechanisms(self) -> String;
+    fn no_line(self, path: &str) -> String;
+    fn rod_too_short(self) -> String;
+    fn no_table(self, fault: TableFault) -> String;
     fn kind(self, kind: &Kind) -> String;
     fn file_too_large(self, bytes: usize, most: usize) -> String;
-    fn no_time_to_change_speed(self, key: &str) -> String;
-    fn no_duration(self) -> String;
-    fn no_move(self) -> String;
     fn more_faults(self, count: usize) -> String;
     fn no_curve(self, fault: CurveFault) -> String;
 }
@@ -180,12 +186,76 @@ impl Speak for Language {
         either(self, format!("`{path}` has more than {most} entries"), format!("`{path}` hat mehr als {most} Einträge"))
     }
 
-    fn not_a_point(self, path: &str) -> String {
+    fn not_a_row(self, path: &str, names: &[&str]) -> String {
+        let row: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
+        let row = row.join(", ");
         either(
             self,
-            format!("`{path}`: a point is written [\"speed\", \"torque\"]"),
-            format!("`{path}`: ein Punkt wird als [\"Drehzahl\", \"Drehmoment\"] geschrieben"),
+            format!("`{path}`: a point is written [{row}]"),
+            format!("`{path}`: ein Punkt wird als [{row}] geschrieben"),
         )
+    }
+
+    fn key_of_another_kind(self, path: &str, by: &str, kind: &str) -> String {
+        either(
+            self,
+            format!("`{path}` has no meaning with {by} = \"{kind}\""),
+            format!("`{path}` hat bei {by} = \"{kind}\" keine Bedeutung"),
+        )
+    }
+
+    fn motion_fault(self, fault: &MoveFault) -> (String, Option<String>) {
+        super::motion::fault(fault, self)
+    }
+
+    fn no_mechanism(self) -> String {
+        either(
+            self,
+            "`[load]` is missing, or one table of `[mechanism.…]`",
+            "`[load]` fehlt, oder eine Tabelle aus `[mechanism.…]`",
+        )
+    }
+
+    fn too_many_mechanisms(self) -> String {
+        either(
+            self,
+            "an axis has one load: `[load]` or one table of `[mechanism.…]`",
+            "eine Achse hat eine Last: `[load]` oder eine Tabelle aus `[mechanism.…]`",
+        )
+    }
+
+    fn no_line(self, path: &str) -> String {
+        either(
+            self,
+            format!("`{path}` is written along a line, but this load has no fixed travel per revolution"),
+            format!("`{path}` ist längs einer Linie angegeben, diese Last hat aber keinen festen Weg je Umdrehung"),
+        )
+    }
+
+    fn rod_too_short(self) -> String {
+        either(
+            self,
+            "`mechanism.slider_crank.rod` must be longer than the crank",
+            "`mechanism.slider_crank.rod` muss länger als der Kurbelradius sein",
+        )
+    }
+
+    fn no_table(self, fault: TableFault) -> String {
+        match fault {
+            TableFault::TooFewPoints => {
+                either(self, "a table needs at least two points", "eine Tabelle braucht mindestens zwei Punkte")
+            }
+            TableFault::PositionsNotAscending => either(
+                self,
+                "the positions of a table must grow from point to point",
+                "die Stellungen einer Tabelle müssen von Punkt zu Punkt wachsen",
+            ),
+            _ => either(
+                self,
+                "a moment of inertia must not be negative",
+                "ein Massenträgheitsmoment darf nicht negativ sein",
+            ),
+        }
     }
 
     fn kind(self, kind: &Kind) -> String {
@@ -208,9 +278,20 @@ impl Speak for Language {
             Kind::ListOf(words) => {
                 either(self, format!("a list of {}", words.join(", ")), format!("Liste aus {}", words.join(", ")))
             }
-            Kind::Curve => either(self, "a list of corner points", "Liste von Eckpunkten"),
+            Kind::Along(turning, line, _) => {
+                let (turning, example) = (turning.name(self), turning.example());
+                let line = line.name(self);
+                either(
+                    self,
+                    format!("a quantity with its unit ({turning} or {line}, for example \"{example}\")"),
+                    format!("Zahl mit Einheit ({turning} oder {line}, zum Beispiel \"{example}\")"),
+                )
+            }
+            Kind::Rows(_) => either(self, "a list of points", "Liste von Punkten"),
             Kind::Table(_) => self.a_table(),
-            Kind::Tables(_) => either(self, "an array of tables, [[…]]", "Liste von Tabellen, [[…]]"),
+            Kind::Tables(_) | Kind::Variants(_) => {
+                either(self, "an array of tables, [[…]]", "Liste von Tabellen, [[…]]")
+            }
         }
     }
 
@@ -220,28 +301,6 @@ impl Speak for Language {
             format!("the project file has {bytes} bytes; {most} are read at most"),
             format!("die Projektdatei hat {bytes} Byte; gelesen werden höchstens {most}"),
         )
-    }
-
-    fn no_time_to_change_speed(self, key: &str) -> String {
-        either(
-            self,
-            format!("`{key}` must be greater than zero: a speed cannot be reached or left in no time"),
-            format!(
-                "`{key}` muss größer als null sein: eine Drehzahl wird nicht in der Zeit null erreicht oder verlassen"
-            ),
-        )
-    }
-
-    fn no_duration(self) -> String {
-        either(
-            self,
-            "the cycle has no duration: all its times are zero",
-            "der Zyklus hat keine Dauer: alle Zeiten sind null",
-        )
-    }
-
-    fn no_move(self) -> String {
-        either(self, "the cycle needs at least one [[motion]]", "der Zyklus braucht mindestens ein [[motion]]")
     }
 
     fn more_faults(self, count: usize) -> String {

@@ -278,6 +278,29 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "no loads on the flange given ([bearing]): the output bearing is not checked",
             "keine Lasten am Flansch angegeben ([bearing]): das Abtriebslager ist nicht geprüft",
         ),
+        Assumption::FlangeMomentsAligned => (
+            "radial and axial moment on the flange taken in the same direction",
+            "Momente aus Radial- und Axialkraft am Flansch gleichgerichtet angesetzt",
+        ),
+        Assumption::NoLosses => (
+            "no efficiency of the mechanism given: 1 assumed",
+            "kein Wirkungsgrad der Mechanik angegeben: 1 angenommen",
+        ),
+        Assumption::LossesDoNotHelp => (
+            "no efficiency_back given: while the load drives, the losses do not help to brake",
+            "kein efficiency_back angegeben: treibt die Last, so helfen die Verluste nicht beim Bremsen",
+        ),
+        Assumption::TrapezoidThirds => (
+            "a trapezoid given by two quantities accelerates, runs and brakes for a third of its time each",
+            "ein Trapez aus zwei Angaben beschleunigt, fährt und bremst je ein Drittel seiner Zeit",
+        ),
+        Assumption::SingleMoveRepeats => (
+            "the single move is judged as if it followed itself without a pause: the safe side for effective values",
+            "die einmalige Bewegung ist beurteilt, als folgte sie sich ohne Pause: für Effektivwerte die sichere Seite",
+        ),
+        Assumption::MotorHolds => {
+            ("in a dwell without hold the motor carries the load", "im Stillstand ohne hold trägt der Motor die Last")
+        }
         Assumption::FlangeLoadsConstant => (
             "loads on the flange taken as constant over the cycle, radial and axial moment in the same direction",
             "Lasten am Flansch über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet",

@@ -1,0 +1,61 @@
+//! A load that turns with the output: direct, turntable, unbalanced arm.
+
+use crate::{Extra, GRAVITY_M_S2, Reduced};
+use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
+
+/// A rigid body on the output flange.
+///
+/// J = J_L + m_p r_p², T_h = g cos(q + q_0) sin β (m r + m_p r_p)
+///
+/// # Symbols  q_0 angle of the centre of mass above the horizontal at q = 0, β tilt of the axis from the vertical, m r
+/// unbalance, m_p payload of the segment, r_p its distance from the axis
+/// # Source   docs/theory/mechanisms.md; cha-manual eq. 70.5 for the inertia
+/// # Valid    rigid body; the payload sits in the direction of the centre of mass
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotor {
+    /// J_L: inertia about the axis, without payload.
+    pub inertia: MomentOfInertia,
+    /// m: mass whose weight makes the gravity torque.
+    pub mass: Mass,
+    /// r: distance of its centre from the axis.
+    pub radius: Length,
+    /// r_p: distance of the payload from the axis.
+    pub payload_radius: Length,
+    /// q_0: angle of the centre of mass above the horizontal at q = 0; 90° is upright.
+    pub angle: Angle,
+    /// β: tilt of the rotation axis from the vertical; 0 without gravity torque, 90° for a horizontal axis.
+    pub tilt: Angle,
+}
+
+impl Rotor {
+    /// A balanced load.
+    #[must_use]
+    pub fn balanced(inertia: MomentOfInertia) -> Self {
+        let none = Length::from_si(0.0);
+        Self {
+            inertia,
+            mass: Mass::from_si(0.0),
+            radius: none,
+            payload_radius: none,
+            angle: Angle::from_si(0.0),
+            tilt: Angle::from_si(0.0),
+        }
+    }
+
+    pub(crate) fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
+        let payload = extra.mass.si() * self.payload_radius.si();
+        let unbalance = self.mass.si() * self.radius.si() + payload;
+        let lever = if unbalance == 0.0 { 0.0 } else { (position_rad + self.angle.si()).cos() * self.tilt.si().sin() };
+        Reduced {
+            inertia: self.inertia.si() + extra.inertia.si() + payload * self.payload_radius.si(),
+            slope: 0.0,
+            holding: GRAVITY_M_S2 * unbalance * lever + extra.torque.si(),
+            coulomb: 0.0,
+        }
+    }
+
+    /// Whether gravity makes a torque that depends on the position.
+    pub(crate) fn is_unbalanced(&self) -> bool {
+        self.tilt.si().sin() != 0.0 && (self.mass.si() * self.radius.si() != 0.0 || self.payload_radius.si() != 0.0)
+    }
+}

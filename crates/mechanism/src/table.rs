@@ -1,0 +1,88 @@
+//! Inertia and torque over the position, point by point.
+
+use crate::{Extra, Reduced};
+use quantities::{Angle, Measure, MomentOfInertia, Torque};
+
+/// One point of a table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TablePoint {
+    /// q: position of the output.
+    pub position: Angle,
+    /// J(q)
+    pub inertia: MomentOfInertia,
+    /// T_h(q): torque that holds the load there.
+    pub torque: Torque,
+}
+
+/// Why points make no table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TableFault {
+    /// Fewer than two points.
+    TooFewPoints,
+    /// Positions must grow from point to point.
+    PositionsNotAscending,
+    /// An inertia is negative.
+    NegativeInertia,
+}
+
+/// A table of inertia and torque, straight between its points.
+///
+/// Beyond its ends the values of the ends hold. If it spans one whole revolution and both ends agree it repeats.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    points: Vec<TablePoint>,
+    periodic: bool,
+}
+
+impl Table {
+    /// A table from its points.
+    ///
+    /// # Errors
+    /// [`TableFault`] where the points do not describe a function of the position.
+    pub fn new(points: Vec<TablePoint>) -> Result<Self, TableFault> {
+        let (Some(first), Some(last)) = (points.first(), points.last()) else { return Err(TableFault::TooFewPoints) };
+        if points.len() < 2 {
+            return Err(TableFault::TooFewPoints);
+        }
+        if !points.iter().zip(points.iter().skip(1)).all(|(a, b)| b.position.si() > a.position.si()) {
+            return Err(TableFault::PositionsNotAscending);
+        }
+        if points.iter().any(|point| point.inertia.si() < 0.0) {
+            return Err(TableFault::NegativeInertia);
+        }
+        let span = last.position.si() - first.position.si();
+        let periodic = (span - std::f64::consts::TAU).abs() < 1e-9
+            && first.inertia.si() == last.inertia.si()
+            && first.torque.si() == last.torque.si();
+        Ok(Self { points, periodic })
+    }
+
+    pub(crate) const fn is_periodic(&self) -> bool {
+        self.periodic
+    }
+
+    pub(crate) fn kinks(&self) -> Vec<f64> {
+        self.points.iter().map(|point| point.position.si()).collect()
+    }
+
+    pub(crate) fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
+        let first = self.points.first().map_or(0.0, |point| point.position.si());
+        let q =
+            if self.periodic { first + (position_rad - first).rem_euclid(std::f64::consts::TAU) } else { position_rad };
+        let index = self.points.partition_point(|point| point.position.si() <= q).clamp(1, self.points.len() - 1);
+        let (Some(low), Some(high)) = (self.points.get(index - 1), self.points.get(index)) else {
+            return Reduced { inertia: 0.0, slope: 0.0, holding: 0.0, coulomb: 0.0 };
+        };
+        let span = high.position.si() - low.position.si();
+        let share = ((q - low.position.si()) / span).clamp(0.0, 1.0);
+        let outside = q < low.position.si() || q > high.position.si();
+        let rise = high.inertia.si() - low.inertia.si();
+        Reduced {
+            inertia: low.inertia.si() + share * rise + extra.inertia.si(),
+            slope: if outside { 0.0 } else { rise / span },
+            holding: low.torque.si() + share * (high.torque.si() - low.torque.si()) + extra.torque.si(),
+            coulomb: 0.0,
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! The chain of segments that makes a cycle.
+
+use crate::faults::{MotionFault, MoveFault};
+use crate::law::{Given, Law, Solved};
+use crate::piece::Piece;
+use quantities::{Angle, AngularAcceleration, AngularVelocity, Measure, Time};
+
+/// One move of the manual's cycle (section 7.1): from rest to `speed`, and back to rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ManualMove {
+    /// n_2: speed at the output while running; its sign is the direction of the move.
+    pub speed: AngularVelocity,
+    /// t_1: duration of the acceleration from rest.
+    pub accelerate: Time,
+    /// t_2: duration at constant speed.
+    pub run: Time,
+    /// t_3: duration of the braking to rest.
+    pub brake: Time,
+    /// t_p: pause at rest after the move.
+    pub pause: Time,
+}
+
+/// What holds the axis at rest.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Hold {
+    /// The motor carries the load.
+    #[default]
+    Motor,
+    /// The closed brake carries the load; the motor has no current.
+    Brake,
+    /// Nothing holds: only for a load that stays where it is.
+    Free,
+}
+
+/// What a segment does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SegmentSpec {
+    /// A move of the manual's cycle.
+    Manual(ManualMove),
+    /// A move by a law, from the speed that the segment before ends with.
+    Move(Law, Given),
+    /// Rest.
+    Dwell(Time, Hold),
+}
+
+/// What must agree at the end of the cycle and at its beginning. The speed always must.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Closing {
+    /// Only the speed: an axis that turns endlessly under a load that does not depend on its position.
+    Speed,
+    /// The position too, up to whole revolutions.
+    Revolutions,
+    /// The position too.
+    Position,
+    /// Nothing: a single move.
+    SingleMove,
+}
+
+/// One segment on the time axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    /// Instant of its beginning.
+    pub start: Time,
+    /// Duration.
+    pub duration: Time,
+    /// What holds at rest within it.
+    pub hold: Hold,
+    /// The move with everything solved; `None` for rest and for the manual's moves.
+    pub solved: Option<Solved>,
+}
+
+/// A motion over one cycle: a chain of pieces, continuous in position and speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    pieces: Vec<Piece>,
+    stretches: Vec<Stretch>,
+    manual: Option<Vec<ManualMove>>,
+}
+
+impl Motion {
+    /// Chains segments from a start position.
+    ///
+    /// # Errors
+    /// Every [`MotionFault`] of the segments, or those of the closing.
+    pub fn new(segments: &[SegmentSpec], start: Angle, closing: Closing) -> Result<Self, Vec<MotionFault>> {
+        let mut chain = Chain { position: start.si(), speed: start_speed(segments), clock: 0.0, pieces: Vec::new() };
+        let initial = chain.speed;
+        let mut faults = Vec::new();
+        let mut stretches = Vec::with_capacity(segments.len());
+        for (index, segment) in segments.iter().enumerate() {
+            let (from, at) = (chain.pieces.len(), chain.clock);
+            let fault = match segment {
+                SegmentSpec::Manual(each) => chain.manual(each, index),
+                SegmentSpec::Dwell(time, _) => chain.rest(time.si(), index),
+                SegmentSpec::Move(law, given) => match law.pieces(given, chain.speed) {
+                    Ok(pieces) => {
+                        pieces.into_iter().for_each(|piece| chain.push(piece, index));
+                        // The law says where the move ends; rounding must not add up over the segments.
+                        let last = given.end_speed.map_or(0.0, Measure::si);
+                        chain.speed = if *law == Law::Constant { chain.speed } else { last };
+                        Ok(())
+                    }
+                    Err(fault) => Err(fault),
+                },
+            };
+            if let Err(fault) = fault {
+                faults.push(MotionFault { segment: Some(index), fault });
+                chain.speed = 0.0;
+            }
+            let moved = matches!(segment, SegmentSpec::Move(..));
+            stretches.push(Stretch {
+                start: Time::from_si(at),
+                duration: Time::from_si(chain.clock - at),
+                hold: if let SegmentSpec::Dwell(_, hold) = segment { *hold } else { Hold::Motor },
+                solved: moved.then(|| solved(chain.pieces.get(from..).unwrap_or_default())),
+            });
+        }
+        if segments.is_empty() {
+            faults.push(MotionFault { segment: None, fault: MoveFault::NoSegment });
+        } else if faults.is_empty() {
+            faults.extend(closing_fault(&chain, initial, start.si(), closing));
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let manual: Vec<ManualMove> = segments
+            .iter()
+            .filter_map(|segment| if let SegmentSpec::Manual(each) = segment { Some(*each) } else { None })
+            .collect();
+        let manual = (manual.len() == segments.len()).then_some(manual);
+        Ok(Self { pieces: chain.pieces, stretches, manual })
+    }
+
+    /// The pieces, in order, each of positive duration; never empty.
+    #[must_use]
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// The segments on the time axis.
+    #[must_use]
+    pub fn stretches(&self) -> &[Stretch] {
+        &self.stretches
+    }
+
+    /// The manual's moves, if the cycle consists of nothing else.
+    #[must_use]
+    pub fn manual(&self) -> Option<&[ManualMove]> {
+        self.manual.as_deref()
+    }
+
+    /// t_0: duration of the whole cycle.
+    #[must_use]
+    pub fn duration(&self) -> Time {
+        self.pieces.last().map_or_else(|| Time::from_si(0.0), |last| Time::from_si(last.start_s + last.duration_s))
+    }
+}
+
+/// The speed before the first segment: that of a constant run, else rest.
+fn start_speed(segments: &[SegmentSpec]) -> f64 {
+    match segments.first() {
+        Some(SegmentSpec::Move(Law::Constant, given)) => given.speed.map_or(0.0, Measure::si),
+        _ => 0.0,
+    }
+}
+
+struct Chain {
+    position: f64,
+    speed: f64,
+    clock: f64,
+    pieces: Vec<Piece>,
+}
+
+impl Chain {
+    fn push(&mut self, piece: Piece, segment: usize) {
+        if piece.duration_s <= 0.0 {
+            return;
+        }
+        let piece =
+            Piece { start_s: self.clock, position_rad: self.position, speed_rad_s: self.speed, segment, ..piece };
+        let end = piece.end();
+        self.position = end.position_rad;
+        self.speed = end.speed_rad_s;
+        self.clock += piece.duration_s;
+        self.pieces.push(piece);
+    }
+
+    fn at_rest(&self) -> Result<(), MoveFault> {
+        if self.speed == 0.0 {
+            Ok(())
+        } else {
+            Err(MoveFault::StillMoving { speed: AngularVelocity::from_si(self.speed) })
+        }
+    }
+
+    fn rest(&mut self, time: f64, segment: usize) -> Result<(), MoveFault> {
+        self.at_rest()?;
+        if !time.is_finite() || time < 0.0 {
+            return Err(MoveFault::OutOfRange);
+        }
+        self.push(Piece::ramp(time, 0.0), segment);
+        Ok(())
+    }
+
+    fn manual(&mut self, each: &ManualMove, segment: usize) -> Result<(), MoveFault> {
+        self.at_rest()?;
+        let times = [each.accelerate, each.run, each.brake, each.pause].map(Measure::si);
+        let speed = each.speed.si();
+        if !speed.is_finite() || times.iter().any(|t| !t.is_finite() || *t < 0.0) {
+            return Err(MoveFault::OutOfRange);
+        }
+        let [t1, t2, t3, tp] = times;
+        if speed == 0.0 {
+            self.push(Piece::ramp(t1 + t2 + t3 + tp, 0.0), segment);
+            return Ok(());
+        }
+        if t1 <= 0.0 || t3 <= 0.0 {
+            return Err(MoveFault::NoTimeToChangeSpeed { braking: t1 > 0.0 });
+        }
+        self.push(Piece::ramp(t1, speed / t1), segment);
+        self.speed = speed;
+        self.push(Piece::ramp(t2, 0.0), segment);
+        self.push(Piece::ramp(t3, -speed / t3), segment);
+        self.speed = 0.0;
+        self.push(Piece::ramp(tp, 0.0), segment);
+        Ok(())
+    }
+}
+
+fn closing_fault(chain: &Chain, initial: f64, start: f64, closing: Closing) -> Option<MotionFault> {
+    let whole = |fault| Some(MotionFault { segment: None, fault });
+    if chain.clock <= 0.0 {
+        return whole(MoveFault::NoDuration);
+    }
+    if closing == Closing::SingleMove {
+        return None;
+    }
+    let fastest = chain.pieces.iter().map(|piece| piece.speed_rad_s.abs()).fold(0.0, f64::max);
+    if (chain.speed - initial).abs() > 1e-9 * fastest {
+        return whole(MoveFault::SpeedNotClosed {
+            end: AngularVelocity::from_si(chain.speed),
+            start: AngularVelocity::from_si(initial),
+        });
+    }
+    let travelled: f64 = chain.pieces.iter().map(|piece| (piece.end().position_rad - piece.position_rad).abs()).sum();
+    let gap = match closing {
+        Closing::Position => chain.position - start,
+        Closing::Revolutions => {
+            let turns = (chain.position - start) / std::f64::consts::TAU;
+            (turns - turns.round()) * std::f64::consts::TAU
+        }
+        Closing::Speed | Closing::SingleMove => 0.0,
+    };
+    if gap.abs() > 1e-6 * travelled {
+        return whole(MoveFault::PositionNotClosed { gap: Angle::from_si(gap) });
+    }
+    None
+}
+
+/// What a move came out as.
+fn solved(pieces: &[Piece]) -> Solved {
+    let (mut speed, mut acceleration, mut time) = (0.0_f64, 0.0_f64, 0.0);
+    for piece in pieces {
+        time += piece.duration_s;
+        // The extremes lie at the ends or where the acceleration or its slope vanishes.
+        let slope = |t: f64| {
+            let h = 1e-6 * piece.duration_s;
+            piece.at(t + h).acceleration_rad_s2 - piece.at(t - h).acceleration_rad_s2
+        };
+        let mut instants = vec![0.0, piece.duration_s];
+        if piece.speed_degree().is_none_or(|degree| degree > 1) {
+            instants.extend(crate::roots(|t| piece.at(t).acceleration_rad_s2, piece.duration_s));
+            instants.extend(crate::roots(slope, piece.duration_s));
+        }
+        for state in instants.into_iter().map(|t| piece.at(t)) {
+            speed = speed.max(state.speed_rad_s.abs());
+            acceleration = acceleration.max(state.acceleration_rad_s2.abs());
+        }
+    }
+    let travelled = pieces.first().zip(pieces.last()).map_or(0.0, |(a, b)| b.end().position_rad - a.position_rad);
+    Solved {
+        distance: Angle::from_si(travelled),
+        time: Time::from_si(time),
+        speed: AngularVelocity::from_si(speed),
+        acceleration: AngularAcceleration::from_si(acceleration),
+    }
+}
+
+#[cfg(test)]
+#[path = "chain_tests.rs"]
+mod tests;

@@ -1,0 +1,101 @@
+use super::*;
+use quantities::AngularJerk;
+use quantities::unit::{REVOLUTION_PER_MINUTE, SECOND};
+
+fn one(speed: f64, [t1, t2, t3, tp]: [f64; 4]) -> SegmentSpec {
+    let s = |t| Time::new_in(t, &SECOND);
+    SegmentSpec::Manual(ManualMove {
+        speed: AngularVelocity::new_in(speed, &REVOLUTION_PER_MINUTE),
+        accelerate: s(t1),
+        run: s(t2),
+        brake: s(t3),
+        pause: s(tp),
+    })
+}
+
+fn chain(segments: &[SegmentSpec]) -> Result<Motion, Vec<MotionFault>> {
+    Motion::new(segments, Angle::from_si(0.0), Closing::Speed)
+}
+
+fn jerk(distance: f64, end_speed: f64) -> SegmentSpec {
+    SegmentSpec::Move(
+        Law::Jerk,
+        Given {
+            distance: Some(Angle::from_si(distance)),
+            speed: Some(AngularVelocity::from_si(3.0)),
+            acceleration: Some(AngularAcceleration::from_si(20.0)),
+            jerk: Some(AngularJerk::from_si(400.0)),
+            end_speed: Some(AngularVelocity::from_si(end_speed)),
+            time: None,
+        },
+    )
+}
+
+#[test]
+fn the_pieces_follow_each_other_without_a_jump() {
+    let motion = chain(&[
+        one(40.0, [0.1, 0.2, 0.3, 1.0]),
+        one(-20.0, [0.2, 0.0, 0.2, 0.0]),
+        jerk(1.5, 1.0),
+        jerk(-2.0, 0.0),
+        SegmentSpec::Dwell(Time::from_si(0.4), Hold::Brake),
+    ])
+    .unwrap();
+    for pair in motion.pieces().windows(2) {
+        let end = pair[0].end();
+        assert!((pair[0].start_s + pair[0].duration_s - pair[1].start_s).abs() < 1e-12);
+        assert!((end.speed_rad_s - pair[1].speed_rad_s).abs() < 1e-12, "speed jumps");
+        assert!((end.position_rad - pair[1].position_rad).abs() < 1e-12, "position jumps");
+    }
+    let sum: f64 = motion.stretches().iter().map(|stretch| stretch.duration.si()).sum();
+    assert!((sum - motion.duration().si()).abs() < 1e-12);
+    let solved = motion.stretches()[2].solved.unwrap();
+    assert!((solved.distance.si() - 1.5).abs() < 1e-12);
+    assert!(solved.speed.si() <= 3.0 + 1e-12 && solved.acceleration.si() <= 20.0 + 1e-9);
+    assert!(motion.manual().is_none(), "not only the manual's moves");
+}
+
+#[test]
+fn a_move_without_speed_is_rest() {
+    let motion = chain(&[one(0.0, [0.0, 1.0, 0.0, 1.0])]).unwrap();
+    assert!(motion.pieces().iter().all(Piece::is_rest));
+}
+
+#[test]
+fn what_is_no_motion_is_refused_with_every_fault() {
+    let whole = |fault| Err(vec![MotionFault { segment: None, fault }]);
+    assert_eq!(chain(&[]), whole(MoveFault::NoSegment));
+    assert_eq!(chain(&[one(0.0, [0.0; 4])]), whole(MoveFault::NoDuration));
+    assert_eq!(
+        chain(&[one(1.0, [0.0, 1.0, 1.0, 0.0]), one(1.0, [1.0, -1.0, 1.0, 0.0])]),
+        Err(vec![
+            MotionFault { segment: Some(0), fault: MoveFault::NoTimeToChangeSpeed { braking: false } },
+            MotionFault { segment: Some(1), fault: MoveFault::OutOfRange },
+        ])
+    );
+    assert_eq!(
+        chain(&[jerk(1.0, 0.5), SegmentSpec::Dwell(Time::from_si(1.0), Hold::Motor)]),
+        Err(vec![MotionFault {
+            segment: Some(1),
+            fault: MoveFault::StillMoving { speed: AngularVelocity::from_si(0.5) }
+        }])
+    );
+    assert_eq!(
+        chain(&[jerk(1.0, 0.5)]),
+        whole(MoveFault::SpeedNotClosed { end: AngularVelocity::from_si(0.5), start: AngularVelocity::from_si(0.0) })
+    );
+}
+
+#[test]
+fn the_closing_asks_for_what_the_load_needs() {
+    let there = [jerk(1.5, 0.0)];
+    let at = |closing| Motion::new(&there, Angle::from_si(0.2), closing);
+    assert!(at(Closing::Speed).is_ok());
+    assert!(at(Closing::SingleMove).is_ok());
+    assert!(matches!(at(Closing::Position).unwrap_err()[0].fault, MoveFault::PositionNotClosed { .. }));
+    assert!(matches!(at(Closing::Revolutions).unwrap_err()[0].fault, MoveFault::PositionNotClosed { .. }));
+    let back = [jerk(1.5, 0.0), jerk(-1.5, 0.0)];
+    assert!(Motion::new(&back, Angle::from_si(0.0), Closing::Position).is_ok());
+    let round = [jerk(std::f64::consts::TAU, 0.0)];
+    assert!(Motion::new(&round, Angle::from_si(0.0), Closing::Revolutions).is_ok());
+}

@@ -1,0 +1,140 @@
+//! Laws of motion: what is given of a move, and the pieces that follow.
+
+use crate::faults::MoveFault;
+use crate::piece::Piece;
+use crate::{seven_phase, solve};
+use quantities::{Angle, AngularAcceleration, AngularJerk, AngularVelocity, Time};
+use std::f64::consts::PI;
+
+/// A law of motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Law {
+    /// Constant acceleration, constant speed, constant deceleration.
+    Trapezoid,
+    /// Constant acceleration, constant deceleration; VDI 2143 calls it quadratic parabola.
+    Triangle,
+    /// Seven phases of constant jerk, the shortest move within the limits.
+    Jerk,
+    /// Polynomial of the fifth degree (3-4-5), VDI 2143.
+    Polynomial5,
+    /// Modified sine (Neklutin), VDI 2143.
+    ModifiedSine,
+    /// Modified acceleration trapezoid, VDI 2143.
+    ModifiedTrapezoid,
+    /// Simple sine (simple harmonic), VDI 2143.
+    SimpleSine,
+    /// Inclined sine (cycloid, Bestehorn), VDI 2143.
+    InclinedSine,
+    /// Constant speed.
+    Constant,
+}
+
+/// What is known of a move. Distance or speed carry the direction; acceleration and jerk are magnitudes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Given {
+    /// Angle travelled, signed.
+    pub distance: Option<Angle>,
+    /// Duration.
+    pub time: Option<Time>,
+    /// Peak speed; with a distance its magnitude counts.
+    pub speed: Option<AngularVelocity>,
+    /// Peak acceleration.
+    pub acceleration: Option<AngularAcceleration>,
+    /// Largest jerk.
+    pub jerk: Option<AngularJerk>,
+    /// Speed at the end of the move; rest without it.
+    pub end_speed: Option<AngularVelocity>,
+}
+
+/// A move with everything solved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solved {
+    /// Angle travelled, signed.
+    pub distance: Angle,
+    /// Duration.
+    pub time: Time,
+    /// Largest |ω|.
+    pub speed: AngularVelocity,
+    /// Largest |α|.
+    pub acceleration: AngularAcceleration,
+}
+
+impl Law {
+    /// C_v = v_max T/s and C_a = a_max T²/s of the normalised law from rest to rest; the trapezoid with thirds.
+    ///
+    /// # Source   VDI 2143-1, characteristic values; derived in docs/theory/motion-laws.md
+    #[must_use]
+    pub fn characteristics(self) -> (f64, f64) {
+        match self {
+            Self::Trapezoid => (1.5, 4.5),
+            Self::Triangle => (2.0, 4.0),
+            // The seven phases have no fixed shape; with thirds of jerk and speed these would be theirs.
+            Self::Jerk | Self::Constant => (1.0, 0.0),
+            Self::Polynomial5 => (1.875, 10.0 / 3.0_f64.sqrt()),
+            Self::ModifiedSine => (4.0 * PI / (4.0 + PI), 4.0 * PI * PI / (4.0 + PI)),
+            Self::ModifiedTrapezoid => (2.0, 8.0 * PI / (2.0 + PI)),
+            Self::SimpleSine => (PI / 2.0, PI * PI / 2.0),
+            Self::InclinedSine => (2.0, 2.0 * PI),
+        }
+    }
+
+    /// The pieces of a move that begins with a speed [rad/s].
+    ///
+    /// # Errors
+    /// [`MoveFault`] where the given quantities determine no move.
+    pub fn pieces(self, given: &Given, first: f64) -> Result<Vec<Piece>, MoveFault> {
+        solve::pieces(self, given, first)
+    }
+
+    /// The normalised pieces over a distance s in a time T, from rest to rest.
+    pub(crate) fn normalised(self, s: f64, t: f64) -> Vec<Piece> {
+        let (_, c_a) = self.characteristics();
+        let a = c_a * s / (t * t);
+        match self {
+            Self::Trapezoid => {
+                vec![Piece::ramp(t / 3.0, a), Piece::ramp(t / 3.0, 0.0), Piece::ramp(t / 3.0, -a)]
+            }
+            Self::Triangle | Self::Jerk | Self::Constant => {
+                vec![Piece::ramp(t / 2.0, a), Piece::ramp(t / 2.0, -a)]
+            }
+            Self::Polynomial5 => vec![Self::quintic(s, t, 0.0, 0.0)],
+            Self::SimpleSine => vec![Piece::harmonic(t, a, PI / t, PI / 2.0)],
+            Self::InclinedSine => vec![Piece::harmonic(t, a, 2.0 * PI / t, 0.0)],
+            Self::ModifiedSine => vec![
+                Piece::harmonic(t / 8.0, a, 4.0 * PI / t, 0.0),
+                Piece::harmonic(0.75 * t, a, 4.0 * PI / (3.0 * t), PI / 2.0),
+                Piece::harmonic(t / 8.0, a, 4.0 * PI / t, 1.5 * PI),
+            ],
+            Self::ModifiedTrapezoid => vec![
+                Piece::harmonic(t / 8.0, a, 4.0 * PI / t, 0.0),
+                Piece::ramp(t / 4.0, a),
+                Piece::harmonic(t / 4.0, a, 4.0 * PI / t, PI / 2.0),
+                Piece::ramp(t / 4.0, -a),
+                Piece::harmonic(t / 8.0, a, 4.0 * PI / t, 1.5 * PI),
+            ],
+        }
+    }
+
+    /// The polynomial of the fifth degree with given speeds and no acceleration at both ends.
+    ///
+    /// s(τ) = v_0 T τ + c_3 τ³ + c_4 τ⁴ + c_5 τ⁵, c_3 = 10 s − (6 v_0 + 4 v_1) T, c_4 = −15 s + (8 v_0 + 7 v_1) T,
+    /// c_5 = 6 s − 3 (v_0 + v_1) T
+    pub(crate) fn quintic(s: f64, t: f64, first: f64, last: f64) -> Piece {
+        let c3 = 10.0 * s - (6.0 * first + 4.0 * last) * t;
+        let c4 = -15.0 * s + (8.0 * first + 7.0 * last) * t;
+        let c5 = 6.0 * s - 3.0 * (first + last) * t;
+        let t3 = t * t * t;
+        Piece::polynomial(t, [0.0, 6.0 * c3 / t3, 12.0 * c4 / (t3 * t), 20.0 * c5 / (t3 * t * t)])
+    }
+}
+
+/// The pieces between two limits of speed, acceleration and jerk.
+pub(crate) fn limited(length: f64, first: f64, last: f64, limits: [f64; 3]) -> Vec<Piece> {
+    let [speed, acceleration, jerk] = limits;
+    seven_phase::pieces(length, first, last, &seven_phase::Limits { speed, acceleration, jerk })
+}
+
+#[cfg(test)]
+#[path = "law_tests.rs"]
+mod tests;

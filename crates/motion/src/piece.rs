@@ -1,0 +1,199 @@
+//! A piece of motion: acceleration as a polynomial and a harmonic of time, integrated in closed form.
+
+/// Position, speed and acceleration at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// q \[rad\]
+    pub position_rad: f64,
+    /// ω [rad/s]
+    pub speed_rad_s: f64,
+    /// α [rad/s²]
+    pub acceleration_rad_s2: f64,
+}
+
+/// A piece of motion.
+///
+/// α(t) = c_0 + c_1 t + c_2 t² + c_3 t³ + A sin(Ω t + φ) for 0 ≤ t ≤ τ; ω and q by integration from the initial state.
+///
+/// # Source   own derivation; every law of VDI 2143 built here is a chain of such pieces (docs/theory/motion-laws.md)
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// Instant of its beginning, from the start of the cycle \[s\].
+    pub start_s: f64,
+    /// τ: duration, greater than zero \[s\].
+    pub duration_s: f64,
+    /// Position at its beginning \[rad\].
+    pub position_rad: f64,
+    /// Speed at its beginning [rad/s].
+    pub speed_rad_s: f64,
+    /// c_0 … c_3 [rad/s², rad/s³, …].
+    pub polynomial: [f64; 4],
+    /// A, Ω, φ of the harmonic [rad/s², rad/s, rad]; A = 0 without one.
+    pub harmonic: [f64; 3],
+    /// Index of the segment it belongs to.
+    pub segment: usize,
+}
+
+impl Piece {
+    /// A piece of constant acceleration; start, state and segment are set when it is chained.
+    pub(crate) const fn ramp(duration_s: f64, acceleration: f64) -> Self {
+        Self::polynomial(duration_s, [acceleration, 0.0, 0.0, 0.0])
+    }
+
+    pub(crate) const fn polynomial(duration_s: f64, polynomial: [f64; 4]) -> Self {
+        Self {
+            start_s: 0.0,
+            duration_s,
+            position_rad: 0.0,
+            speed_rad_s: 0.0,
+            polynomial,
+            harmonic: [0.0, 1.0, 0.0],
+            segment: 0,
+        }
+    }
+
+    pub(crate) const fn harmonic(duration_s: f64, amplitude: f64, frequency: f64, phase: f64) -> Self {
+        let mut piece = Self::polynomial(duration_s, [0.0; 4]);
+        piece.harmonic = [amplitude, frequency, phase];
+        piece
+    }
+
+    /// The state at a time from the beginning of the piece.
+    #[must_use]
+    pub fn at(&self, t: f64) -> State {
+        let [c0, c1, c2, c3] = self.polynomial;
+        let mut acceleration = c0 + t * (c1 + t * (c2 + t * c3));
+        let mut speed = self.speed_rad_s + t * (c0 + t * (c1 / 2.0 + t * (c2 / 3.0 + t * c3 / 4.0)));
+        let mut position = self.position_rad
+            + t * (self.speed_rad_s + t * (c0 / 2.0 + t * (c1 / 6.0 + t * (c2 / 12.0 + t * c3 / 20.0))));
+        let [amplitude, frequency, phase] = self.harmonic;
+        if amplitude != 0.0 {
+            let angle = frequency * t + phase;
+            acceleration += amplitude * angle.sin();
+            speed += amplitude / frequency * (phase.cos() - angle.cos());
+            position += amplitude / frequency * (t * phase.cos() - (angle.sin() - phase.sin()) / frequency);
+        }
+        State { position_rad: position, speed_rad_s: speed, acceleration_rad_s2: acceleration }
+    }
+
+    /// The state at its end.
+    #[must_use]
+    pub fn end(&self) -> State {
+        self.at(self.duration_s)
+    }
+
+    /// Whether nothing moves.
+    #[must_use]
+    pub fn is_rest(&self) -> bool {
+        self.speed_rad_s == 0.0 && self.harmonic[0] == 0.0 && self.polynomial == [0.0; 4]
+    }
+
+    /// Degree of the speed as a polynomial of time; `None` with a harmonic.
+    #[must_use]
+    pub fn speed_degree(&self) -> Option<usize> {
+        if self.harmonic[0] != 0.0 {
+            return None;
+        }
+        Some(self.polynomial.iter().rposition(|c| *c != 0.0).map_or(0, |index| index + 1))
+    }
+
+    /// Times inside the piece at which it reverses.
+    #[must_use]
+    pub fn reversals(&self) -> Vec<f64> {
+        match self.speed_degree() {
+            Some(0) => Vec::new(),
+            Some(1) => {
+                let t = -self.speed_rad_s / self.polynomial[0];
+                if t > 0.0 && t < self.duration_s { vec![t] } else { Vec::new() }
+            }
+            _ => roots(|t| self.at(t).speed_rad_s, self.duration_s),
+        }
+    }
+}
+
+/// Into so many steps a span is cut in the search for roots; two roots closer than one step are not told apart.
+const STEPS: u32 = 64;
+
+/// The roots of a continuous function strictly inside 0…`end`, by sign changes over 64 steps, each bisected to the last
+/// bit. Roots at the ends are left out.
+pub fn roots(f: impl Fn(f64) -> f64, end: f64) -> Vec<f64> {
+    let mut found = Vec::new();
+    let at = |step: u32| end * f64::from(step) / f64::from(STEPS);
+    // Rounding leaves traces of the size of an ulp where the exact value is zero: they are no change of sign.
+    let mut scale = 0.0_f64;
+    let values: Vec<f64> = (0..=STEPS).map(|step| f(at(step))).inspect(|v| scale = scale.max(v.abs())).collect();
+    let sign = |v: f64| if v.abs() <= 1e-13 * scale { 0.0 } else { v.signum() };
+    let mut last: Option<(f64, f64)> = None;
+    for (step, value) in (0..=STEPS).zip(&values) {
+        let here = sign(*value);
+        if here == 0.0 {
+            continue;
+        }
+        if let Some((before, from)) = last
+            && before * here < 0.0
+        {
+            let root = bisect(&f, from, at(step));
+            if root > 0.0 && root < end {
+                found.push(root);
+            }
+        }
+        last = Some((here, at(step)));
+    }
+    found
+}
+
+fn bisect(f: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    let rising = f(high) > 0.0;
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if (f(middle) > 0.0) == rising {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Closed forms against Simpson sums of the acceleration and of the speed.
+    #[test]
+    fn speed_and_position_are_the_integrals_of_the_acceleration() {
+        let piece = Piece {
+            position_rad: 0.3,
+            speed_rad_s: -1.2,
+            harmonic: [4.0, 7.0, 0.4],
+            ..Piece::polynomial(1.3, [2.0, -3.0, 1.5, 0.7])
+        };
+        let n = 2000;
+        let (mut speed, mut position) = (-1.2, 0.3);
+        let h = 1.3 / f64::from(n);
+        for k in 0..n {
+            let t = f64::from(k) * h;
+            let simpson = |f: &dyn Fn(State) -> f64| {
+                (f(piece.at(t)) + 4.0 * f(piece.at(t + h / 2.0)) + f(piece.at(t + h))) * h / 6.0
+            };
+            speed += simpson(&|s| s.acceleration_rad_s2);
+            position += simpson(&|s| s.speed_rad_s);
+        }
+        assert!((piece.end().speed_rad_s - speed).abs() < 1e-12);
+        assert!((piece.end().position_rad - position).abs() < 1e-12);
+    }
+
+    #[test]
+    fn roots_are_found_inside_and_rounding_is_none() {
+        let found = roots(|t| (t - 0.25) * (t - 0.75), 1.0);
+        assert_eq!(found.len(), 2);
+        assert!((found[0] - 0.25).abs() < 1e-15 && (found[1] - 0.75).abs() < 1e-15);
+        assert!(roots(|t| t * (1.0 - t), 1.0).is_empty(), "roots at the ends are left out");
+        assert!(roots(|t| 1.0 + 1e-16 * (t * 1e3).sin(), 1.0).is_empty());
+        let ramp = Piece { speed_rad_s: -1.0, ..Piece::ramp(3.0, 1.0) };
+        assert_eq!(ramp.reversals(), vec![1.0]);
+    }
+}

@@ -1,0 +1,139 @@
+//! The time-optimal move with limited jerk: seven phases of constant jerk.
+
+use crate::piece::Piece;
+
+/// Limits of a move, all greater than zero; an infinite jerk makes the trapezoid.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    pub(crate) speed: f64,
+    pub(crate) acceleration: f64,
+    pub(crate) jerk: f64,
+}
+
+/// Duration of a change of speed with the acceleration zero at both ends.
+///
+/// t = Δω/a + a/j if the acceleration limit is reached (Δω ≥ a²/j), else 2√(Δω/j)
+fn ramp_time(change: f64, limits: &Limits) -> f64 {
+    let Limits { acceleration: a, jerk: j, .. } = *limits;
+    if change * j >= a * a { change / a + a / j } else { 2.0 * (change / j).sqrt() }
+}
+
+/// Distance of a move that goes from `first` through `peak` to `last` without running at `peak`.
+/// The acceleration of each change is symmetric in time, so its mean speed is the mean of its ends.
+fn distance(first: f64, peak: f64, last: f64, limits: &Limits) -> f64 {
+    0.5 * (first + peak) * ramp_time((peak - first).abs(), limits)
+        + 0.5 * (peak + last) * ramp_time((last - peak).abs(), limits)
+}
+
+/// The pieces of the shortest move over a distance between two speeds, acceleration zero at both ends.
+///
+/// The peak speed is the limit if the distance leaves room to run at it, else the root of the distance in the peak
+/// speed, which grows with it on either side of the end speeds.
+///
+/// # Source   own derivation, docs/theory/motion-laws.md; durations held against an independent generator
+pub(crate) fn pieces(length: f64, first: f64, last: f64, limits: &Limits) -> Vec<Piece> {
+    let (low, high) = (first.min(last), first.max(last));
+    // What a plain change of speed travels; more needs a faster peak, less a slower or reversed one.
+    let forward = length >= distance(first, high, last, limits);
+    let (mut near, mut far) = if forward { (high, limits.speed) } else { (low, -limits.speed) };
+    let reached = distance(first, far, last, limits);
+    let (peak, run) = if (forward && reached <= length) || (!forward && reached >= length) {
+        (far, (length - reached) / far)
+    } else {
+        for _ in 0..200 {
+            let middle = 0.5 * (near + far);
+            if middle == near || middle == far {
+                break;
+            }
+            if (distance(first, middle, last, limits) < length) == forward {
+                near = middle;
+            } else {
+                far = middle;
+            }
+        }
+        (0.5 * (near + far), 0.0)
+    };
+    let mut pieces = change(first, peak, limits);
+    pieces.push(Piece::ramp(run, 0.0));
+    pieces.extend(change(peak, last, limits));
+    pieces.retain(|piece| piece.duration_s > 0.0);
+    pieces
+}
+
+/// Jerk, constant acceleration, jerk back: the three phases of a change of speed.
+fn change(from: f64, to: f64, limits: &Limits) -> Vec<Piece> {
+    let (step, sign) = ((to - from).abs(), (to - from).signum());
+    if step == 0.0 {
+        return Vec::new();
+    }
+    let whole = ramp_time(step, limits);
+    let edge = (limits.acceleration / limits.jerk).min(0.5 * whole);
+    if edge == 0.0 {
+        return vec![Piece::ramp(whole, step / whole * sign)];
+    }
+    // The jerk follows from the times, so that the change of speed is met to the last bit.
+    let jerk = step / (edge * (whole - edge)) * sign;
+    let top = jerk * edge;
+    vec![
+        Piece::polynomial(edge, [0.0, jerk, 0.0, 0.0]),
+        Piece::polynomial(whole - 2.0 * edge, [top, 0.0, 0.0, 0.0]),
+        Piece::polynomial(edge, [top, -jerk, 0.0, 0.0]),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn duration(length: f64, first: f64, last: f64, limits: &Limits) -> f64 {
+        pieces(length, first, last, limits).iter().map(|piece| piece.duration_s).sum()
+    }
+
+    /// T = d/v + v/a + a/j where all three limits are reached; the figure of the reference list.
+    #[test]
+    fn a_full_move_takes_the_sum_of_the_three_quotients() {
+        let limits = Limits { speed: 4.0, acceleration: 30.0, jerk: 900.0 };
+        let expected = 1.7 / 4.0 + 4.0 / 30.0 + 30.0 / 900.0;
+        assert!((duration(1.7, 0.0, 0.0, &limits) - expected).abs() < 1e-12);
+    }
+
+    /// Random moves against the Rust form of the ruckig generator: the same duration within 1e-9, never longer.
+    #[test]
+    fn durations_agree_with_an_independent_generator() {
+        use rsruckig::prelude::*;
+        let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut random = |low: f64, high: f64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            low + (high - low) * ((seed >> 11) as f64 / (1_u64 << 53) as f64)
+        };
+        let (mut compared, mut worst) = (0, 0.0_f64);
+        for case in 0..20_000 {
+            let limits = Limits { speed: random(0.5, 10.0), acceleration: random(1.0, 100.0), jerk: random(10.0, 5e3) };
+            let length = random(-6.0, 6.0);
+            let (first, last) = if case % 2 == 0 {
+                (0.0, 0.0)
+            } else {
+                (random(-1.0, 1.0) * limits.speed, random(-1.0, 1.0) * limits.speed)
+            };
+            let mut input: InputParameter<1> = InputParameter::new(None);
+            input.current_position[0] = 0.0;
+            input.current_velocity[0] = first;
+            input.target_position[0] = length;
+            input.target_velocity[0] = last;
+            input.max_velocity[0] = limits.speed;
+            input.max_acceleration[0] = limits.acceleration;
+            input.max_jerk[0] = limits.jerk;
+            let mut other: Trajectory<1> = Trajectory::new(None);
+            let mut generator: Ruckig<1, IgnoreErrorHandler> = Ruckig::new(None, 0.001);
+            if generator.calculate(&input, &mut other).is_err() {
+                continue;
+            }
+            let ours = duration(length, first, last, &limits);
+            let difference = ours - other.get_duration();
+            worst = worst.max(difference.abs());
+            assert!(difference.abs() <= 1e-9, "{length} {first} {last} {limits:?}: {ours} {}", other.get_duration());
+            compared += 1;
+        }
+        assert!(compared > 19_000, "only {compared} of 20000 compared; worst {worst:e}");
+    }
+}

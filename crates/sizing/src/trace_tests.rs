@@ -1,0 +1,186 @@
+use super::*;
+use mechanism::{Friction, Kind, Rotor};
+use motion::{Closing, Given, Law, ManualMove, SegmentSpec};
+use quantities::{
+    Angle, AngularAcceleration, AngularJerk, AngularVelocity, Length, Mass, Measure, MomentOfInertia, Time, Torque,
+    ViscousFriction,
+};
+
+fn manual(speed: f64, [t1, t2, t3, tp]: [f64; 4]) -> SegmentSpec {
+    let s = Time::from_si;
+    SegmentSpec::Manual(ManualMove {
+        speed: AngularVelocity::from_si(speed),
+        accelerate: s(t1),
+        run: s(t2),
+        brake: s(t3),
+        pause: s(tp),
+    })
+}
+
+fn law(law: Law, distance: f64, time: f64) -> SegmentSpec {
+    let given = Given { distance: Some(Angle::from_si(distance)), time: Some(Time::from_si(time)), ..Given::default() };
+    SegmentSpec::Move(law, given)
+}
+
+fn jerk(distance: f64) -> SegmentSpec {
+    SegmentSpec::Move(
+        Law::Jerk,
+        Given {
+            distance: Some(Angle::from_si(distance)),
+            speed: Some(AngularVelocity::from_si(3.0)),
+            acceleration: Some(AngularAcceleration::from_si(20.0)),
+            jerk: Some(AngularJerk::from_si(400.0)),
+            ..Given::default()
+        },
+    )
+}
+
+fn motion(segments: &[SegmentSpec]) -> Motion {
+    Motion::new(segments, Angle::from_si(0.0), Closing::Speed).unwrap()
+}
+
+fn direct() -> Mechanism {
+    Mechanism::direct(MomentOfInertia::from_si(1.3), Torque::from_si(5.0))
+}
+
+fn arm() -> Mechanism {
+    let rotor = Rotor {
+        mass: Mass::from_si(6.0),
+        radius: Length::from_si(0.35),
+        tilt: Angle::from_si(std::f64::consts::FRAC_PI_2),
+        ..Rotor::balanced(MomentOfInertia::from_si(0.8))
+    };
+    Mechanism { kind: Kind::Rotor(rotor), efficiency_driving: 0.9, efficiency_driven: 0.8, ..direct() }
+}
+
+/// The same integrals by composite Simpson sums, 4000 steps over each span between reversals and sign changes of the
+/// torque; the fourth-order error is far below the tolerance.
+fn brute(mechanism: &Mechanism, motion: &Motion, own: f64) -> [f64; 5] {
+    let mut sums = [0.0; 5];
+    let none = Extra::none();
+    for piece in motion.pieces() {
+        let torque = |t: f64, direction: f64| {
+            let state = piece.at(t);
+            let output = Output {
+                position_rad: state.position_rad,
+                speed_rad_s: state.speed_rad_s,
+                acceleration_rad_s2: state.acceleration_rad_s2,
+                direction,
+            };
+            (mechanism.torque(&output, &none), mechanism.useful_torque(&output, &none), state)
+        };
+        let mut cuts = vec![0.0, piece.duration_s];
+        cuts.extend(piece.reversals());
+        let sign = |t: f64| if piece.is_rest() { 0.0 } else { piece.at(t).speed_rad_s.signum() };
+        cuts.extend(motion::roots(|t| torque(t, sign(t)).0, piece.duration_s));
+        cuts.extend(motion::roots(|t| torque(t, sign(t)).1, piece.duration_s));
+        cuts.sort_by(f64::total_cmp);
+        for pair in cuts.windows(2) {
+            let n = 4000;
+            let h = (pair[1] - pair[0]) / f64::from(n);
+            let direction = sign(0.5 * (pair[0] + pair[1]));
+            let values = |t: f64| {
+                let (load, _, state) = torque(t, direction);
+                let whole = own * state.acceleration_rad_s2 + load;
+                [
+                    whole * whole,
+                    state.speed_rad_s.abs(),
+                    direction * direction,
+                    load.abs().powi(3) * state.speed_rad_s.abs(),
+                    whole * state.speed_rad_s,
+                ]
+            };
+            for k in 0..n {
+                let t = pair[0] + f64::from(k) * h;
+                let [a, m, b] = [values(t), values(t + 0.5 * h), values(t + h)];
+                for (sum, ((a, m), b)) in sums.iter_mut().zip(a.iter().zip(m).zip(b)) {
+                    *sum += (a + 4.0 * m + b) * h / 6.0;
+                }
+            }
+        }
+    }
+    sums
+}
+
+fn compare(name: &str, mechanism: &Mechanism, motion: &Motion) {
+    let trace = Trace::of(mechanism, motion, &[]);
+    let own = 0.7;
+    let expected = brute(mechanism, motion, own);
+    let work: f64 =
+        trace.nodes().iter().map(|node| node.weight * (own * node.acceleration + node.load) * node.speed).sum();
+    let found =
+        [trace.gram.square([own, 1.0, 0.0, 0.0]), trace.gram.travelled(), trace.gram.moving(), trace.cubes, work];
+    for (index, (a, b)) in found.iter().zip(expected).enumerate() {
+        assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{name}, integral {index}: {a} against {b}");
+    }
+    let duration: f64 = trace.nodes().iter().map(|node| node.weight).sum();
+    assert!((duration - motion.duration().si()).abs() < 1e-12, "{name}: the weights sum to {duration}");
+    assert!(trace.nodes().windows(2).all(|pair| pair[1].time >= pair[0].time), "{name}: time runs forward");
+}
+
+#[test]
+fn the_moments_agree_with_brute_force_for_every_law_and_load() {
+    let mut viscous = direct();
+    viscous.friction = Friction {
+        viscous: ViscousFriction::from_si(2.0),
+        external: Torque::from_si(3.0),
+        coulomb: Torque::from_si(1.0),
+    };
+    let motions = [
+        ("manual", motion(&[manual(4.0, [0.1, 0.3, 0.25, 0.5]), manual(-2.5, [0.4, 0.0, 0.2, 0.05])])),
+        ("jerk", motion(&[jerk(2.0), SegmentSpec::Dwell(Time::from_si(0.3), Hold::Motor), jerk(-2.0)])),
+        ("trapezoid", motion(&[law(Law::Trapezoid, 1.0, 0.4), law(Law::Triangle, -1.0, 0.5)])),
+        ("polynomial", motion(&[law(Law::Polynomial5, 1.4, 0.6), law(Law::Polynomial5, -1.4, 0.9)])),
+        ("modified sine", motion(&[law(Law::ModifiedSine, 1.4, 0.6), law(Law::ModifiedTrapezoid, -1.4, 0.9)])),
+        ("sines", motion(&[law(Law::InclinedSine, 1.4, 0.6), law(Law::SimpleSine, -1.4, 0.9)])),
+    ];
+    for (name, motion) in &motions {
+        compare(&format!("direct, {name}"), &direct(), motion);
+        compare(&format!("viscous, {name}"), &viscous, motion);
+        compare(&format!("arm, {name}"), &arm(), motion);
+    }
+}
+
+#[test]
+fn the_brake_carries_what_the_motor_does_not() {
+    let hold = |hold| {
+        let rest = SegmentSpec::Dwell(Time::from_si(1.0), hold);
+        Trace::of(&arm(), &motion(&[jerk(0.5), rest, jerk(-0.5)]), &[])
+    };
+    let (motor, brake) = (hold(Hold::Motor), hold(Hold::Brake));
+    assert!(motor.gram.square([0.0, 1.0, 0.0, 0.0]) > brake.gram.square([0.0, 1.0, 0.0, 0.0]));
+    let expected = 6.0 * mechanism::GRAVITY_M_S2 * 0.35 * 0.5_f64.cos();
+    assert!((brake.shares[1].holding - expected).abs() < 1e-9, "{:?}", brake.shares);
+    assert_eq!(motor.shares, brake.shares);
+}
+
+/// Leaving blocks out changes nothing: the largest value over thousands of instants against a plain loop.
+#[test]
+fn the_envelope_finds_what_a_plain_loop_finds() {
+    let mut segments = Vec::new();
+    for k in 0..120 {
+        let speed = 1.0 + 0.37 * f64::from((k * 7) % 11);
+        segments
+            .push(manual(if k % 3 == 0 { -speed } else { speed }, [0.05 + 0.001 * f64::from(k % 17), 0.1, 0.06, 0.0]));
+    }
+    let trace = Trace::of(&direct(), &motion(&segments), &[]);
+    assert!(trace.nodes().len() > 4 * BLOCK);
+    for own in [0.0, 0.01, 0.5, 8.0] {
+        let value = |node: &Node| (own * node.acceleration + node.load).abs();
+        let (largest, at) = trace.largest(|extent| extent.torque(own), value);
+        let mut plain = (f64::NEG_INFINITY, 0.0);
+        for node in trace.nodes() {
+            if value(node) > plain.0 {
+                plain = (value(node), node.time);
+            }
+        }
+        assert_eq!((largest, at), plain, "own inertia {own}");
+    }
+}
+
+#[test]
+fn from_rest_to_rest_the_acceleration_along_the_motion_cancels() {
+    let trace = Trace::of(&direct(), &motion(&[manual(4.0, [0.1, 0.3, 0.25, 0.5])]), &[]);
+    let along: f64 = trace.nodes().iter().map(|node| node.weight * node.acceleration * node.direction).sum();
+    assert!(along.abs() < 1e-12);
+}

@@ -1,0 +1,303 @@
+//! From the sections of a project file to mechanism and motion.
+
+use super::Assumption;
+use super::read::{Entry, Reader, Section};
+use crate::text::Speak;
+use actuator::FlangeLoad;
+use mechanism::{Extra, Friction, Kind, Linear, LinearKind, Mechanism, Rotor, SliderCrank, Table, TablePoint};
+use motion::{Closing, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, SegmentSpec};
+use quantities::{Angle, Dimension, Force, Language, Length, Mass, Measure, MomentOfInertia, Torque, ViscousFriction};
+use sizing::Axis;
+
+/// What is moved, and where it stands when the motion begins.
+pub(super) struct Load {
+    pub(super) mechanism: Mechanism,
+    start: Angle,
+    /// Process force that acts in every segment.
+    force: Force,
+}
+
+/// The one load of the axis: `[load]` or one table of `[mechanism]`.
+pub(super) fn load(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Load> {
+    let given: Vec<(&str, &Section)> = root
+        .table("load")
+        .map(|section| ("load", section))
+        .into_iter()
+        .chain(root.table("mechanism").into_iter().flat_map(Section::subtables))
+        .collect();
+    match given.as_slice() {
+        [(name, section)] => build(name, section, reader, language),
+        [] => {
+            // A load that is there but faulty has been told already, and one that could not be read may be there.
+            let there = root.has("load") || root.table("mechanism").is_some_and(|section| !section.is_whole());
+            if !there && !reader.is_damaged() {
+                let hint = language.for_example("[load] inertia = \"1.3 kg m^2\"");
+                reader.fault(root.span_of("mechanism"), language.no_mechanism(), Some(hint));
+            }
+            None
+        }
+        [_, (_, second), ..] => {
+            reader.fault(second.span.clone(), language.too_many_mechanisms(), None);
+            None
+        }
+    }
+}
+
+fn zero<Q: Measure>() -> Q {
+    Q::from_si(0.0)
+}
+
+fn build(name: &str, section: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Load> {
+    let start: Angle = section.quantity("start_angle").unwrap_or_else(zero);
+    let turning: MomentOfInertia = section.quantity("inertia").unwrap_or_else(zero);
+    let inclination: Angle = section.quantity("inclination").unwrap_or_else(zero);
+    let linear = |kind, travel_m_per_rad| {
+        Some(Kind::Linear(Linear {
+            kind,
+            travel_m_per_rad,
+            inertia: turning,
+            mass: section.quantity("mass")?,
+            counterweight: section.quantity("counterweight").unwrap_or_else(zero),
+            inclination,
+            friction_force: section.quantity("friction_force").unwrap_or_else(zero),
+            friction_coefficient: section.number("friction_coefficient").unwrap_or(0.0),
+        }))
+    };
+    let kind = match name {
+        "load" => Kind::Rotor(Rotor::balanced(section.quantity("inertia")?)),
+        "arm" => Kind::Rotor(Rotor {
+            inertia: section.quantity("inertia")?,
+            mass: section.quantity("mass")?,
+            radius: section.quantity("centre_distance")?,
+            payload_radius: section.quantity("payload_distance").unwrap_or_else(zero),
+            angle: zero(),
+            tilt: section.quantity("axis_tilt")?,
+        }),
+        "screw" => linear(LinearKind::Screw, section.quantity::<Length>("lead")?.si() / std::f64::consts::TAU)?,
+        "belt" => linear(LinearKind::Belt, section.quantity::<Length>("pulley_diameter")?.si() / 2.0)?,
+        "conveyor" => linear(LinearKind::Conveyor, section.quantity::<Length>("roller_diameter")?.si() / 2.0)?,
+        "slider_crank" => {
+            let (crank, rod): (Length, Length) = (section.quantity("crank")?, section.quantity("rod")?);
+            if rod.si() <= crank.si() {
+                reader.fault(section.span_of("rod"), language.rod_too_short(), None);
+                return None;
+            }
+            Kind::SliderCrank(SliderCrank {
+                crank,
+                rod,
+                inertia: turning,
+                mass: section.quantity("mass")?,
+                inclination,
+                angle: zero(),
+            })
+        }
+        _ => {
+            let points = section.rows("points").iter().filter_map(|row| match row.as_slice() {
+                [position, inertia, torque] => Some(TablePoint {
+                    position: Angle::from_si(*position),
+                    inertia: MomentOfInertia::from_si(*inertia),
+                    torque: Torque::from_si(*torque),
+                }),
+                _ => None,
+            });
+            section.get("points")?;
+            match Table::new(points.collect()) {
+                Ok(table) => Kind::Table(table),
+                Err(fault) => {
+                    reader.fault(section.span_of("points"), language.no_table(fault), None);
+                    return None;
+                }
+            }
+        }
+    };
+    let mechanism = Mechanism {
+        kind,
+        friction: Friction {
+            coulomb: section.quantity("friction_torque").unwrap_or_else(zero),
+            viscous: section.quantity::<ViscousFriction>("viscous_friction").unwrap_or_else(zero),
+            external: section.quantity("external_torque").unwrap_or_else(zero),
+        },
+        efficiency_driving: section.number("efficiency").unwrap_or(1.0),
+        efficiency_driven: section.number("efficiency_back").unwrap_or(1.0),
+    };
+    Some(Load { mechanism, start, force: section.quantity("process_force").unwrap_or_else(zero) })
+}
+
+/// Motion and what each segment adds to the load.
+pub(super) fn motion(
+    root: &Section,
+    load: &Load,
+    reader: &mut Reader<'_>,
+    language: Language,
+) -> Option<(Motion, Vec<Extra>)> {
+    let sections = root.tables("motion");
+    root.get("motion")?;
+    let travel = load.mechanism.travel_m_per_rad();
+    let specs: Vec<Option<SegmentSpec>> =
+        sections.iter().map(|section| Turning { section, travel }.segment(reader, language)).collect();
+    let specs: Vec<SegmentSpec> = specs.into_iter().collect::<Option<_>>()?;
+    let single = root.table("axis").and_then(|axis| axis.bool("single_move")).unwrap_or(false);
+    let closing = if single { Closing::SingleMove } else { Axis::closing(&load.mechanism) };
+    match Motion::new(&specs, load.start, closing) {
+        Ok(motion) => Some((motion, sections.iter().map(|section| extra(section, load)).collect())),
+        Err(faults) => {
+            for MotionFault { segment, fault } in faults {
+                let (message, hint) = language.motion_fault(&fault);
+                let section = segment.and_then(|index| sections.get(index));
+                let span = section.map_or_else(|| root.span_of("motion"), |section| place(section, &fault));
+                reader.fault(span, message, hint);
+            }
+            None
+        }
+    }
+}
+
+/// The place of the value that a fault speaks of.
+fn place(section: &Section, fault: &MoveFault) -> std::ops::Range<usize> {
+    let keys: &[&str] = match fault {
+        MoveFault::NoTimeToChangeSpeed { braking: true } => &["brake"],
+        MoveFault::NoTimeToChangeSpeed { braking: false } => &["accelerate"],
+        MoveFault::SpeedTooLow { .. } | MoveFault::SpeedTooHigh { .. } | MoveFault::EndSpeedAboveLimit => &["speed"],
+        MoveFault::AccelerationTooLow { .. } => &["acceleration"],
+        _ => &["law"],
+    };
+    keys.first().map_or_else(|| section.span.clone(), |key| section.span_of(key))
+}
+
+fn extra(section: &Section, load: &Load) -> Extra {
+    Extra {
+        mass: section.quantity("payload").unwrap_or_else(zero::<Mass>),
+        inertia: section.quantity("payload_inertia").unwrap_or_else(zero),
+        force: load.force + section.quantity("process_force").unwrap_or_else(zero::<Force>),
+        torque: section.quantity("process_torque").unwrap_or_else(zero),
+    }
+}
+
+/// A segment's quantities at the output.
+struct Turning<'s> {
+    section: &'s Section,
+    travel: Option<f64>,
+}
+
+impl Turning<'_> {
+    fn along<Q: Measure>(&self, name: &str, reader: &mut Reader<'_>, language: Language) -> Option<Q> {
+        let (dimension, si) = self.section.along(name)?;
+        let line =
+            matches!(dimension, Dimension::Length | Dimension::Velocity | Dimension::Acceleration | Dimension::Jerk);
+        match (line, self.travel) {
+            (false, _) => Some(Q::from_si(si)),
+            (true, Some(travel)) => Some(Q::from_si(si / travel)),
+            (true, None) => {
+                reader.fault(self.section.span_of(name), language.no_line(name), None);
+                None
+            }
+        }
+    }
+
+    fn segment(&self, reader: &mut Reader<'_>, language: Language) -> Option<SegmentSpec> {
+        let section = self.section;
+        let before = reader.fault_count();
+        let given = Given {
+            distance: self.along("distance", reader, language),
+            time: section.quantity("time"),
+            speed: self.along("speed", reader, language),
+            acceleration: self.along("acceleration", reader, language),
+            jerk: self.along("jerk", reader, language),
+            end_speed: self.along("end_speed", reader, language),
+        };
+        if reader.fault_count() > before {
+            return None;
+        }
+        let law = match section.text("law")? {
+            "manual" => {
+                return Some(SegmentSpec::Manual(ManualMove {
+                    speed: given.speed?,
+                    accelerate: section.quantity("accelerate")?,
+                    run: section.quantity("run")?,
+                    brake: section.quantity("brake")?,
+                    pause: section.quantity("pause")?,
+                }));
+            }
+            "dwell" => {
+                let hold = match section.text("hold") {
+                    Some("brake") => Hold::Brake,
+                    Some("free") => Hold::Free,
+                    _ => Hold::Motor,
+                };
+                return Some(SegmentSpec::Dwell(given.time?, hold));
+            }
+            "trapezoid" => Law::Trapezoid,
+            "jerk" => Law::Jerk,
+            "polynomial_5" => Law::Polynomial5,
+            "modified_sine" => Law::ModifiedSine,
+            "modified_trapezoid" => Law::ModifiedTrapezoid,
+            "simple_sine" => Law::SimpleSine,
+            "inclined_sine" => Law::InclinedSine,
+            "constant" => Law::Constant,
+            _ => Law::Triangle,
+        };
+        // A value that was refused has been told; without it the move would only seem undetermined.
+        section.is_whole().then_some(SegmentSpec::Move(law, given))
+    }
+}
+
+/// The loads on the flange in each segment: its own, or those of `[bearing]`. A force needs the distance at which it
+/// acts; a force that is not given does not act.
+pub(super) fn flange_loads(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Vec<FlangeLoad>> {
+    let segments = root.tables("motion");
+    let common = root.table("bearing");
+    let own: Vec<Option<&Section>> = segments.iter().map(|section| section.table("bearing")).collect();
+    if common.is_none() && own.iter().all(Option::is_none) {
+        return None;
+    }
+    for (path, section) in common
+        .map(|section| ("bearing", section))
+        .into_iter()
+        .chain(own.iter().flatten().map(|section| ("motion.bearing", *section)))
+    {
+        for (force, distance) in [("radial_force", "radial_distance"), ("axial_force", "axial_distance")] {
+            for (given, needed) in [(force, distance), (distance, force)] {
+                if section.get(given).is_some() && !section.has(needed) {
+                    reader.fault(section.span_of(given), language.missing_key(path, needed, false), None);
+                }
+            }
+        }
+    }
+    let load = |section: Option<&Section>| FlangeLoad {
+        radial_force: section.and_then(|section| section.quantity("radial_force")).unwrap_or_else(zero),
+        radial_distance: section.and_then(|section| section.quantity("radial_distance")).unwrap_or_else(zero),
+        axial_force: section.and_then(|section| section.quantity("axial_force")).unwrap_or_else(zero),
+        axial_distance: section.and_then(|section| section.quantity("axial_distance")).unwrap_or_else(zero),
+    };
+    Some(own.into_iter().map(|own| load(own.or(common))).collect())
+}
+
+/// Defaults about load and motion that the file leaves open.
+pub(super) fn assumptions(root: &Section, found: &mut Vec<Assumption>) {
+    let load = root.table("load").or_else(|| root.table("mechanism")?.subtables().next().map(|(_, section)| section));
+    let frictions = ["friction_torque", "viscous_friction", "friction_force", "friction_coefficient"];
+    if load.is_none_or(|load| frictions.iter().all(|key| load.get(key).is_none())) {
+        found.push(Assumption::NoFriction);
+    }
+    if root.table("load").is_none() {
+        if load.is_none_or(|load| load.get("efficiency").is_none()) {
+            found.push(Assumption::NoLosses);
+        } else if load.is_none_or(|load| load.get("efficiency_back").is_none()) {
+            found.push(Assumption::LossesDoNotHelp);
+        }
+    }
+    let segments = root.tables("motion");
+    let count = |section: &Section| {
+        ["distance", "time", "speed", "acceleration"].iter().filter(|key| section.get(key).is_some()).count()
+    };
+    if segments.iter().any(|section| section.text("law") == Some("trapezoid") && count(section) == 2) {
+        found.push(Assumption::TrapezoidThirds);
+    }
+    if root.table("axis").and_then(|axis| axis.bool("single_move")) == Some(true) {
+        found.push(Assumption::SingleMoveRepeats);
+    }
+    let standing = |section: &&Section| section.text("law") == Some("dwell");
+    if segments.iter().filter(standing).any(|section| !matches!(section.get("hold"), Some(Entry::Text(_)))) {
+        found.push(Assumption::MotorHolds);
+    }
+}

@@ -1,0 +1,161 @@
+//! Words about motions that cannot be.
+
+use super::either;
+use motion::{MoveFault, Needed};
+use quantities::unit::{DEGREE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE};
+use quantities::{Language, Measure, Unit, format_significant};
+
+fn shown(si: f64, unit: &Unit, language: Language) -> String {
+    format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol)
+}
+
+/// What is wrong with a move, and what would be possible.
+pub(super) fn fault(fault: &MoveFault, language: Language) -> (String, Option<String>) {
+    let t = |en: &str, de: &str| either(language, en, de);
+    let speed = |si| shown(si, &REVOLUTION_PER_MINUTE, language);
+    let plain = |text: String| (text, None);
+    match fault {
+        MoveFault::NoSegment => {
+            plain(t("the cycle needs at least one [[motion]]", "der Zyklus braucht mindestens ein [[motion]]"))
+        }
+        MoveFault::NoDuration => plain(t(
+            "the cycle has no duration: all its times are zero",
+            "der Zyklus hat keine Dauer: alle Zeiten sind null",
+        )),
+        MoveFault::NoTimeToChangeSpeed { braking } => {
+            let key = if *braking { "brake" } else { "accelerate" };
+            plain(either(
+                language,
+                format!("`{key}` must be greater than zero: a speed cannot be reached or left in no time"),
+                format!(
+                    "`{key}` muss größer als null sein: eine Drehzahl wird nicht in der Zeit null erreicht oder verlassen"
+                ),
+            ))
+        }
+        MoveFault::NotDetermined { given, needed } => {
+            let needed = needed_words(*needed, language);
+            (
+                either(
+                    language,
+                    format!("{given} quantities do not determine this move"),
+                    format!("{given} Größen bestimmen diese Bewegung nicht"),
+                ),
+                Some(either(language, format!("give {needed}"), format!("anzugeben: {needed}"))),
+            )
+        }
+        MoveFault::OutOfRange => plain(t(
+            "a move takes time and goes somewhere: distance, time, speed and acceleration must not be zero",
+            "eine Bewegung braucht Zeit und führt irgendwohin: Weg, Zeit, Drehzahl und Beschleunigung dürfen nicht null sein",
+        )),
+        MoveFault::SpeedTooLow { above } => (
+            t(
+                "the speed is too low to cover the distance in the time",
+                "die Drehzahl reicht für Weg und Zeit nicht aus",
+            ),
+            Some(either(
+                language,
+                format!("it must be above {}", speed(above.si())),
+                format!("sie muss über {} liegen", speed(above.si())),
+            )),
+        ),
+        MoveFault::SpeedTooHigh { most } => (
+            t(
+                "the speed is too high: even a triangle of it takes less than the time",
+                "die Drehzahl ist zu hoch: selbst ein Dreieck damit dauert kürzer als die Zeit",
+            ),
+            Some(either(
+                language,
+                format!("at most {}, or leave it out", speed(most.si())),
+                format!("höchstens {}, oder weglassen", speed(most.si())),
+            )),
+        ),
+        MoveFault::AccelerationTooLow { least } => {
+            let least = shown(least.si(), &RADIAN_PER_SECOND_SQUARED, language);
+            (
+                t(
+                    "the acceleration is too low for this move",
+                    "die Beschleunigung reicht für diese Bewegung nicht aus",
+                ),
+                Some(either(language, format!("at least {least}"), format!("mindestens {least}"))),
+            )
+        }
+        MoveFault::RestToRestOnly => (
+            t("this law moves from rest to rest only", "dieses Gesetz führt nur von Stillstand zu Stillstand"),
+            Some(t(
+                "trapezoid, jerk and polynomial_5 can begin and end with a speed",
+                "trapezoid, jerk und polynomial_5 können mit einer Drehzahl beginnen und enden",
+            )),
+        ),
+        MoveFault::EndSpeedAboveLimit => plain(t(
+            "the speed at the beginning or the end is above the largest speed of the move",
+            "die Drehzahl am Anfang oder Ende liegt über der größten Drehzahl der Bewegung",
+        )),
+        MoveFault::StillMoving { speed: found } => plain(either(
+            language,
+            format!("the segment begins at {}: it needs the speed at which the one before ends", speed(found.si())),
+            format!(
+                "der Abschnitt beginnt mit {}: er braucht die Drehzahl, mit der der vorige endet",
+                speed(found.si())
+            ),
+        )),
+        MoveFault::SpeedNotClosed { end, start } => (
+            either(
+                language,
+                format!("the cycle does not close: it ends at {} and begins at {}", speed(end.si()), speed(start.si())),
+                format!(
+                    "der Zyklus schließt nicht: er endet mit {} und beginnt mit {}",
+                    speed(end.si()),
+                    speed(start.si())
+                ),
+            ),
+            Some(single_move(language)),
+        ),
+        MoveFault::PositionNotClosed { gap } => {
+            let gap = shown(gap.si(), &DEGREE, language);
+            (
+                either(
+                    language,
+                    format!("the cycle does not close: it ends {gap} (at the output) from where it begins"),
+                    format!("der Zyklus schließt nicht: er endet {gap} (am Abtrieb) vom Anfang entfernt"),
+                ),
+                Some(single_move(language)),
+            )
+        }
+        _ => plain(t("this is no motion", "das ist keine Bewegung")),
+    }
+}
+
+fn single_move(language: Language) -> String {
+    either(
+        language,
+        "add the way back, or write single_move = true under [axis]",
+        "den Rückweg ergänzen oder unter [axis] single_move = true schreiben",
+    )
+}
+
+fn needed_words(needed: Needed, language: Language) -> String {
+    let (en, de) = match needed {
+        Needed::TwoOfFour => {
+            ("any two of distance, time, speed, acceleration", "zwei von distance, time, speed, acceleration")
+        }
+        Needed::TwoOrThreeOfFour => (
+            "any three of distance, time, speed, acceleration, or two for a trapezoid with equal thirds",
+            "drei von distance, time, speed, acceleration, oder zwei für ein Trapez mit gleichen Dritteln",
+        ),
+        Needed::DistanceAndLimits => {
+            ("distance, speed, acceleration and jerk", "distance, speed, acceleration und jerk")
+        }
+        Needed::DistanceAndTime => (
+            "distance and time, because the move does not begin and end at rest",
+            "distance und time, weil die Bewegung nicht von Stillstand zu Stillstand führt",
+        ),
+        Needed::DistanceSpeedAcceleration => (
+            "distance, speed and acceleration, because the move does not begin and end at rest",
+            "distance, speed und acceleration, weil die Bewegung nicht von Stillstand zu Stillstand führt",
+        ),
+        Needed::SpeedAndTimeOrDistance => {
+            ("speed and either time or distance", "speed und entweder time oder distance")
+        }
+    };
+    either(language, en, de)
+}
