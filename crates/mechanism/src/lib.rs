@@ -2,6 +2,10 @@
 //!
 //! So far the load is given directly; screws, arms, belts and tables will join here.
 
+mod body;
+
+pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Shape, inertia};
+
 use quantities::{AngularAcceleration, Measure, MomentOfInertia, Torque};
 
 /// A load given at the output of the actuator.

@@ -60,6 +60,7 @@ measures! {
     Inductance => Inductance,
     Length => Length,
     Mass => Mass,
+    MassDensity => MassDensity,
     MomentOfInertia => MomentOfInertia,
     Power => Power,
     Pressure => Pressure,
