@@ -9,8 +9,8 @@ The axis is that of examples/indexing-table.toml. Only the judging is timed: rea
 arrays is not. One answer is one JSON object on stdout. Exit code 3: NumPy is missing.
 
 Left out against antrieb: the instants, sources and remarks of every figure, the ranking, and the safe values that
-errata give for some output bearings, which are not part of the export (pitch diameter of 14A and 17A; permissible
-forces of some larger ones).
+errata give for some output bearings (d_p of 17A, permissible forces of larger ones): the export holds what is printed
+or corrected, not what checks use.
 """
 
 import argparse

@@ -73,6 +73,9 @@ impl<'t> Faults<'t> {
 
     /// "did you mean …", or the whole list where nothing is near.
     fn nearest(&self, written: &str, valid: &[&str]) -> String {
+        if self.found.len() >= FAULTS_MOST {
+            return String::new();
+        }
         match nearest_of(written, valid) {
             Some(name) => self.language.did_you_mean(name),
             None => self.language.valid_are(valid),
@@ -131,6 +134,10 @@ impl<'t> Faults<'t> {
         valid: &[&'n str],
     ) -> Option<&'n str> {
         let key = excerpt(pair.key);
+        if self.found.len() >= FAULTS_MOST {
+            self.more += 1;
+            return None;
+        }
         let hint = self.nearest(pair.key, valid);
         let span = if pair.key.is_empty() { pair.value_span.clone() } else { pair.key_span.clone() };
         let (en, de) = match shape {
