@@ -258,6 +258,7 @@ fn commands(language: Language) -> Command {
                         )),
                 ),
         )
+        .subcommand(inertia(language))
         .subcommand(Command::new("schema").about(t("JSON Schema of the project file", "JSON-Schema der Projektdatei")))
         .subcommand(
             Command::new("completions")
@@ -271,6 +272,32 @@ fn commands(language: Language) -> Command {
                     .help(t("Command; antrieb itself without it", "Befehl; ohne ihn antrieb selbst")),
             ),
         )
+}
+
+fn inertia(language: Language) -> Command {
+    let t = |en, de| either(language, en, de);
+    let head = t(
+        "Shapes and their keys (axis: parallel or perpendicular to the axis of rotation):",
+        "Formen und ihre Schlüssel (axis: parallel oder perpendicular, senkrecht zur Drehachse):",
+    );
+    let tail = t(
+        "All: mass or density; distance from the axis of rotation (0), angle (0), count evenly spaced (1).",
+        "Alle: mass oder density; distance von der Drehachse (0), angle (0), count gleichmäßig verteilt (1).",
+    );
+    let mut shapes = String::new();
+    for shape in &workbench::BODY_SHAPES {
+        let axis = if shape.may_lie { " axis" } else { "" };
+        let line = format!("  {:<9} {}{axis}", shape.name, shape.dimensions.join(" "));
+        shapes.push_str(line.trim_end());
+        shapes.push('\n');
+    }
+    Command::new("inertia")
+        .about(t("Moment of inertia of solid bodies", "Massenträgheitsmoment fester Körper"))
+        .arg(Arg::new("body").value_name("BODY").required(true).num_args(1..).help(t(
+            "Each body in quotes, for example \"disc diameter=200mm length=20mm density=7850kg/m^3\"",
+            "Jeder Körper in Anführungszeichen, etwa \"disc diameter=200mm length=20mm density=7850kg/m^3\"",
+        )))
+        .after_help(format!("{head}\n{shapes}{tail}"))
 }
 
 /// The completion script of a shell.

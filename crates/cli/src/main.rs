@@ -8,6 +8,7 @@ mod code;
 mod command;
 mod data;
 mod fault;
+mod inertia;
 mod judge;
 mod table;
 
@@ -43,6 +44,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("data", found)) => data::sheet(found, json, language),
         Some(("catalogue", found)) => data::catalogue(found, json),
         Some(("torsion", found)) => data::torsion(found, json, language),
+        Some(("inertia", found)) => inertia::inertia(found, json, language),
         Some(("schema", _)) => Answer::data(format!("{:#}\n", workbench::schema(language))),
         Some(("completions", found)) => command::completions(found, language),
         Some(("man", found)) => command::man(found, language),

@@ -73,6 +73,7 @@ fn every_command_answers_in_json() {
         &["catalogue", "export", "--format", "json"],
         &["catalogue", "export", "--json"],
         &["schema", "--json"],
+        &["inertia", "point mass=1kg distance=1m", "--json"],
     ] {
         let run = run(arguments);
         assert_eq!(run.code, 0, "{arguments:?}");
@@ -96,6 +97,37 @@ fn exit_codes_tell_fit_misfit_and_no_answer() {
 }
 
 #[test]
+fn the_inertia_of_bodies_and_what_refuses_it() {
+    let run_json = |bodies: &[&str]| {
+        let run = run(&[&["inertia", "--json"], bodies].concat());
+        (run.code, serde_json::from_str::<Value>(&run.out).unwrap())
+    };
+    // By hand: 4 (0.6 · 0.005/12 + 0.6 · 0.08²) = 0.01636 kgm².
+    let (code, value) = run_json(&["box a=50mm b=50mm height=30mm mass=0.6kg distance=80mm count=4"]);
+    assert_eq!((code, value["J"].as_f64(), value["m"].as_f64()), (0, Some(0.01636), Some(2.4)));
+    assert_eq!(value["centre"]["r"].as_f64(), Some(0.0));
+    // One piece of it alone hangs: 0.6 kg · 9.80665 m/s² · 0.08 m.
+    let (_, value) = run_json(&["box a=50mm b=50mm height=30mm mass=0.6 kg distance=80mm angle=-90deg"]);
+    assert!((value["T_gravity_max"].as_f64().unwrap() - 0.470_719_2).abs() < 1e-9, "{value}");
+    assert!((value["centre"]["angle"].as_f64().unwrap() + 90.0).abs() < 1e-9, "{value}");
+    for (bodies, line, column) in [
+        (&["point mass=1kg", "sphere mass=1kg diameter=5"][..], 2, 26),
+        (&["tube outer=5mm inner=5mm length=1mm mass=1kg"], 1, 22),
+        (&["sphere diameter=5mm"], 1, 1),
+        (&["sphere diameter=5mm mass=1kg density=1kg/m^3"], 1, 38),
+        (&["kugel diameter=5mm mass=1kg"], 1, 1),
+        (&[""], 1, 1),
+        (&["point mass=1kg", " "], 2, 2),
+    ] {
+        let (code, value) = run_json(bodies);
+        let first = &value["errors"][0];
+        let place = (first["line"].as_u64(), first["column"].as_u64());
+        assert_eq!((code, place), (2, (Some(line), Some(column))), "{bodies:?} {value}");
+    }
+    assert_eq!(run(&["inertia"]).code, 2);
+}
+
+#[test]
 fn a_pipe_gets_no_colour_and_no_line_is_wider_than_100() {
     for arguments in [
         &["size", "examples/indexing-table.toml", "--all"][..],
@@ -105,6 +137,10 @@ fn a_pipe_gets_no_colour_and_no_line_is_wider_than_100() {
         &["data", "CHA-20A-100-H-C1024-B-EC"],
         &["code", "parse", "CHA-20A-100-H-C1024-B-EC-K-SP", "--lang", "de"],
         &["code", "complete", "CHA-20A-100-H"],
+        &[
+            "inertia",
+            "cylinder diameter=123456mm length=1234567mm density=7850kg/m^3 distance=7m angle=-170deg count=99999",
+        ],
     ] {
         let run = run(arguments);
         assert!(!run.out.contains('\u{1b}') && !run.err.contains('\u{1b}'), "{arguments:?}");

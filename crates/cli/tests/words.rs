@@ -38,6 +38,14 @@ shows! {
     unknown_command: ["siz", "x"];
     missing_file: ["size", "examples/none.toml"];
     schema: ["schema"];
+    inertia_of_a_table: ["inertia", "disc diameter=200mm length=20mm density=7850kg/m^3", "box a=50mm b=50mm height=30mm mass=0.6kg distance=80mm count=4"];
+    inertia_of_an_arm_in_german: ["inertia", "--lang", "de", "tube outer=60mm inner=52mm length=400mm density=2.7g/cm^3 axis=perpendicular distance=250mm angle=90deg", "point mass=3kg distance=450mm angle=90deg"];
+    inertia_as_json: ["inertia", "--json", "disc diameter=200mm length=20mm density=7850kg/m^3", "point mass=0.5kg distance=80mm angle=45deg"];
+    inertia_with_every_fault: ["inertia", "cylinder diameter=200 length=20s densty=7850kg/m^3", "tub outer=50mm", "tube outer=50mm inner=60mm length=0mm mass=1kg density=1kg/dm^3 count=0"];
+    inertia_with_faults_in_german: ["inertia", "--lang", "de", "box a=50mm b=-5mm mass=0,6kg", "point distance=80mm count=2.5", "rod length=80mm axis=parallel density=1kg/l"];
+    inertia_faults_as_json: ["inertia", "--json", "point mass=1kg", "sphere diametre=50mm mass=1kg"];
+    inertia_help: ["inertia", "--help"];
+    inertia_help_in_german: ["inertia", "--help", "--lang", "de"];
 }
 
 #[test]

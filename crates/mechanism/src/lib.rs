@@ -5,24 +5,28 @@
 //! position-dependent torque arise: a [`Rotor`] turns with the output, a [`Linear`] drive moves a mass along a line, a
 //! [`SliderCrank`] does so with a changing lever, a [`Table`] is given point by point.
 
+mod body;
 mod friction;
 mod linear;
 mod rotor;
 mod slider_crank;
 mod table;
 
+pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Shape, inertia};
 pub use friction::Friction;
 pub use linear::{Linear, LinearKind};
 pub use rotor::Rotor;
 pub use slider_crank::SliderCrank;
 pub use table::{Table, TableFault, TablePoint};
 
+use quantities::unit::STANDARD_GRAVITY;
 use quantities::{Force, Mass, Measure, MomentOfInertia, Torque};
 
-/// g_n: standard acceleration of free fall [m/s²].
-///
-/// # Source   ISO 80000-3, exact by definition
-pub const GRAVITY_M_S2: f64 = 9.806_65;
+/// g_n: standard acceleration of free fall [m/s²], exact by definition (ISO 80000-3).
+#[must_use]
+pub fn gravity_m_s2() -> f64 {
+    STANDARD_GRAVITY.to_si(1.0)
+}
 
 /// What a segment of the motion adds to the load.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! A mass along a line, moved in proportion to the angle: screw, belt, rack, conveyor.
 
-use crate::{Extra, GRAVITY_M_S2, Reduced};
+use crate::{Extra, Reduced, gravity_m_s2};
 use quantities::{Angle, Force, Mass, Measure, MomentOfInertia};
 
 /// What makes the line out of the rotation.
@@ -50,12 +50,12 @@ impl Linear {
         let (sine, cosine) = self.inclination.si().sin_cos();
         // A slide at 90° presses on its guide with nothing; the cosine of the rounded angle is no friction.
         let normal = if cosine.abs() < 1e-12 { 0.0 } else { cosine.abs() };
-        let weight = (carried - self.counterweight.si()) * GRAVITY_M_S2 * sine;
+        let weight = (carried - self.counterweight.si()) * gravity_m_s2() * sine;
         Reduced {
             inertia: self.inertia.si() + extra.inertia.si() + (carried + self.counterweight.si()) * k * k,
             slope: 0.0,
             holding: k * (weight + extra.force.si()) + extra.torque.si(),
-            coulomb: k * (self.friction_force.si() + self.friction_coefficient * carried * GRAVITY_M_S2 * normal),
+            coulomb: k * (self.friction_force.si() + self.friction_coefficient * carried * gravity_m_s2() * normal),
         }
     }
 }

@@ -81,7 +81,7 @@ fn a_vertical_screw_carries_the_weight_both_ways() {
     let mut screw = linear(LinearKind::Screw, k, 90.0);
     screw.efficiency_driving = 0.9;
     screw.efficiency_driven = 0.8;
-    let weight = k * 80.0 * GRAVITY_M_S2;
+    let weight = k * 80.0 * gravity_m_s2();
     let up = screw.torque(&out(0.0, 10.0, 0.0, 1.0), &Extra::none());
     let down = screw.torque(&out(0.0, -10.0, 0.0, -1.0), &Extra::none());
     assert!((up - (weight / 0.9 + k * 30.0)).abs() < 1e-12, "the guide carries nothing when vertical");
@@ -122,7 +122,7 @@ fn a_slider_crank_conserves_energy() {
     let energy = |q: f64, w: f64| {
         let h = 1e-5;
         let v = (x(q + h) - x(q - h)) / (2.0 * h) * w;
-        0.5 * 0.02 * w * w + 0.5 * 5.0 * v * v + 5.0 * GRAVITY_M_S2 * deg(35.0).si().sin() * x(q)
+        0.5 * 0.02 * w * w + 0.5 * 5.0 * v * v + 5.0 * gravity_m_s2() * deg(35.0).si().sin() * x(q)
     };
     for step in 0..36 {
         let (q, w, a) = (f64::from(step) * 0.1745, 7.0, 11.0);

@@ -1,6 +1,6 @@
 //! A load that turns with the output: direct, turntable, unbalanced arm.
 
-use crate::{Extra, GRAVITY_M_S2, Reduced};
+use crate::{Extra, Reduced, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
 
 /// A rigid body on the output flange.
@@ -49,7 +49,7 @@ impl Rotor {
         Reduced {
             inertia: self.inertia.si() + extra.inertia.si() + payload * self.payload_radius.si(),
             slope: 0.0,
-            holding: GRAVITY_M_S2 * unbalance * lever + extra.torque.si(),
+            holding: gravity_m_s2() * unbalance * lever + extra.torque.si(),
             coulomb: 0.0,
         }
     }

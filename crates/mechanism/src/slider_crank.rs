@@ -1,6 +1,6 @@
 //! Crank, rod and slider.
 
-use crate::{Extra, GRAVITY_M_S2, Reduced};
+use crate::{Extra, Reduced, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
 
 /// A slider-crank.
@@ -38,7 +38,7 @@ impl SliderCrank {
         let second = -r * cosine + (-r * r * (cosine * cosine - sine * sine) - root_slope * root_slope) / root;
         let mass = self.mass.si() + extra.mass.si();
         // A process force against the positive direction of the slide opposes outward travel, dx > 0.
-        let along = mass * GRAVITY_M_S2 * self.inclination.si().sin() + extra.force.si();
+        let along = mass * gravity_m_s2() * self.inclination.si().sin() + extra.force.si();
         Reduced {
             inertia: self.inertia.si() + extra.inertia.si() + mass * first * first,
             slope: 2.0 * mass * first * second,

@@ -64,6 +64,8 @@ dimensions! {
     Length: a "length", eine "Länge", "50 mm";
     /// Mass, SI unit kg.
     Mass: a "mass", eine "Masse", "3.2 kg";
+    /// Mass per volume, SI unit kg/m³.
+    MassDensity: a "density", eine "Dichte", "7850 kg/m^3";
     /// Force, SI unit N.
     Force: a "force", eine "Kraft", "500 N";
     /// Electric current, SI unit A.

@@ -41,8 +41,8 @@ pub use parse::{Reading, parse, parse_as};
 pub use units::Unit;
 pub use uom::si::f64::{
     Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, ElectricCurrent, ElectricPotential,
-    ElectricalResistance, Energy, Force, Frequency, Inductance, Jerk, Length, Mass, MomentOfInertia, Power, Pressure,
-    Ratio, TemperatureInterval, ThermodynamicTemperature, Time, Torque, Velocity,
+    ElectricalResistance, Energy, Force, Frequency, Inductance, Jerk, Length, Mass, MassDensity, MomentOfInertia,
+    Power, Pressure, Ratio, TemperatureInterval, ThermodynamicTemperature, Time, Torque, Velocity,
 };
 
 /// A language of the program.

@@ -62,6 +62,7 @@ measures! {
     Jerk => Jerk,
     Length => Length,
     Mass => Mass,
+    MassDensity => MassDensity,
     MomentOfInertia => MomentOfInertia,
     Power => Power,
     Pressure => Pressure,

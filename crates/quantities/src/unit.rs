@@ -161,6 +161,13 @@ units! {
         /// 1000 kg.
         TONNE: "t", "t", "t", [], (is ton);
     }
+    MassDensity [MassDensity mass_density] {
+        KILOGRAM_PER_CUBIC_METRE: "kg/m^3", "kg/m³", "kg/m^3", [], (is kilogram_per_cubic_meter);
+        GRAM_PER_CUBIC_CENTIMETRE: "g/cm^3", "g/cm³", "g/cm^3", [], (is gram_per_cubic_centimeter);
+        ///
+        /// 1 kg per 10⁻³ m³.
+        KILOGRAM_PER_CUBIC_DECIMETRE: "kg/dm^3", "kg/dm³", "kg/dm^3", ["kg/l", "kg/L"], (times 1e3);
+    }
     Force [Force force] {
         NEWTON: "N", "N", "N", [], (is newton);
         KILONEWTON: "kN", "kN", "kN", [], (is kilonewton);

@@ -179,7 +179,8 @@ impl Trace {
         }
         let bounds: Vec<f64> = self.extents.iter().map(bound).collect();
         let block = |index: usize| self.nodes.chunks(BLOCK).nth(index).unwrap_or_default();
-        let first = (0..bounds.len()).max_by(|a, b| bounds[*a].total_cmp(&bounds[*b])).unwrap_or(0);
+        let most = bounds.iter().enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b));
+        let first = most.map_or(0, |(index, _)| index);
         scan(block(first), &mut best);
         for (index, bound) in bounds.iter().enumerate() {
             if *bound >= best.0 && index != first {

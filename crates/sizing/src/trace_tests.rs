@@ -149,7 +149,7 @@ fn the_brake_carries_what_the_motor_does_not() {
     };
     let (motor, brake) = (hold(Hold::Motor), hold(Hold::Brake));
     assert!(motor.gram.square([0.0, 1.0, 0.0, 0.0]) > brake.gram.square([0.0, 1.0, 0.0, 0.0]));
-    let expected = 6.0 * mechanism::GRAVITY_M_S2 * 0.35 * 0.5_f64.cos();
+    let expected = 6.0 * mechanism::gravity_m_s2() * 0.35 * 0.5_f64.cos();
     assert!((brake.shares[1].holding - expected).abs() < 1e-9, "{:?}", brake.shares);
     assert_eq!(motor.shares, brake.shares);
 }

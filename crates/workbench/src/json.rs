@@ -1,5 +1,9 @@
 //! The results as JSON values, with the names that scripts rely on.
 
+mod inertia;
+
+pub use inertia::inertia;
+
 use crate::codes::{CodeFault, CodeReading, explain_code};
 use crate::diagnostic::Diagnostic;
 use crate::export::{EXPORT_COLUMNS, export_rows};

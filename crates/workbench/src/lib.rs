@@ -6,6 +6,7 @@
 mod codes;
 mod diagnostic;
 mod export;
+mod inertia;
 pub mod json;
 mod project;
 mod sheet;
@@ -17,6 +18,7 @@ pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, re
 pub use configurator::{Availability, Choice, Unmet};
 pub use diagnostic::{Diagnostic, place};
 pub use export::{EXPORT_COLUMNS, export_rows};
+pub use inertia::{BODY_SHAPES, BodyAnswer, BodyShape, InertiaAnswer, inertia};
 pub use order_code::{Field, OrderCode};
 pub use project::{Assumption, OwnActuator, PROJECT_MAX_BYTES, Project, schema};
 pub use quantities::{self, Language};

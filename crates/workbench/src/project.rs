@@ -3,6 +3,7 @@
 mod load;
 mod read;
 mod schema;
+mod section;
 mod spec;
 
 pub use schema::schema;
@@ -15,7 +16,8 @@ use configurator::Requirements;
 use order_code::{Feedback, Option1, Option2};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{AngularVelocity, Language, Measure, Torque};
-use read::{Reader, Section};
+use read::Reader;
+use section::Section;
 use sizing::{Axis, BearingDuty, OperatingCondition};
 
 /// Largest project file that is read, in bytes.

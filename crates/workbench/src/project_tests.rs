@@ -31,7 +31,7 @@ fn one(text: &str) -> Diagnostic {
 fn a_good_project_is_read() {
     let project = Project::read(GOOD, Language::En).unwrap();
     assert_eq!(project.name, "axis");
-    assert!((project.axis.cycle.duration().si() - 1.3).abs() < 1e-12);
+    assert!((project.axis.motion.duration().si() - 1.3).abs() < 1e-12);
     assert_eq!(
         project.assumptions,
         [Assumption::AmbientWithinRange, Assumption::CoolingPlate, Assumption::NoSupply, Assumption::NoFlangeLoads]
@@ -198,8 +198,11 @@ fn the_schema_knows_every_key_and_refuses_others() {
     let root = schema["properties"].as_object().unwrap();
     assert!(root.contains_key("load") && root.contains_key("motion") && root.contains_key("requirements"));
     assert_eq!(schema["additionalProperties"], false);
-    assert_eq!(schema["required"], serde_json::json!(["format", "load", "motion"]));
-    assert_eq!(root["motion"]["items"]["properties"]["law"]["enum"], serde_json::json!(["manual"]));
+    assert_eq!(schema["required"], serde_json::json!(["format", "motion"]));
+    let laws = root["motion"]["items"]["properties"]["law"]["enum"].as_array().unwrap();
+    let conditions = root["motion"]["items"]["allOf"].as_array().unwrap();
+    assert_eq!(laws.len(), conditions.len(), "every law says which keys it needs");
+    assert_eq!(schema["oneOf"].as_array().unwrap().len(), 2, "load or mechanism");
 }
 
 /// What the CHA tables say of the ambient must not be cited for an actuator of another maker.
@@ -215,4 +218,72 @@ fn the_tables_of_the_catalogue_do_not_speak_for_an_own_actuator() {
     assert_eq!(ambient(&crate::check_own(&project).unwrap()), Some(sizing::Verdict::NotChecked));
     let sizing = crate::size(&project);
     assert!(sizing.candidates.iter().all(|candidate| ambient(candidate) == Some(sizing::Verdict::Fail)));
+}
+
+const HEAD: &str = "format = 1\n";
+
+fn messages(text: &str) -> Vec<String> {
+    Project::read(text, Language::En).unwrap_err().into_iter().map(|fault| fault.message).collect()
+}
+
+#[test]
+fn a_screw_axis_may_be_written_along_its_line() {
+    let text = |distance: &str, speed: &str| {
+        format!(
+            "{HEAD}[mechanism.screw]\nlead = \"20 mm\"\nmass = \"80 kg\"\ninclination = \"90 deg\"\nefficiency = 0.9\n\
+             [[motion]]\nlaw = \"jerk\"\ndistance = \"{distance}\"\nspeed = \"{speed}\"\n\
+             acceleration = \"2 m/s^2\"\njerk = \"50 m/s^3\"\npayload = \"20 kg\"\n\
+             [[motion]]\nlaw = \"dwell\"\ntime = \"0.4 s\"\nhold = \"brake\"\n\
+             [[motion]]\nlaw = \"jerk\"\ndistance = \"-300 mm\"\nspeed = \"0.2 m/s\"\n\
+             acceleration = \"2 m/s^2\"\njerk = \"50 m/s^3\"\n"
+        )
+    };
+    let line = Project::read(&text("300 mm", "0.2 m/s"), Language::En).unwrap();
+    // 300 mm at 20 mm a revolution are 15 revolutions; 0.2 m/s are 10 revolutions a second.
+    let turning = Project::read(&text("15 rev", "10 rev/s"), Language::En).unwrap();
+    let solved = |project: &Project| project.axis.motion.stretches()[0].solved.unwrap();
+    assert!((solved(&line).time.si() - solved(&turning).time.si()).abs() < 1e-12);
+    // T = d/v + v/a + a/j by hand: 1.5 + 0.1 + 0.04.
+    assert!((solved(&line).time.si() - 1.64).abs() < 1e-12);
+    assert!(line.assumptions.contains(&Assumption::LossesDoNotHelp));
+    let one_way = text("300 mm", "0.2 m/s").replace("-300 mm", "-200 mm");
+    assert!(messages(&one_way)[0].contains("does not close"), "{:?}", messages(&one_way));
+    assert!(Project::read(&format!("{one_way}[axis]\nsingle_move = true\n"), Language::En).is_ok());
+}
+
+#[test]
+fn a_turntable_of_bodies_is_the_load_they_sum_to() {
+    let text = |load: &str| format!("{HEAD}{load}\n{}", &GOOD[GOOD.find("[[motion]]").unwrap()..]);
+    let bodies = "[mechanism.turntable]\nbodies = [\"point mass=2kg distance=500mm\", \"point mass=1kg distance=1m\"]";
+    let turntable = Project::read(&text(bodies), Language::En).unwrap();
+    let direct = Project::read(&text("[load]\ninertia = \"1.5 kg m^2\""), Language::En).unwrap();
+    let own = quantities::MomentOfInertia::from_si(0.3);
+    let rms = |project: &Project| project.axis.demand(own).torque_rms.si();
+    assert!((rms(&turntable) / rms(&direct) - 1.0).abs() < 1e-12);
+    let bad = text("[mechanism.turntable]\nbodies = [\"point mass=2kg distance=500mm\", \"cylindr mass=1kg\"]");
+    let fault = Project::read(&bad, Language::En).unwrap_err().remove(0);
+    assert_eq!(&bad[fault.span.clone()], "cylindr");
+}
+
+#[test]
+fn what_does_not_belong_together_is_refused() {
+    let tail = "[[motion]]\nlaw = \"triangle\"\ndistance = \"90 deg\"\ntime = \"1 s\"\n";
+    let both = format!(
+        "{HEAD}[load]\ninertia = \"1 kg m^2\"\n[mechanism.belt]\npulley_diameter = \"80 mm\"\nmass = \"5 kg\"\n{tail}"
+    );
+    assert!(messages(&both)[0].contains("one load"));
+    assert!(messages(&format!("{HEAD}{tail}"))[0].contains("`[load]` is missing"));
+    let load = "[load]\ninertia = \"1 kg m^2\"\n";
+    let of = |motion: &str| messages(&format!("{HEAD}{load}[[motion]]\n{motion}\n")).remove(0);
+    assert!(of("law = \"triangle\"\ndistance = \"90 deg\"").contains("1 quantities do not determine"));
+    assert!(of("law = \"triangle\"\ndistance = \"90 mm\"\ntime = \"1 s\"").contains("no fixed travel"));
+    assert!(
+        of("law = \"triangle\"\ndistance = \"90 deg\"\ntime = \"1 s\"\nrun = \"1 s\"").contains("no meaning with law")
+    );
+    assert!(of("law = \"jerk\"\ndistance = \"90 deg\"").contains("`motion[1].speed` is missing"));
+    assert!(of("law = \"trapezoid\"\ndistance = \"1 rad\"\ntime = \"1 s\"\nspeed = \"0.5 rad/s\"").contains("too low"));
+    assert!(of("law = \"triangle\"\ndistance = \"0 deg\"\ntime = \"1 s\"").contains("must not be zero"));
+    let crank =
+        "[mechanism.slider_crank]\ncrank = \"100 mm\"\nrod = \"90 mm\"\nmass = \"1 kg\"\nstart_angle = \"0 deg\"\n";
+    assert!(messages(&format!("{HEAD}{crank}{tail}"))[0].contains("longer than the crank"));
 }

@@ -1,7 +1,8 @@
 //! From the sections of a project file to mechanism and motion.
 
 use super::Assumption;
-use super::read::{Entry, Reader, Section};
+use super::read::Reader;
+use super::section::{Entry, Section};
 use crate::text::Speak;
 use actuator::FlangeLoad;
 use mechanism::{Extra, Friction, Kind, Linear, LinearKind, Mechanism, Rotor, SliderCrank, Table, TablePoint};
@@ -65,6 +66,17 @@ fn build(name: &str, section: &Section, reader: &mut Reader<'_>, language: Langu
     };
     let kind = match name {
         "load" => Kind::Rotor(Rotor::balanced(section.quantity("inertia")?)),
+        "turntable" => {
+            let bodies = section.bodies("bodies")?;
+            Kind::Rotor(Rotor {
+                inertia: bodies.inertia,
+                mass: bodies.mass,
+                radius: bodies.centre_radius,
+                payload_radius: section.quantity("payload_distance").unwrap_or_else(zero),
+                angle: bodies.centre_angle,
+                tilt: section.quantity("axis_tilt").unwrap_or_else(zero),
+            })
+        }
         "arm" => Kind::Rotor(Rotor {
             inertia: section.quantity("inertia")?,
             mass: section.quantity("mass")?,

@@ -1,133 +1,13 @@
 //! Reads a project file against its description and reports every fault at once.
 
+use super::section::{Entry, Section};
 use super::spec::{Key, Kind, ROOT, Range, Variants};
 use crate::diagnostic::Diagnostic;
 use crate::text::Speak;
-use quantities::{Dimension, Language, Measure};
-use std::collections::BTreeMap;
+use quantities::{Dimension, Language};
 use std::ops::Range as Span;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
-
-/// A value that passed its description.
-#[derive(Clone, Debug)]
-pub(crate) enum Entry {
-    /// SI value of a quantity.
-    Quantity(f64),
-    /// SI value and which dimension it was written in.
-    Along(Dimension, f64),
-    Number(f64),
-    Integer(i64),
-    Bool(bool),
-    Text(String),
-    List(Vec<String>),
-    /// Rows of SI values.
-    Rows(Vec<Vec<f64>>),
-    Table(Section),
-    Tables(Vec<Section>),
-}
-
-/// A table that passed its description.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Section {
-    pub(crate) span: Span<usize>,
-    entries: BTreeMap<&'static str, (Entry, Span<usize>)>,
-    /// Keys that are there, but whose value was refused.
-    refused: Vec<&'static str>,
-}
-
-impl Section {
-    pub(crate) fn get(&self, name: &str) -> Option<&Entry> {
-        self.entries.get(name).map(|(entry, _)| entry)
-    }
-
-    /// Whether a key is there, with a valid value or not.
-    pub(crate) fn has(&self, name: &str) -> bool {
-        self.entries.contains_key(name) || self.refused.contains(&name)
-    }
-
-    /// Whether no value was refused.
-    pub(crate) const fn is_whole(&self) -> bool {
-        self.refused.is_empty()
-    }
-
-    pub(crate) fn span_of(&self, name: &str) -> Span<usize> {
-        self.entries.get(name).map_or_else(|| self.span.clone(), |(_, span)| span.clone())
-    }
-
-    pub(crate) fn quantity<Q: Measure>(&self, name: &str) -> Option<Q> {
-        match self.get(name) {
-            Some(Entry::Quantity(si)) => Some(Q::from_si(*si)),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn along(&self, name: &str) -> Option<(Dimension, f64)> {
-        match self.get(name) {
-            Some(Entry::Along(dimension, si)) => Some((*dimension, *si)),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn rows(&self, name: &str) -> &[Vec<f64>] {
-        match self.get(name) {
-            Some(Entry::Rows(rows)) => rows,
-            _ => &[],
-        }
-    }
-
-    /// The tables within, by name.
-    pub(crate) fn subtables(&self) -> impl Iterator<Item = (&'static str, &Self)> {
-        self.entries.iter().filter_map(|(name, (entry, _))| match entry {
-            Entry::Table(section) => Some((*name, section)),
-            _ => None,
-        })
-    }
-
-    pub(crate) fn text(&self, name: &str) -> Option<&str> {
-        match self.get(name) {
-            Some(Entry::Text(text)) => Some(text),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn list(&self, name: &str) -> &[String] {
-        match self.get(name) {
-            Some(Entry::List(list)) => list,
-            _ => &[],
-        }
-    }
-
-    pub(crate) fn number(&self, name: &str) -> Option<f64> {
-        match self.get(name) {
-            Some(Entry::Number(number)) => Some(*number),
-            #[allow(clippy::cast_precision_loss, reason = "bounded by its description")]
-            Some(Entry::Integer(number)) => Some(*number as f64),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn bool(&self, name: &str) -> Option<bool> {
-        match self.get(name) {
-            Some(Entry::Bool(value)) => Some(*value),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn table(&self, name: &str) -> Option<&Self> {
-        match self.get(name) {
-            Some(Entry::Table(section)) => Some(section),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn tables(&self, name: &str) -> &[Self] {
-        match self.get(name) {
-            Some(Entry::Tables(sections)) => sections,
-            _ => &[],
-        }
-    }
-}
 
 /// Longest free text.
 const TEXT_MAX: usize = 200;
@@ -226,7 +106,7 @@ impl<'t> Reader<'t> {
         if !damaged {
             for key in keys.iter().filter(|key| key.required) {
                 if !table.iter().any(|(name, _)| name.get_ref().as_ref() == key.name) {
-                    let list = matches!(key.kind, Kind::Tables(_) | Kind::Variants(_));
+                    let list = matches!(key.kind, Kind::Variants(_));
                     let message = self.language.missing_key(path, key.name, list);
                     let hint = example(key).map(|line| self.language.for_example(&line));
                     self.fault(span.start..span.start + usize::from(!span.is_empty()), message, hint);
@@ -313,10 +193,8 @@ impl<'t> Reader<'t> {
             (Kind::Table(keys), DeValue::Table(table)) => {
                 Some(Entry::Table(self.section(table, span, keys, path, damaged)))
             }
-            (Kind::Tables(keys), DeValue::Array(items)) => self.tables(items, span, (keys, None), path, damaged),
-            (Kind::Variants(variants), DeValue::Array(items)) => {
-                self.tables(items, span, (variants.keys, Some(variants)), path, damaged)
-            }
+            (Kind::Bodies, DeValue::Array(items)) => self.bodies(items, span, path),
+            (Kind::Variants(variants), DeValue::Array(items)) => self.tables(items, span, variants, path, damaged),
             (_, found) => {
                 let message = self.language.wrong_type(path, &key.kind_words(self.language), found.type_str());
                 let hint = example(key).map(|line| self.language.for_example(&line));
@@ -424,7 +302,7 @@ impl<'t> Reader<'t> {
         &mut self,
         items: &DeArray<'_>,
         span: Span<usize>,
-        (keys, variants): (&'static [Key], Option<&'static Variants>),
+        variants: &'static Variants,
         path: &str,
         damaged: bool,
     ) -> Option<Entry> {
@@ -436,10 +314,8 @@ impl<'t> Reader<'t> {
             let path = format!("{path}[{}]", index + 1);
             match item.get_ref() {
                 DeValue::Table(table) => {
-                    sections.push(self.section(table, item.span(), keys, &path, damaged));
-                    if let Some(variants) = variants {
-                        self.variant(table, item.span(), variants, &path, damaged);
-                    }
+                    sections.push(self.section(table, item.span(), variants.keys, &path, damaged));
+                    self.variant(table, item.span(), variants, &path, damaged);
                 }
                 other => {
                     let message = self.language.wrong_type(&path, &self.language.a_table(), other.type_str());
@@ -450,11 +326,57 @@ impl<'t> Reader<'t> {
         Some(Entry::Tables(sections))
     }
 
+    /// Solid bodies, one text each; a fault is told at the text that has it.
+    fn bodies(&mut self, items: &DeArray<'_>, span: Span<usize>, path: &str) -> Option<Entry> {
+        if items.len() > LIST_MAX {
+            return self.refuse(span, self.language.too_many(path, LIST_MAX));
+        }
+        let mut lines: Vec<(&str, Span<usize>)> = Vec::new();
+        for item in items.iter() {
+            match item.get_ref() {
+                DeValue::String(text) if !text.contains('\n') => lines.push((text, item.span())),
+                other => {
+                    let message = self.language.wrong_type(path, &self.language.a_text(), other.type_str());
+                    self.fault(item.span(), message, None);
+                }
+            }
+        }
+        let text: Vec<&str> = lines.iter().map(|(text, _)| *text).collect();
+        match crate::inertia(&text.join("\n"), self.language) {
+            Ok(answer) => (lines.len() == items.len()).then_some(Entry::Bodies(answer.total)),
+            Err(faults) => {
+                let starts: Vec<usize> = lines
+                    .iter()
+                    .scan(0, |next, (text, _)| {
+                        let start = *next;
+                        *next += text.len() + 1;
+                        Some(start)
+                    })
+                    .collect();
+                for fault in faults {
+                    let line = fault.line.saturating_sub(1);
+                    let (Some((text, whole)), Some(start)) = (lines.get(line), starts.get(line)) else {
+                        self.fault(span.clone(), format!("`{path}`: {}", fault.message), fault.hint);
+                        continue;
+                    };
+                    let part = fault.span.start.saturating_sub(*start)..fault.span.end.saturating_sub(*start);
+                    let place = self.inside(whole, text, part);
+                    self.fault(place, format!("`{path}`: {}", fault.message), fault.hint);
+                }
+                None
+            }
+        }
+    }
+
     /// The keys of a table must be those of its kind.
     fn variant(&mut self, table: &DeTable<'_>, span: Span<usize>, variants: &Variants, path: &str, damaged: bool) {
         let find = |name: &str| table.iter().find(|(key, _)| key.get_ref().as_ref() == name);
         let Some(kind) = find(variants.by).and_then(|(_, value)| value.get_ref().as_str()) else { return };
-        let Some((_, needed, allowed)) = variants.kinds.iter().find(|(name, ..)| *name == kind) else { return };
+        // A misspelt kind is told elsewhere; what it misses is told after the kind that was probably meant.
+        let near = |name: &str| strsim::damerau_levenshtein(name, &kind.chars().take(60).collect::<String>());
+        let nearest = variants.kinds.iter().min_by_key(|(name, ..)| near(name));
+        let Some((_, needed, allowed)) = nearest.filter(|(name, ..)| near(name) * 2 <= name.len()) else { return };
+        let damaged = damaged || self.faults.len() >= FAULTS_MOST;
         if !damaged {
             for name in needed.iter().filter(|name| find(name).is_none()) {
                 let hint = variants.keys.iter().find(|key| key.name == *name).and_then(example);
@@ -557,6 +479,7 @@ pub(crate) fn example(key: &Key) -> Option<String> {
             Some(format!("{name} = [[{}], …]", row.join(", ")))
         }
         Kind::Table(_) => Some(format!("[{name}]")),
-        Kind::Tables(_) | Kind::Variants(_) => Some(format!("[[{name}]]")),
+        Kind::Bodies => Some(format!("{name} = [\"cylinder diameter=300mm length=20mm density=7850kg/m^3\"]")),
+        Kind::Variants(_) => Some(format!("[[{name}]]")),
     }
 }

@@ -12,6 +12,21 @@ pub fn schema(language: Language) -> Value {
     if let Value::Object(map) = &mut root {
         map.insert("$schema".into(), json!("https://json-schema.org/draft/2020-12/schema"));
         map.insert("title".into(), json!("antrieb project"));
+        // Each quantity is described once.
+        let quantities = Dimension::ALL
+            .iter()
+            .map(|dimension| {
+                let spelling = json!({ "type": "string", "pattern": pattern(*dimension) });
+                (format!("{dimension:?}"), spelling)
+            })
+            .collect::<Map<String, Value>>();
+        map.insert("$defs".into(), Value::Object(quantities));
+        // One load: given at the output, or through one mechanism.
+        map.insert("oneOf".into(), json!([{ "required": ["load"] }, { "required": ["mechanism"] }]));
+        if let Some(Value::Object(mechanism)) = map.get_mut("properties").and_then(|all| all.get_mut("mechanism")) {
+            mechanism.insert("minProperties".into(), json!(1));
+            mechanism.insert("maxProperties".into(), json!(1));
+        }
     }
     root
 }
@@ -35,7 +50,7 @@ fn table(keys: &[Key], language: Language) -> Value {
 
 fn kind(key: &Key, language: Language) -> Value {
     match key.kind {
-        Kind::Quantity(dimension, _) => json!({ "type": "string", "pattern": pattern(dimension) }),
+        Kind::Quantity(dimension, _) => reference(dimension),
         Kind::Number(low, high) => json!({ "type": "number", "minimum": low, "maximum": high }),
         Kind::Integer(low, high) if low == high => json!({ "const": low }),
         Kind::Integer(low, high) => json!({ "type": "integer", "minimum": low, "maximum": high }),
@@ -44,14 +59,10 @@ fn kind(key: &Key, language: Language) -> Value {
         Kind::OneOf(words) => json!({ "type": "string", "enum": words }),
         Kind::ListOf(words) => json!({ "type": "array", "items": { "type": "string", "enum": words } }),
         Kind::Along(turning, line, _) => json!({
-            "type": "string",
-            "anyOf": [{ "pattern": pattern(turning) }, { "pattern": pattern(line) }],
+            "anyOf": [reference(turning), reference(line)],
         }),
         Kind::Rows(dimensions) => {
-            let parts: Vec<Value> = dimensions
-                .iter()
-                .map(|dimension| json!({ "type": "string", "pattern": pattern(*dimension) }))
-                .collect();
+            let parts: Vec<Value> = dimensions.iter().map(|dimension| reference(*dimension)).collect();
             json!({
                 "type": "array",
                 "minItems": 2,
@@ -64,7 +75,7 @@ fn kind(key: &Key, language: Language) -> Value {
             })
         }
         Kind::Table(keys) => table(keys, language),
-        Kind::Tables(keys) => json!({ "type": "array", "minItems": 1, "items": table(keys, language) }),
+        Kind::Bodies => json!({ "type": "array", "minItems": 1, "items": { "type": "string" } }),
         Kind::Variants(variants) => {
             let mut items = table(variants.keys, language);
             if let Value::Object(map) = &mut items {
@@ -93,6 +104,11 @@ fn condition(variants: &Variants, (name, needed, allowed): (&str, &[&str], &[&st
         "if": { "properties": { variants.by: { "const": name } }, "required": [variants.by] },
         "then": then,
     })
+}
+
+/// The description of a quantity.
+fn reference(dimension: Dimension) -> Value {
+    json!({ "$ref": format!("#/$defs/{dimension:?}") })
 }
 
 /// Number and unit in the spellings that the reader knows; it also forgives spaces inside a unit.

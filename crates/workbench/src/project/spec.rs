@@ -36,8 +36,8 @@ pub(crate) enum Kind {
     Rows(&'static [Dimension]),
     /// A table.
     Table(&'static [Key]),
-    /// An array of tables.
-    Tables(&'static [Key]),
+    /// Solid bodies, one text each.
+    Bodies,
     /// An array of tables, each of one of several kinds.
     Variants(&'static Variants),
 }
@@ -141,12 +141,22 @@ const START_ANGLE: Key = needed("start_angle", Dimension::Angle, Range::Any, "po
 
 #[rustfmt::skip] // one line per key
 const MECHANISM: &[Key] = &[
+    key("turntable", Kind::Table(TURNTABLE), false, "turntable or drum of solid bodies", "Drehtisch oder Trommel aus Vollkörpern"),
     key("arm", Kind::Table(ARM), false, "unbalanced arm", "unausgewuchteter Arm"),
     key("screw", Kind::Table(SCREW), false, "screw with slide", "Gewindetrieb mit Schlitten"),
     key("belt", Kind::Table(BELT), false, "belt, or rack and pinion, with slide", "Zahnriemen oder Zahnstange mit Schlitten"),
     key("conveyor", Kind::Table(CONVEYOR), false, "conveyor or roller that runs endlessly", "endlos laufendes Förderband oder Walze"),
     key("slider_crank", Kind::Table(SLIDER_CRANK), false, "crank, rod and slider", "Schubkurbel"),
     key("table", Kind::Table(TABLE), false, "inertia and torque over the position", "Massenträgheitsmoment und Moment über der Stellung"),
+];
+
+#[rustfmt::skip] // one line per key
+const TURNTABLE: &[Key] = &[
+    key("bodies", Kind::Bodies, true, "solid bodies as for antrieb inertia", "Vollkörper wie bei antrieb inertia"),
+    quantity("axis_tilt", Dimension::Angle, Range::Any, "tilt of the rotation axis from the vertical; vertical without it", "Neigung der Drehachse gegen die Senkrechte; ohne Angabe senkrecht"),
+    quantity("start_angle", Dimension::Angle, Range::Any, "position in which the motion begins; zero without it", "Stellung, in der die Bewegung beginnt; ohne Angabe null"),
+    quantity("payload_distance", Dimension::Length, Range::NotNegative, "distance of the payload of a segment from the axis", "Abstand der Nutzlast eines Abschnitts von der Drehachse"),
+    FRICTION_TORQUE, VISCOUS_FRICTION, EXTERNAL_TORQUE, EFFICIENCY, EFFICIENCY_BACK,
 ];
 
 #[rustfmt::skip] // one line per key

@@ -289,9 +289,8 @@ impl Speak for Language {
             }
             Kind::Rows(_) => either(self, "a list of points", "Liste von Punkten"),
             Kind::Table(_) => self.a_table(),
-            Kind::Tables(_) | Kind::Variants(_) => {
-                either(self, "an array of tables, [[…]]", "Liste von Tabellen, [[…]]")
-            }
+            Kind::Bodies => either(self, "a list of bodies", "Liste von Körpern"),
+            Kind::Variants(_) => either(self, "an array of tables, [[…]]", "Liste von Tabellen, [[…]]"),
         }
     }
 

@@ -1,0 +1,89 @@
+//! `inertia BODY…`.
+
+use crate::answer::Answer;
+use crate::fault::report;
+use crate::table::{Align, Table};
+use clap::ArgMatches;
+use workbench::quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE};
+use workbench::quantities::{Measure, format_significant};
+use workbench::{InertiaAnswer, Language, json};
+
+/// `antrieb inertia "disc diameter=200mm length=20mm density=7850kg/m^3" …`
+pub(crate) fn inertia(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let bodies: Vec<String> = matches.get_many("body").into_iter().flatten().cloned().collect();
+    // One body a line: the line of a fault is the number of its argument.
+    let text = bodies.join("\n");
+    // In data it has one name in both languages.
+    let name = if as_json { "body" } else { body_word(language) };
+    match workbench::inertia(&text, language) {
+        Ok(answer) if as_json => Answer::data(format!("{:#}\n", json::inertia(&answer))),
+        Ok(answer) => Answer::data(shown(&answer, language)),
+        Err(faults) => report(name, &text, &faults, as_json, language),
+    }
+}
+
+const fn body_word(language: Language) -> &'static str {
+    match language {
+        Language::En => "body",
+        Language::De => "Körper",
+    }
+}
+
+fn shown(answer: &InertiaAnswer, language: Language) -> String {
+    let number = |value: f64| format_significant(value, 4, language);
+    let mut table = Table::new([
+        ("#", Align::Right),
+        (body_word(language), Align::Left),
+        ("z", Align::Right),
+        ("m [kg]", Align::Right),
+        ("r [mm]", Align::Right),
+        ("φ [°]", Align::Right),
+        ("J_own [kgm²]", Align::Right),
+        ("m r² [kgm²]", Align::Right),
+        ("J [kgm²]", Align::Right),
+    ]);
+    for (index, each) in answer.bodies.iter().enumerate() {
+        table.row([
+            (index + 1).to_string(),
+            each.shape.title(language).to_owned(),
+            each.body.count.to_string(),
+            number(each.parts.mass.si()),
+            number(each.body.distance.in_unit(&MILLIMETRE)),
+            number(each.body.angle.in_unit(&DEGREE)),
+            number(each.parts.own.si()),
+            number(each.parts.steiner.si()),
+            number(each.parts.total.si()),
+        ]);
+    }
+    let total = &answer.total;
+    let (inertia, mass) = (number(total.inertia.si()), number(total.mass.si()));
+    let (radius, angle) =
+        (number(total.centre_radius.in_unit(&MILLIMETRE)), number(total.centre_angle.in_unit(&DEGREE)));
+    let gravity = number(total.gravity_torque_max().in_unit(&NEWTON_METRE));
+    let balanced = total.centre_radius.si() <= 0.0;
+    let (meaning, centre) = match language {
+        Language::En => (
+            "m, J_own and m r² of one piece; J = z (J_own + m r²)",
+            if balanced {
+                "centre of mass on the axis of rotation".to_owned()
+            } else {
+                format!(
+                    "centre of mass {radius} mm from the axis of rotation at {angle}°\n\
+                     torque of its weight with the axis horizontal: at most {gravity} Nm"
+                )
+            },
+        ),
+        Language::De => (
+            "m, J_own und m r² eines Stücks; J = z (J_own + m r²)",
+            if balanced {
+                "Schwerpunkt auf der Drehachse".to_owned()
+            } else {
+                format!(
+                    "Schwerpunkt {radius} mm von der Drehachse bei {angle}°\n\
+                     Drehmoment des Gewichts bei waagerechter Achse: höchstens {gravity} Nm"
+                )
+            },
+        ),
+    };
+    format!("{}\n{meaning}\nJ = {inertia} kgm², m = {mass} kg\n{centre}\n", table.render())
+}

@@ -1,0 +1,326 @@
+//! Solid bodies on the axis of rotation: their moments of inertia, mass and centre of mass.
+
+use quantities::unit::STANDARD_GRAVITY;
+use quantities::{Acceleration, Angle, Length, Mass, MassDensity, Measure, MomentOfInertia, Torque, force_of};
+use std::f64::consts::PI;
+
+mod error;
+
+pub use error::{BodyError, BodyFault};
+
+/// How the axis of a cylinder or tube lies against the axis of rotation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Orientation {
+    /// Its axis is parallel to the axis of rotation.
+    #[default]
+    Parallel,
+    /// Its axis is perpendicular to the axis of rotation: a lying cylinder.
+    Perpendicular,
+}
+
+/// The form of a homogeneous body. Each one's moment of inertia is that about the axis through its centre of mass,
+/// parallel to the axis of rotation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Shape {
+    /// Solid cylinder; a disc is a short one.
+    Cylinder {
+        /// d: diameter.
+        diameter: Length,
+        /// L: length along its axis.
+        length: Length,
+        /// How its axis lies.
+        orientation: Orientation,
+    },
+    /// Hollow cylinder.
+    Tube {
+        /// d_o: outer diameter.
+        outer: Length,
+        /// d_i: inner diameter, less than the outer one; zero makes it a cylinder.
+        inner: Length,
+        /// L: length along its axis.
+        length: Length,
+        /// How its axis lies.
+        orientation: Orientation,
+    },
+    /// Cuboid.
+    Box {
+        /// a: one side of the footprint.
+        a: Length,
+        /// b: the other side of the footprint.
+        b: Length,
+        /// h: height, parallel to the axis of rotation.
+        height: Length,
+    },
+    /// Solid circular cone, its axis parallel to the axis of rotation.
+    Cone {
+        /// d: diameter of the base.
+        diameter: Length,
+        /// h: height.
+        height: Length,
+    },
+    /// Solid sphere.
+    Sphere {
+        /// d: diameter.
+        diameter: Length,
+    },
+    /// A mass without extent.
+    PointMass,
+    /// Slender rod, perpendicular to the axis of rotation.
+    Rod {
+        /// L: length.
+        length: Length,
+    },
+}
+
+/// One body, or several equal ones evenly spaced around the axis of rotation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// Its form.
+    pub shape: Shape,
+    /// m: mass of one piece. Either this or the density.
+    pub mass: Option<Mass>,
+    /// ρ: density. Either this or the mass.
+    pub density: Option<MassDensity>,
+    /// r: distance of its centre of mass from the axis of rotation.
+    pub distance: Length,
+    /// φ: direction of its centre in the plane of rotation; with several pieces that of the first.
+    pub angle: Angle,
+    /// z: number of equal pieces, evenly spaced on the circle of radius r.
+    pub count: u32,
+}
+
+/// The parts of one body's inertia.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyInertia {
+    /// m: mass of one piece.
+    pub mass: Mass,
+    /// J_own: of one piece about the parallel axis through its centre of mass.
+    pub own: MomentOfInertia,
+    /// m r² of one piece.
+    pub steiner: MomentOfInertia,
+    /// J = z (J_own + m r²) of all pieces.
+    pub total: MomentOfInertia,
+}
+
+/// The inertia of several bodies together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inertia {
+    /// J: moment of inertia about the axis of rotation.
+    pub inertia: MomentOfInertia,
+    /// m: mass of all.
+    pub mass: Mass,
+    /// r_c: distance of the common centre of mass from the axis of rotation; zero if balanced.
+    pub centre_radius: Length,
+    /// φ_c: its direction, from −180° to 180°; zero if balanced.
+    pub centre_angle: Angle,
+}
+
+/// Moment of inertia, mass and centre of mass of several bodies on one axis of rotation.
+///
+/// J = Σ z (J_own + m r²), m = Σ z m, m r_c e^(jφ_c) = Σ z m r e^(jφ)
+///
+/// # Symbols  z number of pieces, J_own inertia about the own parallel axis \[kgm²\], m mass \[kg\], r distance \[m\],
+/// φ direction \[rad\]
+/// # Source   textbook mechanics: parallel axis theorem (Huygens-Steiner), centre of mass
+/// # Valid    rigid homogeneous bodies; bodies are added as they are, an overlap counts twice. Several evenly spaced
+/// pieces have their common centre on the axis. A centre nearer than 10⁻¹² of Σ z m r / m counts as balanced
+/// # Errors   every fault of every body
+pub fn inertia(bodies: &[Body]) -> Result<Inertia, Vec<BodyFault>> {
+    let mut faults = Vec::new();
+    let (mut total, mut mass, mut moment, mut x, mut y) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    for (index, body) in bodies.iter().enumerate() {
+        match body.inertia() {
+            Ok(parts) => {
+                let pieces = f64::from(body.count);
+                let one = parts.mass.si() * body.distance.si();
+                total += parts.total.si();
+                mass += pieces * parts.mass.si();
+                moment += pieces * one;
+                if body.count == 1 {
+                    let (sin, cos) = body.angle.si().sin_cos();
+                    x += one * cos;
+                    y += one * sin;
+                }
+            }
+            Err(errors) => faults.extend(errors.into_iter().map(|error| BodyFault { body: index, error })),
+        }
+    }
+    if faults.is_empty() && ![total, mass, moment].into_iter().all(f64::is_finite) {
+        faults.push(BodyFault { body: bodies.len().saturating_sub(1), error: BodyError::BeyondNumbers });
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let unbalance = x.hypot(y);
+    let balanced = unbalance <= 1e-12 * moment || mass <= 0.0;
+    Ok(Inertia {
+        inertia: MomentOfInertia::from_si(total),
+        mass: Mass::from_si(mass),
+        centre_radius: Length::from_si(if balanced { 0.0 } else { unbalance / mass }),
+        centre_angle: Angle::from_si(if balanced { 0.0 } else { y.atan2(x) }),
+    })
+}
+
+impl Inertia {
+    /// The largest torque of gravity about a horizontal axis of rotation.
+    ///
+    /// T_g = m g r_c
+    ///
+    /// # Symbols  m mass \[kg\], g standard gravity [m/s²], r_c distance of the centre of mass \[m\]
+    /// # Source   textbook mechanics; g = 9.80665 m/s² (CGPM 1901)
+    /// # Valid    horizontal axis, centre of mass level with it; zero if balanced
+    #[must_use]
+    pub fn gravity_torque_max(&self) -> Torque {
+        (force_of(self.mass, Acceleration::new_in(1.0, &STANDARD_GRAVITY)) * self.centre_radius).into()
+    }
+}
+
+impl Body {
+    /// A single body on the axis of rotation.
+    #[must_use]
+    pub fn on_axis(shape: Shape, mass: Option<Mass>, density: Option<MassDensity>) -> Self {
+        Self { shape, mass, density, distance: Length::from_si(0.0), angle: Angle::from_si(0.0), count: 1 }
+    }
+
+    /// The mass of one piece and its moment of inertia about the axis of rotation, in parts.
+    ///
+    /// J = z (J_own + m r²), m = ρ V if the density is given
+    ///
+    /// # Symbols  as [`inertia()`]; ρ density [kg/m³], V volume \[m³\]
+    /// # Source   textbook mechanics: parallel axis theorem
+    /// # Valid    homogeneous bodies
+    /// # Errors   every fault of the body
+    pub fn inertia(&self) -> Result<BodyInertia, Vec<BodyError>> {
+        let faults = self.faults();
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let mass = match (self.mass, self.density, self.shape.volume_m3()) {
+            (Some(mass), ..) => mass.si(),
+            (None, Some(density), Some(volume)) => density.si() * volume,
+            _ => return Err(vec![BodyError::NoMass]),
+        };
+        let own = mass * self.shape.own_inertia_per_mass_m2();
+        let steiner = mass * self.distance.si() * self.distance.si();
+        let total = f64::from(self.count) * (own + steiner);
+        if !total.is_finite() || !mass.is_finite() {
+            return Err(vec![BodyError::BeyondNumbers]);
+        }
+        Ok(BodyInertia {
+            mass: Mass::from_si(mass),
+            own: MomentOfInertia::from_si(own),
+            steiner: MomentOfInertia::from_si(steiner),
+            total: MomentOfInertia::from_si(total),
+        })
+    }
+
+    /// Everything that is wrong with the body; empty if it can be.
+    #[must_use]
+    pub fn faults(&self) -> Vec<BodyError> {
+        let above_zero = |si: f64| si.is_finite() && si > 0.0;
+        let mut faults: Vec<BodyError> = self
+            .shape
+            .dimensions()
+            .into_iter()
+            .flatten()
+            .filter(|(field, value)| !(above_zero(value.si()) || *field == "inner" && value.si() == 0.0))
+            .map(|(field, value)| BodyError::DimensionOutOfRange { field, value })
+            .collect();
+        if let Shape::Tube { outer, inner, .. } = self.shape
+            && above_zero(outer.si())
+            && above_zero(inner.si())
+            && inner.si() >= outer.si()
+        {
+            faults.push(BodyError::InnerNotBelowOuter { inner, outer });
+        }
+        match (self.mass, self.density) {
+            (None, None) => faults.push(BodyError::NoMass),
+            (Some(mass), Some(density)) => faults.push(BodyError::MassAndDensity { mass, density }),
+            (None, Some(_)) if matches!(self.shape, Shape::PointMass | Shape::Rod { .. }) => {
+                faults.push(BodyError::NoVolume);
+            }
+            _ => {}
+        }
+        faults.extend(self.mass.filter(|mass| !above_zero(mass.si())).map(|mass| BodyError::MassOutOfRange { mass }));
+        let density = self.density.filter(|density| !above_zero(density.si()));
+        faults.extend(density.map(|density| BodyError::DensityOutOfRange { density }));
+        if !(self.distance.si().is_finite() && self.distance.si() >= 0.0) {
+            faults.push(BodyError::DistanceOutOfRange { distance: self.distance });
+        }
+        if !self.angle.si().is_finite() {
+            faults.push(BodyError::AngleNotFinite);
+        }
+        if self.count == 0 {
+            faults.push(BodyError::NoPiece);
+        }
+        faults
+    }
+}
+
+impl Shape {
+    /// The dimensions of the shape with their names.
+    fn dimensions(&self) -> [Option<(&'static str, Length)>; 3] {
+        match *self {
+            Self::Cylinder { diameter, length, .. } => [Some(("diameter", diameter)), Some(("length", length)), None],
+            Self::Tube { outer, inner, length, .. } => {
+                [Some(("outer", outer)), Some(("inner", inner)), Some(("length", length))]
+            }
+            Self::Box { a, b, height } => [Some(("a", a)), Some(("b", b)), Some(("height", height))],
+            Self::Cone { diameter, height } => [Some(("diameter", diameter)), Some(("height", height)), None],
+            Self::Sphere { diameter } => [Some(("diameter", diameter)), None, None],
+            Self::PointMass => [None; 3],
+            Self::Rod { length } => [Some(("length", length)), None, None],
+        }
+    }
+
+    /// Volume; `None` for a point and a slender rod, which have none.
+    ///
+    /// cylinder π/4 d² L · tube π/4 (d_o² − d_i²) L · box a b h · cone π/12 d² h · sphere π/6 d³
+    ///
+    /// # Source   textbook geometry
+    fn volume_m3(&self) -> Option<f64> {
+        let square = |length: Length| length.si() * length.si();
+        match *self {
+            Self::Cylinder { diameter, length, .. } => Some(PI / 4.0 * square(diameter) * length.si()),
+            // The difference of the squares as a product: exact for thin walls too.
+            Self::Tube { outer, inner, length, .. } => {
+                Some(PI / 4.0 * (outer.si() - inner.si()) * (outer.si() + inner.si()) * length.si())
+            }
+            Self::Box { a, b, height } => Some(a.si() * b.si() * height.si()),
+            Self::Cone { diameter, height } => Some(PI / 12.0 * square(diameter) * height.si()),
+            Self::Sphere { diameter } => Some(PI / 6.0 * square(diameter) * diameter.si()),
+            Self::PointMass | Self::Rod { .. } => None,
+        }
+    }
+
+    /// Square of the radius of gyration, J_own/m.
+    ///
+    /// cylinder d²/8, lying d²/16 + L²/12 · tube (d_o² + d_i²)/8, lying (d_o² + d_i²)/16 + L²/12 ·
+    /// box (a² + b²)/12 · cone 3/40 d² · sphere d²/10 · point 0 · rod L²/12
+    ///
+    /// # Source   textbook mechanics: moments of inertia of homogeneous bodies
+    /// # Valid    about the axis through the centre of mass, parallel to the axis of rotation
+    fn own_inertia_per_mass_m2(&self) -> f64 {
+        let square = |length: Length| length.si() * length.si();
+        let round = |squares: f64, length: Length, orientation: Orientation| match orientation {
+            Orientation::Parallel => squares / 8.0,
+            Orientation::Perpendicular => squares / 16.0 + square(length) / 12.0,
+        };
+        match *self {
+            Self::Cylinder { diameter, length, orientation } => round(square(diameter), length, orientation),
+            Self::Tube { outer, inner, length, orientation } => {
+                round(square(outer) + square(inner), length, orientation)
+            }
+            Self::Box { a, b, .. } => (square(a) + square(b)) / 12.0,
+            Self::Cone { diameter, .. } => 0.075 * square(diameter),
+            Self::Sphere { diameter } => square(diameter) / 10.0,
+            Self::PointMass => 0.0,
+            Self::Rod { length } => square(length) / 12.0,
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "body_tests.rs"]
+mod tests;

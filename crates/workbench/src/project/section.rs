@@ -1,0 +1,134 @@
+//! What a project file holds once it passed its description.
+
+use quantities::{Dimension, Measure};
+use std::collections::BTreeMap;
+use std::ops::Range as Span;
+
+/// A value that passed its description.
+#[derive(Clone, Debug)]
+pub(crate) enum Entry {
+    /// SI value of a quantity.
+    Quantity(f64),
+    /// SI value and which dimension it was written in.
+    Along(Dimension, f64),
+    Number(f64),
+    Integer(i64),
+    Bool(bool),
+    Text(String),
+    List(Vec<String>),
+    /// Rows of SI values.
+    Rows(Vec<Vec<f64>>),
+    /// The bodies together.
+    Bodies(mechanism::Inertia),
+    Table(Section),
+    Tables(Vec<Section>),
+}
+
+/// A table that passed its description.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Section {
+    pub(crate) span: Span<usize>,
+    pub(super) entries: BTreeMap<&'static str, (Entry, Span<usize>)>,
+    /// Keys that are there, but whose value was refused.
+    pub(super) refused: Vec<&'static str>,
+}
+
+impl Section {
+    pub(crate) fn get(&self, name: &str) -> Option<&Entry> {
+        self.entries.get(name).map(|(entry, _)| entry)
+    }
+
+    /// Whether a key is there, with a valid value or not.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.entries.contains_key(name) || self.refused.contains(&name)
+    }
+
+    /// Whether no value was refused.
+    pub(crate) const fn is_whole(&self) -> bool {
+        self.refused.is_empty()
+    }
+
+    pub(crate) fn span_of(&self, name: &str) -> Span<usize> {
+        self.entries.get(name).map_or_else(|| self.span.clone(), |(_, span)| span.clone())
+    }
+
+    pub(crate) fn quantity<Q: Measure>(&self, name: &str) -> Option<Q> {
+        match self.get(name) {
+            Some(Entry::Quantity(si)) => Some(Q::from_si(*si)),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn along(&self, name: &str) -> Option<(Dimension, f64)> {
+        match self.get(name) {
+            Some(Entry::Along(dimension, si)) => Some((*dimension, *si)),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn rows(&self, name: &str) -> &[Vec<f64>] {
+        match self.get(name) {
+            Some(Entry::Rows(rows)) => rows,
+            _ => &[],
+        }
+    }
+
+    pub(crate) fn bodies(&self, name: &str) -> Option<&mechanism::Inertia> {
+        match self.get(name) {
+            Some(Entry::Bodies(total)) => Some(total),
+            _ => None,
+        }
+    }
+
+    /// The tables within, by name.
+    pub(crate) fn subtables(&self) -> impl Iterator<Item = (&'static str, &Self)> {
+        self.entries.iter().filter_map(|(name, (entry, _))| match entry {
+            Entry::Table(section) => Some((*name, section)),
+            _ => None,
+        })
+    }
+
+    pub(crate) fn text(&self, name: &str) -> Option<&str> {
+        match self.get(name) {
+            Some(Entry::Text(text)) => Some(text),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn list(&self, name: &str) -> &[String] {
+        match self.get(name) {
+            Some(Entry::List(list)) => list,
+            _ => &[],
+        }
+    }
+
+    pub(crate) fn number(&self, name: &str) -> Option<f64> {
+        match self.get(name) {
+            Some(Entry::Number(number)) => Some(*number),
+            #[allow(clippy::cast_precision_loss, reason = "bounded by its description")]
+            Some(Entry::Integer(number)) => Some(*number as f64),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn bool(&self, name: &str) -> Option<bool> {
+        match self.get(name) {
+            Some(Entry::Bool(value)) => Some(*value),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn table(&self, name: &str) -> Option<&Self> {
+        match self.get(name) {
+            Some(Entry::Table(section)) => Some(section),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn tables(&self, name: &str) -> &[Self] {
+        match self.get(name) {
+            Some(Entry::Tables(sections)) => sections,
+            _ => &[],
+        }
+    }
+}
