@@ -112,7 +112,7 @@ fn short_time_limit(
     speed: AngularVelocity,
     terminal_voltage: Option<ElectricPotential>,
 ) -> Result<ContinuousLimit, Missing> {
-    if let Some(curve) = published_short_time(actuator, terminal_voltage) {
+    if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, terminal_voltage) {
         let upper = at_most(curve.value.at(within(&curve.value, speed)), &actuator.torque_max);
         let limit = Sourced { value: upper, source: curve.source.clone(), grade: curve.grade, errata: curve.errata };
         return Ok(ContinuousLimit { limit, upper });
@@ -151,9 +151,13 @@ fn short_time_limit(
     })
 }
 
-/// The published short-time curve, if it holds at this voltage: from the printed U_M on.
-fn published_short_time(actuator: &Parameters, terminal_voltage: Option<ElectricPotential>) -> Option<&Sourced<Curve>> {
-    let curve = actuator.short_time_curve.known()?;
+/// A published curve, if it holds at this voltage: from the printed U_M on.
+fn at_voltage<'a>(
+    actuator: &Parameters,
+    curve: &'a Datum<Curve>,
+    terminal_voltage: Option<ElectricPotential>,
+) -> Option<&'a Sourced<Curve>> {
+    let curve = curve.known()?;
     let enough = match (terminal_voltage, actuator.terminal_voltage_min.known()) {
         (Some(voltage), Some(least)) => voltage.si() >= least.value.si(),
         _ => true,
@@ -257,8 +261,8 @@ fn s3_curve(
     voltage: Option<ElectricPotential>,
 ) -> Result<PerformanceCurve, Missing> {
     let kind = CurveKind::S3 { duty: Ratio::from_si(duty) };
-    if let Some(curve) = datum.known() {
-        return Ok(published(curve, &actuator.torque_max, kind));
+    if let Some(curve) = at_voltage(actuator, datum, voltage) {
+        return Ok(PerformanceCurve { voltage, ..published(curve, &actuator.torque_max, kind) });
     }
     // Half of the time at rest: the mean speed is half of that under way, and only the mean has its limit at n_N/i.
     let end = speed_max(actuator)?.value.si().min(speed_rated_out(actuator)?.value.si() / duty);
@@ -312,7 +316,7 @@ pub fn intermittent_torque(
 }
 
 fn short_time_curve(actuator: &Parameters, voltage: Option<ElectricPotential>) -> Result<PerformanceCurve, Missing> {
-    if let Some(curve) = published_short_time(actuator, voltage) {
+    if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, voltage) {
         return Ok(PerformanceCurve { voltage, ..published(curve, &actuator.torque_max, CurveKind::ShortTime) });
     }
     let end = speed_max(actuator)?.value;

@@ -141,6 +141,12 @@ fn published_curves_win_and_are_cut_at_the_printed_torque() {
     };
     assert!((at(220.0) - 50.0).abs() < 1e-9);
     assert!(at(160.0) < 40.0, "below the printed voltage the model answers");
+    let actuator = Parameters { s3_curves: [curve(&[(0.0, 42.0), (120.0, 30.0)]), Datum::NotPrinted], ..actuator };
+    let grade = |volts: f64| {
+        let curves = performance_curves(&actuator, Some(ElectricPotential::from_si(volts))).unwrap();
+        curves.get(1).unwrap().grade
+    };
+    assert_eq!((grade(220.0), grade(160.0)), (Grade::Printed, Grade::Estimated));
 }
 
 #[test]
