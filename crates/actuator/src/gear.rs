@@ -16,6 +16,12 @@ pub struct Gear {
     pub rated_torque: Datum<Torque>,
     /// T_A: limit of the cubic mean torque.
     pub average_torque_max: Datum<Torque>,
+    /// T_M: limit of the momentary peak torque, in a collision or an emergency stop.
+    pub collision_torque_max: Datum<Torque>,
+    /// n_in,max: largest input speed of the gear.
+    pub input_speed_max: Datum<AngularVelocity>,
+    /// n_in,av: limit of the mean input speed of the gear.
+    pub input_speed_mean_max: Datum<AngularVelocity>,
 }
 
 impl Gear {
@@ -28,6 +34,9 @@ impl Gear {
             stiffness: [Datum::NotPrinted, Datum::NotPrinted, Datum::NotPrinted],
             rated_torque: Datum::NotPrinted,
             average_torque_max: Datum::NotPrinted,
+            collision_torque_max: Datum::NotPrinted,
+            input_speed_max: Datum::NotPrinted,
+            input_speed_mean_max: Datum::NotPrinted,
         }
     }
 
@@ -115,18 +124,59 @@ const REFERENCE_SPEED_RPM: f64 = 2_000.0;
 /// L_50 / L_10
 const LIFE_RATIO: f64 = 5.0;
 
+/// Life of the wave-generator bearing that half of the gears reach.
+///
+/// L_50 = L_n (n_N / n_in,av) (T_N / T_av)³
+///
+/// # Symbols  n_in,av mean input speed, T_N rated torque, T_av cubic mean torque
+/// # Source   csd-2a-engineering-data; constants in the table gear-life
+/// # Valid    n_in,av > 0 and T_av > 0
+#[must_use]
+pub fn wave_generator_life_l50(rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
+    let speed_rpm = speed_in_mean.si().abs() * 60.0 / std::f64::consts::TAU;
+    let hours = NOMINAL_LIFE_H * REFERENCE_SPEED_RPM / speed_rpm * (rated.si() / mean.si()).powi(3);
+    Time::from_si(hours * 3600.0)
+}
+
 /// Life of the wave-generator bearing that 90 % of the gears reach.
 ///
-/// L_50 = L_n (n_N / n_in,av) (T_N / T_av)³, L_10 = L_50 / 5
+/// L_10 = L_50 / 5
 ///
 /// # Symbols  n_in,av mean input speed, T_N rated torque, T_av cubic mean torque
 /// # Source   csd-2a-engineering-data; constants in the table gear-life
 /// # Valid    n_in,av > 0 and T_av > 0
 #[must_use]
 pub fn wave_generator_life(rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
-    let speed_rpm = speed_in_mean.si().abs() * 60.0 / std::f64::consts::TAU;
-    let hours = NOMINAL_LIFE_H * REFERENCE_SPEED_RPM / speed_rpm * (rated.si() / mean.si()).powi(3) / LIFE_RATIO;
-    Time::from_si(hours * 3600.0)
+    Time::from_si(wave_generator_life_l50(rated, mean, speed_in_mean).si() / LIFE_RATIO)
+}
+
+/// Revolutions of the wave generator's lobes under collision torque that the gear stands.
+const COLLISION_LOAD_CYCLES: f64 = 1e4;
+
+/// Number of collisions that the gear stands.
+///
+/// N = 10⁴ / (2 n i t / 60), at most 10⁴
+///
+/// # Symbols  n output speed during the collision [1/min], i ratio, t duration of one collision \[s\]
+/// # Source   csd-2a-engineering-data, momentary peak torque
+/// # Valid    T ≤ T_M; 10⁴ also for a collision without motion
+#[must_use]
+pub fn collision_count_max(speed_out: AngularVelocity, ratio: f64, duration: Time) -> f64 {
+    let turns_in = speed_out.si().abs() * ratio * duration.si() / std::f64::consts::TAU;
+    // The wave generator has two lobes: each of its turns loads a tooth twice.
+    (COLLISION_LOAD_CYCLES / (2.0 * turns_in)).min(COLLISION_LOAD_CYCLES)
+}
+
+/// Output speed at which the wave generator excites a natural frequency.
+///
+/// 2 i n / 60 = f
+///
+/// # Symbols  n output speed [1/min], i ratio, f natural frequency \[Hz\]
+/// # Source   docs/theory/gear.md; the two lobes of the wave generator push twice a turn
+/// # Valid    i > 0
+#[must_use]
+pub fn resonance_speed(frequency: Frequency, ratio: f64) -> AngularVelocity {
+    AngularVelocity::from_si(std::f64::consts::PI * frequency.si() / ratio)
 }
 
 #[cfg(test)]
@@ -194,5 +244,30 @@ mod tests {
         let life = |mean| wave_generator_life(Torque::from_si(25.0), Torque::from_si(mean), speed).in_unit(&HOUR);
         assert!((life(25.0) - 7000.0).abs() < 1e-6);
         assert!((life(50.0) - 875.0).abs() < 1e-6);
+    }
+
+    /// 5 1/min at the output, i = 100, 0.15 s: 10⁴ / (2 · 5 · 100 · 0.15 / 60) = 4000; never more than 10⁴.
+    #[test]
+    fn the_number_of_collisions_by_hand() {
+        let speed = |n| AngularVelocity::new_in(n, &REVOLUTION_PER_MINUTE);
+        let count = |n, t| collision_count_max(speed(n), 100.0, Time::from_si(t));
+        assert!((count(5.0, 0.15) - 4000.0).abs() < 1e-9);
+        assert!((count(-5.0, 0.15) - 4000.0).abs() < 1e-9);
+        assert_eq!(count(0.0, 0.15), 1e4);
+        assert_eq!(count(0.1, 0.01), 1e4);
+    }
+
+    /// 2 · 100 · 6 / 60 = 20 Hz.
+    #[test]
+    fn the_wave_generator_pushes_twice_a_turn() {
+        let speed = resonance_speed(Frequency::from_si(20.0), 100.0);
+        assert!((speed.in_unit(&REVOLUTION_PER_MINUTE) - 6.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn half_of_the_gears_live_five_times_as_long() {
+        let speed = AngularVelocity::new_in(2000.0, &REVOLUTION_PER_MINUTE);
+        let rated = Torque::from_si(25.0);
+        assert!((wave_generator_life_l50(rated, rated, speed).in_unit(&HOUR) - 35_000.0).abs() < 1e-6);
     }
 }

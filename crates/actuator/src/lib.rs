@@ -1,15 +1,32 @@
 //! The physics of one actuator, from parameter structs: a printed actuator, a user's own and a measured one run
 //! the same code. Everything is referred to the output unless a name says `motor`.
 
+mod accuracy;
+mod battery;
+mod brake;
 mod curve;
+mod feedback;
 mod gear;
 mod motor;
 mod output_bearing;
+mod overload;
 mod parameters;
+mod plane;
+mod screw_joint;
+mod temperature;
 mod voltage;
 
+pub use accuracy::{
+    Accuracy, BudgetCase, Contribution, ErrorBudget, ErrorKind, PositionLoop, deviation_at, error_budget,
+};
+pub use battery::{BatteryFault, BatteryLife, battery_life};
+pub use brake::{Brake, EmergencyStop, StopOutcome, emergency_stop, sag_angle, sag_speed};
 pub use curve::{Curve, CurveFault, CurvePoint};
-pub use gear::{Gear, Torsion, cubic_mean_torque, natural_frequency, wave_generator_life};
+pub use feedback::{Feedback, FeedbackSide};
+pub use gear::{
+    Gear, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, resonance_speed, wave_generator_life,
+    wave_generator_life_l50,
+};
 pub use motor::{
     ContinuousLimit, FRICTION_LOSS_SHARE, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT, continuous_torque,
     copper_resistance, current, estimated_continuous_torque, friction_current, speed_max, speed_rated_out,
@@ -18,5 +35,12 @@ pub use output_bearing::{
     BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, mean_load, static_safety,
     tilt_angle, tilting_moment,
 };
+pub use overload::{intermittent_loss_factor, overload_peak, overload_trip_time};
 pub use parameters::Parameters;
+pub use plane::{CurveKind, PerformanceCurve, intermittent_torque, performance_curves, short_time_torque};
+pub use screw_joint::{ScrewJoint, joint_friction_force, joint_utilisation};
+pub use temperature::{
+    CycleTemperatures, HOUSING_TIME_CONSTANT, HOUSING_TIME_CONSTANT_BAND, Temperatures, Thermal,
+    WINDING_RESISTANCE_SHARE, copper_loss,
+};
 pub use voltage::MotorVoltage;

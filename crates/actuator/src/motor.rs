@@ -149,6 +149,31 @@ pub fn continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Resul
 pub fn estimated_continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
     let stall_torque = actuator.stall_torque.require("T_0")?;
     let rated = speed_rated_out(actuator)?;
+    let thermal = thermal_torque(actuator, speed, 1.0, FRICTION_LOSS_SHARE)?.si();
+    let share = speed.si().abs() / rated.value.si();
+    let centre = if share > 1.0 { 0.0 } else { thermal.min(stall_torque.value.si()) };
+    let band = BAND_AT_RATED_SPEED * share.min(1.0);
+    Ok(ContinuousLimit {
+        limit: Sourced {
+            value: Torque::from_si(centre * (1.0 - band)),
+            source: Source::Model { name: "continuous-torque" },
+            grade: Grade::Estimated,
+            errata: stall_torque.errata,
+        },
+        upper: Torque::from_si((centre * (1.0 + BAND_AT_RATED_SPEED)).min(stall_torque.value.si())),
+    })
+}
+
+/// Torque at which the winding gives off a multiple of the loss of standstill; neither T_0 nor T_max counts here.
+///
+/// 1.5 R I² + w P_f = F · 1.5 R I_0², T = k_Tout (I − I_f), never negative; symbols and source as in
+/// [`estimated_continuous_torque`], F the multiple, w the share of the friction loss
+pub(crate) fn thermal_torque(
+    actuator: &Parameters,
+    speed: AngularVelocity,
+    loss_factor: f64,
+    friction_loss_share: f64,
+) -> Result<Torque, Missing> {
     let stall_current = match actuator.stall_current_motor.known() {
         Some(motor) => motor,
         None => actuator.stall_current.require("I_0")?,
@@ -164,24 +189,10 @@ pub fn estimated_continuous_torque(actuator: &Parameters, speed: AngularVelocity
     let friction = friction_current(starting.value, constant.value, speed).si();
     let speed_motor_rad_s = speed.si().abs() * ratio.value;
     let friction_loss_w = friction * torque_constant_motor.value.si() * speed_motor_rad_s;
-    let square = stall_current.value.si().powi(2) - FRICTION_LOSS_SHARE * friction_loss_w / (1.5 * hot.si());
+    let square =
+        loss_factor * stall_current.value.si().powi(2) - friction_loss_share * friction_loss_w / (1.5 * hot.si());
     let counted = if actuator.stall_current_includes_friction { friction } else { friction - starting.value.si() };
-    let share = speed.si().abs() / rated.value.si();
-    let centre = if share > 1.0 || square <= 0.0 {
-        0.0
-    } else {
-        (torque_constant_out.value.si() * (square.sqrt() - counted)).clamp(0.0, stall_torque.value.si())
-    };
-    let band = BAND_AT_RATED_SPEED * share.min(1.0);
-    Ok(ContinuousLimit {
-        limit: Sourced {
-            value: Torque::from_si(centre * (1.0 - band)),
-            source: Source::Model { name: "continuous-torque" },
-            grade: Grade::Estimated,
-            errata: stall_torque.errata,
-        },
-        upper: Torque::from_si((centre * (1.0 + BAND_AT_RATED_SPEED)).min(stall_torque.value.si())),
-    })
+    Ok(Torque::from_si((torque_constant_out.value.si() * (square.max(0.0).sqrt() - counted)).max(0.0)))
 }
 
 #[cfg(test)]

@@ -1,8 +1,12 @@
 //! What is known of one actuator. Every value may be absent, and a check that needs it says so.
 
+use crate::accuracy::Accuracy;
+use crate::brake::Brake;
 use crate::curve::Curve;
+use crate::feedback::{Feedback, FeedbackSide};
 use crate::gear::Gear;
 use crate::output_bearing::OutputBearing;
+use crate::screw_joint::ScrewJoint;
 use provenance::Datum;
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, Length, Mass,
@@ -68,10 +72,26 @@ pub struct Parameters {
     pub ambient_range: Datum<(ThermodynamicTemperature, ThermodynamicTemperature)>,
     /// Continuous-duty curve of the torque-speed plane, where one is published or measured.
     pub continuous_curve: Datum<Curve>,
+    /// Curves of intermittent duty S3 with 50 % and 25 % of operation, where they are published.
+    pub s3_curves: [Datum<Curve>; 2],
+    /// Short-time curve (acceleration and braking), where one is published; holds from the printed terminal voltage on.
+    pub short_time_curve: Datum<Curve>,
     /// The gear.
     pub gear: Gear,
     /// The output bearing.
     pub output_bearing: OutputBearing,
+    /// The brake.
+    pub brake: Brake,
+    /// The feedback on the motor.
+    pub feedback: Feedback,
+    /// The feedback at the output; not applicable without the option.
+    pub feedback_out: Feedback,
+    /// Accuracy of the gear.
+    pub accuracy: Accuracy,
+    /// Screw joint of the load on the output flange.
+    pub screw_joint_load: ScrewJoint,
+    /// Screw joint of the housing.
+    pub screw_joint_housing: ScrewJoint,
 }
 
 impl Parameters {
@@ -107,8 +127,16 @@ impl Parameters {
             terminal_voltage_min: Datum::NotPrinted,
             ambient_range: Datum::NotPrinted,
             continuous_curve: Datum::NotPrinted,
+            s3_curves: [Datum::NotPrinted, Datum::NotPrinted],
+            short_time_curve: Datum::NotPrinted,
             gear: Gear::unknown(),
             output_bearing: OutputBearing::unknown(),
+            brake: Brake::unknown(),
+            feedback: Feedback::unknown(),
+            feedback_out: Feedback::absent(FeedbackSide::Output),
+            accuracy: Accuracy::unknown(),
+            screw_joint_load: ScrewJoint::unknown(),
+            screw_joint_housing: ScrewJoint::unknown(),
         }
     }
 }

@@ -74,6 +74,29 @@ impl MotorVoltage {
         ElectricPotential::from_si((1.5 * (u_d * u_d + u_q * u_q)).sqrt())
     }
 
+    /// Largest current that drives the motor on at a speed and a terminal voltage; `None` where the voltage does not
+    /// even reach the back-EMF with i_d = 0.
+    ///
+    /// (ω_e² L² + R²) i_q² + 2 R ω_e ψ i_q + ω_e² ψ² − ⅔ U² = 0, I = i_q/√2
+    ///
+    /// # Symbols  as in [`MotorVoltage::at`]; U terminal voltage, fundamental, line to line, rms \[V\]
+    /// # Source   docs/theory/short-time-torque.md
+    /// # Valid    as in [`MotorVoltage::at`]; field weakening (i_d < 0) would give more
+    #[must_use]
+    pub fn current_max(&self, speed_out: AngularVelocity, voltage: ElectricPotential) -> Option<ElectricCurrent> {
+        let omega_e = self.pole_pairs * self.ratio * speed_out.si().abs();
+        let (reactance, resistance) = (omega_e * self.inductance_h, self.resistance_ohm);
+        let square = reactance * reactance + resistance * resistance;
+        let emf = omega_e * self.flux_vs;
+        let rest = emf * emf - voltage.si().powi(2) / 1.5;
+        let root = (resistance * emf).powi(2) - square * rest;
+        (rest <= 0.0).then(|| {
+            // The product of the roots is rest/square: this form keeps its digits where both nearly cancel.
+            let i_q = -rest / (resistance * emf + root.max(0.0).sqrt());
+            ElectricCurrent::from_si(i_q / std::f64::consts::SQRT_2)
+        })
+    }
+
     /// The largest terminal voltage over a ramp on which speed and current change linearly from one end to the other.
     ///
     /// Where both grow or both are constant the maximum lies at an end and is exact. Where the current falls while the
@@ -164,5 +187,18 @@ mod tests {
                 assert!(here <= bound + 1e-9, "{n0} {i0} {n1} {i1} {s}: {here} > {bound}");
             }
         }
+    }
+
+    #[test]
+    fn the_largest_current_needs_exactly_the_voltage() {
+        let motor = motor(5.9, 8.0);
+        for n in [0.0, 30.0, 100.0, 120.0] {
+            let current = motor.current_max(rpm(n), ElectricPotential::from_si(220.0)).unwrap();
+            assert!((motor.at(rpm(n), current).si() - 220.0).abs() < 1e-9, "{n}");
+        }
+        // 120 1/min make 138 V of back-EMF.
+        assert!(motor.current_max(rpm(120.0), ElectricPotential::from_si(137.9)).is_none());
+        let nothing = motor.current_max(rpm(120.0), ElectricPotential::from_si(138.000_000_1)).unwrap();
+        assert!(nothing.si() < 1e-6);
     }
 }

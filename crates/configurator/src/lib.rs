@@ -5,6 +5,7 @@
 mod codes;
 mod matrix;
 mod parameters;
+mod parts;
 mod requirements;
 mod rules;
 

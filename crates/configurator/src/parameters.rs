@@ -1,5 +1,6 @@
 //! From an ordering code to the parameters of its actuator.
 
+use crate::parts;
 use actuator::{BearingType, Curve, CurvePoint, Gear, OutputBearing, Parameters};
 use catalogue::Drive;
 use order_code::{Brake, OrderCode, Ratio, Size, Winding};
@@ -57,9 +58,17 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
         dc_link_max: drive.datum("U_DCmax", "", feedback, ratio),
         terminal_voltage_min: terminal_voltage_min(drive, code),
         ambient_range: ambient_range(code.winding),
-        continuous_curve: published_curve(code.size, ratio),
+        continuous_curve: published_curve(code.size, ratio, "continuous"),
         gear: gear(code),
         output_bearing: output_bearing(code),
+        s3_curves: [published_curve(code.size, ratio, "s3_50"), published_curve(code.size, ratio, "s3_25")],
+        short_time_curve: published_curve(code.size, ratio, "maximum"),
+        brake: parts::brake(drive, code),
+        feedback: parts::feedback(code),
+        feedback_out: parts::feedback_out(code),
+        accuracy: parts::accuracy(code),
+        screw_joint_load: parts::screw_joint_load(code),
+        screw_joint_housing: parts::screw_joint_housing(code),
     })
 }
 
@@ -122,7 +131,7 @@ fn plain_number(drive: &Drive, symbol: &str, code: &OrderCode) -> Datum<f64> {
 }
 
 /// A value of the tables headed by size.
-fn by_size<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
+pub(crate) fn by_size<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
     catalogue::size_cell(code.size, code.ratio, symbol).map_or(Datum::NotPrinted, catalogue::datum_of)
 }
 
@@ -134,18 +143,28 @@ fn gear(code: &OrderCode) -> Gear {
         stiffness: [by_size(code, "K_1"), by_size(code, "K_2"), by_size(code, "K_3")],
         rated_torque: published_rating(code, "T_N"),
         average_torque_max: published_rating(code, "T_A"),
+        collision_torque_max: published_rating(code, "T_M"),
+        input_speed_max: published_input_speed(code, "n_in_max"),
+        input_speed_mean_max: published_input_speed(code, "n_in_av"),
     }
 }
 
 /// A rating of the interchangeable gear with the same T_R, from another maker's catalogue.
 fn published_rating(code: &OrderCode, symbol: &str) -> Datum<Torque> {
-    let Some(table) = catalogue::table("gear-ratings") else { return Datum::NotPrinted };
+    published("gear-ratings", symbol, code, code.ratio.as_str())
+}
+
+/// A limit of the input speed of the same gear, printed once for all ratios.
+fn published_input_speed(code: &OrderCode, symbol: &str) -> Datum<AngularVelocity> {
+    published("gear-input-speeds", symbol, code, "")
+}
+
+/// A value of a table by another maker, headed by size.
+fn published<Q: Measure>(table: &str, symbol: &str, code: &OrderCode, ratio: &str) -> Datum<Q> {
+    let Some(table) = catalogue::table(table) else { return Datum::NotPrinted };
     let head = format!("CHA-{}", code.size);
-    let cell = table
-        .cells()
-        .iter()
-        .find(|cell| cell.symbol == symbol && cell.drive == head && cell.ratio == code.ratio.as_str());
-    match cell.map_or(Datum::NotPrinted, catalogue::datum_of::<Torque>) {
+    let cell = table.cells().iter().find(|cell| cell.symbol == symbol && cell.drive == head && cell.ratio == ratio);
+    match cell.map_or(Datum::NotPrinted, catalogue::datum_of::<Q>) {
         Datum::Known(mut known) => {
             if let Source::Cell(cell) = known.source {
                 known.source = Source::Published { document: table.source, cell };
@@ -194,8 +213,9 @@ pub fn published_curve_points(text: &str) -> Option<Vec<(f64, f64)>> {
         .collect()
 }
 
-/// The published continuous curve, which exists for CHA-20A only, and there not for every ratio.
-fn published_curve(size: Size, ratio: Ratio) -> Datum<Curve> {
+/// A published curve (`continuous`, `s3_50`, `s3_25`, `maximum`); they exist for CHA-20A only, and there not for every
+/// ratio.
+fn published_curve(size: Size, ratio: Ratio, which: &str) -> Datum<Curve> {
     if size != Size::S20A {
         return Datum::NotPrinted;
     }
@@ -204,7 +224,7 @@ fn published_curve(size: Size, ratio: Ratio) -> Datum<Curve> {
         .map(catalogue::Table::cells)
         .unwrap_or_default()
         .iter()
-        .find(|cell| cell.condition.starts_with("continuous") && cell.ratio == wanted);
+        .find(|cell| cell.condition == which && cell.ratio == wanted);
     let Some((cell, points)) = cell.and_then(|cell| Some((cell, published_curve_points(cell.corrected)?))) else {
         return Datum::NotPrinted;
     };

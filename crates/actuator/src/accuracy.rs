@@ -1,0 +1,289 @@
+//! Accuracy of the gear, and the budget of all angular errors at the output.
+
+use crate::output_bearing::tilt_angle;
+use crate::parameters::Parameters;
+use provenance::{Datum, Grade, Source, Sourced};
+use quantities::{Angle, Length, Measure, Torque};
+
+/// What is known of the accuracy of the gear, at the output.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Accuracy {
+    /// Transmission accuracy: largest deviation to one side plus the largest to the other over one turn, unloaded.
+    pub transmission_accuracy: Datum<Angle>,
+    /// Repeatability: half the spread of approaches from one side.
+    pub repeatability: Datum<Angle>,
+    /// Hysteresis loss: width of the torsion curve at no torque after full torque to both sides.
+    pub hysteresis_loss: Datum<Angle>,
+    /// Lost motion: width of the torsion curve under a few per cent of the rated torque.
+    pub lost_motion: Datum<Angle>,
+}
+
+impl Accuracy {
+    /// A gear of unknown accuracy.
+    #[must_use]
+    pub const fn unknown() -> Self {
+        Self {
+            transmission_accuracy: Datum::NotPrinted,
+            repeatability: Datum::NotPrinted,
+            hysteresis_loss: Datum::NotPrinted,
+            lost_motion: Datum::NotPrinted,
+        }
+    }
+}
+
+/// A contribution to the angular error at the output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum ErrorKind {
+    /// Transmission accuracy of the gear.
+    TransmissionAccuracy,
+    /// Repeatability of the gear.
+    Repeatability,
+    /// Hysteresis of the gear.
+    Hysteresis,
+    /// Lost motion of the gear.
+    LostMotion,
+    /// Accuracy of the feedback.
+    FeedbackAccuracy,
+    /// Resolution of the feedback.
+    FeedbackResolution,
+    /// Torsion of the gear under torque.
+    Torsion,
+    /// Tilt of the flange under a moment.
+    Tilt,
+}
+
+/// Where the position loop takes its position from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PositionLoop {
+    /// From the motor feedback: the gear's errors are not seen.
+    Motor,
+    /// From a feedback at the output, which sees the gear's errors and lets the loop remove them.
+    Output,
+}
+
+/// What the budget is made for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BudgetCase {
+    /// Torque at the output, whose torsion counts.
+    pub torque: Torque,
+    /// Tilting moment at the flange.
+    pub tilting_moment: Torque,
+    /// Where the position loop is closed.
+    pub position_loop: PositionLoop,
+}
+
+/// One entry of the budget.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contribution {
+    /// What it is.
+    pub kind: ErrorKind,
+    /// How much, at the output, never negative.
+    pub angle: Sourced<Angle>,
+}
+
+/// The budget: what is known, and what is not.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ErrorBudget {
+    /// Contributions that are known.
+    pub contributions: Vec<Contribution>,
+    /// Contributions that belong here but whose data are not known: the sums are then lower bounds.
+    pub missing: Vec<ErrorKind>,
+}
+
+impl ErrorBudget {
+    /// Sum of all contributions: every error at its limit and to the same side.
+    ///
+    /// Σ φ_k
+    #[must_use]
+    pub fn worst_case(&self) -> Angle {
+        Angle::from_si(self.contributions.iter().map(|entry| entry.angle.value.si()).sum())
+    }
+
+    /// Root of the sum of squares: independent errors, none of them systematic.
+    ///
+    /// √(Σ φ_k²)
+    #[must_use]
+    pub fn root_sum_square(&self) -> Angle {
+        let squares: f64 = self.contributions.iter().map(|entry| entry.angle.value.si().powi(2)).sum();
+        Angle::from_si(squares.sqrt())
+    }
+
+    /// The worst grade among the contributions.
+    #[must_use]
+    pub fn grade(&self) -> Grade {
+        self.contributions.iter().map(|entry| entry.angle.grade).fold(Grade::Computed, Grade::worst)
+    }
+}
+
+/// Displacement that a small angle makes at the end of a lever.
+///
+/// s = φ r
+///
+/// # Symbols  φ angle \[rad\], r lever arm \[m\]
+/// # Source   definition of the radian
+/// # Valid    small angles
+#[must_use]
+pub fn deviation_at(angle: Angle, lever_arm: Length) -> Length {
+    Length::from_si(angle.si() * lever_arm.si())
+}
+
+/// Angular errors at the output of an actuator.
+///
+/// Gear figures count whole as printed; the feedback on the motor counts divided by i; torsion and tilt are those of the
+/// given torque and moment. A loop closed at the output leaves feedback and tilt only.
+///
+/// # Source   docs/theory/error-budget.md; eqs. 73.1 to 73.3 for the torsion, eq. 76.4 for the tilt
+/// # Valid    static; no thermal growth, no error of the load, of the mount or of the controller
+#[must_use]
+pub fn error_budget(actuator: &Parameters, case: &BudgetCase) -> ErrorBudget {
+    let gear = &actuator.accuracy;
+    let feedback = match case.position_loop {
+        PositionLoop::Motor => &actuator.feedback,
+        PositionLoop::Output => &actuator.feedback_out,
+    };
+    let (torsion, tilt) = (torsion(actuator, case.torque), tilt(actuator, case.tilting_moment));
+    let (accuracy, resolution) = (feedback.accuracy_out(&actuator.ratio), feedback.resolution_out(&actuator.ratio));
+    let of_the_gear = [
+        (ErrorKind::TransmissionAccuracy, &gear.transmission_accuracy),
+        (ErrorKind::Repeatability, &gear.repeatability),
+        (ErrorKind::Hysteresis, &gear.hysteresis_loss),
+        (ErrorKind::LostMotion, &gear.lost_motion),
+        (ErrorKind::Torsion, &torsion),
+    ];
+    let of_the_rest = [
+        (ErrorKind::FeedbackAccuracy, &accuracy),
+        (ErrorKind::FeedbackResolution, &resolution),
+        (ErrorKind::Tilt, &tilt),
+    ];
+    let mut budget = ErrorBudget { contributions: Vec::new(), missing: Vec::new() };
+    let seen = of_the_gear.into_iter().filter(|_| case.position_loop == PositionLoop::Motor);
+    for (kind, datum) in seen.chain(of_the_rest) {
+        match datum.known() {
+            Some(angle) => budget.contributions.push(Contribution { kind, angle: angle.clone() }),
+            None => budget.missing.push(kind),
+        }
+    }
+    budget
+}
+
+/// Torsion under a torque, as an amount.
+fn torsion(actuator: &Parameters, torque: Torque) -> Datum<Angle> {
+    let [k1, k2, k3] = &actuator.gear.stiffness;
+    let grades = [k1, k2, k3].map(|stiffness| stiffness.known().map(|known| known.grade));
+    actuator.gear.torsion().map_or(Datum::NotPrinted, |curve| {
+        Datum::Known(Sourced {
+            value: Angle::from_si(curve.angle(torque).si().abs()),
+            source: Source::Equation { document: "cha-manual", number: "73.1" },
+            grade: grades.into_iter().flatten().fold(Grade::Computed, Grade::worst),
+            errata: &[],
+        })
+    })
+}
+
+/// Tilt under a moment, as an amount.
+fn tilt(actuator: &Parameters, moment: Torque) -> Datum<Angle> {
+    actuator.output_bearing.tilting_stiffness.known().map_or(Datum::NotPrinted, |stiffness| {
+        Datum::Known(Sourced {
+            value: Angle::from_si(tilt_angle(moment, stiffness.value).si().abs()),
+            source: Source::Equation { document: "cha-manual", number: "76.4" },
+            grade: stiffness.grade.worst(Grade::Computed),
+            errata: stiffness.errata,
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::feedback::{Feedback, FeedbackSide};
+    use crate::gear::Gear;
+    use crate::output_bearing::OutputBearing;
+    use provenance::CellRef;
+    use quantities::unit::{ARCMINUTE, ARCSECOND};
+    use quantities::{TiltingStiffness, TorsionalStiffness};
+
+    fn known<T>(value: T) -> Datum<T> {
+        let cell = CellRef { table: "54.1", symbol: "x", condition: "", drive: "", ratio: "" };
+        Datum::Known(Sourced { value, source: Source::Cell(cell), grade: Grade::Printed, errata: &[] })
+    }
+
+    fn minutes(value: f64) -> Datum<Angle> {
+        known(Angle::new_in(value, &ARCMINUTE))
+    }
+
+    fn actuator() -> Parameters {
+        Parameters {
+            ratio: known(100.0),
+            accuracy: Accuracy {
+                transmission_accuracy: minutes(0.8),
+                repeatability: minutes(0.1),
+                hysteresis_loss: minutes(1.0),
+                lost_motion: minutes(1.0),
+            },
+            gear: Gear {
+                torque_1: known(Torque::from_si(29.0)),
+                torque_2: known(Torque::from_si(108.0)),
+                stiffness: [6.7e4, 1.1e5, 1.2e5].map(|k| known(TorsionalStiffness::from_si(k))),
+                ..Gear::unknown()
+            },
+            output_bearing: OutputBearing {
+                tilting_stiffness: known(TiltingStiffness::from_si(4e5)),
+                ..OutputBearing::unknown()
+            },
+            feedback: Feedback {
+                accuracy: known(Angle::new_in(60.0, &ARCSECOND)),
+                resolution: known(Angle::new_in(10.0, &ARCSECOND)),
+                ..Feedback::unknown()
+            },
+            feedback_out: Feedback {
+                side: FeedbackSide::Output,
+                accuracy: known(Angle::new_in(20.0, &ARCSECOND)),
+                ..Feedback::absent(FeedbackSide::Output)
+            },
+            ..Parameters::unknown()
+        }
+    }
+
+    fn case(torque: f64, moment: f64, position_loop: PositionLoop) -> BudgetCase {
+        BudgetCase { torque: Torque::from_si(torque), tilting_moment: Torque::from_si(moment), position_loop }
+    }
+
+    /// 0.8 + 0.1 + 1 + 1 + 0.01 + 1/600 arcmin without load.
+    #[test]
+    fn the_sum_by_hand() {
+        let budget = error_budget(&actuator(), &case(0.0, 0.0, PositionLoop::Motor));
+        assert_eq!(budget.contributions.len(), 8);
+        assert!(budget.missing.is_empty());
+        assert!((budget.worst_case().in_unit(&ARCMINUTE) - (2.91 + 1.0 / 600.0)).abs() < 1e-9);
+        let squares: f64 = 0.64 + 0.01 + 1.0 + 1.0 + 1e-4 + 1.0 / 360_000.0;
+        assert!((budget.root_sum_square().in_unit(&ARCMINUTE) - squares.sqrt()).abs() < 1e-9);
+    }
+
+    /// −29 Nm on 6.7e4 Nm/rad twist by 4.328e-4 rad; 40 Nm on 4e5 Nm/rad tilt by 1e-4 rad; both count without sign.
+    #[test]
+    fn torsion_and_tilt_come_with_the_load() {
+        let idle = error_budget(&actuator(), &case(0.0, 0.0, PositionLoop::Motor)).worst_case().si();
+        let loaded = error_budget(&actuator(), &case(-29.0, -40.0, PositionLoop::Motor)).worst_case().si();
+        assert!((loaded - idle - 29.0 / 6.7e4 - 1e-4).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_loop_at_the_output_sees_the_gear() {
+        let budget = error_budget(&actuator(), &case(29.0, 40.0, PositionLoop::Output));
+        assert!((budget.worst_case().si() - Angle::new_in(20.0, &ARCSECOND).si() - 1e-4).abs() < 1e-12);
+        assert_eq!(budget.missing, [ErrorKind::FeedbackResolution]);
+    }
+
+    #[test]
+    fn what_is_not_known_is_said() {
+        let budget = error_budget(&Parameters::unknown(), &case(1.0, 1.0, PositionLoop::Motor));
+        assert_eq!(budget.missing.len(), 8);
+        assert!(budget.worst_case().si().abs() < 1e-300);
+    }
+
+    #[test]
+    fn half_a_metre_makes_a_length_of_an_angle() {
+        assert!((deviation_at(Angle::from_si(1e-3), Length::from_si(0.5)).si() - 5e-4).abs() < 1e-18);
+    }
+}

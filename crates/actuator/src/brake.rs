@@ -1,0 +1,225 @@
+//! The holding brake: sag while it closes, and the stop of a dead drive.
+//!
+//! A built-in brake holds, it is no safety function: a hanging load needs another one beside it (cha-manual section 2).
+
+use provenance::Datum;
+use quantities::{
+    Angle, AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Measure, MomentOfInertia, Time, Torque,
+};
+
+/// What is known of the brake. Without a brake every datum is [`Datum::NotApplicable`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Brake {
+    /// T_Br: holding torque at the output.
+    pub holding_torque: Datum<Torque>,
+    /// U_Br: nominal voltage, direct.
+    pub voltage: Datum<ElectricPotential>,
+    /// I_OBr: current that opens.
+    pub opening_current: Datum<ElectricCurrent>,
+    /// I_HBr: current that keeps open.
+    pub holding_current: Datum<ElectricCurrent>,
+    /// t_o: time to open.
+    pub opening_time: Datum<Time>,
+    /// t_c: time to close.
+    pub closing_time: Datum<Time>,
+    /// N_brakings: permitted number of applications at standstill.
+    pub brakings_max: Datum<f64>,
+    /// N_emergency: permitted number of stops out of motion.
+    pub emergency_max: Datum<f64>,
+}
+
+impl Brake {
+    /// A brake of which nothing is known.
+    #[must_use]
+    pub const fn unknown() -> Self {
+        Self {
+            holding_torque: Datum::NotPrinted,
+            voltage: Datum::NotPrinted,
+            opening_current: Datum::NotPrinted,
+            holding_current: Datum::NotPrinted,
+            opening_time: Datum::NotPrinted,
+            closing_time: Datum::NotPrinted,
+            brakings_max: Datum::NotPrinted,
+            emergency_max: Datum::NotPrinted,
+        }
+    }
+
+    /// No brake at all.
+    #[must_use]
+    pub const fn absent() -> Self {
+        Self {
+            holding_torque: Datum::NotApplicable,
+            voltage: Datum::NotApplicable,
+            opening_current: Datum::NotApplicable,
+            holding_current: Datum::NotApplicable,
+            opening_time: Datum::NotApplicable,
+            closing_time: Datum::NotApplicable,
+            brakings_max: Datum::NotApplicable,
+            emergency_max: Datum::NotApplicable,
+        }
+    }
+}
+
+/// Angle that an axis at rest sags while its brake closes and nothing else holds it.
+///
+/// φ = ½ (T / J) t_c²
+///
+/// # Symbols  T unbalanced torque at the output \[Nm\], J load and actuator at the output \[kgm²\], t_c closing time \[s\]
+/// # Source   docs/theory/brake.md, uniform acceleration from rest
+/// # Valid    J > 0; no friction, brake without effect before t_c: an upper bound
+#[must_use]
+pub fn sag_angle(inertia_total: MomentOfInertia, torque_unbalanced: Torque, closing_time: Time) -> Angle {
+    Angle::from_si(0.5 * torque_unbalanced.si() / inertia_total.si() * closing_time.si().powi(2))
+}
+
+/// Speed that a sagging axis has when its brake takes hold.
+///
+/// ω = (T / J) t_c
+///
+/// # Symbols  as in [`sag_angle`]
+/// # Source   docs/theory/brake.md
+/// # Valid    J > 0
+#[must_use]
+pub fn sag_speed(inertia_total: MomentOfInertia, torque_unbalanced: Torque, closing_time: Time) -> AngularVelocity {
+    AngularVelocity::from_si(torque_unbalanced.si() / inertia_total.si() * closing_time.si())
+}
+
+/// How a stop by the brake alone ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StopOutcome {
+    /// The axis comes to rest and stays.
+    Stops(EmergencyStop),
+    /// The driving torque is not below the holding torque: the brake does not stop the axis or cannot hold it.
+    DoesNotStop,
+}
+
+/// A stop by the brake alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EmergencyStop {
+    /// Heat in the brake.
+    pub energy: Energy,
+    /// Path from the failure to rest, both directions counted.
+    pub angle: Angle,
+    /// Time from the failure to rest.
+    pub time: Time,
+    /// Speed when the brake takes hold, positive in the direction of the first speed.
+    pub speed_at_engagement: AngularVelocity,
+}
+
+/// Stop of an axis whose drive gives no torque any more, by the holding brake.
+///
+/// ω_1 = ω_0 + (T_d/J) t_c, then |α| = (T_Br − T_d sgn ω_1)/J:
+/// t = t_c + |ω_1|/|α|, φ = φ(t_c) + ω_1²/(2 |α|), W = T_Br ω_1²/(2 |α|)
+///
+/// # Symbols  ω_0 speed at the failure [rad/s], T_d torque of the load \[Nm\], positive where it drives the motion on,
+///   J load and actuator at the output \[kgm²\], T_Br holding torque at the output \[Nm\], t_c closing time \[s\]
+/// # Source   docs/theory/brake.md, uniform acceleration in two parts
+/// # Valid    J > 0; full torque from t_c on and none before, sliding torque equal to the holding torque, no friction
+#[must_use]
+pub fn emergency_stop(
+    inertia_total: MomentOfInertia,
+    speed: AngularVelocity,
+    holding_torque: Torque,
+    torque_driving: Torque,
+    closing_time: Time,
+) -> StopOutcome {
+    let (brake, t_c, inertia) = (holding_torque.si(), closing_time.si(), inertia_total.si());
+    // Turned so that the first speed is positive.
+    let (omega_0, driving) = (speed.si().abs(), torque_driving.si());
+    if brake <= driving.abs() {
+        return StopOutcome::DoesNotStop;
+    }
+    let alpha = driving / inertia;
+    let omega_1 = omega_0 + alpha * t_c;
+    let falling = if omega_1 >= 0.0 {
+        omega_0 * t_c + 0.5 * alpha * t_c * t_c
+    } else {
+        // The load itself reverses the axis before the brake is closed.
+        let reversal = -omega_0 / alpha;
+        0.5 * omega_0 * reversal + 0.5 * alpha.abs() * (t_c - reversal).powi(2)
+    };
+    let net = if omega_1 >= 0.0 { brake - driving } else { brake + driving };
+    let braking = 0.5 * inertia * omega_1 * omega_1 / net;
+    StopOutcome::Stops(EmergencyStop {
+        energy: Energy::from_si(brake * braking),
+        angle: Angle::from_si(falling + braking),
+        time: Time::from_si(t_c + omega_1.abs() * inertia / net),
+        speed_at_engagement: AngularVelocity::from_si(omega_1),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stop(j: f64, w: f64, brake: f64, driving: f64, t_c: f64) -> StopOutcome {
+        emergency_stop(
+            MomentOfInertia::from_si(j),
+            AngularVelocity::from_si(w),
+            Torque::from_si(brake),
+            Torque::from_si(driving),
+            Time::from_si(t_c),
+        )
+    }
+
+    fn stops(j: f64, w: f64, brake: f64, driving: f64, t_c: f64) -> EmergencyStop {
+        match stop(j, w, brake, driving, t_c) {
+            StopOutcome::Stops(found) => found,
+            StopOutcome::DoesNotStop => panic!("does not stop"),
+        }
+    }
+
+    /// 20 Nm on 2 kgm² for 0.07 s: α = 10 rad/s², φ = 0.0245 rad, ω = 0.7 rad/s.
+    #[test]
+    fn a_hanging_axis_sags_by_half_a_t_squared() {
+        let (j, t, t_c) = (MomentOfInertia::from_si(2.0), Torque::from_si(20.0), Time::from_si(0.07));
+        assert!((sag_angle(j, t, t_c).si() - 0.0245).abs() < 1e-15);
+        assert!((sag_speed(j, t, t_c).si() - 0.7).abs() < 1e-15);
+        assert!((sag_angle(j, -t, t_c).si() + 0.0245).abs() < 1e-15);
+    }
+
+    /// J = 2, ω = 5, T_Br = 45, T_d = 0, t_c = 0.07: coasts 0.35 rad, then 25/45 rad in 10/45 s; heat = ½ J ω² = 25 J.
+    #[test]
+    fn without_a_load_torque_the_heat_is_the_kinetic_energy() {
+        let found = stops(2.0, 5.0, 45.0, 0.0, 0.07);
+        assert!((found.energy.si() - 25.0).abs() < 1e-12);
+        assert!((found.angle.si() - (0.35 + 25.0 / 45.0)).abs() < 1e-12);
+        assert!((found.time.si() - (0.07 + 10.0 / 45.0)).abs() < 1e-12);
+    }
+
+    /// The heat is the kinetic energy at the failure plus what the load put in over the whole path.
+    #[test]
+    fn energy_balance_with_a_driving_and_a_helping_load() {
+        for driving in [-30.0, -10.0, 0.0, 10.0, 30.0, 44.0] {
+            let found = stops(2.0, 5.0, 45.0, driving, 0.07);
+            assert!(found.speed_at_engagement.si() > 0.0);
+            let put_in = 0.5 * 2.0 * 25.0 + driving * found.angle.si();
+            assert!((found.energy.si() - put_in).abs() < 1e-9, "{driving}");
+        }
+    }
+
+    /// ω = 0.1 rad/s against α = −10 rad/s²: reversal at 0.01 s after 0.0005 rad, then 0.06 s backwards, 0.018 rad,
+    /// 0.6 rad/s; then 25 Nm net on 2 kgm²: 0.0144 rad in 0.048 s.
+    #[test]
+    fn a_load_may_reverse_the_axis_before_the_brake_closes() {
+        let found = stops(2.0, 0.1, 45.0, -20.0, 0.07);
+        assert!((found.speed_at_engagement.si() + 0.6).abs() < 1e-12);
+        assert!((found.angle.si() - (0.0005 + 0.018 + 0.0144)).abs() < 1e-12);
+        assert!((found.time.si() - 0.118).abs() < 1e-12);
+    }
+
+    #[test]
+    fn at_rest_the_stop_begins_with_the_sag() {
+        let found = stops(2.0, 0.0, 45.0, 20.0, 0.07);
+        let sag = sag_angle(MomentOfInertia::from_si(2.0), Torque::from_si(20.0), Time::from_si(0.07)).si();
+        // 0.7 rad/s against 25 Nm net: 0.49 / 25 rad more.
+        assert!((found.angle.si() - sag - 0.49 / 25.0).abs() < 1e-12);
+        assert_eq!(stops(2.0, 0.0, 45.0, 0.0, 0.07).energy.si(), 0.0);
+    }
+
+    #[test]
+    fn a_brake_weaker_than_the_load_does_not_stop() {
+        assert_eq!(stop(2.0, 5.0, 45.0, 45.0, 0.07), StopOutcome::DoesNotStop);
+        assert_eq!(stop(2.0, 5.0, 45.0, -50.0, 0.07), StopOutcome::DoesNotStop);
+    }
+}

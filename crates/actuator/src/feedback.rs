@@ -1,0 +1,205 @@
+//! What the position feedback tells: resolution, accuracy, absolute range.
+
+use provenance::{Datum, Grade, Sourced};
+use quantities::{Angle, Measure, Time};
+
+/// The shaft that a feedback sits on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FeedbackSide {
+    /// On the motor: its errors reach the output divided by the ratio.
+    Motor,
+    /// On the output.
+    Output,
+}
+
+/// What is known of one feedback system, at the shaft that it sits on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feedback {
+    /// The shaft it sits on.
+    pub side: FeedbackSide,
+    /// Smallest step, interpolated as the tables assume.
+    pub resolution: Datum<Angle>,
+    /// Step of the absolute position value; not applicable where there is none.
+    pub resolution_absolute: Datum<Angle>,
+    /// Largest deviation to either side.
+    pub accuracy: Datum<Angle>,
+    /// Turns that the absolute value counts before it starts again; not applicable where it counts none.
+    pub turns_absolute: Datum<f64>,
+    /// Whether the position inside one turn is known at once after switching on. Tracks that serve the commutation only
+    /// do not count.
+    pub single_turn_absolute: bool,
+    /// Whether a battery keeps the count of the turns.
+    pub buffered_by_battery: bool,
+    /// Life of that battery that planning takes (an erratum may lower the printed typical one); not applicable without one.
+    pub battery_life_typical: Datum<Time>,
+    /// Recommended interval of replacing an encoder with a battery; not applicable without one.
+    pub exchange_interval: Datum<Time>,
+}
+
+impl Feedback {
+    /// A motor feedback of which nothing is known.
+    #[must_use]
+    pub const fn unknown() -> Self {
+        Self {
+            side: FeedbackSide::Motor,
+            resolution: Datum::NotPrinted,
+            resolution_absolute: Datum::NotPrinted,
+            accuracy: Datum::NotPrinted,
+            turns_absolute: Datum::NotPrinted,
+            single_turn_absolute: false,
+            buffered_by_battery: false,
+            battery_life_typical: Datum::NotPrinted,
+            exchange_interval: Datum::NotPrinted,
+        }
+    }
+
+    /// No feedback on this shaft.
+    #[must_use]
+    pub const fn absent(side: FeedbackSide) -> Self {
+        Self {
+            side,
+            resolution: Datum::NotApplicable,
+            resolution_absolute: Datum::NotApplicable,
+            accuracy: Datum::NotApplicable,
+            turns_absolute: Datum::NotApplicable,
+            single_turn_absolute: false,
+            buffered_by_battery: false,
+            battery_life_typical: Datum::NotApplicable,
+            exchange_interval: Datum::NotApplicable,
+        }
+    }
+
+    /// What an angle of the encoder's shaft is at the output: φ_out = φ / i on the motor, φ on the output.
+    fn at_output(&self, angle: &Datum<Angle>, ratio: &Datum<f64>) -> Datum<Angle> {
+        match (angle, ratio.known(), self.side) {
+            (_, _, FeedbackSide::Output) => angle.clone(),
+            (Datum::Known(angle), Some(ratio), FeedbackSide::Motor) => Datum::Known(Sourced {
+                value: Angle::from_si(angle.value.si() / ratio.value),
+                source: angle.source.clone(),
+                grade: angle.grade.worst(ratio.grade).worst(Grade::Computed),
+                errata: angle.errata,
+            }),
+            (Datum::NotApplicable, _, FeedbackSide::Motor) => Datum::NotApplicable,
+            (_, _, FeedbackSide::Motor) => Datum::NotPrinted,
+        }
+    }
+
+    /// Smallest step at the output.
+    ///
+    /// φ_out = φ / i for a feedback on the motor
+    ///
+    /// # Source   docs/theory/feedback.md; agrees with the printed rows within their rounding
+    #[must_use]
+    pub fn resolution_out(&self, ratio: &Datum<f64>) -> Datum<Angle> {
+        self.at_output(&self.resolution, ratio)
+    }
+
+    /// Step of the absolute value at the output, φ / i for a feedback on the motor.
+    #[must_use]
+    pub fn resolution_absolute_out(&self, ratio: &Datum<f64>) -> Datum<Angle> {
+        self.at_output(&self.resolution_absolute, ratio)
+    }
+
+    /// Largest deviation of the feedback at the output, φ / i for a feedback on the motor.
+    #[must_use]
+    pub fn accuracy_out(&self, ratio: &Datum<f64>) -> Datum<Angle> {
+        self.at_output(&self.accuracy, ratio)
+    }
+
+    /// Turns of the output over which the position is absolute.
+    ///
+    /// N_out = N / i for a feedback on the motor that counts N turns, 1/i for one that counts none but codes its turn;
+    /// N or 1 for one on the output; `None` where nothing is absolute or the ratio is not known
+    ///
+    /// # Source   docs/theory/feedback.md; cha-manual prints the whole turns of it
+    #[must_use]
+    pub fn absolute_turns_out(&self, ratio: &Datum<f64>) -> Option<f64> {
+        let turns = match self.turns_absolute.known() {
+            Some(turns) => turns.value,
+            None if self.single_turn_absolute => 1.0,
+            None => return None,
+        };
+        match self.side {
+            FeedbackSide::Motor => Some(turns / ratio.known()?.value),
+            FeedbackSide::Output => Some(turns),
+        }
+    }
+
+    /// Whether an axis that turns on and on in one direction loses its absolute reference when the count overflows:
+    /// the range is no whole number of output turns. `None` where there is no absolute range to lose.
+    ///
+    /// N mod i ≠ 0 on the motor
+    ///
+    /// # Source   docs/theory/feedback.md
+    #[must_use]
+    pub fn endless_axis_loses_reference(&self, ratio: &Datum<f64>) -> Option<bool> {
+        let turns = match self.turns_absolute.known() {
+            Some(turns) => turns.value,
+            None if self.single_turn_absolute => 1.0,
+            None => return None,
+        };
+        match self.side {
+            FeedbackSide::Motor => Some(turns % ratio.known()?.value != 0.0),
+            FeedbackSide::Output => Some(turns.fract() != 0.0),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use provenance::{CellRef, Source};
+    use quantities::unit::ARCSECOND;
+
+    fn known<T>(value: T) -> Datum<T> {
+        let cell = CellRef { table: "58.1", symbol: "x", condition: "", drive: "", ratio: "" };
+        Datum::Known(Sourced { value, source: Source::Cell(cell), grade: Grade::Printed, errata: &[] })
+    }
+
+    /// 4096 turns of 131072 steps, ±60″.
+    fn multi_turn() -> Feedback {
+        Feedback {
+            resolution: known(Angle::from_si(std::f64::consts::TAU / 131_072.0)),
+            accuracy: known(Angle::new_in(60.0, &ARCSECOND)),
+            turns_absolute: known(4096.0),
+            single_turn_absolute: true,
+            ..Feedback::unknown()
+        }
+    }
+
+    fn seconds(angle: &Datum<Angle>) -> f64 {
+        angle.known().unwrap().value.in_unit(&ARCSECOND)
+    }
+
+    /// 1296000″/131072/100 = 0.0989″, printed 0,10; ±0.6″.
+    #[test]
+    fn the_ratio_divides_what_the_motor_sees() {
+        let feedback = multi_turn();
+        assert!((seconds(&feedback.resolution_out(&known(100.0))) - 0.098_877).abs() < 1e-6);
+        assert!((seconds(&feedback.accuracy_out(&known(100.0))) - 0.6).abs() < 1e-12);
+        assert_eq!(feedback.accuracy_out(&Datum::NotPrinted), Datum::NotPrinted);
+        let out = Feedback { side: FeedbackSide::Output, ..multi_turn() };
+        assert!((seconds(&out.accuracy_out(&Datum::NotPrinted)) - 60.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn no_ratio_of_the_series_divides_4096() {
+        for ratio in [30.0, 50.0, 80.0, 100.0, 120.0, 160.0] {
+            assert_eq!(multi_turn().endless_axis_loses_reference(&known(ratio)), Some(true));
+        }
+        assert_eq!(multi_turn().endless_axis_loses_reference(&known(64.0)), Some(false));
+        assert!((multi_turn().absolute_turns_out(&known(50.0)).unwrap() - 81.92).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_is_not_absolute_has_no_range() {
+        assert_eq!(Feedback::unknown().absolute_turns_out(&known(50.0)), None);
+        assert_eq!(Feedback::unknown().endless_axis_loses_reference(&known(50.0)), None);
+        let resolver = Feedback { single_turn_absolute: true, ..Feedback::unknown() };
+        assert!((resolver.absolute_turns_out(&known(50.0)).unwrap() - 0.02).abs() < 1e-15);
+        let absent = Feedback::absent(FeedbackSide::Output);
+        assert_eq!(absent.accuracy_out(&known(50.0)), Datum::NotApplicable);
+        let output = Feedback { side: FeedbackSide::Output, single_turn_absolute: true, ..absent };
+        assert_eq!(output.endless_axis_loses_reference(&Datum::NotPrinted), Some(false));
+    }
+}

@@ -1,0 +1,346 @@
+//! The curves of the torque-speed plane: continuous duty, intermittent duty S3, short time.
+
+use crate::curve::{Curve, CurvePoint};
+use crate::motor::{
+    ContinuousLimit, FRICTION_LOSS_SHARE, WINDING_TIME_CONSTANT, continuous_torque, friction_current, speed_max,
+    speed_rated_out, thermal_torque,
+};
+use crate::overload::intermittent_loss_factor;
+use crate::parameters::Parameters;
+use crate::voltage::MotorVoltage;
+use provenance::{Datum, Grade, Missing, Source, Sourced};
+use quantities::{AngularVelocity, ElectricPotential, Measure, Ratio, Time, Torque};
+
+/// The cycle of intermittent duty in the manual's curves: 1 min, in seconds.
+const S3_CYCLE: f64 = 60.0;
+
+/// Half width of the band of an estimated S3 curve, that of the continuous curve at the rated speed.
+const S3_BAND: f64 = 0.15;
+
+/// Half width of the band of the gear's limit under intermittent duty: the published points lie within.
+const S3_GEAR_BAND: f64 = 0.02;
+
+/// Parts into which an estimated curve is cut.
+const PARTS: u32 = 32;
+
+/// What a curve limits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CurveKind {
+    /// Continuous duty.
+    Continuous,
+    /// Intermittent duty, cycle of one minute.
+    S3 {
+        /// Duty factor.
+        duty: Ratio,
+    },
+    /// Acceleration and braking.
+    ShortTime,
+}
+
+/// A curve of the torque-speed plane, from standstill to its end, where it drops vertically to zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PerformanceCurve {
+    /// What it limits.
+    pub kind: CurveKind,
+    /// Terminal voltage that the curve is drawn for; none: the voltage does not limit it.
+    pub voltage: Option<ElectricPotential>,
+    /// The limit: published, or the lower edge of the estimate's band. The last two points share their speed.
+    pub points: Vec<CurvePoint>,
+    /// Upper edge of the band; none where the curve is published.
+    pub upper: Option<Vec<CurvePoint>>,
+    /// How far the curve can be trusted.
+    pub grade: Grade,
+    /// Where it comes from.
+    pub source: Source,
+}
+
+/// The curves that can be drawn for an actuator: continuous, S3 50 %, S3 25 %, short time, in this order.
+///
+/// Published curves come first and are cut at T_0 or T_max; what is not published is estimated, with its band.
+///
+/// # Source   docs/theory/continuous-torque.md, docs/theory/short-time-torque.md
+/// # Valid    on the plate of table 13.3 at 40 °C; S3 for a cycle of 1 min
+/// # Errors
+/// [`Missing`] with the first datum of the first curve, if not one curve can be drawn.
+pub fn performance_curves(
+    actuator: &Parameters,
+    terminal_voltage: Option<ElectricPotential>,
+) -> Result<Vec<PerformanceCurve>, Missing> {
+    let [half, quarter] = &actuator.s3_curves;
+    let mut first_missing = None;
+    let mut curves = Vec::new();
+    for curve in [
+        continuous_curve(actuator),
+        s3_curve(actuator, half, 0.5, terminal_voltage),
+        s3_curve(actuator, quarter, 0.25, terminal_voltage),
+        short_time_curve(actuator, terminal_voltage),
+    ] {
+        match curve {
+            Ok(curve) => curves.push(curve),
+            Err(missing) => first_missing = first_missing.or(Some(missing)),
+        }
+    }
+    match first_missing {
+        Some(missing) if curves.is_empty() => Err(missing),
+        _ => Ok(curves),
+    }
+}
+
+/// Largest torque that the actuator can give at a speed for a short time, driving, at a terminal voltage if one is given.
+///
+/// T = min(T_max, k_Tout (min(I_max, I_U) − I_f)) for |n| ≤ n_mot,max/i, never negative; zero beyond
+///
+/// # Symbols  I_U largest current of the voltage limit \[A\], see [`MotorVoltage::current_max`], I_f friction current at
+///   30 °C \[A\]
+/// # Source   docs/theory/short-time-torque.md; where a short-time curve is published and the voltage is not below the
+///   printed U_M, that curve
+/// # Valid    driving, i_d = 0; braking allows more
+/// # Errors
+/// [`Missing`] with the first datum that is not known.
+pub fn short_time_torque(
+    actuator: &Parameters,
+    speed: AngularVelocity,
+    terminal_voltage: Option<ElectricPotential>,
+) -> Result<Sourced<Torque>, Missing> {
+    Ok(short_time_limit(actuator, speed, terminal_voltage)?.limit)
+}
+
+/// The short-time torque with its band. The published curves of CHA-20A keep T_max up to n_max, more than I_max with cold
+/// friction gives: the upper edge leaves out I_max and the friction that grows with speed.
+fn short_time_limit(
+    actuator: &Parameters,
+    speed: AngularVelocity,
+    terminal_voltage: Option<ElectricPotential>,
+) -> Result<ContinuousLimit, Missing> {
+    if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, terminal_voltage) {
+        let upper = at_most(curve.value.at(within(&curve.value, speed)), &actuator.torque_max);
+        let limit = Sourced { value: upper, source: curve.source.clone(), grade: curve.grade, errata: curve.errata };
+        return Ok(ContinuousLimit { limit, upper });
+    }
+    let torque_max = actuator.torque_max.require("T_max")?;
+    let end = speed_max(actuator)?;
+    let current_max = actuator.current_max.require("I_max")?;
+    let starting = actuator.no_load_starting_current.require("I_NLS")?;
+    let constant = actuator.no_load_current_constant_30.require("K_INL")?;
+    let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
+    let mut grade = [torque_max.grade, current_max.grade, starting.grade, constant.grade, torque_constant.grade]
+        .into_iter()
+        .fold(Grade::Estimated, Grade::worst);
+    let current_voltage = match terminal_voltage {
+        Some(voltage) => {
+            let motor = MotorVoltage::of(actuator)?;
+            grade = grade.worst(motor.grade);
+            motor.current_max(speed, voltage).map_or(0.0, Measure::si)
+        }
+        None => f64::INFINITY,
+    };
+    let inside = speed.si().abs() <= end.value.si() * (1.0 + 1e-9);
+    let torque = |current: f64| {
+        let torque = (torque_constant.value.si() * current).clamp(0.0, torque_max.value.si());
+        Torque::from_si(if inside { torque } else { 0.0 })
+    };
+    let friction = friction_current(starting.value, constant.value, speed).si();
+    Ok(ContinuousLimit {
+        limit: Sourced {
+            value: torque(current_voltage.min(current_max.value.si()) - friction),
+            source: Source::Model { name: "short-time-torque" },
+            grade,
+            errata: torque_max.errata,
+        },
+        upper: torque(current_voltage - starting.value.si()),
+    })
+}
+
+/// A published curve, if it holds at this voltage: from the printed U_M on.
+fn at_voltage<'a>(
+    actuator: &Parameters,
+    curve: &'a Datum<Curve>,
+    terminal_voltage: Option<ElectricPotential>,
+) -> Option<&'a Sourced<Curve>> {
+    let curve = curve.known()?;
+    let enough = match (terminal_voltage, actuator.terminal_voltage_min.known()) {
+        (Some(voltage), Some(least)) => voltage.si() >= least.value.si(),
+        _ => true,
+    };
+    enough.then_some(curve)
+}
+
+/// A speed that exceeds the end of a curve by rounding only, taken back to the end.
+fn within(curve: &Curve, speed: AngularVelocity) -> AngularVelocity {
+    let end = curve.points().last().map_or(0.0, |point| point.speed.si());
+    let speed = speed.si().abs();
+    AngularVelocity::from_si(if speed <= end * (1.0 + 1e-9) { speed.min(end) } else { speed })
+}
+
+fn at_most(torque: Torque, limit: &Datum<Torque>) -> Torque {
+    Torque::from_si(limit.known().map_or(torque.si(), |limit| torque.si().min(limit.value.si())))
+}
+
+/// Corner points cut at a torque; where a straight part crosses the cut, a new corner.
+fn cut(points: &[CurvePoint], limit: &Datum<Torque>) -> Vec<CurvePoint> {
+    let mut found: Vec<CurvePoint> = Vec::new();
+    let mut last: Option<CurvePoint> = None;
+    for &point in points {
+        if let (Some(before), Some(limit)) = (last, limit.known()) {
+            let (a, b, level) = (before.torque.si(), point.torque.si(), limit.value.si());
+            if (a - level) * (b - level) < 0.0 {
+                let share = (level - a) / (b - a);
+                let speed = before.speed.si() + share * (point.speed.si() - before.speed.si());
+                found.push(CurvePoint { speed: AngularVelocity::from_si(speed), torque: limit.value });
+            }
+        }
+        found.push(CurvePoint { speed: point.speed, torque: at_most(point.torque, limit) });
+        last = Some(point);
+    }
+    found
+}
+
+/// The vertical drop at the end.
+fn dropped(mut points: Vec<CurvePoint>) -> Vec<CurvePoint> {
+    if let Some(end) = points.last().copied()
+        && end.torque.si() > 0.0
+    {
+        points.push(CurvePoint { speed: end.speed, torque: Torque::from_si(0.0) });
+    }
+    points
+}
+
+fn published(curve: &Sourced<Curve>, limit: &Datum<Torque>, kind: CurveKind) -> PerformanceCurve {
+    PerformanceCurve {
+        kind,
+        voltage: None,
+        points: dropped(cut(curve.value.points(), limit)),
+        upper: None,
+        grade: curve.grade,
+        source: curve.source.clone(),
+    }
+}
+
+/// The speeds at which an estimated curve is computed.
+fn speeds(end: AngularVelocity) -> impl Iterator<Item = AngularVelocity> {
+    (0..=PARTS).map(move |part| AngularVelocity::from_si(end.si() * (f64::from(part) / f64::from(PARTS))))
+}
+
+fn estimated(
+    kind: CurveKind,
+    voltage: Option<ElectricPotential>,
+    end: AngularVelocity,
+    at: impl Fn(AngularVelocity) -> Result<ContinuousLimit, Missing>,
+) -> Result<PerformanceCurve, Missing> {
+    let (mut points, mut upper) = (Vec::new(), Vec::new());
+    let (mut grade, mut source) = (Grade::Estimated, None);
+    for speed in speeds(end) {
+        let limit = at(speed)?;
+        points.push(CurvePoint { speed, torque: limit.limit.value });
+        upper.push(CurvePoint { speed, torque: limit.upper });
+        grade = grade.worst(limit.limit.grade);
+        source = source.or(Some(limit.limit.source));
+    }
+    Ok(PerformanceCurve {
+        kind,
+        voltage,
+        points: dropped(points),
+        upper: Some(dropped(upper)),
+        grade,
+        source: source.unwrap_or(Source::Model { name: "continuous-torque" }),
+    })
+}
+
+fn continuous_curve(actuator: &Parameters) -> Result<PerformanceCurve, Missing> {
+    if let Some(curve) = actuator.continuous_curve.known() {
+        return Ok(published(curve, &actuator.stall_torque, CurveKind::Continuous));
+    }
+    let end = speed_rated_out(actuator)?.value;
+    estimated(CurveKind::Continuous, None, end, |speed| continuous_torque(actuator, speed))
+}
+
+fn s3_curve(
+    actuator: &Parameters,
+    datum: &Datum<Curve>,
+    duty: f64,
+    voltage: Option<ElectricPotential>,
+) -> Result<PerformanceCurve, Missing> {
+    let kind = CurveKind::S3 { duty: Ratio::from_si(duty) };
+    if let Some(curve) = at_voltage(actuator, datum, voltage) {
+        return Ok(PerformanceCurve { voltage, ..published(curve, &actuator.torque_max, kind) });
+    }
+    // Half of the time at rest: the mean speed is half of that under way, and only the mean has its limit at n_N/i.
+    let end = speed_max(actuator)?.value.si().min(speed_rated_out(actuator)?.value.si() / duty);
+    estimated(kind, voltage, AngularVelocity::from_si(end), |speed| {
+        intermittent_torque(actuator, speed, Ratio::from_si(duty), voltage)
+    })
+}
+
+/// Torque of intermittent duty S3 with a cycle of 1 min at a speed, with its band.
+///
+/// 1.5 R I² + w P_f = F · 1.5 R I_0², T = k_Tout (I − I_f), F = (I_S3/I_S1)²;
+/// T ≤ T_A ED^(−1/3) (T_0 in place of T_A where that is not known), T ≤ the short-time torque
+///
+/// # Symbols  ED duty factor, F see [`intermittent_loss_factor`] with τ_w, the others as in
+///   [`crate::estimated_continuous_torque`]
+/// # Source   docs/theory/short-time-torque.md; estimate, calibrated on curves-20A
+/// # Valid    |n| ≤ n_mot,max/i and ED |n| ≤ n_N/i, 0 < ED ≤ 1; rest without loss
+/// # Errors
+/// [`Missing`] with the first datum that is not known.
+pub fn intermittent_torque(
+    actuator: &Parameters,
+    speed: AngularVelocity,
+    duty: Ratio,
+    terminal_voltage: Option<ElectricPotential>,
+) -> Result<ContinuousLimit, Missing> {
+    let factor = intermittent_loss_factor(duty, Time::from_si(S3_CYCLE), Time::from_si(WINDING_TIME_CONSTANT)).si();
+    let thermal = thermal_torque(actuator, speed, factor, FRICTION_LOSS_SHARE)?.si();
+    // Friction warms the gear first; in one minute little of it may reach the winding.
+    let without_friction_loss = thermal_torque(actuator, speed, factor, 0.0)?.si();
+    let short_time = short_time_limit(actuator, speed, terminal_voltage)?;
+    let stall = actuator.stall_torque.require("T_0")?;
+    let rated = speed_rated_out(actuator)?.value.si();
+    let inside = duty.si() * speed.si().abs() <= rated * (1.0 + 1e-9);
+    let average = actuator.gear.average_torque_max.known().map(|known| known.value.si());
+    // T_0 never exceeds T_A: a lower bound where T_A is not known, which the upper edge must not use.
+    let gear = duty.si().powf(-1.0 / 3.0) * average.map_or(stall.value.si(), |average| average.max(stall.value.si()));
+    let gear_upper = if average.is_some() { gear * (1.0 + S3_GEAR_BAND) } else { f64::INFINITY };
+    let bounded = |torque: f64, gear: f64, short_time: Torque| {
+        Torque::from_si(if inside { torque.min(gear).min(short_time.si()) } else { 0.0 })
+    };
+    let upper = without_friction_loss * (1.0 + S3_BAND);
+    Ok(ContinuousLimit {
+        limit: Sourced {
+            value: bounded(thermal * (1.0 - S3_BAND), gear * (1.0 - S3_GEAR_BAND), short_time.limit.value),
+            source: Source::Model { name: "short-time-torque" },
+            grade: short_time.limit.grade.worst(Grade::Estimated),
+            errata: stall.errata,
+        },
+        upper: bounded(upper, gear_upper, short_time.upper),
+    })
+}
+
+fn short_time_curve(actuator: &Parameters, voltage: Option<ElectricPotential>) -> Result<PerformanceCurve, Missing> {
+    if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, voltage) {
+        return Ok(PerformanceCurve { voltage, ..published(curve, &actuator.torque_max, CurveKind::ShortTime) });
+    }
+    let end = speed_max(actuator)?.value;
+    let kind = CurveKind::ShortTime;
+    let mut curve = estimated(kind, voltage, end, |speed| short_time_limit(actuator, speed, voltage))?;
+    let points = &mut curve.points;
+    // The corner where another limit begins, between the last flat point and the next one.
+    let corner = points.iter().zip(points.iter().skip(1)).position(|(a, b)| b.torque.si() < a.torque.si());
+    if let Some(index) = corner
+        && let (Some(flat), Some(fallen)) = (points.get(index).copied(), points.get(index + 1).copied())
+    {
+        let (mut low, mut high) = (flat.speed.si(), fallen.speed.si());
+        for _ in 0..60 {
+            let middle = f64::midpoint(low, high);
+            let torque = short_time_torque(actuator, AngularVelocity::from_si(middle), voltage)?.value;
+            if torque.si() < flat.torque.si() { high = middle } else { low = middle }
+        }
+        if low > flat.speed.si() {
+            points.insert(index + 1, CurvePoint { speed: AngularVelocity::from_si(low), torque: flat.torque });
+        }
+    }
+    Ok(curve)
+}
+
+#[cfg(test)]
+#[path = "plane_tests.rs"]
+mod tests;

@@ -1,0 +1,182 @@
+//! The parts of an actuator beside motor and gear: brake, feedback, accuracy, screw joints.
+
+use crate::parameters::by_size;
+use actuator::{Accuracy, Brake, Feedback, FeedbackSide, ScrewJoint};
+use catalogue::{Cell, Drive, Table};
+use order_code::{Brake as BrakeOrdered, Option1, OrderCode};
+use provenance::{Datum, Grade, Source, Sourced};
+use quantities::{Angle, Measure};
+use std::borrow::Cow;
+
+/// A pure number of a cell.
+pub(crate) fn number_of(cell: Option<&'static Cell>) -> Datum<f64> {
+    match cell.and_then(|cell| Some((cell, cell.limit().number()?))) {
+        Some((cell, value)) => Datum::Known(Sourced {
+            value,
+            source: Source::Cell(cell.reference()),
+            grade: if cell.checks_use.is_some() { Grade::Computed } else { Grade::Printed },
+            errata: cell.errata,
+        }),
+        None => Datum::NotPrinted,
+    }
+}
+
+/// What the tables `*.2` and `*.3` of a drive print about its brake.
+pub(crate) fn brake(drive: &Drive, code: &OrderCode) -> Brake {
+    if code.brake == BrakeOrdered::Without {
+        return Brake::absent();
+    }
+    let (feedback, ratio) = (code.feedback, code.ratio);
+    Brake {
+        holding_torque: drive.datum("T_Br", "", feedback, ratio),
+        voltage: drive.datum("U_Br", "", feedback, ratio),
+        opening_current: drive.datum("I_OBr", "", feedback, ratio),
+        holding_current: drive.datum("I_HBr", "", feedback, ratio),
+        opening_time: drive.datum("t_o", "", feedback, ratio),
+        closing_time: drive.datum("t_c", "", feedback, ratio),
+        brakings_max: number_of(drive.cell("N_brakings", "n = 0", feedback, ratio)),
+        emergency_max: number_of(drive.cell("N_emergency", "", feedback, ratio)),
+    }
+}
+
+/// A cell of the tables of a feedback (section 6.22, 6.25 for EC) that holds at every ratio.
+fn feedback_cell(name: &str, symbol: &str) -> Option<&'static Cell> {
+    catalogue::tables()
+        .iter()
+        .filter(|table| table.section.starts_with("6.22") || table.section.starts_with("6.25"))
+        .flat_map(Table::cells)
+        .find(|cell| cell.feedback == name && cell.symbol == symbol && cell.ratio.is_empty())
+}
+
+/// A full turn divided by a printed number of steps.
+fn step_of(cell: Option<&'static Cell>) -> Datum<Angle> {
+    match number_of(cell) {
+        Datum::Known(steps) => Datum::Known(Sourced {
+            value: Angle::from_si(std::f64::consts::TAU / steps.value),
+            source: steps.source,
+            grade: steps.grade.worst(Grade::Computed),
+            errata: steps.errata,
+        }),
+        _ => Datum::NotPrinted,
+    }
+}
+
+/// A datum that does not apply where its row is not printed.
+fn if_printed<T>(datum: Datum<T>) -> Datum<T> {
+    match datum {
+        Datum::NotPrinted => Datum::NotApplicable,
+        datum => datum,
+    }
+}
+
+/// What section 6.22 prints about the feedback on the motor.
+pub(crate) fn feedback(code: &OrderCode) -> Feedback {
+    use order_code::Feedback::{M128S, M512P, RES};
+    let name = code.feedback.as_str();
+    let cell = |symbol| feedback_cell(name, symbol);
+    let value = |symbol| cell(symbol).map_or(Datum::NotPrinted, catalogue::datum_of);
+    Feedback {
+        side: FeedbackSide::Motor,
+        resolution: step_of(cell("resolution_motor_inc")),
+        resolution_absolute: if_printed(step_of(cell("positions_per_turn"))),
+        accuracy: cell("accuracy").map_or(Datum::NotPrinted, catalogue::datum_of),
+        turns_absolute: if_printed(number_of(cell("turns"))),
+        // The resolver has one pole pair (table 58.2), so its angle is one of a whole turn.
+        single_turn_absolute: matches!(code.feedback, M512P | M128S | RES),
+        buffered_by_battery: cell("turns_memory").is_some(),
+        battery_life_typical: if_printed(value("battery_life_typical")),
+        exchange_interval: if_printed(value("encoder_exchange_interval")),
+    }
+}
+
+/// What table 68.1 prints about the encoder at the output, if the code has it.
+pub(crate) fn feedback_out(code: &OrderCode) -> Feedback {
+    let absent = Feedback::absent(FeedbackSide::Output);
+    if code.option_1 != Some(Option1::EC) {
+        return absent;
+    }
+    let cell = |symbol| feedback_cell("EC", symbol);
+    Feedback {
+        // The rows of the output are printed directly, rounded; this one has no row of its steps.
+        resolution: cell("resolution_out").map_or(Datum::NotPrinted, catalogue::datum_of),
+        resolution_absolute: step_of(cell("positions_per_turn")),
+        accuracy: cell("accuracy").map_or(Datum::NotPrinted, catalogue::datum_of),
+        single_turn_absolute: true,
+        ..absent
+    }
+}
+
+/// What tables 54.1 and 54.2 print about the accuracy of the gear.
+pub(crate) fn accuracy(code: &OrderCode) -> Accuracy {
+    Accuracy {
+        transmission_accuracy: by_size(code, "transmission_accuracy"),
+        repeatability: by_size(code, "repeatability"),
+        hysteresis_loss: by_size(code, "hysteresis_loss"),
+        lost_motion: by_size(code, "lost_motion"),
+    }
+}
+
+/// The rows of table 79.1 about one circle of screws.
+struct JointRows {
+    count: &'static str,
+    size: &'static str,
+    grade: &'static str,
+    bolt_circle: &'static str,
+    tightening_torque: &'static str,
+    transmissible_torque: &'static str,
+}
+
+fn screw_joint(code: &OrderCode, rows: &JointRows) -> ScrewJoint {
+    let cell = |symbol| catalogue::size_cell(code.size, code.ratio, symbol);
+    let text = |symbol| match cell(symbol).filter(|cell| !cell.corrected.is_empty() && cell.corrected != "-") {
+        Some(cell) => Datum::Known(Sourced {
+            value: Cow::Borrowed(cell.corrected),
+            source: Source::Cell(cell.reference()),
+            grade: Grade::Printed,
+            errata: cell.errata,
+        }),
+        None => Datum::NotPrinted,
+    };
+    ScrewJoint {
+        count: number_of(cell(rows.count)),
+        size: text(rows.size),
+        grade: text(rows.grade),
+        bolt_circle: by_size(code, rows.bolt_circle),
+        tightening_torque: by_size(code, rows.tightening_torque),
+        transmissible_torque: by_size(code, rows.transmissible_torque),
+    }
+}
+
+/// The joint of the load on the output flange.
+pub(crate) fn screw_joint_load(code: &OrderCode) -> ScrewJoint {
+    screw_joint(
+        code,
+        &JointRows {
+            count: "screw_count_load",
+            size: "screw_size_load",
+            grade: "screw_grade_load",
+            bolt_circle: "bolt_circle_load",
+            tightening_torque: "tightening_torque_load",
+            transmissible_torque: "transmissible_torque_load",
+        },
+    )
+}
+
+/// The joint of the housing.
+pub(crate) fn screw_joint_housing(code: &OrderCode) -> ScrewJoint {
+    screw_joint(
+        code,
+        &JointRows {
+            count: "screw_count_housing",
+            size: "screw_size_housing",
+            grade: "screw_grade_housing",
+            bolt_circle: "bolt_circle_housing",
+            tightening_torque: "tightening_torque_housing",
+            transmissible_torque: "transmissible_torque_housing",
+        },
+    )
+}
+
+#[cfg(test)]
+#[path = "parts_tests.rs"]
+mod tests;
