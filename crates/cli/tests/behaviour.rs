@@ -7,8 +7,14 @@ use run::{root, run, run_with};
 use serde_json::Value;
 use testkit::agrees;
 
-const EXAMPLES: [&str; 3] =
-    ["examples/indexing-table.toml", "examples/manual-example.toml", "examples/two-way-shuttle.toml"];
+const EXAMPLES: [&str; 6] = [
+    "examples/belt-axis.toml",
+    "examples/indexing-table.toml",
+    "examples/manual-example.toml",
+    "examples/screw-axis.toml",
+    "examples/tilting-arm.toml",
+    "examples/two-way-shuttle.toml",
+];
 
 #[test]
 fn the_examples_are_all_there_and_fit() {
@@ -90,7 +96,9 @@ fn exit_codes_tell_fit_misfit_and_no_answer() {
     assert_eq!(run(&["check", "examples/indexing-table.toml"]).code, 2, "no actuator named");
     assert_eq!(run(&["size"]).code, 2);
     assert_eq!(run(&["--version"]).code, 0);
-    let heavy = std::fs::read_to_string(root().join(EXAMPLES[0])).unwrap().replace("1.3 kg m^2", "1300 kg m^2");
+    let heavy = std::fs::read_to_string(root().join("examples/indexing-table.toml"))
+        .unwrap()
+        .replace("1.3 kg m^2", "1300 kg m^2");
     let run = run_with(&["size", "-"], heavy.as_bytes());
     assert_eq!(run.code, 1);
     assert!(run.out.contains("no actuator of the catalogue fits") && run.out.contains("nearest miss"));

@@ -5,8 +5,8 @@ use actuator::FlangeLoad;
 use mechanism::{Endless, Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion};
 use quantities::{
-    Angle, AngularVelocity, ElectricPotential, Frequency, Measure, MomentOfInertia, ThermodynamicTemperature, Time,
-    Torque,
+    Angle, AngularVelocity, ElectricPotential, Frequency, Length, Measure, MomentOfInertia, Power,
+    ThermodynamicTemperature, Time, Torque,
 };
 
 /// Operating condition of the output bearing (table 76.3).
@@ -72,6 +72,8 @@ pub struct Moments {
     pub load_peak: Torque,
     /// Instant at which it is first reached.
     pub load_peak_at: Time,
+    /// Largest magnitude of the torque that holds the load without friction at any instant of the cycle.
+    pub holding_torque: Torque,
     /// Cubic mean of the torque of the load over the angle travelled: (∫|T|³|ω| dt / ∫|ω| dt)^(1/3).
     pub load_cubic_mean: Torque,
 }
@@ -88,10 +90,11 @@ impl Moments {
             angle_net: Angle::from_si(trace.net),
             angle_swing: Angle::from_si(trace.span.1 - trace.span.0),
             speed_peak: AngularVelocity::from_si(speed),
-            speed_peak_at: Time::from_si(speed_at),
+            speed_peak_at: Time::from_si(speed_at.time),
             inertia_max: MomentOfInertia::from_si(trace.inertia.0),
             load_peak: Torque::from_si(load),
-            load_peak_at: Time::from_si(load_at),
+            load_peak_at: Time::from_si(load_at.time),
+            holding_torque: Torque::from_si(trace.holding),
             load_cubic_mean: Torque::from_si(if travelled > 0.0 { (trace.cubes / travelled).cbrt() } else { 0.0 }),
         }
     }
@@ -115,6 +118,60 @@ impl Moments {
     }
 }
 
+/// What is asked of the actuator beyond carrying the load; without a limit a value is shown and not judged.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Asked {
+    /// Life required of the gear.
+    pub gear_life_min: Option<Time>,
+    /// Torsion of the gear permitted.
+    pub torsion_max: Option<Angle>,
+    /// Least first natural frequency.
+    pub natural_frequency_min: Option<Frequency>,
+    /// Sum of all angular errors permitted at the output.
+    pub angle_error_max: Option<Angle>,
+    /// Distance from the axis at which an error is looked at.
+    pub lever_arm: Option<Length>,
+    /// Deviation permitted there.
+    pub deviation_max: Option<Length>,
+    /// Angle permitted for a stop by the brake alone.
+    pub stop_angle_max: Option<Angle>,
+    /// Number of stops by the brake alone over the life of the axis.
+    pub emergency_stops: Option<f64>,
+    /// Mean power that supply or brake resistor take back.
+    pub regeneration_power_max: Option<Power>,
+    /// Whether the position must be absolute over the whole travel.
+    pub absolute: Option<bool>,
+    /// Largest step of the position at the output.
+    pub resolution_max: Option<Angle>,
+    /// Operation per day, for the battery.
+    pub operation_per_day: Option<Time>,
+    /// Storage before operation, for the battery.
+    pub storage: Option<Time>,
+    /// Life required of the battery.
+    pub battery_life_min: Option<Time>,
+    /// Largest torque of a collision.
+    pub collision_torque: Option<Torque>,
+    /// A field of application that needs the maker's approval.
+    pub special_application: Option<SpecialApplication>,
+}
+
+/// Fields of application that need a risk assessment and the maker's approval.
+///
+/// # Source   cha-manual section 2.4
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names say it")]
+pub enum SpecialApplication {
+    Aerospace,
+    ExplosiveAtmosphere,
+    Nuclear,
+    Vacuum,
+    Household,
+    Medical,
+    HumanContact,
+    LiftingOfPersons,
+    Amusement,
+}
+
 /// Load and motion of one axis, with the moments of its cycle.
 #[derive(Clone, Debug)]
 pub struct Axis {
@@ -130,12 +187,8 @@ pub struct Axis {
     pub bearing: Option<BearingDuty>,
     /// DC link voltage, and the share of U_DC/√2 that the drive can use.
     pub supply: Option<(ElectricPotential, f64)>,
-    /// Life required of the gear.
-    pub gear_life_min: Option<Time>,
-    /// Torsion of the gear permitted.
-    pub torsion_max: Option<Angle>,
-    /// Least first natural frequency asked for.
-    pub natural_frequency_min: Option<Frequency>,
+    /// What else is asked.
+    pub asked: Asked,
     pub(crate) moments: Moments,
     pub(crate) trace: Trace,
 }
@@ -153,9 +206,7 @@ impl Axis {
             ambient: None,
             bearing: None,
             supply: None,
-            gear_life_min: None,
-            torsion_max: None,
-            natural_frequency_min: None,
+            asked: Asked::default(),
             moments,
             trace,
         }

@@ -1,7 +1,7 @@
 //! The answer of one check.
 
 use provenance::{Grade, Source};
-use quantities::{Angle, Time, Torque, Unit};
+use quantities::{Angle, AngularVelocity, Energy, Length, Power, ThermodynamicTemperature, Time, Torque, Unit};
 
 /// Identifier of a check, part of the contract with scripts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -45,9 +45,50 @@ pub enum CheckId {
     TiltAngle,
     /// Ambient temperature against the operating range.
     Ambient,
+    /// Every instant of the cycle against the short-time torque at its speed.
+    TorqueSpeedTrace,
+    /// Temperature of the winding in the steady cycle against its warning threshold.
+    Thermal,
+    /// Filtered square of the current against that of I_0.
+    OverloadI2t,
+    /// Mean input speed of the gear against its limit.
+    GearMeanInputSpeed,
+    /// Torque of a collision against T_M.
+    CollisionTorque,
+    /// Peak speed against the speed at which the wave generator excites the load.
+    ResonanceSpeed,
+    /// Sum of all angular errors against what is permitted.
+    ErrorBudget,
+    /// Torque that holds the load against the holding torque of the brake.
+    BrakeHolding,
+    /// Stop by the brake alone: its angle and number.
+    BrakeEmergency,
+    /// DC link voltage against U_DCmax.
+    DcLink,
+    /// Mean regenerated power against what supply or resistor take.
+    Regeneration,
+    /// Travel against the absolute range of the feedback.
+    FeedbackRange,
+    /// Step of the position at the output against what is asked.
+    FeedbackResolution,
+    /// Life of the encoder's battery against what is asked.
+    Battery,
+    /// Peak torque against what the screws of the load transmit.
+    ScrewJointLoad,
+    /// Peak torque against what the screws of the housing transmit.
+    ScrewJointHousing,
+    /// Field of application against those that need approval.
+    Application,
 }
 
 impl CheckId {
+    /// Whether its utilisation tells a margin that the ranking looks at: not that of a recommendation, nor that of a
+    /// voltage class, which is met or not.
+    #[must_use]
+    pub const fn has_margin(self) -> bool {
+        !matches!(self, Self::InertiaRatio | Self::ResonanceSpeed | Self::DcLink)
+    }
+
     /// The identifier used in data exchange.
     #[must_use]
     pub const fn id(self) -> &'static str {
@@ -71,6 +112,23 @@ impl CheckId {
             Self::BearingStatic => "bearing_static",
             Self::TiltAngle => "tilt_angle",
             Self::Ambient => "ambient",
+            Self::TorqueSpeedTrace => "torque_speed_trace",
+            Self::Thermal => "thermal",
+            Self::OverloadI2t => "overload_i2t",
+            Self::GearMeanInputSpeed => "gear_mean_input_speed",
+            Self::CollisionTorque => "collision_torque",
+            Self::ResonanceSpeed => "resonance_speed",
+            Self::ErrorBudget => "error_budget",
+            Self::BrakeHolding => "brake_holding",
+            Self::BrakeEmergency => "brake_emergency",
+            Self::DcLink => "dc_link",
+            Self::Regeneration => "regeneration",
+            Self::FeedbackRange => "feedback_range",
+            Self::FeedbackResolution => "feedback_resolution",
+            Self::Battery => "battery",
+            Self::ScrewJointLoad => "screw_joint_load",
+            Self::ScrewJointHousing => "screw_joint_housing",
+            Self::Application => "application",
         }
     }
 }
@@ -144,6 +202,62 @@ pub enum Note {
     RatingOfInterchangeableGear,
     /// The permissible loads hold one at a time; together the life and the static safety decide.
     LoadsOneAtATime,
+    /// The winding's temperature is an estimate; from cold it reaches its warning threshold after this time, if ever.
+    WarmUp(Option<Time>),
+    /// The largest temperature of the housing in the steady cycle.
+    Housing(ThermodynamicTemperature),
+    /// The load hangs: a built-in holding brake is no safety brake.
+    HangingLoad,
+    /// While the brake closes the load sags by this angle.
+    Sag(Angle),
+    /// A stop by the brake alone from the peak speed.
+    BrakeStop {
+        /// Angle until rest.
+        angle: Angle,
+        /// Time until rest.
+        time: Time,
+        /// Heat in the brake.
+        energy: Energy,
+        /// How many such stops are permitted, if printed.
+        permitted: Option<f64>,
+    },
+    /// The load drives harder than the brake holds.
+    BrakeDoesNotStop,
+    /// The motion asks for a brake that the actuator does not have.
+    NoBrake,
+    /// Electrical energy of one cycle at the motor terminals.
+    EnergyPerCycle {
+        /// Taken in.
+        motoring: Energy,
+        /// Given back.
+        regenerated: Energy,
+        /// Largest power given back.
+        peak: Power,
+    },
+    /// An axis that turns on and on loses its absolute reference where the count overflows.
+    ReferenceLost,
+    /// The position is not absolute: it must be searched after each switching on.
+    NeedsReferencing,
+    /// The encoder with its battery should be exchanged after the first, must be after the second time.
+    BatteryExchange {
+        /// Recommended.
+        recommended: Time,
+        /// At the latest.
+        latest: Time,
+    },
+    /// The field of application needs a risk assessment and the maker's approval (section 2.4).
+    ApprovalNeeded,
+    /// Output speeds at which the wave generator excites the load in the three regions of stiffness.
+    ResonanceSpeeds([AngularVelocity; 3]),
+    /// The budget by root of squares, and at the lever arm if there is one.
+    Budget {
+        /// Root of the sum of squares.
+        root_sum_square: Angle,
+        /// Worst case at the lever arm.
+        deviation: Option<Length>,
+        /// How many contributions are not known.
+        missing: usize,
+    },
     /// The limit is the safe side of an open contradiction in the print: the erratum.
     Erratum(&'static str),
 }

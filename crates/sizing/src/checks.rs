@@ -2,9 +2,13 @@
 
 use crate::axis::Axis;
 use crate::bearing_checks;
+use crate::brake_checks;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::demand::{Demand, ManualDemand};
+use crate::electric_checks;
+use crate::feedback_checks;
 use crate::gear_checks;
+use crate::joint_checks;
 use crate::trace::{Extent, Node};
 use actuator::{MotorVoltage, Parameters};
 use provenance::{Grade, Missing, Source, Sourced};
@@ -22,7 +26,7 @@ const SHORT_CYCLE_SHARE: f64 = 0.2;
 const VOLTAGE_BETWEEN_NODES: usize = 20_000;
 
 /// Room for all checks of one actuator, so that judging many does not grow one vector after the other.
-const CHECKS_MOST: usize = 24;
+const CHECKS_MOST: usize = 40;
 
 /// Everything there is to say about one actuator for one axis.
 #[derive(Clone, Debug)]
@@ -49,7 +53,7 @@ impl Judgement {
         self.checks.iter().filter(|c| c.verdict == Verdict::Fail).max_by(|a, b| key(a).total_cmp(&key(b)))
     }
 
-    /// The largest utilisation among the checks with a limit (recommendations apart); infinite where a limit of zero
+    /// The largest utilisation among the checks with a margin; infinite where a limit of zero
     /// is exceeded.
     #[must_use]
     pub fn utilisation(&self) -> f64 {
@@ -57,7 +61,11 @@ impl Judgement {
             None if check.verdict == Verdict::Fail && check.id != CheckId::Ambient => f64::INFINITY,
             share => share.unwrap_or(0.0),
         };
-        self.checks.iter().filter(|check| check.id != CheckId::InertiaRatio).map(share).fold(0.0, f64::max)
+        self.checks
+            .iter()
+            .filter(|check| check.id.has_margin() || check.verdict == Verdict::Fail)
+            .map(share)
+            .fold(0.0, f64::max)
     }
 
     /// The check with that utilisation.
@@ -65,14 +73,23 @@ impl Judgement {
     pub fn tightest(&self) -> Option<&Check> {
         self.checks
             .iter()
-            .filter(|check| check.id != CheckId::InertiaRatio && check.utilisation.is_some())
+            .filter(|check| check.id.has_margin() && check.utilisation.is_some())
             .max_by(|a, b| a.utilisation.unwrap_or(0.0).total_cmp(&b.utilisation.unwrap_or(0.0)))
     }
 }
 
+/// How far a judgement goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Depth {
+    /// Every check.
+    Full,
+    /// The checks that look at the cycle once more only if none of the others fails.
+    Survivors,
+}
+
 /// Judges one actuator for one axis.
 #[must_use]
-pub fn judge(axis: &Axis, actuator: &Parameters) -> Judgement {
+pub fn judge(axis: &Axis, actuator: &Parameters, depth: Depth) -> Judgement {
     let inertia = actuator.inertia_out.known().map(|known| known.value);
     let demand = inertia.map(|inertia| axis.demand(inertia));
     let manual = inertia.and_then(|inertia| axis.manual_demand(inertia));
@@ -89,6 +106,15 @@ pub fn judge(axis: &Axis, actuator: &Parameters) -> Judgement {
     checks.extend(gear_checks::judge(axis, actuator));
     checks.extend(bearing_checks::judge(axis, &actuator.output_bearing));
     checks.extend(axis.ambient.map(|stated| ambient(stated, actuator)));
+    checks.extend(axis.supply.map(|(supply, _)| electric_checks::dc_link(supply, actuator)));
+    if depth == Depth::Full || checks.iter().all(|check| check.verdict != Verdict::Fail) {
+        let currents = Currents::of(actuator);
+        checks.extend(electric_checks::judge(axis, actuator, currents.as_ref()));
+        checks.extend(gear_checks::judge_further(axis, actuator));
+        checks.extend(brake_checks::judge(axis, actuator));
+        checks.extend(feedback_checks::judge(axis, actuator));
+        checks.extend(joint_checks::judge(axis, actuator, demand.as_ref()));
+    }
     Judgement { demand, manual, checks }
 }
 
@@ -319,13 +345,13 @@ fn continuous_torque(
 ///
 /// I = T/k_Tout + σ (I_NLS + K_INL |n|). Friction that opposes the torque counts with the 30 °C value of K_INL, friction
 /// that helps with the 80 °C value: either way the larger current.
-struct Currents {
-    inertia: f64,
+pub(crate) struct Currents {
+    pub(crate) inertia: f64,
     torque_constant: f64,
     starting: f64,
     cold: f64,
     warm: f64,
-    grade: Grade,
+    pub(crate) grade: Grade,
     errata: [&'static [&'static str]; 2],
 }
 
@@ -358,10 +384,16 @@ impl Currents {
         notes
     }
 
-    fn at(&self, node: &Node) -> f64 {
+    /// The current at an instant \[A\].
+    pub(crate) fn at(&self, node: &Node) -> f64 {
         let torque = self.inertia * node.acceleration + node.load;
         let constant = if torque * node.direction < 0.0 { self.warm } else { self.cold };
         torque / self.torque_constant + node.direction * (self.starting + constant * node.speed.abs())
+    }
+
+    /// The part of it that friction takes, by magnitude \[A\].
+    pub(crate) fn friction(&self, node: &Node) -> f64 {
+        node.direction.abs() * (self.starting + self.cold * node.speed.abs())
     }
 
     /// No current of a block of nodes is above this.
@@ -372,7 +404,7 @@ impl Currents {
     /// The largest magnitude and its instant.
     fn largest(&self, axis: &Axis) -> (f64, Time) {
         let (current, at) = axis.trace.largest(|extent| self.bound(extent), |node| self.at(node).abs());
-        (current, Time::from_si(at))
+        (current, Time::from_si(at.time))
     }
 }
 
@@ -407,7 +439,7 @@ fn voltage(axis: &Axis, actuator: &Parameters, supply: ElectricPotential, reserv
         unit: &VOLT,
         value: worst,
         value_source: Source::Model { name: "voltage" },
-        at: Some(Time::from_si(at)),
+        at: Some(Time::from_si(at.time)),
         limit: supply.si() / std::f64::consts::SQRT_2 * reserve,
         limit_source: &Source::Project { key: "requirements.supply".into() },
         grade: motor.grade.worst(currents.grade),

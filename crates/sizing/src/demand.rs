@@ -64,7 +64,7 @@ impl Axis {
         Demand {
             torque_rms: Torque::from_si(square.sqrt()),
             torque_peak: Torque::from_si(peak),
-            torque_peak_at: Time::from_si(at),
+            torque_peak_at: Time::from_si(at.time),
             speed_mean: moments.speed_mean(),
             speed_peak: moments.speed_peak,
             speed_peak_at: moments.speed_peak_at,

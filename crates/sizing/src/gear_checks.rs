@@ -2,15 +2,143 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note, Verdict};
-use crate::checks::{Comparison, at_least, not_checked, shown_or_at_most};
-use actuator::Parameters;
+use crate::checks::{Comparison, at_least, equation, not_checked, shown_or_at_most};
+use actuator::{BudgetCase, Parameters, PositionLoop};
 use provenance::{Grade, Missing, Source};
-use quantities::unit::{ARCMINUTE, HERTZ, HOUR, NEWTON_METRE};
-use quantities::{AngularVelocity, Measure};
+use quantities::unit::{ARCMINUTE, HERTZ, HOUR, MILLIMETRE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
+use quantities::{AngularVelocity, Measure, Torque};
 
 /// Every check of the gear. It carries the torque of the load only: the rotor's inertia is on its other side.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
     vec![mean_torque(axis, actuator), life(axis, actuator), torsion(axis, actuator), natural_frequency(axis, actuator)]
+}
+
+/// The checks of the gear that only matter where nothing else fails.
+pub(crate) fn judge_further(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
+    let mut checks = vec![mean_input_speed(axis, actuator)];
+    checks.extend(axis.asked.collision_torque.map(|torque| collision(torque, actuator)));
+    checks.push(resonance(axis, actuator));
+    checks.push(error_budget(axis, actuator));
+    checks
+}
+
+/// i n_av ≤ n_in,av; only where a limit of the gear is published.
+fn mean_input_speed(axis: &Axis, actuator: &Parameters) -> Check {
+    let id = CheckId::GearMeanInputSpeed;
+    let found =
+        actuator.gear.input_speed_mean_max.require("n_in_av").and_then(|l| Ok((l, actuator.ratio.require("i")?)));
+    match found {
+        Ok((limit, ratio)) => {
+            let speed = axis.moments().speed_mean().si() * ratio.value;
+            Comparison {
+                notes: vec![Note::RatingOfInterchangeableGear],
+                ..Comparison::with(id, &REVOLUTION_PER_MINUTE, speed, equation("69.3"), limit)
+            }
+            .answer(Verdict::Fail)
+        }
+        Err(missing) => not_checked(id, missing),
+    }
+}
+
+/// T_k ≤ T_M; only where a rating of the gear is published.
+fn collision(torque: Torque, actuator: &Parameters) -> Check {
+    let id = CheckId::CollisionTorque;
+    match actuator.gear.collision_torque_max.require("T_M") {
+        Ok(limit) => Comparison {
+            notes: vec![Note::RatingOfInterchangeableGear],
+            ..Comparison::with(
+                id,
+                &NEWTON_METRE,
+                torque.si(),
+                Source::Project { key: "requirements.collision_torque".into() },
+                limit,
+            )
+        }
+        .answer(Verdict::Fail),
+        Err(missing) => not_checked(id, missing),
+    }
+}
+
+/// n_peak < the lowest output speed at which the wave generator excites the load (2 i n/60 = f on the softest region).
+/// Reached or passed it is an advice: the model has no damping and knows no amplitude.
+fn resonance(axis: &Axis, actuator: &Parameters) -> Check {
+    let id = CheckId::ResonanceSpeed;
+    let inertia = axis.moments().inertia_max;
+    let found = (|| {
+        let ratio = actuator.ratio.require("i")?;
+        let [k1, k2, k3] = &actuator.gear.stiffness;
+        let stiffness = [k1.require("K_1")?, k2.require("K_2")?, k3.require("K_3")?];
+        if inertia.si() <= 0.0 {
+            return Err(Missing { symbol: "J_L" });
+        }
+        let speed = |k: &provenance::Sourced<quantities::TorsionalStiffness>| {
+            actuator::resonance_speed(actuator::natural_frequency(k.value, inertia), ratio.value)
+        };
+        let [k1, k2, k3] = stiffness;
+        Ok([speed(k1), speed(k2), speed(k3)])
+    })();
+    match found {
+        Ok(speeds) => {
+            let [softest, ..] = speeds;
+            let limit = provenance::Sourced {
+                value: softest,
+                source: Source::Model { name: "gear" },
+                grade: Grade::Computed,
+                errata: &[],
+            };
+            Comparison {
+                at: Some(axis.moments().speed_peak_at),
+                notes: vec![Note::ResonanceSpeeds(speeds)],
+                ..Comparison::with(
+                    id,
+                    &REVOLUTION_PER_MINUTE,
+                    axis.moments().speed_peak.si(),
+                    Source::Model { name: "demand" },
+                    &limit,
+                )
+            }
+            .answer(Verdict::Advice)
+        }
+        Err(missing) => not_checked(id, missing),
+    }
+}
+
+/// Sum of all angular errors at the output, and its deviation at the lever arm.
+fn error_budget(axis: &Axis, actuator: &Parameters) -> Check {
+    let id = CheckId::ErrorBudget;
+    let offset = actuator.output_bearing.offset.known();
+    let moment = axis.bearing.as_ref().zip(offset).map_or(0.0, |(duty, offset)| {
+        duty.loads.iter().map(|load| actuator::tilting_moment(load, offset.value).si()).fold(0.0, f64::max)
+    });
+    let case = BudgetCase {
+        torque: axis.moments().load_peak,
+        tilting_moment: Torque::from_si(moment),
+        position_loop: PositionLoop::Motor,
+    };
+    let budget = actuator::error_budget(actuator, &case);
+    if budget.contributions.is_empty() {
+        return not_checked(id, Missing { symbol: "transmission_accuracy" });
+    }
+    let worst = budget.worst_case();
+    let deviation = axis.asked.lever_arm.map(|lever| actuator::deviation_at(worst, lever));
+    let source = Source::Model { name: "error-budget" };
+    let mut check = match (deviation, axis.asked.deviation_max) {
+        (Some(deviation), Some(permitted)) => {
+            let key = "requirements.deviation_max";
+            shown_or_at_most(id, &MILLIMETRE, deviation.si(), Some(permitted.si()), key, source)
+        }
+        _ => {
+            let permitted = axis.asked.angle_error_max.map(Measure::si);
+            shown_or_at_most(id, &ARCMINUTE, worst.si(), permitted, "requirements.angle_error_max", source)
+        }
+    };
+    check.grade = Some(budget.grade());
+    check.notes.push(Note::Budget {
+        root_sum_square: budget.root_sum_square(),
+        deviation,
+        missing: budget.missing.len(),
+    });
+    check
 }
 
 /// T_av ≤ T_A; only where a rating of the gear is published.
@@ -47,7 +175,7 @@ fn life(axis: &Axis, actuator: &Parameters) -> Check {
     })();
     match found {
         Ok((life, grade)) => {
-            let asked = axis.gear_life_min.map(Measure::si);
+            let asked = axis.asked.gear_life_min.map(Measure::si);
             let source = Source::Model { name: "gear" };
             let mut check = at_least(id, &HOUR, life.si(), asked, "requirements.gear_life_min", source);
             check.grade = Some(grade.worst(Grade::Computed));
@@ -64,7 +192,7 @@ fn torsion(axis: &Axis, actuator: &Parameters) -> Check {
     let Some(curve) = actuator.gear.torsion() else { return not_checked(id, Missing { symbol: "K_1" }) };
     let worst = axis.moments().load_peak;
     let source = Source::Equation { document: "cha-manual", number: "73.1" };
-    let limit = axis.torsion_max.map(Measure::si);
+    let limit = axis.asked.torsion_max.map(Measure::si);
     let mut check =
         shown_or_at_most(id, &ARCMINUTE, curve.angle(worst).si(), limit, "requirements.torsion_max", source);
     check.at = Some(axis.moments().load_peak_at);
@@ -81,7 +209,7 @@ fn natural_frequency(axis: &Axis, actuator: &Parameters) -> Check {
     match found {
         Ok(k) => {
             let frequency = actuator::natural_frequency(k.value, axis.moments().inertia_max);
-            let asked = axis.natural_frequency_min.map(Measure::si);
+            let asked = axis.asked.natural_frequency_min.map(Measure::si);
             let source = Source::Model { name: "gear" };
             at_least(id, &HERTZ, frequency.si(), asked, "requirements.natural_frequency_min", source)
         }

@@ -6,15 +6,19 @@
 
 mod axis;
 mod bearing_checks;
+mod brake_checks;
 mod check;
 mod checks;
 mod demand;
+mod electric_checks;
+mod feedback_checks;
 mod gear_checks;
+mod joint_checks;
 mod rank;
 mod trace;
 
-pub use axis::{Axis, BearingDuty, Moments, OperatingCondition};
+pub use axis::{Asked, Axis, BearingDuty, Moments, OperatingCondition, SpecialApplication};
 pub use check::{Check, CheckId, Figure, Note, Verdict};
-pub use checks::{Judgement, judge};
+pub use checks::{Depth, Judgement, judge};
 pub use demand::{Demand, ManualDemand, MoveTorques};
 pub use rank::{Standing, rank};

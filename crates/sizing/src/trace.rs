@@ -4,7 +4,7 @@ use mechanism::{Extra, Mechanism, Output};
 use motion::{Hold, Motion, Piece, lobatto};
 
 /// One instant with its share of the cycle.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Node {
     /// Instant from the start of the cycle \[s\].
     pub(crate) time: f64,
@@ -104,8 +104,6 @@ impl Gram {
 pub(crate) struct Share {
     /// ∫|ω| dt \[rad\]
     pub(crate) travelled: f64,
-    /// Largest magnitude of the torque that holds the load at rest within the segment \[Nm\], whoever holds it.
-    pub(crate) holding: f64,
 }
 
 /// The motion under its load.
@@ -123,6 +121,8 @@ pub(crate) struct Trace {
     pub(crate) span: (f64, f64),
     /// End minus start \[rad\].
     pub(crate) net: f64,
+    /// Largest magnitude of the torque that holds the load without friction at any instant \[Nm\], whoever holds it.
+    pub(crate) holding: f64,
 }
 
 impl Trace {
@@ -133,6 +133,7 @@ impl Trace {
             shares: vec![Share::default(); motion.stretches().len()],
             inertia: (0.0, f64::INFINITY),
             span: (f64::INFINITY, f64::NEG_INFINITY),
+            holding: 0.0,
         };
         let none = Extra::none();
         for piece in motion.pieces() {
@@ -144,7 +145,7 @@ impl Trace {
             (Some(first), Some(last)) => last.end().position_rad - first.position_rad,
             _ => 0.0,
         };
-        let Builder { nodes, shares, inertia, span, .. } = builder;
+        let Builder { nodes, shares, inertia, span, holding, .. } = builder;
         Self {
             gram: Gram::of(&nodes),
             extents: if nodes.len() > BLOCK { nodes.chunks(BLOCK).map(Extent::of).collect() } else { Vec::new() },
@@ -154,6 +155,7 @@ impl Trace {
             inertia,
             span,
             net,
+            holding,
         }
     }
 
@@ -163,13 +165,13 @@ impl Trace {
 
     /// The largest value over the nodes and the first node that has it. `bound` is above every value of its block, so
     /// that a block whose bound is below what is found already is left out: exact, and near O(blocks).
-    pub(crate) fn largest(&self, bound: impl Fn(&Extent) -> f64, value: impl Fn(&Node) -> f64) -> (f64, f64) {
-        let mut best = (f64::NEG_INFINITY, 0.0);
-        let scan = |nodes: &[Node], best: &mut (f64, f64)| {
+    pub(crate) fn largest(&self, bound: impl Fn(&Extent) -> f64, value: impl Fn(&Node) -> f64) -> (f64, Node) {
+        let mut best = (f64::NEG_INFINITY, Node::default());
+        let scan = |nodes: &[Node], best: &mut (f64, Node)| {
             for node in nodes {
                 let here = value(node);
-                if here > best.0 || (here == best.0 && node.time < best.1) {
-                    *best = (here, node.time);
+                if here > best.0 || (here == best.0 && node.time < best.1.time) {
+                    *best = (here, *node);
                 }
             }
         };
@@ -197,6 +199,7 @@ struct Builder<'a> {
     shares: Vec<Share>,
     inertia: (f64, f64),
     span: (f64, f64),
+    holding: f64,
 }
 
 /// Where the load depends on the position a panel covers at most this angle, so that sixteen nodes leave an error near
@@ -239,7 +242,7 @@ impl Builder<'_> {
                 load,
             });
         }
-        self.see(piece.segment, &output, extra);
+        self.see(&output, extra);
     }
 
     fn output(&self, piece: &Piece, t: f64, direction: f64) -> Output {
@@ -253,16 +256,12 @@ impl Builder<'_> {
     }
 
     /// Notes extremes at an instant.
-    fn see(&mut self, segment: usize, output: &Output, extra: &Extra) {
+    fn see(&mut self, output: &Output, extra: &Extra) {
         let inertia = quantities::Measure::si(self.mechanism.inertia(output.position_rad, extra));
         self.inertia = (self.inertia.0.max(inertia), self.inertia.1.min(inertia));
         self.span = (self.span.0.min(output.position_rad), self.span.1.max(output.position_rad));
-        if output.direction == 0.0
-            && let Some(share) = self.shares.get_mut(segment)
-        {
-            let holding = quantities::Measure::si(self.mechanism.holding_torque(output.position_rad, extra)).abs();
-            share.holding = share.holding.max(holding);
-        }
+        let holding = quantities::Measure::si(self.mechanism.holding_torque(output.position_rad, extra));
+        self.holding = self.holding.max(holding.abs());
     }
 
     /// Panel borders: reversals, changes of sign of the torque and kinks of the load, and then as many equal parts as a
@@ -360,7 +359,7 @@ impl Builder<'_> {
                 load: self.mechanism.torque(&output, extra),
             });
             travelled += weight * (to - from) * output.speed_rad_s * direction;
-            self.see(piece.segment, &output, extra);
+            self.see(&output, extra);
         }
         if let Some(share) = self.shares.get_mut(piece.segment) {
             share.travelled += travelled;

@@ -18,7 +18,7 @@ use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{AngularVelocity, Language, Measure, Torque};
 use read::Reader;
 use section::Section;
-use sizing::{Axis, BearingDuty, OperatingCondition};
+use sizing::{Asked, Axis, BearingDuty, OperatingCondition, SpecialApplication};
 
 /// Largest project file that is read, in bytes.
 pub const PROJECT_MAX_BYTES: usize = 1 << 20;
@@ -56,6 +56,8 @@ pub enum Assumption {
     TrapezoidThirds,
     /// A single move is judged as if it were repeated without a pause.
     SingleMoveRepeats,
+    /// No special field of application is stated.
+    OrdinaryApplication,
     /// In a dwell without `hold` the motor carries the load.
     MotorHolds,
 }
@@ -151,6 +153,9 @@ fn assumptions(root: &Section) -> Vec<Assumption> {
     } else {
         found.push(Assumption::FlangeMomentsAligned);
     }
+    if !asks("special_application") {
+        found.push(Assumption::OrdinaryApplication);
+    }
     found
 }
 
@@ -180,12 +185,42 @@ fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Op
         axis.supply = asked
             .quantity("supply")
             .map(|supply| (supply, asked.number("modulation_reserve").unwrap_or(MODULATION_RESERVE)));
-        axis.gear_life_min = asked.quantity("gear_life_min");
-        axis.torsion_max = asked.quantity("torsion_max");
-        axis.natural_frequency_min = asked.quantity("natural_frequency_min");
+        axis.asked = asked_of(asked);
     }
     axis.bearing = bearing;
     Some(axis)
+}
+
+fn asked_of(section: &Section) -> Asked {
+    Asked {
+        gear_life_min: section.quantity("gear_life_min"),
+        torsion_max: section.quantity("torsion_max"),
+        natural_frequency_min: section.quantity("natural_frequency_min"),
+        angle_error_max: section.quantity("angle_error_max"),
+        lever_arm: section.quantity("lever_arm"),
+        deviation_max: section.quantity("deviation_max"),
+        stop_angle_max: section.quantity("stop_angle_max"),
+        emergency_stops: section.number("emergency_stops"),
+        regeneration_power_max: section.quantity("regeneration_power_max"),
+        absolute: section.bool("absolute"),
+        resolution_max: section.quantity("resolution_max"),
+        operation_per_day: section.quantity("operation_per_day"),
+        storage: section.quantity("storage"),
+        battery_life_min: section.quantity("battery_life_min"),
+        collision_torque: section.quantity("collision_torque"),
+        special_application: section.text("special_application").and_then(|word| match word {
+            "aerospace" => Some(SpecialApplication::Aerospace),
+            "explosive_atmosphere" => Some(SpecialApplication::ExplosiveAtmosphere),
+            "nuclear" => Some(SpecialApplication::Nuclear),
+            "vacuum" => Some(SpecialApplication::Vacuum),
+            "household" => Some(SpecialApplication::Household),
+            "medical" => Some(SpecialApplication::Medical),
+            "human_contact" => Some(SpecialApplication::HumanContact),
+            "lifting_of_persons" => Some(SpecialApplication::LiftingOfPersons),
+            "amusement" => Some(SpecialApplication::Amusement),
+            _ => None,
+        }),
+    }
 }
 
 /// The loads on the flange and what is asked of the bearing.

@@ -34,7 +34,13 @@ fn a_good_project_is_read() {
     assert!((project.axis.motion.duration().si() - 1.3).abs() < 1e-12);
     assert_eq!(
         project.assumptions,
-        [Assumption::AmbientWithinRange, Assumption::CoolingPlate, Assumption::NoSupply, Assumption::NoFlangeLoads]
+        [
+            Assumption::AmbientWithinRange,
+            Assumption::CoolingPlate,
+            Assumption::NoSupply,
+            Assumption::NoFlangeLoads,
+            Assumption::OrdinaryApplication,
+        ]
     );
 }
 

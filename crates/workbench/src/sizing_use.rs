@@ -3,9 +3,9 @@
 use crate::project::{Assumption, OwnActuator, Project};
 use actuator::Parameters;
 use configurator::{BrokenRule, Unmet, availability};
-use order_code::{Field, OrderCode};
+use order_code::{Field, Option1, OrderCode};
 use quantities::Measure;
-use sizing::{Check, Judgement, Standing, Verdict, judge, rank};
+use sizing::{Check, Depth, Judgement, Standing, Verdict, judge, rank};
 use std::sync::LazyLock;
 
 /// What a candidate is called.
@@ -121,14 +121,27 @@ pub enum Refusal {
 /// Every actuator of the catalogue that has printed data and can be had without asking, with its parameters:
 /// each size, ratio, winding, feedback and brake, without options.
 pub fn catalogue_actuators() -> &'static [(OrderCode, Parameters)] {
-    static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| {
-        configurator::all()
-            .iter()
-            .filter(|(code, found)| code.option_1.is_none() && code.option_2.is_none() && found.is_available())
-            .filter_map(|(code, _)| Some((*code, configurator::parameters(code)?)))
-            .collect()
-    });
+    static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(None));
     &ACTUATORS
+}
+
+/// The same actuators with the encoder at the output.
+fn actuators_with_output_encoder() -> &'static [(OrderCode, Parameters)] {
+    static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(Some(Option1::EC)));
+    &ACTUATORS
+}
+
+/// Each code is the bare one, its parameters those with the option.
+fn actuators_with(option_1: Option<Option1>) -> Vec<(OrderCode, Parameters)> {
+    configurator::all()
+        .iter()
+        .filter(|(code, found)| code.option_1.is_none() && code.option_2.is_none() && found.is_available())
+        .filter_map(|(code, _)| Some((*code, configurator::parameters(&OrderCode { option_1, ..*code })?)))
+        .collect()
+}
+
+fn actuators(option_1: Option<Option1>) -> &'static [(OrderCode, Parameters)] {
+    if option_1.is_some() { actuators_with_output_encoder() } else { catalogue_actuators() }
 }
 
 /// Judges the whole catalogue for the axis of a project and ranks it.
@@ -136,11 +149,11 @@ pub fn catalogue_actuators() -> &'static [(OrderCode, Parameters)] {
 /// Cost: O(ramps) to prepare the motion, O(ramps) per actuator, O(n log n) to rank.
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
-    let mut candidates: Vec<Candidate<'_>> = catalogue_actuators()
+    let mut candidates: Vec<Candidate<'_>> = actuators(project.option_1)
         .iter()
         .map(|(code, parameters)| {
             let code = OrderCode { option_1: project.option_1, option_2: project.option_2, ..*code };
-            candidate(project, code, parameters)
+            candidate(project, code, parameters, Depth::Survivors)
         })
         .collect();
     candidates.sort_by(|a, b| rank(&a.standing, &b.standing));
@@ -159,8 +172,8 @@ pub fn size(project: &Project) -> Sizing<'_> {
 pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
     availability(code).map_err(Refusal::Broken)?;
     let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
-    let (_, parameters) = catalogue_actuators().iter().find(|(known, _)| *known == bare).ok_or(Refusal::NoData)?;
-    Ok(candidate(project, *code, parameters))
+    let (_, parameters) = actuators(code.option_1).iter().find(|(known, _)| *known == bare).ok_or(Refusal::NoData)?;
+    Ok(candidate(project, *code, parameters, Depth::Full))
 }
 
 /// Judges the user's own actuator.
@@ -171,8 +184,8 @@ pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
     project.actuator.as_ref().map(|own| own_candidate(project, own)).ok_or(Refusal::NoActuator)
 }
 
-fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Parameters) -> Candidate<'p> {
-    let judgement = judge(&project.axis, parameters);
+fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Parameters, depth: Depth) -> Candidate<'p> {
+    let judgement = judge(&project.axis, parameters, depth);
     let mut objections: Vec<Objection> =
         project.requirements.unmet(&code, parameters).into_iter().map(Objection::Unmet).collect();
     // Without options the code stands in the catalogue because it is available; only options can change that.
@@ -191,7 +204,7 @@ fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Paramete
 }
 
 fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p> {
-    let judgement = judge(&project.axis, &own.parameters);
+    let judgement = judge(&project.axis, &own.parameters, Depth::Full);
     let objections: Vec<Objection> =
         project.requirements.unmet_by_data(&own.parameters).into_iter().map(Objection::Unmet).collect();
     let mass = own.parameters.mass.known().map(|mass| mass.value.si());

@@ -2,6 +2,7 @@
 
 mod codes;
 mod motion;
+mod notes;
 mod reading;
 mod results;
 

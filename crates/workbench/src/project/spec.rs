@@ -87,6 +87,19 @@ pub(crate) const FORMAT: i64 = 1;
 /// Feedback systems in the spelling of the ordering code.
 pub(crate) const FEEDBACKS: &[&str] = &["C1024", "M512P", "RES", "D2048", "M128S"];
 
+/// Fields of application of section 2.4.
+pub(crate) const APPLICATIONS: &[&str] = &[
+    "aerospace",
+    "explosive_atmosphere",
+    "nuclear",
+    "vacuum",
+    "household",
+    "medical",
+    "human_contact",
+    "lifting_of_persons",
+    "amusement",
+];
+
 /// The root of the project file.
 #[rustfmt::skip] // one line per key
 pub(crate) const ROOT: &[Key] = &[
@@ -286,6 +299,19 @@ const REQUIREMENTS: &[Key] = &[
     quantity("torsion_max", Dimension::Angle, Range::Positive, "torsion of the gear permitted under the largest torque", "zulässiger Torsionswinkel des Getriebes unter dem größten Drehmoment"),
     quantity("natural_frequency_min", Dimension::Frequency, Range::Positive, "least first natural frequency with blocked motor", "kleinste erste Eigenfrequenz bei blockiertem Motor"),
     quantity("tilt_angle_max", Dimension::Angle, Range::Positive, "tilt of the flange permitted under the tilting moment", "zulässiger Kippwinkel des Flansches unter dem Kippmoment"),
+    quantity("angle_error_max", Dimension::Angle, Range::Positive, "sum of all angular errors permitted at the output", "zulässige Summe aller Winkelfehler am Abtrieb"),
+    quantity("lever_arm", Dimension::Length, Range::Positive, "distance from the axis at which the error is looked at", "Abstand von der Drehachse, in dem der Fehler betrachtet wird"),
+    quantity("deviation_max", Dimension::Length, Range::Positive, "deviation permitted at the lever arm", "zulässige Abweichung am Hebelarm"),
+    quantity("resolution_max", Dimension::Angle, Range::Positive, "largest step of the position at the output", "größter Schritt der Lage am Abtrieb"),
+    key("absolute", Kind::Bool, false, "whether the position must be absolute over the whole travel", "ob die Lage über den ganzen Weg absolut sein muss"),
+    quantity("stop_angle_max", Dimension::Angle, Range::Positive, "angle permitted for a stop by the brake alone", "zulässiger Winkel eines Halts allein durch die Bremse"),
+    key("emergency_stops", Kind::Integer(0, 1_000_000), false, "number of stops by the brake alone", "Zahl der Nothalte allein durch die Bremse"),
+    quantity("regeneration_power_max", Dimension::Power, Range::Positive, "mean power that supply or brake resistor take back", "mittlere Leistung, die Netz oder Bremswiderstand aufnehmen"),
+    quantity("operation_per_day", Dimension::Time, Range::NotNegative, "operation per day, for the battery of M128S", "Betrieb je Tag, für die Batterie von M128S"),
+    quantity("storage", Dimension::Time, Range::NotNegative, "storage before operation, for the battery of M128S", "Lagerung vor dem Betrieb, für die Batterie von M128S"),
+    quantity("battery_life_min", Dimension::Time, Range::Positive, "life required of the battery", "geforderte Lebensdauer der Batterie"),
+    quantity("collision_torque", Dimension::Torque, Range::Positive, "largest torque of a collision at the output", "größtes Moment einer Kollision am Abtrieb"),
+    key("special_application", Kind::OneOf(APPLICATIONS), false, "field of application that needs the maker's approval (section 2.4)", "Anwendungsbereich, der die Freigabe des Herstellers braucht (Abschnitt 2.4)"),
     key("option_1", Kind::OneOf(&["EC"]), false, "sensor option", "Option 1 (Sensor)"),
     key("option_2", Kind::OneOf(&["K", "R", "S"]), false, "cable and connector option", "Option 2 (Kabel/Stecker)"),
 ];

@@ -32,6 +32,23 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::BearingStatic => ("bearing, static", "Lager statisch"),
         CheckId::TiltAngle => ("tilt angle", "Kippwinkel"),
         CheckId::Ambient => ("ambient temperature", "Umgebungstemperatur"),
+        CheckId::TorqueSpeedTrace => ("torque-speed trace", "Drehmomentverlauf"),
+        CheckId::Thermal => ("winding temperature", "Wicklungstemperatur"),
+        CheckId::OverloadI2t => ("overload I²t", "Überlast I²t"),
+        CheckId::GearMeanInputSpeed => ("gear input, mean", "Getriebeeing., mittl."),
+        CheckId::CollisionTorque => ("collision torque", "Kollisionsmoment"),
+        CheckId::ResonanceSpeed => ("resonance speed", "Resonanzdrehzahl"),
+        CheckId::ErrorBudget => ("error budget", "Fehlersumme"),
+        CheckId::BrakeHolding => ("brake, holding", "Bremse, Halten"),
+        CheckId::BrakeEmergency => ("brake, stop", "Bremse, Nothalt"),
+        CheckId::DcLink => ("DC link", "Zwischenkreis"),
+        CheckId::Regeneration => ("regeneration", "Rückspeisung"),
+        CheckId::FeedbackRange => ("absolute range", "Absolutbereich"),
+        CheckId::FeedbackResolution => ("resolution", "Auflösung"),
+        CheckId::Battery => ("encoder battery", "Geberbatterie"),
+        CheckId::ScrewJointLoad => ("screws, load", "Schrauben, Last"),
+        CheckId::ScrewJointHousing => ("screws, housing", "Schrauben, Gehäuse"),
+        CheckId::Application => ("application", "Anwendungsbereich"),
         _ => (id.id(), id.id()),
     };
     either(language, en, de)
@@ -97,7 +114,7 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
     either(language, format!("not known: {shown}"), format!("nicht bekannt: {shown}"))
 }
 
-fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
+pub(super) fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
     format!("{} {}", format_significant(unit.from_si(si), digits, language), unit.symbol)
 }
 
@@ -184,6 +201,16 @@ pub fn note_text(note: &Note, language: Language) -> String {
             "the permissible forces hold one at a time; for several together life and static safety decide",
             "die zulässigen Kräfte gelten je für sich; bei mehreren zugleich entscheiden Lebensdauer und statische Sicherheit",
         ),
+        note @ (Note::WarmUp(_) | Note::Housing(_) | Note::EnergyPerCycle { .. }) => super::notes::heat(note, language),
+        note @ (Note::HangingLoad | Note::Sag(_) | Note::BrakeStop { .. } | Note::BrakeDoesNotStop | Note::NoBrake) => {
+            super::notes::brake(note, language)
+        }
+        note @ (Note::ReferenceLost
+        | Note::NeedsReferencing
+        | Note::BatteryExchange { .. }
+        | Note::ApprovalNeeded
+        | Note::ResonanceSpeeds(_)
+        | Note::Budget { .. }) => super::notes::rest(note, language),
         Note::Erratum(id) => {
             let evidence = evidence_text(id, language);
             either(language, format!("erratum {id}: {evidence}"), format!("Erratum {id}: {evidence}"))
@@ -220,11 +247,6 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
             language,
             format!("mass {} is above {}", kg(has.si()), kg(permits.si())),
             format!("Masse {} liegt über {}", kg(has.si()), kg(permits.si())),
-        ),
-        Unmet::SupplyTooHigh { permits, supply } => either(
-            language,
-            format!("DC link {} is above the {} of the winding", volt(supply.si()), volt(permits.si())),
-            format!("Zwischenkreis {} liegt über den {} der Wicklung", volt(supply.si()), volt(permits.si())),
         ),
         Unmet::SupplyTooLow { needs, gives } => either(
             language,
@@ -297,6 +319,10 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         Assumption::SingleMoveRepeats => (
             "the single move is judged as if it followed itself without a pause: the safe side for effective values",
             "die einmalige Bewegung ist beurteilt, als folgte sie sich ohne Pause: für Effektivwerte die sichere Seite",
+        ),
+        Assumption::OrdinaryApplication => (
+            "no field of application that needs the maker's approval (section 2.4)",
+            "kein Anwendungsbereich, der die Freigabe des Herstellers braucht (Abschnitt 2.4)",
         ),
         Assumption::MotorHolds => {
             ("in a dwell without hold the motor carries the load", "im Stillstand ohne hold trägt der Motor die Last")

@@ -1,0 +1,224 @@
+//! Checks of motor and supply that look at every instant: torque-speed trace, temperature, overload, regeneration.
+
+use crate::axis::Axis;
+use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use crate::checks::{Comparison, Currents, not_checked, shown_or_at_most};
+use crate::trace::Node;
+use actuator::{FRICTION_LOSS_SHARE, Parameters, Thermal, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT};
+use provenance::{Grade, Missing, Source};
+use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, ONE, VOLT, WATT};
+use quantities::{
+    AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Measure, Power, Ratio, ThermodynamicTemperature, Time,
+};
+
+/// Shutdown threshold of the winding, table 62.3: 90 °C, in kelvin.
+const WINDING_SHUTDOWN: f64 = 363.15;
+
+/// The ambient temperature up to which the printed data hold, 40 °C, in kelvin: assumed where none is stated.
+const AMBIENT_REFERENCE: f64 = 313.15;
+
+/// The checks that look at every instant.
+pub(crate) fn judge(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> [Check; 4] {
+    [
+        torque_speed_trace(axis, actuator),
+        thermal(axis, actuator, currents),
+        overload(axis, actuator, currents),
+        regeneration(axis, actuator, currents),
+    ]
+}
+
+/// U_DC ≤ U_DCmax.
+pub(crate) fn dc_link(supply: ElectricPotential, actuator: &Parameters) -> Check {
+    let id = CheckId::DcLink;
+    match actuator.dc_link_max.require("U_DCmax") {
+        Ok(limit) => {
+            let source = Source::Project { key: "requirements.supply".into() };
+            Comparison::with(id, &VOLT, supply.si(), source, limit).answer(Verdict::Fail)
+        }
+        Err(missing) => not_checked(id, missing),
+    }
+}
+
+/// |T| ≤ short-time torque at the speed of every instant; while braking the voltage helps, and T_max is the limit.
+fn torque_speed_trace(axis: &Axis, actuator: &Parameters) -> Check {
+    let id = CheckId::TorqueSpeedTrace;
+    let terminal = axis
+        .supply
+        .map(|(supply, reserve)| ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2 * reserve));
+    let limit = |speed: f64| actuator::short_time_torque(actuator, AngularVelocity::from_si(speed), terminal);
+    let found = (|| {
+        let inertia = actuator.inertia_out.require("J_out")?.value.si();
+        let highest = actuator.torque_max.require("T_max")?.value.si();
+        limit(0.0)?;
+        Ok((inertia, highest))
+    })();
+    let (inertia, highest) = match found {
+        Ok(found) => found,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let torque = |node: &Node| inertia * node.acceleration + node.load;
+    let at_speed = |speed: f64| limit(speed).map_or(0.0, |limit| limit.value.si());
+    let share = |torque: f64, limit: f64| {
+        if torque == 0.0 {
+            0.0
+        } else if limit > 0.0 {
+            torque.abs() / limit
+        } else {
+            f64::MAX
+        }
+    };
+    let (_, worst) = axis.trace.largest(
+        |extent| share(extent.torque(inertia), at_speed(extent.speed)),
+        |node| {
+            let torque = torque(node);
+            share(torque, if torque * node.direction < 0.0 { highest } else { at_speed(node.speed) })
+        },
+    );
+    let braking = torque(&worst) * worst.direction < 0.0;
+    let curve = match if braking { actuator.torque_max.require("T_max").cloned() } else { limit(worst.speed) } {
+        Ok(curve) => curve,
+        Err(missing) => return not_checked(id, missing),
+    };
+    Comparison {
+        at: Some(Time::from_si(worst.time)),
+        ..Comparison::with(id, &NEWTON_METRE, torque(&worst).abs(), Source::Model { name: "demand" }, &curve)
+    }
+    .answer(Verdict::Fail)
+}
+
+/// Current and loss at every instant, for the models of heat.
+struct Losses<'a> {
+    currents: &'a Currents,
+    /// R_LL at 80 °C, 1.5 times: copper loss per square of the current \[Ω\].
+    copper_ohm: f64,
+    /// w k_TM i: share of the friction loss per friction current and output speed [V/(rad/s)].
+    friction_vs: f64,
+}
+
+impl Losses<'_> {
+    /// 1.5 R I² + w I_f k_TM ω_mot
+    fn at(&self, node: &Node) -> f64 {
+        let current = self.currents.at(node);
+        self.copper_ohm * current * current + self.friction_vs * self.currents.friction(node) * node.speed.abs()
+    }
+}
+
+fn losses<'a>(actuator: &Parameters, currents: Result<&'a Currents, &Missing>) -> Result<Losses<'a>, Missing> {
+    let currents = currents.map_err(|missing| *missing)?;
+    let resistance = actuator.resistance_ll.require("R_LL")?;
+    let torque_constant = actuator.torque_constant_motor.require("k_TM")?;
+    let ratio = actuator.ratio.require("i")?;
+    Ok(Losses {
+        currents,
+        copper_ohm: actuator::copper_loss(resistance.value, ElectricCurrent::from_si(1.0)).si(),
+        friction_vs: FRICTION_LOSS_SHARE * torque_constant.value.si() * ratio.value,
+    })
+}
+
+/// ϑ_w ≤ 80 °C in the steady cycle: above it the warning threshold is passed, above 90 °C the drive switches off.
+fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> Check {
+    let id = CheckId::Thermal;
+    let (losses, model) = match losses(actuator, currents).and_then(|l| Ok((l, Thermal::of(actuator)?))) {
+        Ok(found) => found,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
+    let pieces: Vec<(Time, Power)> =
+        axis.trace.nodes().iter().map(|node| (Time::from_si(node.weight), Power::from_si(losses.at(node)))).collect();
+    let cycle = model.cycle(&pieces, ambient);
+    let energy: f64 = pieces.iter().map(|(time, power)| time.si() * power.si()).sum();
+    let mean = Power::from_si(energy / axis.moments.duration.si());
+    let limit = ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_CONTINUOUS);
+    let hottest = cycle.winding_max.si();
+    let verdict = if hottest <= limit.si() {
+        Verdict::Pass
+    } else if hottest <= WINDING_SHUTDOWN {
+        Verdict::Advice
+    } else {
+        Verdict::Fail
+    };
+    let room = limit.si() - ambient.si();
+    Check {
+        id,
+        verdict,
+        value: Some(Figure { si: hottest, unit: &DEGREE_CELSIUS }),
+        limit: Some(Figure { si: limit.si(), unit: &DEGREE_CELSIUS }),
+        // Only beyond the shutdown threshold the estimate speaks against the actuator.
+        utilisation: (room > 0.0).then(|| (hottest - ambient.si()) / room),
+        at: Some(cycle.at),
+        grade: Some(Thermal::GRADE),
+        value_source: Some(Thermal::SOURCE),
+        limit_source: Some(Source::Model { name: "thermal" }),
+        missing: None,
+        notes: vec![Note::Housing(cycle.housing), Note::WarmUp(model.warm_up_time(mean, ambient, limit))],
+    }
+}
+
+/// The first-order mean of (I/I_0)² with τ_w stays below one: what a drive's I²t supervision looks at.
+fn overload(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> Check {
+    let id = CheckId::OverloadI2t;
+    let (currents, stall) = match currents.map_err(|m| *m).and_then(|c| Ok((c, actuator.stall_current.require("I_0")?)))
+    {
+        Ok(found) => found,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let pieces: Vec<(Time, Ratio)> = axis
+        .trace
+        .nodes()
+        .iter()
+        .map(|node| {
+            let share = currents.at(node) / stall.value.si();
+            (Time::from_si(node.weight), Ratio::from_si(share * share))
+        })
+        .collect();
+    let (peak, at) = actuator::overload_peak(&pieces, Time::from_si(WINDING_TIME_CONSTANT));
+    let one = provenance::Sourced {
+        value: Ratio::from_si(1.0),
+        source: stall.source.clone(),
+        grade: Grade::Estimated,
+        errata: stall.errata,
+    };
+    Comparison { at: Some(at), ..Comparison::with(id, &ONE, peak.si(), Source::Model { name: "overload" }, &one) }
+        .answer(Verdict::Fail)
+}
+
+/// Mean power that the motor gives back over the cycle, winding cold.
+///
+/// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
+/// load returns.
+fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> Check {
+    let id = CheckId::Regeneration;
+    let found = (|| {
+        let currents = currents.map_err(|missing| *missing)?;
+        let resistance = actuator.resistance_ll.require("R_LL")?;
+        let constant = actuator.torque_constant_motor.require("k_TM")?;
+        let ratio = actuator.ratio.require("i")?;
+        Ok((currents, 1.5 * resistance.value.si(), constant.value.si() * ratio.value))
+    })();
+    let (currents, copper_ohm, constant_vs) = match found {
+        Ok(found) => found,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let (mut motoring, mut back, mut peak) = (0.0, 0.0, 0.0_f64);
+    for node in axis.trace.nodes() {
+        let current = currents.at(node);
+        let power = copper_ohm * current * current + constant_vs * current * node.speed;
+        if power > 0.0 {
+            motoring += power * node.weight;
+        } else {
+            back -= power * node.weight;
+            peak = peak.max(-power);
+        }
+    }
+    let mean = back / axis.moments.duration.si();
+    let permitted = axis.asked.regeneration_power_max.map(Measure::si);
+    let key = "requirements.regeneration_power_max";
+    let mut check = shown_or_at_most(id, &WATT, mean, permitted, key, Source::Model { name: "energy" });
+    check.grade = Some(currents.grade.worst(Grade::Computed));
+    check.notes.push(Note::EnergyPerCycle {
+        motoring: Energy::from_si(motoring),
+        regenerated: Energy::from_si(back),
+        peak: Power::from_si(peak),
+    });
+    check
+}
