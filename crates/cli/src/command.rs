@@ -259,6 +259,49 @@ fn commands(language: Language) -> Command {
                 ),
         )
         .subcommand(inertia(language))
+        .subcommand(
+            Command::new("curve")
+                .about(t("Curves of the torque-speed plane", "Kennlinien in der Drehmoment-Drehzahl-Ebene"))
+                .arg(Arg::new("code").value_name("CODE").required(true).help(t("Ordering code", "Bestellcode")))
+                .arg(Arg::new("voltage").long("voltage").value_name("VOLTAGE").help(t(
+                    "Terminal voltage of the motor, rms, for example \"220 V\"; without it the printed range holds",
+                    "Klemmenspannung des Motors, effektiv, zum Beispiel \"220 V\"; ohne sie gilt der gedruckte Bereich",
+                ))),
+        )
+        .subcommand(
+            Command::new("bearing")
+                .about(t(
+                    "The output bearing of every size under a project's loads",
+                    "Das Abtriebslager jeder Baugröße unter den Lasten eines Projekts",
+                ))
+                .arg(project(language)),
+        )
+        .subcommand(
+            Command::new("battery")
+                .about(t("Life of the battery of the M128S encoder", "Lebensdauer der Batterie des Gebers M128S"))
+                .arg(
+                    Arg::new("hours-per-day")
+                        .long("hours-per-day")
+                        .value_name("HOURS")
+                        .required(true)
+                        .help(t("Hours of operation a day, 0 to 24", "Betriebsstunden je Tag, 0 bis 24")),
+                )
+                .arg(Arg::new("storage").long("storage").value_name("TIME").help(t(
+                    "Storage before operation, for example \"1 a\"; none without it",
+                    "Lagerung vor dem Betrieb, zum Beispiel \"1 a\"; ohne Angabe keine",
+                ))),
+        )
+        .subcommand(
+            Command::new("new")
+                .about(t("A commented project file to fill in", "Eine kommentierte Projektdatei zum Ausfüllen"))
+                .arg(
+                    Arg::new("kind")
+                        .value_name("KIND")
+                        .required(true)
+                        .value_parser(PossibleValuesParser::new(workbench::TEMPLATES.iter().map(|(name, _)| *name)))
+                        .help("manual, table, arm, screw, belt"),
+                ),
+        )
         .subcommand(Command::new("schema").about(t("JSON Schema of the project file", "JSON-Schema der Projektdatei")))
         .subcommand(
             Command::new("completions")

@@ -4,6 +4,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this face speaks to the terminal")]
 
 mod answer;
+mod chapter;
 mod code;
 mod command;
 mod data;
@@ -43,6 +44,10 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("code", found)) => code::dispatch(found, json, language),
         Some(("data", found)) => data::sheet(found, json, language),
         Some(("catalogue", found)) => data::catalogue(found, json),
+        Some(("curve", found)) => chapter::curve(found, json, language),
+        Some(("bearing", found)) => chapter::bearing(found, json, language),
+        Some(("battery", found)) => chapter::battery(found, json, language),
+        Some(("new", found)) => chapter::template(found),
         Some(("torsion", found)) => data::torsion(found, json, language),
         Some(("inertia", found)) => inertia::inertia(found, json, language),
         Some(("schema", _)) => Answer::data(format!("{:#}\n", workbench::schema(language))),

@@ -7,12 +7,13 @@ use run::{root, run, run_with};
 use serde_json::Value;
 use testkit::agrees;
 
-const EXAMPLES: [&str; 6] = [
+const EXAMPLES: [&str; 7] = [
     "examples/belt-axis.toml",
     "examples/indexing-table.toml",
     "examples/manual-example.toml",
     "examples/screw-axis.toml",
     "examples/tilting-arm.toml",
+    "examples/turntable.toml",
     "examples/two-way-shuttle.toml",
 ];
 
@@ -80,6 +81,10 @@ fn every_command_answers_in_json() {
         &["catalogue", "export", "--json"],
         &["schema", "--json"],
         &["inertia", "point mass=1kg distance=1m", "--json"],
+        &["curve", "CHA-20A-50-H-C1024", "--voltage", "220 V", "--json"],
+        &["curve", "CHA-32A-50-H-C1024", "--json"],
+        &["bearing", "examples/turntable.toml", "--json"],
+        &["battery", "--hours-per-day", "10", "--json"],
     ] {
         let run = run(arguments);
         assert_eq!(run.code, 0, "{arguments:?}");
@@ -248,4 +253,34 @@ fn completions_and_manual_pages_are_made_for_every_command() {
     }
     assert!(run(&["man"]).out.contains("antrieb"));
     assert_eq!(run(&["man", "none"]).code, 2);
+}
+
+#[test]
+fn the_chapters_alone() {
+    // Domain: ten years at ten hours a day, 6.7 after two years of storage; 6.1 without operation.
+    let life = |arguments: &[&str]| {
+        let run = run(&[&["battery", "--json", "--hours-per-day"], arguments].concat());
+        (run.code, serde_json::from_str::<Value>(&run.out).map_or(0.0, |value| value["life"].as_f64().unwrap_or(0.0)))
+    };
+    assert!(agrees(life(&["10"]).1, "10.0") && agrees(life(&["10 h", "--storage", "2 a"]).1, "6.7"));
+    assert!(agrees(life(&["0"]).1, "6.1"));
+    for bad in [&["25"][..], &["-1 h"], &["ten"], &["10", "--storage", "4 a"]] {
+        assert_eq!(life(bad).0, 2, "{bad:?}");
+    }
+    // The published corner points of 20A-50: 32 Nm at standstill, 20 at 70 1/min.
+    let value: Value = serde_json::from_str(&run(&["curve", "CHA-20A-50-H-C1024", "--json"]).out).unwrap();
+    let continuous = &value["curves"][0];
+    assert_eq!((continuous["kind"].as_str(), continuous["grade"].as_str()), (Some("continuous"), Some("published")));
+    assert!(agrees(continuous["points"][0][1].as_f64().unwrap(), "32"), "{continuous}");
+    assert_eq!(run(&["curve", "CHA-58A-50-H-RES"]).code, 2, "no data");
+    assert_eq!(run(&["curve", "CHA-20A-50-H-C1024", "--voltage", "220"]).code, 2, "no unit");
+    assert_eq!(run(&["bearing", "examples/turntable.toml"]).code, 0);
+    let without = run(&["bearing", "examples/belt-axis.toml"]);
+    assert!(without.code == 2 && without.err.contains("[bearing] is missing"));
+    for kind in ["manual", "table", "arm", "screw", "belt"] {
+        let template = run(&["new", kind]);
+        assert_eq!(template.code, 0);
+        assert_eq!(run_with(&["size", "-"], template.out.as_bytes()).code, 0, "{kind}");
+    }
+    assert_eq!(run(&["new", "spring"]).code, 2);
 }

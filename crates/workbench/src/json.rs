@@ -1,7 +1,9 @@
 //! The results as JSON values, with the names that scripts rely on.
 
+mod chapters;
 mod inertia;
 
+pub use chapters::{battery, curves};
 pub use inertia::inertia;
 
 use crate::codes::{CodeFault, CodeReading, explain_code};

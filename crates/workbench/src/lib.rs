@@ -3,6 +3,7 @@
 //! Texts come in English and German ([`Language`]); results come as data ([`Sizing`], [`Candidate`]) and as JSON
 //! values ([`json`]). Nothing here touches a file, the clock, the environment or the terminal.
 
+mod chapters;
 mod codes;
 mod diagnostic;
 mod export;
@@ -14,6 +15,7 @@ mod sizing_use;
 pub mod text;
 mod torsion;
 
+pub use chapters::{TEMPLATES, battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, read_code, read_pattern};
 pub use configurator::{Availability, Choice, Unmet};
 pub use diagnostic::{Diagnostic, place};

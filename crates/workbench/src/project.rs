@@ -11,11 +11,11 @@ pub(crate) use spec::Kind;
 
 use crate::diagnostic::Diagnostic;
 use crate::text::Speak;
-use actuator::{Curve, CurvePoint, Parameters};
+use actuator::{BatteryFault, Curve, CurvePoint, Parameters};
 use configurator::Requirements;
 use order_code::{Feedback, Option1, Option2};
 use provenance::{Datum, Grade, Source, Sourced};
-use quantities::{AngularVelocity, Language, Measure, Torque};
+use quantities::{AngularVelocity, Language, Measure, Time, Torque};
 use read::Reader;
 use section::Section;
 use sizing::{Asked, Axis, BearingDuty, OperatingCondition, SpecialApplication};
@@ -186,6 +186,12 @@ fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Op
             .quantity("supply")
             .map(|supply| (supply, asked.number("modulation_reserve").unwrap_or(MODULATION_RESERVE)));
         axis.asked = asked_of(asked);
+        let storage = axis.asked.storage.unwrap_or_else(|| Time::from_si(0.0));
+        if let Some(Err(fault)) = axis.asked.operation_per_day.map(|time| actuator::battery_life(time, storage)) {
+            let key =
+                if matches!(fault, BatteryFault::OperationOutOfRange { .. }) { "operation_per_day" } else { "storage" };
+            reader.fault(asked.span_of(key), language.battery_fault(&fault), None);
+        }
     }
     axis.bearing = bearing;
     Some(axis)

@@ -2,7 +2,7 @@
 
 use super::either;
 use crate::project::Kind;
-use actuator::CurveFault;
+use actuator::{BatteryFault, CurveFault};
 use mechanism::TableFault;
 use motion::MoveFault;
 use quantities::{Dimension, Language};
@@ -31,6 +31,7 @@ pub(crate) trait Speak: Copy {
     fn not_a_row(self, path: &str, names: &[&str]) -> String;
     fn key_of_another_kind(self, path: &str, by: &str, kind: &str) -> String;
     fn motion_fault(self, fault: &MoveFault) -> (String, Option<String>);
+    fn battery_fault(self, fault: &BatteryFault) -> String;
     fn no_mechanism(self) -> String;
     fn too_many_mechanisms(self) -> String;
     fn no_line(self, path: &str) -> String;
@@ -206,6 +207,19 @@ impl Speak for Language {
 
     fn motion_fault(self, fault: &MoveFault) -> (String, Option<String>) {
         super::motion::fault(fault, self)
+    }
+
+    fn battery_fault(self, fault: &BatteryFault) -> String {
+        match fault {
+            BatteryFault::OperationOutOfRange { .. } => {
+                either(self, "a day has 0 h to 24 h of operation", "ein Tag hat 0 h bis 24 h Betrieb")
+            }
+            _ => either(
+                self,
+                "the battery model covers 0 a to 3 a of storage",
+                "das Batteriemodell gilt für 0 a bis 3 a Lagerung",
+            ),
+        }
     }
 
     fn no_mechanism(self) -> String {

@@ -2,6 +2,7 @@
 
 use super::either;
 use crate::project::Assumption;
+use actuator::CurveKind;
 use configurator::Unmet;
 use order_code::Brake;
 use provenance::{Grade, Source};
@@ -52,6 +53,25 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         _ => (id.id(), id.id()),
     };
     either(language, en, de)
+}
+
+/// The title of a curve of the torque-speed plane.
+#[must_use]
+pub fn curve_title(kind: &CurveKind, language: Language) -> String {
+    match kind {
+        CurveKind::Continuous => either(language, "continuous duty", "Dauerbetrieb"),
+        CurveKind::S3 { duty } => {
+            let share = format_number(duty.si() * 100.0, 0, language);
+            either(
+                language,
+                format!("intermittent duty S3, {share} % of 1 min"),
+                format!("Aussetzbetrieb S3, {share} % von 1 min"),
+            )
+        }
+        CurveKind::ShortTime => {
+            either(language, "short time: acceleration and braking", "Kurzzeitbetrieb: Beschleunigen und Bremsen")
+        }
+    }
 }
 
 /// A verdict in one word; never told by colour alone.

@@ -1,0 +1,197 @@
+//! `curve`, `bearing`, `battery`, `new`: chapters that are answered alone.
+
+use crate::answer::Answer;
+use crate::code::parse_for_use;
+use crate::fault::{error_word, read_project};
+use crate::judge::refuse;
+use crate::table::{Align, Table};
+use clap::ArgMatches;
+use std::path::PathBuf;
+use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
+use workbench::quantities::{ElectricPotential, Measure, Time, format_significant};
+use workbench::text::{check_title, curve_title, grade_word, source_text, verdict_word};
+use workbench::{Language, Verdict, json};
+
+fn fault(option: &str, (message, hint): (String, Option<String>), as_json: bool, language: Language) -> Answer {
+    let hint = hint.map(|hint| format!("  {hint}\n")).unwrap_or_default();
+    let mut answer = Answer::fault(format!("{}: --{option}: {message}\n{hint}", error_word(language)));
+    if as_json {
+        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "option": option, "message": message }] }));
+    }
+    answer
+}
+
+fn quantity<Q: Measure>(
+    matches: &ArgMatches,
+    option: &str,
+    as_json: bool,
+    language: Language,
+) -> Result<Option<Q>, Answer> {
+    matches
+        .get_one::<String>(option)
+        .map(|text| workbench::read_quantity(text, language).map_err(|error| fault(option, error, as_json, language)))
+        .transpose()
+}
+
+/// `antrieb curve CODE`
+pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let text = matches.get_one::<String>("code").map_or("", String::as_str);
+    let (reading, talk) = match parse_for_use(text, as_json, language) {
+        Ok(found) => found,
+        Err(answer) => return answer,
+    };
+    let voltage = match quantity::<ElectricPotential>(matches, "voltage", as_json, language) {
+        Ok(voltage) => voltage,
+        Err(answer) => return answer,
+    };
+    let code = reading.parsed.code;
+    let Some(Ok(curves)) = workbench::curves(&code, voltage) else {
+        return refuse(&workbench::Refusal::NoData, as_json, language);
+    };
+    if as_json {
+        return Answer { data: format!("{:#}\n", json::curves(&code, &curves, language)), talk, code: 0 };
+    }
+    let mut out = format!("{code}\n");
+    for curve in &curves {
+        let volts = curve.voltage.map_or_else(String::new, |voltage| {
+            format!(", {} {}", format_significant(voltage.in_unit(&VOLT), 3, language), VOLT.symbol)
+        });
+        out.push_str(&format!(
+            "\n{}{volts}: {}, {}\n",
+            curve_title(&curve.kind, language),
+            grade_word(curve.grade, language),
+            source_text(&curve.source, language)
+        ));
+        let heads = match language {
+            Language::En => ["n min⁻¹", "T Nm", "up to Nm"],
+            Language::De => ["n min⁻¹", "T Nm", "bis Nm"],
+        };
+        let [speed, torque, upper] = heads;
+        let mut table = Table::new([(speed, Align::Right), (torque, Align::Right), (upper, Align::Right)]);
+        let shown = |value: f64| format_significant(value, 4, language);
+        for (index, point) in curve.points.iter().enumerate() {
+            let upper = curve.upper.as_ref().and_then(|points| points.get(index));
+            table.row([
+                shown(point.speed.in_unit(&REVOLUTION_PER_MINUTE)),
+                shown(point.torque.in_unit(&NEWTON_METRE)),
+                upper.map_or_else(|| "–".into(), |point| shown(point.torque.in_unit(&NEWTON_METRE))),
+            ]);
+        }
+        out.push_str(&table.render());
+    }
+    Answer { data: out, talk, code: 0 }
+}
+
+/// `antrieb bearing PROJECT`
+pub(crate) fn bearing(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
+    let project = match read_project(&path, as_json, language) {
+        Ok(project) => project,
+        Err(answer) => return answer,
+    };
+    let sizes = workbench::bearing_of_each_size(&project);
+    let failing = |candidate: &workbench::Candidate<'_>| {
+        workbench::bearing_checks(candidate).any(|check| check.verdict == Verdict::Fail)
+    };
+    let fits = sizes.iter().any(|(_, candidate)| !failing(candidate));
+    if sizes.iter().all(|(_, candidate)| workbench::bearing_checks(candidate).next().is_none()) {
+        let what = match language {
+            Language::En => "the project has no loads on the flange: [bearing] is missing",
+            Language::De => "das Projekt hat keine Lasten am Flansch: [bearing] fehlt",
+        };
+        let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
+        if as_json {
+            answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
+        }
+        return answer;
+    }
+    if as_json {
+        let rows: Vec<serde_json::Value> = sizes
+            .iter()
+            .map(|(size, candidate)| {
+                let checks: Vec<serde_json::Value> =
+                    workbench::bearing_checks(candidate).map(|check| json::check(check, language)).collect();
+                serde_json::json!({ "size": size.to_string(), "fits": !failing(candidate), "checks": checks })
+            })
+            .collect();
+        return Answer::data(format!("{:#}\n", serde_json::json!({ "sizes": rows }))).fits(fits);
+    }
+    let heads = match language {
+        Language::En => ["size", "check", "verdict", "value", "limit", "unit", "util. %"],
+        Language::De => ["Größe", "Prüfung", "Urteil", "Wert", "Grenze", "Einheit", "Ausl. %"],
+    };
+    let [size, check, verdict, value, limit, unit, util] = heads;
+    let mut table = Table::new([
+        (size, Align::Left),
+        (check, Align::Left),
+        (verdict, Align::Left),
+        (value, Align::Right),
+        (limit, Align::Right),
+        (unit, Align::Left),
+        (util, Align::Right),
+    ]);
+    let figure = |figure: Option<workbench::Figure>| {
+        figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
+    };
+    for (size, candidate) in &sizes {
+        for check in workbench::bearing_checks(candidate) {
+            let unit =
+                check.value.map_or("", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol });
+            table.row([
+                size.to_string(),
+                check_title(check.id, language),
+                verdict_word(check.verdict, language),
+                figure(check.value),
+                figure(check.limit),
+                unit.to_owned(),
+                check.utilisation.map_or_else(|| "–".into(), |share| format_significant(share * 100.0, 3, language)),
+            ]);
+        }
+    }
+    Answer::data(table.render()).fits(fits)
+}
+
+/// `antrieb battery`
+pub(crate) fn battery(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let hours = matches.get_one::<String>("hours-per-day").map_or("", String::as_str);
+    let operation = match hours.parse::<f64>() {
+        // Hours a day may go without a unit: the option names it.
+        Ok(hours) => Time::new_in(hours, &workbench::quantities::unit::HOUR),
+        Err(_) => match workbench::read_quantity(hours, language) {
+            Ok(time) => time,
+            Err(error) => return fault("hours-per-day", error, as_json, language),
+        },
+    };
+    let storage = match quantity::<Time>(matches, "storage", as_json, language) {
+        Ok(storage) => storage.unwrap_or_else(|| Time::from_si(0.0)),
+        Err(answer) => return answer,
+    };
+    let battery = match workbench::battery(operation, storage, language) {
+        Ok(battery) => battery,
+        Err(message) => return fault("hours-per-day", (message, None), as_json, language),
+    };
+    if as_json {
+        return Answer::data(format!("{:#}\n", json::battery(&battery)));
+    }
+    let years = |time: Time| format_significant(time.in_unit(&YEAR), 3, language);
+    let (life, recommended, latest) =
+        (years(battery.life.value), years(battery.exchange_recommended), years(battery.exchange_latest));
+    let grade = grade_word(battery.life.grade, language);
+    Answer::data(match language {
+        Language::En => format!(
+            "M128S battery: {life} a in use ({grade}, model battery)\n\
+             exchange of the encoder: recommended after {recommended} a, at the latest {latest} a after delivery\n"
+        ),
+        Language::De => format!(
+            "Batterie des M128S: {life} a im Betrieb ({grade}, Modell battery)\n\
+             Tausch des Gebers: empfohlen nach {recommended} a, spätestens {latest} a nach Lieferung\n"
+        ),
+    })
+}
+
+/// `antrieb new KIND`
+pub(crate) fn template(matches: &ArgMatches) -> Answer {
+    let kind = matches.get_one::<String>("kind").map_or("", String::as_str);
+    let text = workbench::TEMPLATES.iter().find(|(name, _)| *name == kind).map_or("", |(_, text)| *text);
+    Answer::data(text.to_owned())
+}

@@ -1,0 +1,72 @@
+//! Single chapters answered alone: torque-speed curves, output bearing, battery.
+
+use crate::project::Project;
+use crate::sizing_use::{Candidate, catalogue_actuators, check};
+use crate::text::Speak;
+use actuator::{BatteryLife, PerformanceCurve};
+use order_code::{OrderCode, Size};
+use provenance::Missing;
+use quantities::{ElectricPotential, Language, Measure, Time, parse_as};
+use sizing::{Check, CheckId};
+
+/// The torque-speed curves of a code at a terminal voltage; the limits at the printed ones without.
+///
+/// # Errors
+/// The first datum that is missing if no curve can be drawn.
+pub fn curves(code: &OrderCode, terminal: Option<ElectricPotential>) -> Option<Result<Vec<PerformanceCurve>, Missing>> {
+    Some(actuator::performance_curves(&configurator::parameters(code)?, terminal))
+}
+
+/// Reads a quantity of the command line.
+///
+/// # Errors
+/// What is wrong with the text, and a hint.
+pub fn read_quantity<Q: Measure>(text: &str, language: Language) -> Result<Q, (String, Option<String>)> {
+    parse_as(text).map_err(|error| (error.message(language), error.hint(language)))
+}
+
+/// Life of the battery of the M128S encoder for hours of operation a day, after a storage.
+///
+/// # Errors
+/// What is out of range.
+pub fn battery(operation_per_day: Time, storage: Time, language: Language) -> Result<BatteryLife, String> {
+    actuator::battery_life(operation_per_day, storage).map_err(|fault| language.battery_fault(&fault))
+}
+
+/// The checks of the output bearing for one code.
+pub fn bearing_checks<'c>(candidate: &'c Candidate<'_>) -> impl Iterator<Item = &'c Check> {
+    candidate.judgement.checks.iter().filter(|check| {
+        matches!(
+            check.id,
+            CheckId::BearingAxial
+                | CheckId::BearingRadial
+                | CheckId::BearingTiltingMoment
+                | CheckId::BearingLife
+                | CheckId::BearingStatic
+                | CheckId::TiltAngle
+        )
+    })
+}
+
+/// One code of each size: the bearing is the same for all of a size.
+#[must_use]
+pub fn bearing_of_each_size(project: &Project) -> Vec<(Size, Candidate<'_>)> {
+    let mut found: Vec<(Size, Candidate<'_>)> = Vec::new();
+    for (code, _) in catalogue_actuators() {
+        if found.iter().all(|(size, _)| *size != code.size)
+            && let Ok(candidate) = check(project, code)
+        {
+            found.push((code.size, candidate));
+        }
+    }
+    found
+}
+
+/// The project files to begin with: name and text.
+pub static TEMPLATES: [(&str, &str); 5] = [
+    ("manual", include_str!("../../../examples/indexing-table.toml")),
+    ("table", include_str!("../../../examples/turntable.toml")),
+    ("arm", include_str!("../../../examples/tilting-arm.toml")),
+    ("screw", include_str!("../../../examples/screw-axis.toml")),
+    ("belt", include_str!("../../../examples/belt-axis.toml")),
+];

@@ -1,0 +1,56 @@
+//! Curves and battery as JSON.
+
+use super::{in_unit, number};
+use crate::text::{curve_title, source_text};
+use actuator::{BatteryLife, CurveKind, CurvePoint, PerformanceCurve};
+use order_code::OrderCode;
+use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
+use quantities::{Language, Measure};
+use serde_json::{Value, json};
+
+fn points(points: &[CurvePoint]) -> Vec<[Value; 2]> {
+    points
+        .iter()
+        .map(|point| [in_unit(point.speed.si(), &REVOLUTION_PER_MINUTE), in_unit(point.torque.si(), &NEWTON_METRE)])
+        .collect()
+}
+
+/// The curves of the torque-speed plane.
+#[must_use]
+pub fn curves(code: &OrderCode, curves: &[PerformanceCurve], language: Language) -> Value {
+    let curves: Vec<Value> = curves
+        .iter()
+        .map(|curve| {
+            let (kind, duty) = match curve.kind {
+                CurveKind::Continuous => ("continuous", Value::Null),
+                CurveKind::S3 { duty } => ("S3", number(duty.si() * 100.0)),
+                CurveKind::ShortTime => ("short_time", Value::Null),
+            };
+            json!({
+                "kind": kind,
+                "ED": duty,
+                "title": curve_title(&curve.kind, language),
+                "voltage": curve.voltage.map(|voltage| in_unit(voltage.si(), &VOLT)),
+                "points": points(&curve.points),
+                "upper": curve.upper.as_deref().map(points),
+                "grade": curve.grade.id(),
+                "source": source_text(&curve.source, language),
+            })
+        })
+        .collect();
+    json!({ "code": code.to_string(), "units": { "n": "1/min", "T": "Nm", "U": "V", "ED": "%" }, "curves": curves })
+}
+
+/// Life of the battery.
+#[must_use]
+pub fn battery(battery: &BatteryLife) -> Value {
+    json!({
+        "life": in_unit(battery.life.value.si(), &YEAR),
+        "exchange_recommended": in_unit(battery.exchange_recommended.si(), &YEAR),
+        "exchange_latest": in_unit(battery.exchange_latest.si(), &YEAR),
+        "capped": battery.capped,
+        "unit": YEAR.json,
+        "grade": battery.life.grade.id(),
+        "source": battery.life.source.to_string(),
+    })
+}
