@@ -61,10 +61,14 @@ mass = "5 kg"
 continuous_curve = [["0 1/min", "50 N m"], ["70 1/min", "30 N m"]]
 "#;
 
-const STARTS: [&str; 4] = [
+const STARTS: [&str; 8] = [
     include_str!("../../examples/indexing-table.toml"),
     include_str!("../../examples/manual-example.toml"),
     include_str!("../../examples/two-way-shuttle.toml"),
+    include_str!("../../examples/tilting-arm.toml"),
+    include_str!("../../examples/screw-axis.toml"),
+    include_str!("../../examples/belt-axis.toml"),
+    include_str!("../../examples/turntable.toml"),
     FULL,
 ];
 

@@ -8,14 +8,15 @@ use anstyle::{AnsiColor, Style};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
+use workbench::quantities::unit::{DEGREE_CELSIUS, KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
 use workbench::quantities::{Measure, Unit, format_number, format_significant};
 use workbench::text::{
     assumption_text, check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, source_text,
     unmet_text, verdict_word,
 };
 use workbench::{
-    Candidate, CandidateId, Check, Demand, Figure, Language, Objection, Project, Refusal, Sizing, Verdict, json,
+    Candidate, CandidateId, Check, Demand, Figure, Language, Objection, Project, Refusal, Reserve, Sizing, Verdict,
+    json,
 };
 
 fn t(language: Language, en: &str, de: &str) -> String {
@@ -66,10 +67,10 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
     if as_json {
         return Answer::data(format!("{:#}\n", json::sizing(&sizing, top, language))).fits(fits);
     }
-    Answer::data(sizing_text(&sizing, top, all, language)).fits(fits)
+    Answer::data(sizing_text(&sizing, &project, top, all, language)).fits(fits)
 }
 
-fn sizing_text(sizing: &Sizing<'_>, top: usize, all: bool, language: Language) -> String {
+fn sizing_text(sizing: &Sizing<'_>, project: &Project, top: usize, all: bool, language: Language) -> String {
     let mut out = String::new();
     let total = sizing.candidates.len();
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits()).count();
@@ -118,7 +119,7 @@ fn sizing_text(sizing: &Sizing<'_>, top: usize, all: bool, language: Language) -
         }
         out.push_str(&remarks(best, language));
     }
-    out.push_str(&rejected_text(sizing, all, language));
+    out.push_str(&rejected_text(sizing, project, all, language));
     if let Some(own) = &sizing.own {
         let _ = writeln!(out, "\n{}", t(language, "own actuator of the project:", "eigener Antrieb des Projekts:"));
         out.push_str(&candidate_text(own, language));
@@ -191,7 +192,7 @@ fn objection_text(candidate: &Candidate<'_>, objection: &Objection, language: La
     }
 }
 
-fn rejected_text(sizing: &Sizing<'_>, all: bool, language: Language) -> String {
+fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: Language) -> String {
     let rejected: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|candidate| !candidate.fits()).collect();
     if rejected.is_empty() {
         return String::new();
@@ -228,6 +229,19 @@ fn rejected_text(sizing: &Sizing<'_>, all: bool, language: Language) -> String {
     if let Some(nearest) = rejected.first() {
         let head = t(language, "nearest miss: ", "knapp daneben: ");
         out.push_str(&paragraph(&head, &format!("{}, {}", nearest.id, reason(nearest, language))));
+    }
+    // What would have to change for the nearest that only a limit keeps out.
+    let curable = |candidate: &&&Candidate<'_>| {
+        candidate.objections.is_empty() && candidate.worst_failure().is_some_and(|check| check.utilisation.is_some())
+    };
+    if let Some(near) = rejected.iter().find(curable) {
+        let reserve = reserve_text(&workbench::reserve_of(project, near), false, language);
+        if !reserve.is_empty() {
+            if rejected.first().is_none_or(|first| first.id != near.id) {
+                out.push_str(&paragraph("", &format!("{}, {}", near.id, reason(near, language))));
+            }
+            out.push_str(&reserve);
+        }
     }
     out
 }
@@ -307,6 +321,41 @@ fn remarks(candidate: &Candidate<'_>, language: Language) -> String {
 fn assumptions_text(assumptions: &[workbench::Assumption], language: Language) -> String {
     let head = t(language, "assumed: ", "angenommen: ");
     assumptions.iter().map(|assumption| paragraph(&head, &assumption_text(*assumption, language))).collect()
+}
+
+/// How far one thing may be changed, all others as they are.
+fn reserve_text(reserve: &Reserve, fits: bool, language: Language) -> String {
+    let number = |value: f64| format_significant(value, 4, language);
+    let mut parts = Vec::new();
+    if let Some(factor) = reserve.payload_factor {
+        let factor = number(factor);
+        parts.push(t(language, &format!("payload × {factor}"), &format!("Nutzlast × {factor}")));
+    }
+    if let Some(factor) = reserve.load_factor {
+        let factor = number(factor);
+        parts.push(t(
+            language,
+            &format!("all masses and inertias × {factor}"),
+            &format!("alle Massen und Trägheiten × {factor}"),
+        ));
+    }
+    if let Some(time) = reserve.cycle_time {
+        let time = number(time.si());
+        parts.push(t(language, &format!("cycle of {time} s"), &format!("Zyklus von {time} s")));
+    }
+    if let Some(ambient) = reserve.ambient {
+        let ambient = number(DEGREE_CELSIUS.from_si(ambient.si()));
+        parts.push(t(language, &format!("ambient {ambient} °C"), &format!("Umgebung {ambient} °C")));
+    }
+    if parts.is_empty() {
+        return String::new();
+    }
+    let head = if fits {
+        t(language, "fits up to, one at a time: ", "passt bis zu, je für sich: ")
+    } else {
+        t(language, "would fit with one of: ", "würde passen mit einem von: ")
+    };
+    paragraph(&head, &parts.join("; "))
 }
 
 /// Every check of one actuator.
@@ -409,11 +458,14 @@ pub(crate) fn check(matches: &ArgMatches, as_json: bool, language: Language) -> 
         let mut value = json::candidate(&candidate, language);
         if let serde_json::Value::Object(map) = &mut value {
             map.insert("axis".into(), serde_json::json!(project.name));
+            map.insert("reserve".into(), json::reserve(&workbench::reserve_of(&project, &candidate)));
             map.insert("assumptions".into(), serde_json::json!(json::assumptions(&project.assumptions, language)));
         }
         format!("{value:#}\n")
     } else {
-        format!("{}{}", candidate_text(&candidate, language), assumptions_text(&project.assumptions, language))
+        let reserve = reserve_text(&workbench::reserve_of(&project, &candidate), candidate.judgement_fits(), language);
+        let assumed = assumptions_text(&project.assumptions, language);
+        format!("{}{reserve}{assumed}", candidate_text(&candidate, language))
     };
     Answer { data, talk, code: u8::from(!candidate.fits()) }
 }

@@ -130,6 +130,29 @@ impl Mechanism {
         }
     }
 
+    /// The same load with all its masses and inertias times a factor; friction, process and geometry stay.
+    #[must_use]
+    pub fn with_masses(&self, factor: f64) -> Self {
+        let inertia = |inertia: MomentOfInertia| MomentOfInertia::from_si(inertia.si() * factor);
+        let mass = |mass: Mass| Mass::from_si(mass.si() * factor);
+        let kind = match &self.kind {
+            Kind::Rotor(rotor) => {
+                Kind::Rotor(Rotor { inertia: inertia(rotor.inertia), mass: mass(rotor.mass), ..*rotor })
+            }
+            Kind::Linear(linear) => Kind::Linear(Linear {
+                inertia: inertia(linear.inertia),
+                mass: mass(linear.mass),
+                counterweight: mass(linear.counterweight),
+                ..*linear
+            }),
+            Kind::SliderCrank(crank) => {
+                Kind::SliderCrank(SliderCrank { inertia: inertia(crank.inertia), mass: mass(crank.mass), ..*crank })
+            }
+            Kind::Table(table) => Kind::Table(table.scaled(factor)),
+        };
+        Self { kind, ..self.clone() }
+    }
+
     pub(crate) fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
         match &self.kind {
             Kind::Rotor(rotor) => rotor.reduced(position_rad, extra),

@@ -58,6 +58,16 @@ impl Table {
         Ok(Self { points, periodic })
     }
 
+    /// Inertia and torque times a factor: a heavier load of the same kind.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let points = self.points.iter().map(|point| TablePoint {
+            position: point.position,
+            inertia: MomentOfInertia::from_si(point.inertia.si() * factor),
+            torque: Torque::from_si(point.torque.si() * factor),
+        });
+        Self { points: points.collect(), periodic: self.periodic }
+    }
+
     pub(crate) const fn is_periodic(&self) -> bool {
         self.periodic
     }

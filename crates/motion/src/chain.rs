@@ -131,6 +131,45 @@ impl Motion {
         Ok(Self { pieces: chain.pieces, stretches, manual })
     }
 
+    /// The same motion run through in another time: every instant times `factor`.
+    ///
+    /// q'(t) = q(t/f), ω' = ω/f, α' = α/f²
+    #[must_use]
+    pub fn stretched(&self, factor: f64) -> Self {
+        let speed = |speed: AngularVelocity| AngularVelocity::from_si(speed.si() / factor);
+        let time = |time: Time| Time::from_si(time.si() * factor);
+        Self {
+            pieces: self.pieces.iter().map(|piece| piece.stretched(factor)).collect(),
+            stretches: self
+                .stretches
+                .iter()
+                .map(|stretch| Stretch {
+                    start: time(stretch.start),
+                    duration: time(stretch.duration),
+                    hold: stretch.hold,
+                    solved: stretch.solved.map(|solved| Solved {
+                        distance: solved.distance,
+                        time: time(solved.time),
+                        speed: speed(solved.speed),
+                        acceleration: AngularAcceleration::from_si(solved.acceleration.si() / (factor * factor)),
+                    }),
+                })
+                .collect(),
+            manual: self.manual.as_ref().map(|moves| {
+                moves
+                    .iter()
+                    .map(|each| ManualMove {
+                        speed: speed(each.speed),
+                        accelerate: time(each.accelerate),
+                        run: time(each.run),
+                        brake: time(each.brake),
+                        pause: time(each.pause),
+                    })
+                    .collect()
+            }),
+        }
+    }
+
     /// The pieces, in order, each of positive duration; never empty.
     #[must_use]
     pub fn pieces(&self) -> &[Piece] {

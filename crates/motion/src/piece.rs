@@ -58,6 +58,22 @@ impl Piece {
         piece
     }
 
+    /// The same piece run through in `factor` times its duration.
+    #[must_use]
+    pub(crate) fn stretched(&self, factor: f64) -> Self {
+        let [c0, c1, c2, c3] = self.polynomial;
+        let [amplitude, frequency, phase] = self.harmonic;
+        let square = factor * factor;
+        Self {
+            start_s: self.start_s * factor,
+            duration_s: self.duration_s * factor,
+            speed_rad_s: self.speed_rad_s / factor,
+            polynomial: [c0 / square, c1 / (square * factor), c2 / (square * square), c3 / (square * square * factor)],
+            harmonic: [amplitude / square, frequency / factor, phase],
+            ..*self
+        }
+    }
+
     /// The state at a time from the beginning of the piece.
     #[must_use]
     pub fn at(&self, t: f64) -> State {
@@ -184,6 +200,24 @@ mod tests {
         }
         assert!((piece.end().speed_rad_s - speed).abs() < 1e-12);
         assert!((piece.end().position_rad - position).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_stretched_piece_passes_the_same_places_later() {
+        let piece = Piece {
+            position_rad: 0.3,
+            speed_rad_s: -1.2,
+            harmonic: [4.0, 7.0, 0.4],
+            ..Piece::polynomial(1.3, [2.0, -3.0, 1.5, 0.7])
+        };
+        let slow = piece.stretched(2.5);
+        for step in 0..=20 {
+            let t = 1.3 * f64::from(step) / 20.0;
+            let (a, b) = (piece.at(t), slow.at(2.5 * t));
+            assert!((a.position_rad - b.position_rad).abs() < 1e-12);
+            assert!((a.speed_rad_s / 2.5 - b.speed_rad_s).abs() < 1e-12);
+            assert!((a.acceleration_rad_s2 / 6.25 - b.acceleration_rad_s2).abs() < 1e-12);
+        }
     }
 
     #[test]

@@ -55,7 +55,7 @@ pub enum CheckId {
     GearMeanInputSpeed,
     /// Torque of a collision against T_M.
     CollisionTorque,
-    /// Peak speed against the speed at which the wave generator excites the load.
+    /// Distance of the speeds that the cycle holds from those at which the wave generator excites the load.
     ResonanceSpeed,
     /// Sum of all angular errors against what is permitted.
     ErrorBudget,

@@ -10,7 +10,12 @@ use quantities::{Measure, Time};
 
 /// The checks of the feedback; that of the battery only where there is one.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
-    let mut checks = vec![range(axis, actuator), resolution(axis, actuator)];
+    let mut checks = Vec::with_capacity(3);
+    // Who says that it need not be absolute wants no answer.
+    if axis.asked.absolute != Some(false) {
+        checks.push(range(axis, actuator));
+    }
+    checks.push(resolution(axis, actuator));
     if actuator.feedback.buffered_by_battery {
         checks.push(battery(axis));
     }
@@ -53,10 +58,10 @@ fn range(axis: &Axis, actuator: &Parameters) -> Check {
     };
     let Some((turns, feedback)) = absolute(actuator) else {
         check.notes.push(Note::NeedsReferencing);
-        match asked {
-            Some(true) => check.verdict = Verdict::Fail,
-            Some(false) => check.verdict = Verdict::Pass,
-            None => {}
+        if asked.is_some() {
+            check.limit = Some(Figure { si: 0.0, unit: &REVOLUTION });
+            check.limit_source = Some(source);
+            check.verdict = Verdict::Fail;
         }
         return check;
     };
@@ -70,13 +75,9 @@ fn range(axis: &Axis, actuator: &Parameters) -> Check {
     } else if !within {
         check.notes.push(Note::NeedsReferencing);
     }
-    match asked {
-        Some(true) => {
-            check.verdict = if within { Verdict::Pass } else { Verdict::Fail };
-            check.utilisation = (!lost).then(|| travel / limit);
-        }
-        Some(false) => check.verdict = Verdict::Pass,
-        None => {}
+    if asked.is_some() {
+        check.verdict = if within { Verdict::Pass } else { Verdict::Fail };
+        check.utilisation = (!lost).then(|| travel / limit);
     }
     check
 }

@@ -1,12 +1,12 @@
 //! The checks of the gear.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Note, Verdict};
+use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::checks::{Comparison, at_least, equation, not_checked, shown_or_at_most};
 use actuator::{BudgetCase, Parameters, PositionLoop};
 use provenance::{Grade, Missing, Source};
-use quantities::unit::{ARCMINUTE, HERTZ, HOUR, MILLIMETRE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use quantities::{AngularVelocity, Measure, Torque};
+use quantities::unit::{ARCMINUTE, HERTZ, HOUR, MILLIMETRE, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
+use quantities::{AngularVelocity, Measure, Time, Torque};
 
 /// Every check of the gear. It carries the torque of the load only: the rotor's inertia is on its other side.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
@@ -59,8 +59,15 @@ fn collision(torque: Torque, actuator: &Parameters) -> Check {
     }
 }
 
-/// n_peak < the lowest output speed at which the wave generator excites the load (2 i n/60 = f on the softest region).
-/// Reached or passed it is an advice: the model has no damping and knows no amplitude.
+/// Half width of the band around a resonance speed in which nothing should run for long: a tenth of the speed. Assumed;
+/// the model has no damping and knows no amplitude.
+const RESONANCE_BAND: f64 = 0.1;
+
+/// The distance that is told where no speed is held, or every resonance lies further off.
+const FAR_FROM_RESONANCE: f64 = 1.0;
+
+/// Distance of the speeds that the cycle holds from those at which the wave generator excites the load (2 i n/60 = f on
+/// each region of stiffness), relative to the latter. To hold such a speed is against advice; to pass through is not.
 fn resonance(axis: &Axis, actuator: &Parameters) -> Check {
     let id = CheckId::ResonanceSpeed;
     let inertia = axis.moments().inertia_max;
@@ -79,25 +86,28 @@ fn resonance(axis: &Axis, actuator: &Parameters) -> Check {
     })();
     match found {
         Ok(speeds) => {
-            let [softest, ..] = speeds;
-            let limit = provenance::Sourced {
-                value: softest,
-                source: Source::Model { name: "gear" },
-                grade: Grade::Computed,
-                errata: &[],
+            let distance = |speed: f64| {
+                speeds.iter().map(|n| (speed.abs() / n.si() - 1.0).abs()).fold(FAR_FROM_RESONANCE, f64::min)
             };
-            Comparison {
-                at: Some(axis.moments().speed_peak_at),
+            let held = axis.motion.pieces().iter().filter(|piece| piece.speed_degree() == Some(0) && !piece.is_rest());
+            let nearest =
+                held.map(|piece| (distance(piece.speed_rad_s), piece.start_s)).min_by(|a, b| a.0.total_cmp(&b.0));
+            let (value, at) =
+                nearest.map_or((FAR_FROM_RESONANCE, None), |(value, at)| (value, Some(Time::from_si(at))));
+            let source = Source::Model { name: "gear" };
+            Check {
+                id,
+                verdict: if value >= RESONANCE_BAND { Verdict::Pass } else { Verdict::Advice },
+                value: Some(Figure { si: value, unit: &PERCENT }),
+                limit: Some(Figure { si: RESONANCE_BAND, unit: &PERCENT }),
+                utilisation: (value > 0.0).then(|| RESONANCE_BAND / value),
+                at,
+                grade: Some(Grade::Assumed),
+                value_source: Some(source.clone()),
+                limit_source: Some(source),
+                missing: None,
                 notes: vec![Note::ResonanceSpeeds(speeds)],
-                ..Comparison::with(
-                    id,
-                    &REVOLUTION_PER_MINUTE,
-                    axis.moments().speed_peak.si(),
-                    Source::Model { name: "demand" },
-                    &limit,
-                )
             }
-            .answer(Verdict::Advice)
         }
         Err(missing) => not_checked(id, missing),
     }

@@ -1,12 +1,12 @@
 //! The checks of the screw joints and of the field of application.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Note, Verdict};
+use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::checks::{Comparison, not_checked};
 use crate::demand::Demand;
 use actuator::{Parameters, ScrewJoint};
 use provenance::{Grade, Missing, Source};
-use quantities::unit::NEWTON_METRE;
+use quantities::unit::{NEWTON_METRE, ONE};
 use quantities::{Measure, Torque};
 
 /// Both joints, and the field of application where a special one is stated.
@@ -25,6 +25,9 @@ pub(crate) fn judge(axis: &Axis, actuator: &Parameters, demand: Option<&Demand>)
         let mut check = not_checked(CheckId::Application, Missing { symbol: "approval" });
         check.verdict = Verdict::Advice;
         check.missing = None;
+        // One approval is needed, none is at hand.
+        check.value = Some(Figure { si: 1.0, unit: &ONE });
+        check.limit = Some(Figure { si: 0.0, unit: &ONE });
         check.grade = Some(Grade::Printed);
         check.value_source = Some(Source::Project { key: "requirements.special_application".into() });
         check.notes.push(Note::ApprovalNeeded);

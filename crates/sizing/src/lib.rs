@@ -15,6 +15,7 @@ mod feedback_checks;
 mod gear_checks;
 mod joint_checks;
 mod rank;
+mod reserve;
 mod trace;
 
 pub use axis::{Asked, Axis, BearingDuty, Moments, OperatingCondition, SpecialApplication};
@@ -22,3 +23,4 @@ pub use check::{Check, CheckId, Figure, Note, Verdict};
 pub use checks::{Depth, Judgement, judge};
 pub use demand::{Demand, ManualDemand, MoveTorques};
 pub use rank::{Standing, rank};
+pub use reserve::{Reserve, reserve};

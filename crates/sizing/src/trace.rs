@@ -209,9 +209,9 @@ const PANEL_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
 /// A panel covers at most this phase of the harmonic of its law.
 const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Most panels of one piece; beyond, a piece that turns through thousands of revolutions under a changing load is
-/// sampled more coarsely than [`PANEL_ANGLE`].
-const PANELS_MOST: f64 = 20_000.0;
+/// Most panels of one piece; a piece that turns through more than eighty revolutions under a changing load is sampled
+/// more coarsely than [`PANEL_ANGLE`].
+const PANELS_MOST: f64 = 1_000.0;
 
 impl Builder<'_> {
     fn piece(&mut self, piece: &Piece, extra: &Extra, hold: Hold) {

@@ -3,7 +3,7 @@
 mod chapters;
 mod inertia;
 
-pub use chapters::{battery, curves};
+pub use chapters::{battery, curves, reserve};
 pub use inertia::inertia;
 
 use crate::codes::{CodeFault, CodeReading, explain_code};

@@ -25,8 +25,10 @@ pub use order_code::{Field, OrderCode};
 pub use project::{Assumption, OwnActuator, PROJECT_MAX_BYTES, Project, schema};
 pub use quantities::{self, Language};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
-pub use sizing::{Check, Demand, Figure, Verdict};
-pub use sizing_use::{Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, size};
+pub use sizing::{Check, Demand, Figure, Reserve, Verdict};
+pub use sizing_use::{
+    Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, reserve_of, size,
+};
 pub use torsion::{TorsionAnswer, read_torque, torsion};
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use actuator::Parameters;
 use configurator::{BrokenRule, Unmet, availability};
 use order_code::{Field, Option1, OrderCode};
 use quantities::Measure;
-use sizing::{Check, Depth, Judgement, Standing, Verdict, judge, rank};
+use sizing::{Check, Depth, Judgement, Reserve, Standing, Verdict, judge, rank, reserve};
 use std::sync::LazyLock;
 
 /// What a candidate is called.
@@ -57,6 +57,12 @@ impl Candidate<'_> {
     #[must_use]
     pub const fn fits(&self) -> bool {
         self.standing.fits
+    }
+
+    /// Whether no check fails, whatever else speaks against it.
+    #[must_use]
+    pub fn judgement_fits(&self) -> bool {
+        self.judgement.fits()
     }
 
     /// The failing check that is exceeded most.
@@ -182,6 +188,12 @@ pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>
 /// [`Refusal::NoActuator`] if the project describes none.
 pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
     project.actuator.as_ref().map(|own| own_candidate(project, own)).ok_or(Refusal::NoActuator)
+}
+
+/// How far the axis of a project may be changed until a candidate just fits.
+#[must_use]
+pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
+    reserve(&project.axis, candidate.parameters)
 }
 
 fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Parameters, depth: Depth) -> Candidate<'p> {

@@ -4,9 +4,10 @@ use super::{in_unit, number};
 use crate::text::{curve_title, source_text};
 use actuator::{BatteryLife, CurveKind, CurvePoint, PerformanceCurve};
 use order_code::OrderCode;
-use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
+use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT, YEAR};
 use quantities::{Language, Measure};
 use serde_json::{Value, json};
+use sizing::Reserve;
 
 fn points(points: &[CurvePoint]) -> Vec<[Value; 2]> {
     points
@@ -39,6 +40,18 @@ pub fn curves(code: &OrderCode, curves: &[PerformanceCurve], language: Language)
         })
         .collect();
     json!({ "code": code.to_string(), "units": { "n": "1/min", "T": "Nm", "U": "V", "ED": "%" }, "curves": curves })
+}
+
+/// How far the axis may be changed; `null` where nothing within reach fits or everything does.
+#[must_use]
+pub fn reserve(reserve: &Reserve) -> Value {
+    json!({
+        "load_factor": reserve.load_factor.map(number),
+        "payload_factor": reserve.payload_factor.map(number),
+        "cycle_time": reserve.cycle_time.map(|time| in_unit(time.si(), &SECOND)),
+        "ambient": reserve.ambient.map(|ambient| in_unit(ambient.si(), &DEGREE_CELSIUS)),
+        "units": { "cycle_time": "s", "ambient": "degC" },
+    })
 }
 
 /// Life of the battery.
