@@ -2,11 +2,10 @@
 
 use crate::answer::Answer;
 use crate::code::parse_for_use;
-use crate::fault::{error_word, read_project};
-use crate::judge::refuse;
+use crate::fault::error_word;
+use crate::judge::{axes_of, refuse, together};
 use crate::table::{Align, Table};
 use clap::ArgMatches;
-use std::path::PathBuf;
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
 use workbench::quantities::{ElectricPotential, Measure, Time, format_significant};
 use workbench::text::{check_title, curve_title, grade_word, source_text, verdict_word};
@@ -84,12 +83,16 @@ pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> 
 
 /// `antrieb bearing PROJECT`
 pub(crate) fn bearing(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
-    let project = match read_project(&path, as_json, language) {
-        Ok(project) => project,
+    let projects = match axes_of(matches, as_json, language) {
+        Ok(projects) => projects,
         Err(answer) => return answer,
     };
-    let sizes = workbench::bearing_of_each_size(&project);
+    let answers = projects.iter().map(|project| bearing_of(project, as_json, language));
+    together(answers.collect(), as_json)
+}
+
+fn bearing_of(project: &workbench::Project, as_json: bool, language: Language) -> Answer {
+    let sizes = workbench::bearing_of_each_size(project);
     let failing = |candidate: &workbench::Candidate<'_>| {
         workbench::bearing_checks(candidate).any(|check| check.verdict == Verdict::Fail)
     };

@@ -43,6 +43,14 @@ fn project(language: Language) -> Arg {
     )
 }
 
+fn axis(language: Language) -> Arg {
+    Arg::new("axis").long("axis").value_name("NAME").help(either(
+        language,
+        "Only this axis of a project with several",
+        "Nur diese Achse eines Projekts mit mehreren",
+    ))
+}
+
 /// The whole command line.
 pub(crate) fn build(language: Language) -> Command {
     headed(commands(language), language)
@@ -125,6 +133,7 @@ fn commands(language: Language) -> Command {
     let size = Command::new("size")
         .about(t("Rank the whole catalogue for an axis", "Den ganzen Katalog für eine Achse ordnen"))
         .arg(project(language))
+        .arg(axis(language))
         .arg(
             Arg::new("top")
                 .long("top")
@@ -143,6 +152,7 @@ fn commands(language: Language) -> Command {
             "Einen Antrieb beurteilen, jede Prüfung mit ihrer Reserve",
         ))
         .arg(project(language))
+        .arg(axis(language))
         .arg(Arg::new("code").long("code").value_name("CODE").help(t(
             "Ordering code; without it the project's own [actuator] is judged",
             "Bestellcode; ohne ihn wird der eigene [actuator] des Projekts beurteilt",
@@ -274,7 +284,8 @@ fn commands(language: Language) -> Command {
                     "The output bearing of every size under a project's loads",
                     "Das Abtriebslager jeder Baugröße unter den Lasten eines Projekts",
                 ))
-                .arg(project(language)),
+                .arg(project(language))
+                .arg(axis(language)),
         )
         .subcommand(
             Command::new("battery")

@@ -9,8 +9,8 @@ use workbench::{Diagnostic, Language, PROJECT_MAX_BYTES, Project, json};
 /// Longest line that is shown with an underline; a longer one is cut out of the picture.
 const LINE_MAX: usize = 400;
 
-/// Reads a project file; a fault is the finished answer.
-pub(crate) fn read_project(path: &Path, as_json: bool, language: Language) -> Result<Project, Answer> {
+/// Reads a project file with all its axes; a fault is the finished answer.
+pub(crate) fn read_projects(path: &Path, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
     let name = if path.as_os_str() == "-" { "stdin".to_owned() } else { path.display().to_string() };
     let bytes = read_bytes(path).map_err(|error| unreadable(&name, &io_text(&error, language), as_json, language))?;
     if bytes.len() > PROJECT_MAX_BYTES {
@@ -36,7 +36,7 @@ pub(crate) fn read_project(path: &Path, as_json: bool, language: Language) -> Re
             return Err(unreadable(&name, &what, as_json, language));
         }
     };
-    Project::read(&text, language).map_err(|faults| report(&name, &text, &faults, as_json, language))
+    Project::read_all(&text, language).map_err(|faults| report(&name, &text, &faults, as_json, language))
 }
 
 /// At most one byte more than a project file may have: a large file or an endless stream is not read to its end.

@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use crate::code::parse_for_use;
-use crate::fault::{error_word, read_project};
+use crate::fault::{error_word, read_projects};
 use crate::table::{Align, Table, paragraph};
 use anstyle::{AnsiColor, Style};
 use clap::ArgMatches;
@@ -49,25 +49,68 @@ fn paint(text: &str, verdict: Verdict) -> String {
     format!("{style}{text}{style:#}")
 }
 
-fn project_of(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Project, Answer> {
+/// The axes of the project, or the one that is asked for.
+pub(crate) fn axes_of(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
     let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
-    read_project(&path, as_json, language)
+    let mut projects = read_projects(&path, as_json, language)?;
+    if let Some(wanted) = matches.get_one::<String>("axis") {
+        let names: Vec<String> = projects.iter().map(|project| project.name.clone()).collect();
+        projects.retain(|project| project.name == *wanted);
+        if projects.is_empty() {
+            let what = t(
+                language,
+                &format!("the project has no axis \"{wanted}\"; it has: {}", names.join(", ")),
+                &format!("das Projekt hat keine Achse „{wanted}“; es hat: {}", names.join(", ")),
+            );
+            let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
+            if as_json {
+                answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
+            }
+            return Err(answer);
+        }
+    }
+    Ok(projects)
+}
+
+/// The answers of several axes as one: texts under each other, JSON values in `axes`; one that does not fit decides.
+pub(crate) fn together(answers: Vec<Answer>, as_json: bool) -> Answer {
+    let mut answers = answers;
+    if answers.len() == 1 {
+        return answers.remove(0);
+    }
+    let code = answers.iter().map(|answer| answer.code).max().unwrap_or(0);
+    let mut talk: Vec<&str> =
+        answers.iter().map(|answer| answer.talk.as_str()).filter(|talk| !talk.is_empty()).collect();
+    talk.dedup();
+    let talk = talk.concat();
+    if as_json {
+        let axes: Vec<serde_json::Value> =
+            answers.iter().filter_map(|answer| serde_json::from_str(&answer.data).ok()).collect();
+        let verdict = if code == 0 { "fits" } else { "does_not_fit" };
+        let value = serde_json::json!({ "verdict": verdict, "axes": axes });
+        return Answer { data: format!("{value:#}\n"), talk, code };
+    }
+    let texts: Vec<&str> = answers.iter().map(|answer| answer.data.as_str()).collect();
+    Answer { data: texts.join("\n"), talk, code }
 }
 
 /// `antrieb size PROJECT`
 pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let project = match project_of(matches, as_json, language) {
-        Ok(project) => project,
+    let projects = match axes_of(matches, as_json, language) {
+        Ok(projects) => projects,
         Err(answer) => return answer,
     };
     let all = matches.get_flag("all");
     let top = if all { usize::MAX } else { usize::from(matches.get_one::<u16>("top").copied().unwrap_or(10)) };
-    let sizing = workbench::size(&project);
-    let fits = sizing.fits();
-    if as_json {
-        return Answer::data(format!("{:#}\n", json::sizing(&sizing, top, language))).fits(fits);
-    }
-    Answer::data(sizing_text(&sizing, &project, top, all, language)).fits(fits)
+    let answers = projects.iter().map(|project| {
+        let sizing = workbench::size(project);
+        let fits = sizing.fits();
+        if as_json {
+            return Answer::data(format!("{:#}\n", json::sizing(&sizing, top, language))).fits(fits);
+        }
+        Answer::data(sizing_text(&sizing, project, top, all, language)).fits(fits)
+    });
+    together(answers.collect(), as_json)
 }
 
 fn sizing_text(sizing: &Sizing<'_>, project: &Project, top: usize, all: bool, language: Language) -> String {
@@ -435,17 +478,22 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
 
 /// `antrieb check PROJECT --code CODE`
 pub(crate) fn check(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let project = match project_of(matches, as_json, language) {
-        Ok(project) => project,
+    let projects = match axes_of(matches, as_json, language) {
+        Ok(projects) => projects,
         Err(answer) => return answer,
     };
+    let answers = projects.iter().map(|project| check_axis(project, matches, as_json, language));
+    together(answers.collect(), as_json)
+}
+
+fn check_axis(project: &Project, matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     let mut talk = String::new();
     let judged = match matches.get_one::<String>("code") {
-        None => workbench::check_own(&project),
+        None => workbench::check_own(project),
         Some(text) => match parse_for_use(text, as_json, language) {
             Ok((reading, note)) => {
                 talk = note;
-                workbench::check(&project, &reading.parsed.code)
+                workbench::check(project, &reading.parsed.code)
             }
             Err(answer) => return answer,
         },
@@ -454,18 +502,20 @@ pub(crate) fn check(matches: &ArgMatches, as_json: bool, language: Language) -> 
         Ok(candidate) => candidate,
         Err(refusal) => return refuse(&refusal, as_json, language),
     };
+    let reserve = workbench::reserve_of(project, &candidate);
     let data = if as_json {
         let mut value = json::candidate(&candidate, language);
         if let serde_json::Value::Object(map) = &mut value {
             map.insert("axis".into(), serde_json::json!(project.name));
-            map.insert("reserve".into(), json::reserve(&workbench::reserve_of(&project, &candidate)));
+            map.insert("reserve".into(), json::reserve(&reserve));
             map.insert("assumptions".into(), serde_json::json!(json::assumptions(&project.assumptions, language)));
         }
         format!("{value:#}\n")
     } else {
-        let reserve = reserve_text(&workbench::reserve_of(&project, &candidate), candidate.judgement_fits(), language);
+        let reserve = reserve_text(&reserve, candidate.judgement_fits(), language);
         let assumed = assumptions_text(&project.assumptions, language);
-        format!("{}{reserve}{assumed}", candidate_text(&candidate, language))
+        let head = if project.name.is_empty() { String::new() } else { format!("{} · ", project.name) };
+        format!("{head}{}{reserve}{assumed}", candidate_text(&candidate, language))
     };
     Answer { data, talk, code: u8::from(!candidate.fits()) }
 }

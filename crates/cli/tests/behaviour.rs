@@ -7,13 +7,14 @@ use run::{root, run, run_with};
 use serde_json::Value;
 use testkit::agrees;
 
-const EXAMPLES: [&str; 7] = [
+const EXAMPLES: [&str; 8] = [
     "examples/belt-axis.toml",
     "examples/indexing-table.toml",
     "examples/manual-example.toml",
     "examples/screw-axis.toml",
     "examples/tilting-arm.toml",
     "examples/turntable.toml",
+    "examples/two-axes.toml",
     "examples/two-way-shuttle.toml",
 ];
 
@@ -283,4 +284,27 @@ fn the_chapters_alone() {
         assert_eq!(run_with(&["size", "-"], template.out.as_bytes()).code, 0, "{kind}");
     }
     assert_eq!(run(&["new", "spring"]).code, 2);
+}
+
+#[test]
+fn several_axes_get_a_verdict_each() {
+    let value: Value = serde_json::from_str(&run(&["size", "examples/two-axes.toml", "--json"]).out).unwrap();
+    let names: Vec<&str> =
+        value["axes"].as_array().unwrap().iter().map(|axis| axis["axis"].as_str().unwrap()).collect();
+    assert_eq!((names, value["verdict"].as_str()), (vec!["swivel", "lift"], Some("fits")));
+    let one: Value =
+        serde_json::from_str(&run(&["size", "examples/two-axes.toml", "--axis", "lift", "--json"]).out).unwrap();
+    assert_eq!(one, value["axes"][1], "an axis alone is what it is among others");
+    let text = std::fs::read_to_string(root().join("examples/two-axes.toml")).unwrap();
+    // One axis that does not fit decides, and the other is still answered.
+    let heavy = run_with(&["size", "-"], text.replace("mass = \"9 kg\"", "mass = \"9 t\"").as_bytes());
+    assert_eq!(heavy.code, 1);
+    assert!(heavy.out.contains("swivel: CHA-") && heavy.out.contains("lift: no actuator"));
+    let missing = run(&["size", "examples/two-axes.toml", "--axis", "left"]);
+    assert!(missing.code == 2 && missing.err.contains("swivel, lift"));
+    let outside = run_with(&["size", "-"], format!("{text}\n[load]\ninertia = \"1 kg m^2\"\n").as_bytes());
+    assert!(outside.code == 2 && outside.err.contains("belongs inside [[axis]]"), "{}", outside.err);
+    let without =
+        run_with(&["size", "-"], b"format = 1\n[[axis]]\nname = \"a\"\n[axis.load]\ninertia = \"1 kg m^2\"\n");
+    assert!(without.code == 2 && without.err.contains("[[motion]]"), "{}", without.err);
 }

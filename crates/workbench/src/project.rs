@@ -91,37 +91,65 @@ pub struct Project {
 }
 
 impl Project {
-    /// Reads a project file.
+    /// Reads a project file with one axis.
     ///
     /// # Errors
     /// Every fault of the file, each with its place, in the order of the file.
     pub fn read(text: &str, language: Language) -> Result<Self, Vec<Diagnostic>> {
+        let mut axes = Self::read_all(text, language)?;
+        match (axes.pop(), axes.is_empty()) {
+            (Some(only), true) => Ok(only),
+            _ => Err(vec![Diagnostic::at(text, 0..0, language.one_axis_only(), None)]),
+        }
+    }
+
+    /// Reads a project file with one axis or several, in their order.
+    ///
+    /// # Errors
+    /// Every fault of the file, each with its place, in the order of the file.
+    pub fn read_all(text: &str, language: Language) -> Result<Vec<Self>, Vec<Diagnostic>> {
         if text.len() > PROJECT_MAX_BYTES {
             let message = language.file_too_large(text.len(), PROJECT_MAX_BYTES);
             return Err(vec![Diagnostic::at(text, 0..0, message, None)]);
         }
         let mut reader = Reader::new(text, language);
         let root = reader.read();
-        let axis = build_axis(&root, &mut reader, language);
-        let actuator = build_actuator(&root, &mut reader, language);
+        let several = root.tables("axis");
+        let axes: Vec<Option<Self>> = if several.is_empty() {
+            vec![Self::build(&root, &mut reader, language)]
+        } else {
+            for key in ["load", "mechanism", "motion", "bearing", "requirements", "actuator"] {
+                if root.has(key) {
+                    reader.fault(root.span_of(key), language.outside_the_axes(key), None);
+                }
+            }
+            several.iter().map(|section| Self::build(&section.as_root(), &mut reader, language)).collect()
+        };
         let faults = reader.into_faults();
-        match axis {
-            Some(axis) if faults.is_empty() => Ok(Self {
-                name: root.table("axis").and_then(|axis| axis.text("name")).unwrap_or_default().to_owned(),
-                assumptions: assumptions(&root),
-                requirements: requirements(&root),
-                option_1: option(&root, "option_1").and_then(|word| (word == "EC").then_some(Option1::EC)),
-                option_2: option(&root, "option_2").and_then(|word| match word {
-                    "K" => Some(Option2::K),
-                    "R" => Some(Option2::R),
-                    "S" => Some(Option2::S),
-                    _ => None,
-                }),
-                axis,
-                actuator,
-            }),
+        match axes.into_iter().collect::<Option<Vec<Self>>>() {
+            Some(axes) if faults.is_empty() => Ok(axes),
             _ => Err(faults),
         }
+    }
+
+    /// One axis from its section; `None` where a fault stands in the way.
+    fn build(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Self> {
+        let axis = build_axis(root, reader, language);
+        let actuator = build_actuator(root, reader, language);
+        Some(Self {
+            name: root.table("axis").and_then(|axis| axis.text("name")).unwrap_or_default().to_owned(),
+            assumptions: assumptions(root),
+            requirements: requirements(root),
+            option_1: option(root, "option_1").and_then(|word| (word == "EC").then_some(Option1::EC)),
+            option_2: option(root, "option_2").and_then(|word| match word {
+                "K" => Some(Option2::K),
+                "R" => Some(Option2::R),
+                "S" => Some(Option2::S),
+                _ => None,
+            }),
+            axis: axis?,
+            actuator,
+        })
     }
 }
 
@@ -176,6 +204,12 @@ fn requirements(root: &Section) -> Requirements {
 }
 
 fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Axis> {
+    if !root.has("motion") && !reader.is_damaged() {
+        let start = root.span.start;
+        let hint = language.for_example("[[motion]]");
+        let span = start..start + usize::from(!root.span.is_empty());
+        reader.fault(span, language.missing_key("", "motion", true), Some(hint));
+    }
     let bearing = bearing_duty(root, reader, language);
     let load = load::load(root, reader, language)?;
     let (motion, extras) = load::motion(root, &load, reader, language)?;

@@ -193,8 +193,14 @@ impl<'t> Reader<'t> {
             (Kind::Table(keys), DeValue::Table(table)) => {
                 Some(Entry::Table(self.section(table, span, keys, path, damaged)))
             }
+            (Kind::OneOrMany(keys, _), DeValue::Table(table)) => {
+                Some(Entry::Table(self.section(table, span, keys, path, damaged)))
+            }
+            (Kind::OneOrMany(_, keys), DeValue::Array(items)) => self.tables(items, span, (keys, None), path, damaged),
             (Kind::Bodies, DeValue::Array(items)) => self.bodies(items, span, path),
-            (Kind::Variants(variants), DeValue::Array(items)) => self.tables(items, span, variants, path, damaged),
+            (Kind::Variants(variants), DeValue::Array(items)) => {
+                self.tables(items, span, (variants.keys, Some(variants)), path, damaged)
+            }
             (_, found) => {
                 let message = self.language.wrong_type(path, &key.kind_words(self.language), found.type_str());
                 let hint = example(key).map(|line| self.language.for_example(&line));
@@ -302,7 +308,7 @@ impl<'t> Reader<'t> {
         &mut self,
         items: &DeArray<'_>,
         span: Span<usize>,
-        variants: &'static Variants,
+        (keys, variants): (&'static [Key], Option<&'static Variants>),
         path: &str,
         damaged: bool,
     ) -> Option<Entry> {
@@ -314,8 +320,10 @@ impl<'t> Reader<'t> {
             let path = format!("{path}[{}]", index + 1);
             match item.get_ref() {
                 DeValue::Table(table) => {
-                    sections.push(self.section(table, item.span(), variants.keys, &path, damaged));
-                    self.variant(table, item.span(), variants, &path, damaged);
+                    sections.push(self.section(table, item.span(), keys, &path, damaged));
+                    if let Some(variants) = variants {
+                        self.variant(table, item.span(), variants, &path, damaged);
+                    }
                 }
                 other => {
                     let message = self.language.wrong_type(&path, &self.language.a_table(), other.type_str());
@@ -478,7 +486,7 @@ pub(crate) fn example(key: &Key) -> Option<String> {
             let row: Vec<String> = dimensions.iter().map(|dimension| format!("\"{}\"", dimension.example())).collect();
             Some(format!("{name} = [[{}], …]", row.join(", ")))
         }
-        Kind::Table(_) => Some(format!("[{name}]")),
+        Kind::Table(_) | Kind::OneOrMany(..) => Some(format!("[{name}]")),
         Kind::Bodies => Some(format!("{name} = [\"cylinder diameter=300mm length=20mm density=7850kg/m^3\"]")),
         Kind::Variants(_) => Some(format!("[[{name}]]")),
     }

@@ -21,14 +21,45 @@ pub fn schema(language: Language) -> Value {
             })
             .collect::<Map<String, Value>>();
         map.insert("$defs".into(), Value::Object(quantities));
-        // One load: given at the output, or through one mechanism.
-        map.insert("oneOf".into(), json!([{ "required": ["load"] }, { "required": ["mechanism"] }]));
-        if let Some(Value::Object(mechanism)) = map.get_mut("properties").and_then(|all| all.get_mut("mechanism")) {
-            mechanism.insert("minProperties".into(), json!(1));
-            mechanism.insert("maxProperties".into(), json!(1));
-        }
+        // A single axis stands at the root with its load and motion, several stand in [[axis]].
+        let single = json!({ "required": ["motion"], "properties": { "axis": { "type": "object" } } });
+        let several = json!({ "required": ["axis"], "properties": { "axis": { "type": "array" } } });
+        map.insert("oneOf".into(), json!([one_load(single), several]));
+        one_mechanism(map);
     }
     root
+}
+
+/// A table whose keys that stand at the root too are described there.
+fn as_at_the_root(keys: &[Key], language: Language) -> Value {
+    let mut whole = table(keys, language);
+    if let Some(Value::Object(properties)) = whole.get_mut("properties") {
+        for (name, schema) in properties.iter_mut().filter(|(name, _)| ROOT.iter().any(|key| key.name == *name)) {
+            *schema = json!({ "$ref": format!("#/properties/{name}") });
+        }
+    }
+    whole
+}
+
+/// One load: given at the output, or through one mechanism.
+fn one_load(mut schema: Value) -> Value {
+    if let Value::Object(map) = &mut schema {
+        map.insert("oneOf".into(), json!([{ "required": ["load"] }, { "required": ["mechanism"] }]));
+        if let Some(Value::Array(required)) = map.get_mut("required")
+            && !required.contains(&json!("motion"))
+        {
+            required.push(json!("motion"));
+        }
+        one_mechanism(map);
+    }
+    schema
+}
+
+fn one_mechanism(map: &mut Map<String, Value>) {
+    if let Some(Value::Object(mechanism)) = map.get_mut("properties").and_then(|all| all.get_mut("mechanism")) {
+        mechanism.insert("minProperties".into(), json!(1));
+        mechanism.insert("maxProperties".into(), json!(1));
+    }
 }
 
 fn table(keys: &[Key], language: Language) -> Value {
@@ -75,6 +106,12 @@ fn kind(key: &Key, language: Language) -> Value {
             })
         }
         Kind::Table(keys) => table(keys, language),
+        Kind::OneOrMany(one, many) => json!({
+            "oneOf": [
+                table(one, language),
+                { "type": "array", "minItems": 1, "items": one_load(as_at_the_root(many, language)) },
+            ],
+        }),
         Kind::Bodies => json!({ "type": "array", "minItems": 1, "items": { "type": "string" } }),
         Kind::Variants(variants) => {
             let mut items = table(variants.keys, language);

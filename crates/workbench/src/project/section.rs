@@ -52,6 +52,13 @@ impl Section {
         self.entries.get(name).map_or_else(|| self.span.clone(), |(_, span)| span.clone())
     }
 
+    /// One of several axes as if it stood alone: its name and all else at the root.
+    pub(crate) fn as_root(&self) -> Self {
+        let mut root = self.clone();
+        root.entries.insert("axis", (Entry::Table(self.clone()), self.span.clone()));
+        root
+    }
+
     pub(crate) fn quantity<Q: Measure>(&self, name: &str) -> Option<Q> {
         match self.get(name) {
             Some(Entry::Quantity(si)) => Some(Q::from_si(*si)),

@@ -36,6 +36,8 @@ pub(crate) enum Kind {
     Rows(&'static [Dimension]),
     /// A table.
     Table(&'static [Key]),
+    /// A table, or an array of tables with more in them.
+    OneOrMany(&'static [Key], &'static [Key]),
     /// Solid bodies, one text each.
     Bodies,
     /// An array of tables, each of one of several kinds.
@@ -104,10 +106,10 @@ pub(crate) const APPLICATIONS: &[&str] = &[
 #[rustfmt::skip] // one line per key
 pub(crate) const ROOT: &[Key] = &[
     key("format", Kind::Integer(FORMAT, FORMAT), true, "version of the file format, 1", "Version des Dateiformats, 1"),
-    key("axis", Kind::Table(AXIS), false, "the axis", "die Achse"),
+    key("axis", Kind::OneOrMany(AXIS, AXES), false, "the axis; or [[axis]], several axes with load, motion and all else inside", "die Achse; oder [[axis]], mehrere Achsen mit Last, Bewegung und allem anderen darin"),
     key("load", Kind::Table(LOAD), false, "what is moved, referred to the output; or [mechanism.…]", "was bewegt wird, auf den Abtrieb bezogen; oder [mechanism.…]"),
     key("mechanism", Kind::Table(MECHANISM), false, "what lies between output and load; one of its tables", "was zwischen Abtrieb und Last liegt; eine seiner Tabellen"),
-    key("motion", Kind::Variants(&MOTIONS), true, "the moves of one cycle, in order", "die Bewegungen eines Zyklus, der Reihe nach"),
+    key("motion", Kind::Variants(&MOTIONS), false, "the moves of one cycle, in order", "die Bewegungen eines Zyklus, der Reihe nach"),
     key("bearing", Kind::Table(BEARING), false, "loads on the output flange", "Lasten am Abtriebsflansch"),
     key("requirements", Kind::Table(REQUIREMENTS), false, "what the actuator must have", "was der Antrieb haben muss"),
     key("actuator", Kind::Table(ACTUATOR), false, "an actuator that the catalogue lacks", "ein Antrieb, der nicht im Katalog steht"),
@@ -117,6 +119,19 @@ pub(crate) const ROOT: &[Key] = &[
 const AXIS: &[Key] = &[
     key("name", Kind::Text, false, "name of the axis", "Name der Achse"),
     key("single_move", Kind::Bool, false, "true: the motion is one move and need not come back", "true: die Bewegung ist einmalig und muss nicht zurückkehren"),
+];
+
+/// One of several axes: what stands at the root for a single one.
+#[rustfmt::skip] // one line per key
+const AXES: &[Key] = &[
+    key("name", Kind::Text, true, "name of the axis", "Name der Achse"),
+    key("single_move", Kind::Bool, false, "true: the motion is one move and need not come back", "true: die Bewegung ist einmalig und muss nicht zurückkehren"),
+    key("load", Kind::Table(LOAD), false, "what is moved, referred to the output; or [mechanism.…]", "was bewegt wird, auf den Abtrieb bezogen; oder [mechanism.…]"),
+    key("mechanism", Kind::Table(MECHANISM), false, "what lies between output and load; one of its tables", "was zwischen Abtrieb und Last liegt; eine seiner Tabellen"),
+    key("motion", Kind::Variants(&MOTIONS), false, "the moves of one cycle, in order", "die Bewegungen eines Zyklus, der Reihe nach"),
+    key("bearing", Kind::Table(BEARING), false, "loads on the output flange", "Lasten am Abtriebsflansch"),
+    key("requirements", Kind::Table(REQUIREMENTS), false, "what the actuator must have", "was der Antrieb haben muss"),
+    key("actuator", Kind::Table(ACTUATOR), false, "an actuator that the catalogue lacks", "ein Antrieb, der nicht im Katalog steht"),
 ];
 
 #[rustfmt::skip] // one line per key

@@ -32,6 +32,8 @@ pub(crate) trait Speak: Copy {
     fn key_of_another_kind(self, path: &str, by: &str, kind: &str) -> String;
     fn motion_fault(self, fault: &MoveFault) -> (String, Option<String>);
     fn battery_fault(self, fault: &BatteryFault) -> String;
+    fn one_axis_only(self) -> String;
+    fn outside_the_axes(self, key: &str) -> String;
     fn no_mechanism(self) -> String;
     fn too_many_mechanisms(self) -> String;
     fn no_line(self, path: &str) -> String;
@@ -222,6 +224,18 @@ impl Speak for Language {
         }
     }
 
+    fn one_axis_only(self) -> String {
+        either(self, "one axis is asked for, the file has several", "gefragt ist eine Achse, die Datei hat mehrere")
+    }
+
+    fn outside_the_axes(self, key: &str) -> String {
+        either(
+            self,
+            format!("with several axes `{key}` belongs inside [[axis]]"),
+            format!("bei mehreren Achsen gehört `{key}` in [[axis]]"),
+        )
+    }
+
     fn no_mechanism(self) -> String {
         either(
             self,
@@ -302,7 +316,7 @@ impl Speak for Language {
                 )
             }
             Kind::Rows(_) => either(self, "a list of points", "Liste von Punkten"),
-            Kind::Table(_) => self.a_table(),
+            Kind::Table(_) | Kind::OneOrMany(..) => self.a_table(),
             Kind::Bodies => either(self, "a list of bodies", "Liste von Körpern"),
             Kind::Variants(_) => either(self, "an array of tables, [[…]]", "Liste von Tabellen, [[…]]"),
         }
