@@ -76,7 +76,7 @@ pub(crate) struct Reduced {
     pub(crate) slope: f64,
     /// Torque that holds the load at rest without friction: gravity and process \[Nm\].
     pub(crate) holding: f64,
-    /// Coulomb friction that the position or the load adds to the stated one \[Nm\].
+    /// Coulomb friction on the far side of the transmission, referred to the output \[Nm\].
     pub(crate) coulomb: f64,
 }
 
@@ -162,11 +162,12 @@ impl Mechanism {
         }
     }
 
-    /// Torque that the load takes without friction and losses \[Nm\].
+    /// Torque that the load takes on the far side of the transmission, before its losses \[Nm\].
     ///
-    /// T_u = J(q) α + ½ J'(q) ω² + T_h(q)
+    /// T_u = J(q) α + ½ J'(q) ω² + T_h(q) + T_g σ
     ///
-    /// # Symbols  J' slope of the inertia over the position [kgm²/rad], T_h gravity, process and external torque \[Nm\]
+    /// # Symbols  J' slope of the inertia over the position [kgm²/rad], T_h gravity, process and external torque \[Nm\],
+    /// T_g friction of guide and seals of a linear drive, referred to the output \[Nm\]
     /// # Source   docs/theory/mechanisms.md, Lagrange's equation of one degree of freedom; cha-manual eq. 70.3, 70.5
     #[must_use]
     pub fn useful_torque(&self, output: &Output, extra: &Extra) -> f64 {
@@ -179,13 +180,14 @@ impl Mechanism {
             + 0.5 * reduced.slope * output.speed_rad_s * output.speed_rad_s
             + reduced.holding
             + self.friction.external.si()
+            + reduced.coulomb * output.direction
     }
 
     /// Torque that the output must give to the load \[Nm\].
     ///
     /// T = T_u/η_1 if T_u σ > 0, T_u η_2 if T_u σ < 0, plus T_c σ + b ω
     ///
-    /// # Symbols  η_1 efficiency while driving, η_2 while driven, T_c Coulomb friction \[Nm\], b viscous friction [Nm s/rad]
+    /// # Symbols  η_1 efficiency while driving, η_2 while driven, T_c Coulomb friction at the output \[Nm\], b viscous friction [Nm s/rad]
     /// # Source   docs/theory/mechanisms.md
     /// # Valid    at rest (σ = 0) neither friction nor efficiency counts: the torque that holds without their help
     #[must_use]
@@ -200,9 +202,7 @@ impl Mechanism {
         } else {
             useful
         };
-        passed
-            + (self.friction.coulomb.si() + reduced.coulomb) * output.direction
-            + self.friction.viscous.si() * output.speed_rad_s
+        passed + self.friction.coulomb.si() * output.direction + self.friction.viscous.si() * output.speed_rad_s
     }
 
     /// J_L at a position.

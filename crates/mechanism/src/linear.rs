@@ -16,7 +16,7 @@ pub enum LinearKind {
 
 /// A linear drive.
 ///
-/// k = dx/dq, J = J_r + (m + m_p) k², T_h = k ((m + m_p − m_c) g sin γ + F_p), T_c = k (F_f + μ (m + m_p) g cos γ)
+/// k = dx/dq, J = J_r + (m + m_p) k², T_h = k ((m + m_p − m_c) g sin γ + F_p), T_g = k (F_f + μ (m + m_p) g cos γ)
 ///
 /// # Symbols  k travel per angle [m/rad], J_r rotating inertia (screw, pulleys), m moved mass, m_p payload of the segment,
 /// m_c counterweight, γ inclination (90° is vertical, upwards positive), F_p process force against the positive

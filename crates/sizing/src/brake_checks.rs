@@ -15,6 +15,9 @@ const HANGING: f64 = 1e-9;
 /// The checks of the brake; none where there is no brake and none is asked for.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
     let brake = &actuator.brake;
+    if hangs(axis) && axis.motion.stretches().iter().any(|stretch| stretch.hold == Hold::Free) {
+        return vec![free(axis)];
+    }
     let asked = axis.motion.stretches().iter().any(|stretch| stretch.hold == Hold::Brake);
     match brake.holding_torque {
         Datum::NotApplicable if asked => vec![absent(axis)],
@@ -22,6 +25,27 @@ pub(crate) fn judge(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
         Datum::NotPrinted if !asked => Vec::new(),
         _ => vec![holding(axis, actuator, brake), emergency(axis, actuator, brake)],
     }
+}
+
+/// Nothing holds: the load stays only where friction at the output is at least what moves it.
+fn free(axis: &Axis) -> Check {
+    let friction = provenance::Sourced {
+        value: axis.mechanism.friction.coulomb,
+        source: Source::Project { key: "friction_torque".into() },
+        grade: Grade::Computed,
+        errata: &[],
+    };
+    Comparison {
+        notes: vec![Note::NothingHolds],
+        ..Comparison::with(
+            CheckId::BrakeHolding,
+            &NEWTON_METRE,
+            axis.moments().holding_torque.si(),
+            Source::Model { name: "brake" },
+            &friction,
+        )
+    }
+    .answer(Verdict::Fail)
 }
 
 /// The motion wants to be held by a brake that is not there.

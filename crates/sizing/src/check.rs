@@ -223,6 +223,8 @@ pub enum Note {
     },
     /// The load drives harder than the brake holds.
     BrakeDoesNotStop,
+    /// In a dwell nothing holds the load but its friction.
+    NothingHolds,
     /// The motion asks for a brake that the actuator does not have.
     NoBrake,
     /// Electrical energy of one cycle at the motor terminals.

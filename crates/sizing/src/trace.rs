@@ -273,7 +273,7 @@ impl Builder<'_> {
         if !(ramp && self.mechanism.is_constant_over_ramps()) {
             let sign = |t: f64| piece.at(t).speed_rad_s.signum();
             cuts.extend(motion::roots(
-                |t| self.mechanism.useful_torque(&self.output(piece, t, 0.0), extra),
+                |t| self.mechanism.useful_torque(&self.output(piece, t, sign(t)), extra),
                 piece.duration_s,
             ));
             let torque = |t: f64| self.mechanism.torque(&self.output(piece, t, sign(t)), extra);

@@ -104,6 +104,11 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
             "the load drives harder than the brake holds: it does not stop the axis",
             "die Last treibt stärker, als die Bremse hält: sie bringt die Achse nicht zum Stehen",
         ),
+        Note::NothingHolds => either(
+            language,
+            "in a dwell with hold = \"free\" the load stays only where friction is at least what moves it",
+            "im Stillstand mit hold = \"free\" bleibt die Last nur, wo die Reibung mindestens so groß ist wie das, was sie bewegt",
+        ),
         Note::NoBrake => either(
             language,
             "the motion is held by a brake, which this actuator does not have",

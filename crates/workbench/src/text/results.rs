@@ -222,9 +222,12 @@ pub fn note_text(note: &Note, language: Language) -> String {
             "die zulässigen Kräfte gelten je für sich; bei mehreren zugleich entscheiden Lebensdauer und statische Sicherheit",
         ),
         note @ (Note::WarmUp(_) | Note::Housing(_) | Note::EnergyPerCycle { .. }) => super::notes::heat(note, language),
-        note @ (Note::HangingLoad | Note::Sag(_) | Note::BrakeStop { .. } | Note::BrakeDoesNotStop | Note::NoBrake) => {
-            super::notes::brake(note, language)
-        }
+        note @ (Note::HangingLoad
+        | Note::Sag(_)
+        | Note::BrakeStop { .. }
+        | Note::BrakeDoesNotStop
+        | Note::NoBrake
+        | Note::NothingHolds) => super::notes::brake(note, language),
         note @ (Note::ReferenceLost
         | Note::NeedsReferencing
         | Note::BatteryExchange { .. }
