@@ -302,14 +302,10 @@ fn solved(pieces: &[Piece]) -> Solved {
     for piece in pieces {
         time += piece.duration_s;
         // The extremes lie at the ends or where the acceleration or its slope vanishes.
-        let slope = |t: f64| {
-            let h = 1e-6 * piece.duration_s;
-            piece.at(t + h).acceleration_rad_s2 - piece.at(t - h).acceleration_rad_s2
-        };
         let mut instants = vec![0.0, piece.duration_s];
         if piece.speed_degree().is_none_or(|degree| degree > 1) {
             instants.extend(crate::roots(|t| piece.at(t).acceleration_rad_s2, piece.duration_s));
-            instants.extend(crate::roots(slope, piece.duration_s));
+            instants.extend(crate::roots(|t| piece.jerk(t), piece.duration_s));
         }
         for state in instants.into_iter().map(|t| piece.at(t)) {
             speed = speed.max(state.speed_rad_s.abs());

@@ -92,6 +92,14 @@ impl Piece {
         State { position_rad: position, speed_rad_s: speed, acceleration_rad_s2: acceleration }
     }
 
+    /// dα/dt at a time from the beginning of the piece [rad/s³].
+    #[must_use]
+    pub fn jerk(&self, t: f64) -> f64 {
+        let [_, c1, c2, c3] = self.polynomial;
+        let [amplitude, frequency, phase] = self.harmonic;
+        c1 + t * (2.0 * c2 + t * 3.0 * c3) + amplitude * frequency * (frequency * t + phase).cos()
+    }
+
     /// The state at its end.
     #[must_use]
     pub fn end(&self) -> State {

@@ -28,7 +28,7 @@ fn distance(first: f64, peak: f64, last: f64, limits: &Limits) -> f64 {
 /// The pieces of the shortest move over a distance between two speeds, acceleration zero at both ends.
 ///
 /// The peak speed is the limit if the distance leaves room to run at it, else the root of the distance in the peak
-/// speed, which grows with it on either side of the end speeds.
+/// speed beyond the end speeds. There is one: the distance is convex in the peak there, and begins on the other side.
 ///
 /// # Source   own derivation, docs/theory/motion-laws.md; durations held against an independent generator
 pub(crate) fn pieces(length: f64, first: f64, last: f64, limits: &Limits) -> Vec<Piece> {

@@ -130,17 +130,20 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake) -> Check {
     };
     let angle = axis.asked.stop_angle_max.map(Measure::si);
     let mut check = shown_or_at_most(id, &DEGREE, stop.angle.si(), angle, "requirements.stop_angle_max", source);
-    if let (Some(count), Some(limit)) = (axis.asked.emergency_stops, permitted)
-        && check.verdict != Verdict::Fail
-    {
+    if let (Some(count), Some(limit)) = (axis.asked.emergency_stops, permitted) {
         let key = Source::Project { key: "requirements.emergency_stops".into() };
-        check = Comparison {
+        let number = Comparison {
             limit: limit.value,
             limit_source: &limit.source,
             errata: limit.errata,
             ..Comparison::with(id, &ONE, count, key, &limit.clone().map(quantities::Ratio::from_si))
         }
         .answer(Verdict::Fail);
+        // Of angle and number the tighter one is told.
+        let share = |check: &Check| check.utilisation.unwrap_or(0.0);
+        if check.verdict == Verdict::NotChecked || share(&number) > share(&check) {
+            check = number;
+        }
     }
     check.notes.push(Note::BrakeStop {
         angle: stop.angle,

@@ -262,6 +262,14 @@ fn braking_note(manual: Option<&ManualDemand>) -> Vec<Note> {
     manual.filter(|manual| manual.braking_assumed).map(|_| Note::BrakingTorqueAssumed).into_iter().collect()
 }
 
+/// The manual's equation where it describes the axis and sees every braking torque, else the exact integral.
+fn demand_source(manual: Option<&ManualDemand>, number: &'static str) -> Source {
+    match manual {
+        Some(manual) if !manual.braking_assumed => equation(number),
+        _ => Source::Model { name: "demand" },
+    }
+}
+
 /// T_peak ≤ T_max (cha-manual 7.1: T_1 < T_max; glossary T_max: largest accelerating and braking torque).
 fn peak_torque(actuator: &Parameters, demand: Option<&Demand>, manual: Option<&ManualDemand>) -> Check {
     let id = CheckId::PeakTorque;
@@ -270,9 +278,7 @@ fn peak_torque(actuator: &Parameters, demand: Option<&Demand>, manual: Option<&M
         (Err(missing), _) => return not_checked(id, missing),
         (_, None) => return not_checked(id, Missing { symbol: "J_out" }),
     };
-    // Where eq. 69.2 assumes the braking torque, the peak may be one that only the exact integral sees.
-    let assumed = manual.is_some_and(|manual| manual.braking_assumed);
-    let value_source = if assumed { Source::Model { name: "demand" } } else { equation("69.1") };
+    let value_source = demand_source(manual, "69.1");
     let mut notes = braking_note(manual);
     cite(&mut notes, inertia_errata(actuator));
     Comparison {
@@ -337,8 +343,11 @@ fn continuous_torque(
     if axis.moments.duration.si() > SHORT_CYCLE_SHARE * actuator::WINDING_TIME_CONSTANT {
         notes.push(Note::CycleNotShort { cycle: axis.moments.duration });
     }
-    Comparison { notes, ..Comparison::with(id, &NEWTON_METRE, demand.torque_rms.si(), equation("69.2"), &limit.limit) }
-        .answer(Verdict::Fail)
+    Comparison {
+        notes,
+        ..Comparison::with(id, &NEWTON_METRE, demand.torque_rms.si(), demand_source(manual, "69.2"), &limit.limit)
+    }
+    .answer(Verdict::Fail)
 }
 
 /// The motor current at every instant.
@@ -485,7 +494,10 @@ fn inertia_ratio(axis: &Axis, actuator: &Parameters) -> Check {
     let id = CheckId::InertiaRatio;
     match actuator.inertia_out.require("J_out") {
         Ok(own) => {
-            let source = Source::Project { key: "load.inertia".into() };
+            let source = match axis.by_the_manual() {
+                Some(_) => Source::Project { key: "load.inertia".into() },
+                None => Source::Model { name: "mechanisms" },
+            };
             Comparison {
                 limit: INERTIA_RATIO_RECOMMENDED * own.value.si(),
                 grade: own.grade.worst(Grade::Computed),

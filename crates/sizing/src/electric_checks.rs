@@ -17,6 +17,12 @@ const WINDING_SHUTDOWN: f64 = 363.15;
 /// The ambient temperature up to which the printed data hold, 40 °C, in kelvin: assumed where none is stated.
 const AMBIENT_REFERENCE: f64 = 313.15;
 
+/// Up to so many instants the power is also looked at between them.
+const POWER_BETWEEN_NODES: usize = 2_000;
+
+/// Parts of a gap between two instants, for the power.
+const POWER_PARTS: u32 = 32;
+
 /// The checks that look at every instant.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> [Check; 4] {
     [
@@ -200,15 +206,29 @@ fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, 
         Err(missing) => return not_checked(id, missing),
     };
     let (mut motoring, mut back, mut peak) = (0.0, 0.0, 0.0_f64);
-    for node in axis.trace.nodes() {
+    // With no weight an instant only counts for the peak.
+    let mut count = |node: &Node, weight: f64| {
         let current = currents.at(node);
         let power = copper_ohm * current * current + constant_vs * current * node.speed;
         if power > 0.0 {
-            motoring += power * node.weight;
+            motoring += power * weight;
         } else {
-            back -= power * node.weight;
+            back -= power * weight;
             peak = peak.max(-power);
         }
+    };
+    let nodes = axis.trace.nodes();
+    if nodes.len() <= POWER_BETWEEN_NODES {
+        // The power changes its sign between the nodes: each gap is cut, everything in it taken as straight.
+        nodes.iter().for_each(|node| count(node, 0.0));
+        for (a, b) in nodes.iter().zip(nodes.iter().skip(1)).filter(|(a, b)| b.time > a.time) {
+            for part in 0..POWER_PARTS {
+                let share = (f64::from(part) + 0.5) / f64::from(POWER_PARTS);
+                count(&a.towards(b, share), (b.time - a.time) / f64::from(POWER_PARTS));
+            }
+        }
+    } else {
+        nodes.iter().for_each(|node| count(node, node.weight));
     }
     let mean = back / axis.moments.duration.si();
     let permitted = axis.asked.regeneration_power_max.map(Measure::si);

@@ -20,6 +20,21 @@ pub(crate) struct Node {
     pub(crate) load: f64,
 }
 
+impl Node {
+    /// The instant at a share of the way to the next one, everything taken as straight in between.
+    pub(crate) fn towards(&self, next: &Self, share: f64) -> Self {
+        let between = |a: f64, b: f64| a + share * (b - a);
+        Self {
+            time: between(self.time, next.time),
+            weight: 0.0,
+            acceleration: between(self.acceleration, next.acceleration),
+            speed: between(self.speed, next.speed),
+            direction: self.direction,
+            load: between(self.load, next.load),
+        }
+    }
+}
+
 /// Bounds of a block of nodes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
@@ -134,6 +149,7 @@ impl Trace {
             inertia: (0.0, f64::INFINITY),
             span: (f64::INFINITY, f64::NEG_INFINITY),
             holding: 0.0,
+            kinked: !mechanism.kinks().is_empty(),
         };
         let none = Extra::none();
         for piece in motion.pieces() {
@@ -200,11 +216,16 @@ struct Builder<'a> {
     inertia: (f64, f64),
     span: (f64, f64),
     holding: f64,
+    /// Whether the load has kinks over the position.
+    kinked: bool,
 }
 
 /// Where the load depends on the position a panel covers at most this angle, so that sixteen nodes leave an error near
-/// the last bit: the integrand is entire and 30° is a twelfth of its period.
+/// the last bit: 30° is a twelfth of the period of what gravity and a crank make (docs/theory/moments.md gives the error).
 const PANEL_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
+
+/// Over so many panels of [`PANEL_ANGLE`] one search for roots runs, with 64 steps: more than ten to a half turn.
+const PANELS_PER_SEARCH: f64 = 12.0;
 
 /// A panel covers at most this phase of the harmonic of its law.
 const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
@@ -270,16 +291,27 @@ impl Builder<'_> {
         let mut cuts = vec![0.0];
         cuts.extend(piece.reversals());
         let ramp = piece.speed_degree().is_some_and(|degree| degree <= 1);
+        if !ramp {
+            // The extremes of speed and acceleration become nodes.
+            cuts.extend(motion::roots(|t| piece.at(t).acceleration_rad_s2, piece.duration_s));
+            cuts.extend(motion::roots(|t| piece.jerk(t), piece.duration_s));
+        }
         if !(ramp && self.mechanism.is_constant_over_ramps()) {
             let sign = |t: f64| piece.at(t).speed_rad_s.signum();
-            cuts.extend(motion::roots(
-                |t| self.mechanism.useful_torque(&self.output(piece, t, sign(t)), extra),
-                piece.duration_s,
-            ));
-            let torque = |t: f64| self.mechanism.torque(&self.output(piece, t, sign(t)), extra);
-            cuts.extend(motion::roots(torque, piece.duration_s));
+            // So many spans that no two roots fall into one step of the search.
+            let spans = (self.parts(piece) / PANELS_PER_SEARCH).ceil().max(1.0);
+            let span = piece.duration_s / spans;
+            let search = |f: &dyn Fn(f64) -> f64, cuts: &mut Vec<f64>| {
+                let mut k = 0.0;
+                while k < spans {
+                    cuts.extend(motion::roots(|t| f(k * span + t), span).into_iter().map(|t| k * span + t));
+                    k += 1.0;
+                }
+            };
+            search(&|t| self.mechanism.useful_torque(&self.output(piece, t, sign(t)), extra), &mut cuts);
+            search(&|t| self.mechanism.torque(&self.output(piece, t, sign(t)), extra), &mut cuts);
             for kink in self.mechanism.kinks() {
-                cuts.extend(motion::roots(|t| wrapped(piece.at(t).position_rad - kink), piece.duration_s));
+                search(&|t| wrapped(piece.at(t).position_rad - kink), &mut cuts);
             }
         }
         cuts.push(piece.duration_s);
@@ -346,10 +378,13 @@ impl Builder<'_> {
     fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to): (f64, f64), nodes: usize) {
         let direction = piece.at(0.5 * (from + to)).speed_rad_s.signum();
         let mut travelled = 0.0;
+        let (kinked, beside) = (self.kinked, 1e-9 * (to - from));
         for (u, weight) in lobatto(nodes) {
             // The end is met to the last bit, so that time never runs back into the next panel.
             let t = if *u == 1.0 { to } else { from + u * (to - from) };
-            let output = self.output(piece, t, direction);
+            // At a kink of the load each panel takes the slope of its own side.
+            let beside = if kinked { (t.max(from + beside)).min(to - beside) } else { t };
+            let output = self.output(piece, beside, direction);
             self.nodes.push(Node {
                 time: piece.start_s + t,
                 weight: weight * (to - from),

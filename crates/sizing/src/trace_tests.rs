@@ -186,3 +186,28 @@ fn from_rest_to_rest_the_acceleration_along_the_motion_cancels() {
     let along: f64 = trace.nodes().iter().map(|node| node.weight * node.acceleration * node.direction).sum();
     assert!(along.abs() < 1e-12);
 }
+
+/// 1.8 kgm² turned by 90° in 0.5 s: α_max = C_a s/T² with the published C_a of each law, found to the last digits
+/// although it lies inside the motion.
+#[test]
+fn the_peak_of_every_law_is_a_node() {
+    let (s, t) = (std::f64::consts::FRAC_PI_2, 0.5);
+    let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(0.0));
+    for (law_name, c_a) in [
+        (Law::Triangle, 4.0),
+        (Law::Polynomial5, 10.0 / 3.0_f64.sqrt()),
+        (Law::ModifiedSine, law_constant(Law::ModifiedSine)),
+        (Law::ModifiedTrapezoid, law_constant(Law::ModifiedTrapezoid)),
+        (Law::SimpleSine, std::f64::consts::PI.powi(2) / 2.0),
+        (Law::InclinedSine, std::f64::consts::TAU),
+    ] {
+        let trace = Trace::of(&load, &motion(&[law(law_name, s, t)]), &[]);
+        let (peak, _) = trace.largest(|extent| extent.torque(0.8), |node| (0.8 * node.acceleration + node.load).abs());
+        let expected = 1.8 * c_a * s / (t * t);
+        assert!((peak / expected - 1.0).abs() < 1e-12, "{law_name:?}: {peak} against {expected}");
+    }
+}
+
+fn law_constant(law: Law) -> f64 {
+    law.characteristics().1
+}

@@ -69,11 +69,20 @@ fn demand_fields(demand: &Demand) -> Map<String, Value> {
     map
 }
 
+fn demand_units() -> Value {
+    json!({ "T": "Nm", "n": "1/min", "ED": "%" })
+}
+
 /// The demand: the manual's figures with T_1, T_2, T_3 of the governing move, the exact integrals beside them.
 #[must_use]
 pub fn demand(manual: Option<&ManualDemand>, integral: Option<&Demand>) -> Value {
     let Some(manual) = manual else {
-        return integral.map_or(Value::Null, |demand| Value::Object(demand_fields(demand)));
+        let Some(integral) = integral else { return Value::Null };
+        let mut map = Map::new();
+        map.insert("mode".into(), json!("integral"));
+        map.append(&mut demand_fields(integral));
+        map.insert("units".into(), demand_units());
+        return Value::Object(map);
     };
     let mut map = Map::new();
     map.insert("mode".into(), json!("manual"));
@@ -85,7 +94,7 @@ pub fn demand(manual: Option<&ManualDemand>, integral: Option<&Demand>) -> Value
     if let Some(governing) = manual.moves.get(manual.governing) {
         map.extend(torques(governing));
     }
-    map.insert("units".into(), json!({ "T": "Nm", "n": "1/min", "ED": "%" }));
+    map.insert("units".into(), demand_units());
     if manual.moves.len() > 1 {
         let moves: Vec<Value> =
             manual.moves.iter().map(|each| Value::Object(torques(each).into_iter().collect())).collect();

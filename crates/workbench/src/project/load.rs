@@ -147,6 +147,9 @@ pub(super) fn motion(
     let travel = load.mechanism.travel_m_per_rad();
     let specs: Vec<Option<SegmentSpec>> =
         sections.iter().map(|section| Turning { section, travel }.segment(reader, language)).collect();
+    for section in sections {
+        without_effect(section, load, reader, language);
+    }
     let specs: Vec<SegmentSpec> = specs.into_iter().collect::<Option<_>>()?;
     let single = root.table("axis").and_then(|axis| axis.bool("single_move")).unwrap_or(false);
     let closing = if single { Closing::SingleMove } else { Axis::closing(&load.mechanism) };
@@ -160,6 +163,25 @@ pub(super) fn motion(
                 reader.fault(span, message, hint);
             }
             None
+        }
+    }
+}
+
+/// A payload that nothing carries and a force along no line would be left out in silence: they are refused.
+fn without_effect(section: &Section, load: &Load, reader: &mut Reader<'_>, language: Language) {
+    let (carries, has_line) = match &load.mechanism.kind {
+        Kind::Rotor(rotor) => (rotor.payload_radius.si() > 0.0, false),
+        Kind::Linear(_) | Kind::SliderCrank(_) => (true, true),
+        _ => (false, false),
+    };
+    for (key, effect) in [("payload", carries), ("process_force", has_line)] {
+        if section.get(key).is_some() && !effect {
+            let hint = match key {
+                "payload" => "payload_inertia, or payload_distance",
+                _ => "process_torque",
+            };
+            let hint = language.did_you_mean(hint);
+            reader.fault(section.span_of(key), language.without_effect(key), Some(hint));
         }
     }
 }
@@ -262,15 +284,15 @@ pub(super) fn flange_loads(root: &Section, reader: &mut Reader<'_>, language: La
     if common.is_none() && own.iter().all(Option::is_none) {
         return None;
     }
-    for (path, section) in common
-        .map(|section| ("bearing", section))
-        .into_iter()
-        .chain(own.iter().flatten().map(|section| ("motion.bearing", *section)))
-    {
+    let numbered = own
+        .iter()
+        .enumerate()
+        .filter_map(|(index, section)| section.map(|section| (format!("motion[{}].bearing", index + 1), section)));
+    for (path, section) in common.map(|section| ("bearing".to_owned(), section)).into_iter().chain(numbered) {
         for (force, distance) in [("radial_force", "radial_distance"), ("axial_force", "axial_distance")] {
             for (given, needed) in [(force, distance), (distance, force)] {
                 if section.get(given).is_some() && !section.has(needed) {
-                    reader.fault(section.span_of(given), language.missing_key(path, needed, false), None);
+                    reader.fault(section.span_of(given), language.missing_key(&path, needed, false), None);
                 }
             }
         }

@@ -393,6 +393,9 @@ impl<'t> Reader<'t> {
                 self.fault(span.start..span.start + usize::from(!span.is_empty()), message, hint);
             }
         }
+        if !variants.kinds.iter().any(|(name, ..)| *name == kind) {
+            return;
+        }
         let belongs = |name: &str| {
             name == variants.by || [*needed, *allowed, variants.shared].iter().any(|names| names.contains(&name))
         };

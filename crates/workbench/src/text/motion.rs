@@ -37,8 +37,8 @@ pub(super) fn fault(fault: &MoveFault, language: Language) -> (String, Option<St
             (
                 either(
                     language,
-                    format!("{given} quantities do not determine this move"),
-                    format!("{given} Größen bestimmen diese Bewegung nicht"),
+                    format!("this move is not determined by what is given ({given} of its quantities)"),
+                    format!("diese Bewegung ist durch die Angaben nicht bestimmt ({given} ihrer Größen)"),
                 ),
                 Some(either(language, format!("give {needed}"), format!("anzugeben: {needed}"))),
             )

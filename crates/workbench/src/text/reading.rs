@@ -32,6 +32,7 @@ pub(crate) trait Speak: Copy {
     fn key_of_another_kind(self, path: &str, by: &str, kind: &str) -> String;
     fn motion_fault(self, fault: &MoveFault) -> (String, Option<String>);
     fn battery_fault(self, fault: &BatteryFault) -> String;
+    fn without_effect(self, key: &str) -> String;
     fn one_axis_only(self) -> String;
     fn outside_the_axes(self, key: &str) -> String;
     fn no_mechanism(self) -> String;
@@ -222,6 +223,10 @@ impl Speak for Language {
                 "das Batteriemodell gilt für 0 a bis 3 a Lagerung",
             ),
         }
+    }
+
+    fn without_effect(self, key: &str) -> String {
+        either(self, format!("`{key}` has no effect on this load"), format!("`{key}` hat auf diese Last keine Wirkung"))
     }
 
     fn one_axis_only(self) -> String {
