@@ -7,6 +7,7 @@ use order_code::{Brake as BrakeOrdered, Option1, OrderCode};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Angle, Measure};
 use std::borrow::Cow;
+use std::sync::LazyLock;
 
 /// A pure number of a cell.
 pub(crate) fn number_of(cell: Option<&'static Cell>) -> Datum<f64> {
@@ -69,10 +70,17 @@ fn if_printed<T>(datum: Datum<T>) -> Datum<T> {
     }
 }
 
-/// What section 6.22 prints about the feedback on the motor.
+/// What section 6.22 prints about the feedback on the motor, looked up once for all codes.
 pub(crate) fn feedback(code: &OrderCode) -> Feedback {
+    static ALL: LazyLock<Vec<Feedback>> =
+        LazyLock::new(|| order_code::Feedback::ALL.iter().map(|ordered| printed_feedback(*ordered)).collect());
+    let known = order_code::Feedback::ALL.iter().zip(ALL.iter()).find(|(ordered, _)| **ordered == code.feedback);
+    known.map_or_else(Feedback::unknown, |(_, feedback)| feedback.clone())
+}
+
+fn printed_feedback(ordered: order_code::Feedback) -> Feedback {
     use order_code::Feedback::{M128S, M512P, RES};
-    let name = code.feedback.as_str();
+    let name = ordered.as_str();
     let cell = |symbol| feedback_cell(name, symbol);
     let value = |symbol| cell(symbol).map_or(Datum::NotPrinted, catalogue::datum_of);
     Feedback {
@@ -82,7 +90,7 @@ pub(crate) fn feedback(code: &OrderCode) -> Feedback {
         accuracy: cell("accuracy").map_or(Datum::NotPrinted, catalogue::datum_of),
         turns_absolute: if_printed(number_of(cell("turns"))),
         // The resolver has one pole pair (table 58.2), so its angle is one of a whole turn.
-        single_turn_absolute: matches!(code.feedback, M512P | M128S | RES),
+        single_turn_absolute: matches!(ordered, M512P | M128S | RES),
         buffered_by_battery: cell("turns_memory").is_some(),
         battery_life_typical: if_printed(value("battery_life_typical")),
         exchange_interval: if_printed(value("encoder_exchange_interval")),

@@ -21,7 +21,7 @@ const AMBIENT_REFERENCE: f64 = 313.15;
 const POWER_BETWEEN_NODES: usize = 2_000;
 
 /// Parts of a gap between two instants, for the power.
-const POWER_PARTS: u32 = 32;
+const POWER_PARTS: u32 = 16;
 
 /// The checks that look at every instant.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> [Check; 4] {
@@ -63,7 +63,17 @@ fn torque_speed_trace(axis: &Axis, actuator: &Parameters) -> Check {
         Err(missing) => return not_checked(id, missing),
     };
     let torque = |node: &Node| inertia * node.acceleration + node.load;
-    let at_speed = |speed: f64| limit(speed).map_or(0.0, |limit| limit.value.si());
+    // Neighbouring instants often share their speed.
+    let last = std::cell::Cell::new((0.0, limit(0.0).map_or(0.0, |limit| limit.value.si())));
+    let at_speed = |speed: f64| {
+        let (known, torque) = last.get();
+        if known == speed.abs() {
+            return torque;
+        }
+        let torque = limit(speed).map_or(0.0, |limit| limit.value.si());
+        last.set((speed.abs(), torque));
+        torque
+    };
     let share = |torque: f64, limit: f64| {
         if torque == 0.0 {
             0.0
