@@ -3,10 +3,11 @@
 //! A [`Mechanism`] answers for any state of the output (position, speed, acceleration) which torque the actuator must
 //! give to the load, split into the part that does useful work and friction. The kinds differ only in how inertia and
 //! position-dependent torque arise: a [`Rotor`] turns with the output, a [`Linear`] drive moves a mass along a line, a
-//! [`SliderCrank`] does so with a changing lever, a [`Table`] is given point by point.
+//! [`SliderCrank`] does so with a changing lever, a [`Table`] is given point by point, the torque of a [`Joint`] is recorded.
 
 mod body;
 mod friction;
+mod joint;
 mod linear;
 mod rotor;
 mod slider_crank;
@@ -14,6 +15,7 @@ mod table;
 
 pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Shape, inertia};
 pub use friction::Friction;
+pub use joint::Joint;
 pub use linear::{Linear, LinearKind};
 pub use rotor::Rotor;
 pub use slider_crank::SliderCrank;
@@ -92,6 +94,8 @@ pub enum Kind {
     SliderCrank(SliderCrank),
     /// Inertia and torque over the position, point by point.
     Table(Table),
+    /// A joint of a robot: its torque is recorded with the motion.
+    Joint(Joint),
 }
 
 /// A load with its friction and the efficiency of what lies between.
@@ -105,6 +109,19 @@ pub struct Mechanism {
     pub efficiency_driving: f64,
     /// η while the load drives the actuator.
     pub efficiency_driven: f64,
+}
+
+/// The factors of a torque J α + T_h + T_c σ + b ω.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plain {
+    /// J \[kgm²\]
+    pub inertia_kgm2: f64,
+    /// T_h: what does not change over the motion \[Nm\].
+    pub constant_nm: f64,
+    /// T_c: Coulomb friction \[Nm\].
+    pub coulomb_nm: f64,
+    /// b: viscous friction [Nm s/rad].
+    pub viscous_nms: f64,
 }
 
 /// What must agree between the end of a cycle and its beginning.
@@ -149,6 +166,8 @@ impl Mechanism {
                 Kind::SliderCrank(SliderCrank { inertia: inertia(crank.inertia), mass: mass(crank.mass), ..*crank })
             }
             Kind::Table(table) => Kind::Table(table.scaled(factor)),
+            // Its torque is what was recorded.
+            Kind::Joint(joint) => Kind::Joint(*joint),
         };
         Self { kind, ..self.clone() }
     }
@@ -159,6 +178,7 @@ impl Mechanism {
             Kind::Linear(linear) => linear.reduced(extra),
             Kind::SliderCrank(crank) => crank.reduced(position_rad, extra),
             Kind::Table(table) => table.reduced(position_rad, extra),
+            Kind::Joint(_) => Reduced { inertia: 0.0, slope: 0.0, holding: extra.torque.si(), coulomb: 0.0 },
         }
     }
 
@@ -208,12 +228,18 @@ impl Mechanism {
     /// J_L at a position.
     #[must_use]
     pub fn inertia(&self, position_rad: f64, extra: &Extra) -> MomentOfInertia {
-        MomentOfInertia::from_si(self.reduced(position_rad, extra).inertia)
+        match &self.kind {
+            Kind::Joint(joint) => joint.inertia,
+            _ => MomentOfInertia::from_si(self.reduced(position_rad, extra).inertia),
+        }
     }
 
     /// Torque that holds the load at rest at a position without the help of friction.
     #[must_use]
     pub fn holding_torque(&self, position_rad: f64, extra: &Extra) -> Torque {
+        if let Kind::Joint(joint) = &self.kind {
+            return joint.holding_torque.unwrap_or_else(|| Torque::from_si(0.0));
+        }
         Torque::from_si(self.reduced(position_rad, extra).holding + self.friction.external.si())
     }
 
@@ -222,7 +248,7 @@ impl Mechanism {
     pub fn depends_on_position(&self) -> bool {
         match &self.kind {
             Kind::Rotor(rotor) => rotor.is_unbalanced(),
-            Kind::Linear(_) => false,
+            Kind::Linear(_) | Kind::Joint(_) => false,
             Kind::SliderCrank(_) | Kind::Table(_) => true,
         }
     }
@@ -232,6 +258,31 @@ impl Mechanism {
     #[must_use]
     pub fn is_constant_over_ramps(&self) -> bool {
         !self.depends_on_position() && self.friction.viscous.si() == 0.0
+    }
+
+    /// Whether the torque that holds the load at rest is known.
+    #[must_use]
+    pub const fn knows_holding_torque(&self) -> bool {
+        !matches!(&self.kind, Kind::Joint(Joint { holding_torque: None, .. }))
+    }
+
+    /// The torque as a sum of four parts with constant factors, where the mechanism is one.
+    ///
+    /// T = J α + T_h + T_c σ + b ω
+    ///
+    /// # Valid    no dependence on the position and no efficiency, so that nothing switches with the sign of a torque
+    #[must_use]
+    pub fn plain(&self, extra: &Extra) -> Option<Plain> {
+        if self.depends_on_position() || self.efficiency_driving != 1.0 || self.efficiency_driven != 1.0 {
+            return None;
+        }
+        let reduced = self.reduced(0.0, extra);
+        Some(Plain {
+            inertia_kgm2: reduced.inertia,
+            constant_nm: reduced.holding + self.friction.external.si(),
+            coulomb_nm: reduced.coulomb + self.friction.coulomb.si(),
+            viscous_nms: self.friction.viscous.si(),
+        })
     }
 
     /// What the cycle must come back to.
@@ -244,7 +295,7 @@ impl Mechanism {
             Kind::Linear(linear) if linear.kind == LinearKind::Conveyor => Endless::Everywhere,
             Kind::Linear(_) => Endless::Never,
             Kind::Table(table) if table.is_periodic() => Endless::EachRevolution,
-            Kind::Table(_) => Endless::Never,
+            Kind::Table(_) | Kind::Joint(_) => Endless::Never,
         }
     }
 

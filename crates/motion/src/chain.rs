@@ -3,7 +3,9 @@
 use crate::faults::{MotionFault, MoveFault};
 use crate::law::{Given, Law, Solved};
 use crate::piece::Piece;
+use crate::recorded::{Placed, Recorded};
 use quantities::{Angle, AngularAcceleration, AngularVelocity, Measure, Time};
+use std::sync::Arc;
 
 /// One move of the manual's cycle (section 7.1): from rest to `speed`, and back to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +35,7 @@ pub enum Hold {
 }
 
 /// What a segment does.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum SegmentSpec {
     /// A move of the manual's cycle.
     Manual(ManualMove),
@@ -41,6 +43,8 @@ pub enum SegmentSpec {
     Move(Law, Given),
     /// Rest.
     Dwell(Time, Hold),
+    /// What was recorded.
+    Recorded(Arc<Recorded>),
 }
 
 /// What must agree at the end of the cycle and at its beginning. The speed always must.
@@ -69,22 +73,25 @@ pub struct Stretch {
     pub solved: Option<Solved>,
 }
 
-/// A motion over one cycle: a chain of pieces, continuous in position and speed.
+/// A motion over one cycle: a chain of pieces and recordings, continuous in position and speed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     pieces: Vec<Piece>,
+    recordings: Vec<Placed>,
+    duration: Time,
+    net: Angle,
     stretches: Vec<Stretch>,
     manual: Option<Vec<ManualMove>>,
 }
 
 impl Motion {
-    /// Chains segments from a start position.
+    /// Chains segments from a start position; without one from zero, or from where the first recording says it stands.
     ///
     /// # Errors
     /// Every [`MotionFault`] of the segments, or those of the closing.
-    pub fn new(segments: &[SegmentSpec], start: Angle, closing: Closing) -> Result<Self, Vec<MotionFault>> {
-        let mut chain = Chain { position: start.si(), speed: start_speed(segments), clock: 0.0, pieces: Vec::new() };
-        let initial = chain.speed;
+    pub fn new(segments: &[SegmentSpec], start: Option<Angle>, closing: Closing) -> Result<Self, Vec<MotionFault>> {
+        let mut chain = Chain::beginning(segments, start);
+        let (first, initial) = (chain.position, chain.speed);
         let mut faults = Vec::new();
         let mut stretches = Vec::with_capacity(segments.len());
         for (index, segment) in segments.iter().enumerate() {
@@ -92,6 +99,7 @@ impl Motion {
             let fault = match segment {
                 SegmentSpec::Manual(each) => chain.manual(each, index),
                 SegmentSpec::Dwell(time, _) => chain.rest(time.si(), index),
+                SegmentSpec::Recorded(recorded) => chain.recorded(recorded, index),
                 SegmentSpec::Move(law, given) => match law.pieces(given, chain.speed) {
                     Ok(pieces) => {
                         pieces.into_iter().for_each(|piece| chain.push(piece, index));
@@ -118,7 +126,7 @@ impl Motion {
         if segments.is_empty() {
             faults.push(MotionFault { segment: None, fault: MoveFault::NoSegment });
         } else if faults.is_empty() {
-            faults.extend(closing_fault(&chain, initial, start.si(), closing));
+            faults.extend(closing_fault(&chain, initial, first, closing));
         }
         if !faults.is_empty() {
             return Err(faults);
@@ -128,7 +136,8 @@ impl Motion {
             .filter_map(|segment| if let SegmentSpec::Manual(each) = segment { Some(*each) } else { None })
             .collect();
         let manual = (manual.len() == segments.len()).then_some(manual);
-        Ok(Self { pieces: chain.pieces, stretches, manual })
+        let (duration, net) = (Time::from_si(chain.clock), Angle::from_si(chain.position - first));
+        Ok(Self { pieces: chain.pieces, recordings: chain.recordings, duration, net, stretches, manual })
     }
 
     /// The same motion run through in another time: every instant times `factor`.
@@ -140,6 +149,17 @@ impl Motion {
         let time = |time: Time| Time::from_si(time.si() * factor);
         Self {
             pieces: self.pieces.iter().map(|piece| piece.stretched(factor)).collect(),
+            recordings: self
+                .recordings
+                .iter()
+                .map(|placed| Placed {
+                    start_s: placed.start_s * factor,
+                    stretch: placed.stretch * factor,
+                    ..placed.clone()
+                })
+                .collect(),
+            duration: time(self.duration),
+            net: self.net,
             stretches: self
                 .stretches
                 .iter()
@@ -170,10 +190,16 @@ impl Motion {
         }
     }
 
-    /// The pieces, in order, each of positive duration; never empty.
+    /// The pieces of the laws, in order, each of positive duration.
     #[must_use]
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
+    }
+
+    /// The recordings, in order.
+    #[must_use]
+    pub fn recordings(&self) -> &[Placed] {
+        &self.recordings
     }
 
     /// The segments on the time axis.
@@ -190,8 +216,14 @@ impl Motion {
 
     /// t_0: duration of the whole cycle.
     #[must_use]
-    pub fn duration(&self) -> Time {
-        self.pieces.last().map_or_else(|| Time::from_si(0.0), |last| Time::from_si(last.start_s + last.duration_s))
+    pub const fn duration(&self) -> Time {
+        self.duration
+    }
+
+    /// Position at the end minus position at the beginning.
+    #[must_use]
+    pub const fn net(&self) -> Angle {
+        self.net
     }
 }
 
@@ -199,18 +231,69 @@ impl Motion {
 fn start_speed(segments: &[SegmentSpec]) -> f64 {
     match segments.first() {
         Some(SegmentSpec::Move(Law::Constant, given)) => given.speed.map_or(0.0, Measure::si),
+        Some(SegmentSpec::Recorded(recorded)) => recorded.end_speeds_rad_s().0,
         _ => 0.0,
     }
 }
+
+/// So much of the largest recorded speed or of the recorded travel may a recording miss where it joins or closes:
+/// nobody records an exact zero.
+const JOINT: f64 = 1e-3;
 
 struct Chain {
     position: f64,
     speed: f64,
     clock: f64,
     pieces: Vec<Piece>,
+    recordings: Vec<Placed>,
 }
 
 impl Chain {
+    fn beginning(segments: &[SegmentSpec], start: Option<Angle>) -> Self {
+        let recorded = match segments.first() {
+            Some(SegmentSpec::Recorded(recorded)) if recorded.is_placed() => recorded.ends_rad().0,
+            _ => 0.0,
+        };
+        Self {
+            position: start.map_or(recorded, Measure::si),
+            speed: start_speed(segments),
+            clock: 0.0,
+            pieces: Vec::new(),
+            recordings: Vec::new(),
+        }
+    }
+
+    /// A recording with positions stands where they say, shifted only if the motion begins with it at a stated angle;
+    /// one without goes on from where the axis is.
+    fn recorded(&mut self, recorded: &Arc<Recorded>, segment: usize) -> Result<(), MoveFault> {
+        let (first, last) = recorded.ends_rad();
+        let (speed, end_speed) = recorded.end_speeds_rad_s();
+        let most = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        if (speed - self.speed).abs() > JOINT * most(recorded.speed_rad_s()) {
+            return Err(MoveFault::RecordingSpeedJumps {
+                first: AngularVelocity::from_si(speed),
+                before: AngularVelocity::from_si(self.speed),
+            });
+        }
+        let gap = self.position - first;
+        let shifted = self.clock == 0.0 || !recorded.is_placed();
+        let (low, high) = recorded.position_rad().iter().fold((first, first), |(a, b), q| (a.min(*q), b.max(*q)));
+        if !shifted && gap.abs() > JOINT * (high - low) {
+            return Err(MoveFault::RecordingPositionJumps { gap: Angle::from_si(-gap) });
+        }
+        let offset_rad = if shifted { gap } else { 0.0 };
+        self.recordings.push(Placed {
+            recorded: Arc::clone(recorded),
+            start_s: self.clock,
+            offset_rad,
+            stretch: 1.0,
+            segment,
+        });
+        (self.position, self.speed) = (last + offset_rad, end_speed);
+        self.clock += recorded.duration_s();
+        Ok(())
+    }
+
     fn push(&mut self, piece: Piece, segment: usize) {
         if piece.duration_s <= 0.0 {
             return;
@@ -274,14 +357,23 @@ fn closing_fault(chain: &Chain, initial: f64, start: f64, closing: Closing) -> O
     if closing == Closing::SingleMove {
         return None;
     }
-    let fastest = chain.pieces.iter().map(|piece| piece.speed_rad_s.abs()).fold(0.0, f64::max);
-    if (chain.speed - initial).abs() > 1e-9 * fastest {
+    let recorded = chain.recordings.iter().flat_map(|placed| placed.recorded.speed_rad_s());
+    let fastest =
+        chain.pieces.iter().map(|piece| &piece.speed_rad_s).chain(recorded).fold(0.0, |most: f64, w| most.max(w.abs()));
+    let recorded = !chain.recordings.is_empty();
+    if (chain.speed - initial).abs() > if recorded { JOINT } else { 1e-9 } * fastest {
         return whole(MoveFault::SpeedNotClosed {
             end: AngularVelocity::from_si(chain.speed),
             start: AngularVelocity::from_si(initial),
         });
     }
-    let travelled: f64 = chain.pieces.iter().map(|piece| (piece.end().position_rad - piece.position_rad).abs()).sum();
+    let way = |values: &[f64]| {
+        let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), q| (a.min(*q), b.max(*q)));
+        high - low
+    };
+    let travelled: f64 =
+        chain.pieces.iter().map(|piece| (piece.end().position_rad - piece.position_rad).abs()).sum::<f64>()
+            + chain.recordings.iter().map(|placed| way(placed.recorded.position_rad())).sum::<f64>();
     let gap = match closing {
         Closing::Position => chain.position - start,
         Closing::Revolutions => {
@@ -290,7 +382,7 @@ fn closing_fault(chain: &Chain, initial: f64, start: f64, closing: Closing) -> O
         }
         Closing::Speed | Closing::SingleMove => 0.0,
     };
-    if gap.abs() > 1e-6 * travelled {
+    if gap.abs() > if recorded { JOINT } else { 1e-6 } * travelled {
         return whole(MoveFault::PositionNotClosed { gap: Angle::from_si(gap) });
     }
     None

@@ -14,7 +14,7 @@ fn one(speed: f64, [t1, t2, t3, tp]: [f64; 4]) -> SegmentSpec {
 }
 
 fn chain(segments: &[SegmentSpec]) -> Result<Motion, Vec<MotionFault>> {
-    Motion::new(segments, Angle::from_si(0.0), Closing::Speed)
+    Motion::new(segments, Some(Angle::from_si(0.0)), Closing::Speed)
 }
 
 fn jerk(distance: f64, end_speed: f64) -> SegmentSpec {
@@ -89,13 +89,63 @@ fn what_is_no_motion_is_refused_with_every_fault() {
 #[test]
 fn the_closing_asks_for_what_the_load_needs() {
     let there = [jerk(1.5, 0.0)];
-    let at = |closing| Motion::new(&there, Angle::from_si(0.2), closing);
+    let at = |closing| Motion::new(&there, Some(Angle::from_si(0.2)), closing);
     assert!(at(Closing::Speed).is_ok());
     assert!(at(Closing::SingleMove).is_ok());
     assert!(matches!(at(Closing::Position).unwrap_err()[0].fault, MoveFault::PositionNotClosed { .. }));
     assert!(matches!(at(Closing::Revolutions).unwrap_err()[0].fault, MoveFault::PositionNotClosed { .. }));
     let back = [jerk(1.5, 0.0), jerk(-1.5, 0.0)];
-    assert!(Motion::new(&back, Angle::from_si(0.0), Closing::Position).is_ok());
+    assert!(Motion::new(&back, Some(Angle::from_si(0.0)), Closing::Position).is_ok());
     let round = [jerk(std::f64::consts::TAU, 0.0)];
-    assert!(Motion::new(&round, Angle::from_si(0.0), Closing::Revolutions).is_ok());
+    assert!(Motion::new(&round, Some(Angle::from_si(0.0)), Closing::Revolutions).is_ok());
+}
+
+fn recorded(samples: crate::Samples) -> SegmentSpec {
+    SegmentSpec::Recorded(std::sync::Arc::new(Recorded::new(samples, crate::Treatment::default()).unwrap()))
+}
+
+fn half_turn() -> crate::Samples {
+    let time_s: Vec<f64> = (0..=100).map(|k| f64::from(k) * 0.01).collect();
+    let position = time_s.iter().map(|t| 0.5 - 0.5 * (std::f64::consts::TAU * t).cos());
+    crate::Samples { position_rad: Some(position.collect()), time_s, ..crate::Samples::default() }
+}
+
+#[test]
+fn a_recording_stands_where_it_says_unless_the_start_is_stated() {
+    let segments = [recorded(half_turn())];
+    let begin = |start: Option<f64>| {
+        let motion = Motion::new(&segments, start.map(Angle::from_si), Closing::Position).unwrap();
+        motion.recordings()[0].interval(0).unwrap().position_rad[0]
+    };
+    assert_eq!(begin(None), 0.0);
+    assert_eq!(begin(Some(1.5)), 1.5);
+    let motion = Motion::new(&segments, None, Closing::Position).unwrap();
+    assert!((motion.duration().si() - 1.0).abs() < 1e-12 && motion.net().si().abs() < 1e-12);
+    let slow = motion.stretched(2.0);
+    let (a, b) = (motion.recordings()[0].interval(10).unwrap(), slow.recordings()[0].interval(10).unwrap());
+    assert!((b.start_s - 2.0 * a.start_s).abs() < 1e-12 && (b.duration_s - 2.0 * a.duration_s).abs() < 1e-12);
+    assert!((b.speed_rad_s[1] - a.speed_rad_s[1] / 2.0).abs() < 1e-12);
+    assert_eq!(slow.duration().si(), 2.0);
+}
+
+#[test]
+fn a_recording_that_jumps_or_does_not_close_is_told() {
+    let fault = |segments: &[SegmentSpec]| Motion::new(segments, None, Closing::Position).unwrap_err()[0].fault;
+    let mut open = half_turn();
+    open.position_rad.as_mut().unwrap().truncate(60);
+    open.time_s.truncate(60);
+    assert!(matches!(fault(&[recorded(open.clone())]), MoveFault::SpeedNotClosed { .. }));
+    assert!(Motion::new(&[recorded(open.clone())], None, Closing::SingleMove).is_ok());
+    let dwell = SegmentSpec::Dwell(Time::from_si(0.1), Hold::Motor);
+    assert!(matches!(fault(&[recorded(open), dwell.clone()]), MoveFault::StillMoving { .. }));
+    let mut elsewhere = half_turn();
+    elsewhere.position_rad.as_mut().unwrap().iter_mut().for_each(|q| *q += 0.3);
+    assert!(matches!(
+        fault(&[recorded(half_turn()), recorded(elsewhere)]),
+        MoveFault::RecordingPositionJumps { gap } if (gap.si() - 0.3).abs() < 1e-9
+    ));
+    let mut moving = half_turn();
+    moving.time_s.drain(..20);
+    moving.position_rad.as_mut().unwrap().drain(..20);
+    assert!(matches!(fault(&[dwell, recorded(moving)]), MoveFault::RecordingSpeedJumps { .. }));
 }

@@ -1,6 +1,6 @@
 //! Why a description is no motion.
 
-use quantities::{Angle, AngularAcceleration, AngularVelocity};
+use quantities::{Angle, AngularAcceleration, AngularVelocity, Time};
 
 /// Which quantities determine a move of a law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,6 +65,18 @@ pub enum MoveFault {
         /// Speed at that instant.
         speed: AngularVelocity,
     },
+    /// A recording begins at another speed than the axis has.
+    RecordingSpeedJumps {
+        /// Speed at its first sample.
+        first: AngularVelocity,
+        /// Speed of the axis before it.
+        before: AngularVelocity,
+    },
+    /// A recording begins at another position than where the axis stands.
+    RecordingPositionJumps {
+        /// Position at its first sample minus that of the axis.
+        gap: Angle,
+    },
     /// The cycle ends with another speed than it begins with.
     SpeedNotClosed {
         /// Speed at the end.
@@ -76,6 +88,46 @@ pub enum MoveFault {
     PositionNotClosed {
         /// End minus start.
         gap: Angle,
+    },
+}
+
+/// Why samples are no motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum RecordedFault {
+    /// Fewer than three samples.
+    TooFew {
+        /// How many there are.
+        samples: usize,
+    },
+    /// Neither position nor speed.
+    NoCourse,
+    /// The columns do not have the same number of samples.
+    Uneven,
+    /// A sample is not a finite number.
+    NotFinite {
+        /// Its index.
+        index: usize,
+    },
+    /// An instant is not after the one before it.
+    NotIncreasing {
+        /// Its index.
+        index: usize,
+    },
+    /// Somewhere the smoothing window holds too few samples for a parabola.
+    WindowTooShort {
+        /// A width that is enough everywhere.
+        least: Time,
+    },
+    /// The smoothing window holds more samples than is sensible.
+    WindowTooLong {
+        /// The most it may hold.
+        most: usize,
+    },
+    /// Position and speed are both recorded and do not tell of the same motion.
+    Contradiction {
+        /// Largest distance between the recorded and the integrated position, as a share of the travel.
+        share: f64,
     },
 }
 

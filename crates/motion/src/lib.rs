@@ -2,18 +2,20 @@
 //!
 //! Everything is referred to the output of the actuator. A [`Motion`] is a chain of [`Piece`]s whose acceleration is a
 //! cubic polynomial of time plus one harmonic, so position, speed and acceleration are closed forms at every instant;
-//! [`lobatto`] gives the quadrature that integrates what is made of them.
+//! [`lobatto`] gives the quadrature that integrates what is made of them. A [`Recorded`] segment consists of samples instead.
 
 mod chain;
 mod faults;
 mod law;
 mod piece;
 mod quadrature;
+mod recorded;
 mod seven_phase;
 mod solve;
 
 pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch};
-pub use faults::{MotionFault, MoveFault, Needed};
+pub use faults::{MotionFault, MoveFault, Needed, RecordedFault};
 pub use law::{Given, Law, Solved};
 pub use piece::{Piece, State, roots};
 pub use quadrature::lobatto;
+pub use recorded::{Interval, Placed, Recorded, Samples, Treatment};

@@ -79,15 +79,15 @@ pub struct Moments {
 }
 
 impl Moments {
-    fn of(trace: &Trace, duration: Time) -> Self {
+    fn of(trace: &Trace, motion: &Motion) -> Self {
         let (speed, speed_at) = trace.largest(|extent| extent.speed, |node| node.speed.abs());
         let (load, load_at) = trace.largest(|extent| extent.torque(0.0), |node| node.load.abs());
         let travelled = trace.gram.travelled();
         Self {
-            duration,
+            duration: motion.duration(),
             moving: Time::from_si(trace.gram.moving()),
             angle_travelled: Angle::from_si(travelled),
-            angle_net: Angle::from_si(trace.net),
+            angle_net: motion.net(),
             angle_swing: Angle::from_si(trace.span.1 - trace.span.0),
             speed_peak: AngularVelocity::from_si(speed),
             speed_peak_at: Time::from_si(speed_at.time),
@@ -198,7 +198,7 @@ impl Axis {
     #[must_use]
     pub fn new(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>) -> Self {
         let trace = Trace::of(&mechanism, &motion, &extras);
-        let moments = Moments::of(&trace, motion.duration());
+        let moments = Moments::of(&trace, &motion);
         Self {
             mechanism,
             motion,

@@ -22,9 +22,6 @@ const INERTIA_RATIO_RECOMMENDED: f64 = 3.0;
 /// more than a tenth of its rise, so the effective value alone says too little.
 const SHORT_CYCLE_SHARE: f64 = 0.2;
 
-/// Up to so many instants the voltage is also looked for between them; a recording is denser than that matters.
-const VOLTAGE_BETWEEN_NODES: usize = 20_000;
-
 /// Room for all checks of one actuator, so that judging many does not grow one vector after the other.
 const CHECKS_MOST: usize = 40;
 
@@ -400,6 +397,18 @@ impl Currents {
         torque / self.torque_constant + node.direction * (self.starting + constant * node.speed.abs())
     }
 
+    /// The current as a weighted sum of (α, T_L, σ, ω), where friction has one sign over all nodes: `power_sign` is that
+    /// of T σ.
+    pub(crate) fn weights(&self, power_sign: f64) -> [f64; 4] {
+        let constant = if power_sign < 0.0 { self.warm } else { self.cold };
+        [self.inertia / self.torque_constant, 1.0 / self.torque_constant, self.starting, constant]
+    }
+
+    /// The current of friction as such a sum \[A\], times σ.
+    pub(crate) const fn friction_weights(&self) -> [f64; 4] {
+        [0.0, 0.0, self.starting, self.cold]
+    }
+
     /// The part of it that friction takes, by magnitude \[A\].
     pub(crate) fn friction(&self, node: &Node) -> f64 {
         node.direction.abs() * (self.starting + self.cold * node.speed.abs())
@@ -426,23 +435,15 @@ fn voltage(axis: &Axis, actuator: &Parameters, supply: ElectricPotential, reserv
     };
     let typed = |node: &Node| (AngularVelocity::from_si(node.speed), ElectricCurrent::from_si(currents.at(node)));
     // The voltage of a block is below the one at its largest current and speed together.
-    let (mut worst, at) = axis.trace.largest(
-        |extent| {
-            motor.at(AngularVelocity::from_si(extent.speed), ElectricCurrent::from_si(currents.bound(extent))).si()
-        },
-        |node| {
-            let (speed, current) = typed(node);
-            motor.at(speed, current).si()
-        },
-    );
-    // Between two instants of a short trace the voltage may rise above both; speed and current are taken as straight.
-    if axis.trace.nodes().len() <= VOLTAGE_BETWEEN_NODES {
-        for (a, b) in axis.trace.nodes().iter().zip(axis.trace.nodes().iter().skip(1)) {
-            if b.time > a.time && a.direction != 0.0 {
-                worst = worst.max(motor.largest([typed(a), typed(b)]).si());
-            }
-        }
-    }
+    let bound = |extent: &Extent| {
+        motor.at(AngularVelocity::from_si(extent.speed), ElectricCurrent::from_si(currents.bound(extent))).si()
+    };
+    let (highest, at) = axis.trace.largest(bound, |node| {
+        let (speed, current) = typed(node);
+        motor.at(speed, current).si()
+    });
+    // Between two instants the voltage may rise above both; speed and current are taken as straight.
+    let worst = axis.trace.largest_between(highest, bound, |a, b| motor.largest([typed(a), typed(b)]).si());
     Comparison {
         id,
         unit: &VOLT,

@@ -18,7 +18,7 @@ fn axis(inertia: f64, friction: f64, moves: &[(f64, [f64; 4])]) -> Axis {
         })
         .collect::<Vec<_>>();
     let load = Mechanism::direct(MomentOfInertia::from_si(inertia), Torque::from_si(friction));
-    Axis::new(load, Motion::new(&moves, Angle::from_si(0.0), Closing::Speed).unwrap(), Vec::new())
+    Axis::new(load, Motion::new(&moves, Some(Angle::from_si(0.0)), Closing::Speed).unwrap(), Vec::new())
 }
 
 const MOVES: &[(f64, [f64; 4])] =

@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::checks::{Comparison, Currents, not_checked, shown_or_at_most};
-use crate::trace::Node;
+use crate::trace::{Block, Node};
 use actuator::{FRICTION_LOSS_SHARE, Parameters, Thermal, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT};
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, ONE, VOLT, WATT};
@@ -17,11 +17,15 @@ const WINDING_SHUTDOWN: f64 = 363.15;
 /// The ambient temperature up to which the printed data hold, 40 °C, in kelvin: assumed where none is stated.
 const AMBIENT_REFERENCE: f64 = 313.15;
 
-/// Up to so many instants the power is also looked at between them.
-const POWER_BETWEEN_NODES: usize = 2_000;
-
-/// Parts of a gap between two instants, for the power.
+/// Parts of a gap between two instants, for the power; a recording is dense enough without.
 const POWER_PARTS: u32 = 16;
+
+/// A hundredth of τ_w \[s\]: over blocks not longer than this the mean loss stands for its course. What the temperature
+/// of the winding swings within a block is left out, at most a hundredth of what the peak loss would make it rise to.
+const SHORT_BLOCK: f64 = 0.01 * WINDING_TIME_CONSTANT;
+
+/// Picks ω out of (α, T_L, σ, ω).
+const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 
 /// The checks that look at every instant.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> [Check; 4] {
@@ -117,6 +121,14 @@ impl Losses<'_> {
         let current = self.currents.at(node);
         self.copper_ohm * current * current + self.friction_vs * self.currents.friction(node) * node.speed.abs()
     }
+
+    /// Its integral over a block at once, where friction has one sign there.
+    fn whole(&self, block: &Block) -> Option<f64> {
+        let sign = block.extent.power_sign(self.currents.inertia)?;
+        let copper = self.copper_ohm * block.gram.square(self.currents.weights(sign));
+        // I_f |ω| = (I_NLS σ + K_INL ω) ω
+        Some(copper + self.friction_vs * block.gram.product(self.currents.friction_weights(), SPEED))
+    }
 }
 
 fn losses<'a>(actuator: &Parameters, currents: Result<&'a Currents, &Missing>) -> Result<Losses<'a>, Missing> {
@@ -139,8 +151,9 @@ fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Miss
         Err(missing) => return not_checked(id, missing),
     };
     let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
+    let steps = axis.trace.steps(SHORT_BLOCK, |block| losses.whole(block), |node| losses.at(node));
     let pieces: Vec<(Time, Power)> =
-        axis.trace.nodes().iter().map(|node| (Time::from_si(node.weight), Power::from_si(losses.at(node)))).collect();
+        steps.iter().map(|step| (Time::from_si(step.duration), Power::from_si(step.value))).collect();
     let cycle = model.cycle(&pieces, ambient);
     let energy: f64 = pieces.iter().map(|(time, power)| time.si() * power.si()).sum();
     let mean = Power::from_si(energy / axis.moments.duration.si());
@@ -178,15 +191,14 @@ fn overload(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Mis
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let pieces: Vec<(Time, Ratio)> = axis
-        .trace
-        .nodes()
-        .iter()
-        .map(|node| {
-            let share = currents.at(node) / stall.value.si();
-            (Time::from_si(node.weight), Ratio::from_si(share * share))
-        })
-        .collect();
+    let stalled = stall.value.si() * stall.value.si();
+    let square = |block: &Block| {
+        let sign = block.extent.power_sign(currents.inertia)?;
+        Some(block.gram.square(currents.weights(sign)) / stalled)
+    };
+    let steps = axis.trace.steps(SHORT_BLOCK, square, |node| currents.at(node).powi(2) / stalled);
+    let pieces: Vec<(Time, Ratio)> =
+        steps.iter().map(|step| (Time::from_si(step.duration), Ratio::from_si(step.value))).collect();
     let (peak, at) = actuator::overload_peak(&pieces, Time::from_si(WINDING_TIME_CONSTANT));
     let one = provenance::Sourced {
         value: Ratio::from_si(1.0),
@@ -215,7 +227,7 @@ fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, 
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let (mut motoring, mut back, mut peak) = (0.0, 0.0, 0.0_f64);
+    let (mut motoring, mut driven, mut back, mut peak) = (0.0, 0.0, 0.0, 0.0_f64);
     // With no weight an instant only counts for the peak.
     let mut count = |node: &Node, weight: f64| {
         let current = currents.at(node);
@@ -227,19 +239,28 @@ fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, 
             peak = peak.max(-power);
         }
     };
-    let nodes = axis.trace.nodes();
-    if nodes.len() <= POWER_BETWEEN_NODES {
-        // The power changes its sign between the nodes: each gap is cut, everything in it taken as straight.
-        nodes.iter().for_each(|node| count(node, 0.0));
-        for (a, b) in nodes.iter().zip(nodes.iter().skip(1)).filter(|(a, b)| b.time > a.time) {
-            for part in 0..POWER_PARTS {
-                let share = (f64::from(part) + 0.5) / f64::from(POWER_PARTS);
-                count(&a.towards(b, share), (b.time - a.time) / f64::from(POWER_PARTS));
-            }
+    // The power changes its sign between the nodes: each gap is cut, everything in it taken as straight. Where the load
+    // is only driven the power has one sign, and the block is taken as a whole.
+    let parts = if axis.trace.is_recorded() { 1 } else { POWER_PARTS };
+    for block in axis.trace.blocks() {
+        if !axis.trace.is_short() && block.extent.power_sign(currents.inertia) == Some(1.0) {
+            let weights = currents.weights(1.0);
+            driven += copper_ohm * block.gram.square(weights) + constant_vs * block.gram.product(weights, SPEED);
+            continue;
         }
-    } else {
-        nodes.iter().for_each(|node| count(node, node.weight));
+        let mut last: Option<Node> = None;
+        axis.trace.within(block, &mut |node| {
+            count(node, 0.0);
+            if let Some(last) = last.as_ref().filter(|last| node.time > last.time) {
+                for part in 0..parts {
+                    let share = (f64::from(part) + 0.5) / f64::from(parts);
+                    count(&last.towards(node, share), (node.time - last.time) / f64::from(parts));
+                }
+            }
+            last = Some(*node);
+        });
     }
+    motoring += driven;
     let mean = back / axis.moments.duration.si();
     let permitted = axis.asked.regeneration_power_max.map(Measure::si);
     let key = "requirements.regeneration_power_max";

@@ -155,7 +155,7 @@ mod tests {
             brake: s(0.1),
             pause: s(1.0),
         });
-        let motion = Motion::new(&[only], Angle::from_si(0.0), Closing::Speed).unwrap();
+        let motion = Motion::new(&[only], Some(Angle::from_si(0.0)), Closing::Speed).unwrap();
         Axis::new(Mechanism::direct(MomentOfInertia::from_si(inertia), Torque::from_si(5.0)), motion, Vec::new())
     }
 

@@ -1,6 +1,6 @@
 use super::*;
-use mechanism::{Friction, Kind, Rotor};
-use motion::{Closing, Given, Law, ManualMove, SegmentSpec};
+use mechanism::{Friction, Kind, Output, Rotor};
+use motion::{Closing, Given, Hold, Law, ManualMove, Placed, Recorded, Samples, SegmentSpec, Treatment};
 use quantities::{
     Angle, AngularAcceleration, AngularJerk, AngularVelocity, Length, Mass, Measure, MomentOfInertia, Time, Torque,
     ViscousFriction,
@@ -36,7 +36,7 @@ fn jerk(distance: f64) -> SegmentSpec {
 }
 
 fn motion(segments: &[SegmentSpec]) -> Motion {
-    Motion::new(segments, Angle::from_si(0.0), Closing::Speed).unwrap()
+    Motion::new(segments, Some(Angle::from_si(0.0)), Closing::Speed).unwrap()
 }
 
 fn direct() -> Mechanism {
@@ -171,7 +171,7 @@ fn the_envelope_finds_what_a_plain_loop_finds() {
         let (largest, node) = trace.largest(|extent| extent.torque(own), value);
         let at = node.time;
         let mut plain = (f64::NEG_INFINITY, 0.0);
-        for node in trace.nodes() {
+        for node in &trace.nodes() {
             if value(node) > plain.0 {
                 plain = (value(node), node.time);
             }
@@ -210,4 +210,145 @@ fn the_peak_of_every_law_is_a_node() {
 
 fn law_constant(law: Law) -> f64 {
     law.characteristics().1
+}
+
+/// A swing of three harmonics with a torque of its own, sampled irregularly.
+fn swing(samples: u32) -> Motion {
+    let step = |k: u32| f64::from(k) + 0.15 * f64::from(k % 5) - 0.3;
+    let end = step(samples - 1) - step(0);
+    let time_s: Vec<f64> = (0..samples).map(|k| 6.0 * (step(k) - step(0)) / end).collect();
+    let phase = |t: f64, k: f64| std::f64::consts::TAU * t * k / 6.0;
+    let speed = time_s.iter().map(|t| phase(*t, 1.0).sin() + 0.4 * phase(*t, 3.0).sin() - 0.7 * phase(*t, 7.0).sin());
+    let torque = time_s.iter().map(|t| 12.0 * phase(*t, 2.0).cos() + 3.0 * phase(*t, 11.0).sin());
+    let mut speed: Vec<f64> = speed.collect();
+    let torque = torque.collect();
+    // It stands for a while.
+    speed.iter_mut().skip(samples as usize / 3).take(samples as usize / 10).for_each(|speed| *speed = 0.0);
+    (speed[0], speed[samples as usize - 1]) = (0.0, 0.0);
+    let samples = Samples { time_s, speed_rad_s: Some(speed), torque_nm: Some(torque), position_rad: None };
+    let recorded = Recorded::new(samples, Treatment::default()).unwrap();
+    Motion::new(&[SegmentSpec::Recorded(std::sync::Arc::new(recorded))], None, Closing::SingleMove).unwrap()
+}
+
+/// Straight speed and torque between samples, every interval by itself: the squares of straight lines and their
+/// products have closed integrals.
+fn by_intervals(placed: &Placed, plain: &Mechanism, own: f64) -> [f64; 3] {
+    let mut sums = [0.0; 3];
+    for interval in (0..placed.intervals()).map(|k| placed.interval(k).unwrap()) {
+        let [w0, w1] = interval.speed_rad_s;
+        let mut cuts = vec![0.0];
+        if w0 * w1 < 0.0 {
+            cuts.push(w0 / (w0 - w1));
+        }
+        cuts.push(1.0);
+        for cut in cuts.windows(2) {
+            let h = (cut[1] - cut[0]) * interval.duration_s;
+            let direction = if w0 == 0.0 && w1 == 0.0 { 0.0 } else { interval.at(0.5 * (cut[0] + cut[1])).1.signum() };
+            let at = |u: f64| {
+                let (position, speed, torque) = interval.at(u);
+                let output = Output {
+                    position_rad: position,
+                    speed_rad_s: speed,
+                    acceleration_rad_s2: interval.acceleration_rad_s2(),
+                    direction,
+                };
+                let extra = Extra { torque: Torque::from_si(torque), ..Extra::none() };
+                (own * output.acceleration_rad_s2 + plain.torque(&output, &extra), speed)
+            };
+            let ((a, v), (b, w)) = (at(cut[0]), at(cut[1]));
+            sums[0] += h * (a * a + a * b + b * b) / 3.0;
+            sums[1] += h * (v + w).abs() / 2.0;
+            sums[2] += h * direction * direction;
+        }
+    }
+    sums
+}
+
+#[test]
+fn the_moments_of_a_recording_are_exact_for_straight_lines_between_samples() {
+    let mut load = direct();
+    load.friction.viscous = ViscousFriction::from_si(2.0);
+    for samples in [50, 1_000, 20_000] {
+        let motion = swing(samples);
+        let trace = Trace::of(&load, &motion, &[]);
+        let expected = by_intervals(&motion.recordings()[0], &load, 0.7);
+        let found = [trace.gram.square([0.7, 1.0, 0.0, 0.0]), trace.gram.travelled(), trace.gram.moving()];
+        for (index, (a, b)) in found.iter().zip(expected).enumerate() {
+            assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{samples}, integral {index}: {a} against {b}");
+        }
+        let work: f64 = trace.nodes().iter().map(|n| n.weight * n.acceleration * n.load).sum();
+        let blocks: f64 =
+            trace.blocks().iter().map(|block| block.gram.product([1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0])).sum();
+        assert!((work - blocks).abs() <= 1e-11 * (1.0 + work.abs()), "{work} {blocks}");
+    }
+}
+
+/// A law sampled finely: what the samples miss falls with the square of the step.
+#[test]
+fn a_sampled_law_comes_near_the_law() {
+    let segments = [law(Law::Polynomial5, 1.4, 0.6), law(Law::Polynomial5, -1.4, 0.9)];
+    let exact = motion(&segments);
+    let sampled = |n: u32| {
+        let time_s: Vec<f64> = (0..=n).map(|k| 1.5 * f64::from(k) / f64::from(n)).collect();
+        let at = |t: f64| {
+            let piece = exact.pieces().iter().rfind(|piece| piece.start_s <= t).unwrap();
+            piece.at(t - piece.start_s)
+        };
+        let samples = Samples {
+            position_rad: Some(time_s.iter().map(|t| at(*t).position_rad).collect()),
+            speed_rad_s: Some(time_s.iter().map(|t| at(*t).speed_rad_s).collect()),
+            time_s,
+            torque_nm: None,
+        };
+        let recorded = Recorded::new(samples, Treatment::default()).unwrap();
+        let segment = SegmentSpec::Recorded(std::sync::Arc::new(recorded));
+        Motion::new(&[segment], None, Closing::Position).unwrap()
+    };
+    for load in [direct(), arm()] {
+        let own = [0.7, 1.0, 0.0, 0.0];
+        let whole = Trace::of(&load, &exact, &[]).gram.square(own);
+        let miss = |n| (Trace::of(&load, &sampled(n), &[]).gram.square(own) / whole - 1.0).abs();
+        let (coarse, fine) = (miss(300), miss(600));
+        assert!(coarse < 2e-3 && fine < 5e-4, "{coarse} {fine}");
+        assert!(coarse / fine > 3.0 || coarse < 1e-6, "{coarse} {fine}");
+    }
+}
+
+/// Enough samples for two threads, and the envelope against a plain loop.
+#[test]
+fn the_envelope_of_a_recording_finds_what_a_plain_loop_finds_and_threads_change_no_bit() {
+    let motion = swing(70_000);
+    let trace = Trace::of(&direct(), &motion, &[]);
+    let again = Trace::of(&direct(), &motion, &[]);
+    assert_eq!(trace.gram, again.gram);
+    let single: Vec<Gram> = swing_blocks(&motion);
+    assert_eq!(trace.blocks().iter().map(|block| block.gram).collect::<Vec<_>>(), single);
+    for own in [0.0, 0.5, 8.0] {
+        let value = |node: &Node| (own * node.acceleration + node.load).abs();
+        let (largest, node) = trace.largest(|extent| extent.torque(own), value);
+        let plain = trace.nodes().iter().fold((f64::NEG_INFINITY, 0.0), |best, node| {
+            if value(node) > best.0 { (value(node), node.time) } else { best }
+        });
+        assert_eq!((largest, node.time), plain, "own inertia {own}");
+    }
+}
+
+/// The same blocks, one after the other.
+fn swing_blocks(motion: &Motion) -> Vec<Gram> {
+    let strip = Strip::new(motion.recordings()[0].clone(), direct(), Extra::none());
+    let count = motion.recordings()[0].intervals();
+    (0..count).step_by(BLOCK).map(|from| strip.block(0, from..(from + BLOCK).min(count)).gram).collect()
+}
+
+/// Means over blocks leave the energy and move the rest by less than the block is long against what looks at it.
+#[test]
+fn steps_of_blocks_and_of_nodes_hold_the_same_energy() {
+    let trace = Trace::of(&direct(), &swing(5_000), &[]);
+    let square = |node: &Node| node.load * node.load;
+    let whole = |block: &Block| block.extent.power_sign(0.0).map(|_| block.gram.square([0.0, 1.0, 0.0, 0.0]));
+    let energy = |steps: &[Step]| steps.iter().map(|step| step.duration * step.value).sum::<f64>();
+    let fine = trace.steps(0.0, whole, square);
+    let coarse = trace.steps(1.0, whole, square);
+    assert!(fine.len() > 50 * coarse.len());
+    assert!((energy(&fine) / energy(&coarse) - 1.0).abs() < 1e-12);
 }

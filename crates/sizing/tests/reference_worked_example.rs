@@ -27,7 +27,7 @@ fn example() -> (Axis, MomentOfInertia) {
         brake: s(0.1),
         pause: s(1.0),
     });
-    let motion = Motion::new(&[only], Angle::from_si(0.0), Closing::Speed).unwrap();
+    let motion = Motion::new(&[only], Some(Angle::from_si(0.0)), Closing::Speed).unwrap();
     let load =
         Mechanism::direct(MomentOfInertia::new_in(1.3, &KILOGRAM_SQUARE_METRE), Torque::new_in(5.0, &NEWTON_METRE));
     (Axis::new(load, motion, Vec::new()), MomentOfInertia::new_in(1.063, &KILOGRAM_SQUARE_METRE))

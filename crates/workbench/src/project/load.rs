@@ -13,7 +13,7 @@ use sizing::Axis;
 /// What is moved, and where it stands when the motion begins.
 pub(super) struct Load {
     pub(super) mechanism: Mechanism,
-    start: Angle,
+    start: Option<Angle>,
     /// Process force that acts in every segment.
     force: Force,
 }
@@ -49,7 +49,7 @@ fn zero<Q: Measure>() -> Q {
 }
 
 fn build(name: &str, section: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Load> {
-    let start: Angle = section.quantity("start_angle").unwrap_or_else(zero);
+    let start: Option<Angle> = section.quantity("start_angle");
     let turning: MomentOfInertia = section.quantity("inertia").unwrap_or_else(zero);
     let inclination: Angle = section.quantity("inclination").unwrap_or_else(zero);
     let linear = |kind, travel_m_per_rad| {

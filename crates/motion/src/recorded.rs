@@ -1,0 +1,368 @@
+//! A motion given by samples instead of a law.
+
+use crate::faults::RecordedFault;
+use quantities::{AngularVelocity, Measure, Time};
+use std::sync::Arc;
+
+/// Recorded position and speed may differ by so much of the travel before one of them must be wrong.
+const CONTRADICTION: f64 = 0.05;
+
+/// Samples as they come from a file, in SI at the output.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Samples {
+    /// Instants \[s\], strictly increasing.
+    pub time_s: Vec<f64>,
+    /// Positions \[rad\].
+    pub position_rad: Option<Vec<f64>>,
+    /// Speeds [rad/s].
+    pub speed_rad_s: Option<Vec<f64>>,
+    /// Torques that the actuator gives to the load, positive in the positive direction \[Nm\].
+    pub torque_nm: Option<Vec<f64>>,
+}
+
+/// What is done to samples before they are a motion. Nothing is done unless it is asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Treatment {
+    /// Width of the window of a moving parabola, fitted by least squares.
+    pub smoothing: Option<Time>,
+    /// Speeds below this count as standstill.
+    pub standstill: Option<AngularVelocity>,
+}
+
+/// A recorded motion: speed and torque are straight between two samples, so that the acceleration is constant there.
+///
+/// α = (ω_(k+1) − ω_k)/(t_(k+1) − t_k)
+///
+/// # Source   docs/theory/recorded-motion.md
+/// # Valid    the position is the recorded one at the samples; recorded without a speed it is differentiated, recorded
+/// without a position the speed is integrated
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recorded {
+    time_s: Vec<f64>,
+    position_rad: Vec<f64>,
+    speed_rad_s: Vec<f64>,
+    torque_nm: Option<Vec<f64>>,
+    is_placed: bool,
+    is_differentiated: bool,
+}
+
+impl Recorded {
+    /// A motion from samples.
+    ///
+    /// # Errors
+    /// [`RecordedFault`] with the first sample that makes it none.
+    pub fn new(samples: Samples, treatment: Treatment) -> Result<Self, RecordedFault> {
+        let Samples { time_s, position_rad, speed_rad_s, torque_nm } = samples;
+        check(&time_s, [position_rad.as_ref(), speed_rad_s.as_ref(), torque_nm.as_ref()])?;
+        let start = time_s.first().copied().unwrap_or(0.0);
+        let time_s: Vec<f64> = if start == 0.0 { time_s } else { time_s.iter().map(|t| t - start).collect() };
+        let window = treatment.smoothing.map(Measure::si);
+        let (is_placed, is_differentiated) = (position_rad.is_some(), speed_rad_s.is_none());
+        let (position, mut speed) = match (position_rad, speed_rad_s, window) {
+            (None, None, _) => return Err(RecordedFault::NoCourse),
+            (Some(position), None, None) => {
+                let speed = slopes(&time_s, &position);
+                (Some(position), speed)
+            }
+            (Some(position), None, Some(window)) => {
+                let (position, speed) = smooth(&time_s, &position, window)?;
+                (Some(position), speed)
+            }
+            (position, Some(speed), None) => (position, speed),
+            (position, Some(speed), Some(window)) => (position, smooth(&time_s, &speed, window)?.0),
+        };
+        if let Some(position) = &position
+            && !is_differentiated
+        {
+            agree(&time_s, position, &speed)?;
+        }
+        if let Some(least) = treatment.standstill {
+            for speed in speed.iter_mut().filter(|speed| speed.abs() < least.si()) {
+                *speed = 0.0;
+            }
+        }
+        let position = position.unwrap_or_else(|| integral(&time_s, &speed));
+        let torque_nm = match (torque_nm, window) {
+            (Some(torque), Some(window)) => Some(smooth(&time_s, &torque, window)?.0),
+            (torque, _) => torque,
+        };
+        Ok(Self { time_s, position_rad: position, speed_rad_s: speed, torque_nm, is_placed, is_differentiated })
+    }
+
+    /// Instants from the first sample \[s\].
+    #[must_use]
+    pub fn time_s(&self) -> &[f64] {
+        &self.time_s
+    }
+
+    /// Positions \[rad\].
+    #[must_use]
+    pub fn position_rad(&self) -> &[f64] {
+        &self.position_rad
+    }
+
+    /// Speeds [rad/s].
+    #[must_use]
+    pub fn speed_rad_s(&self) -> &[f64] {
+        &self.speed_rad_s
+    }
+
+    /// Torques \[Nm\], if they are recorded.
+    #[must_use]
+    pub fn torque_nm(&self) -> Option<&[f64]> {
+        self.torque_nm.as_deref()
+    }
+
+    /// Whether positions are recorded: then they say where the axis stands, else only how far it went.
+    #[must_use]
+    pub const fn is_placed(&self) -> bool {
+        self.is_placed
+    }
+
+    /// Whether the speed is a difference of positions.
+    #[must_use]
+    pub const fn is_differentiated(&self) -> bool {
+        self.is_differentiated
+    }
+
+    /// Duration \[s\].
+    #[must_use]
+    pub fn duration_s(&self) -> f64 {
+        self.time_s.last().copied().unwrap_or(0.0)
+    }
+
+    /// Position at the first and at the last sample \[rad\].
+    #[must_use]
+    pub fn ends_rad(&self) -> (f64, f64) {
+        ends(&self.position_rad)
+    }
+
+    /// Speed at the first and at the last sample [rad/s].
+    #[must_use]
+    pub fn end_speeds_rad_s(&self) -> (f64, f64) {
+        ends(&self.speed_rad_s)
+    }
+
+    /// Number of samples.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.time_s.len()
+    }
+
+    /// Never: there are at least three samples.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.time_s.is_empty()
+    }
+}
+
+/// A recording on the time axis of a cycle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placed {
+    /// The samples.
+    pub recorded: Arc<Recorded>,
+    /// Instant of the first sample, from the start of the cycle \[s\].
+    pub start_s: f64,
+    /// What is added to the recorded positions \[rad\].
+    pub offset_rad: f64,
+    /// What the recorded times are multiplied with; speeds are divided by it.
+    pub stretch: f64,
+    /// Index of the segment.
+    pub segment: usize,
+}
+
+/// The way from one sample to the next: speed and torque straight, acceleration constant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// Instant of the first sample, from the start of the cycle \[s\].
+    pub start_s: f64,
+    /// Duration \[s\].
+    pub duration_s: f64,
+    /// Positions at both ends \[rad\].
+    pub position_rad: [f64; 2],
+    /// Speeds at both ends [rad/s].
+    pub speed_rad_s: [f64; 2],
+    /// Recorded torque at both ends \[Nm\]; zero where none is recorded.
+    pub torque_nm: [f64; 2],
+}
+
+impl Interval {
+    /// α [rad/s²]
+    #[must_use]
+    pub fn acceleration_rad_s2(&self) -> f64 {
+        let [first, last] = self.speed_rad_s;
+        (last - first) / self.duration_s
+    }
+
+    /// Position, speed and torque at a share of the way.
+    ///
+    /// q = q_0 + u (q_1 − q_0) − α h² u (1 − u)/2: the recorded positions at the ends, the curvature of the speed between
+    #[must_use]
+    pub fn at(&self, u: f64) -> (f64, f64, f64) {
+        let straight = |[a, b]: [f64; 2]| a + u * (b - a);
+        let bow = 0.5 * (self.speed_rad_s[1] - self.speed_rad_s[0]) * self.duration_s * u * (1.0 - u);
+        (straight(self.position_rad) - bow, straight(self.speed_rad_s), straight(self.torque_nm))
+    }
+}
+
+impl Placed {
+    /// Number of intervals between samples.
+    #[must_use]
+    pub fn intervals(&self) -> usize {
+        self.recorded.len().saturating_sub(1)
+    }
+
+    /// The interval that begins with a sample; `None` at the last.
+    #[must_use]
+    pub fn interval(&self, index: usize) -> Option<Interval> {
+        let pair = |values: &[f64]| values.get(index).copied().zip(values.get(index + 1).copied());
+        let recorded = &*self.recorded;
+        let (from, to) = pair(&recorded.time_s)?;
+        let (q0, q1) = pair(&recorded.position_rad)?;
+        let (w0, w1) = pair(&recorded.speed_rad_s)?;
+        let (m0, m1) = recorded.torque_nm.as_deref().and_then(pair).unwrap_or((0.0, 0.0));
+        Some(Interval {
+            start_s: self.start_s + from * self.stretch,
+            duration_s: (to - from) * self.stretch,
+            position_rad: [q0 + self.offset_rad, q1 + self.offset_rad],
+            speed_rad_s: [w0 / self.stretch, w1 / self.stretch],
+            torque_nm: [m0, m1],
+        })
+    }
+
+    /// Duration on the time axis \[s\].
+    #[must_use]
+    pub fn duration_s(&self) -> f64 {
+        self.recorded.duration_s() * self.stretch
+    }
+}
+
+fn ends(values: &[f64]) -> (f64, f64) {
+    (values.first().copied().unwrap_or(0.0), values.last().copied().unwrap_or(0.0))
+}
+
+fn check(time: &[f64], columns: [Option<&Vec<f64>>; 3]) -> Result<(), RecordedFault> {
+    if time.len() < 3 {
+        return Err(RecordedFault::TooFew { samples: time.len() });
+    }
+    if columns.iter().flatten().any(|column| column.len() != time.len()) {
+        return Err(RecordedFault::Uneven);
+    }
+    for column in columns.into_iter().flatten().map(Vec::as_slice).chain([time]) {
+        if let Some(index) = column.iter().position(|value| !value.is_finite()) {
+            return Err(RecordedFault::NotFinite { index });
+        }
+    }
+    match time.windows(2).position(|pair| pair.first() >= pair.last()) {
+        Some(before) => Err(RecordedFault::NotIncreasing { index: before + 1 }),
+        None => Ok(()),
+    }
+}
+
+/// Slope of the parabola through each sample and its neighbours; at the ends that of the nearest parabola.
+///
+/// ẏ_k = (h_1 d_0 + h_0 d_1)/(h_0 + h_1), d slopes of the secants, h distances of the instants; error h²/6 of the third
+/// derivative.
+fn slopes(time: &[f64], values: &[f64]) -> Vec<f64> {
+    let secants: Vec<(f64, f64)> = time
+        .iter()
+        .zip(values)
+        .zip(time.iter().zip(values).skip(1))
+        .map(|((t0, y0), (t1, y1))| (t1 - t0, (y1 - y0) / (t1 - t0)))
+        .collect();
+    let mut slopes = Vec::with_capacity(time.len());
+    if let [(h0, d0), (h1, d1), ..] = secants.as_slice() {
+        slopes.push(d0 + h0 * (d0 - d1) / (h0 + h1));
+    }
+    slopes
+        .extend(secants.iter().zip(secants.iter().skip(1)).map(|((h0, d0), (h1, d1))| (h1 * d0 + h0 * d1) / (h0 + h1)));
+    if let [.., (h0, d0), (h1, d1)] = secants.as_slice() {
+        slopes.push(d1 + h1 * (d1 - d0) / (h0 + h1));
+    }
+    slopes
+}
+
+/// Trapezoidal integral: exact for a speed that is straight between the samples.
+fn integral(time: &[f64], speed: &[f64]) -> Vec<f64> {
+    let mut position = 0.0;
+    let mut positions = Vec::with_capacity(time.len());
+    positions.push(position);
+    for ((t0, w0), (t1, w1)) in time.iter().zip(speed).zip(time.iter().zip(speed).skip(1)) {
+        position += 0.5 * (w0 + w1) * (t1 - t0);
+        positions.push(position);
+    }
+    positions
+}
+
+/// Value and slope at each sample of the parabola fitted to the samples within half a window on both sides.
+///
+/// Least squares of y = a + b τ + c τ², τ = t − t_k; at the ends the window is cut off. Positions and speeds up to the
+/// second degree pass unchanged.
+fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f64>, Vec<f64>), RecordedFault> {
+    let half = 0.5 * window;
+    let mut fitted = (Vec::with_capacity(time.len()), Vec::with_capacity(time.len()));
+    let (mut from, mut to) = (0, 0);
+    for t in time {
+        while time.get(from).is_some_and(|first| t - first > half) {
+            from += 1;
+        }
+        while time.get(to).is_some_and(|last| last - t <= half) {
+            to += 1;
+        }
+        if to - from > WINDOW_MOST {
+            return Err(RecordedFault::WindowTooLong { most: WINDOW_MOST });
+        }
+        // Cut off at an end, the window still holds a parabola.
+        if to - from < 4 {
+            let gap = time.windows(2).filter_map(|pair| Some(pair.last()? - pair.first()?)).fold(0.0, f64::max);
+            return Err(RecordedFault::WindowTooShort { least: Time::from_si(6.0 * gap) });
+        }
+        let near = time.get(from..to).unwrap_or_default().iter().zip(values.get(from..to).unwrap_or_default());
+        let (value, slope) = parabola(near.map(|(other, y)| ((other - t) / half, *y)));
+        fitted.0.push(value);
+        fitted.1.push(slope / half);
+    }
+    Ok(fitted)
+}
+
+/// Most samples in one smoothing window.
+const WINDOW_MOST: usize = 10_001;
+
+/// Value and slope at zero of the parabola of least squares.
+fn parabola(points: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
+    let mut s = [0.0; 5];
+    let mut r = [0.0; 3];
+    for (x, y) in points {
+        let x2 = x * x;
+        for (sum, term) in s.iter_mut().zip([1.0, x, x2, x2 * x, x2 * x2]) {
+            *sum += term;
+        }
+        for (sum, term) in r.iter_mut().zip([y, x * y, x2 * y]) {
+            *sum += term;
+        }
+    }
+    let [s0, s1, s2, s3, s4] = s;
+    let [r0, r1, r2] = r;
+    let (m00, m01, m02) = (s2 * s4 - s3 * s3, s2 * s3 - s1 * s4, s1 * s3 - s2 * s2);
+    let (m11, m12) = (s0 * s4 - s2 * s2, s1 * s2 - s0 * s3);
+    let determinant = s0 * m00 + s1 * m01 + s2 * m02;
+    ((m00 * r0 + m01 * r1 + m02 * r2) / determinant, (m01 * r0 + m11 * r1 + m12 * r2) / determinant)
+}
+
+/// Position and speed, both recorded, must tell of the same motion.
+fn agree(time: &[f64], position: &[f64], speed: &[f64]) -> Result<(), RecordedFault> {
+    let travelled = integral(time, speed);
+    let first = position.first().copied().unwrap_or(0.0);
+    let (mut low, mut high, mut apart) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
+    for (recorded, integrated) in position.iter().zip(&travelled) {
+        (low, high) = (low.min(*recorded), high.max(*recorded));
+        apart = apart.max((recorded - first - integrated).abs());
+    }
+    let moved = travelled.iter().fold(0.0_f64, |most, angle| most.max(angle.abs()));
+    let swing = (high - low).max(moved);
+    if apart > CONTRADICTION * swing { Err(RecordedFault::Contradiction { share: apart / swing }) } else { Ok(()) }
+}
+
+#[cfg(test)]
+#[path = "recorded_tests.rs"]
+mod tests;

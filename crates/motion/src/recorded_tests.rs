@@ -1,0 +1,105 @@
+use super::*;
+
+fn times(n: u32, h: f64) -> Vec<f64> {
+    // Irregular on purpose: every third step is a fifth longer.
+    let mut t = 3.0;
+    (0..n)
+        .map(|k| {
+            let here = t;
+            t += if k % 3 == 0 { 1.2 * h } else { h };
+            here
+        })
+        .collect()
+}
+
+fn of(time: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
+    time.iter().map(|t| f(*t)).collect()
+}
+
+#[test]
+fn a_parabola_of_positions_is_differentiated_exactly() {
+    let time = times(40, 0.01);
+    let position = of(&time, |t| 0.3 + 2.0 * t - 1.5 * t * t);
+    let samples = Samples { time_s: time.clone(), position_rad: Some(position), ..Samples::default() };
+    for smoothing in [None, Some(Time::from_si(0.1))] {
+        let treatment = Treatment { smoothing, ..Treatment::default() };
+        let recorded = Recorded::new(samples.clone(), treatment).unwrap();
+        assert!(recorded.is_differentiated() && recorded.is_placed());
+        for (t, speed) in time.iter().zip(recorded.speed_rad_s()) {
+            assert!((speed - (2.0 - 3.0 * t)).abs() < 1e-9, "{smoothing:?} at {t}: {speed}");
+        }
+    }
+}
+
+/// sin t: the error of the slope is h²/6 of the third derivative inside.
+#[test]
+fn the_error_of_the_difference_falls_with_the_square_of_the_step() {
+    let worst = |n: u32, h: f64| {
+        let time = times(n, h);
+        let position = of(&time, f64::sin);
+        let samples = Samples { time_s: time.clone(), position_rad: Some(position), ..Samples::default() };
+        let recorded = Recorded::new(samples, Treatment::default()).unwrap();
+        time.iter().zip(recorded.speed_rad_s()).map(|(t, w)| (w - t.cos()).abs()).fold(0.0, f64::max)
+    };
+    let (coarse, fine) = (worst(100, 0.02), worst(200, 0.01));
+    assert!(coarse < 0.03_f64.powi(2) / 3.0, "{coarse}");
+    assert!((coarse / fine - 4.0).abs() < 0.3, "{coarse} {fine}");
+}
+
+#[test]
+fn smoothing_takes_the_noise_and_leaves_the_motion() {
+    let time: Vec<f64> = (0..2000).map(|k| f64::from(k) * 1e-3).collect();
+    // Two samples above, two below by one encoder step: what hurts central differences most.
+    let noisy = |k: usize, t: f64| (2.0 * t).sin() + if k % 4 < 2 { 1e-5 } else { -1e-5 };
+    let position = time.iter().enumerate().map(|(k, t)| noisy(k, *t)).collect();
+    let samples = Samples { time_s: time.clone(), position_rad: Some(position), ..Samples::default() };
+    let worst = |treatment| {
+        let recorded = Recorded::new(samples.clone(), treatment).unwrap();
+        let pairs = recorded.speed_rad_s().windows(2).zip(time.iter());
+        pairs
+            .map(|(pair, t)| ((pair[1] - pair[0]) / 1e-3 + 4.0 * (2.0 * (t + 5e-4)).sin()).abs())
+            .skip(50)
+            .take(1900)
+            .fold(0.0, f64::max)
+    };
+    let raw = worst(Treatment::default());
+    let smooth = worst(Treatment { smoothing: Some(Time::from_si(0.04)), ..Treatment::default() });
+    assert!(raw > 5.0 && smooth < 0.01 * raw, "{raw} {smooth}");
+}
+
+#[test]
+fn speeds_are_integrated_and_standstill_is_cut() {
+    let time = vec![0.0, 1.0, 2.0, 4.0];
+    let samples = Samples { time_s: time, speed_rad_s: Some(vec![0.0, 2.0, 2.0, 0.001]), ..Samples::default() };
+    let recorded = Recorded::new(samples.clone(), Treatment::default()).unwrap();
+    assert_eq!(recorded.position_rad()[..3], [0.0, 1.0, 3.0]);
+    assert!((recorded.ends_rad().1 - 5.001).abs() < 1e-12);
+    assert!(!recorded.is_placed());
+    let treatment = Treatment { standstill: Some(AngularVelocity::from_si(0.01)), ..Treatment::default() };
+    assert_eq!(Recorded::new(samples, treatment).unwrap().end_speeds_rad_s(), (0.0, 0.0));
+}
+
+#[test]
+fn what_is_no_motion_is_told() {
+    let new = |time: &[f64], position: Option<&[f64]>, speed: Option<&[f64]>, window: Option<f64>| {
+        let samples = Samples {
+            time_s: time.to_vec(),
+            position_rad: position.map(<[f64]>::to_vec),
+            speed_rad_s: speed.map(<[f64]>::to_vec),
+            torque_nm: None,
+        };
+        Recorded::new(samples, Treatment { smoothing: window.map(Time::from_si), standstill: None }).err()
+    };
+    let ramp: &[f64] = &[0.0, 1.0, 2.0];
+    assert_eq!(new(&[0.0, 1.0], Some(&[0.0, 1.0]), None, None), Some(RecordedFault::TooFew { samples: 2 }));
+    assert_eq!(new(ramp, None, None, None), Some(RecordedFault::NoCourse));
+    assert_eq!(new(ramp, Some(&[0.0]), None, None), Some(RecordedFault::Uneven));
+    assert_eq!(new(ramp, Some(&[0.0, f64::NAN, 1.0]), None, None), Some(RecordedFault::NotFinite { index: 1 }));
+    assert_eq!(new(&[0.0, 1.0, 1.0], Some(ramp), None, None), Some(RecordedFault::NotIncreasing { index: 2 }));
+    assert_eq!(new(ramp, Some(ramp), Some(&[1.0, 1.0, 1.0]), None), None);
+    assert!(matches!(
+        new(ramp, Some(ramp), Some(&[57.3, 57.3, 57.3]), None),
+        Some(RecordedFault::Contradiction { share }) if share > 0.9
+    ));
+    assert!(matches!(new(ramp, Some(ramp), None, Some(1.0)), Some(RecordedFault::WindowTooShort { .. })));
+}

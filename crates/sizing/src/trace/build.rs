@@ -1,0 +1,298 @@
+//! The pass over the motion that makes the trace.
+
+use super::recording::Strip;
+use super::{BLOCK, Block, Extent, GROUP, Gram, Node, Place, Share, Trace};
+use mechanism::{Extra, Mechanism, Output};
+use motion::{Hold, Motion, Piece, Placed, lobatto};
+
+pub(super) struct Builder<'a> {
+    mechanism: &'a Mechanism,
+    motion: &'a Motion,
+    extras: &'a [Extra],
+    nodes: Vec<Node>,
+    strips: Vec<Strip>,
+    blocks: Vec<Block>,
+    /// Nodes before this one are in a block.
+    blocked: usize,
+    shares: Vec<Share>,
+    inertia: (f64, f64),
+    span: (f64, f64),
+    holding: f64,
+    /// Whether the load has kinks over the position.
+    kinked: bool,
+}
+
+/// Where the load depends on the position a panel covers at most this angle, so that sixteen nodes leave an error near
+/// the last bit: 30° is a twelfth of the period of what gravity and a crank make (docs/theory/moments.md gives the error).
+const PANEL_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
+
+/// Over so many panels of [`PANEL_ANGLE`] one search for roots runs, with 64 steps: more than ten to a half turn.
+const PANELS_PER_SEARCH: f64 = 12.0;
+
+/// A panel covers at most this phase of the harmonic of its law.
+const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
+
+/// Most panels of one piece; a piece that turns through more than eighty revolutions under a changing load is sampled
+/// more coarsely than [`PANEL_ANGLE`].
+const PANELS_MOST: f64 = 1_000.0;
+
+impl<'a> Builder<'a> {
+    pub(super) fn new(mechanism: &'a Mechanism, motion: &'a Motion, extras: &'a [Extra]) -> Self {
+        Self {
+            mechanism,
+            motion,
+            extras,
+            nodes: Vec::with_capacity(4 * motion.pieces().len()),
+            strips: Vec::new(),
+            blocks: Vec::new(),
+            blocked: 0,
+            shares: vec![Share::default(); motion.stretches().len()],
+            inertia: (0.0, f64::INFINITY),
+            span: (f64::INFINITY, f64::NEG_INFINITY),
+            holding: 0.0,
+            kinked: !mechanism.kinks().is_empty(),
+        }
+    }
+
+    pub(super) fn trace(mut self) -> Trace {
+        let none = Extra::none();
+        let mut recordings = self.motion.recordings().iter().peekable();
+        for piece in self.motion.pieces() {
+            while let Some(placed) = recordings.next_if(|placed| placed.start_s < piece.start_s) {
+                self.recording(placed);
+            }
+            let extra = self.extras.get(piece.segment).unwrap_or(&none);
+            let hold = self.motion.stretches().get(piece.segment).map_or(Hold::Motor, |stretch| stretch.hold);
+            self.piece(piece, extra, hold);
+        }
+        for placed in recordings {
+            self.recording(placed);
+        }
+        self.close_block();
+        let mut gram = Gram::default();
+        self.blocks.iter().for_each(|block| gram.join(&block.gram));
+        let cubes = self.blocks.iter().map(|block| block.cubes).sum();
+        let group = |blocks: &[Block]| {
+            blocks.iter().fold(Extent::NONE, |mut all, block| {
+                all.join(&block.extent);
+                all
+            })
+        };
+        Trace {
+            groups: self.blocks.chunks(GROUP).map(group).collect(),
+            nodes: self.nodes,
+            strips: self.strips,
+            blocks: self.blocks,
+            gram,
+            cubes,
+            shares: self.shares,
+            inertia: self.inertia,
+            span: self.span,
+            holding: self.holding,
+        }
+    }
+
+    /// Makes a block of the nodes since the last one.
+    fn close_block(&mut self) {
+        let range = self.blocked..self.nodes.len();
+        if range.is_empty() {
+            return;
+        }
+        self.blocked = range.end;
+        let mut block = Block::empty(Place::Kept(range.clone()));
+        self.nodes.get(range).unwrap_or_default().iter().for_each(|node| block.add(node));
+        self.blocks.push(block);
+    }
+
+    fn recording(&mut self, placed: &Placed) {
+        self.close_block();
+        let none = Extra::none();
+        let extra = self.extras.get(placed.segment).unwrap_or(&none);
+        let strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra);
+        let survey = strip.survey(self.strips.len());
+        if let Some(share) = self.shares.get_mut(placed.segment) {
+            share.travelled += survey.blocks.iter().map(|block| block.gram.travelled()).sum::<f64>();
+        }
+        let both = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
+        self.inertia = (self.inertia.0.max(survey.inertia.1), self.inertia.1.min(survey.inertia.0));
+        self.span = both(self.span, survey.span);
+        self.holding = self.holding.max(survey.holding);
+        self.blocks.extend(survey.blocks);
+        self.strips.push(strip);
+    }
+
+    fn piece(&mut self, piece: &Piece, extra: &Extra, hold: Hold) {
+        if piece.is_rest() {
+            self.rest(piece, extra, hold);
+            return;
+        }
+        let cuts = self.cuts(piece, extra);
+        let nodes = self.nodes_per_panel(piece);
+        for pair in cuts.windows(2) {
+            if let [from, to] = pair {
+                self.panel(piece, extra, (*from, *to), nodes);
+                if self.nodes.len() - self.blocked >= BLOCK {
+                    self.close_block();
+                }
+            }
+        }
+    }
+
+    fn rest(&mut self, piece: &Piece, extra: &Extra, hold: Hold) {
+        let output = self.output(piece, 0.0, 0.0);
+        let holding = self.mechanism.torque(&output, extra);
+        let load = if hold == Hold::Motor { holding } else { 0.0 };
+        for share in [0.0, 1.0] {
+            self.nodes.push(Node {
+                time: piece.start_s + share * piece.duration_s,
+                weight: 0.5 * piece.duration_s,
+                acceleration: 0.0,
+                speed: 0.0,
+                direction: 0.0,
+                load,
+            });
+        }
+        self.see(&output, extra);
+    }
+
+    fn output(&self, piece: &Piece, t: f64, direction: f64) -> Output {
+        let state = piece.at(t);
+        Output {
+            position_rad: state.position_rad,
+            speed_rad_s: state.speed_rad_s,
+            acceleration_rad_s2: state.acceleration_rad_s2,
+            direction,
+        }
+    }
+
+    /// Notes extremes at an instant.
+    fn see(&mut self, output: &Output, extra: &Extra) {
+        let inertia = quantities::Measure::si(self.mechanism.inertia(output.position_rad, extra));
+        self.inertia = (self.inertia.0.max(inertia), self.inertia.1.min(inertia));
+        self.span = (self.span.0.min(output.position_rad), self.span.1.max(output.position_rad));
+        let holding = quantities::Measure::si(self.mechanism.holding_torque(output.position_rad, extra));
+        self.holding = self.holding.max(holding.abs());
+    }
+
+    /// Panel borders: reversals, changes of sign of the torque and kinks of the load, and then as many equal parts as a
+    /// smooth integrand needs.
+    fn cuts(&self, piece: &Piece, extra: &Extra) -> Vec<f64> {
+        let mut cuts = vec![0.0];
+        cuts.extend(piece.reversals());
+        let ramp = piece.speed_degree().is_some_and(|degree| degree <= 1);
+        if !ramp {
+            // The extremes of speed and acceleration become nodes.
+            cuts.extend(motion::roots(|t| piece.at(t).acceleration_rad_s2, piece.duration_s));
+            cuts.extend(motion::roots(|t| piece.jerk(t), piece.duration_s));
+        }
+        if !(ramp && self.mechanism.is_constant_over_ramps()) {
+            let sign = |t: f64| piece.at(t).speed_rad_s.signum();
+            // So many spans that no two roots fall into one step of the search.
+            let spans = (self.parts(piece) / PANELS_PER_SEARCH).ceil().max(1.0);
+            let span = piece.duration_s / spans;
+            let search = |f: &dyn Fn(f64) -> f64, cuts: &mut Vec<f64>| {
+                let mut k = 0.0;
+                while k < spans {
+                    cuts.extend(motion::roots(|t| f(k * span + t), span).into_iter().map(|t| k * span + t));
+                    k += 1.0;
+                }
+            };
+            search(&|t| self.mechanism.useful_torque(&self.output(piece, t, sign(t)), extra), &mut cuts);
+            search(&|t| self.mechanism.torque(&self.output(piece, t, sign(t)), extra), &mut cuts);
+            for kink in self.mechanism.kinks() {
+                search(&|t| wrapped(piece.at(t).position_rad - kink), &mut cuts);
+            }
+        }
+        cuts.push(piece.duration_s);
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * piece.duration_s);
+        let parts = self.parts(piece);
+        if parts <= 1.0 {
+            return cuts;
+        }
+        let longest = piece.duration_s / parts;
+        let mut fine = vec![0.0];
+        for pair in cuts.windows(2) {
+            if let [from, to] = pair {
+                let count = ((to - from) / longest).ceil().max(1.0);
+                let mut k = 1.0;
+                while k < count {
+                    fine.push(from + (to - from) * k / count);
+                    k += 1.0;
+                }
+                fine.push(*to);
+            }
+        }
+        fine
+    }
+
+    fn parts(&self, piece: &Piece) -> f64 {
+        let [amplitude, frequency, _] = piece.harmonic;
+        let phase = if amplitude == 0.0 { 0.0 } else { frequency * piece.duration_s / PANEL_PHASE };
+        let angle = if self.mechanism.depends_on_position() {
+            // The travel is at most the largest speed times the duration; the ends and the middle bound it closely.
+            let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s).speed_rad_s.abs());
+            speed.into_iter().fold(0.0, f64::max) * piece.duration_s / PANEL_ANGLE
+        } else {
+            0.0
+        };
+        phase.max(angle).min(PANELS_MOST).ceil()
+    }
+
+    /// So many nodes that T², I² and T³ω are integrated exactly where they are polynomials of time.
+    fn nodes_per_panel(&self, piece: &Piece) -> usize {
+        if self.mechanism.depends_on_position() {
+            return 16;
+        }
+        let viscous = !self.mechanism.is_constant_over_ramps();
+        match piece.speed_degree() {
+            // Constant speed: everything is constant.
+            Some(0) => 2,
+            // T constant: T³ω and I² up to degree 2; with viscous friction T³ω has degree 4.
+            Some(1) => {
+                if viscous {
+                    4
+                } else {
+                    3
+                }
+            }
+            // ω² and T³ω: degree 5 without viscous friction, 8 with it.
+            Some(2) => 6,
+            Some(3) => 8,
+            Some(_) => 11,
+            None => 16,
+        }
+    }
+
+    fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to): (f64, f64), nodes: usize) {
+        let direction = piece.at(0.5 * (from + to)).speed_rad_s.signum();
+        let mut travelled = 0.0;
+        let (kinked, beside) = (self.kinked, 1e-9 * (to - from));
+        for (u, weight) in lobatto(nodes) {
+            // The end is met to the last bit, so that time never runs back into the next panel.
+            let t = if *u == 1.0 { to } else { from + u * (to - from) };
+            // At a kink of the load each panel takes the slope of its own side.
+            let beside = if kinked { (t.max(from + beside)).min(to - beside) } else { t };
+            let output = self.output(piece, beside, direction);
+            self.nodes.push(Node {
+                time: piece.start_s + t,
+                weight: weight * (to - from),
+                acceleration: output.acceleration_rad_s2,
+                speed: output.speed_rad_s,
+                direction,
+                load: self.mechanism.torque(&output, extra),
+            });
+            travelled += weight * (to - from) * output.speed_rad_s * direction;
+            self.see(&output, extra);
+        }
+        if let Some(share) = self.shares.get_mut(piece.segment) {
+            share.travelled += travelled;
+        }
+    }
+}
+
+/// An angle brought to ±180°, for kinks that repeat with each revolution; its own jump is no kink.
+fn wrapped(angle: f64) -> f64 {
+    // The sine has the same roots at whole revolutions, and those at half ones cut a panel where nothing happens.
+    (0.5 * angle).sin() * (0.5 * angle).cos()
+}
