@@ -74,19 +74,16 @@ pub struct Moments {
     pub load_peak_at: Time,
     /// Largest magnitude of the torque that holds the load without friction at any instant of the cycle.
     pub holding_torque: Torque,
-    /// Cubic mean of the torque of the load over the angle travelled: (∫|T|³|ω| dt / ∫|ω| dt)^(1/3).
-    pub load_cubic_mean: Torque,
 }
 
 impl Moments {
     fn of(trace: &Trace, motion: &Motion) -> Self {
         let (speed, speed_at) = trace.largest(|extent| extent.speed, |node| node.speed.abs());
         let (load, load_at) = trace.largest(|extent| extent.torque(0.0), |node| node.load.abs());
-        let travelled = trace.gram.travelled();
         Self {
             duration: motion.duration(),
             moving: Time::from_si(trace.gram.moving()),
-            angle_travelled: Angle::from_si(travelled),
+            angle_travelled: Angle::from_si(trace.gram.travelled()),
             angle_net: motion.net(),
             angle_swing: Angle::from_si(trace.span.1 - trace.span.0),
             speed_peak: AngularVelocity::from_si(speed),
@@ -95,7 +92,6 @@ impl Moments {
             load_peak: Torque::from_si(load),
             load_peak_at: Time::from_si(load_at.time),
             holding_torque: Torque::from_si(trace.holding),
-            load_cubic_mean: Torque::from_si(if travelled > 0.0 { (trace.cubes / travelled).cbrt() } else { 0.0 }),
         }
     }
 
@@ -216,6 +212,12 @@ impl Axis {
     #[must_use]
     pub const fn moments(&self) -> &Moments {
         &self.moments
+    }
+
+    /// Cubic mean of the torque of the load over the angle travelled: (∫|T|³|ω| dt / ∫|ω| dt)^(1/3).
+    pub(crate) fn load_cubic_mean(&self) -> Torque {
+        let travelled = self.trace.gram.travelled();
+        Torque::from_si(if travelled > 0.0 { (self.trace.cubes() / travelled).cbrt() } else { 0.0 })
     }
 
     /// What a cycle of a mechanism must come back to.

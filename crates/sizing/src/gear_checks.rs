@@ -160,7 +160,7 @@ fn mean_torque(axis: &Axis, actuator: &Parameters) -> Check {
             ..Comparison::with(
                 id,
                 &NEWTON_METRE,
-                axis.moments().load_cubic_mean.si(),
+                axis.load_cubic_mean().si(),
                 Source::Model { name: "gear" },
                 limit,
             )
@@ -176,7 +176,7 @@ fn life(axis: &Axis, actuator: &Parameters) -> Check {
     let found = (|| {
         let rated = actuator.gear.rated_torque.require("T_N")?;
         let ratio = actuator.ratio.require("i")?;
-        let mean = axis.moments().load_cubic_mean;
+        let mean = axis.load_cubic_mean();
         let speed = AngularVelocity::from_si(axis.moments().speed_mean().si() * ratio.value);
         if speed.si() <= 0.0 || mean.si() <= 0.0 {
             return Err(Missing { symbol: "n_av" });

@@ -7,6 +7,7 @@ use mechanism::{Extra, Mechanism};
 use motion::Motion;
 use recording::Strip;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// One instant with its share of the cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -171,24 +172,27 @@ pub(crate) struct Block {
     pub(crate) duration: f64,
     pub(crate) extent: Extent,
     pub(crate) gram: Gram,
-    /// ∫|T_L|³ |ω| dt
-    cubes: f64,
 }
 
 impl Block {
     const fn empty(place: Place) -> Self {
-        Self { place, duration: 0.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]), cubes: 0.0 }
+        Self { place, duration: 0.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
+    }
+
+    fn join(&mut self, other: &Self) {
+        self.duration += other.duration;
+        self.extent.join(&other.extent);
+        self.gram.join(&other.gram);
     }
 
     fn add(&mut self, node: &Node) {
         self.duration += node.weight;
         self.extent.widen(node);
         self.gram.add(node);
-        self.cubes += node.weight * (node.load * node.load * node.load * node.speed).abs();
     }
 }
 
-/// A block holds about so many nodes, or intervals of a recording.
+/// A block holds about so many nodes.
 const BLOCK: usize = 128;
 
 /// So many blocks share one extent.
@@ -209,8 +213,7 @@ pub(crate) struct Trace {
     blocks: Vec<Block>,
     groups: Vec<Extent>,
     pub(crate) gram: Gram,
-    /// ∫|T_L|³ |ω| dt
-    pub(crate) cubes: f64,
+    cubes: OnceLock<f64>,
     pub(crate) shares: Vec<Share>,
     /// Largest and smallest J_L on the way \[kgm²\].
     pub(crate) inertia: (f64, f64),
@@ -235,6 +238,16 @@ impl Trace {
                 }
             }
         }
+    }
+
+    /// ∫|T_L|³ |ω| dt; only gears with a rating ask for it.
+    pub(crate) fn cubes(&self) -> f64 {
+        *self.cubes.get_or_init(|| {
+            let mut sum = 0.0;
+            let mut look = |node: &Node| sum += node.weight * (node.load * node.load * node.load * node.speed).abs();
+            self.blocks.iter().for_each(|block| self.within(block, &mut look));
+            sum
+        })
     }
 
     pub(crate) fn blocks(&self) -> &[Block] {

@@ -1,3 +1,4 @@
+use super::recording::INTERVALS;
 use super::*;
 use mechanism::{Friction, Kind, Output, Rotor};
 use motion::{Closing, Given, Hold, Law, ManualMove, Placed, Recorded, Samples, SegmentSpec, Treatment};
@@ -109,7 +110,7 @@ fn compare(name: &str, mechanism: &Mechanism, motion: &Motion) {
     let work: f64 =
         trace.nodes().iter().map(|node| node.weight * (own * node.acceleration + node.load) * node.speed).sum();
     let found =
-        [trace.gram.square([own, 1.0, 0.0, 0.0]), trace.gram.travelled(), trace.gram.moving(), trace.cubes, work];
+        [trace.gram.square([own, 1.0, 0.0, 0.0]), trace.gram.travelled(), trace.gram.moving(), trace.cubes(), work];
     for (index, (a, b)) in found.iter().zip(expected).enumerate() {
         assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{name}, integral {index}: {a} against {b}");
     }
@@ -337,7 +338,7 @@ fn the_envelope_of_a_recording_finds_what_a_plain_loop_finds_and_threads_change_
 fn swing_blocks(motion: &Motion) -> Vec<Gram> {
     let strip = Strip::new(motion.recordings()[0].clone(), direct(), Extra::none());
     let count = motion.recordings()[0].intervals();
-    (0..count).step_by(BLOCK).map(|from| strip.block(0, from..(from + BLOCK).min(count)).gram).collect()
+    (0..count).step_by(INTERVALS).map(|from| strip.block(0, from..(from + INTERVALS).min(count)).gram).collect()
 }
 
 /// Means over blocks leave the energy and move the rest by less than the block is long against what looks at it.

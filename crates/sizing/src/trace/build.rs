@@ -4,6 +4,7 @@ use super::recording::Strip;
 use super::{BLOCK, Block, Extent, GROUP, Gram, Node, Place, Share, Trace};
 use mechanism::{Extra, Mechanism, Output};
 use motion::{Hold, Motion, Piece, Placed, lobatto};
+use std::sync::OnceLock;
 
 pub(super) struct Builder<'a> {
     mechanism: &'a Mechanism,
@@ -71,7 +72,6 @@ impl<'a> Builder<'a> {
         self.close_block();
         let mut gram = Gram::default();
         self.blocks.iter().for_each(|block| gram.join(&block.gram));
-        let cubes = self.blocks.iter().map(|block| block.cubes).sum();
         let group = |blocks: &[Block]| {
             blocks.iter().fold(Extent::NONE, |mut all, block| {
                 all.join(&block.extent);
@@ -84,7 +84,7 @@ impl<'a> Builder<'a> {
             strips: self.strips,
             blocks: self.blocks,
             gram,
-            cubes,
+            cubes: OnceLock::new(),
             shares: self.shares,
             inertia: self.inertia,
             span: self.span,

@@ -1,13 +1,17 @@
 //! A recording under its load: bounds and sums of its blocks in one pass, its nodes made when they are looked at.
 
-use super::{BLOCK, Block, Node, Place};
+use super::{Block, Extent, Gram, Node, Place};
 use mechanism::{Extra, Mechanism, Output, Plain};
 use motion::{Interval, Placed};
 use quantities::{Measure, Torque};
 use std::ops::Range;
+use wide::f64x4;
 
 /// From so many intervals two threads share the pass; the sums are those of one thread to the last bit.
 const SHARED_FROM: usize = 1 << 16;
+
+/// A block holds so many intervals of a recording.
+pub(super) const INTERVALS: usize = 256;
 
 /// A recording with what it moves.
 #[derive(Clone, Debug)]
@@ -81,7 +85,7 @@ impl Strip {
     pub(super) fn survey(&self, own: usize) -> Survey {
         let intervals = self.placed.intervals();
         let ranges: Vec<Range<usize>> =
-            (0..intervals).step_by(BLOCK).map(|from| from..(from + BLOCK).min(intervals)).collect();
+            (0..intervals).step_by(INTERVALS).map(|from| from..(from + INTERVALS).min(intervals)).collect();
         let work = |ranges: &[Range<usize>]| -> Vec<Block> {
             ranges.iter().map(|range| self.block(own, range.clone())).collect()
         };
@@ -100,7 +104,8 @@ impl Strip {
         let wider = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
         let none = (f64::INFINITY, f64::NEG_INFINITY);
         let positions = self.placed.recorded.position_rad();
-        let span = positions.iter().fold(none, |span, q| wider(span, q + self.placed.offset_rad));
+        let (low, high) = range(positions);
+        let span = (low + self.placed.offset_rad, high + self.placed.offset_rad);
         let at = |q: f64| {
             let inertia = self.mechanism.inertia(q, &self.extra).si();
             (inertia, self.mechanism.holding_torque(q, &self.extra).si())
@@ -120,10 +125,152 @@ impl Strip {
     }
 
     pub(super) fn block(&self, strip: usize, intervals: Range<usize>) -> Block {
-        let mut block = Block::empty(Place::Recorded { strip, intervals: intervals.clone() });
-        intervals.for_each(|index| self.interval(index, &mut |node| block.add(node)));
+        let place = Place::Recorded { strip, intervals: intervals.clone() };
+        let mut block = Block::empty(place.clone());
+        let mut from = intervals.start;
+        while from < intervals.end {
+            // Up to where the axis turns round, starts or stops; one interval at least.
+            let to = self.one_way(from, intervals.end).max(from + 1);
+            let many = from + (to - from) / LANES * LANES;
+            let sums = self.plain.as_ref().filter(|_| many > from);
+            if let Some(part) = sums.and_then(|plain| self.quick(plain, &place, from..many)) {
+                block.join(&part);
+                from = many;
+            }
+            (from..to).for_each(|index| self.interval(index, &mut |node| block.add(node)));
+            from = to;
+        }
         block
     }
+
+    /// The first interval from one on that is not run through in the direction in which that one begins.
+    fn one_way(&self, from: usize, end: usize) -> usize {
+        let speeds = self.placed.recorded.speed_rad_s().get(from..=end).unwrap_or_default();
+        let Some(first) = speeds.first() else { return end };
+        let other = if *first > 0.0 {
+            speeds.iter().position(|speed| *speed <= 0.0)
+        } else if *first < 0.0 {
+            speeds.iter().position(|speed| *speed >= 0.0)
+        } else {
+            speeds.iter().position(|speed| *speed != 0.0)
+        };
+        // The interval before that sample has it as its end.
+        other.map_or(end, |sample| from + sample.saturating_sub(1))
+    }
+
+    /// The block of a plain mechanism that turns one way all through it, or rests, several intervals at a time.
+    ///
+    /// With α constant, ω and τ straight over an interval of length h the products of the four signals integrate to
+    /// ∫α² = α Δω, ∫ω² = h (s² − ω_0 ω_1)/3, ∫ω = h s/2 with s = ω_0 + ω_1, and alike for τ; those of α with ω and with a
+    /// constant add up to what lies between the ends of the block. T_L = J α + c + τ + b ω mixes them.
+    fn quick(&self, plain: &Plain, place: &Place, intervals: Range<usize>) -> Option<Block> {
+        let recorded = &*self.placed.recorded;
+        let samples = intervals.start..intervals.end + 1;
+        let time = recorded.time_s().get(samples.clone())?;
+        let speed = recorded.speed_rad_s().get(samples.clone())?;
+        let torque = recorded.torque_nm().and_then(|torque| torque.get(samples));
+        if intervals.len() % LANES != 0 {
+            return None;
+        }
+        let (slowest, fastest) = range(speed);
+        let direction = if slowest > 0.0 {
+            1.0
+        } else if fastest < 0.0 {
+            -1.0
+        } else if slowest == 0.0 && fastest == 0.0 {
+            0.0
+        } else {
+            return None;
+        };
+        let all = f64x4::splat;
+        let (stretch, slow) = (all(self.placed.stretch), all(1.0 / self.placed.stretch));
+        let (inertia, viscous) = (all(plain.inertia_kgm2), all(plain.viscous_nms));
+        let [mut aa, mut ww, mut w, mut tt, mut ta, mut tw, mut t] = [f64x4::ZERO; 7];
+        let [mut a_low, mut l_low] = [all(f64::INFINITY); 2];
+        let [mut a_high, mut l_high] = [all(f64::NEG_INFINITY); 2];
+        let mut from = 0;
+        while from < intervals.len() {
+            // LANES samples from one on, and the next ones.
+            let ends = |values: &[f64]| -> Option<(f64x4, f64x4)> {
+                let first: [f64; LANES] = values.get(from..from + LANES)?.try_into().ok()?;
+                let next: [f64; LANES] = values.get(from + 1..=from + LANES)?.try_into().ok()?;
+                Some((f64x4::new(first), f64x4::new(next)))
+            };
+            let ((at, next), (w0, w1)) = (ends(time)?, ends(speed)?);
+            let (t0, t1) = match torque {
+                Some(torque) => ends(torque)?,
+                None => (f64x4::ZERO, f64x4::ZERO),
+            };
+            let (h, w0, w1) = ((next - at) * stretch, w0 * slow, w1 * slow);
+            let (dw, s, p) = (w1 - w0, w0 + w1, t0 + t1);
+            let a = dw / h;
+            aa += a * dw;
+            ww += h * (s * s - w0 * w1);
+            w += h * s;
+            tt += h * (p * p - t0 * t1);
+            ta += dw * p;
+            tw += h * (s * p + t0 * w0 + t1 * w1);
+            t += h * p;
+            let inert = inertia * a;
+            let (l0, l1) = (inert + t0 + viscous * w0, inert + t1 + viscous * w1);
+            (a_low, a_high) = (a_low.fast_min(a), a_high.fast_max(a));
+            (l_low, l_high) = (l_low.fast_min(l0).fast_min(l1), l_high.fast_max(l0).fast_max(l1));
+            from += LANES;
+        }
+        let (stretch, slow) = (self.placed.stretch, 1.0 / self.placed.stretch);
+        let (a_low, a_high) = (range(a_low.as_array()).0, range(a_high.as_array()).1);
+        let (l_low, l_high) = (range(l_low.as_array()).0, range(l_high.as_array()).1);
+        let sum = |lanes: f64x4| lanes.as_array().iter().sum::<f64>();
+        let duration = (time.last()? - time.first()?) * stretch;
+        let (first, last) = (speed.first()? * slow, speed.last()? * slow);
+        let constant = plain.constant_nm + plain.coulomb_nm * direction;
+        // The basis (α, τ, 1, ω); σ is constant here.
+        let (aa, ww, w) = (sum(aa), sum(ww) / 3.0, sum(w) / 2.0);
+        let (tt, ta, tw, t) = (sum(tt) / 3.0, sum(ta) / 2.0, sum(tw) / 6.0, sum(t) / 2.0);
+        let (a1, aw) = (last - first, 0.5 * (last * last - first * first));
+        let basis = [[aa, ta, a1, aw], [ta, tt, t, tw], [a1, t, duration, w], [aw, tw, w, ww]];
+        let rows = [
+            [1.0, 0.0, 0.0, 0.0],
+            [plain.inertia_kgm2, 1.0, constant, plain.viscous_nms],
+            [0.0, 0.0, direction, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+        ];
+        let basis = Gram(basis);
+        // The nodes are rounded otherwise than the sums here; the bounds must hold for them too.
+        let wider = |(low, high): (f64, f64)| {
+            let room = 8.0 * f64::EPSILON * f64::max(-low, high).abs();
+            (low - room, high + room)
+        };
+        let (l_low, l_high) = (l_low + constant, l_high + constant);
+        Some(Block {
+            place: place.clone(),
+            duration,
+            extent: Extent {
+                acceleration: wider((a_low, a_high)),
+                load: wider((l_low, l_high)),
+                direction: (direction, direction),
+                speed: fastest.max(-slowest) * slow,
+            },
+            gram: Gram(rows.map(|a| rows.map(|b| basis.product(a, b)))),
+        })
+    }
+}
+
+/// So many intervals run side by side.
+const LANES: usize = 4;
+
+/// Smallest and largest value.
+fn range(values: &[f64]) -> (f64, f64) {
+    let (mut low, mut high) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+    let (lanes, rest) = values.as_chunks::<LANES>();
+    for lane in lanes {
+        for ((low, high), value) in low.iter_mut().zip(&mut high).zip(lane) {
+            *low = if *value < *low { *value } else { *low };
+            *high = if *value > *high { *value } else { *high };
+        }
+    }
+    let all = low.iter().chain(&high).chain(rest).copied().filter(|value| value.is_finite());
+    all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
 /// The parts of an interval in each of which the speed keeps its sign; the zero of a straight speed between them.
