@@ -62,9 +62,17 @@ fn moment_of(duty: &BearingDuty, bearing: &OutputBearing) -> Result<Torque, Miss
 /// F_r (L_r + R) and F_a L_a are averaged like the forces, so that with distances that do not change the moment is
 /// F_rav (L_r + R) + F_aav L_a.
 fn mean_load(axis: &Axis, duty: &BearingDuty, offset: Length, exponent: f64) -> (FlangeLoad, Torque) {
+    // Segments one after the other often carry the same.
+    let mut parts: Vec<(&FlangeLoad, f64)> = Vec::new();
+    for (load, share) in duty.loads.iter().zip(&axis.trace.shares) {
+        match parts.last_mut().filter(|(last, _)| *last == load) {
+            Some((_, travelled)) => *travelled += share.travelled,
+            None => parts.push((load, share.travelled)),
+        }
+    }
     let mean = |value: &dyn Fn(&FlangeLoad) -> f64| {
-        let parts = duty.loads.iter().zip(&axis.trace.shares);
-        actuator::mean_load(parts.map(|(load, share)| (value(load), Angle::from_si(share.travelled))), exponent)
+        let parts = parts.iter().map(|(load, travelled)| (value(load), Angle::from_si(*travelled)));
+        actuator::mean_load(parts, exponent)
     };
     let none = Length::from_si(0.0);
     let load = FlangeLoad {

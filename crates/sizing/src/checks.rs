@@ -443,7 +443,11 @@ fn voltage(axis: &Axis, actuator: &Parameters, supply: ElectricPotential, reserv
         motor.at(speed, current).si()
     });
     // Between two instants the voltage may rise above both; speed and current are taken as straight.
-    let worst = axis.trace.largest_between(highest, bound, |a, b| motor.largest([typed(a), typed(b)]).si());
+    let worst = axis.trace.largest_between(highest, bound, |a, b, found| {
+        let (a, b) = (typed(a), typed(b));
+        let together = motor.at(a.0.abs().max(b.0.abs()), a.1.abs().max(b.1.abs())).si();
+        if together <= found { together } else { motor.largest([a, b]).si() }
+    });
     Comparison {
         id,
         unit: &VOLT,

@@ -280,19 +280,19 @@ impl Trace {
     }
 
     /// The largest value between neighbouring nodes of different instants, `least` if none is above it; bounds as in
-    /// [`Self::largest`].
+    /// [`Self::largest`]. `value` is told what is found so far and need not be exact below it.
     pub(crate) fn largest_between(
         &self,
         least: f64,
         bound: impl Fn(&Extent) -> f64,
-        value: impl Fn(&Node, &Node) -> f64,
+        value: impl Fn(&Node, &Node, f64) -> f64,
     ) -> f64 {
         let mut best = (least, Node::default());
         self.search(bound, &mut best, |block, best| {
             let mut last: Option<Node> = None;
             self.within(block, &mut |node| {
                 if let Some(last) = last.as_ref().filter(|last| node.time > last.time && last.direction != 0.0) {
-                    best.0 = best.0.max(value(last, node));
+                    best.0 = best.0.max(value(last, node, best.0));
                 }
                 last = Some(*node);
             });
