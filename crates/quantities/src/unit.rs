@@ -140,6 +140,7 @@ units! {
         SECOND: "s", "s", "s", [], (is second);
         MILLISECOND: "ms", "ms", "ms", [], (is millisecond);
         MICROSECOND: "us", "µs", "us", [], (is microsecond);
+        NANOSECOND: "ns", "ns", "ns", [], (is nanosecond);
         MINUTE: "min", "min", "min", [], (is minute);
         HOUR: "h", "h", "h", [], (is hour);
         DAY: "d", "d", "d", [], (is day);

@@ -60,7 +60,8 @@ impl Unit {
     }
 
     /// The unit of a dimension whose spelling is nearest to a misspelt one; `None` if nothing is near.
-    pub(crate) fn nearest(dimension: Dimension, spelling: &str) -> Option<&'static Self> {
+    #[must_use]
+    pub fn nearest(dimension: Dimension, spelling: &str) -> Option<&'static Self> {
         if spelling.len() > SPELLING_LENGTH_MAX {
             return None;
         }

@@ -27,6 +27,7 @@ const FACTORS: &[(&Unit, f64)] = &[
     (&SECOND, 1.0),
     (&MILLISECOND, 1e-3),
     (&MICROSECOND, 1e-6),
+    (&NANOSECOND, 1e-9),
     (&MINUTE, 60.0),
     (&HOUR, 3600.0),
     (&DAY, 86_400.0),

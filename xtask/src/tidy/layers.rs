@@ -17,12 +17,13 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 20] = [
+const ROOMS: [(&str, Room); 21] = [
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
     ("order-code", Room::Layer(0)),
     ("catalogue", Room::Layer(1)),
     ("motion", Room::Layer(1)),
+    ("recording", Room::Layer(1)),
     ("mechanism", Room::Layer(1)),
     ("actuator", Room::Layer(1)),
     ("configurator", Room::Layer(2)),

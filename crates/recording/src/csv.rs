@@ -1,0 +1,255 @@
+//! Reading CSV.
+
+use crate::columns::{Heading, Picks, Said, decide, pick};
+use crate::faults::{Fault, Faults, excerpt};
+use crate::gather::{Gather, Sample, check_window};
+use crate::layout::{Layout, Role};
+use crate::lines::Lines;
+use crate::number::{Bad, Decimals, Tick, finite};
+use crate::series::{KnownBy, Recording};
+use csv_core::{ReadRecordResult, ReaderBuilder};
+use memchr::{memchr, memchr_iter};
+use std::io::Read;
+use std::ops::Range;
+
+/// Reads a recording from CSV.
+///
+/// The first line that is neither empty nor a comment (`#`) is the header. It decides what separates the cells: `;`,
+/// else a tab, else `,`. With `;` and tab the numbers may have decimal commas, all or none. A unit stands in the header
+/// (`q [deg]`), in a row of units under it, or in the layout. Columns that no role needs may hold any text. Of samples
+/// outside the window only the time is read. A cell in quotes must end in its line.
+///
+/// # Errors
+/// All faults of the file.
+pub fn read_csv(source: impl Read, layout: &Layout) -> Result<Recording, Vec<Fault>> {
+    let mut faults = Faults::default();
+    let recording = read(source, layout, &mut faults);
+    faults.outcome(recording)
+}
+
+fn read(source: impl Read, layout: &Layout, faults: &mut Faults) -> Option<Recording> {
+    check_window(layout, faults);
+    let mut lines = Lines::new(source);
+    if !advance(&mut lines, faults)? {
+        faults.push(Fault::NoHeader);
+        return None;
+    }
+    let mut cells = Cells::new(delimiter(lines.line()));
+    let header = cells.all(lines.line(), lines.number(), faults)?;
+    let Ok(headings) =
+        header.iter().map(|cell| std::str::from_utf8(cell).map(Heading::new)).collect::<Result<Vec<_>, _>>()
+    else {
+        faults.push(Fault::HeaderNotUtf8 { line: lines.number() });
+        return None;
+    };
+    let picks = pick(&headings, layout, faults);
+
+    let mut more = advance(&mut lines, faults)?;
+    let mut units = None;
+    if more {
+        units = cells.all(lines.line(), lines.number(), faults).and_then(|row| unit_row(&row, &picks));
+        if let Some(row) = &units {
+            if row.len() != headings.len() {
+                let (line, found, expected) = (lines.number(), row.len(), headings.len());
+                faults.push(Fault::Ragged { line, found, expected });
+            }
+            more = advance(&mut lines, faults)?;
+        }
+    }
+    let mut columns = Vec::new();
+    let mut wanted = Wanted { fields: headings.len(), ..Wanted::default() };
+    for (role, index) in Role::ALL.into_iter().zip(picks) {
+        let Some((index, heading)) = index.and_then(|index| Some((index, headings.get(index)?))) else { continue };
+        let in_row = units.as_ref().and_then(|row| row.get(index)).filter(|text| !text.is_empty());
+        let said = [
+            heading.unit.clone().map(|text| (KnownBy::Header, Said::Text(text))),
+            in_row.map(|text| (KnownBy::UnitRow, Said::Text(text.clone()))),
+            layout.column(role).unit.map(|unit| (KnownBy::Layout, Said::Unit(unit))),
+        ];
+        let column = decide(role, heading, said.into_iter().flatten().collect(), faults);
+        wanted.names.push(excerpt(&heading.written));
+        wanted.indices.push(index);
+        columns.extend(column);
+    }
+    // Without a column or a unit the samples mean nothing.
+    if !faults.none() {
+        return None;
+    }
+    let mut gather = Gather::new(columns, layout, false, faults)?;
+    let mut decimals = if cells.delimiter == b',' { Decimals::PointAlways } else { Decimals::Undecided };
+    while more {
+        let going_on = row(lines.line(), lines.number(), &wanted, &mut cells, &mut decimals, &mut gather, faults);
+        if !going_on || faults.enough() {
+            return None;
+        }
+        more = advance(&mut lines, faults)?;
+    }
+    gather.finish(faults)
+}
+
+/// Goes to the next line; a source that cannot be read on is told.
+fn advance(lines: &mut Lines<impl Read>, faults: &mut Faults) -> Option<bool> {
+    lines.advance().map_err(|fault| faults.push(fault)).ok()
+}
+
+fn delimiter(header: &[u8]) -> u8 {
+    [b';', b'\t'].into_iter().find(|sign| memchr(*sign, header).is_some()).unwrap_or(b',')
+}
+
+/// The row as units, if no cell in use is a number.
+fn unit_row(row: &[Vec<u8>], picks: &Picks) -> Option<Vec<String>> {
+    let texts: Vec<String> = row.iter().map(|cell| unbracketed(&String::from_utf8_lossy(cell))).collect();
+    let mut used =
+        picks.iter().flatten().filter_map(|index| texts.get(*index)).filter(|text| !text.is_empty()).peekable();
+    // A missing value of the first sample is no unit.
+    let missing = |text: &str| ["na", "n/a", "null", "none", "-"].contains(&text.to_lowercase().as_str());
+    let any = used.peek().is_some();
+    (any && used.all(|text| !Decimals::is_number(text) && !missing(text))).then_some(texts)
+}
+
+fn unbracketed(text: &str) -> String {
+    let text = text.trim();
+    let inner =
+        [('[', ']'), ('(', ')')].iter().find_map(|(open, close)| text.strip_prefix(*open)?.strip_suffix(*close));
+    inner.unwrap_or(text).trim().to_owned()
+}
+
+/// The columns in use, time first.
+#[derive(Default)]
+struct Wanted {
+    fields: usize,
+    indices: Vec<usize>,
+    names: Vec<String>,
+}
+
+/// Reads one row; false if no further row can be kept.
+fn row(
+    line: &[u8],
+    number: u64,
+    wanted: &Wanted,
+    cells: &mut Cells,
+    decimals: &mut Decimals,
+    gather: &mut Gather,
+    faults: &mut Faults,
+) -> bool {
+    let Some(count) = cells.split(line, &wanted.indices) else {
+        faults.push(Fault::QuoteOpen { line: number });
+        gather.time_failed();
+        return true;
+    };
+    if count != wanted.fields {
+        faults.push(Fault::Ragged { line: number, found: count, expected: wanted.fields });
+        gather.time_failed();
+        return true;
+    }
+    let mut read = wanted.names.iter().zip(cells.found(line));
+    let Some((name, cell)) = read.next() else { return false };
+    match decimals.plain(cell, number).and_then(|text| Tick::read(&text)) {
+        Err(bad) => {
+            gather.time_failed();
+            faults.push(told(bad, number, name, cell));
+            return true;
+        }
+        Ok(tick) => match gather.sample(number, tick, faults) {
+            Sample::Kept => {}
+            Sample::Dropped => return true,
+            Sample::Full => return false,
+        },
+    }
+    for (channel, (name, cell)) in read.enumerate() {
+        match decimals.plain(cell, number).and_then(|text| finite(&text)) {
+            Ok(value) if gather.value(channel, value) => {}
+            Ok(_) => faults.push(told(Bad::NotFinite, number, name, cell)),
+            Err(bad) => faults.push(told(bad, number, name, cell)),
+        }
+    }
+    true
+}
+
+fn told(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
+    let (at, column) = (crate::Place::Line(line), column.to_owned());
+    let text = excerpt(String::from_utf8_lossy(cell).trim());
+    match bad {
+        Bad::Missing => Fault::ValueMissing { at, column },
+        Bad::Unreadable => Fault::ValueUnreadable { at, column, text },
+        Bad::NotFinite => Fault::ValueNotFinite { at, column, text },
+        Bad::Mixed(decided) => Fault::DecimalMixed { line, column, text, decided },
+    }
+}
+
+/// Splits lines into cells.
+struct Cells {
+    delimiter: u8,
+    quoted: csv_core::Reader,
+    /// Cells of a line with quotes, without their quotes.
+    text: Vec<u8>,
+    ends: Vec<usize>,
+    /// Where the wanted cells are, in the line or in the text.
+    found: Vec<Range<usize>>,
+    in_text: bool,
+}
+
+impl Cells {
+    fn new(delimiter: u8) -> Self {
+        let quoted = ReaderBuilder::new().delimiter(delimiter).build();
+        Self { delimiter, quoted, text: Vec::new(), ends: Vec::new(), found: Vec::new(), in_text: false }
+    }
+
+    /// Finds the wanted cells and counts all; `None` if a quoted cell does not end.
+    fn split(&mut self, line: &[u8], wanted: &[usize]) -> Option<usize> {
+        self.found.clear();
+        self.found.resize(wanted.len(), 0..0);
+        self.in_text = memchr(b'"', line).is_some();
+        if self.in_text {
+            let count = self.unquote(line)?;
+            for (index, found) in wanted.iter().zip(&mut self.found) {
+                *found = range_of(&self.ends, *index);
+            }
+            return Some(count);
+        }
+        let (mut start, mut count) = (0, 0);
+        for end in memchr_iter(self.delimiter, line).chain([line.len()]) {
+            for (index, found) in wanted.iter().zip(&mut self.found) {
+                if *index == count {
+                    *found = start..end;
+                }
+            }
+            start = end + 1;
+            count += 1;
+        }
+        Some(count)
+    }
+
+    /// The cells that were wanted of the line split last.
+    fn found<'a>(&'a self, line: &'a [u8]) -> impl Iterator<Item = &'a [u8]> {
+        let text = if self.in_text { self.text.as_slice() } else { line };
+        self.found.iter().map(|range| text.get(range.clone()).unwrap_or_default())
+    }
+
+    /// Every cell of a line.
+    fn all(&mut self, line: &[u8], number: u64, faults: &mut Faults) -> Option<Vec<Vec<u8>>> {
+        let Some(count) = self.unquote(line) else {
+            faults.push(Fault::QuoteOpen { line: number });
+            return None;
+        };
+        let cell = |index| self.text.get(range_of(&self.ends, index)).unwrap_or_default().to_vec();
+        Some((0..count).map(cell).collect())
+    }
+
+    fn unquote(&mut self, line: &[u8]) -> Option<usize> {
+        self.quoted.reset();
+        // No cell is longer than the line, and no line has more cells than bytes and one.
+        self.text.resize(line.len() + 1, 0);
+        self.ends.resize(line.len() + 2, 0);
+        let (_, _, written, cells) = self.quoted.read_record(line, &mut self.text, &mut self.ends);
+        let (text, ends) = (self.text.get_mut(written..)?, self.ends.get_mut(cells..)?);
+        // A line's end inside quotes belongs to the cell, and the record goes on.
+        let (result, _, _, rest) = self.quoted.read_record(b"\n", text, ends);
+        (result == ReadRecordResult::Record).then_some(cells + rest)
+    }
+}
+
+fn range_of(ends: &[usize], index: usize) -> Range<usize> {
+    let start = index.checked_sub(1).and_then(|before| ends.get(before)).copied().unwrap_or(0);
+    start..ends.get(index).copied().unwrap_or(start)
+}

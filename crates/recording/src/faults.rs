@@ -1,0 +1,359 @@
+//! Why a file is no recording.
+
+use crate::layout::Role;
+use crate::series::KnownBy;
+use crate::{FAULTS_MAX, SAMPLES_MAX};
+use quantities::{Dimension, Time, Unit};
+use std::fmt;
+use std::io::ErrorKind;
+use thiserror::Error;
+
+/// Where in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Place {
+    /// Line of a text, counted from 1 with every comment and empty line.
+    Line(u64),
+    /// Row of a table, counted from 1.
+    Row(u64),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Line(number) => write!(formatter, "line {number}"),
+            Self::Row(number) => write!(formatter, "row {number}"),
+        }
+    }
+}
+
+/// A time as the file has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stamp {
+    /// The number as written.
+    pub value: f64,
+    /// The unit of the column.
+    pub unit: &'static Unit,
+}
+
+impl fmt::Display for Stamp {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{} {}", self.value, self.unit.ascii)
+    }
+}
+
+/// Why a file is no recording. Texts out of the file are shortened to 40 characters.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// The source cannot be read on.
+    #[error("line {line}: the source cannot be read: {kind}")]
+    ReadFailed {
+        /// The line that was being read.
+        line: u64,
+        /// What the source says.
+        kind: ErrorKind,
+    },
+    /// There is no header.
+    #[error("the file has no header")]
+    NoHeader,
+    /// The header is not UTF-8.
+    #[error("line {line}: the header is not UTF-8")]
+    HeaderNotUtf8 {
+        /// Line of the header.
+        line: u64,
+    },
+    /// A line is longer than is read.
+    #[error("line {line}: longer than {most} bytes")]
+    LineTooLong {
+        /// The line.
+        line: u64,
+        /// Most bytes in a line.
+        most: usize,
+    },
+    /// A quoted cell is not closed in its line.
+    #[error("line {line}: a quoted cell does not end in this line")]
+    QuoteOpen {
+        /// The line.
+        line: u64,
+    },
+    /// A row has more or fewer cells than the header.
+    #[error("line {line}: {found} cells under a header of {expected}")]
+    Ragged {
+        /// The line.
+        line: u64,
+        /// Cells in the row.
+        found: usize,
+        /// Cells in the header.
+        expected: usize,
+    },
+    /// The column that the layout names does not exist.
+    #[error("no column is named \"{name}\"")]
+    ColumnUnknown {
+        /// What it should be read as.
+        role: Role,
+        /// The name in the layout.
+        name: String,
+        /// The name in the file that is nearest, if any is near.
+        nearest: Option<String>,
+        /// The columns of the file.
+        headers: Vec<String>,
+    },
+    /// The layout names one column for two roles.
+    #[error("the column \"{column}\" is named for two roles")]
+    ColumnTwice {
+        /// The column.
+        column: String,
+        /// Both roles.
+        roles: [Role; 2],
+    },
+    /// No column of time is found.
+    #[error("no column of time is found")]
+    TimeMissing {
+        /// The columns of the file.
+        headers: Vec<String>,
+    },
+    /// Neither a column of position nor one of speed is found.
+    #[error("neither a column of position nor one of speed is found")]
+    CourseMissing {
+        /// The columns of the file.
+        headers: Vec<String>,
+    },
+    /// Several columns could have a role.
+    #[error("several columns could be the {role:?}")]
+    Ambiguous {
+        /// The role.
+        role: Role,
+        /// The columns that could have it.
+        columns: Vec<String>,
+    },
+    /// Nobody says the unit of a column.
+    #[error("the unit of \"{column}\" is missing")]
+    UnitMissing {
+        /// What the column is read as.
+        role: Role,
+        /// The column.
+        column: String,
+    },
+    /// A unit is none that is known.
+    #[error("\"{text}\" is no known unit")]
+    UnitUnknown {
+        /// What the column is read as.
+        role: Role,
+        /// The column.
+        column: String,
+        /// The unit as written.
+        text: String,
+        /// Who says it.
+        by: KnownBy,
+        /// The unit that is nearest in spelling, if any is near.
+        nearest: Option<&'static Unit>,
+    },
+    /// A unit measures something else than the role has.
+    #[error("\"{}\" is no unit of \"{column}\"", unit.ascii)]
+    UnitWrong {
+        /// What the column is read as.
+        role: Role,
+        /// The column.
+        column: String,
+        /// The unit.
+        unit: &'static Unit,
+        /// Who says it.
+        by: KnownBy,
+    },
+    /// Two statements of a unit differ.
+    #[error("\"{column}\" is said to be in \"{}\" and in \"{}\"", units[0].ascii, units[1].ascii)]
+    UnitContradiction {
+        /// The column.
+        column: String,
+        /// The units.
+        units: [&'static Unit; 2],
+        /// Who says which.
+        by: [KnownBy; 2],
+    },
+    /// Position and speed are not of the same kind: one turns, the other moves along a line.
+    #[error("position and speed do not belong together")]
+    CourseMixed {
+        /// What the position measures.
+        position: Dimension,
+        /// What the speed measures.
+        speed: Dimension,
+    },
+    /// The window ends before it begins.
+    #[error("the window ends before it begins")]
+    WindowReversed {
+        /// Its beginning.
+        from: Time,
+        /// Its end.
+        to: Time,
+    },
+    /// A cell is empty or null.
+    #[error("{at}: the value of \"{column}\" is missing")]
+    ValueMissing {
+        /// Where.
+        at: Place,
+        /// The column.
+        column: String,
+    },
+    /// A cell is no number.
+    #[error("{at}: \"{text}\" in \"{column}\" is no number")]
+    ValueUnreadable {
+        /// Where.
+        at: Place,
+        /// The column.
+        column: String,
+        /// The cell as written.
+        text: String,
+    },
+    /// A number is infinite, not a number, or too large to be held in SI.
+    #[error("{at}: \"{text}\" in \"{column}\" is no finite number")]
+    ValueNotFinite {
+        /// Where.
+        at: Place,
+        /// The column.
+        column: String,
+        /// The cell as written.
+        text: String,
+    },
+    /// A number has a decimal point where others have a comma, or the reverse.
+    #[error("line {line}: \"{text}\" in \"{column}\" has another decimal sign than line {decided}")]
+    DecimalMixed {
+        /// The line.
+        line: u64,
+        /// The column.
+        column: String,
+        /// The cell as written.
+        text: String,
+        /// The line that decided the decimal sign.
+        decided: u64,
+    },
+    /// A column holds something else than plain numbers.
+    #[error("the column \"{column}\" holds {found}, no numbers")]
+    ColumnType {
+        /// The column.
+        column: String,
+        /// Its type as the format names it.
+        found: String,
+    },
+    /// Time runs backwards.
+    #[error("{at}: the time {time} follows {before}")]
+    Backwards {
+        /// The later sample.
+        at: Place,
+        /// Its time.
+        time: Stamp,
+        /// Time of the sample before.
+        before: Stamp,
+    },
+    /// Two samples have the same time.
+    #[error("{at}: the same time {time} as {first}")]
+    SameTime {
+        /// The later sample.
+        at: Place,
+        /// The sample before.
+        first: Place,
+        /// Their time.
+        time: Stamp,
+    },
+    /// An interval is much longer than the others.
+    #[error("{at}: a gap of {} s before this sample", length.value)]
+    Gap {
+        /// The sample after the gap.
+        at: Place,
+        /// Length of the interval.
+        length: Time,
+        /// Median of all intervals.
+        median: Time,
+    },
+    /// There are too few samples, or too few inside the window.
+    #[error("{found} samples, at least {least} are needed")]
+    TooFewSamples {
+        /// Samples that are kept.
+        found: usize,
+        /// Fewest samples that make a recording.
+        least: usize,
+        /// Samples outside the window.
+        outside: u64,
+        /// Time of the first and the last sample of the file.
+        span: Option<[Stamp; 2]>,
+    },
+    /// There are more samples than are kept.
+    #[error("more than {most} samples")]
+    TooManySamples {
+        /// Most samples that are kept.
+        most: usize,
+    },
+    /// The file is no Parquet, is damaged, or uses what is not supported.
+    #[error("the Parquet file cannot be read: {reason}")]
+    ParquetUnreadable {
+        /// What the library says.
+        reason: String,
+    },
+    /// There are more faults.
+    #[error("{count} more faults")]
+    More {
+        /// How many were counted.
+        count: u64,
+        /// Whether the reading stopped there, so that there may be still more.
+        stopped: bool,
+    },
+}
+
+impl Fault {
+    pub(crate) const fn too_many_samples() -> Self {
+        Self::TooManySamples { most: SAMPLES_MAX }
+    }
+}
+
+/// Beyond so many faults the rest of a file tells nothing new, and its reading stops.
+const COUNTED_MAX: u64 = 10_000;
+
+/// The faults of a file, in the order found.
+#[derive(Debug, Default)]
+pub(crate) struct Faults {
+    told: Vec<Fault>,
+    more: u64,
+}
+
+impl Faults {
+    pub(crate) fn push(&mut self, fault: Fault) {
+        if self.told.len() < FAULTS_MAX {
+            self.told.push(fault);
+        } else {
+            self.more = self.more.saturating_add(1);
+        }
+    }
+
+    pub(crate) const fn none(&self) -> bool {
+        self.told.is_empty()
+    }
+
+    /// Whether reading on is of no use.
+    pub(crate) const fn enough(&self) -> bool {
+        self.more >= COUNTED_MAX
+    }
+
+    /// The answer, if there is no fault.
+    pub(crate) fn outcome<T>(mut self, answer: Option<T>) -> Result<T, Vec<Fault>> {
+        match answer {
+            Some(answer) if self.told.is_empty() => Ok(answer),
+            _ => {
+                let stopped = self.enough();
+                if self.more > 0 {
+                    self.told.push(Fault::More { count: self.more, stopped });
+                }
+                Err(self.told)
+            }
+        }
+    }
+}
+
+/// A text out of a file, shortened for a message.
+pub(crate) fn excerpt(text: &str) -> String {
+    const LONGEST: usize = 40;
+    let plain = |c: char| if c.is_control() { '\u{fffd}' } else { c };
+    let mut short: String = text.chars().take(LONGEST).map(plain).collect();
+    if text.chars().nth(LONGEST).is_some() {
+        short.push('…');
+    }
+    short
+}

@@ -1,0 +1,53 @@
+//! Recorded or planned motion, read from CSV and Parquet into plain SI arrays.
+//!
+//! [`read_csv`] and [`read_parquet`] find the columns of time, position, speed and torque by their names or by what a
+//! [`Layout`] says, demand a unit for each, and check every sample. What they give is ready to compute with: times rise
+//! strictly, all values are finite and in SI. What they refuse comes back as all its faults at once, each with its line
+//! or row. Nothing is smoothed, filled in or sorted.
+//!
+//! ```
+//! use recording::{Along, Layout, read_csv};
+//!
+//! let text = "t [ms];Winkel [deg];M\n;;Nm\n100;0,0;1,5\n101;0,9;1,6\n102;1,8;1,7\n";
+//! let recording = read_csv(text.as_bytes(), &Layout::default()).unwrap();
+//! assert_eq!(recording.time_s, [0.0, 0.001, 0.002]);
+//! let position = recording.course.position.unwrap();
+//! assert_eq!((position.along, position.values.len()), (Along::Turning, 3));
+//! assert_eq!(recording.torque.unwrap().values, [1.5, 1.6, 1.7]);
+//! ```
+
+mod columns;
+mod csv;
+mod faults;
+mod gather;
+mod layout;
+mod lines;
+mod number;
+mod parquet;
+mod series;
+
+pub use csv::read_csv;
+pub use faults::{Fault, Place, Stamp};
+pub use layout::{ColumnSpec, Layout, Role};
+pub use parquet::read_parquet;
+pub use series::{Along, ColumnRead, Course, Effort, KnownBy, Recording, Series};
+
+pub use ::bytes::Bytes;
+pub use ::parquet::file::reader::ChunkReader;
+
+/// Most samples that are kept: 2²⁴, more than four hours at 1 kHz. A choice of this crate that bounds its memory to
+/// half a gigabyte of arrays.
+pub const SAMPLES_MAX: usize = 1 << 24;
+
+/// Fewest samples that make a recording: two intervals, so that there is a change of speed.
+pub const SAMPLES_MIN: usize = 3;
+
+/// Most bytes in one line of a CSV, 64 KiB. A choice of this crate that bounds its text buffer.
+pub const LINE_BYTES_MAX: usize = 1 << 16;
+
+/// Most faults that are told; the last entry then says how many more there are.
+pub const FAULTS_MAX: usize = 50;
+
+/// An interval longer than this many median intervals is a gap. A choice of this crate: a logger that skips a few
+/// samples passes, a recording that was paused does not.
+pub const GAP_FACTOR: f64 = 10.0;

@@ -1,0 +1,103 @@
+//! The lines of a text of any length, in a bounded buffer.
+
+use crate::LINE_BYTES_MAX;
+use crate::faults::Fault;
+use memchr::memchr;
+use std::io::{ErrorKind, Read};
+use std::ops::Range;
+
+/// Enough for several lines of the greatest length, so that few bytes are moved to the front again.
+const BUFFER_BYTES: usize = 4 * LINE_BYTES_MAX;
+
+/// Lines that say something: comments (`#`) and empty lines are passed over, but counted.
+pub(crate) struct Lines<R> {
+    source: R,
+    buffer: Vec<u8>,
+    /// What is read and not yet told.
+    rest: Range<usize>,
+    line: Range<usize>,
+    number: u64,
+    at_end: bool,
+}
+
+impl<R: Read> Lines<R> {
+    pub(crate) fn new(source: R) -> Self {
+        Self { source, buffer: vec![0; BUFFER_BYTES], rest: 0..0, line: 0..0, number: 0, at_end: false }
+    }
+
+    /// The line without its end.
+    pub(crate) fn line(&self) -> &[u8] {
+        self.buffer.get(self.line.clone()).unwrap_or_default()
+    }
+
+    /// Its number, counted from 1.
+    pub(crate) const fn number(&self) -> u64 {
+        self.number
+    }
+
+    /// Goes to the next line that says something; false at the end.
+    pub(crate) fn advance(&mut self) -> Result<bool, Fault> {
+        while self.next_physical()? {
+            let line = self.line();
+            if !line.starts_with(b"#") && !line.iter().all(u8::is_ascii_whitespace) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn next_physical(&mut self) -> Result<bool, Fault> {
+        let mut searched = 0;
+        loop {
+            let rest = self.buffer.get(self.rest.clone()).unwrap_or_default();
+            let unsearched = rest.get(searched..).unwrap_or_default();
+            if let Some(at) = memchr(b'\n', unsearched) {
+                let length = searched + at;
+                return self.take(length, length + 1);
+            }
+            searched = rest.len();
+            if searched > LINE_BYTES_MAX {
+                return self.take(searched, searched);
+            }
+            if self.at_end {
+                return if searched == 0 { Ok(false) } else { self.take(searched, searched) };
+            }
+            self.fill()?;
+        }
+    }
+
+    fn take(&mut self, length: usize, with_end: usize) -> Result<bool, Fault> {
+        let start = self.rest.start;
+        self.line = start..start + length;
+        self.rest.start += with_end;
+        self.number += 1;
+        if self.number == 1 && self.line().starts_with(b"\xef\xbb\xbf") {
+            self.line.start += 3;
+        }
+        if self.line().last() == Some(&b'\r') {
+            self.line.end -= 1;
+        }
+        if length > LINE_BYTES_MAX {
+            return Err(Fault::LineTooLong { line: self.number, most: LINE_BYTES_MAX });
+        }
+        Ok(true)
+    }
+
+    fn fill(&mut self) -> Result<(), Fault> {
+        if self.buffer.len() - self.rest.end < LINE_BYTES_MAX {
+            self.buffer.copy_within(self.rest.clone(), 0);
+            self.rest = 0..self.rest.len();
+        }
+        let free = self.buffer.get_mut(self.rest.end..).unwrap_or_default();
+        match self.source.read(free) {
+            // A source that claims more than it was given room for is not believed.
+            Ok(count) => {
+                self.rest.end += count.min(free.len());
+                self.at_end = count == 0;
+            }
+            Err(error) if error.kind() == ErrorKind::Interrupted => {}
+            Err(error) => return Err(Fault::ReadFailed { line: self.number + 1, kind: error.kind() }),
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,166 @@
+//! Numbers as files write them.
+
+use std::borrow::Cow;
+
+/// What is wrong with a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Bad {
+    Missing,
+    Unreadable,
+    NotFinite,
+    /// The other decimal sign was decided in this line.
+    Mixed(u64),
+}
+
+/// The decimal sign of a file. One that separates its cells otherwise than by commas may have decimal commas; the first
+/// number with either sign decides, because `1.234` beside `5,6` may be a thousand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Decimals {
+    /// Commas separate cells.
+    PointAlways,
+    Undecided,
+    Point(u64),
+    Comma(u64),
+}
+
+impl Decimals {
+    /// The number in a cell, with a decimal point.
+    pub(crate) fn plain<'a>(&mut self, cell: &'a [u8], line: u64) -> Result<Cow<'a, str>, Bad> {
+        let cell = cell.trim_ascii();
+        if cell.is_empty() {
+            return Err(Bad::Missing);
+        }
+        let text = std::str::from_utf8(cell).map_err(|_| Bad::Unreadable)?;
+        if *self == Self::PointAlways {
+            return Ok(Cow::Borrowed(text));
+        }
+        let sign = match (text.contains('.'), text.contains(',')) {
+            (false, false) => return Ok(Cow::Borrowed(text)),
+            (true, true) => return Err(Bad::Unreadable),
+            (true, false) => Self::Point(line),
+            (false, true) => Self::Comma(line),
+        };
+        if *self == Self::Undecided {
+            let point = text.replacen(',', ".", 1);
+            if point.parse::<f64>().is_ok() {
+                *self = sign;
+            }
+        }
+        match (*self, sign) {
+            (Self::Comma(decided), Self::Point(_)) | (Self::Point(decided), Self::Comma(_)) => Err(Bad::Mixed(decided)),
+            (_, Self::Comma(_)) => Ok(Cow::Owned(text.replacen(',', ".", 1))),
+            _ => Ok(Cow::Borrowed(text)),
+        }
+    }
+
+    /// Whether a cell looks like a number, decided or not.
+    pub(crate) fn is_number(cell: &str) -> bool {
+        cell.trim().replacen(',', ".", 1).parse::<f64>().is_ok()
+    }
+}
+
+/// A finite number.
+pub(crate) fn finite(text: &str) -> Result<f64, Bad> {
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        Ok(_) => Err(Bad::NotFinite),
+        Err(_) => Err(Bad::Unreadable),
+    }
+}
+
+/// A time as written, in two parts: an f64 holds the seconds since 1970 to a quarter of a microsecond only, and
+/// differences of times are what counts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Tick {
+    whole: i64,
+    part: f64,
+}
+
+impl Tick {
+    /// From fewer digits before the point an f64 loses nothing that matters.
+    const DIGITS_MIN: usize = 8;
+    /// An i64 has so many; nanoseconds since 1970 need them.
+    const DIGITS_MAX: usize = 19;
+
+    pub(crate) fn read(text: &str) -> Result<Self, Bad> {
+        let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+        let digits = unsigned.bytes().take_while(u8::is_ascii_digit).count();
+        let (whole, fraction) = unsigned.split_at(digits);
+        if (Self::DIGITS_MIN..=Self::DIGITS_MAX).contains(&digits)
+            && let Ok(whole) = whole.parse::<i64>()
+            && let Some(part) = part(fraction)
+        {
+            let negative = text.starts_with('-');
+            return Ok(if negative { Self { whole: -whole, part: -part } } else { Self { whole, part } });
+        }
+        finite(text).map(Self::of_float)
+    }
+
+    pub(crate) const fn of_integer(whole: i64) -> Self {
+        Self { whole, part: 0.0 }
+    }
+
+    pub(crate) const fn of_float(part: f64) -> Self {
+        Self { whole: 0, part }
+    }
+
+    pub(crate) const fn value(self) -> f64 {
+        self.whole as f64 + self.part
+    }
+
+    /// Time from another to this one.
+    pub(crate) fn since(self, other: Self) -> f64 {
+        (i128::from(self.whole) - i128::from(other.whole)) as f64 + (self.part - other.part)
+    }
+}
+
+/// The digits behind the point, if nothing else follows.
+fn part(fraction: &str) -> Option<f64> {
+    if fraction.is_empty() {
+        return Some(0.0);
+    }
+    let digits = fraction.strip_prefix('.')?;
+    if digits.is_empty() {
+        return Some(0.0);
+    }
+    digits.bytes().all(|c| c.is_ascii_digit()).then(|| fraction.parse().ok()).flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_times_keep_their_last_digits() {
+        let since = |a: &str, b: &str| Tick::read(a).unwrap().since(Tick::read(b).unwrap());
+        assert_eq!(since("1699999999123456790", "1699999999123456789"), 1.0);
+        assert_eq!(since("9999999999999999999", "9999999999999999998"), 0.0, "beyond an i64 it is a plain f64");
+        assert!((since("1699999999.000123", "1699999998.999999") - 124e-6).abs() < 1e-15);
+        assert!((since("-1699999999.5", "-1699999999.75") - 0.25).abs() < 1e-15);
+        assert_eq!(since("10000000.5", "9999999.5"), 1.0);
+        assert_eq!(Tick::read("1.7e9").unwrap().value(), 1.7e9);
+        assert_eq!(Tick::read("123456789.").unwrap().value(), 123_456_789.0);
+    }
+
+    #[test]
+    fn what_is_no_time_is_refused() {
+        assert_eq!(Tick::read("12:30"), Err(Bad::Unreadable));
+        assert_eq!(Tick::read("123456789.5.5"), Err(Bad::Unreadable));
+        assert_eq!(Tick::read("NaN"), Err(Bad::NotFinite));
+        assert_eq!(Tick::read("1e999"), Err(Bad::NotFinite));
+    }
+
+    #[test]
+    fn the_first_decimal_sign_decides() {
+        let mut decimals = Decimals::Undecided;
+        assert_eq!(decimals.plain(b" 5 ", 3).as_deref(), Ok("5"));
+        assert_eq!(decimals, Decimals::Undecided);
+        assert_eq!(decimals.plain(b"1,5", 4).as_deref(), Ok("1.5"));
+        assert_eq!(decimals.plain(b"1.5", 5), Err(Bad::Mixed(4)));
+        assert_eq!(decimals.plain(b"1.500,5", 5), Err(Bad::Unreadable));
+        let mut decimals = Decimals::Undecided;
+        assert_eq!(decimals.plain(b"1.5", 4).as_deref(), Ok("1.5"));
+        assert_eq!(decimals.plain(b"1,5", 5), Err(Bad::Mixed(4)));
+        assert_eq!(Decimals::PointAlways.plain(b"", 1), Err(Bad::Missing));
+    }
+}

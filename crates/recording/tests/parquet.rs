@@ -1,0 +1,117 @@
+//! Parquet files that other tools wrote; `data/make.py` made them.
+
+use quantities::unit::{DEGREE, MICROSECOND, NEWTON_METRE};
+use quantities::{Measure, Time};
+use recording::{Bytes, ColumnSpec, Fault, KnownBy, Layout, Place, Recording, Role, read_parquet};
+
+const PANDAS: &[u8] = include_bytes!("data/pandas_snappy.parquet");
+const POLARS: &[u8] = include_bytes!("data/polars_zstd.parquet");
+const PYARROW: &[u8] = include_bytes!("data/pyarrow_gzip.parquet");
+const NULL: &[u8] = include_bytes!("data/pyarrow_null.parquet");
+const BROTLI: &[u8] = include_bytes!("data/pyarrow_brotli.parquet");
+
+fn read(bytes: &'static [u8], layout: &Layout) -> Result<Recording, Vec<Fault>> {
+    read_parquet(Bytes::from_static(bytes), layout)
+}
+
+fn units() -> Layout {
+    Layout {
+        position: ColumnSpec { unit: Some(&DEGREE), ..ColumnSpec::default() },
+        torque: ColumnSpec { unit: Some(&NEWTON_METRE), ..ColumnSpec::default() },
+        ..Layout::default()
+    }
+}
+
+fn assert_motion(recording: &Recording, tolerance: f64) {
+    assert_eq!(recording.time_s.len(), 200);
+    assert_eq!(recording.first_time.si(), 5.0);
+    let position = &recording.course.position.as_ref().unwrap().values;
+    let torque = &recording.torque.as_ref().unwrap().values;
+    for (k, time) in recording.time_s.iter().enumerate() {
+        let phase = std::f64::consts::TAU * 5.0 * k as f64 / 1000.0;
+        assert!((time - k as f64 / 1000.0).abs() < 1e-12);
+        assert!((position[k] - (90.0 * (1.0 - phase.cos())).to_radians()).abs() < 1e-12);
+        assert!((torque[k] - (3.0 + 2.0 * phase.sin())).abs() < tolerance);
+    }
+}
+
+#[test]
+fn pandas_with_snappy_is_read() {
+    let recording = read(PANDAS, &Layout::default()).unwrap();
+    assert_motion(&recording, 1e-12);
+    assert!(recording.columns.iter().all(|column| column.known_by == KnownBy::Header));
+}
+
+#[test]
+fn polars_with_zstd_is_read() {
+    let recording = read(POLARS, &units()).unwrap();
+    assert_motion(&recording, 1e-6);
+    let time = &recording.columns[0];
+    assert_eq!((time.unit, time.known_by), (&MICROSECOND, KnownBy::Metadata));
+    let found = read(POLARS, &Layout::default()).unwrap_err();
+    assert!(matches!(
+        found.as_slice(),
+        [Fault::UnitMissing { role: Role::Position, .. }, Fault::UnitMissing { role: Role::Torque, .. }]
+    ));
+}
+
+#[test]
+fn units_are_read_from_the_metadata_of_the_file() {
+    let recording = read(PYARROW, &units()).unwrap();
+    assert_motion(&recording, 1e-12);
+    assert!(recording.columns.iter().all(|column| column.known_by == KnownBy::Metadata));
+    let layout =
+        Layout { position: ColumnSpec { unit: Some(&quantities::unit::RADIAN), ..ColumnSpec::default() }, ..units() };
+    assert!(matches!(read(PYARROW, &layout).unwrap_err().as_slice(), [Fault::UnitContradiction { .. }]));
+}
+
+#[test]
+fn a_window_spans_row_groups() {
+    let (from, to) = (Some(Time::from_si(5.060)), Some(Time::from_si(5.130)));
+    let recording = read(PYARROW, &Layout { from, to, ..Layout::default() }).unwrap();
+    assert_eq!(recording.time_s.len(), 71);
+    assert_eq!((recording.left_out_before, recording.left_out_after), (60, 69));
+}
+
+#[test]
+fn a_null_is_told_with_its_row() {
+    let found = read(
+        NULL,
+        &Layout { position: ColumnSpec { name: Some("q".into()), ..ColumnSpec::default() }, ..Layout::default() },
+    );
+    assert_eq!(found.unwrap_err(), [Fault::ValueMissing { at: Place::Row(3), column: String::from("q [deg]") }]);
+}
+
+#[test]
+fn a_list_is_no_column_of_numbers() {
+    let position = ColumnSpec { name: Some("x.list.element".into()), ..ColumnSpec::default() };
+    let found = read(NULL, &Layout { position, ..Layout::default() }).unwrap_err();
+    assert!(matches!(found.as_slice(), [Fault::ColumnType { .. }]), "{found:?}");
+}
+
+#[test]
+fn another_compression_is_refused() {
+    let found = read(BROTLI, &Layout::default()).unwrap_err();
+    let [Fault::ParquetUnreadable { reason }] = found.as_slice() else { panic!("{found:?}") };
+    assert!(reason.to_lowercase().contains("brotli"), "{reason}");
+}
+
+#[test]
+fn what_is_no_parquet_is_refused() {
+    for bytes in
+        [b"".as_slice(), b"PAR1", b"t,q\n0,1\n", b"PAR1\0\0\0\0PAR1", b"PAR1\xff\xff\xff\x7fPAR1", b"PARE\0\0\0\0PARE"]
+    {
+        let found = read_parquet(Bytes::from_static(bytes), &Layout::default()).unwrap_err();
+        assert!(matches!(found.as_slice(), [Fault::ParquetUnreadable { .. }]), "{found:?}");
+    }
+}
+
+#[test]
+fn a_truncated_file_is_refused() {
+    for bytes in [PANDAS, POLARS, PYARROW] {
+        for length in (0..bytes.len()).step_by(7) {
+            let found = read(&bytes[..length], &units()).unwrap_err();
+            assert!(matches!(found.as_slice(), [Fault::ParquetUnreadable { .. }]), "{found:?}");
+        }
+    }
+}
