@@ -23,6 +23,7 @@ mod gather;
 mod layout;
 mod lines;
 mod number;
+mod pages;
 mod parquet;
 mod series;
 

@@ -6,12 +6,13 @@ use crate::faults::{Fault, Faults, Place, excerpt};
 use crate::gather::{Gather, Sample, check_window};
 use crate::layout::{Layout, Role};
 use crate::number::Tick;
+use crate::pages::CheckedPages;
 use crate::series::{KnownBy, Recording};
 use ::parquet::basic::{ConvertedType, LogicalType, TimeUnit, Type};
-use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
 use ::parquet::data_type::{DataType, DoubleType, FloatType, Int32Type, Int64Type};
 use ::parquet::errors::ParquetError;
-use ::parquet::file::metadata::FileMetaData;
+use ::parquet::file::metadata::{FileMetaData, RowGroupMetaData};
 use ::parquet::file::reader::{ChunkReader, FileReader, RowGroupReader};
 use ::parquet::file::serialized_reader::SerializedFileReader;
 use ::parquet::schema::types::ColumnDescriptor;
@@ -77,6 +78,10 @@ fn read<R: ChunkReader + 'static>(source: R, layout: &Layout, faults: &mut Fault
     }
     let mut number = 0;
     for group in 0..file.num_row_groups() {
+        if !used.iter().all(|column| is_placed(file.metadata().row_group(group), column.index)) {
+            faults.push(Fault::ParquetUnreadable { reason: String::from("a column lies at a negative offset") });
+            return None;
+        }
         let read = file.get_row_group(group).and_then(|group| rows(&*group, &used, &mut number, &mut gather, faults));
         match read {
             Ok(true) => {}
@@ -88,6 +93,14 @@ fn read<R: ChunkReader + 'static>(source: R, layout: &Layout, faults: &mut Fault
         }
     }
     gather.finish(faults)
+}
+
+/// Whether offset and size of a column are possible. The library asserts it instead of refusing the file.
+fn is_placed(group: &RowGroupMetaData, index: usize) -> bool {
+    group.columns().get(index).is_some_and(|column| {
+        let start = column.dictionary_page_offset().unwrap_or(0).min(column.data_page_offset());
+        start >= 0 && column.compressed_size() >= 0
+    })
 }
 
 /// The unit that the metadata of the file state for a column.
@@ -243,8 +256,10 @@ enum Source {
 
 impl<'a> Stream<'a> {
     fn open(group: &dyn RowGroupReader, column: &'a Used) -> Result<Self, ParquetError> {
-        let level_max = group.metadata().column(column.index).column_descr().max_def_level();
-        let source = match group.get_column_reader(column.index)? {
+        let descriptor = group.metadata().column(column.index).column_descr_ptr();
+        let level_max = descriptor.max_def_level();
+        let pages = CheckedPages::new(group.get_column_page_reader(column.index)?, descriptor.clone());
+        let source = match get_column_reader(descriptor, Box::new(pages)) {
             ColumnReader::FloatColumnReader(reader) => Source::Float(reader, Vec::new()),
             ColumnReader::DoubleColumnReader(reader) => Source::Double(reader, Vec::new()),
             ColumnReader::Int32ColumnReader(reader) => Source::Int32(reader, Vec::new()),

@@ -7,6 +7,7 @@ use recording::{Bytes, ColumnSpec, Fault, KnownBy, Layout, Place, Recording, Rol
 const PANDAS: &[u8] = include_bytes!("data/pandas_snappy.parquet");
 const POLARS: &[u8] = include_bytes!("data/polars_zstd.parquet");
 const PYARROW: &[u8] = include_bytes!("data/pyarrow_gzip.parquet");
+const LZ4: &[u8] = include_bytes!("data/pyarrow_lz4_v2.parquet");
 const NULL: &[u8] = include_bytes!("data/pyarrow_null.parquet");
 const BROTLI: &[u8] = include_bytes!("data/pyarrow_brotli.parquet");
 
@@ -53,6 +54,11 @@ fn polars_with_zstd_is_read() {
         found.as_slice(),
         [Fault::UnitMissing { role: Role::Position, .. }, Fault::UnitMissing { role: Role::Torque, .. }]
     ));
+}
+
+#[test]
+fn pages_of_the_second_version_with_lz4_are_read() {
+    assert_motion(&read(LZ4, &Layout::default()).unwrap(), 1e-6);
 }
 
 #[test]
@@ -108,7 +114,7 @@ fn what_is_no_parquet_is_refused() {
 
 #[test]
 fn a_truncated_file_is_refused() {
-    for bytes in [PANDAS, POLARS, PYARROW] {
+    for bytes in [PANDAS, POLARS, PYARROW, LZ4] {
         for length in (0..bytes.len()).step_by(7) {
             let found = read(&bytes[..length], &units()).unwrap_err();
             assert!(matches!(found.as_slice(), [Fault::ParquetUnreadable { .. }]), "{found:?}");

@@ -51,6 +51,18 @@ pq.write_table(
 # pyarrow, brotli: a compression that is not supported.
 pq.write_table(table, "pyarrow_brotli.parquet", compression="brotli")
 
+# pyarrow, lz4, pages of the second version without dictionaries: the other encodings of numbers.
+table = pa.table({"t [ms]": 5000 + step, "q [deg]": angle, "tau [Nm]": torque.astype(np.float32)})
+encodings = {"t [ms]": "DELTA_BINARY_PACKED", "q [deg]": "BYTE_STREAM_SPLIT", "tau [Nm]": "PLAIN"}
+pq.write_table(
+    table,
+    "pyarrow_lz4_v2.parquet",
+    compression="lz4",
+    data_page_version="2.0",
+    use_dictionary=False,
+    column_encoding=encodings,
+)
+
 # The csv module in the dialect of Excel, CRLF, and pandas with the German signs and a byte order mark.
 with open("python_excel.csv", "w", newline="") as file:
     writer = csv.writer(file)
