@@ -46,7 +46,11 @@ fn main() -> ExitCode {
             black_box(sizing::Axis::new(mechanism.clone(), motion.clone(), Vec::new()));
         });
         gates.hold(&format!("pass over {SAMPLES} samples, {what}"), pass, Duration::from_millis(10), name);
-        println!("  per sample: {:.1} ns, whole: {:.2} ms", pass.median.as_secs_f64() * 1e9 / SAMPLES as f64, milliseconds(pass.median));
+        println!(
+            "  per sample: {:.1} ns, whole: {:.2} ms",
+            pass.median.as_secs_f64() * 1e9 / SAMPLES as f64,
+            milliseconds(pass.median)
+        );
     }
     gates.close()
 }

@@ -4,7 +4,8 @@ use crate::answer::Answer;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::io::Read;
 use std::path::Path;
-use workbench::{Diagnostic, Language, PROJECT_MAX_BYTES, Project, json};
+use workbench::text::file_trouble;
+use workbench::{Diagnostic, Files, Language, PROJECT_MAX_BYTES, Project, json};
 
 /// Longest line that is shown with an underline; a longer one is cut out of the picture.
 const LINE_MAX: usize = 400;
@@ -12,7 +13,8 @@ const LINE_MAX: usize = 400;
 /// Reads a project file with all its axes; a fault is the finished answer.
 pub(crate) fn read_projects(path: &Path, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
     let name = if path.as_os_str() == "-" { "stdin".to_owned() } else { path.display().to_string() };
-    let bytes = read_bytes(path).map_err(|error| unreadable(&name, &io_text(&error, language), as_json, language))?;
+    let bytes =
+        read_bytes(path).map_err(|error| unreadable(&name, &file_trouble(&error, language), as_json, language))?;
     if bytes.len() > PROJECT_MAX_BYTES {
         let what = match language {
             Language::En => {
@@ -36,7 +38,9 @@ pub(crate) fn read_projects(path: &Path, as_json: bool, language: Language) -> R
             return Err(unreadable(&name, &what, as_json, language));
         }
     };
-    Project::read_all(&text, language).map_err(|faults| report(&name, &text, &faults, as_json, language))
+    let folder = if path.as_os_str() == "-" { Path::new("") } else { path.parent().unwrap_or(Path::new("")) };
+    Project::read_all(&text, &Beside(folder), language)
+        .map_err(|faults| report(&name, &text, &faults, as_json, language))
 }
 
 /// At most one byte more than a project file may have: a large file or an endless stream is not read to its end.
@@ -51,18 +55,16 @@ fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// What the system says about a file that cannot be read.
-fn io_text(error: &std::io::Error, language: Language) -> String {
-    use std::io::ErrorKind;
-    let (en, de) = match error.kind() {
-        ErrorKind::NotFound => ("there is no such file", "diese Datei gibt es nicht"),
-        ErrorKind::PermissionDenied => ("permission denied", "kein Zugriff"),
-        ErrorKind::IsADirectory => ("this is a folder, not a project file", "das ist ein Ordner, keine Projektdatei"),
-        _ => return error.to_string(),
-    };
-    match language {
-        Language::En => en.to_owned(),
-        Language::De => de.to_owned(),
+/// The files beside a project file.
+struct Beside<'p>(&'p Path);
+
+impl Files for Beside<'_> {
+    fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
+        let path = self.0.join(name);
+        if path.is_dir() {
+            return Err(std::io::ErrorKind::IsADirectory.into());
+        }
+        Ok(Box::new(std::fs::File::open(path)?))
     }
 }
 

@@ -23,6 +23,10 @@ pub(crate) fn judge(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
         Datum::NotApplicable if asked => vec![absent(axis)],
         Datum::NotApplicable => Vec::new(),
         Datum::NotPrinted if !asked => Vec::new(),
+        _ if !axis.mechanism.knows_holding_torque() => {
+            let missing = Missing { symbol: "mechanism.joint.holding_torque" };
+            vec![not_checked(CheckId::BrakeHolding, missing), not_checked(CheckId::BrakeEmergency, missing)]
+        }
         _ => vec![holding(axis, actuator, brake), emergency(axis, actuator, brake)],
     }
 }
@@ -101,6 +105,10 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake) -> Check {
     let found = (|| {
         let torque = brake.holding_torque.require("T_Br")?.value;
         let closing = brake.closing_time.require("t_c")?.value;
+        let stated = !matches!(axis.mechanism.kind, mechanism::Kind::Joint(_));
+        if !stated && axis.moments().inertia_max.si() <= 0.0 {
+            return Err(Missing { symbol: "J_L" });
+        }
         // The heaviest load is hardest to stop.
         let inertia = actuator.inertia_out.require("J_out")?.value + axis.moments().inertia_max;
         Ok((torque, closing, inertia))

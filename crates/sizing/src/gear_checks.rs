@@ -157,13 +157,7 @@ fn mean_torque(axis: &Axis, actuator: &Parameters) -> Check {
     match actuator.gear.average_torque_max.require("T_A") {
         Ok(limit) => Comparison {
             notes: vec![Note::RatingOfInterchangeableGear],
-            ..Comparison::with(
-                id,
-                &NEWTON_METRE,
-                axis.load_cubic_mean().si(),
-                Source::Model { name: "gear" },
-                limit,
-            )
+            ..Comparison::with(id, &NEWTON_METRE, axis.load_cubic_mean().si(), Source::Model { name: "gear" }, limit)
         }
         .answer(Verdict::Fail),
         Err(missing) => not_checked(id, missing),

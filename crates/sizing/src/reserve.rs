@@ -44,6 +44,10 @@ pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
     // A faster cycle is a smaller factor on the time.
     let faster = |factor: f64| fits(&axis.with_time(1.0 / factor));
     let carries = axis.extras.iter().any(|extra| extra.mass.si() > 0.0 || extra.inertia.si() > 0.0);
+    if matches!(axis.mechanism.kind, mechanism::Kind::Joint(_)) {
+        // Recorded torques say nothing about another load or another pace.
+        return Reserve { ambient: highest_ambient(axis, &fits), ..Reserve::default() };
+    }
     Reserve {
         load_factor: largest(load),
         payload_factor: carries.then(|| largest(payload)).flatten(),

@@ -22,7 +22,7 @@ pub use diagnostic::{Diagnostic, place};
 pub use export::{EXPORT_COLUMNS, export_rows};
 pub use inertia::{BODY_SHAPES, BodyAnswer, BodyShape, InertiaAnswer, inertia};
 pub use order_code::{Field, OrderCode};
-pub use project::{Assumption, OwnActuator, PROJECT_MAX_BYTES, Project, schema};
+pub use project::{Assumption, Files, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project, RecordingRead, schema};
 pub use quantities::{self, Language};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
 pub use sizing::{Check, Demand, Figure, Reserve, Verdict};

@@ -2,10 +2,12 @@
 
 mod load;
 mod read;
+mod recorded;
 mod schema;
 mod section;
 mod spec;
 
+pub use recorded::{Files, NoFiles, RecordingRead};
 pub use schema::schema;
 pub(crate) use spec::Kind;
 
@@ -60,6 +62,10 @@ pub enum Assumption {
     OrdinaryApplication,
     /// In a dwell without `hold` the motor carries the load.
     MotorHolds,
+    /// The recorded torque is a process torque, added to what the mechanism asks for.
+    RecordedTorqueAdds,
+    /// Speed and acceleration are differences of a recorded position, not smoothed.
+    RecordedPositionDifferentiated,
 }
 
 /// An actuator that the user describes.
@@ -86,28 +92,30 @@ pub struct Project {
     pub option_2: Option<Option2>,
     /// The user's own actuator, if there is one.
     pub actuator: Option<OwnActuator>,
+    /// Recordings that the motion consists of.
+    pub recordings: Vec<RecordingRead>,
     /// Defaults that were taken.
     pub assumptions: Vec<Assumption>,
 }
 
 impl Project {
-    /// Reads a project file with one axis.
+    /// Reads a project file with one axis that refers to no other file.
     ///
     /// # Errors
     /// Every fault of the file, each with its place, in the order of the file.
     pub fn read(text: &str, language: Language) -> Result<Self, Vec<Diagnostic>> {
-        let mut axes = Self::read_all(text, language)?;
+        let mut axes = Self::read_all(text, &NoFiles, language)?;
         match (axes.pop(), axes.is_empty()) {
             (Some(only), true) => Ok(only),
             _ => Err(vec![Diagnostic::at(text, 0..0, language.one_axis_only(), None)]),
         }
     }
 
-    /// Reads a project file with one axis or several, in their order.
+    /// Reads a project file with one axis or several, in their order, and the files that it refers to.
     ///
     /// # Errors
     /// Every fault of the file, each with its place, in the order of the file.
-    pub fn read_all(text: &str, language: Language) -> Result<Vec<Self>, Vec<Diagnostic>> {
+    pub fn read_all(text: &str, files: &dyn Files, language: Language) -> Result<Vec<Self>, Vec<Diagnostic>> {
         if text.len() > PROJECT_MAX_BYTES {
             let message = language.file_too_large(text.len(), PROJECT_MAX_BYTES);
             return Err(vec![Diagnostic::at(text, 0..0, message, None)]);
@@ -116,14 +124,14 @@ impl Project {
         let root = reader.read();
         let several = root.tables("axis");
         let axes: Vec<Option<Self>> = if several.is_empty() {
-            vec![Self::build(&root, &mut reader, language)]
+            vec![Self::build(root, files, &mut reader, language)]
         } else {
             for key in ["load", "mechanism", "motion", "bearing", "requirements", "actuator"] {
                 if root.has(key) {
                     reader.fault(root.span_of(key), language.outside_the_axes(key), None);
                 }
             }
-            several.iter().map(|section| Self::build(&section.as_root(), &mut reader, language)).collect()
+            several.iter().map(|section| Self::build(section.as_root(), files, &mut reader, language)).collect()
         };
         let faults = reader.into_faults();
         match axes.into_iter().collect::<Option<Vec<Self>>>() {
@@ -133,11 +141,14 @@ impl Project {
     }
 
     /// One axis from its section; `None` where a fault stands in the way.
-    fn build(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Self> {
+    fn build(mut root: Section, files: &dyn Files, reader: &mut Reader<'_>, language: Language) -> Option<Self> {
+        recorded::resolve(&mut root, files, reader, language);
+        let root = &root;
         let axis = build_axis(root, reader, language);
         let actuator = build_actuator(root, reader, language);
         Some(Self {
             name: root.table("axis").and_then(|axis| axis.text("name")).unwrap_or_default().to_owned(),
+            recordings: recorded::all(root),
             assumptions: assumptions(root),
             requirements: requirements(root),
             option_1: option(root, "option_1").and_then(|word| (word == "EC").then_some(Option1::EC)),

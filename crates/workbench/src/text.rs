@@ -4,10 +4,12 @@ mod codes;
 mod motion;
 mod notes;
 mod reading;
+mod recording;
 mod results;
 
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token};
 pub(crate) use reading::Speak;
+pub use reading::file_trouble;
 pub use results::{
     assumption_text, check_missing, check_title, condition_text, curve_title, evidence_text, grade_word, note_text,
     ranking_rule, source_text, symbol_term, unmet_text, verdict_word,

@@ -5,7 +5,7 @@ use super::read::Reader;
 use super::section::{Entry, Section};
 use crate::text::Speak;
 use actuator::FlangeLoad;
-use mechanism::{Extra, Friction, Kind, Linear, LinearKind, Mechanism, Rotor, SliderCrank, Table, TablePoint};
+use mechanism::{Extra, Friction, Joint, Kind, Linear, LinearKind, Mechanism, Rotor, SliderCrank, Table, TablePoint};
 use motion::{Closing, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, SegmentSpec};
 use quantities::{Angle, Dimension, Force, Language, Length, Mass, Measure, MomentOfInertia, Torque, ViscousFriction};
 use sizing::Axis;
@@ -65,6 +65,7 @@ fn build(name: &str, section: &Section, reader: &mut Reader<'_>, language: Langu
         }))
     };
     let kind = match name {
+        "joint" => Kind::Joint(Joint { inertia: turning, holding_torque: section.quantity("holding_torque") }),
         "load" => Kind::Rotor(Rotor::balanced(section.quantity("inertia")?)),
         "turntable" => {
             let bodies = section.bodies("bodies")?;
@@ -149,6 +150,9 @@ pub(super) fn motion(
         sections.iter().map(|section| Turning { section, travel }.segment(reader, language)).collect();
     for section in sections {
         without_effect(section, load, reader, language);
+        if matches!(load.mechanism.kind, Kind::Joint(_)) && !has_torque(section) && section.is_whole() {
+            reader.fault(section.span_of("law"), language.joint_without_torque(), None);
+        }
     }
     let specs: Vec<SegmentSpec> = specs.into_iter().collect::<Option<_>>()?;
     let single = root.table("axis").and_then(|axis| axis.bool("single_move")).unwrap_or(false);
@@ -165,6 +169,11 @@ pub(super) fn motion(
             None
         }
     }
+}
+
+/// Whether the torque of a segment is recorded.
+fn has_torque(section: &Section) -> bool {
+    matches!(section.get("file"), Some(Entry::Recording(read)) if read.recording.torque.is_some())
 }
 
 /// A payload that nothing carries and a force along no line would be left out in silence: they are refused.
@@ -252,6 +261,9 @@ impl Turning<'_> {
                     pause: section.quantity("pause")?,
                 }));
             }
+            "recorded" => {
+                return super::recorded::motion(section, self.travel, reader, language).map(SegmentSpec::Recorded);
+            }
             "dwell" => {
                 let hold = match section.text("hold") {
                     Some("brake") => Hold::Brake,
@@ -310,10 +322,11 @@ pub(super) fn flange_loads(root: &Section, reader: &mut Reader<'_>, language: La
 pub(super) fn assumptions(root: &Section, found: &mut Vec<Assumption>) {
     let load = root.table("load").or_else(|| root.table("mechanism")?.subtables().next().map(|(_, section)| section));
     let frictions = ["friction_torque", "viscous_friction", "friction_force", "friction_coefficient"];
-    if load.is_none_or(|load| frictions.iter().all(|key| load.get(key).is_none())) {
+    let joint = root.table("mechanism").is_some_and(|mechanism| mechanism.get("joint").is_some());
+    if !joint && load.is_none_or(|load| frictions.iter().all(|key| load.get(key).is_none())) {
         found.push(Assumption::NoFriction);
     }
-    if root.table("load").is_none() {
+    if root.table("load").is_none() && !joint {
         if load.is_none_or(|load| load.get("efficiency").is_none()) {
             found.push(Assumption::NoLosses);
         } else if load.is_none_or(|load| load.get("efficiency_back").is_none()) {
@@ -329,6 +342,20 @@ pub(super) fn assumptions(root: &Section, found: &mut Vec<Assumption>) {
     }
     if root.table("axis").and_then(|axis| axis.bool("single_move")) == Some(true) {
         found.push(Assumption::SingleMoveRepeats);
+    }
+    let recorded = |section: &Section| match section.get("file") {
+        Some(Entry::Recording(read)) => Some(read.clone()),
+        _ => None,
+    };
+    if !joint && segments.iter().any(has_torque) {
+        found.push(Assumption::RecordedTorqueAdds);
+    }
+    let differences = |section: &Section| {
+        recorded(section).is_some_and(|read| read.recording.course.speed.is_none())
+            && section.get("smoothing").is_none()
+    };
+    if segments.iter().any(differences) {
+        found.push(Assumption::RecordedPositionDifferentiated);
     }
     let standing = |section: &&Section| section.text("law") == Some("dwell");
     if segments.iter().filter(standing).any(|section| !matches!(section.get("hold"), Some(Entry::Text(_)))) {

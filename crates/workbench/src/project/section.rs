@@ -1,5 +1,6 @@
 //! What a project file holds once it passed its description.
 
+use super::recorded::RecordingRead;
 use quantities::{Dimension, Measure};
 use std::collections::BTreeMap;
 use std::ops::Range as Span;
@@ -20,6 +21,8 @@ pub(crate) enum Entry {
     Rows(Vec<Vec<f64>>),
     /// The bodies together.
     Bodies(mechanism::Inertia),
+    /// What stands in a file that was named.
+    Recording(RecordingRead),
     Table(Section),
     Tables(Vec<Section>),
 }
@@ -50,6 +53,26 @@ impl Section {
 
     pub(crate) fn span_of(&self, name: &str) -> Span<usize> {
         self.entries.get(name).map_or_else(|| self.span.clone(), |(_, span)| span.clone())
+    }
+
+    /// Puts another value in the place of one that is there.
+    pub(super) fn replace(&mut self, name: &str, entry: Entry) {
+        if let Some((old, _)) = self.entries.get_mut(name) {
+            *old = entry;
+        }
+    }
+
+    /// Takes back a value that turned out to be no good.
+    pub(super) fn refuse(&mut self, name: &'static str) {
+        self.entries.remove(name);
+        self.refused.push(name);
+    }
+
+    pub(super) fn tables_mut(&mut self, name: &str) -> &mut [Self] {
+        match self.entries.get_mut(name) {
+            Some((Entry::Tables(sections), _)) => sections,
+            _ => &mut [],
+        }
     }
 
     /// One of several axes as if it stood alone: its name and all else at the root.

@@ -175,6 +175,7 @@ const MECHANISM: &[Key] = &[
     key("belt", Kind::Table(BELT), false, "belt, or rack and pinion, with slide", "Zahnriemen oder Zahnstange mit Schlitten"),
     key("conveyor", Kind::Table(CONVEYOR), false, "conveyor or roller that runs endlessly", "endlos laufendes Förderband oder Walze"),
     key("slider_crank", Kind::Table(SLIDER_CRANK), false, "crank, rod and slider", "Schubkurbel"),
+    key("joint", Kind::Table(JOINT), false, "joint of a robot, its torque recorded with the motion", "Robotergelenk, dessen Moment mit der Bewegung aufgezeichnet ist"),
     key("table", Kind::Table(TABLE), false, "inertia and torque over the position", "Massenträgheitsmoment und Moment über der Stellung"),
 ];
 
@@ -232,6 +233,29 @@ const TABLE: &[Key] = &[
     START_ANGLE, FRICTION_TORQUE, VISCOUS_FRICTION, EXTERNAL_TORQUE, EFFICIENCY, EFFICIENCY_BACK,
 ];
 
+#[rustfmt::skip] // one line per key
+const JOINT: &[Key] = &[
+    quantity("inertia", Dimension::MomentOfInertia, Range::Positive, "largest moment of inertia that the joint feels, for the ratio of inertias, the natural frequency and the brake; it is in the recorded torque already", "größtes Massenträgheitsmoment am Gelenk, für Trägheitsverhältnis, Eigenfrequenz und Bremse; im aufgezeichneten Moment steckt es schon"),
+    quantity("holding_torque", Dimension::Torque, Range::NotNegative, "largest torque that holds the arm at rest, for the brake", "größtes Moment, das den Arm im Stillstand hält, für die Bremse"),
+];
+
+/// Names of the columns of a recording; `none` where a name must not be taken for a role.
+#[rustfmt::skip] // one line per key
+const COLUMNS: &[Key] = &[
+    key("time", Kind::Text, false, "name of the column of time", "Name der Zeitspalte"),
+    key("position", Kind::Text, false, "name of the column of position; none: there is none", "Name der Lagespalte; none: es gibt keine"),
+    key("speed", Kind::Text, false, "name of the column of speed; none: there is none", "Name der Drehzahl- oder Geschwindigkeitsspalte; none: es gibt keine"),
+    key("torque", Kind::Text, false, "name of the column of torque or force; none: there is none", "Name der Momenten- oder Kraftspalte; none: es gibt keine"),
+];
+
+#[rustfmt::skip] // one line per key
+const UNITS: &[Key] = &[
+    key("time", Kind::Text, false, "unit of time, if the file does not say it", "Einheit der Zeit, wenn die Datei sie nicht nennt"),
+    key("position", Kind::Text, false, "unit of position, if the file does not say it", "Einheit der Lage, wenn die Datei sie nicht nennt"),
+    key("speed", Kind::Text, false, "unit of speed, if the file does not say it", "Einheit der Drehzahl, wenn die Datei sie nicht nennt"),
+    key("torque", Kind::Text, false, "unit of torque or force, if the file does not say it", "Einheit des Moments oder der Kraft, wenn die Datei sie nicht nennt"),
+];
+
 /// The laws of motion with the keys that each needs and those it may have.
 #[rustfmt::skip] // one line per law
 static MOTIONS: Variants = Variants {
@@ -250,6 +274,7 @@ static MOTIONS: Variants = Variants {
         ("parabola", &[], &["distance", "time", "speed", "acceleration"]),
         ("constant", &["speed"], &["time", "distance"]),
         ("dwell", &["time"], &["hold"]),
+        ("recorded", &["file"], &["columns", "units", "from", "to", "smoothing", "standstill", "gaps"]),
     ],
     shared: &["payload", "payload_inertia", "process_force", "process_torque", "bearing"],
 };
@@ -257,7 +282,7 @@ static MOTIONS: Variants = Variants {
 #[rustfmt::skip] // one line per law
 const LAWS: &[&str] = &[
     "manual", "trapezoid", "triangle", "jerk", "polynomial_5", "modified_sine", "modified_trapezoid", "simple_sine",
-    "inclined_sine", "parabola", "constant", "dwell",
+    "inclined_sine", "parabola", "constant", "dwell", "recorded",
 ];
 
 #[rustfmt::skip] // one line per key
@@ -274,6 +299,14 @@ const MOTION: &[Key] = &[
     along("jerk", [Dimension::AngularJerk, Dimension::Jerk], Range::Positive, "largest jerk", "größter Ruck"),
     along("end_speed", [Dimension::AngularVelocity, Dimension::Velocity], Range::Any, "speed at the end of the segment; rest without it", "Geschwindigkeit am Ende des Abschnitts; ohne Angabe Stillstand"),
     key("hold", Kind::OneOf(&["motor", "brake", "free"]), false, "what holds the load at rest; the motor without it", "was die Last im Stillstand hält; ohne Angabe der Motor"),
+    key("file", Kind::Text, false, "CSV or Parquet file with the recording, beside the project file", "CSV- oder Parquet-Datei mit der Aufzeichnung, neben der Projektdatei"),
+    key("columns", Kind::Table(COLUMNS), false, "names of its columns, where they are not the usual ones", "Namen ihrer Spalten, wo es nicht die üblichen sind"),
+    key("units", Kind::Table(UNITS), false, "units of its columns, where the file does not say them", "Einheiten ihrer Spalten, wo die Datei sie nicht nennt"),
+    quantity("from", Dimension::Time, Range::Any, "samples before are left out, in the time of the file", "frühere Messwerte entfallen, in der Zeit der Datei"),
+    quantity("to", Dimension::Time, Range::Any, "samples after are left out, in the time of the file", "spätere Messwerte entfallen, in der Zeit der Datei"),
+    quantity("smoothing", Dimension::Time, Range::Positive, "width of the window of a moving parabola; nothing is smoothed without it", "Fensterbreite einer gleitenden Parabel; ohne Angabe wird nichts geglättet"),
+    along("standstill", [Dimension::AngularVelocity, Dimension::Velocity], Range::Positive, "speeds below this count as standstill", "kleinere Drehzahlen gelten als Stillstand"),
+    key("gaps", Kind::OneOf(&["allow"]), false, "allow: long gaps between samples are meant", "allow: lange Lücken zwischen Messwerten sind gewollt"),
     quantity("payload", Dimension::Mass, Range::NotNegative, "mass carried in this segment", "in diesem Abschnitt mitgeführte Masse"),
     quantity("payload_inertia", Dimension::MomentOfInertia, Range::NotNegative, "moment of inertia at the output carried in this segment", "in diesem Abschnitt mitgeführtes Massenträgheitsmoment am Abtrieb"),
     quantity("process_force", Dimension::Force, Range::Any, "process force along the line in this segment, against the positive direction", "Prozesskraft längs der Führung in diesem Abschnitt, gegen die positive Richtung"),

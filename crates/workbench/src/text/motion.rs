@@ -1,8 +1,8 @@
 //! Words about motions that cannot be.
 
 use super::either;
-use motion::{MoveFault, Needed};
-use quantities::unit::{DEGREE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE};
+use motion::{MoveFault, Needed, RecordedFault};
+use quantities::unit::{DEGREE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, Unit, format_significant};
 
 fn shown(si: f64, unit: &Unit, language: Language) -> String {
@@ -121,7 +121,72 @@ pub(super) fn fault(fault: &MoveFault, language: Language) -> (String, Option<St
                 Some(single_move(language)),
             )
         }
+        MoveFault::RecordingSpeedJumps { first, before } => (
+            either(
+                language,
+                format!("the recording begins at {}, the axis has {} there", speed(first.si()), speed(before.si())),
+                format!(
+                    "die Aufzeichnung beginnt mit {}, die Achse hat dort {}",
+                    speed(first.si()),
+                    speed(before.si())
+                ),
+            ),
+            Some(t(
+                "choose the window with from and to so that it begins at that speed, or state standstill",
+                "mit from und to ein Fenster wählen, das mit dieser Drehzahl beginnt, oder standstill angeben",
+            )),
+        ),
+        MoveFault::RecordingPositionJumps { gap } => plain(either(
+            language,
+            format!("the recording begins {} from where the axis stands", shown(gap.si(), &DEGREE, language)),
+            format!("die Aufzeichnung beginnt {} neben der Stellung der Achse", shown(gap.si(), &DEGREE, language)),
+        )),
         _ => plain(t("this is no motion", "das ist keine Bewegung")),
+    }
+}
+
+/// What is wrong with samples: the key it hangs on, the message, and what to do.
+pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (&'static str, String, Option<String>) {
+    let t = |en: &str, de: &str| either(language, en, de);
+    match fault {
+        RecordedFault::WindowTooShort { least } => {
+            let least = shown(least.si(), &SECOND, language);
+            (
+                "smoothing",
+                t(
+                    "the smoothing window holds fewer than four samples somewhere",
+                    "im Glättungsfenster liegen stellenweise weniger als vier Messwerte",
+                ),
+                Some(either(language, format!("at least {least}"), format!("mindestens {least}"))),
+            )
+        }
+        RecordedFault::WindowTooLong { most } => (
+            "smoothing",
+            either(
+                language,
+                format!("the smoothing window holds more than {most} samples"),
+                format!("im Glättungsfenster liegen mehr als {most} Messwerte"),
+            ),
+            None,
+        ),
+        RecordedFault::Contradiction { share } => {
+            let share = format_significant(100.0 * share, 2, language);
+            (
+                "file",
+                either(
+                    language,
+                    format!("recorded position and recorded speed differ by {share} % of the travel"),
+                    format!(
+                        "aufgezeichnete Lage und aufgezeichnete Drehzahl weichen um {share} % des Wegs voneinander ab"
+                    ),
+                ),
+                Some(t(
+                    "check their units, or take one of them: columns.speed = \"none\"",
+                    "Einheiten prüfen oder nur eine der beiden verwenden: columns.speed = \"none\"",
+                )),
+            )
+        }
+        _ => ("file", t("these samples are no motion", "diese Messwerte sind keine Bewegung"), None),
     }
 }
 

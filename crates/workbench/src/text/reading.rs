@@ -4,7 +4,7 @@ use super::either;
 use crate::project::Kind;
 use actuator::{BatteryFault, CurveFault};
 use mechanism::TableFault;
-use motion::MoveFault;
+use motion::{MoveFault, RecordedFault};
 use quantities::{Dimension, Language};
 
 /// The messages of the project reader in a language.
@@ -31,6 +31,11 @@ pub(crate) trait Speak: Copy {
     fn not_a_row(self, path: &str, names: &[&str]) -> String;
     fn key_of_another_kind(self, path: &str, by: &str, kind: &str) -> String;
     fn motion_fault(self, fault: &MoveFault) -> (String, Option<String>);
+    fn recording_fault(self, fault: &recording::Fault) -> (String, Option<String>);
+    fn recorded_fault(self, fault: &RecordedFault) -> (&'static str, String, Option<String>);
+    fn file_trouble(self, name: &str, error: &std::io::Error) -> String;
+    fn unknown_unit(self, written: &str) -> String;
+    fn joint_without_torque(self) -> String;
     fn battery_fault(self, fault: &BatteryFault) -> String;
     fn without_effect(self, key: &str) -> String;
     fn one_axis_only(self) -> String;
@@ -212,6 +217,31 @@ impl Speak for Language {
         super::motion::fault(fault, self)
     }
 
+    fn recording_fault(self, fault: &recording::Fault) -> (String, Option<String>) {
+        super::recording::fault(fault, self)
+    }
+
+    fn recorded_fault(self, fault: &RecordedFault) -> (&'static str, String, Option<String>) {
+        super::motion::recorded_fault(fault, self)
+    }
+
+    fn file_trouble(self, name: &str, error: &std::io::Error) -> String {
+        format!("{name}: {}", file_trouble(error, self))
+    }
+
+    fn unknown_unit(self, written: &str) -> String {
+        let written: String = written.chars().take(40).collect();
+        either(self, format!("unknown unit \"{written}\""), format!("unbekannte Einheit „{written}“"))
+    }
+
+    fn joint_without_torque(self) -> String {
+        either(
+            self,
+            "the torque of a joint comes with its motion: every [[motion]] must be recorded, with a column of torque",
+            "das Moment eines Gelenks kommt mit seiner Bewegung: jedes [[motion]] muss aufgezeichnet sein und eine Momentenspalte haben",
+        )
+    }
+
     fn battery_fault(self, fault: &BatteryFault) -> String {
         match fault {
             BatteryFault::OperationOutOfRange { .. } => {
@@ -359,4 +389,21 @@ impl Speak for Language {
             ),
         }
     }
+}
+
+/// What the system says about a file that cannot be read.
+#[must_use]
+pub fn file_trouble(error: &std::io::Error, language: Language) -> String {
+    use std::io::ErrorKind;
+    let (en, de) = match error.kind() {
+        ErrorKind::NotFound => ("there is no such file", "diese Datei gibt es nicht"),
+        ErrorKind::PermissionDenied => ("permission denied", "kein Zugriff"),
+        ErrorKind::IsADirectory => ("this is a folder, not a file", "das ist ein Ordner, keine Datei"),
+        ErrorKind::FileTooLarge => ("the file is too large", "die Datei ist zu groß"),
+        ErrorKind::Unsupported => {
+            ("files cannot be read from here", "von hier aus können keine Dateien gelesen werden")
+        }
+        _ => return error.to_string(),
+    };
+    either(language, en, de)
 }

@@ -126,6 +126,9 @@ pub fn condition_text(condition: &str, language: Language) -> String {
 /// What a check lacks.
 #[must_use]
 pub fn check_missing(symbol: &str, language: Language) -> String {
+    if symbol.starts_with("mechanism.") {
+        return either(language, format!("not stated: {symbol}"), format!("nicht angegeben: {symbol}"));
+    }
     if symbol.contains('.') {
         return either(language, format!("no limit given: {symbol}"), format!("keine Grenze angegeben: {symbol}"));
     }
@@ -350,6 +353,14 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         Assumption::MotorHolds => {
             ("in a dwell without hold the motor carries the load", "im Stillstand ohne hold trägt der Motor die Last")
         }
+        Assumption::RecordedTorqueAdds => (
+            "the recorded torque is a process torque, added to what inertia, gravity and friction of the mechanism ask for",
+            "das aufgezeichnete Moment ist ein Prozessmoment und kommt zu dem hinzu, was Trägheit, Gewicht und Reibung des Mechanismus verlangen",
+        ),
+        Assumption::RecordedPositionDifferentiated => (
+            "speed and acceleration are differences of the recorded position, not smoothed: noise in it raises the torque",
+            "Drehzahl und Beschleunigung sind Differenzen der aufgezeichneten Lage, ungeglättet: ihr Rauschen erhöht das Moment",
+        ),
         Assumption::FlangeLoadsConstant => (
             "loads on the flange taken as constant over the cycle, radial and axial moment in the same direction",
             "Lasten am Flansch über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet",
