@@ -7,6 +7,7 @@ use crate::number::Tick;
 use crate::series::{Along, ColumnRead, Course, Effort, Recording, Series};
 use crate::{GAP_FACTOR, SAMPLES_MAX, SAMPLES_MIN};
 use quantities::{Measure, Time, Unit};
+use std::cmp::Ordering;
 
 /// What is to be done with a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,7 +51,7 @@ pub(crate) struct Gather {
 /// Checks the window before anything is read.
 pub(crate) fn check_window(layout: &Layout, faults: &mut Faults) {
     if let (Some(from), Some(to)) = (layout.from, layout.to)
-        && !(from.si() < to.si())
+        && from.si().partial_cmp(&to.si()) != Some(Ordering::Less)
     {
         faults.push(Fault::WindowReversed { from, to });
     }

@@ -1,5 +1,7 @@
 //! What CSV is read, and what is refused with which words.
 
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "the helpers of tests are tests")]
+
 use quantities::unit::{DEGREE, NEWTON_METRE, RADIAN, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Dimension, Measure, Time};
 use recording::{

@@ -1,5 +1,7 @@
 //! Parquet files that other tools wrote; `data/make.py` made them.
 
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "the helpers of tests are tests")]
+
 use quantities::unit::{DEGREE, MICROSECOND, NEWTON_METRE};
 use quantities::{Measure, Time};
 use recording::{Bytes, ColumnSpec, Fault, KnownBy, Layout, Place, Recording, Role, read_parquet};
