@@ -246,3 +246,21 @@ impl Gather {
         number + (index - start) as u64
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::series::KnownBy;
+    use quantities::unit::SECOND;
+
+    #[test]
+    fn no_more_samples_are_kept_than_the_bound() {
+        let time = ColumnRead { role: Role::Time, name: String::from("t"), unit: &SECOND, known_by: KnownBy::Header };
+        let mut faults = Faults::default();
+        let mut gather = Gather::new(vec![time], &Layout::default(), false, &mut faults).unwrap();
+        gather.time_s = vec![-1.0; SAMPLES_MAX - 1];
+        assert_eq!(gather.sample(2, Tick::of_float(1.0), &mut faults), Sample::Kept);
+        assert_eq!(gather.sample(3, Tick::of_float(2.0), &mut faults), Sample::Full);
+        assert_eq!(faults.outcome(Some(())), Err(vec![Fault::TooManySamples { most: SAMPLES_MAX }]));
+    }
+}

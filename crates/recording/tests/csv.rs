@@ -1,6 +1,6 @@
 //! What CSV is read, and what is refused with which words.
 
-#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "the helpers of tests are tests")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use quantities::unit::{DEGREE, NEWTON_METRE, RADIAN, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Dimension, Measure, Time};

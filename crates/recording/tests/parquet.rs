@@ -1,15 +1,16 @@
 //! Parquet files that other tools wrote; `data/make.py` made them.
 
-#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "the helpers of tests are tests")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use quantities::unit::{DEGREE, MICROSECOND, NEWTON_METRE};
 use quantities::{Measure, Time};
-use recording::{Bytes, ColumnSpec, Fault, KnownBy, Layout, Place, Recording, Role, read_parquet};
+use recording::{Bytes, ColumnSpec, Fault, KnownBy, Layout, Place, Recording, Role, SAMPLES_MAX, read_parquet};
 
 const PANDAS: &[u8] = include_bytes!("data/pandas_snappy.parquet");
 const POLARS: &[u8] = include_bytes!("data/polars_zstd.parquet");
 const PYARROW: &[u8] = include_bytes!("data/pyarrow_gzip.parquet");
 const LZ4: &[u8] = include_bytes!("data/pyarrow_lz4_v2.parquet");
+const TOO_MANY: &[u8] = include_bytes!("data/pyarrow_too_many.parquet");
 const NULL: &[u8] = include_bytes!("data/pyarrow_null.parquet");
 const BROTLI: &[u8] = include_bytes!("data/pyarrow_brotli.parquet");
 
@@ -102,6 +103,14 @@ fn another_compression_is_refused() {
     let found = read(BROTLI, &Layout::default()).unwrap_err();
     let [Fault::ParquetUnreadable { reason }] = found.as_slice() else { panic!("{found:?}") };
     assert!(reason.to_lowercase().contains("brotli"), "{reason}");
+}
+
+#[test]
+fn too_many_rows_are_told_before_they_are_read() {
+    let found = read(TOO_MANY, &Layout::default()).unwrap_err();
+    assert_eq!(found, [Fault::TooManySamples { most: SAMPLES_MAX }]);
+    let windowed = read(TOO_MANY, &Layout { from: Some(Time::from_si(1.0)), ..Layout::default() }).unwrap_err();
+    assert!(matches!(windowed.as_slice(), [Fault::SameTime { at: Place::Row(2), .. }, ..]), "with a window they are");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Whatever the bytes are, there is an answer; and what was written is read.
 
-#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "the helpers of tests are tests")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use arbtest::arbtest;
 use quantities::Measure;

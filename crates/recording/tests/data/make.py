@@ -63,6 +63,10 @@ pq.write_table(
     column_encoding=encodings,
 )
 
+# pyarrow, one row more than is kept: told before a row is read, so that all of them may be zero.
+zeros = np.zeros(2**24 + 1)
+pq.write_table(pa.table({"t [s]": zeros, "q [deg]": zeros}), "pyarrow_too_many.parquet", compression="zstd", row_group_size=2**25, max_rows_per_page=2**25)
+
 # The csv module in the dialect of Excel, CRLF, and pandas with the German signs and a byte order mark.
 with open("python_excel.csv", "w", newline="") as file:
     writer = csv.writer(file)
