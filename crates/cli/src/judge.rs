@@ -3,6 +3,7 @@
 use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::{error_word, read_projects};
+use crate::moves;
 use crate::table::{Align, Table, paragraph};
 use anstyle::{AnsiColor, Style};
 use clap::ArgMatches;
@@ -106,7 +107,11 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
         let sizing = workbench::size(project);
         let fits = sizing.fits();
         if as_json {
-            return Answer::data(format!("{:#}\n", json::sizing(&sizing, top, language))).fits(fits);
+            let mut value = json::sizing(&sizing, top, language);
+            if let serde_json::Value::Object(map) = &mut value {
+                map.insert("motion".into(), json::moves(&workbench::moves(project)));
+            }
+            return Answer::data(format!("{value:#}\n")).fits(fits);
         }
         Answer::data(sizing_text(&sizing, project, top, all, language)).fits(fits)
     });
@@ -133,6 +138,8 @@ fn sizing_text(sizing: &Sizing<'_>, project: &Project, top: usize, all: bool, la
         Language::De => format!("{total} Antriebe beurteilt, {fitting} passen"),
     };
     let _ = writeln!(out, "{judged}\n");
+    out.push_str(&moves::text(&workbench::moves(project), language));
+    out.push('\n');
     if let Some(best) = sizing.answer() {
         out.push_str(&demand_text(best, language));
         out.push('\n');
@@ -507,6 +514,7 @@ fn check_axis(project: &Project, matches: &ArgMatches, as_json: bool, language: 
         let mut value = json::candidate(&candidate, language);
         if let serde_json::Value::Object(map) = &mut value {
             map.insert("axis".into(), serde_json::json!(project.name));
+            map.insert("motion".into(), json::moves(&workbench::moves(project)));
             map.insert("reserve".into(), json::reserve(&reserve));
             map.insert("assumptions".into(), serde_json::json!(json::assumptions(&project.assumptions, language)));
         }
@@ -515,7 +523,8 @@ fn check_axis(project: &Project, matches: &ArgMatches, as_json: bool, language: 
         let reserve = reserve_text(&reserve, candidate.judgement_fits(), language);
         let assumed = assumptions_text(&project.assumptions, language);
         let head = if project.name.is_empty() { String::new() } else { format!("{} · ", project.name) };
-        format!("{head}{}{reserve}{assumed}", candidate_text(&candidate, language))
+        let moves = moves::text(&workbench::moves(project), language);
+        format!("{head}{}{reserve}{moves}{assumed}", candidate_text(&candidate, language))
     };
     Answer { data, talk, code: u8::from(!candidate.fits()) }
 }

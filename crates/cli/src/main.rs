@@ -11,6 +11,7 @@ mod data;
 mod fault;
 mod inertia;
 mod judge;
+mod moves;
 mod table;
 
 use answer::Answer;

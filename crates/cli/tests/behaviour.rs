@@ -7,10 +7,11 @@ use run::{root, run, run_with};
 use serde_json::Value;
 use testkit::agrees;
 
-const EXAMPLES: [&str; 8] = [
+const EXAMPLES: [&str; 9] = [
     "examples/belt-axis.toml",
     "examples/indexing-table.toml",
     "examples/manual-example.toml",
+    "examples/robot-joint.toml",
     "examples/screw-axis.toml",
     "examples/tilting-arm.toml",
     "examples/turntable.toml",
@@ -24,6 +25,7 @@ fn the_examples_are_all_there_and_fit() {
         .unwrap()
         .flatten()
         .map(|entry| format!("examples/{}", entry.file_name().to_string_lossy()))
+        .filter(|name| name.ends_with(".toml"))
         .collect();
     files.sort();
     assert_eq!(files, EXAMPLES);

@@ -69,7 +69,7 @@ pub struct Stretch {
     pub duration: Time,
     /// What holds at rest within it.
     pub hold: Hold,
-    /// The move with everything solved; `None` for rest and for the manual's moves.
+    /// The move with everything solved; `None` for rest and for recordings.
     pub solved: Option<Solved>,
 }
 
@@ -115,7 +115,7 @@ impl Motion {
                 faults.push(MotionFault { segment: Some(index), fault });
                 chain.speed = 0.0;
             }
-            let moved = matches!(segment, SegmentSpec::Move(..));
+            let moved = matches!(segment, SegmentSpec::Move(..) | SegmentSpec::Manual(_));
             stretches.push(Stretch {
                 start: Time::from_si(at),
                 duration: Time::from_si(chain.clock - at),

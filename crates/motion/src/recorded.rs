@@ -230,6 +230,17 @@ impl Placed {
         })
     }
 
+    /// Distance from the first to the last sample, largest |ω| and largest |α| [rad, rad/s, rad/s²].
+    #[must_use]
+    pub fn course(&self) -> [f64; 3] {
+        let (first, last) = self.recorded.ends_rad();
+        let intervals = (0..self.intervals()).filter_map(|index| self.interval(index));
+        intervals.fold([last - first, 0.0, 0.0], |[distance, speed, acceleration], interval| {
+            let fastest = interval.speed_rad_s.into_iter().fold(speed, |most, w| most.max(w.abs()));
+            [distance, fastest, acceleration.max(interval.acceleration_rad_s2().abs())]
+        })
+    }
+
     /// Duration on the time axis \[s\].
     #[must_use]
     pub fn duration_s(&self) -> f64 {

@@ -2,9 +2,11 @@
 
 mod chapters;
 mod inertia;
+mod moves;
 
 pub use chapters::{battery, curves, reserve};
 pub use inertia::inertia;
+pub use moves::moves;
 
 use crate::codes::{CodeFault, CodeReading, explain_code};
 use crate::diagnostic::Diagnostic;
