@@ -147,6 +147,14 @@ pub struct Asked {
     pub battery_life_min: Option<Time>,
     /// Largest torque of a collision.
     pub collision_torque: Option<Torque>,
+    /// Duration of a collision.
+    pub collision_time: Option<Time>,
+    /// Number of collisions over the life of the axis.
+    pub collisions: Option<f64>,
+    /// Whether the position loop is closed over the encoder at the output.
+    pub loop_at_output: bool,
+    /// Rise of the DC link voltage that a capacitor bank may take.
+    pub dc_link_rise: Option<ElectricPotential>,
     /// A field of application that needs the maker's approval.
     pub special_application: Option<SpecialApplication>,
 }

@@ -236,6 +236,15 @@ pub enum Note {
         /// Largest power given back.
         peak: Power,
     },
+    /// How many collisions of the stated duration the gear bears at the peak speed.
+    CollisionsPermitted(f64),
+    /// What a capacitor bank must have to take back what one cycle returns at a stretch.
+    Capacitor {
+        /// Energy at a stretch.
+        energy: Energy,
+        /// Capacitance for the rise of the DC link voltage.
+        capacitance_f: f64,
+    },
     /// An axis that turns on and on loses its absolute reference where the count overflows.
     ReferenceLost,
     /// The position is not absolute: it must be searched after each switching on.

@@ -210,6 +210,22 @@ fn overload(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Mis
         .answer(Verdict::Fail)
 }
 
+/// What a capacitor bank holds that gives out what the motor takes before the supply does.
+#[derive(Clone, Copy, Debug, Default)]
+struct Bank {
+    /// Energy held \[J\].
+    held: f64,
+    /// The most that it had to hold \[J\].
+    most: f64,
+}
+
+impl Bank {
+    fn pass(&mut self, taken: f64) {
+        self.held = (self.held - taken).max(0.0);
+        self.most = self.most.max(self.held);
+    }
+}
+
 /// Mean power that the motor gives back over the cycle, winding cold.
 ///
 /// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
@@ -227,9 +243,10 @@ fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, 
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let (mut motoring, mut driven, mut back, mut peak) = (0.0, 0.0, 0.0, 0.0_f64);
+    let (mut motoring, mut back, mut peak) = (0.0, 0.0, 0.0_f64);
+    let mut bank = Bank::default();
     // With no weight an instant only counts for the peak.
-    let mut count = |node: &Node, weight: f64| {
+    let mut count = |node: &Node, weight: f64| -> f64 {
         let current = currents.at(node);
         let power = copper_ohm * current * current + constant_vs * current * node.speed;
         if power > 0.0 {
@@ -238,14 +255,18 @@ fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, 
             back -= power * weight;
             peak = peak.max(-power);
         }
+        power * weight
     };
     // The power changes its sign between the nodes: each gap is cut, everything in it taken as straight. Where the load
     // is only driven the power has one sign, and the block is taken as a whole.
+    let mut driven = 0.0;
     let parts = if axis.trace.is_recorded() { 1 } else { POWER_PARTS };
     for block in axis.trace.blocks() {
         if !axis.trace.is_short() && block.extent.power_sign(currents.inertia) == Some(1.0) {
             let weights = currents.weights(1.0);
-            driven += copper_ohm * block.gram.square(weights) + constant_vs * block.gram.product(weights, SPEED);
+            let taken = copper_ohm * block.gram.square(weights) + constant_vs * block.gram.product(weights, SPEED);
+            driven += taken;
+            bank.pass(taken);
             continue;
         }
         let mut last: Option<Node> = None;
@@ -254,7 +275,7 @@ fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, 
             if let Some(last) = last.as_ref().filter(|last| node.time > last.time) {
                 for part in 0..parts {
                     let share = (f64::from(part) + 0.5) / f64::from(parts);
-                    count(&last.towards(node, share), (node.time - last.time) / f64::from(parts));
+                    bank.pass(count(&last.towards(node, share), (node.time - last.time) / f64::from(parts)));
                 }
             }
             last = Some(*node);
@@ -266,6 +287,13 @@ fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, 
     let key = "requirements.regeneration_power_max";
     let mut check = shown_or_at_most(id, &WATT, mean, permitted, key, Source::Model { name: "energy" });
     check.grade = Some(currents.grade.worst(Grade::Computed));
+    if let (Some(rise), Some((supply, _))) = (axis.asked.dc_link_rise, axis.supply) {
+        let (low, high) = (supply.si(), supply.si() + rise.si());
+        check.notes.push(Note::Capacitor {
+            energy: Energy::from_si(bank.most),
+            capacitance_f: 2.0 * bank.most / (high * high - low * low),
+        });
+    }
     check.notes.push(Note::EnergyPerCycle {
         motoring: Energy::from_si(motoring),
         regenerated: Energy::from_si(back),

@@ -4,9 +4,9 @@ use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::checks::{Comparison, at_least, equation, not_checked, shown_or_at_most};
 use actuator::{BudgetCase, Parameters, PositionLoop};
-use provenance::{Grade, Missing, Source};
-use quantities::unit::{ARCMINUTE, HERTZ, HOUR, MILLIMETRE, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
-use quantities::{AngularVelocity, Measure, Time, Torque};
+use provenance::{Datum, Grade, Missing, Source, Sourced};
+use quantities::unit::{ARCMINUTE, HERTZ, HOUR, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE};
+use quantities::{AngularVelocity, Measure, Ratio, Time, Torque};
 
 /// Every check of the gear. It carries the torque of the load only: the rotor's inertia is on its other side.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
@@ -16,7 +16,7 @@ pub(crate) fn judge(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
 /// The checks of the gear that only matter where nothing else fails.
 pub(crate) fn judge_further(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
     let mut checks = vec![mean_input_speed(axis, actuator)];
-    checks.extend(axis.asked.collision_torque.map(|torque| collision(torque, actuator)));
+    checks.extend(axis.asked.collision_torque.map(|torque| collision(axis, torque, actuator)));
     checks.push(resonance(axis, actuator));
     checks.push(error_budget(axis, actuator));
     checks
@@ -40,23 +40,37 @@ fn mean_input_speed(axis: &Axis, actuator: &Parameters) -> Check {
     }
 }
 
-/// T_k ≤ T_M; only where a rating of the gear is published.
-fn collision(torque: Torque, actuator: &Parameters) -> Check {
+/// T_k ≤ T_M, and the number of collisions; only where a rating of the gear is published.
+fn collision(axis: &Axis, torque: Torque, actuator: &Parameters) -> Check {
     let id = CheckId::CollisionTorque;
-    match actuator.gear.collision_torque_max.require("T_M") {
-        Ok(limit) => Comparison {
-            notes: vec![Note::RatingOfInterchangeableGear],
-            ..Comparison::with(
-                id,
-                &NEWTON_METRE,
-                torque.si(),
-                Source::Project { key: "requirements.collision_torque".into() },
-                limit,
-            )
+    let limit = match actuator.gear.collision_torque_max.require("T_M") {
+        Ok(limit) => limit,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let key = |key: &'static str| Source::Project { key: key.into() };
+    let mut check = Comparison::with(id, &NEWTON_METRE, torque.si(), key("requirements.collision_torque"), limit)
+        .answer(Verdict::Fail);
+    // At the peak speed a collision lasts for the most turns of the wave generator.
+    let permitted = axis.asked.collision_time.zip(actuator.ratio.known()).map(|(time, ratio)| {
+        let speed_in = AngularVelocity::from_si(axis.moments().speed_peak.si() * ratio.value);
+        actuator::collisions_permitted(speed_in, time)
+    });
+    if let (Some(count), Some(permitted)) = (axis.asked.collisions, permitted) {
+        let most = Sourced {
+            value: Ratio::from_si(permitted),
+            source: Source::Model { name: "gear" },
+            grade: limit.grade,
+            errata: &[],
+        };
+        let number = Comparison::with(id, &ONE, count, key("requirements.collisions"), &most).answer(Verdict::Fail);
+        // Of torque and number the tighter one is told.
+        if number.utilisation > check.utilisation {
+            check = number;
         }
-        .answer(Verdict::Fail),
-        Err(missing) => not_checked(id, missing),
     }
+    check.notes.push(Note::RatingOfInterchangeableGear);
+    check.notes.extend(permitted.map(Note::CollisionsPermitted));
+    check
 }
 
 /// Half width of the band around a resonance speed in which nothing should run for long: a tenth of the speed. Assumed;
@@ -123,8 +137,11 @@ fn error_budget(axis: &Axis, actuator: &Parameters) -> Check {
     let case = BudgetCase {
         torque: axis.moments().load_peak,
         tilting_moment: Torque::from_si(moment),
-        position_loop: PositionLoop::Motor,
+        position_loop: if axis.asked.loop_at_output { PositionLoop::Output } else { PositionLoop::Motor },
     };
+    if axis.asked.loop_at_output && matches!(actuator.feedback_out.accuracy, Datum::NotApplicable) {
+        return not_checked(id, Missing { symbol: "EC" });
+    }
     let budget = actuator::error_budget(actuator, &case);
     if budget.contributions.is_empty() {
         return not_checked(id, Missing { symbol: "transmission_accuracy" });

@@ -259,6 +259,10 @@ fn asked_of(section: &Section) -> Asked {
         storage: section.quantity("storage"),
         battery_life_min: section.quantity("battery_life_min"),
         collision_torque: section.quantity("collision_torque"),
+        collision_time: section.quantity("collision_time"),
+        collisions: section.number("collisions"),
+        loop_at_output: section.text("position_loop") == Some("output"),
+        dc_link_rise: section.quantity("dc_link_rise"),
         special_application: section.text("special_application").and_then(|word| match word {
             "aerospace" => Some(SpecialApplication::Aerospace),
             "explosive_atmosphere" => Some(SpecialApplication::ExplosiveAtmosphere),

@@ -5,7 +5,7 @@ use super::results::with_unit;
 use quantities::unit::{
     ARCMINUTE, DEGREE, DEGREE_CELSIUS, JOULE, MILLIMETRE, MINUTE, REVOLUTION_PER_MINUTE, SECOND, WATT, YEAR,
 };
-use quantities::{Language, Measure, format_number};
+use quantities::{Language, Measure, format_number, format_significant};
 use sizing::Note;
 
 /// Heat and energy.
@@ -46,6 +46,19 @@ pub(super) fn heat(note: &Note, language: Language) -> String {
                 language,
                 format!("one cycle takes {taken} at the motor terminals and gives {given} back, {peak} at most"),
                 format!("ein Zyklus nimmt an den Motorklemmen {taken} auf und gibt {given} zurück, höchstens {peak}"),
+            )
+        }
+        Note::Capacitor { energy, capacitance_f } => {
+            let energy = with_unit(energy.si(), &JOULE, 3, language);
+            let millifarad = format_significant(capacitance_f * 1e3, 3, language);
+            either(
+                language,
+                format!(
+                    "at a stretch {energy} come back: instead of a brake resistor a capacitor bank of {millifarad} mF holds them within the stated rise of the DC link voltage"
+                ),
+                format!(
+                    "am Stück kommen {energy} zurück: statt eines Bremswiderstands nimmt sie eine Kondensatorbatterie von {millifarad} mF im angegebenen Anstieg der Zwischenkreisspannung auf"
+                ),
             )
         }
         _ => String::new(),
@@ -149,6 +162,14 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
             "this field of application needs a risk assessment and the maker's approval (section 2.4)",
             "dieser Anwendungsbereich braucht eine Risikobewertung und die Freigabe des Herstellers (Abschnitt 2.4)",
         ),
+        Note::CollisionsPermitted(count) => {
+            let count = format_number(count.floor(), 0, language);
+            either(
+                language,
+                format!("{count} collisions of this duration are permitted at the peak speed"),
+                format!("bei Spitzendrehzahl sind {count} Kollisionen dieser Dauer zulässig"),
+            )
+        }
         Note::ResonanceSpeeds(speeds) => {
             let shown: Vec<String> =
                 speeds.iter().map(|speed| with_unit(speed.si(), &REVOLUTION_PER_MINUTE, 3, language)).collect();

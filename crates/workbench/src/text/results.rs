@@ -224,7 +224,9 @@ pub fn note_text(note: &Note, language: Language) -> String {
             "the permissible forces hold one at a time; for several together life and static safety decide",
             "die zulässigen Kräfte gelten je für sich; bei mehreren zugleich entscheiden Lebensdauer und statische Sicherheit",
         ),
-        note @ (Note::WarmUp(_) | Note::Housing(_) | Note::EnergyPerCycle { .. }) => super::notes::heat(note, language),
+        note @ (Note::WarmUp(_) | Note::Housing(_) | Note::EnergyPerCycle { .. } | Note::Capacitor { .. }) => {
+            super::notes::heat(note, language)
+        }
         note @ (Note::HangingLoad
         | Note::Sag(_)
         | Note::BrakeStop { .. }
@@ -236,6 +238,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
         | Note::BatteryExchange { .. }
         | Note::ApprovalNeeded
         | Note::ResonanceSpeeds(_)
+        | Note::CollisionsPermitted(_)
         | Note::Budget { .. }) => super::notes::rest(note, language),
         Note::Erratum(id) => {
             let evidence = evidence_text(id, language);
