@@ -93,6 +93,24 @@ pub enum QuantityError {
         /// Expected quantity.
         expected: Dimension,
     },
+    /// After the sign of a tolerance nothing stands.
+    #[error("the half-width of the tolerance is missing")]
+    ToleranceMissing {
+        /// Place of the sign in the text, in bytes.
+        span: Range<usize>,
+    },
+    /// The half-width of a tolerance is negative.
+    #[error("the half-width of a tolerance must not be negative")]
+    ToleranceNegative {
+        /// Place of the half-width in the text, in bytes.
+        span: Range<usize>,
+    },
+    /// A percent of a temperature in °C.
+    #[error("a percent of a temperature in °C has no meaning: its zero is arbitrary")]
+    ToleranceOfOffsetScale {
+        /// Place of the half-width in the text, in bytes.
+        span: Range<usize>,
+    },
 }
 
 fn en(dimension: Dimension) -> &'static str {
@@ -111,8 +129,29 @@ impl QuantityError {
             | Self::NotFinite { span, .. }
             | Self::UnitMissing { span, .. }
             | Self::UnitUnknown { span, .. }
-            | Self::WrongQuantity { span, .. } => span.clone(),
+            | Self::WrongQuantity { span, .. }
+            | Self::ToleranceMissing { span }
+            | Self::ToleranceNegative { span }
+            | Self::ToleranceOfOffsetScale { span } => span.clone(),
         }
+    }
+
+    /// The same fault of a text that begins so many bytes further on.
+    pub(crate) fn moved(mut self, bytes: usize) -> Self {
+        match &mut self {
+            Self::Empty { span, .. }
+            | Self::NumberMissing { span, .. }
+            | Self::NumberUnreadable { span, .. }
+            | Self::DecimalComma { span, .. }
+            | Self::NotFinite { span, .. }
+            | Self::UnitMissing { span, .. }
+            | Self::UnitUnknown { span, .. }
+            | Self::WrongQuantity { span, .. }
+            | Self::ToleranceMissing { span }
+            | Self::ToleranceNegative { span }
+            | Self::ToleranceOfOffsetScale { span } => *span = span.start + bytes..span.end + bytes,
+        }
+        self
     }
 
     /// What is wrong, in one sentence.
@@ -140,6 +179,11 @@ impl QuantityError {
             Self::WrongQuantity { found, measures, expected, .. } => {
                 let (measures, expected) = (measures.name(Language::De), expected.name_with_article(Language::De));
                 format!("„{found}“ ist eine Einheit der Größe {measures}, erwartet wird {expected}")
+            }
+            Self::ToleranceMissing { .. } => "die halbe Breite der Toleranz fehlt".to_owned(),
+            Self::ToleranceNegative { .. } => "die halbe Breite einer Toleranz darf nicht negativ sein".to_owned(),
+            Self::ToleranceOfOffsetScale { .. } => {
+                "ein Prozentsatz einer Temperatur in °C hat keine Bedeutung: ihr Nullpunkt ist willkürlich".to_owned()
             }
         }
     }
@@ -176,6 +220,15 @@ impl QuantityError {
                 })
             }
             Self::WrongQuantity { expected, .. } => Some(units(*expected, language)),
+            Self::ToleranceNegative { .. } => None,
+            Self::ToleranceMissing { .. } => Some(match language {
+                Language::En => "for example \"± 10 %\", or a quantity of the same kind".to_owned(),
+                Language::De => "zum Beispiel „± 10 %“, oder eine Größe derselben Art".to_owned(),
+            }),
+            Self::ToleranceOfOffsetScale { .. } => Some(match language {
+                Language::En => "write the half-width in kelvin, for example \"40 degC ± 5 K\"".to_owned(),
+                Language::De => "die halbe Breite in Kelvin schreiben, zum Beispiel „40 degC ± 5 K“".to_owned(),
+            }),
         }
     }
 }

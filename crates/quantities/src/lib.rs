@@ -25,6 +25,7 @@ mod error;
 mod format;
 mod measure;
 mod parse;
+mod tolerance;
 
 pub mod unit;
 mod units;
@@ -38,6 +39,7 @@ pub use measure::{
     VoltageConstant,
 };
 pub use parse::{Reading, parse, parse_as};
+pub use tolerance::{HalfWidth, PLUS_MINUS, parse_toleranced, without_tolerance};
 pub use units::Unit;
 pub use uom::si::f64::{
     Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, ElectricCurrent, ElectricPotential,

@@ -1,0 +1,143 @@
+//! Reading `"1.3 kg m^2 ± 10 %"`.
+
+use crate::dimension::Dimension;
+use crate::error::QuantityError;
+use crate::parse::{Reading, parse};
+use crate::unit::{DEGREE_CELSIUS, PERCENT};
+use std::ops::Range;
+
+/// How "plus or minus" is written; the first is the usual sign, the others are for keyboards.
+pub const PLUS_MINUS: [&str; 3] = ["±", "+/-", "+-"];
+
+/// The half-width of a tolerance band, about the value before it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HalfWidth {
+    /// In SI, zero or more; of a temperature a difference.
+    pub si: f64,
+    /// Place of the half-width in the text, in bytes.
+    pub span: Range<usize>,
+}
+
+/// Reads a quantity that may carry a tolerance, `value ± half-width`.
+///
+/// The half-width is a quantity of the same kind, or a share of the value in percent; zero is no tolerance. A percent of
+/// a temperature in °C is refused, since zero degrees are no absence of temperature; so is °C for the half-width, which
+/// is a difference and has kelvin.
+///
+/// ```
+/// use quantities::{Dimension, parse_toleranced};
+///
+/// let (reading, half) = parse_toleranced(Dimension::Torque, "20 N m ± 10 %")?;
+/// assert_eq!((reading.si, half.map(|half| half.si)), (20.0, Some(2.0)));
+/// let (_, half) = parse_toleranced(Dimension::Torque, "20 N m +/- 500 mN m")?;
+/// assert_eq!(half.map(|half| half.si), Some(0.5));
+///
+/// let fault = parse_toleranced(Dimension::Torque, "20 N m ± 1 s").unwrap_err();
+/// assert_eq!(fault.span(), 12..13);
+/// # Ok::<(), quantities::QuantityError>(())
+/// ```
+///
+/// # Errors
+/// As [`parse()`], for the value and for the half-width; a half-width that is negative, or a percent of °C.
+pub fn parse_toleranced(expected: Dimension, text: &str) -> Result<(Reading, Option<HalfWidth>), QuantityError> {
+    let Some((at, sign)) = sign_of(text) else { return parse(expected, text).map(|reading| (reading, None)) };
+    let value = text.get(..at).unwrap_or_default();
+    let start = at + sign.len();
+    let half = text.get(start..).unwrap_or_default();
+    if value.trim().is_empty() {
+        // The fault is told of what stands there: a sign that is no number.
+        return Err(parse(expected, text).err().unwrap_or(QuantityError::Empty { span: 0..text.len(), expected }));
+    }
+    let reading = parse(expected, value)?;
+    let span = start + half.len() - half.trim_start().len()..start + half.trim_end().len();
+    if span.is_empty() {
+        return Err(QuantityError::ToleranceMissing { span: at..start });
+    }
+    let si = half_width(expected, &reading, half).map_err(|error| error.moved(start))?;
+    if si < 0.0 {
+        return Err(QuantityError::ToleranceNegative { span });
+    }
+    if !si.is_finite() {
+        let found = half.trim().to_owned();
+        return Err(QuantityError::NotFinite { span, found });
+    }
+    Ok((reading, Some(HalfWidth { si: si.abs(), span })))
+}
+
+/// The part of a text that holds the value, without its tolerance.
+#[must_use]
+pub fn without_tolerance(text: &str) -> &str {
+    sign_of(text).and_then(|(at, _)| text.get(..at)).unwrap_or(text)
+}
+
+/// The first sign of a tolerance and its place in bytes.
+fn sign_of(text: &str) -> Option<(usize, &'static str)> {
+    PLUS_MINUS.iter().filter_map(|sign| Some((text.find(sign)?, *sign))).min_by_key(|(at, _)| *at)
+}
+
+/// The half-width in SI, with its sign.
+fn half_width(expected: Dimension, reading: &Reading, text: &str) -> Result<f64, QuantityError> {
+    if text.trim_end().ends_with(PERCENT.symbol) {
+        let share = parse(Dimension::Ratio, text)?.si;
+        if reading.unit.symbol == DEGREE_CELSIUS.symbol {
+            let start = text.len() - text.trim_start().len();
+            return Err(QuantityError::ToleranceOfOffsetScale { span: start..text.trim_end().len() });
+        }
+        return Ok(reading.si.abs() * share);
+    }
+    // A tolerance of a temperature is a difference of temperatures.
+    let difference = if expected == Dimension::Temperature { Dimension::TemperatureInterval } else { expected };
+    parse(difference, text).map(|half| half.si)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Language;
+
+    fn half(dimension: Dimension, text: &str) -> f64 {
+        parse_toleranced(dimension, text).unwrap().1.unwrap().si
+    }
+
+    #[test]
+    fn every_spelling_of_the_sign_is_read() {
+        for text in ["2 N m ± 10 %", "2 N m±10%", "2 N m +- 10 %", "2 N m+/-10%", " 2 Nm  ±  0.2 Nm ", "-2 N m ± 10 %"]
+        {
+            assert!((half(Dimension::Torque, text) - 0.2).abs() < 1e-15, "{text}");
+        }
+        assert!(parse_toleranced(Dimension::Torque, "2 N m").unwrap().1.is_none());
+        assert_eq!(half(Dimension::Torque, "2 N m ± 0 %"), 0.0);
+        assert_eq!(half(Dimension::Temperature, "40 degC ± 5 K"), 5.0);
+        assert!((half(Dimension::Temperature, "300 K ± 1 %") - 3.0).abs() < 1e-12);
+        assert!((half(Dimension::Angle, "90 deg ± 1 arcmin") - std::f64::consts::PI / 10800.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_fault_of_the_half_width_has_its_place() {
+        for (dimension, text, fault) in [
+            (Dimension::Torque, "2 N m ±", "±"),
+            (Dimension::Torque, "2 N m +- ", "+-"),
+            (Dimension::Torque, "2 N m ± -1 N m", "-1 N m"),
+            (Dimension::Torque, "2 N m ± −10 %", "−10 %"),
+            (Dimension::Torque, "2 N m ± NaN N m", "NaN"),
+            (Dimension::Torque, "2 N m ± nan %", "nan"),
+            (Dimension::Torque, "2 N m ± inf %", "inf"),
+            (Dimension::Torque, "2 N m ± 1e999 %", "1e999"),
+            (Dimension::Torque, "1e300 N m ± 1e300 %", "1e300 %"),
+            (Dimension::Torque, "2 N m ± 0.1", "0.1"),
+            (Dimension::Torque, "2 N m ± 1,5 N m", "1,5"),
+            (Dimension::Torque, "2 N m ± 1 s", "s"),
+            (Dimension::Torque, "2 N m ± 1 ‰", "‰"),
+            (Dimension::Torque, "2 N m ± 1 % ± 2 %", "1 % ± 2 %"),
+            (Dimension::Torque, "2 ± 10 %", "2"),
+            (Dimension::Torque, "± 10 %", "±"),
+            (Dimension::Temperature, "40 degC ± 10 %", "10 %"),
+            (Dimension::Temperature, "40 degC ± 5 degC", "degC"),
+        ] {
+            let error = parse_toleranced(dimension, text).unwrap_err();
+            let place = text.get(error.span()).unwrap();
+            assert!(place == fault || text.contains("± 2 %"), "{text}: {place:?} {error}");
+            assert!(!error.message(Language::De).is_empty());
+        }
+    }
+}
