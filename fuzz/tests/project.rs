@@ -4,7 +4,10 @@
 use fuzz::{any_edits, any_text, explore, mutate};
 use serde_json::Value;
 use workbench::quantities::Measure;
-use workbench::{Candidate, CandidateId, Language, Project, Verdict, json, place, size};
+use workbench::{Assessment, Candidate, CandidateId, Language, Project, Sampling, Verdict, assess, json, place, size};
+
+/// Enough samples to go through everything.
+const FEW: Sampling = Sampling { samples: 5, seed: 1 };
 
 const FULL: &str = r#"
 format = 1
@@ -61,7 +64,7 @@ mass = "5 kg"
 continuous_curve = [["0 1/min", "50 N m"], ["70 1/min", "30 N m"]]
 "#;
 
-const STARTS: [&str; 8] = [
+const STARTS: [&str; 9] = [
     include_str!("../../examples/indexing-table.toml"),
     include_str!("../../examples/manual-example.toml"),
     include_str!("../../examples/two-way-shuttle.toml"),
@@ -69,6 +72,7 @@ const STARTS: [&str; 8] = [
     include_str!("../../examples/screw-axis.toml"),
     include_str!("../../examples/belt-axis.toml"),
     include_str!("../../examples/turntable.toml"),
+    include_str!("../../examples/tolerances.toml"),
     FULL,
 ];
 
@@ -109,13 +113,34 @@ fn checks_are_whole(value: &Value) {
     }
 }
 
+/// Counts that add up, values within their bands, quantiles in order.
+fn assessment_is_sound(project: &Project, found: &Assessment) {
+    assert!(found.passes + found.impossible <= found.sampling.samples, "{found:?}");
+    assert!((0.0..=1.0).contains(&found.interval.0) && (0.0..=1.0).contains(&found.interval.1), "{found:?}");
+    let quantiles = [0.0, found.utilisation.p05, found.utilisation.p50, found.utilisation.p95, found.utilisation.max];
+    assert!(quantiles.windows(2).all(|pair| pair[0] <= pair[1]), "{found:?}");
+    assert_eq!(found.worst.values.len(), project.tolerances.len());
+    for (tolerance, value) in project.tolerances.iter().zip(&found.worst.values) {
+        let rounding = 1e-12 * (tolerance.nominal.abs() + tolerance.half_width);
+        assert!((value - tolerance.nominal).abs() <= tolerance.half_width + rounding, "{tolerance:?} {value}");
+    }
+    let total: f64 = found.influence.iter().map(|each| each.share).sum();
+    assert!(found.influence.is_empty() || (total - 1.0).abs() < 1e-9, "{found:?}");
+}
+
 /// Holds a project to its promises in both languages; says whether it was read.
 fn hold(text: &str) -> bool {
     let refused = [Language::En, Language::De].map(|language| match Project::read(text, language) {
         Ok(project) => {
             let sizing = size(&project);
             sizing.candidates.iter().chain(&sizing.own).for_each(checks_are_finite);
-            let value = json::sizing(&sizing, 1, language);
+            let best: Vec<&Candidate<'_>> = sizing.candidates.iter().take(2).chain(&sizing.own).collect();
+            let assessed: Vec<_> = assess(&project, &best, FEW).into_iter().zip(best).map(|(a, b)| (b, a)).collect();
+            assert_eq!(assessed.is_empty(), project.tolerances.is_empty());
+            for (_, found) in &assessed {
+                assessment_is_sound(&project, found);
+            }
+            let value = json::sizing(&sizing, &project, &assessed, 1, language);
             for each in value["ranking"].as_array().into_iter().flatten() {
                 checks_are_whole(each);
             }
@@ -173,6 +198,26 @@ fn projects_with_extreme_numbers() {
             if u.ratio(1, 6)? {
                 let unit = part.split_once(' ').map_or("", |(_, unit)| unit);
                 *part = format!("{} {unit}", u.choose(&numbers)?);
+            }
+        }
+        read += usize::from(hold(&parts.join("\"")));
+        Ok(())
+    });
+    assert!(read > 0, "no case was read: the target tries nothing but refusals");
+}
+
+/// Tolerances of any width behind the quantities of valid files: what is read can be judged.
+#[test]
+fn projects_with_tolerances() {
+    let halves =
+        ["0 %", "1 %", "10 %", "99.9 %", "100 %", "200 %", "-1 %", "1e9 %", "1e-9 %", "1 K", "1 mm", "NaN %", ""];
+    let signs = ["±", "+-", " +/- ", " ± "];
+    let mut read = 0;
+    explore(1, |u| {
+        let mut parts: Vec<String> = (*u.choose(&STARTS)?).split('"').map(str::to_owned).collect();
+        for part in parts.iter_mut().skip(1).step_by(2).filter(|part| part.starts_with(|c: char| c.is_ascii_digit())) {
+            if u.ratio(1, 8)? {
+                *part = format!("{part}{}{}", u.choose(&signs)?, u.choose(&halves)?);
             }
         }
         read += usize::from(hold(&parts.join("\"")));

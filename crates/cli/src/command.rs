@@ -51,6 +51,23 @@ fn axis(language: Language) -> Arg {
     ))
 }
 
+fn sampling(command: Command, language: Language) -> Command {
+    let most = i64::try_from(workbench::SAMPLES_MOST).unwrap_or(i64::MAX);
+    command
+        .arg(Arg::new("samples").long("samples").value_name("N").value_parser(value_parser!(u32).range(1..=most)).help(
+            either(
+                language,
+                "Samples within the tolerances of the project (10000)",
+                "Stichproben in den Toleranzen des Projekts (10000)",
+            ),
+        ))
+        .arg(Arg::new("seed").long("seed").value_name("N").value_parser(value_parser!(u64)).help(either(
+            language,
+            "Seed of the samples; the same seed draws the same (1)",
+            "Startwert der Stichproben; derselbe Startwert zieht dasselbe (1)",
+        )))
+}
+
 /// The whole command line.
 pub(crate) fn build(language: Language) -> Command {
     headed(commands(language), language)
@@ -146,6 +163,7 @@ fn commands(language: Language) -> Command {
             "Show every actuator, the rejected ones with their reason",
             "Alle Antriebe zeigen, die abgelehnten mit Grund",
         )));
+    let size = sampling(size, language);
     let check = Command::new("check")
         .about(t(
             "Judge one actuator, every check with its margin",
@@ -157,6 +175,7 @@ fn commands(language: Language) -> Command {
             "Ordering code; without it the project's own [actuator] is judged",
             "Bestellcode; ohne ihn wird der eigene [actuator] des Projekts beurteilt",
         )));
+    let check = sampling(check, language);
     let code_arg = |help| Arg::new("code").value_name("CODE").required(true).num_args(1..).help(help);
     let code = Command::new("code")
         .about(t("Read, list and complete ordering codes", "Bestellcodes lesen, auflisten und ergänzen"))

@@ -5,6 +5,7 @@ use crate::code::parse_for_use;
 use crate::fault::{error_word, read_projects};
 use crate::moves;
 use crate::table::{Align, Table, paragraph};
+use crate::tolerance;
 use anstyle::{AnsiColor, Style};
 use clap::ArgMatches;
 use std::fmt::Write as _;
@@ -16,8 +17,8 @@ use workbench::text::{
     unmet_text, verdict_word,
 };
 use workbench::{
-    Candidate, CandidateId, Check, Demand, Figure, Language, Objection, Project, Refusal, Reserve, Sizing, Verdict,
-    json,
+    Assessment, Candidate, CandidateId, Check, Demand, Figure, Language, Objection, Project, Refusal, Reserve, Sizing,
+    Verdict, json,
 };
 
 fn t(language: Language, en: &str, de: &str) -> String {
@@ -106,19 +107,27 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
     let answers = projects.iter().map(|project| {
         let sizing = workbench::size(project);
         let fits = sizing.fits();
+        let best = sizing.candidates.iter().filter(|candidate| candidate.fits()).take(top);
+        let assessed = tolerance::assess(project, best, sizing.own.as_ref(), tolerance::sampling(matches));
         if as_json {
-            let mut value = json::sizing(&sizing, top, language);
+            let mut value = json::sizing(&sizing, project, &assessed, top, language);
             if let serde_json::Value::Object(map) = &mut value {
                 map.insert("motion".into(), json::moves(&workbench::moves(project)));
             }
             return Answer::data(format!("{value:#}\n")).fits(fits);
         }
-        Answer::data(sizing_text(&sizing, project, top, all, language)).fits(fits)
+        Answer::data(sizing_text(&sizing, project, &assessed, (top, all), language)).fits(fits)
     });
     together(answers.collect(), as_json)
 }
 
-fn sizing_text(sizing: &Sizing<'_>, project: &Project, top: usize, all: bool, language: Language) -> String {
+fn sizing_text(
+    sizing: &Sizing<'_>,
+    project: &Project,
+    assessed: &[(&Candidate<'_>, Assessment)],
+    (top, all): (usize, bool),
+    language: Language,
+) -> String {
     let mut out = String::new();
     let total = sizing.candidates.len();
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits()).count();
@@ -157,6 +166,7 @@ fn sizing_text(sizing: &Sizing<'_>, project: &Project, top: usize, all: bool, la
         }
         out.push('\n');
     }
+    out.push_str(&tolerance::table(project, assessed, language));
     if let Some(best) = sizing.answer() {
         let open: Vec<String> = best
             .not_checked()
@@ -510,12 +520,15 @@ fn check_axis(project: &Project, matches: &ArgMatches, as_json: bool, language: 
         Err(refusal) => return refuse(&refusal, as_json, language),
     };
     let reserve = workbench::reserve_of(project, &candidate);
+    let assessed = tolerance::assess(project, std::iter::once(&candidate), None, tolerance::sampling(matches));
+    let assessment = assessed.first().map(|(_, assessment)| assessment);
     let data = if as_json {
         let mut value = json::candidate(&candidate, language);
         if let serde_json::Value::Object(map) = &mut value {
             map.insert("axis".into(), serde_json::json!(project.name));
             map.insert("motion".into(), json::moves(&workbench::moves(project)));
             map.insert("reserve".into(), json::reserve(&reserve));
+            map.extend(assessment.map(|found| ("tolerance".to_owned(), json::tolerance(project, found))));
             map.insert("assumptions".into(), serde_json::json!(json::assumptions(&project.assumptions, language)));
         }
         format!("{value:#}\n")
@@ -523,8 +536,9 @@ fn check_axis(project: &Project, matches: &ArgMatches, as_json: bool, language: 
         let reserve = reserve_text(&reserve, candidate.judgement_fits(), language);
         let assumed = assumptions_text(&project.assumptions, language);
         let head = if project.name.is_empty() { String::new() } else { format!("{} · ", project.name) };
+        let tolerances = assessment.map(|found| tolerance::detail(project, found, language)).unwrap_or_default();
         let moves = moves::text(&workbench::moves(project), language);
-        format!("{head}{}{reserve}{moves}{assumed}", candidate_text(&candidate, language))
+        format!("{head}{}{reserve}{moves}{tolerances}{assumed}", candidate_text(&candidate, language))
     };
     Answer { data, talk, code: u8::from(!candidate.fits()) }
 }

@@ -13,6 +13,7 @@ mod inertia;
 mod judge;
 mod moves;
 mod table;
+mod tolerance;
 
 use answer::Answer;
 use clap::ArgMatches;

@@ -14,6 +14,7 @@ const EXAMPLES: [&str; 9] = [
     "examples/robot-joint.toml",
     "examples/screw-axis.toml",
     "examples/tilting-arm.toml",
+    "examples/tolerances.toml",
     "examples/turntable.toml",
     "examples/two-axes.toml",
     "examples/two-way-shuttle.toml",

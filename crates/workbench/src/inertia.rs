@@ -7,7 +7,9 @@ use crate::diagnostic::Diagnostic;
 use faults::Faults;
 use line::{Keyed, Line};
 use mechanism::{Body, BodyInertia, Inertia, Orientation, Shape};
-use quantities::{Angle, Dimension, Language, Length, Mass, MassDensity, Measure};
+use quantities::{Angle, Dimension, HalfWidth, Language, Length, Mass, MassDensity, Measure, Reading};
+
+pub(crate) use faults::body_fault;
 
 /// A shape as it is written: its name, its name in German, and the keys that it must have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,17 +120,34 @@ pub struct InertiaAnswer {
 /// # Errors
 /// Every fault with its place; the line of a place is the number of the body.
 pub fn inertia(text: &str, language: Language) -> Result<InertiaAnswer, Vec<Diagnostic>> {
-    let mut faults = Faults::new(text, language);
+    answer(text, &mut Faults::new(text, language))
+}
+
+/// A tolerance of a body: its line from zero, its key, the value, the half-width with its place in the line.
+pub(crate) type BodyTolerance = (usize, &'static str, Reading, HalfWidth);
+
+/// The same of bodies whose quantities may carry tolerances.
+pub(crate) fn toleranced(
+    text: &str,
+    language: Language,
+) -> Result<(InertiaAnswer, Vec<BodyTolerance>), Vec<Diagnostic>> {
+    let mut faults = Faults::with_tolerances(text, language);
+    let answer = answer(text, &mut faults)?;
+    Ok((answer, faults.tolerances.unwrap_or_default()))
+}
+
+fn answer(text: &str, faults: &mut Faults<'_>) -> Result<InertiaAnswer, Vec<Diagnostic>> {
     let mut found = Vec::new();
     let mut spans = Vec::new();
-    for (start, line) in lines(text) {
+    for (index, (start, line)) in lines(text).enumerate() {
         let line = Line::split(start, line);
-        found.extend(read(&line, &mut faults));
+        faults.begin(index, start);
+        found.extend(read(&line, faults));
         spans.push(line.span.clone());
     }
     let bodies: Vec<Body> = found.iter().map(|(_, body)| *body).collect();
     if !faults.is_empty() {
-        return Err(faults.close());
+        return Err(faults.take());
     }
     let total = match mechanism::inertia(&bodies) {
         Ok(total) => total,
@@ -136,7 +155,7 @@ pub fn inertia(text: &str, language: Language) -> Result<InertiaAnswer, Vec<Diag
             for fault in errors {
                 faults.body(&fault.error, spans.get(fault.body).cloned().unwrap_or_default());
             }
-            return Err(faults.close());
+            return Err(faults.take());
         }
     };
     let parts =
@@ -189,6 +208,36 @@ impl Values {
     }
 }
 
+/// Gives a body another value, in SI, in the place of one that it has; `None` for a key that it does not have.
+pub(crate) fn set(body: &mut Body, key: &str, si: f64) -> Option<()> {
+    let length = Length::from_si(si);
+    match key {
+        "mass" => body.mass = Some(Mass::from_si(si)),
+        "density" => body.density = Some(MassDensity::from_si(si)),
+        "distance" => body.distance = length,
+        "angle" => body.angle = Angle::from_si(si),
+        _ => match (&mut body.shape, key) {
+            (
+                Shape::Cylinder { diameter: part, .. }
+                | Shape::Cone { diameter: part, .. }
+                | Shape::Sphere { diameter: part },
+                "diameter",
+            )
+            | (
+                Shape::Cylinder { length: part, .. } | Shape::Tube { length: part, .. } | Shape::Rod { length: part },
+                "length",
+            )
+            | (Shape::Tube { outer: part, .. }, "outer")
+            | (Shape::Tube { inner: part, .. }, "inner")
+            | (Shape::Box { a: part, .. }, "a")
+            | (Shape::Box { b: part, .. }, "b")
+            | (Shape::Box { height: part, .. } | Shape::Cone { height: part, .. }, "height") => *part = length,
+            _ => return None,
+        },
+    }
+    Some(())
+}
+
 /// Reads one body; what is wrong with it goes to the faults.
 fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<(&'static BodyShape, Body)> {
     let known = faults.shape(line);
@@ -210,7 +259,7 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<(&'static BodyShape,
         }
         match kind {
             Kind::Quantity(dimension) => {
-                values.quantities.extend(faults.quantity(pair, *dimension).map(|si| (*name, si)));
+                values.quantities.extend(faults.quantity(pair, name, *dimension).map(|si| (*name, si)));
             }
             Kind::Count => values.count = faults.count(pair),
             Kind::Axis => values.orientation = faults.axis(pair).unwrap_or_default(),

@@ -3,17 +3,21 @@
 mod chapters;
 mod inertia;
 mod moves;
+mod tolerance;
 
 pub use chapters::{battery, curves, reserve};
 pub use inertia::inertia;
 pub use moves::moves;
+pub use tolerance::tolerance;
 
 use crate::codes::{CodeFault, CodeReading, explain_code};
 use crate::diagnostic::Diagnostic;
 use crate::export::{EXPORT_COLUMNS, export_rows};
+use crate::project::Project;
 use crate::sheet::Sheet;
 use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
 use crate::text::{assumption_text, check_title, describe_field, describe_rule, note_text, source_text, unmet_text};
+use crate::tolerance::Assessment;
 use catalogue::Value as CellValue;
 use configurator::{Availability, Choice};
 use order_code::{Field, OrderCode};
@@ -172,7 +176,21 @@ fn rejection(candidate: &Candidate<'_>, language: Language) -> Value {
 
 /// The catalogue judged for an axis: the best `top` in full, the rejected ones with their reason.
 #[must_use]
-pub fn sizing(sizing: &Sizing<'_>, top: usize, language: Language) -> Value {
+pub fn sizing(
+    sizing: &Sizing<'_>,
+    project: &Project,
+    assessed: &[(&Candidate<'_>, Assessment)],
+    top: usize,
+    language: Language,
+) -> Value {
+    let judged = |each: &Candidate<'_>| {
+        let mut value = candidate(each, language);
+        let found = assessed.iter().find(|(of, _)| of.id == each.id);
+        if let (Value::Object(map), Some((_, found))) = (&mut value, found) {
+            map.insert("tolerance".into(), tolerance(project, found));
+        }
+        value
+    };
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits()).count();
     let ranking: Vec<Value> = sizing
         .candidates
@@ -181,7 +199,7 @@ pub fn sizing(sizing: &Sizing<'_>, top: usize, language: Language) -> Value {
         .filter(|(_, each)| each.fits())
         .take(top)
         .map(|(index, each)| {
-            let mut value = candidate(each, language);
+            let mut value = judged(each);
             if let Value::Object(map) = &mut value {
                 map.insert("rank".into(), json!(index + 1));
             }
@@ -199,7 +217,7 @@ pub fn sizing(sizing: &Sizing<'_>, top: usize, language: Language) -> Value {
         "rule": crate::text::ranking_rule(language),
         "ranking": ranking,
         "rejected": rejected,
-        "own": sizing.own.as_ref().map(|own| candidate(own, language)),
+        "own": sizing.own.as_ref().map(judged),
         "assumptions": assumptions(sizing.assumptions, language),
     })
 }

@@ -14,6 +14,7 @@ mod project;
 mod sheet;
 mod sizing_use;
 pub mod text;
+mod tolerance;
 mod torsion;
 
 pub use chapters::{TEMPLATES, battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
@@ -24,12 +25,18 @@ pub use export::{EXPORT_COLUMNS, export_rows};
 pub use inertia::{BODY_SHAPES, BodyAnswer, BodyShape, InertiaAnswer, inertia};
 pub use moves::{Move, Moves, moves};
 pub use order_code::{Field, OrderCode};
-pub use project::{Assumption, Files, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project, RecordingRead, schema};
+pub use project::{
+    ALL_CORNERS_MOST, Assumption, Files, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project, RecordingRead, Tolerance,
+    schema,
+};
 pub use quantities::{self, Language};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
 pub use sizing::{Check, Demand, Figure, Reserve, Verdict};
 pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, reserve_of, size,
+};
+pub use tolerance::{
+    Assessment, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
 };
 pub use torsion::{TorsionAnswer, read_torque, torsion};
 

@@ -6,15 +6,20 @@ mod recorded;
 mod schema;
 mod section;
 mod spec;
+mod tolerance;
 
 pub use recorded::{Files, NoFiles, RecordingRead};
 pub use schema::schema;
-pub(crate) use spec::Kind;
+pub(crate) use spec::{Kind, Range};
+pub use tolerance::{ALL_CORNERS_MOST, Tolerance};
+pub(crate) use tolerance::{Variant, Varied, sign};
 
 use crate::diagnostic::Diagnostic;
 use crate::text::Speak;
 use actuator::{BatteryFault, Curve, CurvePoint, Parameters};
 use configurator::Requirements;
+use mechanism::{Extra, Mechanism};
+use motion::Motion;
 use order_code::{Feedback, Option1, Option2};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{AngularVelocity, Language, Measure, Time, Torque};
@@ -60,6 +65,8 @@ pub enum Assumption {
     SingleMoveRepeats,
     /// No special field of application is stated.
     OrdinaryApplication,
+    /// A quantity with a tolerance is uniform within its band and independent of the others.
+    UniformTolerances,
     /// In a dwell without `hold` the motor carries the load.
     MotorHolds,
     /// The recorded torque is a process torque, added to what the mechanism asks for.
@@ -96,6 +103,10 @@ pub struct Project {
     pub recordings: Vec<RecordingRead>,
     /// Defaults that were taken.
     pub assumptions: Vec<Assumption>,
+    /// The quantities that carry a tolerance, in the order of the reader.
+    pub tolerances: Vec<Tolerance>,
+    /// The file as it was read, where there are tolerances: the axis is built from it at other values.
+    root: Option<Section>,
 }
 
 impl Project {
@@ -124,14 +135,17 @@ impl Project {
         let root = reader.read();
         let several = root.tables("axis");
         let axes: Vec<Option<Self>> = if several.is_empty() {
-            vec![Self::build(root, files, &mut reader, language)]
+            vec![Self::build(root, None, files, &mut reader, language)]
         } else {
             for key in ["load", "mechanism", "motion", "bearing", "requirements", "actuator"] {
                 if root.has(key) {
                     reader.fault(root.span_of(key), language.outside_the_axes(key), None);
                 }
             }
-            several.iter().map(|section| Self::build(section.as_root(), files, &mut reader, language)).collect()
+            let build = |(index, section): (usize, &Section)| {
+                Self::build(section.as_root(), Some(index), files, &mut reader, language)
+            };
+            several.iter().enumerate().map(build).collect()
         };
         let faults = reader.into_faults();
         match axes.into_iter().collect::<Option<Vec<Self>>>() {
@@ -140,16 +154,26 @@ impl Project {
         }
     }
 
-    /// One axis from its section; `None` where a fault stands in the way.
-    fn build(mut root: Section, files: &dyn Files, reader: &mut Reader<'_>, language: Language) -> Option<Self> {
+    /// One axis from its section, `index` among several; `None` where a fault stands in the way.
+    fn build(
+        mut root: Section,
+        index: Option<usize>,
+        files: &dyn Files,
+        reader: &mut Reader<'_>,
+        language: Language,
+    ) -> Option<Self> {
         recorded::resolve(&mut root, files, reader, language);
         let root = &root;
-        let axis = build_axis(root, reader, language);
+        let axis = prepare(root, reader, language).map(|draft| finish(root, draft));
         let actuator = build_actuator(root, reader, language);
+        let tolerances = tolerance::of_axis(&reader.tolerances, index);
+        if reader.fault_count() == 0 && axis.is_some() {
+            tolerance::hold(root, &tolerances, reader, language);
+        }
         Some(Self {
             name: root.table("axis").and_then(|axis| axis.text("name")).unwrap_or_default().to_owned(),
             recordings: recorded::all(root),
-            assumptions: assumptions(root),
+            assumptions: assumptions(root, !tolerances.is_empty()),
             requirements: requirements(root),
             option_1: option(root, "option_1").and_then(|word| (word == "EC").then_some(Option1::EC)),
             option_2: option(root, "option_2").and_then(|word| match word {
@@ -160,6 +184,8 @@ impl Project {
             }),
             axis: axis?,
             actuator,
+            root: (!tolerances.is_empty()).then(|| root.clone()),
+            tolerances,
         })
     }
 }
@@ -168,7 +194,7 @@ fn option<'s>(root: &'s Section, name: &str) -> Option<&'s str> {
     root.table("requirements").and_then(|section| section.text(name))
 }
 
-fn assumptions(root: &Section) -> Vec<Assumption> {
+fn assumptions(root: &Section, toleranced: bool) -> Vec<Assumption> {
     let mut found = Vec::new();
     load::assumptions(root, &mut found);
     if root.table("requirements").is_none_or(|section| section.get("ambient").is_none()) {
@@ -195,6 +221,7 @@ fn assumptions(root: &Section) -> Vec<Assumption> {
     if !asks("special_application") {
         found.push(Assumption::OrdinaryApplication);
     }
+    found.extend(toleranced.then_some(Assumption::UniformTolerances));
     found
 }
 
@@ -214,7 +241,16 @@ fn requirements(root: &Section) -> Requirements {
     }
 }
 
-fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Axis> {
+/// What an axis is made of, checked and not yet laid over each other.
+struct Draft {
+    mechanism: Mechanism,
+    motion: Motion,
+    extras: Vec<Extra>,
+    bearing: Option<BearingDuty>,
+}
+
+/// Everything that may be wrong with an axis is told here; [`finish`] only computes.
+fn prepare(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Draft> {
     if !root.has("motion") && !reader.is_damaged() {
         let start = root.span.start;
         let hint = language.for_example("[[motion]]");
@@ -224,22 +260,30 @@ fn build_axis(root: &Section, reader: &mut Reader<'_>, language: Language) -> Op
     let bearing = bearing_duty(root, reader, language);
     let load = load::load(root, reader, language)?;
     let (motion, extras) = load::motion(root, &load, reader, language)?;
-    let mut axis = Axis::new(load.mechanism, motion, extras);
+    if let Some(asked) = root.table("requirements") {
+        let storage = asked.quantity("storage").unwrap_or_else(|| Time::from_si(0.0));
+        let operation = asked.quantity("operation_per_day");
+        if let Some(Err(fault)) = operation.map(|time| actuator::battery_life(time, storage)) {
+            let key =
+                if matches!(fault, BatteryFault::OperationOutOfRange { .. }) { "operation_per_day" } else { "storage" };
+            reader.fault(asked.span_of(key), language.battery_fault(&fault), None);
+        }
+    }
+    Some(Draft { mechanism: load.mechanism, motion, extras, bearing })
+}
+
+/// Load and motion laid over each other, with what is asked.
+fn finish(root: &Section, draft: Draft) -> Axis {
+    let mut axis = Axis::new(draft.mechanism, draft.motion, draft.extras);
     if let Some(asked) = root.table("requirements") {
         axis.ambient = asked.quantity("ambient");
         axis.supply = asked
             .quantity("supply")
             .map(|supply| (supply, asked.number("modulation_reserve").unwrap_or(MODULATION_RESERVE)));
         axis.asked = asked_of(asked);
-        let storage = axis.asked.storage.unwrap_or_else(|| Time::from_si(0.0));
-        if let Some(Err(fault)) = axis.asked.operation_per_day.map(|time| actuator::battery_life(time, storage)) {
-            let key =
-                if matches!(fault, BatteryFault::OperationOutOfRange { .. }) { "operation_per_day" } else { "storage" };
-            reader.fault(asked.span_of(key), language.battery_fault(&fault), None);
-        }
     }
-    axis.bearing = bearing;
-    Some(axis)
+    axis.bearing = draft.bearing;
+    axis
 }
 
 fn asked_of(section: &Section) -> Asked {

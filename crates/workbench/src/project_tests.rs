@@ -294,3 +294,149 @@ fn what_does_not_belong_together_is_refused() {
         "[mechanism.slider_crank]\ncrank = \"100 mm\"\nrod = \"90 mm\"\nmass = \"1 kg\"\nstart_angle = \"0 deg\"\n";
     assert!(messages(&format!("{HEAD}{crank}{tail}"))[0].contains("longer than the crank"));
 }
+
+/// The text of a fault's place.
+fn place_of(text: &str) -> (String, Diagnostic) {
+    let fault = one(text);
+    (text.get(fault.span.clone()).unwrap().to_owned(), fault)
+}
+
+#[test]
+fn a_tolerance_is_read_wherever_a_quantity_stands() {
+    let text = r#"
+format = 1
+[mechanism.turntable]
+bodies = ["cylinder diameter=300mm±1mm length=20mm density=7850kg/m^3 ± 2 %", "point mass=2kg+-0.1kg distance=100mm"]
+[[motion]]
+law = "trapezoid"
+distance = "90 deg"
+time = "0.5 s +/- 10 ms"
+[[motion]]
+law = "trapezoid"
+distance = "90 deg ± 1 arcmin"
+time = "0.5 s"
+[motion.bearing]
+radial_force = "500 N ± 50 N"
+radial_distance = "50 mm"
+[requirements]
+ambient = "30 degC ± 5 K"
+[actuator]
+name = "own"
+mass = "5 kg ± 1 %"
+continuous_curve = [["0 1/min", "50 N m ± 5 %"], ["70 1/min ± 1 1/min", "30 N m"]]
+"#;
+    let project = Project::read(text, Language::En).unwrap_or_else(|faults| panic!("{faults:#?}"));
+    let mut found: Vec<(&str, &str)> =
+        project.tolerances.iter().map(|each| (each.path.as_str(), text.get(each.span.clone()).unwrap())).collect();
+    found.sort_unstable();
+    assert_eq!(
+        found,
+        [
+            ("actuator.continuous_curve[1][2]", "5 %"),
+            ("actuator.continuous_curve[2][1]", "1 1/min"),
+            ("actuator.mass", "1 %"),
+            ("mechanism.turntable.bodies[1].density", "2 %"),
+            ("mechanism.turntable.bodies[1].diameter", "1mm"),
+            ("mechanism.turntable.bodies[2].mass", "0.1kg"),
+            ("motion[1].time", "10 ms"),
+            ("motion[2].bearing.radial_force", "50 N"),
+            ("motion[2].distance", "1 arcmin"),
+            ("requirements.ambient", "5 K"),
+        ]
+    );
+    // Each of them can be set, and what is built from it differs.
+    let mut varied = Varied::new(&project).unwrap();
+    let nominal: Vec<f64> = project.tolerances.iter().map(|each| each.nominal).collect();
+    let said = |varied: &mut Varied<'_>, values: &[f64]| format!("{:?}", varied.at(values).unwrap());
+    let before = said(&mut varied, &nominal);
+    for (index, tolerance) in project.tolerances.iter().enumerate() {
+        let mut values = nominal.clone();
+        values[index] = tolerance.at(0.5);
+        assert_ne!(said(&mut varied, &values), before, "{}", tolerance.path);
+    }
+    assert_eq!(said(&mut varied, &nominal), before);
+    assert!(before.contains(&format!("{:?}", project.axis)), "the nominal values give the nominal axis");
+}
+
+#[test]
+fn each_axis_of_several_has_its_own_tolerances() {
+    let one = |name: &str, half: &str| {
+        format!(
+            "[[axis]]\nname = \"{name}\"\n[axis.load]\ninertia = \"1 kg m^2{half}\"\n[[axis.motion]]\nlaw = \"constant\"\n\
+             speed = \"10 1/min\"\ntime = \"1 s ± 1 %\"\n"
+        )
+    };
+    let text = format!("format = 1\n{}{}", one("a", ""), one("b", " ± 10 %"));
+    let axes = Project::read_all(&text, Language::En).unwrap();
+    let paths = |index: usize| axes[index].tolerances.iter().map(|each| each.path.as_str()).collect::<Vec<_>>();
+    assert_eq!((paths(0), paths(1)), (vec!["motion[1].time"], vec!["load.inertia", "motion[1].time"]));
+    assert!(Varied::new(&axes[1]).unwrap().at(&[1.05, 1.0]).is_some());
+}
+
+#[test]
+fn a_fault_of_a_tolerance_is_told_at_its_half_width() {
+    for (written, place, message) in [
+        ("1.3 kg m^2 ± 120 %", "120 %", "with this tolerance the value reaches −0.26000 kgm²; it must not be negative"),
+        ("1.3 kg m^2 ± 2 kg m^2", "2 kg m^2", "with this tolerance the value reaches −0.70000 kgm²"),
+        ("1.3 kg m^2 ± -1 %", "-1 %", "must not be negative"),
+        ("1.3 kg m^2 ± NaN %", "NaN", "not a finite number"),
+        ("1.3 kg m^2 ± 1 kg", "kg", "is a unit of mass"),
+        ("1.3 kg m^2 ±", "±", "half-width of the tolerance is missing"),
+        ("1.3 kg m^2 ± 0.1", "0.1", "the unit is missing"),
+        ("1.3 kg ± 1 %", "kg", "is a unit of mass"),
+    ] {
+        let (found, fault) = place_of(&GOOD.replace("1.3 kg m^2", written));
+        assert_eq!(found, place, "{written}: {fault:?}");
+        assert!(fault.message.contains(message), "{written}: {}", fault.message);
+    }
+    let (found, fault) = place_of(&format!("{GOOD}[requirements]\nambient = \"40 degC ± 10 %\"\n"));
+    assert_eq!(found, "10 %");
+    assert!(fault.hint.unwrap().contains("kelvin"));
+    let (found, fault) = place_of(&format!("{GOOD}[requirements]\nambient = \"40 degC ± 400 K\"\n"));
+    assert_eq!(found, "400 K");
+    assert!(fault.message.contains("below absolute zero"), "{}", fault.message);
+    assert!(Project::read(&GOOD.replace("1.3 kg m^2", "1.3 kg m^2 ± 100 %"), Language::En).is_ok());
+}
+
+#[test]
+fn a_motion_that_a_tolerance_makes_impossible_is_told_at_it() {
+    let shuttle = |half: &str, single: bool| {
+        format!(
+            "format = 1\n[axis]\nsingle_move = {single}\n[mechanism.screw]\nlead = \"10 mm\"\nmass = \"5 kg\"\n[[motion]]\n\
+             law = \"trapezoid\"\ndistance = \"90 mm{half}\"\ntime = \"1 s\"\nspeed = \"100 mm/s\"\n[[motion]]\n\
+             law = \"trapezoid\"\ndistance = \"-90 mm\"\ntime = \"1 s\"\n"
+        )
+    };
+    let (place, fault) = place_of(&shuttle(" ± 1 mm", false));
+    assert_eq!(place, "1 mm");
+    assert!(fault.message.contains("motion[1].distance = 89.000 mm: the cycle does not close"), "{}", fault.message);
+    assert!(fault.hint.unwrap().contains("single_move = true"));
+    assert!(Project::read(&shuttle(" ± 1 mm", true), Language::En).is_ok());
+    // At 100 mm in 1 s a speed of 100 mm/s leaves no time to accelerate.
+    let (place, fault) = place_of(&shuttle(" ± 12 mm", true));
+    assert_eq!(place, "12 mm");
+    assert!(fault.message.contains("102.00 mm: the speed is too low"), "{}", fault.message);
+
+    // Each end alone is possible, both together are not.
+    let both = shuttle(" ± 8 mm", true).replace("\"100 mm/s\"", "\"100 mm/s ± 5 %\"");
+    let (place, fault) = place_of(&both);
+    assert_eq!(place, "8 mm");
+    assert!(fault.message.contains("together"), "{}", fault.message);
+
+    let tube = "format = 1\n[mechanism.turntable]\nbodies = [\"tube outer=80mm inner=70mm±12mm length=1m mass=1kg\"]\n\
+                [[motion]]\nlaw = \"constant\"\nspeed = \"10 1/min\"\ntime = \"1 s\"\n";
+    let (place, fault) = place_of(tube);
+    assert_eq!(place, "12mm");
+    assert!(fault.message.contains("bodies[1].inner = 82.000 mm: `inner` must be smaller"), "{}", fault.message);
+}
+
+#[test]
+fn more_tolerances_than_can_be_judged_are_refused() {
+    let row = |index: usize| format!("[\"{index} deg\", \"1 kg m^2 ± 1 %\", \"0 N m\"]");
+    let rows: Vec<String> = (0..65).map(row).collect();
+    let text = format!(
+        "format = 1\n[mechanism.table]\npoints = [{}]\nstart_angle = \"0 deg\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n",
+        rows.join(", ")
+    );
+    assert!(one(&text).message.contains("more than 64 quantities with a tolerance"));
+}

@@ -6,6 +6,7 @@ mod notes;
 mod reading;
 mod recording;
 mod results;
+pub(crate) mod tolerance;
 
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token};
 pub(crate) use reading::Speak;

@@ -16,6 +16,13 @@ const PURE_LAYER_MAX: u8 = 3;
 /// Modules of `std` that reach out of the program.
 const STD_MODULES: [&str; 5] = ["fs", "net", "env", "process", "thread"];
 
+/// The layer that may share a computation between scoped threads: fixed parts, and results in the order of the parts.
+const SCOPED_THREADS_LAYER: u8 = 3;
+
+/// What of `std::thread` is no such sharing: it outlives the call, or looks at the schedule or the machine.
+const THREAD_FREE: [&str; 6] =
+    ["thread::spawn", "thread::sleep", "thread::current", "thread::park", "thread::yield_now", "available_parallelism"];
+
 /// Names that bring in a clock or a thread's own randomness.
 const NAMES: [&str; 3] = ["SystemTime", "Instant", "thread_rng"];
 
@@ -31,7 +38,8 @@ pub(super) fn length(root: &Path) -> Vec<Finding> {
     })
 }
 
-/// Layers 0 to 3 reach for no file, network, clock, environment or thread; build scripts and tests may.
+/// Layers 0 to 3 reach for no file, network, clock, environment or thread, layer 3 for scoped threads only; build
+/// scripts and tests may.
 pub(super) fn absences(root: &Path) -> Vec<Finding> {
     let tree = Tree::read(root);
     let pure = |name: &str| matches!(room(name), Some(Room::Layer(layer)) if layer <= PURE_LAYER_MAX);
@@ -52,7 +60,8 @@ pub(super) fn absences(root: &Path) -> Vec<Finding> {
                 .any(|stem| file.strip_prefix(stem.as_str()).is_some_and(|rest| rest == ".rs" || rest.starts_with('/')))
         };
         for (file, code, _) in files.iter().filter(|(file, ..)| !of_tests(file)) {
-            for (line, what) in reaches_out(code) {
+            let scoped = room(&member.name) == Some(Room::Layer(SCOPED_THREADS_LAYER));
+            for (line, what) in reaches_out(code, scoped) {
                 let message = format!("`{what}` in layers 0 to {PURE_LAYER_MAX}: have it handed in");
                 findings.push(Finding { path: (*file).to_owned(), line, rule: "absence", message });
             }
@@ -130,16 +139,22 @@ fn each(root: &Path, folder: &str, rule: &'static str, check: impl Fn(&str) -> V
     findings
 }
 
-fn reaches_out(code: &str) -> Vec<(usize, String)> {
+fn reaches_out(code: &str, scoped_threads: bool) -> Vec<(usize, String)> {
     // The macro of the same name as a module reads the environment of the build, not of the run.
     let code = code.replace("std::env!", "env!");
     let mut found = Vec::new();
-    for module in STD_MODULES {
+    let barred = |module: &str| !(scoped_threads && module == "thread");
+    if scoped_threads {
+        for name in THREAD_FREE {
+            found.extend(lines_with(&code, name).into_iter().map(|line| (line, name.to_owned())));
+        }
+    }
+    for module in STD_MODULES.into_iter().filter(|module| barred(module)) {
         let path = format!("std::{module}");
         found.extend(lines_with(&code, &path).into_iter().map(|line| (line, path.clone())));
     }
     for (line, name) in std_group_names(&code) {
-        if STD_MODULES.contains(&name.as_str()) {
+        if STD_MODULES.contains(&name.as_str()) && barred(&name) {
             found.push((line, format!("std::{name}")));
         }
     }
@@ -186,6 +201,17 @@ mod tests {
         let mut lines: Vec<usize> = absences(scratch.root()).iter().map(|found| found.line).collect();
         lines.sort_unstable();
         assert_eq!(lines, [1, 2, 3, 4, 5, 6, 6]);
+    }
+
+    #[test]
+    fn the_facade_may_share_its_work_between_scoped_threads_only() {
+        let workbench = ("crates/workbench/Cargo.toml", "[package]\nname = \"workbench\"\n");
+        let source = "fn f() { std::thread::scope(|s| { s.spawn(g); }); }\nfn g() { std::thread::spawn(f); }\n\
+                      fn h() { std::thread::sleep(t); std::thread::available_parallelism(); }\nuse std::fs;\n";
+        let scratch = Scratch::new(&[TOP, workbench, ("crates/workbench/src/a.rs", source)]);
+        let mut lines: Vec<usize> = absences(scratch.root()).iter().map(|found| found.line).collect();
+        lines.sort_unstable();
+        assert_eq!(lines, [2, 3, 3, 4]);
     }
 
     #[test]

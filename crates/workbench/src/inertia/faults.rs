@@ -1,11 +1,11 @@
 //! What can be wrong with a body as it is written, in English and German.
 
-use super::{AXES, BODY_SHAPES, BodyShape, Keyed, Line};
+use super::{AXES, BODY_SHAPES, BodyShape, BodyTolerance, Keyed, Line};
 use crate::diagnostic::Diagnostic;
 use crate::text::{Speak, either};
 use mechanism::{BodyError, Orientation};
 use quantities::unit::{KILOGRAM, KILOGRAM_PER_CUBIC_METRE, MILLIMETRE};
-use quantities::{Dimension, Language, Measure, Unit, format_significant};
+use quantities::{Dimension, HalfWidth, Language, Measure, Unit, format_significant};
 use std::ops::Range;
 
 /// More faults than this are counted, not told.
@@ -20,6 +20,10 @@ pub(super) struct Faults<'t> {
     language: Language,
     found: Vec<Diagnostic>,
     more: usize,
+    /// The tolerances of the bodies; `None` where none may stand.
+    pub(super) tolerances: Option<Vec<BodyTolerance>>,
+    /// The line that is being read, from zero, and where it begins.
+    line: (usize, usize),
 }
 
 /// The keys that an error is about; empty where it is about the mass that is missing, or the whole body.
@@ -46,7 +50,16 @@ pub(super) const fn fields(error: &BodyError) -> &'static [&'static str] {
 
 impl<'t> Faults<'t> {
     pub(super) const fn new(text: &'t str, language: Language) -> Self {
-        Self { text, language, found: Vec::new(), more: 0 }
+        Self { text, language, found: Vec::new(), more: 0, tolerances: None, line: (0, 0) }
+    }
+
+    pub(super) fn with_tolerances(text: &'t str, language: Language) -> Self {
+        Self { tolerances: Some(Vec::new()), ..Self::new(text, language) }
+    }
+
+    /// Says which line comes now.
+    pub(super) const fn begin(&mut self, index: usize, start: usize) {
+        self.line = (index, start);
     }
 
     pub(super) const fn is_empty(&self) -> bool {
@@ -54,13 +67,14 @@ impl<'t> Faults<'t> {
     }
 
     /// The faults in the order of the text.
-    pub(super) fn close(mut self) -> Vec<Diagnostic> {
-        self.found.sort_by_key(|fault| (fault.span.start, fault.span.end));
+    pub(super) fn take(&mut self) -> Vec<Diagnostic> {
+        let mut found = std::mem::take(&mut self.found);
+        found.sort_by_key(|fault| (fault.span.start, fault.span.end));
         if self.more > 0 {
             let end = self.text.len();
-            self.found.push(Diagnostic::at(self.text, end..end, self.language.more_faults(self.more), None));
+            found.push(Diagnostic::at(self.text, end..end, self.language.more_faults(self.more), None));
         }
-        self.found
+        found
     }
 
     fn fault(&mut self, span: Range<usize>, en: String, de: String, hint: Option<String>) {
@@ -162,9 +176,21 @@ impl<'t> Faults<'t> {
     }
 
     /// A quantity in SI.
-    pub(super) fn quantity(&mut self, pair: &Keyed<'_>, dimension: Dimension) -> Option<f64> {
-        let error = match quantities::parse(dimension, pair.value) {
-            Ok(reading) => return Some(reading.si),
+    pub(super) fn quantity(&mut self, pair: &Keyed<'_>, key: &'static str, dimension: Dimension) -> Option<f64> {
+        let read = match self.tolerances {
+            Some(_) => quantities::parse_toleranced(dimension, pair.value),
+            None => quantities::parse(dimension, pair.value).map(|reading| (reading, None)),
+        };
+        let error = match read {
+            Ok((reading, half)) => {
+                if let (Some(tolerances), Some(half)) = (&mut self.tolerances, half) {
+                    let (line, start) = self.line;
+                    let from = pair.value_span.start.saturating_sub(start);
+                    let span = from + half.span.start..from + half.span.end;
+                    tolerances.push((line, key, reading, HalfWidth { span, ..half }));
+                }
+                return Some(reading.si);
+            }
             Err(error) => error,
         };
         let span = if pair.value.is_empty() {
@@ -215,53 +241,52 @@ impl<'t> Faults<'t> {
 
     /// A body that cannot be.
     pub(super) fn body(&mut self, error: &BodyError, span: Range<usize>) {
-        let language = self.language;
-        let positive = |key: &str, si: f64, unit: &Unit, or_zero: bool| {
-            let value = format!("{} {}", format_significant(unit.from_si(si), 4, language), unit.symbol);
-            let (en, de) = if or_zero {
-                ("must not be negative", "darf nicht negativ sein")
-            } else {
-                ("must be greater than zero", "muss größer als null sein")
-            };
-            (format!("`{key}` {en}, not {value}"), format!("`{key}` {de}, nicht {value}"))
-        };
-        let fixed = |en: &str, de: &str| (en.to_owned(), de.to_owned());
-        let (en, de) = match error {
-            BodyError::DimensionOutOfRange { field, value } => {
-                positive(field, value.si(), &MILLIMETRE, *field == "inner")
-            }
-            BodyError::InnerNotBelowOuter { .. } => {
-                fixed("`inner` must be smaller than `outer`", "`inner` muss kleiner als `outer` sein")
-            }
-            BodyError::NoMass => {
-                fixed("neither `mass` nor `density` is given", "weder `mass` noch `density` angegeben")
-            }
-            BodyError::MassAndDensity { .. } => fixed(
-                "`mass` and `density` are both given; one gives the other",
-                "`mass` und `density` sind beide angegeben; eines ergibt das andere",
-            ),
-            BodyError::NoVolume => fixed(
-                "this shape has no volume, so `density` gives no mass",
-                "diese Form hat kein Volumen, `density` ergibt also keine Masse",
-            ),
-            BodyError::MassOutOfRange { mass } => positive("mass", mass.si(), &KILOGRAM, false),
-            BodyError::DensityOutOfRange { density } => {
-                positive("density", density.si(), &KILOGRAM_PER_CUBIC_METRE, false)
-            }
-            BodyError::DistanceOutOfRange { distance } => positive("distance", distance.si(), &MILLIMETRE, true),
-            BodyError::NoPiece => fixed("`count` must be at least 1", "`count` muss mindestens 1 sein"),
-            _ => fixed(
-                "the inertia is beyond the range of numbers",
-                "das Massenträgheitsmoment liegt außerhalb des Zahlenbereichs",
-            ),
-        };
-        let hint = match error {
-            BodyError::NoMass => Some(language.for_example("mass=0.6kg")),
-            BodyError::DistanceOutOfRange { .. } => Some(language.for_example("distance=80mm angle=180deg")),
-            _ => None,
-        };
-        self.fault(span, en, de, hint);
+        let (message, hint) = body_fault(error, self.language);
+        self.fault(span, message.clone(), message, hint);
     }
+}
+
+/// What is wrong with a body that cannot be.
+pub(crate) fn body_fault(error: &BodyError, language: Language) -> (String, Option<String>) {
+    let positive = |key: &str, si: f64, unit: &Unit, or_zero: bool| {
+        let value = format!("{} {}", format_significant(unit.from_si(si), 4, language), unit.symbol);
+        let (en, de) = if or_zero {
+            ("must not be negative", "darf nicht negativ sein")
+        } else {
+            ("must be greater than zero", "muss größer als null sein")
+        };
+        (format!("`{key}` {en}, not {value}"), format!("`{key}` {de}, nicht {value}"))
+    };
+    let fixed = |en: &str, de: &str| (en.to_owned(), de.to_owned());
+    let (en, de) = match error {
+        BodyError::DimensionOutOfRange { field, value } => positive(field, value.si(), &MILLIMETRE, *field == "inner"),
+        BodyError::InnerNotBelowOuter { .. } => {
+            fixed("`inner` must be smaller than `outer`", "`inner` muss kleiner als `outer` sein")
+        }
+        BodyError::NoMass => fixed("neither `mass` nor `density` is given", "weder `mass` noch `density` angegeben"),
+        BodyError::MassAndDensity { .. } => fixed(
+            "`mass` and `density` are both given; one gives the other",
+            "`mass` und `density` sind beide angegeben; eines ergibt das andere",
+        ),
+        BodyError::NoVolume => fixed(
+            "this shape has no volume, so `density` gives no mass",
+            "diese Form hat kein Volumen, `density` ergibt also keine Masse",
+        ),
+        BodyError::MassOutOfRange { mass } => positive("mass", mass.si(), &KILOGRAM, false),
+        BodyError::DensityOutOfRange { density } => positive("density", density.si(), &KILOGRAM_PER_CUBIC_METRE, false),
+        BodyError::DistanceOutOfRange { distance } => positive("distance", distance.si(), &MILLIMETRE, true),
+        BodyError::NoPiece => fixed("`count` must be at least 1", "`count` muss mindestens 1 sein"),
+        _ => fixed(
+            "the inertia is beyond the range of numbers",
+            "das Massenträgheitsmoment liegt außerhalb des Zahlenbereichs",
+        ),
+    };
+    let hint = match error {
+        BodyError::NoMass => Some(language.for_example("mass=0.6kg")),
+        BodyError::DistanceOutOfRange { .. } => Some(language.for_example("distance=80mm angle=180deg")),
+        _ => None,
+    };
+    (either(language, en, de), hint)
 }
 
 /// The name that was probably meant.

@@ -68,7 +68,17 @@ fn build(name: &str, section: &Section, reader: &mut Reader<'_>, language: Langu
         "joint" => Kind::Joint(Joint { inertia: turning, holding_torque: section.quantity("holding_torque") }),
         "load" => Kind::Rotor(Rotor::balanced(section.quantity("inertia")?)),
         "turntable" => {
-            let bodies = section.bodies("bodies")?;
+            let bodies = match mechanism::inertia(section.bodies("bodies")?) {
+                Ok(total) => total,
+                // The bodies as written are sound; with other values within their tolerance they need not be.
+                Err(errors) => {
+                    for each in errors {
+                        let (message, hint) = crate::inertia::body_fault(&each.error, language);
+                        reader.fault(section.span_of("bodies"), message, hint);
+                    }
+                    return None;
+                }
+            };
             Kind::Rotor(Rotor {
                 inertia: bodies.inertia,
                 mass: bodies.mass,

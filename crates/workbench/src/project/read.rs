@@ -2,9 +2,10 @@
 
 use super::section::{Entry, Section};
 use super::spec::{Key, Kind, ROOT, Range, Variants};
+use super::tolerance::{TOLERANCES_MOST, Tolerance};
 use crate::diagnostic::Diagnostic;
-use crate::text::Speak;
-use quantities::{Dimension, Language};
+use crate::text::{Speak, tolerance as words};
+use quantities::{Dimension, HalfWidth, Language, Reading};
 use std::ops::Range as Span;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
@@ -22,6 +23,8 @@ pub(crate) struct Reader<'t> {
     text: &'t str,
     language: Language,
     pub(crate) faults: Vec<Diagnostic>,
+    /// The tolerances in the order in which they were read, each under its path in the file.
+    pub(crate) tolerances: Vec<Tolerance>,
     damaged: bool,
     /// How many faults there are beyond those that are kept.
     more: usize,
@@ -32,7 +35,7 @@ const FAULTS_MOST: usize = 50;
 
 impl<'t> Reader<'t> {
     pub(crate) const fn new(text: &'t str, language: Language) -> Self {
-        Self { text, language, faults: Vec::new(), damaged: false, more: 0 }
+        Self { text, language, faults: Vec::new(), tolerances: Vec::new(), damaged: false, more: 0 }
     }
 
     /// Reads the whole file; faults are collected in `self.faults`.
@@ -44,6 +47,11 @@ impl<'t> Reader<'t> {
         }
         self.damaged = !errors.is_empty();
         self.section(root.get_ref(), 0..0, ROOT, "", self.damaged)
+    }
+
+    /// A reader of the same text without faults, for a trial.
+    pub(crate) const fn trial(&self) -> Self {
+        Self::new(self.text, self.language)
     }
 
     /// Whether the syntax had errors, so that what seems missing may be there.
@@ -218,7 +226,8 @@ impl<'t> Reader<'t> {
     /// A quantity of the rotation or of the line; a unit of neither is told against the first.
     fn along(&mut self, text: &str, span: Span<usize>, key: &Key, path: &str) -> Option<Entry> {
         let Kind::Along(turning, line, range) = key.kind else { return None };
-        let dimension = if quantities::parse(line, text).is_ok() { line } else { turning };
+        let nominal = quantities::without_tolerance(text);
+        let dimension = if quantities::parse(line, nominal).is_ok() { line } else { turning };
         self.quantity(text, span, (dimension, range), path).map(|si| Entry::Along(dimension, si))
     }
 
@@ -229,19 +238,14 @@ impl<'t> Reader<'t> {
         (dimension, range): (Dimension, Range),
         path: &str,
     ) -> Option<f64> {
-        match quantities::parse(dimension, text) {
+        match quantities::parse_toleranced(dimension, text) {
             Err(error) => {
                 let inner = self.inside(&span, text, error.span());
                 self.fault(inner, format!("`{path}`: {}", error.message(self.language)), error.hint(self.language));
                 None
             }
-            Ok(reading) => {
-                // A temperature is bounded below by absolute zero, every other quantity by its range.
-                let fine = match range {
-                    Range::Any => dimension != quantities::Dimension::Temperature || reading.si >= 0.0,
-                    Range::NotNegative => reading.si >= 0.0,
-                    Range::Positive => reading.si > 0.0,
-                };
+            Ok((reading, half)) => {
+                let fine = range.holds(dimension, reading.si);
                 if !self.is_plausible(reading.si, &span, text, path) {
                     return None;
                 }
@@ -253,9 +257,45 @@ impl<'t> Reader<'t> {
                     self.fault(span, message, None);
                     return None;
                 }
+                self.tolerance(&reading, half, &span, text, path, (dimension, range))?;
                 Some(reading.si)
             }
         }
+    }
+
+    /// Notes a tolerance whose both ends are values that may stand here; `None` where they may not.
+    fn tolerance(
+        &mut self,
+        reading: &Reading,
+        half: Option<HalfWidth>,
+        whole: &Span<usize>,
+        text: &str,
+        path: &str,
+        (dimension, range): (Dimension, Range),
+    ) -> Option<()> {
+        // Nothing is toleranced by nothing.
+        let Some(half) = half.filter(|half| half.si > 0.0) else { return Some(()) };
+        let span = self.inside(whole, text, half.span);
+        for end in [reading.si - half.si, reading.si + half.si] {
+            if !range.holds(dimension, end) {
+                let message = words::end_out_of_range(path, end, reading.unit, range, self.language);
+                self.fault(span, message, None);
+                return None;
+            }
+            if !self.is_plausible(end, &span, text, path) {
+                return None;
+            }
+        }
+        let (path, unit) = (path.to_owned(), reading.unit);
+        self.note(Tolerance { path, nominal: reading.si, half_width: half.si, unit, span });
+        Some(())
+    }
+
+    fn note(&mut self, tolerance: Tolerance) {
+        if self.tolerances.len() == TOLERANCES_MOST {
+            self.fault(tolerance.span.clone(), words::too_many(TOLERANCES_MOST, self.language), None);
+        }
+        self.tolerances.push(tolerance);
     }
 
     /// Refuses magnitudes that no machine has.
@@ -350,8 +390,16 @@ impl<'t> Reader<'t> {
             }
         }
         let text: Vec<&str> = lines.iter().map(|(text, _)| *text).collect();
-        match crate::inertia(&text.join("\n"), self.language) {
-            Ok(answer) => (lines.len() == items.len()).then_some(Entry::Bodies(answer.total)),
+        match crate::inertia::toleranced(&text.join("\n"), self.language) {
+            Ok((answer, tolerances)) => {
+                for (line, key, reading, half) in tolerances {
+                    let Some((text, whole)) = lines.get(line) else { continue };
+                    let path = format!("{path}[{}].{key}", line + 1);
+                    self.tolerance(&reading, Some(half), whole, text, &path, (reading.unit.dimension, Range::Any))?;
+                }
+                let bodies = answer.bodies.into_iter().map(|each| each.body).collect();
+                (lines.len() == items.len()).then_some(Entry::Bodies(bodies))
+            }
             Err(faults) => {
                 let starts: Vec<usize> = lines
                     .iter()
@@ -422,7 +470,7 @@ impl<'t> Reader<'t> {
             return self.refuse(span, self.language.too_many(path, LIST_MAX));
         }
         let mut rows = Vec::new();
-        for item in items.iter() {
+        for (index, item) in items.iter().enumerate() {
             let parts: Option<Vec<(&str, Span<usize>)>> = match item.get_ref() {
                 DeValue::Array(row) if row.len() == dimensions.len() => {
                     row.iter().map(|part| Some((part.get_ref().as_str()?, part.span()))).collect()
@@ -434,19 +482,32 @@ impl<'t> Reader<'t> {
                 self.fault(item.span(), self.language.not_a_row(path, &names), None);
                 continue;
             };
-            let row: Vec<Option<f64>> = parts
-                .into_iter()
-                .zip(dimensions)
-                .map(|((text, span), dimension)| self.part(*dimension, text, span, path))
+            let row: Vec<Option<f64>> = (1..)
+                .zip(parts.into_iter().zip(dimensions))
+                .map(|(column, ((text, span), dimension))| self.part(*dimension, text, span, path, (index + 1, column)))
                 .collect();
             rows.extend(row.into_iter().collect::<Option<Vec<f64>>>());
         }
         Some(Entry::Rows(rows))
     }
 
-    fn part(&mut self, dimension: quantities::Dimension, text: &str, span: Span<usize>, path: &str) -> Option<f64> {
-        match quantities::parse(dimension, text) {
-            Ok(reading) => self.is_plausible(reading.si, &span, text, path).then_some(reading.si),
+    fn part(
+        &mut self,
+        dimension: Dimension,
+        text: &str,
+        span: Span<usize>,
+        path: &str,
+        (row, column): (usize, usize),
+    ) -> Option<f64> {
+        match quantities::parse_toleranced(dimension, text) {
+            Ok((reading, half)) => {
+                if !self.is_plausible(reading.si, &span, text, path) {
+                    return None;
+                }
+                let path = format!("{path}[{row}][{column}]");
+                self.tolerance(&reading, half, &span, text, &path, (dimension, Range::Any))?;
+                Some(reading.si)
+            }
             Err(error) => {
                 let inner = self.inside(&span, text, error.span());
                 self.fault(inner, format!("`{path}`: {}", error.message(self.language)), error.hint(self.language));

@@ -16,7 +16,8 @@ pub fn schema(language: Language) -> Value {
         let quantities = Dimension::ALL
             .iter()
             .map(|dimension| {
-                let spelling = json!({ "type": "string", "pattern": pattern(*dimension) });
+                let words = crate::text::tolerance::quantity(*dimension, language);
+                let spelling = json!({ "type": "string", "description": words, "pattern": pattern(*dimension) });
                 (format!("{dimension:?}"), spelling)
             })
             .collect::<Map<String, Value>>();
@@ -148,15 +149,25 @@ fn reference(dimension: Dimension) -> Value {
     json!({ "$ref": format!("#/$defs/{dimension:?}") })
 }
 
-/// Number and unit in the spellings that the reader knows; it also forgives spaces inside a unit.
+/// Number and unit in the spellings that the reader knows, and a tolerance; the reader also forgives spaces inside a
+/// unit.
 fn pattern(dimension: Dimension) -> String {
+    const NUMBER: &str = r"([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
+    // A tolerance of a temperature is a difference of temperatures.
+    let half = if dimension == Dimension::Temperature { Dimension::TemperatureInterval } else { dimension };
+    let signs = quantities::PLUS_MINUS.map(escape).join("|");
+    format!(r"^\s*[+-]?{NUMBER}\s*({})\s*(({signs})\s*{NUMBER}\s*(%|{})\s*)?$", spellings(dimension), spellings(half))
+}
+
+/// The units of a quantity as alternatives of a regular expression.
+fn spellings(dimension: Dimension) -> String {
     let mut units: Vec<String> = Vec::new();
     for spelling in dimension.units().iter().flat_map(quantities::Unit::spellings).map(escape) {
         if !units.contains(&spelling) {
             units.push(spelling);
         }
     }
-    format!(r"^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?\s*({})\s*$", units.join("|"))
+    units.join("|")
 }
 
 /// A text as a regular expression for itself.

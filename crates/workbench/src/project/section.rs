@@ -19,8 +19,8 @@ pub(crate) enum Entry {
     List(Vec<String>),
     /// Rows of SI values.
     Rows(Vec<Vec<f64>>),
-    /// The bodies together.
-    Bodies(mechanism::Inertia),
+    /// Solid bodies.
+    Bodies(Vec<mechanism::Body>),
     /// What stands in a file that was named.
     Recording(RecordingRead),
     Table(Section),
@@ -103,11 +103,29 @@ impl Section {
         }
     }
 
-    pub(crate) fn bodies(&self, name: &str) -> Option<&mechanism::Inertia> {
+    pub(crate) fn bodies(&self, name: &str) -> Option<&[mechanism::Body]> {
         match self.get(name) {
-            Some(Entry::Bodies(total)) => Some(total),
+            Some(Entry::Bodies(bodies)) => Some(bodies),
             _ => None,
         }
+    }
+
+    /// Puts another value, in SI, in the place of a quantity: `load.inertia`, `motion[2].speed`, `points[1][3]` (row and
+    /// column), `bodies[1].mass`. `None` where no quantity stands there.
+    pub(crate) fn set(&mut self, path: &str, si: f64) -> Option<()> {
+        let (head, rest) = path.split_once('.').unwrap_or((path, ""));
+        let mut parts = head.split('[').map(|part| part.trim_end_matches(']'));
+        let name = parts.next()?;
+        let mut index = || parts.next()?.parse::<usize>().ok()?.checked_sub(1);
+        match &mut self.entries.get_mut(name)?.0 {
+            Entry::Quantity(value) | Entry::Along(_, value) => *value = si,
+            Entry::Rows(rows) => *rows.get_mut(index()?)?.get_mut(index()?)? = si,
+            Entry::Bodies(bodies) => crate::inertia::set(bodies.get_mut(index()?)?, rest, si)?,
+            Entry::Table(section) => section.set(rest, si)?,
+            Entry::Tables(sections) => sections.get_mut(index()?)?.set(rest, si)?,
+            _ => return None,
+        }
+        Some(())
     }
 
     /// The tables within, by name.

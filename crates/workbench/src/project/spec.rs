@@ -13,6 +13,17 @@ pub(crate) enum Range {
     Positive,
 }
 
+impl Range {
+    /// Whether a value may stand there; a temperature is bounded below by absolute zero too.
+    pub(crate) fn holds(self, dimension: Dimension, si: f64) -> bool {
+        match self {
+            Self::Any => dimension != Dimension::Temperature || si >= 0.0,
+            Self::NotNegative => si >= 0.0,
+            Self::Positive => si > 0.0,
+        }
+    }
+}
+
 /// What may stand behind a key.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Kind {

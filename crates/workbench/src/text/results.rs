@@ -353,6 +353,10 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "no field of application that needs the maker's approval (section 2.4)",
             "kein Anwendungsbereich, der die Freigabe des Herstellers braucht (Abschnitt 2.4)",
         ),
+        Assumption::UniformTolerances => (
+            "each quantity with a tolerance uniform within its band, independent of the others",
+            "jede Größe mit Toleranz in ihrem Band gleichverteilt, unabhängig von den anderen",
+        ),
         Assumption::MotorHolds => {
             ("in a dwell without hold the motor carries the load", "im Stillstand ohne hold trägt der Motor die Last")
         }
