@@ -9,21 +9,21 @@ use quantities::{Measure, Ratio, Time};
 pub(crate) fn periodic_lag(pieces: &[(f64, f64)], tau_s: f64) -> Vec<f64> {
     let mut gathered = 0.0;
     let mut period_s = 0.0;
+    let mut decays = Vec::with_capacity(pieces.len());
     for &(duration_s, input) in pieces {
         let decay = (-duration_s / tau_s).exp();
+        decays.push(decay);
         gathered = gathered * decay - input * (-duration_s / tau_s).exp_m1();
         period_s += duration_s;
     }
     let loss = -(-period_s / tau_s).exp_m1();
     let mut value = if loss > 0.0 { gathered / loss } else { 0.0 };
-    pieces
-        .iter()
-        .map(|&(duration_s, input)| {
-            let start = value;
-            value = input + (value - input) * (-duration_s / tau_s).exp();
-            start
-        })
-        .collect()
+    // What the first pass needed of a decay gives way to the state at its start.
+    for (&(_, input), place) in pieces.iter().zip(&mut decays) {
+        let decay = std::mem::replace(place, value);
+        value = input + (value - input) * decay;
+    }
+    decays
 }
 
 /// Time until an overload trips.

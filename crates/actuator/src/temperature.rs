@@ -188,12 +188,17 @@ impl Thermal {
             let rise = |t: f64| end + a * (-t / tau_quick).exp() + b * (-t / tau_slow).exp();
             // a/τ_q e^(−t/τ_q) + b/τ_s e^(−t/τ_s) = 0
             let ratio = -(a * tau_slow) / (b * tau_quick);
-            let inside = ratio.ln() / (1.0 / tau_quick - 1.0 / tau_slow);
-            for t in [0.0, inside, duration_s] {
-                if (0.0..=duration_s).contains(&t) && rise(t) > peak {
-                    (peak, at_s) = (rise(t), clock_s + t);
+            let inside = if ratio > 0.0 { ratio.ln() / (1.0 / tau_quick - 1.0 / tau_slow) } else { f64::NAN };
+            let mut see = |t: f64, rise: f64| {
+                if rise > peak {
+                    (peak, at_s) = (rise, clock_s + t);
                 }
+            };
+            see(0.0, end + a + b);
+            if (0.0..=duration_s).contains(&inside) {
+                see(inside, rise(inside));
             }
+            see(duration_s, rise(duration_s));
             clock_s += duration_s;
         }
         (peak, at_s)

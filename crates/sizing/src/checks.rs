@@ -82,6 +82,9 @@ pub enum Depth {
     Full,
     /// The checks that look at the cycle once more only if none of the others fails.
     Survivors,
+    /// Every check that can fail or has a margin: what is only shown or advised is left out, and so is the demand by
+    /// the manual. Verdict and utilisation are those of [`Depth::Full`].
+    Margins,
 }
 
 /// Judges one actuator for one axis.
@@ -89,7 +92,8 @@ pub enum Depth {
 pub fn judge(axis: &Axis, actuator: &Parameters, depth: Depth) -> Judgement {
     let inertia = actuator.inertia_out.known().map(|known| known.value);
     let demand = inertia.map(|inertia| axis.demand(inertia));
-    let manual = inertia.and_then(|inertia| axis.manual_demand(inertia));
+    let bare = depth == Depth::Margins;
+    let manual = inertia.filter(|_| !bare).and_then(|inertia| axis.manual_demand(inertia));
     let mut checks = Vec::with_capacity(CHECKS_MOST);
     checks.extend([
         peak_torque(actuator, demand.as_ref(), manual.as_ref()),
@@ -99,17 +103,27 @@ pub fn judge(axis: &Axis, actuator: &Parameters, depth: Depth) -> Judgement {
     ]);
     checks.extend(current_checks(axis, actuator));
     checks.extend(axis.supply.map(|(supply, reserve)| voltage(axis, actuator, supply, reserve)));
-    checks.push(inertia_ratio(axis, actuator));
-    checks.extend(gear_checks::judge(axis, actuator));
+    if !bare {
+        checks.push(inertia_ratio(axis, actuator));
+    }
+    checks.extend(gear_checks::judge(axis, actuator, bare));
     checks.extend(bearing_checks::judge(axis, &actuator.output_bearing));
     checks.extend(axis.ambient.map(|stated| ambient(stated, actuator)));
     checks.extend(axis.supply.map(|(supply, _)| electric_checks::dc_link(supply, actuator)));
-    if depth == Depth::Full || checks.iter().all(|check| check.verdict != Verdict::Fail) {
+    if depth != Depth::Survivors || checks.iter().all(|check| check.verdict != Verdict::Fail) {
         let currents = Currents::of(actuator);
         checks.extend(electric_checks::judge(axis, actuator, currents.as_ref()));
-        checks.extend(gear_checks::judge_further(axis, actuator));
+        if !bare || axis.asked.regeneration_power_max.is_some() {
+            checks.push(electric_checks::regeneration(axis, actuator, currents.as_ref()));
+        }
+        checks.extend(gear_checks::judge_further(axis, actuator, bare));
         checks.extend(brake_checks::judge(axis, actuator));
-        checks.extend(feedback_checks::judge(axis, actuator));
+        let asked = &axis.asked;
+        let of_feedback =
+            asked.absolute == Some(true) || asked.resolution_max.is_some() || asked.battery_life_min.is_some();
+        if !bare || of_feedback {
+            checks.extend(feedback_checks::judge(axis, actuator));
+        }
         checks.extend(joint_checks::judge(axis, actuator, demand.as_ref()));
     }
     Judgement { demand, manual, checks }

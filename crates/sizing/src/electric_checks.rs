@@ -27,14 +27,9 @@ const SHORT_BLOCK: f64 = 0.01 * WINDING_TIME_CONSTANT;
 /// Picks ω out of (α, T_L, σ, ω).
 const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 
-/// The checks that look at every instant.
-pub(crate) fn judge(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> [Check; 4] {
-    [
-        torque_speed_trace(axis, actuator),
-        thermal(axis, actuator, currents),
-        overload(axis, actuator, currents),
-        regeneration(axis, actuator, currents),
-    ]
+/// The checks that look at every instant and have a limit in any case.
+pub(crate) fn judge(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> [Check; 3] {
+    [torque_speed_trace(axis, actuator), thermal(axis, actuator, currents), overload(axis, actuator, currents)]
 }
 
 /// U_DC ≤ U_DCmax.
@@ -230,7 +225,7 @@ impl Bank {
 ///
 /// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
 /// load returns.
-fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> Check {
+pub(crate) fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> Check {
     let id = CheckId::Regeneration;
     let found = (|| {
         let currents = currents.map_err(|missing| *missing)?;

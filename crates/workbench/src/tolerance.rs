@@ -221,7 +221,7 @@ impl<'c> Judged<'c> {
     fn judge(&self, project: &Project, variant: &Variant) -> (Judgement, bool) {
         let own = variant.actuator.as_ref().filter(|_| matches!(self.candidate.id, CandidateId::Own(_)));
         let parameters = own.map_or(self.candidate.parameters, |own| &own.parameters);
-        let judgement = judge(&variant.axis, parameters, Depth::Full);
+        let judgement = judge(&variant.axis, parameters, Depth::Margins);
         let fits = !self.hopeless && judgement.fits() && self.meets(project, variant, parameters);
         (judgement, fits)
     }

@@ -164,3 +164,30 @@ fn more_quantities_than_corners_can_be_counted_are_searched() {
     assert_eq!(found.worst.place, Place::SearchedCorner);
     assert!((found.worst.utilisation * 240.0 - (2.313 * 10.1 / 0.099 + 5.5)).abs() < 1e-9, "{:?}", found.worst);
 }
+
+/// What the samples look at is what a full judgement says.
+#[test]
+fn the_margins_alone_give_the_verdict_and_the_utilisation_of_every_check() {
+    let asked = "[requirements]\nsupply = \"560 V\"\nambient = \"35 degC\"\nabsolute = true\nresolution_max = \"5 arcsec\"\n\
+                 operation_per_day = \"8 h\"\nbattery_life_min = \"5 a\"\ntorsion_max = \"4 arcmin\"\n\
+                 natural_frequency_min = \"20 Hz\"\ngear_life_min = \"20000 h\"\nangle_error_max = \"9 arcmin\"\n\
+                 regeneration_power_max = \"50 W\"\nstop_angle_max = \"90 deg\"\ncollision_torque = \"80 N m\"\n";
+    let bare = include_str!("../../../examples/manual-example.toml").to_owned();
+    for text in [
+        format!("{bare}{asked}"),
+        bare,
+        include_str!("../../../examples/tilting-arm.toml").to_owned(),
+        include_str!("../../../examples/two-way-shuttle.toml").to_owned(),
+    ] {
+        let project = Project::read(&text, Language::En).unwrap();
+        for (code, parameters) in crate::catalogue_actuators() {
+            let [full, margins] = [Depth::Full, Depth::Margins].map(|depth| judge(&project.axis, parameters, depth));
+            let said = |judgement: &Judgement| {
+                let id = |check: Option<&sizing::Check>| check.map(|check| check.id);
+                let tightest = id(judgement.tightest());
+                (judgement.fits(), judgement.utilisation(), id(judgement.worst_failure()), tightest)
+            };
+            assert_eq!(said(&full), said(&margins), "{code}");
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Tolerances judged for the ten best codes, inside the process.
+//!
+//! Baseline: as many judgements of the nominal axis, without building it anew, on one thread.
+#![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
+
+use benches::{Gates, measure};
+use std::hint::black_box;
+use std::process::ExitCode;
+use std::time::Duration;
+use workbench::{Candidate, CandidateId, Language, Project, SAMPLES_USUAL, Sampling, assess, check, size};
+
+/// The worked example with three toleranced quantities.
+fn project() -> Project {
+    let mut text = include_str!("../../examples/manual-example.toml").to_owned();
+    for (exact, half) in [("1.3 kg m^2", "10 %"), ("5 N m", "20 %"), ("40 1/min", "1 1/min")] {
+        text = text.replacen(&format!("\"{exact}\""), &format!("\"{exact} ± {half}\""), 1);
+    }
+    Project::read(&text, Language::En).expect("the example is valid")
+}
+
+fn main() -> ExitCode {
+    let mut gates = Gates::default();
+    let project = project();
+    assert_eq!(project.tolerances.len(), 3, "the example has changed");
+    let sizing = size(&project);
+    let best: Vec<&Candidate<'_>> = sizing.candidates.iter().take(10).collect();
+    let codes: Vec<_> = best
+        .iter()
+        .filter_map(|each| match &each.id {
+            CandidateId::Code(code) => Some(*code),
+            CandidateId::Own(_) => None,
+        })
+        .collect();
+    let baseline = measure(3, || {
+        for _ in 0..SAMPLES_USUAL {
+            for code in &codes {
+                let _ = black_box(check(black_box(&project), code));
+            }
+        }
+    });
+    let whole = measure(5, || {
+        black_box(assess(black_box(&project), &best, Sampling::default()));
+    });
+    let name = ("the judgements alone, in full", baseline);
+    let what = format!("{SAMPLES_USUAL} samples over the {} best codes", best.len());
+    gates.hold(&what, whole, Duration::from_millis(200), name);
+    gates.close()
+}
