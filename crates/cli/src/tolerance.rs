@@ -27,6 +27,11 @@ fn shown(si: f64, unit: &Unit, language: Language) -> String {
     format_significant(unit.from_si(si), 5, language)
 }
 
+/// A share of samples; it shows 100 % only where every sample passes.
+fn share(assessment: &Assessment, language: Language) -> String {
+    format_number((assessment.share() * 1e4).floor() / 1e2, 2, language)
+}
+
 /// How many samples and which seed are asked for.
 pub(crate) fn sampling(matches: &ArgMatches) -> Sampling {
     let samples = matches.get_one::<u32>("samples").and_then(|samples| usize::try_from(*samples).ok());
@@ -92,7 +97,7 @@ pub(crate) fn table(project: &Project, assessed: &[(&Candidate<'_>, Assessment)]
             ["Bestellcode", "Ausl. %", "Ecke %", "in der schlimmsten Ecke", "passt %", "bestimmt durch", "zu %"]
         }
     };
-    let [code, nominal, worst, word, passes, by, share] = heads;
+    let [code, nominal, worst, word, passes, by, by_share] = heads;
     let mut table = Table::new([
         (code, Align::Left),
         (nominal, Align::Right),
@@ -100,18 +105,18 @@ pub(crate) fn table(project: &Project, assessed: &[(&Candidate<'_>, Assessment)]
         (word, Align::Left),
         (passes, Align::Right),
         (by, Align::Left),
-        (share, Align::Right),
+        (by_share, Align::Right),
     ]);
     for (candidate, assessment) in assessed {
-        let [by, share] = dominating(project, assessment, language);
+        let [by, by_share] = dominating(project, assessment, language);
         table.row([
             candidate.id.to_string(),
             percent(candidate.standing.utilisation, language),
             percent(assessment.worst.utilisation, language),
             worst_word(&assessment.worst, language),
-            percent(assessment.share(), language),
+            share(assessment, language),
             by,
-            share,
+            by_share,
         ]);
     }
     format!("{}\n{}\n", head(first.sampling, language), table.render())
@@ -121,7 +126,8 @@ pub(crate) fn table(project: &Project, assessed: &[(&Candidate<'_>, Assessment)]
 pub(crate) fn detail(project: &Project, assessment: &Assessment, language: Language) -> String {
     let mut out = String::from("\n");
     let (low, high) = assessment.interval;
-    let [share, low, high] = [assessment.share(), low, high].map(|share| format_number(share * 100.0, 2, language));
+    let passes = share(assessment, language);
+    let [low, high] = [low, high].map(|share| format_number(share * 100.0, 2, language));
     let found = &assessment.utilisation;
     let [p05, p50, p95, max] = [found.p05, found.p50, found.p95, found.max].map(|share| percent(share, language));
     let worst = percent(assessment.worst.utilisation, language);
@@ -130,13 +136,13 @@ pub(crate) fn detail(project: &Project, assessment: &Assessment, language: Langu
     let _ = match language {
         Language::En => writeln!(
             out,
-            "{head}\n  passes {share} % of the samples, 95 % interval {low} % to {high} %\n  \
+            "{head}\n  passes {passes} % of the samples, 95 % interval {low} % to {high} %\n  \
              utilisation {p05} %, {p50} %, {p95} % at 5, 50, 95 % of the samples, largest {max} %\n  \
              worst corner {worst} %, {word}"
         ),
         Language::De => writeln!(
             out,
-            "{head}\n  passt bei {share} % der Stichproben, 95-%-Intervall {low} % bis {high} %\n  \
+            "{head}\n  passt bei {passes} % der Stichproben, 95-%-Intervall {low} % bis {high} %\n  \
              Auslastung {p05} %, {p50} %, {p95} % bei 5, 50, 95 % der Stichproben, größte {max} %\n  \
              schlimmste Ecke {worst} %, {word}"
         ),

@@ -76,6 +76,45 @@ fn sizing_in_json_names_an_answer_and_a_reason_for_each_rejection() {
 }
 
 #[test]
+fn tolerances_in_json() {
+    let code = "CHA-14A-80-H-RES-B";
+    let run_it = |more: &[&str]| {
+        let answer = run(&[&["check", "examples/tolerances.toml", "--code", code, "--json"], more].concat());
+        assert_eq!(answer.code, 0, "the exit code is that of the nominal verdict");
+        serde_json::from_str::<Value>(&answer.out).unwrap()["tolerance"].clone()
+    };
+    let found = run_it(&["--samples", "2000", "--seed", "3"]);
+    assert_eq!(
+        (&found["samples"], &found["seed"], &found["distribution"]),
+        (&2000.into(), &3.into(), &"uniform".into())
+    );
+    assert_eq!(found["share"].as_f64().unwrap(), found["passes"].as_f64().unwrap() / 2000.0);
+    let worst = &found["worst_corner"];
+    assert_eq!((&worst["verdict"], &worst["exhaustive"]), (&"does_not_fit".into(), &true.into()));
+    assert_eq!(worst["values"].as_array().unwrap().len(), 4);
+    assert_eq!(worst["values"][0].as_object().unwrap().keys().collect::<Vec<_>>(), ["quantity", "value", "unit"]);
+    let shares = found["influence"].as_array().unwrap().iter().map(|each| each["share"].as_f64().unwrap());
+    assert!((shares.sum::<f64>() - 1.0).abs() < 1e-9, "{found}");
+    let usual = run_it(&[]);
+    assert_eq!((&usual["samples"], &usual["seed"]), (&10_000.into(), &1.into()));
+    assert_eq!(usual, run_it(&["--samples", "10000", "--seed", "1"]));
+
+    let size = run(&["size", "examples/tolerances.toml", "--json", "--top", "12", "--samples", "2000", "--seed", "3"]);
+    let value: Value = serde_json::from_str(&size.out).unwrap();
+    let ranking = value["ranking"].as_array().unwrap();
+    let there: Vec<bool> = ranking.iter().map(|each| each["tolerance"].is_object()).collect();
+    assert_eq!(there, [[true; 10].as_slice(), &[false; 2]].concat(), "of at most ten");
+    let same = ranking.iter().find(|each| each["code"] == code).unwrap();
+    assert_eq!(same["tolerance"], found, "size and check say the same of one code");
+
+    let exact = run(&["check", "examples/indexing-table.toml", "--code", "CHA-32A-50-H-C1024", "--json"]);
+    assert!(!exact.out.contains("\"tolerance\""));
+    for wrong in ["0", "1000001", "-1", "x"] {
+        assert_eq!(run(&["size", "examples/tolerances.toml", "--samples", wrong]).code, 2, "{wrong}");
+    }
+}
+
+#[test]
 fn every_command_answers_in_json() {
     for arguments in [
         &["code", "list", "--json"][..],

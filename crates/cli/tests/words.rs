@@ -38,6 +38,8 @@ shows! {
     unknown_command: ["siz", "x"];
     missing_file: ["size", "examples/none.toml"];
     schema: ["schema"];
+    tolerances: ["check", "examples/tolerances.toml", "--code", "CHA-14A-80-H-RES-B"];
+    tolerances_in_german: ["size", "examples/tolerances.toml", "--lang", "de", "--top", "3", "--samples", "500", "--seed", "7"];
     inertia_of_a_table: ["inertia", "disc diameter=200mm length=20mm density=7850kg/m^3", "box a=50mm b=50mm height=30mm mass=0.6kg distance=80mm count=4"];
     inertia_of_an_arm_in_german: ["inertia", "--lang", "de", "tube outer=60mm inner=52mm length=400mm density=2.7g/cm^3 axis=perpendicular distance=250mm angle=90deg", "point mass=3kg distance=450mm angle=90deg"];
     inertia_as_json: ["inertia", "--json", "disc diameter=200mm length=20mm density=7850kg/m^3", "point mass=0.5kg distance=80mm angle=45deg"];
