@@ -7,7 +7,7 @@ use run::{root, run, run_with};
 use serde_json::Value;
 use testkit::agrees;
 
-const EXAMPLES: [&str; 9] = [
+const EXAMPLES: [&str; 10] = [
     "examples/belt-axis.toml",
     "examples/indexing-table.toml",
     "examples/manual-example.toml",

@@ -95,28 +95,27 @@ pub fn judge(axis: &Axis, actuator: &Parameters, depth: Depth) -> Judgement {
     let bare = depth == Depth::Margins;
     let manual = inertia.filter(|_| !bare).and_then(|inertia| axis.manual_demand(inertia));
     let mut checks = Vec::with_capacity(CHECKS_MOST);
-    checks.extend([
-        peak_torque(actuator, demand.as_ref(), manual.as_ref()),
-        peak_speed(axis, actuator),
-        mean_speed(axis, actuator),
-        continuous_torque(axis, actuator, demand.as_ref(), manual.as_ref()),
-    ]);
+    // Pushed one by one: a check is large, and a list of them would be copied once more.
+    checks.push(peak_torque(actuator, demand.as_ref(), manual.as_ref()));
+    checks.push(peak_speed(axis, actuator));
+    checks.push(mean_speed(axis, actuator));
+    checks.push(continuous_torque(axis, actuator, demand.as_ref(), manual.as_ref()));
     checks.extend(current_checks(axis, actuator));
     checks.extend(axis.supply.map(|(supply, reserve)| voltage(axis, actuator, supply, reserve)));
     if !bare {
         checks.push(inertia_ratio(axis, actuator));
     }
-    checks.extend(gear_checks::judge(axis, actuator, bare));
+    gear_checks::judge(axis, actuator, bare, &mut checks);
     checks.extend(bearing_checks::judge(axis, &actuator.output_bearing));
     checks.extend(axis.ambient.map(|stated| ambient(stated, actuator)));
     checks.extend(axis.supply.map(|(supply, _)| electric_checks::dc_link(supply, actuator)));
     if depth != Depth::Survivors || checks.iter().all(|check| check.verdict != Verdict::Fail) {
         let currents = Currents::of(actuator);
-        checks.extend(electric_checks::judge(axis, actuator, currents.as_ref()));
+        electric_checks::judge(axis, actuator, currents.as_ref(), &mut checks);
         if !bare || axis.asked.regeneration_power_max.is_some() {
             checks.push(electric_checks::regeneration(axis, actuator, currents.as_ref()));
         }
-        checks.extend(gear_checks::judge_further(axis, actuator, bare));
+        gear_checks::judge_further(axis, actuator, bare, &mut checks);
         checks.extend(brake_checks::judge(axis, actuator));
         let asked = &axis.asked;
         let of_feedback =
@@ -124,7 +123,7 @@ pub fn judge(axis: &Axis, actuator: &Parameters, depth: Depth) -> Judgement {
         if !bare || of_feedback {
             checks.extend(feedback_checks::judge(axis, actuator));
         }
-        checks.extend(joint_checks::judge(axis, actuator, demand.as_ref()));
+        joint_checks::judge(axis, actuator, demand.as_ref(), &mut checks);
     }
     Judgement { demand, manual, checks }
 }

@@ -28,8 +28,15 @@ const SHORT_BLOCK: f64 = 0.01 * WINDING_TIME_CONSTANT;
 const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 
 /// The checks that look at every instant and have a limit in any case.
-pub(crate) fn judge(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> [Check; 3] {
-    [torque_speed_trace(axis, actuator), thermal(axis, actuator, currents), overload(axis, actuator, currents)]
+pub(crate) fn judge(
+    axis: &Axis,
+    actuator: &Parameters,
+    currents: Result<&Currents, &Missing>,
+    checks: &mut Vec<Check>,
+) {
+    checks.push(torque_speed_trace(axis, actuator));
+    checks.push(thermal(axis, actuator, currents));
+    checks.push(overload(axis, actuator, currents));
 }
 
 /// U_DC ≤ U_DCmax.

@@ -10,26 +10,23 @@ use quantities::{AngularVelocity, Measure, Ratio, Time, Torque};
 
 /// Every check of the gear. It carries the torque of the load only: the rotor's inertia is on its other side.
 /// `bare`: without those that have no limit because none is asked for.
-pub(crate) fn judge(axis: &Axis, actuator: &Parameters, bare: bool) -> Vec<Check> {
+pub(crate) fn judge(axis: &Axis, actuator: &Parameters, bare: bool, checks: &mut Vec<Check>) {
     let asked = &axis.asked;
-    let mut checks = Vec::with_capacity(4);
     checks.push(mean_torque(axis, actuator));
     checks.extend((!bare || asked.gear_life_min.is_some()).then(|| life(axis, actuator)));
     checks.extend((!bare || asked.torsion_max.is_some()).then(|| torsion(axis, actuator)));
     checks.extend((!bare || asked.natural_frequency_min.is_some()).then(|| natural_frequency(axis, actuator)));
-    checks
 }
 
 /// The checks of the gear that only matter where nothing else fails. `bare`: without advice, and without those that have
 /// no limit because none is asked for.
-pub(crate) fn judge_further(axis: &Axis, actuator: &Parameters, bare: bool) -> Vec<Check> {
+pub(crate) fn judge_further(axis: &Axis, actuator: &Parameters, bare: bool, checks: &mut Vec<Check>) {
     let asked = &axis.asked;
-    let mut checks = vec![mean_input_speed(axis, actuator)];
+    checks.push(mean_input_speed(axis, actuator));
     checks.extend(asked.collision_torque.map(|torque| collision(axis, torque, actuator)));
     checks.extend((!bare).then(|| resonance(axis, actuator)));
     let judged = asked.angle_error_max.is_some() || asked.deviation_max.is_some();
     checks.extend((!bare || judged).then(|| error_budget(axis, actuator)));
-    checks
 }
 
 /// i n_av ≤ n_in,av; only where a limit of the gear is published.

@@ -10,17 +10,15 @@ use quantities::unit::{NEWTON_METRE, ONE};
 use quantities::{Measure, Torque};
 
 /// Both joints, and the field of application where a special one is stated.
-pub(crate) fn judge(axis: &Axis, actuator: &Parameters, demand: Option<&Demand>) -> Vec<Check> {
+pub(crate) fn judge(axis: &Axis, actuator: &Parameters, demand: Option<&Demand>, checks: &mut Vec<Check>) {
     let peak = demand.map(|demand| demand.torque_peak);
     // In a collision the joints carry its torque.
     let peak = match (peak, axis.asked.collision_torque) {
         (Some(peak), Some(collision)) => Some(if collision.si() > peak.si() { collision } else { peak }),
         (peak, _) => peak,
     };
-    let mut checks = vec![
-        joint(CheckId::ScrewJointLoad, &actuator.screw_joint_load, "transmissible_torque_load", peak),
-        joint(CheckId::ScrewJointHousing, &actuator.screw_joint_housing, "transmissible_torque_housing", peak),
-    ];
+    checks.push(joint(CheckId::ScrewJointLoad, &actuator.screw_joint_load, "transmissible_torque_load", peak));
+    checks.push(joint(CheckId::ScrewJointHousing, &actuator.screw_joint_housing, "transmissible_torque_housing", peak));
     if axis.asked.special_application.is_some() {
         let mut check = not_checked(CheckId::Application, Missing { symbol: "approval" });
         check.verdict = Verdict::Advice;
@@ -33,7 +31,6 @@ pub(crate) fn judge(axis: &Axis, actuator: &Parameters, demand: Option<&Demand>)
         check.notes.push(Note::ApprovalNeeded);
         checks.push(check);
     }
-    checks
 }
 
 /// T_peak ≤ the torque that the screws transmit by friction (table 79.1).

@@ -9,7 +9,7 @@ use crate::project::{Project, Variant, Varied};
 use crate::sizing_use::{Candidate, CandidateId, Objection};
 use draws::Draws;
 use sizing::{CheckId, Depth, Judgement, judge};
-use statistics::{Ranks, quantile, wilson};
+use statistics::{Ranks, wilson};
 use std::ops::Range;
 
 /// Most samples of one question.
@@ -154,7 +154,9 @@ fn assess_with(
     let corners = corners::worst(project, &varied, &judged, &rising);
 
     let mut answers = Vec::with_capacity(judged.len());
-    for (((judged, sampled), rising), corner) in judged.iter().zip(sampled).zip(&rising).zip(corners) {
+    for ((((judged, sampled), ranks), rising), corner) in
+        judged.iter().zip(sampled).zip(&ranks).zip(&rising).zip(corners)
+    {
         let mut worst = corner;
         // A sample that is worse by no more than rounding is no news.
         let beyond = (!sampled.worst.fits, sampled.worst.utilisation) > (!worst.fits, worst.utilisation * (1.0 + 1e-9));
@@ -162,18 +164,17 @@ fn assess_with(
             let values = draws.sample(sampled.worst.index, &project.tolerances);
             worst = Point::look(&mut varied.clone(), judged, &values).at(values, Place::Sample);
         }
-        let mut sorted = sampled.utilisations;
-        sorted.sort_unstable_by(f64::total_cmp);
+        let quantile = |share: f64| ranks.quantile(share).map_or(0.0, f64::from_bits);
         answers.push(Assessment {
             sampling,
             passes: sampled.passes,
             impossible: sampled.impossible,
             interval: wilson(sampled.passes, samples),
             utilisation: Quantiles {
-                p05: quantile(&sorted, 0.05),
-                p50: quantile(&sorted, 0.50),
-                p95: quantile(&sorted, 0.95),
-                max: sorted.last().copied().unwrap_or(0.0),
+                p05: quantile(0.05),
+                p50: quantile(0.50),
+                p95: quantile(0.95),
+                max: quantile(1.0),
             },
             worst,
             influence: influence(rising),

@@ -8,6 +8,8 @@ const Z_95: f64 = 1.959_963_984_540_054;
 pub(super) struct Ranks {
     centred: Vec<f64>,
     square: f64,
+    /// The values in ascending order.
+    sorted: Vec<u64>,
 }
 
 impl Ranks {
@@ -29,7 +31,19 @@ impl Ranks {
             first += equal.len() as f64;
         }
         let square = centred.iter().map(|rank| rank * rank).sum();
-        Self { centred, square }
+        Self { centred, square, sorted: order.into_iter().map(|(value, _)| value).collect() }
+    }
+
+    /// The smallest value that at least this share of the values does not exceed; `None` without values.
+    #[allow(
+        clippy::cast_precision_loss,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a share of a bounded count"
+    )]
+    pub(super) fn quantile(&self, share: f64) -> Option<u64> {
+        let rank = (share * self.sorted.len() as f64).ceil() as usize;
+        self.sorted.get(rank.saturating_sub(1)).copied()
     }
 
     /// ρ: Pearson's correlation of the ranks; zero where one of them does not vary.
@@ -58,18 +72,6 @@ pub(super) fn wilson(passes: usize, samples: usize) -> (f64, f64) {
     let low = if passes == 0 { 0.0 } else { (centre - half).max(0.0) };
     let high = if passes == samples { 1.0 } else { (centre + half).min(1.0) };
     (low, high)
-}
-
-/// The smallest value that at least this share of the sorted values does not exceed.
-#[allow(
-    clippy::cast_precision_loss,
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a share of a bounded count"
-)]
-pub(super) fn quantile(sorted: &[f64], share: f64) -> f64 {
-    let rank = (share * sorted.len() as f64).ceil() as usize;
-    sorted.get(rank.saturating_sub(1)).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]
@@ -106,9 +108,9 @@ mod tests {
 
     #[test]
     fn quantiles_are_values_of_the_series() {
-        let sorted: Vec<f64> = (1..=100).map(f64::from).collect();
-        assert_eq!([0.05, 0.5, 0.95].map(|share| quantile(&sorted, share)), [5.0, 50.0, 95.0]);
-        assert_eq!(quantile(&[3.0], 0.05), 3.0);
-        assert_eq!(quantile(&[], 0.05), 0.0);
+        let ranks = Ranks::of((1..=100).rev());
+        assert_eq!([0.05, 0.5, 0.95, 1.0].map(|share| ranks.quantile(share)), [5, 50, 95, 100].map(Some));
+        assert_eq!(Ranks::of(std::iter::once(3)).quantile(0.05), Some(3));
+        assert_eq!(Ranks::of(std::iter::empty()).quantile(0.05), None);
     }
 }
