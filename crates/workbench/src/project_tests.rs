@@ -367,7 +367,7 @@ fn each_axis_of_several_has_its_own_tolerances() {
         )
     };
     let text = format!("format = 1\n{}{}", one("a", ""), one("b", " ± 10 %"));
-    let axes = Project::read_all(&text, Language::En).unwrap();
+    let axes = Project::read_all(&text, &NoFiles, Language::En).unwrap();
     let paths = |index: usize| axes[index].tolerances.iter().map(|each| each.path.as_str()).collect::<Vec<_>>();
     assert_eq!((paths(0), paths(1)), (vec!["motion[1].time"], vec!["load.inertia", "motion[1].time"]));
     assert!(Varied::new(&axes[1]).unwrap().at(&[1.05, 1.0]).is_some());

@@ -16,8 +16,8 @@ const PURE_LAYER_MAX: u8 = 3;
 /// Modules of `std` that reach out of the program.
 const STD_MODULES: [&str; 5] = ["fs", "net", "env", "process", "thread"];
 
-/// The layer that may share a computation between scoped threads: fixed parts, and results in the order of the parts.
-const SCOPED_THREADS_LAYER: u8 = 3;
+/// From this layer on a computation may be shared between scoped threads: fixed parts, and results in the order of the parts.
+const SCOPED_THREADS_FROM: u8 = 2;
 
 /// What of `std::thread` is no such sharing: it outlives the call, or looks at the schedule or the machine.
 const THREAD_FREE: [&str; 6] =
@@ -38,7 +38,7 @@ pub(super) fn length(root: &Path) -> Vec<Finding> {
     })
 }
 
-/// Layers 0 to 3 reach for no file, network, clock, environment or thread, layer 3 for scoped threads only; build
+/// Layers 0 to 3 reach for no file, network, clock, environment or thread, layers 2 and 3 for scoped threads only; build
 /// scripts and tests may.
 pub(super) fn absences(root: &Path) -> Vec<Finding> {
     let tree = Tree::read(root);
@@ -60,7 +60,7 @@ pub(super) fn absences(root: &Path) -> Vec<Finding> {
                 .any(|stem| file.strip_prefix(stem.as_str()).is_some_and(|rest| rest == ".rs" || rest.starts_with('/')))
         };
         for (file, code, _) in files.iter().filter(|(file, ..)| !of_tests(file)) {
-            let scoped = room(&member.name) == Some(Room::Layer(SCOPED_THREADS_LAYER));
+            let scoped = room(&member.name) == Some(Room::Layer(SCOPED_THREADS_FROM));
             for (line, what) in reaches_out(code, scoped) {
                 let message = format!("`{what}` in layers 0 to {PURE_LAYER_MAX}: have it handed in");
                 findings.push(Finding { path: (*file).to_owned(), line, rule: "absence", message });
