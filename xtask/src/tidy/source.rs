@@ -60,7 +60,7 @@ pub(super) fn absences(root: &Path) -> Vec<Finding> {
                 .any(|stem| file.strip_prefix(stem.as_str()).is_some_and(|rest| rest == ".rs" || rest.starts_with('/')))
         };
         for (file, code, _) in files.iter().filter(|(file, ..)| !of_tests(file)) {
-            let scoped = room(&member.name) == Some(Room::Layer(SCOPED_THREADS_FROM));
+            let scoped = matches!(room(&member.name), Some(Room::Layer(layer)) if layer >= SCOPED_THREADS_FROM);
             for (line, what) in reaches_out(code, scoped) {
                 let message = format!("`{what}` in layers 0 to {PURE_LAYER_MAX}: have it handed in");
                 findings.push(Finding { path: (*file).to_owned(), line, rule: "absence", message });
