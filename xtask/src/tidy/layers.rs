@@ -17,11 +17,12 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 21] = [
+const ROOMS: [(&str, Room); 22] = [
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
     ("order-code", Room::Layer(0)),
     ("catalogue", Room::Layer(1)),
+    ("derivation", Room::Layer(1)),
     ("motion", Room::Layer(1)),
     ("recording", Room::Layer(1)),
     ("mechanism", Room::Layer(1)),
@@ -41,8 +42,8 @@ const ROOMS: [(&str, Room); 21] = [
     ("validation", Room::Outside),
 ];
 
-/// The one crate that may serve its own layer.
-const SERVES_ITS_LAYER: &str = "motion";
+/// The crates that may serve their own layer.
+const SERVE_THEIR_LAYER: [&str; 2] = ["derivation", "motion"];
 
 pub(super) fn room(name: &str) -> Option<Room> {
     ROOMS.iter().find(|(known, _)| *known == name).map(|(_, room)| *room)
@@ -78,7 +79,7 @@ fn objection(member: &Member, from: Room, dependency: &Dependency) -> Option<Str
         (_, Room::DevOnly) => Some(format!("`{on}` may only be a dev-dependency")),
         (Room::Layer(_), Room::Outside) => Some(format!("`{name}` is part of the product and may not use `{on}`")),
         (Room::Layer(own), Room::Layer(other)) => {
-            let served = on == SERVES_ITS_LAYER && name != SERVES_ITS_LAYER && own == other;
+            let served = SERVE_THEIR_LAYER.contains(&on) && !SERVE_THEIR_LAYER.contains(&name) && own == other;
             (other >= own && !served)
                 .then(|| format!("`{name}` (layer {own}) may not use `{on}` (layer {other}): only lower layers"))
         }

@@ -1,0 +1,284 @@
+//! How a number came about: the figures that were put in, the formulas, what came out.
+//!
+//! A computation that is handed [`Workings`] notes each figure where it uses it. Switched off they cost a branch; switched
+//! on they hold the derivation of exactly the numbers that were computed. A [`Formula`] is written once: it is shown,
+//! shown with its figures put in, and can be evaluated to see that it gives the number beside it.
+
+mod formula;
+
+pub use formula::{Formula, FormulaFault};
+
+use provenance::{Grade, Source, Sourced};
+use quantities::{Measure, Unit};
+
+/// How a figure came about.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum How {
+    /// It was put in.
+    Given,
+    /// By a formula whose symbols are those of earlier steps, in their units.
+    Formula {
+        /// The formula, see [`Formula`].
+        text: &'static str,
+        /// Indices of the steps of its symbols, each once, in the order of the text.
+        operands: Vec<usize>,
+    },
+    /// By a search or an integral over the cycle, a table or a curve: the text says of what, in the same symbols.
+    Found {
+        /// What is searched or integrated.
+        text: &'static str,
+        /// Indices of the steps of its symbols.
+        operands: Vec<usize>,
+    },
+}
+
+/// What a figure is in its check.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Part {
+    /// On the way.
+    #[default]
+    Step,
+    /// What the axis asks.
+    Value,
+    /// What the actuator gives.
+    Limit,
+}
+
+/// One figure of a derivation.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// Symbol in ASCII, as in the source: `T_max`, `n_2`.
+    pub symbol: &'static str,
+    /// Value in SI.
+    pub si: f64,
+    /// Unit in which it is shown and put into formulas.
+    pub unit: &'static Unit,
+    /// How it came about.
+    pub how: How,
+    /// What it is in its check.
+    pub part: Part,
+    /// Where it, or its formula, comes from.
+    pub source: Source,
+    /// How far it can be trusted: with a formula the worst of what was put in.
+    pub grade: Grade,
+    /// Errata that touch it.
+    pub errata: &'static [&'static str],
+}
+
+impl Step {
+    /// Value in its unit.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        self.unit.from_si(self.si)
+    }
+
+    /// Indices of the steps that it was made from.
+    #[must_use]
+    pub fn operands(&self) -> &[usize] {
+        match &self.how {
+            How::Given => &[],
+            How::Formula { operands, .. } | How::Found { operands, .. } => operands,
+        }
+    }
+}
+
+/// The steps of a computation; switched off nothing is noted.
+#[derive(Clone, Debug, Default)]
+pub struct Workings {
+    steps: Option<Vec<Step>>,
+}
+
+impl Workings {
+    /// Notes nothing.
+    #[must_use]
+    pub const fn off() -> Self {
+        Self { steps: None }
+    }
+
+    /// Notes every step.
+    #[must_use]
+    pub const fn on() -> Self {
+        Self { steps: Some(Vec::new()) }
+    }
+
+    /// Whether steps are noted: for what is computed for the derivation alone.
+    #[must_use]
+    pub const fn is_on(&self) -> bool {
+        self.steps.is_some()
+    }
+
+    /// The steps, in the order in which they were made.
+    #[must_use]
+    pub fn into_steps(self) -> Vec<Step> {
+        self.steps.unwrap_or_default()
+    }
+
+    /// A quantity that is put in.
+    pub fn given<Q: Measure>(&mut self, symbol: &'static str, unit: &'static Unit, datum: &Sourced<Q>) {
+        self.put(symbol, unit, datum.value.si(), &datum.source, datum.grade, datum.errata);
+    }
+
+    /// A bare number that is put in, such as a ratio; the unit is that of a ratio.
+    pub fn given_number(&mut self, symbol: &'static str, datum: &Sourced<f64>) {
+        self.put(symbol, &quantities::unit::ONE, datum.value, &datum.source, datum.grade, datum.errata);
+    }
+
+    /// A figure that is put in, in SI.
+    pub fn figure(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, source: &Source, grade: Grade) {
+        self.put(symbol, unit, si, source, grade, &[]);
+    }
+
+    fn put(
+        &mut self,
+        symbol: &'static str,
+        unit: &'static Unit,
+        si: f64,
+        source: &Source,
+        grade: Grade,
+        errata: &'static [&'static str],
+    ) {
+        let Some(steps) = &mut self.steps else { return };
+        // The same figure is put in once.
+        if steps.iter().any(|step| step.symbol == symbol && step.si == si && step.how == How::Given) {
+            return;
+        }
+        let (source, part) = (source.clone(), Part::Step);
+        steps.push(Step { symbol, si, unit, how: How::Given, part, source, grade, errata });
+    }
+
+    /// What a formula gave, in SI. Its symbols are those of earlier steps, the latest of each name; grade and errata are
+    /// those of what was put in.
+    pub fn formula(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, text: &'static str, source: &Source) {
+        if self.steps.is_some() {
+            let operands = self.operands(text);
+            self.push(symbol, unit, si, How::Formula { text, operands }, source, Grade::Computed);
+        }
+    }
+
+    /// What was searched, integrated or read off, in SI: the text says of what; symbols of earlier steps in it are its
+    /// operands. The grade is the worst of those and of `grade`.
+    pub fn found(
+        &mut self,
+        symbol: &'static str,
+        unit: &'static Unit,
+        si: f64,
+        text: &'static str,
+        source: &Source,
+        grade: Grade,
+    ) {
+        if self.steps.is_some() {
+            let operands = self.operands(text);
+            self.push(symbol, unit, si, How::Found { text, operands }, source, grade);
+        }
+    }
+
+    /// The latest figure of a symbol is what the axis asks.
+    pub fn value(&mut self, symbol: &'static str) {
+        self.mark(symbol, Part::Value);
+    }
+
+    /// The latest figure of a symbol is what the actuator gives.
+    pub fn limit(&mut self, symbol: &'static str) {
+        self.mark(symbol, Part::Limit);
+    }
+
+    fn mark(&mut self, symbol: &str, part: Part) {
+        let steps = self.steps.iter_mut().flatten();
+        if let Some(step) = steps.rev().find(|step| step.symbol == symbol) {
+            step.part = part;
+        }
+    }
+
+    fn operands(&self, text: &str) -> Vec<usize> {
+        let steps = self.steps.as_deref().unwrap_or_default();
+        let mut operands = Vec::new();
+        for name in formula::symbols(text) {
+            if let Some(index) = steps.iter().rposition(|step| step.symbol == name)
+                && !operands.contains(&index)
+            {
+                operands.push(index);
+            }
+        }
+        operands
+    }
+
+    fn push(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, how: How, source: &Source, grade: Grade) {
+        let Some(steps) = &mut self.steps else { return };
+        let operands = match &how {
+            How::Given => &[][..],
+            How::Formula { operands, .. } | How::Found { operands, .. } => operands,
+        };
+        let used = operands.iter().filter_map(|index| steps.get(*index));
+        let grade = used.fold(grade, |grade, step| grade.worst(step.grade));
+        let source = source.clone();
+        steps.push(Step { symbol, si, unit, how, part: Part::Step, source, grade, errata: &[] });
+    }
+}
+
+/// The value of a step's formula from the figures beside it, in its unit; `None` where it is not a formula.
+///
+/// # Errors
+/// [`FormulaFault`] where the formula does not read or a symbol has no step.
+pub fn evaluate(steps: &[Step], index: usize) -> Option<Result<f64, FormulaFault>> {
+    let How::Formula { text, operands } = &steps.get(index)?.how else { return None };
+    let value = |name: &str| {
+        operands.iter().filter_map(|index| steps.get(*index)).find(|step| step.symbol == name).map(Step::value)
+    };
+    Some(Formula::parse(text).and_then(|formula| formula.value(&value)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use quantities::Torque;
+    use quantities::unit::{KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND};
+
+    const EQUATION: Source = Source::Equation { document: "cha-manual", number: "69.1" };
+
+    /// The manual's example: 5 + 2π/60 · 2.363 · 40/0.1 = 103.98 Nm.
+    fn worked() -> Workings {
+        let project = Source::Project { key: "load.inertia".into() };
+        let mut work = Workings::on();
+        let given = |si, grade| Sourced { value: Torque::from_si(si), source: project.clone(), grade, errata: &[] };
+        work.given("T_L", &NEWTON_METRE, &given(5.0, Grade::Printed));
+        work.figure("J_out", &KILOGRAM_SQUARE_METRE, 1.063, &project, Grade::Printed);
+        work.figure("J_L", &KILOGRAM_SQUARE_METRE, 1.3, &project, Grade::Estimated);
+        work.figure("n_2", &REVOLUTION_PER_MINUTE, 40.0 * std::f64::consts::TAU / 60.0, &project, Grade::Printed);
+        work.figure("t_1", &SECOND, 0.1, &project, Grade::Printed);
+        let torque = 5.0 + 2.363 * 40.0 * std::f64::consts::TAU / 60.0 / 0.1;
+        work.formula("T_1", &NEWTON_METRE, torque, "T_L + 2*pi/60*(J_out + J_L)*n_2/t_1", &EQUATION);
+        work.value("T_1");
+        work
+    }
+
+    #[test]
+    fn a_formula_gives_the_number_beside_it_and_the_worst_grade() {
+        let steps = worked().into_steps();
+        assert_eq!(steps.len(), 6);
+        let last = &steps[5];
+        assert_eq!((last.part, last.grade, last.operands()), (Part::Value, Grade::Estimated, &[0, 1, 2, 3, 4][..]));
+        let value = evaluate(&steps, 5).unwrap().unwrap();
+        assert!((value - last.value()).abs() < 1e-12 && (value - 103.98).abs() < 0.005, "{value}");
+        assert!(evaluate(&steps, 0).is_none());
+    }
+
+    #[test]
+    fn switched_off_nothing_is_noted() {
+        let mut work = Workings::off();
+        work.figure("T_L", &NEWTON_METRE, 5.0, &EQUATION, Grade::Printed);
+        work.formula("T_1", &NEWTON_METRE, 5.0, "T_L", &EQUATION);
+        assert!(!work.is_on() && work.into_steps().is_empty());
+    }
+
+    #[test]
+    fn the_same_figure_is_noted_once_and_a_symbol_without_a_step_is_told() {
+        let mut work = Workings::on();
+        work.figure("T_L", &NEWTON_METRE, 5.0, &EQUATION, Grade::Printed);
+        work.figure("T_L", &NEWTON_METRE, 5.0, &EQUATION, Grade::Printed);
+        work.formula("T_1", &NEWTON_METRE, 5.0, "T_L + T_x", &EQUATION);
+        let steps = work.into_steps();
+        assert_eq!(steps.len(), 2);
+        assert_eq!(evaluate(&steps, 1), Some(Err(FormulaFault::Unknown { symbol: "T_x".to_owned() })));
+    }
+}
