@@ -29,7 +29,8 @@ pub use gear::{
 };
 pub use motor::{
     ContinuousLimit, FRICTION_LOSS_SHARE, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT, continuous_torque,
-    copper_resistance, current, estimated_continuous_torque, friction_current, speed_max, speed_rated_out,
+    continuous_torque_with, copper_resistance, current, estimated_continuous_torque, friction_current, speed_max,
+    speed_max_with, speed_rated_out, speed_rated_out_with,
 };
 pub use output_bearing::{
     BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, mean_load, static_safety,

@@ -1,7 +1,12 @@
 //! Current, speed limits and continuous torque of the motor, seen from the output.
 
 use crate::parameters::Parameters;
+use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
+use quantities::unit::{
+    AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, OHM, ONE, REVOLUTION_PER_MINUTE,
+    WATT,
+};
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricalResistance, Measure, NoLoadCurrentConstant, ThermodynamicTemperature,
     Torque, TorqueConstant,
@@ -78,14 +83,32 @@ pub fn current(
 /// # Errors
 /// [`Missing`] if neither is known.
 pub fn speed_max(actuator: &Parameters) -> Result<Sourced<AngularVelocity>, Missing> {
+    speed_max_with(actuator, &mut Workings::off())
+}
+
+/// [`speed_max`] with its workings.
+///
+/// # Errors
+/// As [`speed_max`].
+pub fn speed_max_with(actuator: &Parameters, work: &mut Workings) -> Result<Sourced<AngularVelocity>, Missing> {
     match (actuator.speed_motor_max.known(), actuator.ratio.known()) {
-        (Some(motor), Some(ratio)) => Ok(Sourced {
-            value: AngularVelocity::from_si(motor.value.si() / ratio.value),
-            source: motor.source.clone(),
-            grade: motor.grade.worst(Grade::Computed),
-            errata: motor.errata,
-        }),
-        _ => actuator.speed_max.require("n_max").cloned(),
+        (Some(motor), Some(ratio)) => {
+            let speed = motor.value.si() / ratio.value;
+            work.given("n_mot_max", &REVOLUTION_PER_MINUTE, motor);
+            work.given_number("i", ratio);
+            work.formula("n_max", &REVOLUTION_PER_MINUTE, speed, "n_mot_max/i", &motor.source);
+            Ok(Sourced {
+                value: AngularVelocity::from_si(speed),
+                source: motor.source.clone(),
+                grade: motor.grade.worst(Grade::Computed),
+                errata: motor.errata,
+            })
+        }
+        _ => {
+            let printed = actuator.speed_max.require("n_max")?;
+            work.given("n_max", &REVOLUTION_PER_MINUTE, printed);
+            Ok(printed.clone())
+        }
     }
 }
 
@@ -95,10 +118,22 @@ pub fn speed_max(actuator: &Parameters) -> Result<Sourced<AngularVelocity>, Miss
 /// # Errors
 /// [`Missing`] if rated motor speed or ratio are not known.
 pub fn speed_rated_out(actuator: &Parameters) -> Result<Sourced<AngularVelocity>, Missing> {
+    speed_rated_out_with(actuator, &mut Workings::off())
+}
+
+/// [`speed_rated_out`] with its workings.
+///
+/// # Errors
+/// As [`speed_rated_out`].
+pub fn speed_rated_out_with(actuator: &Parameters, work: &mut Workings) -> Result<Sourced<AngularVelocity>, Missing> {
     let motor = actuator.speed_motor_rated.require("n_N")?;
     let ratio = actuator.ratio.require("i")?;
+    let speed = motor.value.si() / ratio.value;
+    work.given("n_N", &REVOLUTION_PER_MINUTE, motor);
+    work.given_number("i", ratio);
+    work.formula("n_N_out", &REVOLUTION_PER_MINUTE, speed, "n_N/i", &motor.source);
     Ok(Sourced {
-        value: AngularVelocity::from_si(motor.value.si() / ratio.value),
+        value: AngularVelocity::from_si(speed),
         source: motor.source.clone(),
         grade: motor.grade.worst(ratio.grade).worst(Grade::Computed),
         errata: motor.errata,
@@ -120,12 +155,29 @@ pub struct ContinuousLimit {
 /// # Errors
 /// [`Missing`] with the first datum that neither way can do without.
 pub fn continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
+    continuous_torque_with(actuator, speed, &mut Workings::off())
+}
+
+/// [`continuous_torque`] with its workings; they begin with the mean speed, `n_av`.
+///
+/// # Errors
+/// As [`continuous_torque`].
+pub fn continuous_torque_with(
+    actuator: &Parameters,
+    speed: AngularVelocity,
+    work: &mut Workings,
+) -> Result<ContinuousLimit, Missing> {
     let Some(curve) = actuator.continuous_curve.known() else {
-        return estimated_continuous_torque(actuator, speed);
+        return estimated_continuous_torque_with(actuator, speed, work);
     };
     let mut torque = curve.value.at(speed);
+    work.found("T_curve", &NEWTON_METRE, torque.si(), "continuous curve at n_av", &curve.source, curve.grade);
     if let Some(stall) = actuator.stall_torque.known() {
         torque = Torque::from_si(torque.si().min(stall.value.si()));
+        work.given("T_0", &NEWTON_METRE, stall);
+        work.formula("T_cont", &NEWTON_METRE, torque.si(), "min(T_curve, T_0)", &curve.source);
+    } else {
+        work.formula("T_cont", &NEWTON_METRE, torque.si(), "T_curve", &curve.source);
     }
     Ok(ContinuousLimit {
         limit: Sourced { value: torque, source: curve.source.clone(), grade: curve.grade, errata: curve.errata },
@@ -147,19 +199,34 @@ pub fn continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Resul
 /// # Errors
 /// [`Missing`] with the first datum that is not known.
 pub fn estimated_continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
+    estimated_continuous_torque_with(actuator, speed, &mut Workings::off())
+}
+
+fn estimated_continuous_torque_with(
+    actuator: &Parameters,
+    speed: AngularVelocity,
+    work: &mut Workings,
+) -> Result<ContinuousLimit, Missing> {
     let stall_torque = actuator.stall_torque.require("T_0")?;
-    let rated = speed_rated_out(actuator)?;
-    let thermal = thermal_torque(actuator, speed, 1.0, FRICTION_LOSS_SHARE)?.si();
+    let rated = speed_rated_out_with(actuator, work)?;
+    let source = Source::Model { name: "continuous-torque" };
     let share = speed.si().abs() / rated.value.si();
+    let (mut unused, beyond) = (Workings::off(), share > 1.0);
+    let inside = if beyond { &mut unused } else { &mut *work };
+    let thermal = thermal_torque_with(actuator, speed, 1.0, FRICTION_LOSS_SHARE, inside)?.si();
     let centre = if share > 1.0 { 0.0 } else { thermal.min(stall_torque.value.si()) };
     let band = BAND_AT_RATED_SPEED * share.min(1.0);
+    let limit = centre * (1.0 - band);
+    if beyond {
+        let text = "n_av is above n_N_out: no continuous duty";
+        work.found("T_cont", &NEWTON_METRE, limit, text, &source, Grade::Estimated);
+    } else {
+        work.given("T_0", &NEWTON_METRE, stall_torque);
+        work.formula("band", &ONE, band, "0.15*min(abs(n_av)/n_N_out, 1)", &source);
+        work.estimate("T_cont", &NEWTON_METRE, limit, "min(T_th, T_0)*(1 - band)", &source);
+    }
     Ok(ContinuousLimit {
-        limit: Sourced {
-            value: Torque::from_si(centre * (1.0 - band)),
-            source: Source::Model { name: "continuous-torque" },
-            grade: Grade::Estimated,
-            errata: stall_torque.errata,
-        },
+        limit: Sourced { value: Torque::from_si(limit), source, grade: Grade::Estimated, errata: stall_torque.errata },
         upper: Torque::from_si((centre * (1.0 + BAND_AT_RATED_SPEED)).min(stall_torque.value.si())),
     })
 }
@@ -173,6 +240,16 @@ pub(crate) fn thermal_torque(
     speed: AngularVelocity,
     loss_factor: f64,
     friction_loss_share: f64,
+) -> Result<Torque, Missing> {
+    thermal_torque_with(actuator, speed, loss_factor, friction_loss_share, &mut Workings::off())
+}
+
+fn thermal_torque_with(
+    actuator: &Parameters,
+    speed: AngularVelocity,
+    loss_factor: f64,
+    friction_loss_share: f64,
+    work: &mut Workings,
 ) -> Result<Torque, Missing> {
     let stall_current = match actuator.stall_current_motor.known() {
         Some(motor) => motor,
@@ -192,7 +269,32 @@ pub(crate) fn thermal_torque(
     let square =
         loss_factor * stall_current.value.si().powi(2) - friction_loss_share * friction_loss_w / (1.5 * hot.si());
     let counted = if actuator.stall_current_includes_friction { friction } else { friction - starting.value.si() };
-    Ok(Torque::from_si((torque_constant_out.value.si() * (square.max(0.0).sqrt() - counted)).max(0.0)))
+    let torque = (torque_constant_out.value.si() * (square.max(0.0).sqrt() - counted)).max(0.0);
+    if work.is_on() {
+        let source = Source::Model { name: "continuous-torque" };
+        let one = |work: &mut Workings, symbol, value| work.figure(symbol, &ONE, value, &source, Grade::Estimated);
+        work.given("I_0", &AMPERE, stall_current);
+        work.given("I_NLS", &AMPERE, starting);
+        work.given("K_INL", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant);
+        work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, torque_constant_out);
+        work.given("k_TM", &NEWTON_METRE_PER_AMPERE, torque_constant_motor);
+        work.given("R_LL", &OHM, resistance);
+        work.given_number("i", ratio);
+        one(work, "F", loss_factor);
+        one(work, "w", friction_loss_share);
+        work.formula("R_hot", &OHM, hot.si(), "R_LL*(1 + 3.93e-3*(80 - 20))", &source);
+        work.formula("I_f", &AMPERE, friction, "I_NLS + K_INL*abs(n_av)", &source);
+        work.formula("P_f", &WATT, friction_loss_w, "I_f*k_TM*i*abs(n_av)*2*pi/60", &source);
+        let current = square.max(0.0).sqrt();
+        work.estimate("I_th", &AMPERE, current, "sqrt(max(F*I_0^2 - w*P_f/(1.5*R_hot), 0))", &source);
+        let text = if actuator.stall_current_includes_friction {
+            "max(k_Tout*(I_th - I_f), 0)"
+        } else {
+            "max(k_Tout*(I_th - I_f + I_NLS), 0)"
+        };
+        work.estimate("T_th", &NEWTON_METRE, torque, text, &source);
+    }
+    Ok(Torque::from_si(torque))
 }
 
 #[cfg(test)]

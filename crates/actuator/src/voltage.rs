@@ -2,7 +2,11 @@
 
 use crate::motor::copper_resistance;
 use crate::parameters::Parameters;
-use provenance::{Grade, Missing};
+use derivation::Workings;
+use provenance::{Grade, Missing, Source};
+use quantities::unit::{
+    AMPERE, HENRY, OHM, RADIAN_PER_SECOND, VOLT, VOLT_PER_THOUSAND_REVOLUTIONS, VOLT_SECOND_PER_RADIAN,
+};
 use quantities::{AngularVelocity, ElectricCurrent, ElectricPotential, Measure, ThermodynamicTemperature};
 
 /// Winding temperature of the voltage check, 90 °C in kelvin: the shutdown threshold of table 62.3, where the
@@ -72,6 +76,46 @@ impl MotorVoltage {
     pub fn at(&self, speed_out: AngularVelocity, current: ElectricCurrent) -> ElectricPotential {
         let (u_d, u_q) = self.components(speed_out, current);
         ElectricPotential::from_si((1.5 * (u_d * u_d + u_q * u_q)).sqrt())
+    }
+
+    /// The workings of [`MotorVoltage::at`]; the caller has noted the speed `n` and the current `I`, the result is `U_LL`.
+    pub fn explain(
+        &self,
+        actuator: &Parameters,
+        speed_out: AngularVelocity,
+        current: ElectricCurrent,
+        work: &mut Workings,
+    ) {
+        if !work.is_on() {
+            return;
+        }
+        let source = Source::Model { name: "voltage" };
+        if let Some(ratio) = actuator.ratio.known() {
+            work.given_number("i", ratio);
+        }
+        if let Some(pairs) = actuator.pole_pairs.known() {
+            work.given_number("p", pairs);
+        }
+        if let Some(resistance) = actuator.resistance_ll.known() {
+            work.given("R_LL", &OHM, resistance);
+        }
+        if let Some(inductance) = actuator.inductance_ll.known() {
+            work.given("L_LL", &HENRY, inductance);
+        }
+        if let Some(constant) = actuator.voltage_constant_motor.known() {
+            work.given("k_EM", &VOLT_PER_THOUSAND_REVOLUTIONS, constant);
+        }
+        let omega_e = self.pole_pairs * self.ratio * speed_out.si();
+        let i_q = std::f64::consts::SQRT_2 * current.si();
+        let (u_d, u_q) = self.components(speed_out, current);
+        work.formula("R", &OHM, self.resistance_ohm, "R_LL*(1 + 3.93e-3*(90 - 20))/2", &source);
+        work.formula("L", &HENRY, self.inductance_h, "L_LL/2", &source);
+        work.formula("psi", &VOLT_SECOND_PER_RADIAN, self.flux_vs, "k_EM*sqrt(2/3)/(p*2*pi*1000/60)", &source);
+        work.formula("omega_e", &RADIAN_PER_SECOND, omega_e, "p*i*n*2*pi/60", &source);
+        work.formula("i_q", &AMPERE, i_q, "sqrt(2)*I", &source);
+        work.formula("u_d", &VOLT, u_d, "-omega_e*L*i_q", &source);
+        work.formula("u_q", &VOLT, u_q, "R*i_q + omega_e*psi", &source);
+        work.formula("U_LL", &VOLT, self.at(speed_out, current).si(), "sqrt(3/2)*sqrt(u_d^2 + u_q^2)", &source);
     }
 
     /// Largest current that drives the motor on at a speed and a terminal voltage; `None` where the voltage does not

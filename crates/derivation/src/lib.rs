@@ -156,6 +156,21 @@ impl Workings {
         }
     }
 
+    /// As [`Self::formula`], of a model whose answer is an estimate however good its figures are.
+    pub fn estimate(
+        &mut self,
+        symbol: &'static str,
+        unit: &'static Unit,
+        si: f64,
+        text: &'static str,
+        source: &Source,
+    ) {
+        if self.steps.is_some() {
+            let operands = self.operands(text);
+            self.push(symbol, unit, si, How::Formula { text, operands }, source, Grade::Estimated);
+        }
+    }
+
     /// What was searched, integrated or read off, in SI: the text says of what; symbols of earlier steps in it are its
     /// operands. The grade is the worst of those and of `grade`.
     pub fn found(

@@ -2,7 +2,7 @@
 
 use crate::axis::{Axis, BearingDuty};
 use crate::check::{Check, CheckId, Note, Verdict};
-use crate::checks::{Comparison, at_least, equation, not_checked, shown_or_at_most};
+use crate::comparison::{Comparison, at_least, equation, not_checked, shown_or_at_most};
 use actuator::{FlangeLoad, OutputBearing};
 use provenance::{Missing, Source, Sourced};
 use quantities::unit::{ARCMINUTE, DEGREE, HOUR, NEWTON, NEWTON_METRE, ONE};

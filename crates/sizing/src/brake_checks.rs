@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::checks::{Comparison, not_checked, shown_or_at_most};
+use crate::comparison::{Comparison, not_checked, shown_or_at_most};
 use actuator::{Brake, Parameters, StopOutcome};
 use motion::Hold;
 use provenance::{Datum, Grade, Missing, Source};
@@ -67,6 +67,7 @@ fn absent(axis: &Axis) -> Check {
         limit_source: Some(none),
         missing: None,
         notes: vec![Note::NoBrake],
+        workings: Vec::new(),
     }
 }
 

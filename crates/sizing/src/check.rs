@@ -1,5 +1,6 @@
 //! The answer of one check.
 
+use derivation::Step;
 use provenance::{Grade, Source};
 use quantities::{Angle, AngularVelocity, Energy, Length, Power, ThermodynamicTemperature, Time, Torque, Unit};
 
@@ -306,4 +307,6 @@ pub struct Check {
     pub missing: Option<&'static str>,
     /// Remarks.
     pub notes: Vec<Note>,
+    /// How value and limit came about; empty unless it was asked for.
+    pub workings: Vec<Step>,
 }

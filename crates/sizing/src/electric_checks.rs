@@ -2,7 +2,8 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::checks::{Comparison, Currents, not_checked, shown_or_at_most};
+use crate::comparison::{Comparison, not_checked, shown_or_at_most};
+use crate::currents::Currents;
 use crate::trace::{Block, Node};
 use actuator::{FRICTION_LOSS_SHARE, Parameters, Thermal, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT};
 use provenance::{Grade, Missing, Source};
@@ -182,6 +183,7 @@ fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Miss
         limit_source: Some(Source::Model { name: "thermal" }),
         missing: None,
         notes: vec![Note::Housing(cycle.housing), Note::WarmUp(model.warm_up_time(mean, ambient, limit))],
+        workings: Vec::new(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::checks::{at_least, not_checked, shown_or_at_most};
+use crate::comparison::{at_least, not_checked, shown_or_at_most};
 use actuator::{Feedback, Parameters};
 use provenance::{Datum, Grade, Missing, Source};
 use quantities::unit::{ARCSECOND, REVOLUTION, YEAR};
@@ -55,6 +55,7 @@ fn range(axis: &Axis, actuator: &Parameters) -> Check {
         limit_source: None,
         missing: asked.is_none().then_some("requirements.absolute"),
         notes: Vec::new(),
+        workings: Vec::new(),
     };
     let Some((turns, feedback)) = absolute(actuator) else {
         check.notes.push(Note::NeedsReferencing);

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::checks::{Comparison, at_least, equation, not_checked, shown_or_at_most};
+use crate::comparison::{Comparison, at_least, equation, not_checked, shown_or_at_most};
 use actuator::{BudgetCase, Parameters, PositionLoop};
 use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{ARCMINUTE, HERTZ, HOUR, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE};
@@ -128,6 +128,7 @@ fn resonance(axis: &Axis, actuator: &Parameters) -> Check {
                 limit_source: Some(source),
                 missing: None,
                 notes: vec![Note::ResonanceSpeeds(speeds)],
+                workings: Vec::new(),
             }
         }
         Err(missing) => not_checked(id, missing),

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::checks::{Comparison, not_checked};
+use crate::comparison::{Comparison, not_checked};
 use crate::demand::Demand;
 use actuator::{Parameters, ScrewJoint};
 use provenance::{Grade, Missing, Source};

@@ -182,6 +182,26 @@ pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>
     Ok(candidate(project, *code, parameters, Depth::Full))
 }
 
+/// Judges one code as [`check`] does, each check with the workings of its value and its limit.
+///
+/// # Errors
+/// As [`check`].
+pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
+    let mut candidate = check(project, code)?;
+    candidate.judgement = sizing::explain(&project.axis, candidate.parameters);
+    Ok(candidate)
+}
+
+/// Judges the user's own actuator as [`check_own`] does, each check with its workings.
+///
+/// # Errors
+/// As [`check_own`].
+pub fn explain_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
+    let mut candidate = check_own(project)?;
+    candidate.judgement = sizing::explain(&project.axis, candidate.parameters);
+    Ok(candidate)
+}
+
 /// Judges the user's own actuator.
 ///
 /// # Errors

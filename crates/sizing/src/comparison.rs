@@ -1,0 +1,151 @@
+//! Value against limit, and how both came about.
+
+use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use derivation::Workings;
+use provenance::{Grade, Missing, Source, Sourced};
+use quantities::{Measure, Time, Unit};
+
+/// A check with its workings, if they are asked for.
+pub(crate) fn explained(explain: bool, check: impl FnOnce(&mut Workings) -> Check) -> Check {
+    let mut work = if explain { Workings::on() } else { Workings::off() };
+    let mut check = check(&mut work);
+    check.workings = work.into_steps();
+    check
+}
+
+/// What a check compares, before it is a [`Check`].
+pub(crate) struct Comparison<'a> {
+    pub(crate) id: CheckId,
+    pub(crate) unit: &'static Unit,
+    pub(crate) value: f64,
+    pub(crate) value_source: Source,
+    pub(crate) at: Option<Time>,
+    pub(crate) limit: f64,
+    pub(crate) limit_source: &'a Source,
+    pub(crate) grade: Grade,
+    pub(crate) errata: &'static [&'static str],
+    pub(crate) notes: Vec<Note>,
+}
+
+impl<'a> Comparison<'a> {
+    /// A value against a limit that is known with its source.
+    pub(crate) fn with<Q: Measure>(
+        id: CheckId,
+        unit: &'static Unit,
+        value: f64,
+        value_source: Source,
+        limit: &'a Sourced<Q>,
+    ) -> Self {
+        Self {
+            id,
+            unit,
+            value,
+            value_source,
+            at: None,
+            limit: limit.value.si(),
+            limit_source: &limit.source,
+            grade: limit.grade,
+            errata: limit.errata,
+            notes: Vec::new(),
+        }
+    }
+
+    /// Pass up to and including the limit; `otherwise` beyond.
+    pub(crate) fn answer(self, otherwise: Verdict) -> Check {
+        let verdict = if self.value.abs() <= self.limit.abs() { Verdict::Pass } else { otherwise };
+        let mut notes = self.notes;
+        cite(&mut notes, self.errata);
+        Check {
+            id: self.id,
+            verdict,
+            value: Some(Figure { si: self.value, unit: self.unit }),
+            limit: Some(Figure { si: self.limit, unit: self.unit }),
+            utilisation: (self.limit != 0.0).then(|| (self.value / self.limit).abs()),
+            at: self.at,
+            grade: Some(self.grade),
+            value_source: Some(self.value_source),
+            limit_source: Some(self.limit_source.clone()),
+            missing: None,
+            notes,
+            workings: Vec::new(),
+        }
+    }
+}
+
+pub(crate) fn not_checked(id: CheckId, missing: Missing) -> Check {
+    Check {
+        id,
+        verdict: Verdict::NotChecked,
+        value: None,
+        limit: None,
+        utilisation: None,
+        at: None,
+        grade: None,
+        value_source: None,
+        limit_source: None,
+        missing: Some(missing.symbol),
+        notes: Vec::new(),
+        workings: Vec::new(),
+    }
+}
+
+/// A value that grows the safer it is, against the least that is asked; with no such limit it is shown, not judged.
+pub(crate) fn at_least(
+    id: CheckId,
+    unit: &'static Unit,
+    value: f64,
+    asked: Option<f64>,
+    key: &'static str,
+    source: Source,
+) -> Check {
+    let verdict = match asked {
+        None => Verdict::NotChecked,
+        Some(limit) if value >= limit => Verdict::Pass,
+        Some(_) => Verdict::Fail,
+    };
+    Check {
+        id,
+        verdict,
+        value: Some(Figure { si: value, unit }),
+        limit: asked.map(|limit| Figure { si: limit, unit }),
+        utilisation: asked.map(|limit| limit / value),
+        at: None,
+        grade: Some(Grade::Computed),
+        value_source: Some(source),
+        limit_source: asked.map(|_| Source::Project { key: key.into() }),
+        missing: asked.is_none().then_some(key),
+        notes: Vec::new(),
+        workings: Vec::new(),
+    }
+}
+
+/// A value that grows the worse it is, against the most that is permitted; with no such limit it is shown, not judged.
+pub(crate) fn shown_or_at_most(
+    id: CheckId,
+    unit: &'static Unit,
+    value: f64,
+    permitted: Option<f64>,
+    key: &'static str,
+    source: Source,
+) -> Check {
+    let mut check = at_least(id, unit, value, permitted, key, source);
+    if let Some(limit) = permitted {
+        check.verdict = if value <= limit { Verdict::Pass } else { Verdict::Fail };
+        check.utilisation = Some(value / limit);
+    }
+    check
+}
+
+/// Cites errata, each once.
+pub(crate) fn cite(notes: &mut Vec<Note>, errata: &'static [&'static str]) {
+    for id in errata {
+        let note = Note::Erratum(id);
+        if !notes.contains(&note) {
+            notes.push(note);
+        }
+    }
+}
+
+pub(crate) const fn equation(number: &'static str) -> Source {
+    Source::Equation { document: "cha-manual", number }
+}

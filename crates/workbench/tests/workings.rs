@@ -1,0 +1,105 @@
+//! Every check of every example is explained, and every formula gives the number beside it.
+
+use std::collections::BTreeMap;
+use std::io::Read;
+use std::path::PathBuf;
+use workbench::derivation::{How, Part, evaluate};
+use workbench::{Check, Files, Language, Project, catalogue_actuators, explain};
+
+fn examples() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples")
+}
+
+struct Beside;
+
+impl Files for Beside {
+    fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
+        Ok(Box::new(std::fs::File::open(examples().join(name))?))
+    }
+}
+
+/// Every example, and one that asks for everything.
+fn projects() -> Vec<Project> {
+    let mut names: Vec<PathBuf> = std::fs::read_dir(examples()).unwrap().map(|entry| entry.unwrap().path()).collect();
+    names.sort();
+    let mut found = Vec::new();
+    for path in names.iter().filter(|path| path.extension().is_some_and(|kind| kind == "toml")) {
+        let text = std::fs::read_to_string(path).unwrap();
+        found.extend(Project::read_all(&text, &Beside, Language::En).unwrap());
+    }
+    let asked = std::fs::read_to_string(examples().join("tilting-arm.toml")).unwrap();
+    let (head, _) = asked.split_once("[requirements]").unwrap();
+    let everything = format!(
+        "{head}[requirements]\nbrake = true\nsupply = \"560 V\"\nambient = \"35 degC\"\nlever_arm = \"500 mm\"\n\
+         deviation_max = \"2 mm\"\nabsolute = true\nresolution_max = \"10 arcsec\"\noperation_per_day = \"8 h\"\n\
+         battery_life_min = \"5 a\"\ncollision_torque = \"40 N m\"\ncollision_time = \"0.1 s\"\ncollisions = 20\n\
+         gear_life_min = \"20000 h\"\nbearing_life_min = \"20000 h\"\ntorsion_max = \"5 arcmin\"\n\
+         natural_frequency_min = \"3 Hz\"\ntilt_angle_max = \"1 arcmin\"\nstop_angle_max = \"90 deg\"\n\
+         emergency_stops = 20\nregeneration_power_max = \"50 W\"\ndc_link_rise = \"60 V\"\n\
+         special_application = \"medical\"\n"
+    );
+    found.push(Project::read(&everything, Language::En).unwrap());
+    found
+}
+
+/// What is wrong with the workings of a check.
+fn faults(check: &Check) -> Vec<String> {
+    let mut faults = Vec::new();
+    let steps = &check.workings;
+    for (part, figure) in [(Part::Value, check.value), (Part::Limit, check.limit)] {
+        let marked: Vec<f64> = steps.iter().filter(|step| step.part == part).map(|step| step.si).collect();
+        match (figure, marked.as_slice()) {
+            (None, _) => {}
+            (Some(figure), [only]) if (only - figure.si).abs() <= 1e-9 * figure.si.abs() => {}
+            (Some(figure), found) => faults.push(format!("{part:?} {} stands as {found:?}", figure.si)),
+        }
+    }
+    for (index, step) in steps.iter().enumerate() {
+        if !step.si.is_finite() {
+            faults.push(format!("{} is {}", step.symbol, step.si));
+        }
+        match evaluate(steps, index) {
+            None => {}
+            Some(Ok(value)) if (value - step.value()).abs() <= 1e-9 * (1e-6 + step.value().abs()) => {}
+            Some(found) => {
+                let How::Formula { text, .. } = &step.how else { continue };
+                faults.push(format!("{} = {text} gives {found:?}, not {}", step.symbol, step.value()));
+            }
+        }
+    }
+    // Everything that is noted leads to value or limit.
+    let mut used = vec![false; steps.len()];
+    for (index, step) in steps.iter().enumerate().rev() {
+        if step.part != Part::Step || used[index] {
+            used[index] = true;
+            step.operands().iter().for_each(|operand| used[*operand] = true);
+        }
+    }
+    for (step, used) in steps.iter().zip(used) {
+        if !used {
+            faults.push(format!("{} leads nowhere", step.symbol));
+        }
+    }
+    faults
+}
+
+#[test]
+fn every_check_is_explained_and_every_formula_gives_its_number() {
+    let mut found: BTreeMap<&str, String> = BTreeMap::new();
+    let mut checks = 0;
+    for project in projects() {
+        for (code, _) in catalogue_actuators().iter().step_by(5) {
+            let Ok(candidate) = explain(&project, code) else { continue };
+            for check in &candidate.judgement.checks {
+                checks += 1;
+                let faults = faults(check);
+                if !faults.is_empty() {
+                    let place = format!("{code}, {}: {}", project.name, faults.join("; "));
+                    found.entry(check.id.id()).or_insert(place);
+                }
+            }
+        }
+    }
+    assert!(checks > 10_000, "{checks}");
+    assert!(found.is_empty(), "{found:#?}");
+}
