@@ -38,7 +38,9 @@ pub use output_bearing::{
 };
 pub use overload::{intermittent_loss_factor, overload_peak, overload_trip_time};
 pub use parameters::Parameters;
-pub use plane::{CurveKind, PerformanceCurve, intermittent_torque, performance_curves, short_time_torque};
+pub use plane::{
+    CurveKind, PerformanceCurve, intermittent_torque, performance_curves, short_time_torque, short_time_torque_with,
+};
 pub use screw_joint::{ScrewJoint, joint_friction_force, joint_utilisation};
 pub use temperature::{
     CycleTemperatures, HOUSING_TIME_CONSTANT, HOUSING_TIME_CONSTANT_BAND, Temperatures, Thermal,

@@ -8,7 +8,11 @@ use crate::motor::{
 use crate::overload::intermittent_loss_factor;
 use crate::parameters::Parameters;
 use crate::voltage::MotorVoltage;
+use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source, Sourced};
+use quantities::unit::{
+    AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, REVOLUTION_PER_MINUTE, VOLT,
+};
 use quantities::{AngularVelocity, ElectricPotential, Measure, Ratio, Time, Torque};
 
 /// The cycle of intermittent duty in the manual's curves: 1 min, in seconds.
@@ -102,7 +106,20 @@ pub fn short_time_torque(
     speed: AngularVelocity,
     terminal_voltage: Option<ElectricPotential>,
 ) -> Result<Sourced<Torque>, Missing> {
-    Ok(short_time_limit(actuator, speed, terminal_voltage)?.limit)
+    short_time_torque_with(actuator, speed, terminal_voltage, &mut Workings::off())
+}
+
+/// [`short_time_torque`] with its workings; the caller has noted the speed `n`, the result is `T_short`.
+///
+/// # Errors
+/// As [`short_time_torque`].
+pub fn short_time_torque_with(
+    actuator: &Parameters,
+    speed: AngularVelocity,
+    terminal_voltage: Option<ElectricPotential>,
+    work: &mut Workings,
+) -> Result<Sourced<Torque>, Missing> {
+    Ok(short_time_limit_with(actuator, speed, terminal_voltage, work)?.limit)
 }
 
 /// The short-time torque with its band. The published curves of CHA-20A keep T_max up to n_max, more than I_max with cold
@@ -112,9 +129,23 @@ fn short_time_limit(
     speed: AngularVelocity,
     terminal_voltage: Option<ElectricPotential>,
 ) -> Result<ContinuousLimit, Missing> {
+    short_time_limit_with(actuator, speed, terminal_voltage, &mut Workings::off())
+}
+
+fn short_time_limit_with(
+    actuator: &Parameters,
+    speed: AngularVelocity,
+    terminal_voltage: Option<ElectricPotential>,
+    work: &mut Workings,
+) -> Result<ContinuousLimit, Missing> {
     if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, terminal_voltage) {
         let upper = at_most(curve.value.at(within(&curve.value, speed)), &actuator.torque_max);
         let limit = Sourced { value: upper, source: curve.source.clone(), grade: curve.grade, errata: curve.errata };
+        if let Some(torque_max) = actuator.torque_max.known() {
+            work.given("T_max", &NEWTON_METRE, torque_max);
+        }
+        let text = "short-time curve at n, at most T_max";
+        work.found("T_short", &NEWTON_METRE, upper.si(), text, &curve.source, curve.grade);
         return Ok(ContinuousLimit { limit, upper });
     }
     let torque_max = actuator.torque_max.require("T_max")?;
@@ -140,9 +171,33 @@ fn short_time_limit(
         Torque::from_si(if inside { torque } else { 0.0 })
     };
     let friction = friction_current(starting.value, constant.value, speed).si();
+    let limit = torque(current_voltage.min(current_max.value.si()) - friction);
+    if work.is_on() && inside {
+        let source = Source::Model { name: "short-time-torque" };
+        work.given("I_max", &AMPERE, current_max);
+        work.given("I_NLS", &AMPERE, starting);
+        work.given("K_INL", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant);
+        work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, torque_constant);
+        work.given("T_max", &NEWTON_METRE, torque_max);
+        work.formula("I_f", &AMPERE, friction, "I_NLS + K_INL*abs(n)", &source);
+        let text = if let Some(voltage) = terminal_voltage {
+            let supply = Source::Project { key: "requirements.supply".into() };
+            work.figure("U_M", &VOLT, voltage.si(), &supply, Grade::Computed);
+            let text = "largest current at n within U_M";
+            work.found("I_U", &AMPERE, current_voltage, text, &source, Grade::Estimated);
+            "min(max(k_Tout*(min(I_max, I_U) - I_f), 0), T_max)"
+        } else {
+            "min(max(k_Tout*(I_max - I_f), 0), T_max)"
+        };
+        work.estimate("T_short", &NEWTON_METRE, limit.si(), text, &source);
+    } else if work.is_on() {
+        let source = Source::Model { name: "short-time-torque" };
+        work.given("n_end", &REVOLUTION_PER_MINUTE, &end);
+        work.found("T_short", &NEWTON_METRE, limit.si(), "n is above n_end", &source, grade);
+    }
     Ok(ContinuousLimit {
         limit: Sourced {
-            value: torque(current_voltage.min(current_max.value.si()) - friction),
+            value: limit,
             source: Source::Model { name: "short-time-torque" },
             grade,
             errata: torque_max.errata,

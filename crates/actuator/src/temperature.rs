@@ -3,7 +3,9 @@
 use crate::motor::{WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT, copper_resistance};
 use crate::overload::periodic_lag;
 use crate::parameters::Parameters;
+use derivation::Workings;
 use provenance::{Grade, Missing, Source};
+use quantities::unit::{AMPERE, OHM, WATT};
 use quantities::{ElectricCurrent, ElectricalResistance, Measure, Power, ThermodynamicTemperature, Time};
 
 /// τ_h: time constant of the housing in seconds, 40 min; estimated from the printed time of cooling down, up to 140 min.
@@ -99,6 +101,20 @@ impl Thermal {
             gain_winding: [residue_w(quick, slow) * tau_quick, residue_w(slow, quick) * tau_slow],
             gain_housing: [residue_h(quick, slow) * tau_quick, residue_h(slow, quick) * tau_slow],
         }
+    }
+
+    /// The workings of [`Thermal::of`]: `P_0`, the loss that warms the winding by 40 K.
+    pub fn explain(&self, actuator: &Parameters, work: &mut Workings) {
+        let current = actuator.stall_current_motor.known().or_else(|| actuator.stall_current.known());
+        let (Some(current), Some(resistance), true) = (current, actuator.resistance_ll.known(), work.is_on()) else {
+            return;
+        };
+        work.given("I_0", &AMPERE, current);
+        work.given("R_LL", &OHM, resistance);
+        let hot = copper_loss(resistance.value, ElectricCurrent::from_si(1.0)).si() / 1.5;
+        work.formula("R_hot", &OHM, hot, "R_LL*(1 + 3.93e-3*(80 - 20))", &Self::SOURCE);
+        let loss = RISE_AT_STALL / self.resistance_k_per_w.iter().sum::<f64>();
+        work.formula("P_0", &WATT, loss, "1.5*R_hot*I_0^2", &Self::SOURCE);
     }
 
     /// Temperatures under a loss that lasts for ever.

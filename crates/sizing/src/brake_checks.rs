@@ -2,43 +2,53 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::comparison::{Comparison, not_checked, shown_or_at_most};
+use crate::comparison::{Asking, Comparison, explained, not_checked, shown_or_at_most};
+use crate::workings;
 use actuator::{Brake, Parameters, StopOutcome};
+use derivation::Workings;
 use motion::Hold;
 use provenance::{Datum, Grade, Missing, Source};
-use quantities::unit::{DEGREE, NEWTON_METRE, ONE};
+use quantities::unit::{
+    DEGREE, KILOGRAM_SQUARE_METRE, NEWTON_METRE, ONE, RADIAN_PER_SECOND, REVOLUTION_PER_MINUTE, SECOND,
+};
 use quantities::{Measure, MomentOfInertia};
 
 /// Below this share of the load's weight nothing hangs: rounding of an angle.
 const HANGING: f64 = 1e-9;
 
 /// The checks of the brake; none where there is no brake and none is asked for.
-pub(crate) fn judge(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
+pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool) -> Vec<Check> {
     let brake = &actuator.brake;
     if hangs(axis) && axis.motion.stretches().iter().any(|stretch| stretch.hold == Hold::Free) {
-        return vec![free(axis)];
+        return vec![explained(explain, |work| free(axis, work))];
     }
     let asked = axis.motion.stretches().iter().any(|stretch| stretch.hold == Hold::Brake);
     match brake.holding_torque {
-        Datum::NotApplicable if asked => vec![absent(axis)],
+        Datum::NotApplicable if asked => vec![explained(explain, |work| absent(axis, work))],
         Datum::NotApplicable => Vec::new(),
         Datum::NotPrinted if !asked => Vec::new(),
         _ if !axis.mechanism.knows_holding_torque() => {
             let missing = Missing { symbol: "mechanism.joint.holding_torque" };
             vec![not_checked(CheckId::BrakeHolding, missing), not_checked(CheckId::BrakeEmergency, missing)]
         }
-        _ => vec![holding(axis, actuator, brake), emergency(axis, actuator, brake)],
+        _ => vec![
+            explained(explain, |work| holding(axis, actuator, brake, work)),
+            explained(explain, |work| emergency(axis, actuator, brake, work)),
+        ],
     }
 }
 
 /// Nothing holds: the load stays only where friction at the output is at least what moves it.
-fn free(axis: &Axis) -> Check {
+fn free(axis: &Axis, work: &mut Workings) -> Check {
     let friction = provenance::Sourced {
         value: axis.mechanism.friction.coulomb,
         source: Source::Project { key: "friction_torque".into() },
         grade: Grade::Computed,
         errata: &[],
     };
+    holding_torque(axis, work);
+    work.given("T_c", &NEWTON_METRE, &friction);
+    work.limit("T_c");
     Comparison {
         notes: vec![Note::NothingHolds],
         ..Comparison::with(
@@ -53,8 +63,11 @@ fn free(axis: &Axis) -> Check {
 }
 
 /// The motion wants to be held by a brake that is not there.
-fn absent(axis: &Axis) -> Check {
+fn absent(axis: &Axis, work: &mut Workings) -> Check {
     let none = Source::Project { key: "motion.hold".into() };
+    holding_torque(axis, work);
+    work.figure("T_Br", &NEWTON_METRE, 0.0, &none, Grade::Printed);
+    work.limit("T_Br");
     Check {
         id: CheckId::BrakeHolding,
         verdict: Verdict::Fail,
@@ -71,6 +84,14 @@ fn absent(axis: &Axis) -> Check {
     }
 }
 
+/// Notes the largest torque that holds the load, `T_hold`, as what the axis asks.
+fn holding_torque(axis: &Axis, work: &mut Workings) {
+    let text = "max |torque that holds the load without friction| over the cycle";
+    let source = Source::Model { name: "brake" };
+    work.found("T_hold", &NEWTON_METRE, axis.moments().holding_torque.si(), text, &source, Grade::Computed);
+    work.value("T_hold");
+}
+
 fn hangs(axis: &Axis) -> bool {
     axis.moments().holding_torque.si() > HANGING
 }
@@ -82,13 +103,16 @@ fn total_inertia(axis: &Axis, actuator: &Parameters) -> Result<MomentOfInertia, 
 }
 
 /// T_Br ≥ gravity, process and external torque at every instant, without the help of friction: the drive may fail at any.
-fn holding(axis: &Axis, actuator: &Parameters, brake: &Brake) -> Check {
+fn holding(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Check {
     let id = CheckId::BrakeHolding;
     let limit = match brake.holding_torque.require("T_Br") {
         Ok(limit) => limit,
         Err(missing) => return not_checked(id, missing),
     };
     let torque = axis.moments().holding_torque;
+    holding_torque(axis, work);
+    work.given("T_Br", &NEWTON_METRE, limit);
+    work.limit("T_Br");
     let mut notes = Vec::new();
     if hangs(axis) {
         notes.push(Note::HangingLoad);
@@ -101,7 +125,7 @@ fn holding(axis: &Axis, actuator: &Parameters, brake: &Brake) -> Check {
 }
 
 /// A stop from the peak speed by the brake alone, the load driving on: its angle, and how many of them.
-fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake) -> Check {
+fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Check {
     let id = CheckId::BrakeEmergency;
     let found = (|| {
         let torque = brake.holding_torque.require("T_Br")?.value;
@@ -133,14 +157,21 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake) -> Check {
             check.grade = Some(Grade::Computed);
             check.value_source = Some(source);
             check.limit_source = brake.holding_torque.known().map(|known| known.source.clone());
+            holding_torque(axis, work);
+            if let Some(known) = brake.holding_torque.known() {
+                work.given("T_Br", &NEWTON_METRE, known);
+                work.limit("T_Br");
+            }
             check.notes.push(Note::BrakeDoesNotStop);
             return check;
         }
     };
+    let mut by_number = false;
     let angle = axis.asked.stop_angle_max.map(Measure::si);
     let mut check = shown_or_at_most(id, &DEGREE, stop.angle.si(), angle, "requirements.stop_angle_max", source);
     if let (Some(count), Some(limit)) = (axis.asked.emergency_stops, permitted) {
         let key = Source::Project { key: "requirements.emergency_stops".into() };
+        let count_source = key.clone();
         let number = Comparison {
             limit: limit.value,
             limit_source: &limit.source,
@@ -152,7 +183,16 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake) -> Check {
         let share = |check: &Check| check.utilisation.unwrap_or(0.0);
         if check.verdict == Verdict::NotChecked || share(&number) > share(&check) {
             check = number;
+            work.figure("N_stops", &ONE, count, &count_source, Grade::Printed);
+            work.value("N_stops");
+            work.given_number("N_emergency", limit);
+            work.limit("N_emergency");
+            by_number = true;
         }
+    }
+    if work.is_on() && !by_number {
+        stop_angle(axis, actuator, brake, stop.angle.si(), work);
+        work.asked("phi_perm", &DEGREE, angle, "requirements.stop_angle_max");
     }
     check.notes.push(Note::BrakeStop {
         angle: stop.angle,
@@ -161,4 +201,28 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake) -> Check {
         permitted: permitted.map(|permitted| permitted.value),
     });
     check
+}
+
+/// The workings of the angle of a stop by the brake alone, `phi_stop`.
+fn stop_angle(axis: &Axis, actuator: &Parameters, brake: &Brake, angle: f64, work: &mut Workings) {
+    let (Some(torque), Some(closing)) = (brake.holding_torque.known(), brake.closing_time.known()) else { return };
+    let source = Source::Model { name: "brake" };
+    let moments = axis.moments();
+    workings::own_inertia(actuator, work);
+    let figure = |work: &mut Workings, symbol, unit, si, text| {
+        work.found(symbol, unit, si, text, &source, Grade::Computed);
+    };
+    figure(work, "J_L", &KILOGRAM_SQUARE_METRE, moments.inertia_max.si(), "largest on the way");
+    figure(work, "n_peak", &REVOLUTION_PER_MINUTE, moments.speed_peak.si(), "max |n| over the cycle");
+    figure(work, "T_d", &NEWTON_METRE, moments.holding_torque.si(), "torque of the load that drives on, at most");
+    work.given("T_Br", &NEWTON_METRE, torque);
+    work.given("t_c", &SECOND, closing);
+    let own = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
+    let inertia = own + moments.inertia_max.si();
+    work.formula("J", &KILOGRAM_SQUARE_METRE, inertia, "J_out + J_L", &source);
+    let speed = moments.speed_peak.si() + moments.holding_torque.si() / inertia * closing.value.si();
+    work.formula("omega_1", &RADIAN_PER_SECOND, speed, "n_peak*2*pi/60 + T_d/J*t_c", &source);
+    let text = "180/pi*(n_peak*2*pi/60*t_c + T_d/(2*J)*t_c^2 + J*omega_1^2/(2*(T_Br - T_d)))";
+    work.formula("phi_stop", &DEGREE, angle, text, &source);
+    work.value("phi_stop");
 }

@@ -126,22 +126,25 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
     if let Some(stated) = axis.ambient {
         checks.push(explained(explain, |work| ambient(stated, actuator, work)));
     }
-    checks.extend(axis.supply.map(|(supply, _)| electric_checks::dc_link(supply, actuator)));
+    if let Some((supply, _)) = axis.supply {
+        checks.push(explained(explain, |work| electric_checks::dc_link(supply, actuator, work)));
+    }
     if depth != Depth::Survivors || checks.iter().all(|check| check.verdict != Verdict::Fail) {
         let currents = Currents::of(actuator);
-        electric_checks::judge(axis, actuator, currents.as_ref(), &mut checks);
+        electric_checks::judge(axis, actuator, currents.as_ref(), explain, &mut checks);
         if !bare || axis.asked.regeneration_power_max.is_some() {
-            checks.push(electric_checks::regeneration(axis, actuator, currents.as_ref()));
+            let currents = currents.as_ref();
+            checks.push(explained(explain, |work| electric_checks::regeneration(axis, actuator, currents, work)));
         }
         gear_checks::judge_further(axis, actuator, bare, &mut checks);
-        checks.extend(brake_checks::judge(axis, actuator));
+        checks.extend(brake_checks::judge(axis, actuator, explain));
         let asked = &axis.asked;
         let of_feedback =
             asked.absolute == Some(true) || asked.resolution_max.is_some() || asked.battery_life_min.is_some();
         if !bare || of_feedback {
-            checks.extend(feedback_checks::judge(axis, actuator));
+            checks.extend(feedback_checks::judge(axis, actuator, explain));
         }
-        joint_checks::judge(axis, actuator, demand.as_ref(), &mut checks);
+        joint_checks::judge(axis, actuator, demand.as_ref(), explain, &mut checks);
     }
     Judgement { demand, manual, checks }
 }

@@ -13,6 +13,21 @@ pub(crate) fn explained(explain: bool, check: impl FnOnce(&mut Workings) -> Chec
     check
 }
 
+/// What the user asks, as a limit in the workings.
+pub(crate) trait Asking {
+    /// Notes a limit that is asked for, if one is.
+    fn asked(&mut self, symbol: &'static str, unit: &'static Unit, limit: Option<f64>, key: &'static str);
+}
+
+impl Asking for Workings {
+    fn asked(&mut self, symbol: &'static str, unit: &'static Unit, limit: Option<f64>, key: &'static str) {
+        if let Some(limit) = limit.filter(|_| self.is_on()) {
+            self.figure(symbol, unit, limit, &Source::Project { key: key.into() }, Grade::Printed);
+            self.limit(symbol);
+        }
+    }
+}
+
 /// What a check compares, before it is a [`Check`].
 pub(crate) struct Comparison<'a> {
     pub(crate) id: CheckId,

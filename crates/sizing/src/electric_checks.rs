@@ -2,12 +2,16 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::comparison::{Comparison, not_checked, shown_or_at_most};
+use crate::comparison::{Asking, Comparison, explained, not_checked, shown_or_at_most};
 use crate::currents::Currents;
 use crate::trace::{Block, Node};
+use crate::workings;
 use actuator::{FRICTION_LOSS_SHARE, Parameters, Thermal, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT};
+use derivation::Workings;
 use provenance::{Grade, Missing, Source};
-use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, ONE, VOLT, WATT};
+use quantities::unit::{
+    AMPERE, DEGREE_CELSIUS, JOULE, KELVIN_DIFFERENCE, NEWTON_METRE, ONE, REVOLUTION_PER_MINUTE, SECOND, VOLT, WATT,
+};
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Measure, Power, Ratio, ThermodynamicTemperature, Time,
 };
@@ -33,19 +37,24 @@ pub(crate) fn judge(
     axis: &Axis,
     actuator: &Parameters,
     currents: Result<&Currents, &Missing>,
+    explain: bool,
     checks: &mut Vec<Check>,
 ) {
-    checks.push(torque_speed_trace(axis, actuator));
-    checks.push(thermal(axis, actuator, currents));
-    checks.push(overload(axis, actuator, currents));
+    checks.push(explained(explain, |work| torque_speed_trace(axis, actuator, work)));
+    checks.push(explained(explain, |work| thermal(axis, actuator, currents, work)));
+    checks.push(explained(explain, |work| overload(axis, actuator, currents, work)));
 }
 
 /// U_DC ≤ U_DCmax.
-pub(crate) fn dc_link(supply: ElectricPotential, actuator: &Parameters) -> Check {
+pub(crate) fn dc_link(supply: ElectricPotential, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::DcLink;
     match actuator.dc_link_max.require("U_DCmax") {
         Ok(limit) => {
             let source = Source::Project { key: "requirements.supply".into() };
+            work.figure("U_DC", &VOLT, supply.si(), &source, Grade::Printed);
+            work.value("U_DC");
+            work.given("U_DCmax", &VOLT, limit);
+            work.limit("U_DCmax");
             Comparison::with(id, &VOLT, supply.si(), source, limit).answer(Verdict::Fail)
         }
         Err(missing) => not_checked(id, missing),
@@ -53,7 +62,7 @@ pub(crate) fn dc_link(supply: ElectricPotential, actuator: &Parameters) -> Check
 }
 
 /// |T| ≤ short-time torque at the speed of every instant; while braking the voltage helps, and T_max is the limit.
-fn torque_speed_trace(axis: &Axis, actuator: &Parameters) -> Check {
+fn torque_speed_trace(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::TorqueSpeedTrace;
     let terminal = axis
         .supply
@@ -98,10 +107,24 @@ fn torque_speed_trace(axis: &Axis, actuator: &Parameters) -> Check {
         },
     );
     let braking = torque(&worst) * worst.direction < 0.0;
-    let curve = match if braking { actuator.torque_max.require("T_max").cloned() } else { limit(worst.speed) } {
+    if work.is_on() {
+        workings::torque_at(&worst, actuator, work);
+        work.formula("T_at", &NEWTON_METRE, torque(&worst).abs(), "abs(T)", &workings::DEMAND);
+        work.value("T_at");
+    }
+    let speed = AngularVelocity::from_si(worst.speed);
+    let found = if braking {
+        actuator.torque_max.require("T_max").inspect(|limit| work.given("T_max", &NEWTON_METRE, limit)).cloned()
+    } else {
+        let source = &workings::DEMAND;
+        work.found("n", &REVOLUTION_PER_MINUTE, worst.speed, "speed at t", source, Grade::Computed);
+        actuator::short_time_torque_with(actuator, speed, terminal, work)
+    };
+    let curve = match found {
         Ok(curve) => curve,
         Err(missing) => return not_checked(id, missing),
     };
+    work.limit(if braking { "T_max" } else { "T_short" });
     Comparison {
         at: Some(Time::from_si(worst.time)),
         ..Comparison::with(id, &NEWTON_METRE, torque(&worst).abs(), Source::Model { name: "demand" }, &curve)
@@ -147,7 +170,7 @@ fn losses<'a>(actuator: &Parameters, currents: Result<&'a Currents, &Missing>) -
 }
 
 /// ϑ_w ≤ 80 °C in the steady cycle: above it the warning threshold is passed, above 90 °C the drive switches off.
-fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> Check {
+fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>, work: &mut Workings) -> Check {
     let id = CheckId::Thermal;
     let (losses, model) = match losses(actuator, currents).and_then(|l| Ok((l, Thermal::of(actuator)?))) {
         Ok(found) => found,
@@ -170,6 +193,24 @@ fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Miss
         Verdict::Fail
     };
     let room = limit.si() - ambient.si();
+    if work.is_on() {
+        let source = Thermal::SOURCE;
+        let key = Source::Project { key: "requirements.ambient".into() };
+        let grade = if axis.ambient.is_some() { Grade::Printed } else { Grade::Assumed };
+        work.figure("theta_a", &DEGREE_CELSIUS, ambient.si(), &key, grade);
+        model.explain(actuator, work);
+        let text = "mean of 1.5 R_hot I² + w I_f k_TM ω_mot over the cycle";
+        work.found("P_mean", &WATT, mean.si(), text, &source, Grade::Estimated);
+        let steady = model.steady(mean, ambient).winding.si();
+        work.estimate("theta_m", &DEGREE_CELSIUS, steady, "theta_a + 40*P_mean/P_0", &source);
+        let text = "largest rise of the winding above its mean, τ_w = 60 s, τ_h = 2400 s";
+        work.found("dtheta", &KELVIN_DIFFERENCE, hottest - steady, text, &source, Grade::Estimated);
+        work.estimate("theta_w", &DEGREE_CELSIUS, hottest, "theta_m + dtheta", &source);
+        work.value("theta_w");
+        let threshold = Source::Equation { document: "cha-manual", number: "table 62.3" };
+        work.figure("theta_warn", &DEGREE_CELSIUS, limit.si(), &threshold, Grade::Printed);
+        work.limit("theta_warn");
+    }
     Check {
         id,
         verdict,
@@ -188,7 +229,7 @@ fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Miss
 }
 
 /// The first-order mean of (I/I_0)² with τ_w stays below one: what a drive's I²t supervision looks at.
-fn overload(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> Check {
+fn overload(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>, work: &mut Workings) -> Check {
     let id = CheckId::OverloadI2t;
     let (currents, stall) = match currents.map_err(|m| *m).and_then(|c| Ok((c, actuator.stall_current.require("I_0")?)))
     {
@@ -204,6 +245,14 @@ fn overload(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Mis
     let pieces: Vec<(Time, Ratio)> =
         steps.iter().map(|step| (Time::from_si(step.duration), Ratio::from_si(step.value))).collect();
     let (peak, at) = actuator::overload_peak(&pieces, Time::from_si(WINDING_TIME_CONSTANT));
+    let source = Source::Model { name: "overload" };
+    work.given("I_0", &AMPERE, stall);
+    work.figure("tau_w", &SECOND, WINDING_TIME_CONSTANT, &source, Grade::Estimated);
+    let text = "largest of the first-order lag of (I/I_0)² with tau_w in the steady cycle";
+    work.found("y", &ONE, peak.si(), text, &source, Grade::Estimated);
+    work.value("y");
+    work.figure("y_trip", &ONE, 1.0, &source, Grade::Computed);
+    work.limit("y_trip");
     let one = provenance::Sourced {
         value: Ratio::from_si(1.0),
         source: stall.source.clone(),
@@ -234,7 +283,12 @@ impl Bank {
 ///
 /// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
 /// load returns.
-pub(crate) fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>) -> Check {
+pub(crate) fn regeneration(
+    axis: &Axis,
+    actuator: &Parameters,
+    currents: Result<&Currents, &Missing>,
+    work: &mut Workings,
+) -> Check {
     let id = CheckId::Regeneration;
     let found = (|| {
         let currents = currents.map_err(|missing| *missing)?;
@@ -289,6 +343,16 @@ pub(crate) fn regeneration(axis: &Axis, actuator: &Parameters, currents: Result<
     let mean = back / axis.moments.duration.si();
     let permitted = axis.asked.regeneration_power_max.map(Measure::si);
     let key = "requirements.regeneration_power_max";
+    if work.is_on() {
+        let source = Source::Model { name: "energy" };
+        let grade = currents.grade.worst(Grade::Computed);
+        let text = "−∫ P dt where P = 1.5 R_LL I² + k_TM I ω_mot < 0, over the cycle";
+        work.found("E_reg", &JOULE, back, text, &source, grade);
+        work.figure("t_0", &SECOND, axis.moments.duration.si(), &source, Grade::Computed);
+        work.formula("P_reg", &WATT, mean, "E_reg/t_0", &source);
+        work.value("P_reg");
+    }
+    work.asked("P_perm", &WATT, permitted, key);
     let mut check = shown_or_at_most(id, &WATT, mean, permitted, key, Source::Model { name: "energy" });
     check.grade = Some(currents.grade.worst(Grade::Computed));
     if let (Some(rise), Some((supply, _))) = (axis.asked.dc_link_rise, axis.supply) {

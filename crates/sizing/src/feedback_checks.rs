@@ -2,22 +2,23 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::comparison::{at_least, not_checked, shown_or_at_most};
-use actuator::{Feedback, Parameters};
+use crate::comparison::{Asking, at_least, explained, not_checked, shown_or_at_most};
+use actuator::{Feedback, FeedbackSide, Parameters};
+use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source};
-use quantities::unit::{ARCSECOND, REVOLUTION, YEAR};
+use quantities::unit::{ARCSECOND, HOUR, ONE, REVOLUTION, YEAR};
 use quantities::{Measure, Time};
 
 /// The checks of the feedback; that of the battery only where there is one.
-pub(crate) fn judge(axis: &Axis, actuator: &Parameters) -> Vec<Check> {
+pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool) -> Vec<Check> {
     let mut checks = Vec::with_capacity(3);
     // Who says that it need not be absolute wants no answer.
     if axis.asked.absolute != Some(false) {
-        checks.push(range(axis, actuator));
+        checks.push(explained(explain, |work| range(axis, actuator, work)));
     }
-    checks.push(resolution(axis, actuator));
+    checks.push(explained(explain, |work| resolution(axis, actuator, work)));
     if actuator.feedback.buffered_by_battery {
-        checks.push(battery(axis));
+        checks.push(explained(explain, |work| battery(axis, work)));
     }
     checks
 }
@@ -31,7 +32,7 @@ fn absolute(actuator: &Parameters) -> Option<(f64, &Feedback)> {
 }
 
 /// Travel ≤ absolute range in turns of the output; an axis that turns on and on leaves it unless N/i is a whole number.
-fn range(axis: &Axis, actuator: &Parameters) -> Check {
+fn range(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::FeedbackRange;
     let moments = axis.moments();
     let endless = !moments.is_swing() && moments.angle_travelled.si() > 0.0;
@@ -43,6 +44,9 @@ fn range(axis: &Axis, actuator: &Parameters) -> Check {
     {
         return not_checked(id, Missing { symbol: "turns" });
     }
+    let text = "largest minus smallest position over the cycle";
+    work.found("phi", &REVOLUTION, travel, text, &source, Grade::Computed);
+    work.value("phi");
     let mut check = Check {
         id,
         verdict: Verdict::NotChecked,
@@ -60,6 +64,8 @@ fn range(axis: &Axis, actuator: &Parameters) -> Check {
     let Some((turns, feedback)) = absolute(actuator) else {
         check.notes.push(Note::NeedsReferencing);
         if asked.is_some() {
+            work.figure("N_out", &REVOLUTION, 0.0, &source, Grade::Printed);
+            work.limit("N_out");
             check.limit = Some(Figure { si: 0.0, unit: &REVOLUTION });
             check.limit_source = Some(source);
             check.verdict = Verdict::Fail;
@@ -69,6 +75,9 @@ fn range(axis: &Axis, actuator: &Parameters) -> Check {
     let limit = turns * std::f64::consts::TAU;
     let lost = endless && feedback.endless_axis_loses_reference(&actuator.ratio) == Some(true);
     let within = travel <= limit * (1.0 + 1e-9) && !lost;
+    if work.is_on() {
+        absolute_range(feedback, actuator, limit, work);
+    }
     check.limit = Some(Figure { si: limit, unit: &REVOLUTION });
     check.limit_source = Some(source);
     if lost {
@@ -84,7 +93,7 @@ fn range(axis: &Axis, actuator: &Parameters) -> Check {
 }
 
 /// Step at the output ≤ the step asked for.
-fn resolution(axis: &Axis, actuator: &Parameters) -> Check {
+fn resolution(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::FeedbackResolution;
     let of = |feedback: &Feedback| feedback.resolution_out(&actuator.ratio).known().cloned();
     // A feedback at the output does not replace the finer one on the motor.
@@ -92,6 +101,13 @@ fn resolution(axis: &Axis, actuator: &Parameters) -> Check {
         Some(step) => {
             let asked = axis.asked.resolution_max.map(Measure::si);
             let key = "requirements.resolution_max";
+            if let (Some(motor), Some(ratio)) = (actuator.feedback.resolution.known(), actuator.ratio.known()) {
+                work.given("s_mot", &ARCSECOND, motor);
+                work.given_number("i", ratio);
+                work.formula("s_out", &ARCSECOND, step.value.si(), "s_mot/i", &step.source);
+                work.value("s_out");
+            }
+            work.asked("s_perm", &ARCSECOND, asked, key);
             let mut check = shown_or_at_most(id, &ARCSECOND, step.value.si(), asked, key, step.source);
             check.grade = Some(step.grade);
             check
@@ -101,7 +117,7 @@ fn resolution(axis: &Axis, actuator: &Parameters) -> Check {
 }
 
 /// Life of the encoder's battery for the stated operation a day and storage before.
-fn battery(axis: &Axis) -> Check {
+fn battery(axis: &Axis, work: &mut Workings) -> Check {
     let id = CheckId::Battery;
     let Some(operation) = axis.asked.operation_per_day else {
         return not_checked(id, Missing { symbol: "requirements.operation_per_day" });
@@ -111,6 +127,18 @@ fn battery(axis: &Axis) -> Check {
         Ok(battery) => {
             let asked = axis.asked.battery_life_min.map(Measure::si);
             let key = "requirements.battery_life_min";
+            if work.is_on() {
+                let project = |key: &'static str| Source::Project { key: key.into() };
+                let (operated, stored) = (project("requirements.operation_per_day"), project("requirements.storage"));
+                work.figure("t_op", &HOUR, operation.si(), &operated, Grade::Printed);
+                let grade = if axis.asked.storage.is_some() { Grade::Printed } else { Grade::Assumed };
+                work.figure("t_store", &YEAR, storage.si(), &stored, grade);
+                let text = "life for t_op a day after t_store";
+                let life = &battery.life;
+                work.found("L_bat", &YEAR, life.value.si(), text, &life.source, life.grade);
+                work.value("L_bat");
+            }
+            work.asked("L_asked", &YEAR, asked, key);
             let mut check = at_least(id, &YEAR, battery.life.value.si(), asked, key, battery.life.source.clone());
             check.grade = Some(battery.life.grade);
             check.notes.push(Note::BatteryExchange {
@@ -121,4 +149,21 @@ fn battery(axis: &Axis) -> Check {
         }
         Err(_) => not_checked(id, Missing { symbol: "requirements.operation_per_day" }),
     }
+}
+
+/// The workings of the absolute range in turns of the output, `N_out`.
+fn absolute_range(feedback: &Feedback, actuator: &Parameters, limit: f64, work: &mut Workings) {
+    let source = Source::Model { name: "feedback" };
+    match feedback.turns_absolute.known() {
+        Some(turns) => work.given_number("N", turns),
+        None => work.figure("N", &ONE, 1.0, &source, Grade::Computed),
+    }
+    match actuator.ratio.known().filter(|_| feedback.side == FeedbackSide::Motor) {
+        Some(ratio) => {
+            work.given_number("i", ratio);
+            work.formula("N_out", &REVOLUTION, limit, "N/i", &source);
+        }
+        None => work.formula("N_out", &REVOLUTION, limit, "N", &source),
+    }
+    work.limit("N_out");
 }

@@ -66,13 +66,6 @@ pub(crate) fn manual_torques(axis: &Axis, actuator: &Parameters, manual: &Manual
     work.formula("T_1", &NEWTON_METRE, torques.accelerate.si(), text, &equation("69.1"));
     work.formula("T_2", &NEWTON_METRE, torques.run.si(), "T_L", &equation("69.2"));
     work.formula("T_3", &NEWTON_METRE, torques.brake.si(), "T_L - (T_1 - T_L)", &equation("69.2"));
-    if manual.moves.len() == 1 {
-        for (symbol, time, name) in
-            [("t_2", each.run, "motion.run"), ("t_3", each.brake, "motion.brake"), ("t_p", each.pause, "motion.pause")]
-        {
-            work.figure(symbol, &SECOND, time.si(), &key(name), Grade::Printed);
-        }
-    }
 }
 
 /// The effective torque, `T_rms`: by the manual's equation for one move that it describes, else by the exact integral.
@@ -88,6 +81,15 @@ pub(crate) fn effective_torque(
     }
     if let Some(manual) = manual.filter(|manual| manual.moves.len() == 1 && !manual.braking_assumed) {
         manual_torques(axis, actuator, manual, work);
+        if let Some(each) = axis.by_the_manual().and_then(|(.., moves)| moves.first()) {
+            for (symbol, time, name) in [
+                ("t_2", each.run, "motion.run"),
+                ("t_3", each.brake, "motion.brake"),
+                ("t_p", each.pause, "motion.pause"),
+            ] {
+                work.figure(symbol, &SECOND, time.si(), &Source::Project { key: name.into() }, Grade::Printed);
+            }
+        }
         let text = "sqrt((T_1^2*t_1 + T_2^2*t_2 + T_3^2*t_3)/(t_1 + t_2 + t_3 + t_p))";
         work.formula("T_rms", &NEWTON_METRE, demand.torque_rms.si(), text, &equation("69.2"));
         return;
