@@ -176,6 +176,28 @@ fn commands(language: Language) -> Command {
             "Bestellcode; ohne ihn wird der eigene [actuator] des Projekts beurteilt",
         )));
     let check = sampling(check, language);
+    let explain = Command::new("explain")
+        .about(t(
+            "Derive the checks of one actuator, figures put in",
+            "Die Prüfungen eines Antriebs herleiten, mit eingesetzten Zahlen",
+        ))
+        .arg(project(language))
+        .arg(axis(language))
+        .arg(Arg::new("code").long("code").value_name("CODE").help(t(
+            "Ordering code; without it the project's own [actuator] is explained",
+            "Bestellcode; ohne ihn wird der eigene [actuator] des Projekts hergeleitet",
+        )))
+        .arg(
+            Arg::new("check")
+                .long("check")
+                .value_name("CHECK")
+                .value_parser(PossibleValuesParser::new(workbench::CheckId::ALL.map(workbench::CheckId::id)))
+                .hide_possible_values(true)
+                .help(t(
+                    "One check, for example continuous_torque; all without it",
+                    "Eine Prüfung, zum Beispiel continuous_torque; ohne Angabe alle",
+                )),
+        );
     let code_arg = |help| Arg::new("code").value_name("CODE").required(true).num_args(1..).help(help);
     let code = Command::new("code")
         .about(t("Read, list and complete ordering codes", "Bestellcodes lesen, auflisten und ergänzen"))
@@ -268,6 +290,7 @@ fn commands(language: Language) -> Command {
         )
         .subcommand(size)
         .subcommand(check)
+        .subcommand(explain)
         .subcommand(code)
         .subcommand(data)
         .subcommand(catalogue)

@@ -8,6 +8,7 @@ mod chapter;
 mod code;
 mod command;
 mod data;
+mod explain;
 mod fault;
 mod inertia;
 mod judge;
@@ -43,6 +44,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
     match matches.subcommand() {
         Some(("size", found)) => judge::size(found, json, language),
         Some(("check", found)) => judge::check(found, json, language),
+        Some(("explain", found)) => explain::explain(found, json, language),
         Some(("code", found)) => code::dispatch(found, json, language),
         Some(("data", found)) => data::sheet(found, json, language),
         Some(("catalogue", found)) => data::catalogue(found, json),

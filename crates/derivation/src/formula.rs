@@ -141,23 +141,38 @@ impl Formula {
             Self::Binary('+', a, b) => format!("{} + {}", inner(a, 1), inner(b, 1)),
             Self::Binary('-', a, b) => format!("{} − {}", inner(a, 1), inner(b, 2)),
             Self::Binary('*', a, b) => format!("{} · {}", inner(a, 2), inner(b, 2)),
-            Self::Binary('/', a, b) => format!("{}/{}", inner(a, 2), inner(b, 3)),
-            Self::Binary(_, a, b) => match b.as_ref() {
-                Self::Number(power) if *power == 2.0 => format!("{}²", inner(a, 4)),
-                Self::Number(power) if *power == 3.0 => format!("{}³", inner(a, 4)),
-                power => format!("{}^{}", inner(a, 4), inner(power, 4)),
-            },
+            Self::Binary('/', a, b) => format!("{}/{}", inner(a, 2), whole(inner(b, 3), b)),
+            Self::Binary(_, a, b) => {
+                let base = whole(inner(a, 4), a);
+                match b.as_ref() {
+                    Self::Number(power) if *power == 2.0 => format!("{base}²"),
+                    Self::Number(power) if *power == 3.0 => format!("{base}³"),
+                    power => format!("{base}^{}", inner(power, 4)),
+                }
+            }
             Self::Function(name, terms) => {
                 let terms: Vec<String> = terms.iter().map(|term| inner(term, 0)).collect();
                 match (name.as_str(), terms.as_slice()) {
                     ("sqrt", [term]) => return format!("√({term})"),
-                    ("abs", [term]) => return format!("|{term}|"),
+                    ("abs", [term]) => return format!("|{}|", bare(term)),
                     (name, terms) => return format!("{name}({})", terms.join("; ")),
                 }
             }
         };
         if own < outer { format!("({text})") } else { text }
     }
+}
+
+/// A figure with its unit in the place of a symbol, held together.
+fn whole(text: String, term: &Formula) -> String {
+    let apart = matches!(term, Formula::Symbol(_)) && text.contains(' ') && !text.starts_with('(');
+    if apart { format!("({text})") } else { text }
+}
+
+/// Without the parentheses around a single negative figure.
+fn bare(text: &str) -> &str {
+    let inner = text.strip_prefix('(').and_then(|text| text.strip_suffix(')'));
+    inner.filter(|inner| !inner.contains(['(', ')'])).unwrap_or(text)
 }
 
 struct Reader<'t> {
@@ -325,6 +340,25 @@ mod tests {
             ("abs(a)^2", "|a|²"),
             ("(a + b)^2", "(a + b)²"),
             ("2^-a", "2^(−a)"),
+        ] {
+            assert_eq!(shown(text), expected);
+        }
+    }
+
+    #[test]
+    fn figures_with_units_are_held_together() {
+        let figure = |name: &str| match name {
+            "a" => "(−3 Nm)".to_owned(),
+            "b" => "4 Nm/A".to_owned(),
+            _ => "7".to_owned(),
+        };
+        let shown = |text: &str| Formula::parse(text).unwrap().shown(&figure, &|number| number.to_string());
+        for (text, expected) in [
+            ("a/b", "(−3 Nm)/(4 Nm/A)"),
+            ("b^2 + c^2", "(4 Nm/A)² + 7²"),
+            ("abs(a)", "|−3 Nm|"),
+            ("abs(a - b)", "|(−3 Nm) − 4 Nm/A|"),
+            ("b/c", "4 Nm/A/7"),
         ] {
             assert_eq!(shown(text), expected);
         }

@@ -83,6 +83,45 @@ pub enum CheckId {
 }
 
 impl CheckId {
+    /// Every check.
+    pub const ALL: [Self; 36] = [
+        Self::PeakTorque,
+        Self::PeakSpeed,
+        Self::MeanSpeed,
+        Self::ContinuousTorque,
+        Self::PeakCurrent,
+        Self::Demagnetisation,
+        Self::Voltage,
+        Self::InertiaRatio,
+        Self::GearMeanTorque,
+        Self::GearLife,
+        Self::Torsion,
+        Self::NaturalFrequency,
+        Self::BearingAxial,
+        Self::BearingRadial,
+        Self::BearingTiltingMoment,
+        Self::BearingLife,
+        Self::BearingStatic,
+        Self::TiltAngle,
+        Self::Ambient,
+        Self::TorqueSpeedTrace,
+        Self::Thermal,
+        Self::OverloadI2t,
+        Self::GearMeanInputSpeed,
+        Self::CollisionTorque,
+        Self::ResonanceSpeed,
+        Self::ErrorBudget,
+        Self::BrakeHolding,
+        Self::BrakeEmergency,
+        Self::DcLink,
+        Self::Regeneration,
+        Self::FeedbackRange,
+        Self::FeedbackResolution,
+        Self::Battery,
+        Self::ScrewJointLoad,
+        Self::ScrewJointHousing,
+        Self::Application,
+    ];
     /// Whether its utilisation tells a margin that the ranking looks at: not that of a recommendation, nor that of a
     /// voltage class, which is met or not.
     #[must_use]

@@ -8,7 +8,7 @@ use crate::trace::{Block, Node};
 use crate::workings;
 use actuator::{FRICTION_LOSS_SHARE, Parameters, Thermal, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT};
 use derivation::Workings;
-use provenance::{Grade, Missing, Source};
+use provenance::{CellRef, Grade, Missing, Source};
 use quantities::unit::{
     AMPERE, DEGREE_CELSIUS, JOULE, KELVIN_DIFFERENCE, NEWTON_METRE, ONE, REVOLUTION_PER_MINUTE, SECOND, VOLT, WATT,
 };
@@ -207,7 +207,8 @@ fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Miss
         work.found("dtheta", &KELVIN_DIFFERENCE, hottest - steady, text, &source, Grade::Estimated);
         work.estimate("theta_w", &DEGREE_CELSIUS, hottest, "theta_m + dtheta", &source);
         work.value("theta_w");
-        let threshold = Source::Equation { document: "cha-manual", number: "table 62.3" };
+        let cell = CellRef { table: "62.3", symbol: "T_KTY", condition: "", drive: "", ratio: "" };
+        let threshold = Source::Cell(cell);
         work.figure("theta_warn", &DEGREE_CELSIUS, limit.si(), &threshold, Grade::Printed);
         work.limit("theta_warn");
     }

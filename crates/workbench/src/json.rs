@@ -1,11 +1,13 @@
 //! The results as JSON values, with the names that scripts rely on.
 
 mod chapters;
+mod explain;
 mod inertia;
 mod moves;
 mod tolerance;
 
 pub use chapters::{battery, curves, reserve};
+pub use explain::explain;
 pub use inertia::inertia;
 pub use moves::moves;
 pub use tolerance::tolerance;

@@ -6,6 +6,7 @@
 mod chapters;
 mod codes;
 mod diagnostic;
+mod explain;
 mod export;
 mod inertia;
 pub mod json;
@@ -21,6 +22,7 @@ pub use chapters::{TEMPLATES, battery, bearing_checks, bearing_of_each_size, cur
 pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, read_code, read_pattern};
 pub use configurator::{Availability, Choice, Unmet};
 pub use diagnostic::{Diagnostic, place};
+pub use explain::{Explanation, Node, explanation, trust};
 pub use export::{EXPORT_COLUMNS, export_rows};
 pub use inertia::{BODY_SHAPES, BodyAnswer, BodyShape, InertiaAnswer, inertia};
 pub use moves::{Move, Moves, moves};
@@ -32,7 +34,7 @@ pub use project::{
 pub use quantities::{self, Language};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
 pub use sizing::derivation;
-pub use sizing::{Check, Demand, Figure, Reserve, Verdict};
+pub use sizing::{Check, CheckId, Demand, Figure, Reserve, Verdict};
 pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, explain, explain_own,
     reserve_of, size,

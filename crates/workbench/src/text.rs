@@ -1,6 +1,7 @@
 //! What antrieb says, in English and German. Both stand side by side, so that none can be missing.
 
 mod codes;
+mod derivation;
 mod motion;
 mod notes;
 mod reading;
@@ -9,6 +10,8 @@ mod results;
 pub(crate) mod tolerance;
 
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token};
+pub(crate) use derivation::step_term;
+pub use derivation::{found_text, symbol_shown};
 pub(crate) use reading::Speak;
 pub use reading::file_trouble;
 pub use results::{

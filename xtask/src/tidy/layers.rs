@@ -79,7 +79,8 @@ fn objection(member: &Member, from: Room, dependency: &Dependency) -> Option<Str
         (_, Room::DevOnly) => Some(format!("`{on}` may only be a dev-dependency")),
         (Room::Layer(_), Room::Outside) => Some(format!("`{name}` is part of the product and may not use `{on}`")),
         (Room::Layer(own), Room::Layer(other)) => {
-            let served = SERVE_THEIR_LAYER.contains(&on) && !SERVE_THEIR_LAYER.contains(&name) && own == other;
+            let served =
+                SERVE_THEIR_LAYER.contains(&on.as_str()) && !SERVE_THEIR_LAYER.contains(&name.as_str()) && own == other;
             (other >= own && !served)
                 .then(|| format!("`{name}` (layer {own}) may not use `{on}` (layer {other}): only lower layers"))
         }

@@ -169,7 +169,7 @@ impl Strip {
         let time = recorded.time_s().get(samples.clone())?;
         let speed = recorded.speed_rad_s().get(samples.clone())?;
         let torque = recorded.torque_nm().and_then(|torque| torque.get(samples));
-        if intervals.len() % LANES != 0 {
+        if !intervals.len().is_multiple_of(LANES) {
             return None;
         }
         let (slowest, fastest) = range(speed);

@@ -1,0 +1,161 @@
+//! The derivation of a check as a tree: formula, figures put in, value, source and grade of everything.
+
+use crate::text::{evidence_text, found_text, grade_word, source_text, step_term, symbol_shown, symbol_term};
+use provenance::{Grade, Source};
+use quantities::{Language, format_significant};
+use sizing::Check;
+use sizing::derivation::{Formula, How, Part, Step};
+
+/// Digits of the figures in a derivation: as many as a pocket calculator needs to come to the same answer.
+const DIGITS: usize = 6;
+
+/// One figure with what it was made from.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// Symbol in ASCII: `T_max`, `omega_1`.
+    pub symbol: &'static str,
+    /// Its term in the glossary; empty where the glossary has none.
+    pub term: String,
+    /// The formula, or what was searched or integrated.
+    pub formula: Option<String>,
+    /// The formula with the figures put in; `None` where nothing can be put in.
+    pub figures: Option<String>,
+    /// Value in its unit.
+    pub value: f64,
+    /// Unit as people write it; `1` for a bare number.
+    pub unit: &'static str,
+    /// Unit in data exchange.
+    pub unit_json: &'static str,
+    /// Where it, or its formula, comes from.
+    pub source: String,
+    /// How far it can be trusted; `None` for what the user gave.
+    pub grade: Option<Grade>,
+    /// Errata that touch it: identifier and evidence.
+    pub errata: Vec<(&'static str, String)>,
+    /// What it was made from; a figure that was shown before comes without its own.
+    pub operands: Vec<Node>,
+    /// Whether it was shown before.
+    pub is_repeated: bool,
+}
+
+impl Node {
+    /// Symbol as people write it.
+    #[must_use]
+    pub fn shown(&self) -> String {
+        symbol_shown(self.symbol)
+    }
+
+    /// Value with its unit.
+    #[must_use]
+    pub fn amount(&self, language: Language) -> String {
+        amount(self.value, self.unit, language)
+    }
+}
+
+/// Value and limit of a check with everything that led to them.
+#[derive(Clone, Debug)]
+pub struct Explanation {
+    /// What the axis asks.
+    pub value: Option<Node>,
+    /// What the actuator gives, or what is asked for.
+    pub limit: Option<Node>,
+}
+
+/// The explanation of a check that was judged with its workings.
+#[must_use]
+pub fn explanation(check: &Check, language: Language) -> Explanation {
+    let steps = &check.workings;
+    let mut seen = vec![false; steps.len()];
+    let mut of = |part: Part| {
+        let root = steps.iter().rposition(|step| step.part == part)?;
+        node(steps, root, &mut seen, language)
+    };
+    Explanation { value: of(Part::Value), limit: of(Part::Limit) }
+}
+
+fn amount(value: f64, unit: &str, language: Language) -> String {
+    let number = trimmed(&format_significant(value, DIGITS, language), language);
+    if unit == "1" { number } else { format!("{number} {unit}") }
+}
+
+/// Without the zeros that end a decimal fraction.
+fn trimmed(number: &str, language: Language) -> String {
+    let point = if language == Language::De { ',' } else { '.' };
+    if !number.contains(point) {
+        return number.to_owned();
+    }
+    number.trim_end_matches('0').trim_end_matches(point).to_owned()
+}
+
+fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> Option<Node> {
+    let step = steps.get(index)?;
+    let flag = seen.get_mut(index)?;
+    let is_repeated = *flag && !step.operands().is_empty();
+    *flag = true;
+    let (formula, figures) = match &step.how {
+        How::Formula { text, operands } => written(text, operands, steps, language),
+        How::Found { text, .. } => (Some(found_text(text, language)), None),
+        _ => (None, None),
+    };
+    let operands = if is_repeated { &[][..] } else { step.operands() };
+    Some(Node {
+        symbol: step.symbol,
+        term: term(step, language),
+        formula,
+        figures,
+        value: step.value(),
+        unit: step.unit.symbol,
+        unit_json: step.unit.json,
+        source: source_text(&step.source, language),
+        grade: (!is_stated(step)).then_some(step.grade),
+        errata: step.errata.iter().map(|id| (*id, evidence_text(id, language).to_owned())).collect(),
+        operands: operands.iter().filter_map(|index| node(steps, *index, seen, language)).collect(),
+        is_repeated,
+    })
+}
+
+/// A formula in symbols, and with its figures.
+fn written(text: &str, operands: &[usize], steps: &[Step], language: Language) -> (Option<String>, Option<String>) {
+    let Ok(formula) = Formula::parse(text) else { return (Some(text.to_owned()), None) };
+    let number = |value: f64| trimmed(&format_significant(value, DIGITS, language), language);
+    let symbols = formula.shown(&symbol_shown, &number);
+    let figure = |name: &str| {
+        let step = operands.iter().filter_map(|index| steps.get(*index)).find(|step| step.symbol == name);
+        step.map_or_else(
+            || symbol_shown(name),
+            |step| {
+                let text = amount(step.value(), step.unit.symbol, language);
+                if step.value() < 0.0 { format!("({text})") } else { text }
+            },
+        )
+    };
+    (Some(symbols), Some(formula.shown(&figure, &number)))
+}
+
+/// Grade in words, for people.
+#[must_use]
+pub fn trust(node: &Node, language: Language) -> String {
+    match node.grade {
+        Some(grade) => format!("{}, {}", grade_word(grade, language), node.source),
+        None => node.source.clone(),
+    }
+}
+
+/// Whether the user stated a figure.
+fn is_stated(step: &Step) -> bool {
+    step.how == How::Given && matches!(step.source, Source::Project { .. }) && step.grade == Grade::Printed
+}
+
+/// The field's word for a symbol: of a printed cell that of the glossary, which another figure of the same name in a
+/// derivation must not take over.
+fn term(step: &Step, language: Language) -> String {
+    let printed = match &step.source {
+        Source::Cell(cell) | Source::Published { cell, .. } => step.how == How::Given && cell.symbol == step.symbol,
+        _ => false,
+    };
+    if printed {
+        let term = symbol_term(step.symbol, language);
+        return if term == step.symbol { String::new() } else { term };
+    }
+    step_term(step.symbol, language).to_owned()
+}
