@@ -36,7 +36,7 @@ pub use output_bearing::{
     BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, mean_load, static_safety,
     tilt_angle, tilting_moment,
 };
-pub use overload::{intermittent_loss_factor, overload_peak, overload_trip_time};
+pub use overload::{intermittent_loss_factor, overload_course, overload_peak, overload_trip_time};
 pub use parameters::Parameters;
 pub use plane::{
     CurveKind, PerformanceCurve, intermittent_torque, performance_curves, short_time_torque, short_time_torque_with,

@@ -68,6 +68,13 @@ pub fn overload_peak(pieces: &[(Time, Ratio)], time_constant: Time) -> (Ratio, T
     (Ratio::from_si(peak), Time::from_si(at_s))
 }
 
+/// The lag of (I/I_0)² at the start of every piece of a cycle repeated for ever; as [`overload_peak`].
+#[must_use]
+pub fn overload_course(pieces: &[(Time, Ratio)], time_constant: Time) -> Vec<Ratio> {
+    let plain: Vec<(f64, f64)> = pieces.iter().map(|(duration, square)| (duration.si(), square.si())).collect();
+    periodic_lag(&plain, time_constant.si()).into_iter().map(Ratio::from_si).collect()
+}
+
 /// Loss of intermittent duty S3 relative to the loss of continuous duty, during operation.
 ///
 /// (I_S3/I_S1)² = (1 − e^(−T_c/τ)) / (1 − e^(−ED T_c/τ))

@@ -194,6 +194,23 @@ impl Thermal {
         }
     }
 
+    /// Temperatures at the start of every piece of a cycle that repeats for ever; as [`Thermal::cycle`].
+    #[must_use]
+    pub fn course(&self, pieces: &[(Time, Power)], ambient: ThermodynamicTemperature) -> Vec<Temperatures> {
+        let plain: Vec<(f64, f64)> = pieces.iter().map(|(duration, loss)| (duration.si(), loss.si())).collect();
+        let [quick, slow] = self.tau_s.map(|tau| periodic_lag(&plain, tau));
+        let rise = |[q, s]: [f64; 2], quick: f64, slow: f64| {
+            ThermodynamicTemperature::from_si(ambient.si() + q * quick + s * slow)
+        };
+        let starts = quick.into_iter().zip(slow);
+        starts
+            .map(|(quick, slow)| Temperatures {
+                winding: rise(self.gain_winding, quick, slow),
+                housing: rise(self.gain_housing, quick, slow),
+            })
+            .collect()
+    }
+
     /// Largest rise \[K\] of a node with these gains and its moment \[s\].
     fn peak(&self, pieces: &[(f64, f64)], modes: &[Vec<f64>; 2], gains: [f64; 2]) -> (f64, f64) {
         let ([quick, slow], [g_quick, g_slow], [tau_quick, tau_slow]) = (modes, gains, self.tau_s);

@@ -20,7 +20,7 @@ use quantities::{
 const WINDING_SHUTDOWN: f64 = 363.15;
 
 /// The ambient temperature up to which the printed data hold, 40 °C, in kelvin: assumed where none is stated.
-const AMBIENT_REFERENCE: f64 = 313.15;
+pub(crate) const AMBIENT_REFERENCE: f64 = 313.15;
 
 /// Parts of a gap between two instants, for the power; a recording is dense enough without.
 const POWER_PARTS: u32 = 16;
@@ -133,7 +133,7 @@ fn torque_speed_trace(axis: &Axis, actuator: &Parameters, work: &mut Workings) -
 }
 
 /// Current and loss at every instant, for the models of heat.
-struct Losses<'a> {
+pub(crate) struct Losses<'a> {
     currents: &'a Currents,
     /// R_LL at 80 °C, 1.5 times: copper loss per square of the current \[Ω\].
     copper_ohm: f64,
@@ -143,7 +143,7 @@ struct Losses<'a> {
 
 impl Losses<'_> {
     /// 1.5 R I² + w I_f k_TM ω_mot
-    fn at(&self, node: &Node) -> f64 {
+    pub(crate) fn at(&self, node: &Node) -> f64 {
         let current = self.currents.at(node);
         self.copper_ohm * current * current + self.friction_vs * self.currents.friction(node) * node.speed.abs()
     }
@@ -157,7 +157,10 @@ impl Losses<'_> {
     }
 }
 
-fn losses<'a>(actuator: &Parameters, currents: Result<&'a Currents, &Missing>) -> Result<Losses<'a>, Missing> {
+pub(crate) fn losses<'a>(
+    actuator: &Parameters,
+    currents: Result<&'a Currents, &Missing>,
+) -> Result<Losses<'a>, Missing> {
     let currents = currents.map_err(|missing| *missing)?;
     let resistance = actuator.resistance_ll.require("R_LL")?;
     let torque_constant = actuator.torque_constant_motor.require("k_TM")?;
@@ -264,6 +267,42 @@ fn overload(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Mis
         .answer(Verdict::Fail)
 }
 
+/// Power at the motor terminals, winding cold: P = 1.5 R I² + k_TM I ω_mot.
+pub(crate) struct TerminalPower<'a> {
+    currents: &'a Currents,
+    copper_ohm: f64,
+    constant_vs: f64,
+}
+
+impl TerminalPower<'_> {
+    /// At an instant \[W\].
+    pub(crate) fn at(&self, node: &Node) -> f64 {
+        let current = self.currents.at(node);
+        self.copper_ohm * current * current + self.constant_vs * current * node.speed
+    }
+
+    /// Its integral over a block in which the load is only driven \[J\].
+    fn driving(&self, block: &Block) -> f64 {
+        let weights = self.currents.weights(1.0);
+        self.copper_ohm * block.gram.square(weights) + self.constant_vs * block.gram.product(weights, SPEED)
+    }
+}
+
+pub(crate) fn terminal_power<'a>(
+    actuator: &Parameters,
+    currents: Result<&'a Currents, &Missing>,
+) -> Result<TerminalPower<'a>, Missing> {
+    let currents = currents.map_err(|missing| *missing)?;
+    let resistance = actuator.resistance_ll.require("R_LL")?;
+    let constant = actuator.torque_constant_motor.require("k_TM")?;
+    let ratio = actuator.ratio.require("i")?;
+    Ok(TerminalPower {
+        currents,
+        copper_ohm: 1.5 * resistance.value.si(),
+        constant_vs: constant.value.si() * ratio.value,
+    })
+}
+
 /// What a capacitor bank holds that gives out what the motor takes before the supply does.
 #[derive(Clone, Copy, Debug, Default)]
 struct Bank {
@@ -291,14 +330,7 @@ pub(crate) fn regeneration(
     work: &mut Workings,
 ) -> Check {
     let id = CheckId::Regeneration;
-    let found = (|| {
-        let currents = currents.map_err(|missing| *missing)?;
-        let resistance = actuator.resistance_ll.require("R_LL")?;
-        let constant = actuator.torque_constant_motor.require("k_TM")?;
-        let ratio = actuator.ratio.require("i")?;
-        Ok((currents, 1.5 * resistance.value.si(), constant.value.si() * ratio.value))
-    })();
-    let (currents, copper_ohm, constant_vs) = match found {
+    let (currents, power) = match terminal_power(actuator, currents).and_then(|p| Ok((currents.map_err(|m| *m)?, p))) {
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
@@ -306,8 +338,7 @@ pub(crate) fn regeneration(
     let mut bank = Bank::default();
     // With no weight an instant only counts for the peak.
     let mut count = |node: &Node, weight: f64| -> f64 {
-        let current = currents.at(node);
-        let power = copper_ohm * current * current + constant_vs * current * node.speed;
+        let power = power.at(node);
         if power > 0.0 {
             motoring += power * weight;
         } else {
@@ -322,8 +353,7 @@ pub(crate) fn regeneration(
     let parts = if axis.trace.is_recorded() { 1 } else { POWER_PARTS };
     for block in axis.trace.blocks() {
         if !axis.trace.is_short() && block.extent.power_sign(currents.inertia) == Some(1.0) {
-            let weights = currents.weights(1.0);
-            let taken = copper_ohm * block.gram.square(weights) + constant_vs * block.gram.product(weights, SPEED);
+            let taken = power.driving(block);
             driven += taken;
             bank.pass(taken);
             continue;

@@ -34,10 +34,10 @@ pub use project::{
 pub use quantities::{self, Language};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
 pub use sizing::derivation;
-pub use sizing::{Check, CheckId, Demand, Figure, Reserve, Verdict};
+pub use sizing::{Check, CheckId, Course, Demand, Figure, Reserve, Sample, Verdict};
 pub use sizing_use::{
-    Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, explain, explain_own,
-    reserve_of, size,
+    Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, course, explain,
+    explain_own, reserve_of, size,
 };
 pub use tolerance::{
     Assessment, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,

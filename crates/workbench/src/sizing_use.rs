@@ -5,7 +5,7 @@ use actuator::Parameters;
 use configurator::{BrokenRule, Unmet, availability};
 use order_code::{Field, Option1, OrderCode};
 use quantities::Measure;
-use sizing::{Check, Depth, Judgement, Reserve, Standing, Verdict, judge, rank, reserve};
+use sizing::{Check, Course, Depth, Judgement, Reserve, Standing, Verdict, judge, rank, reserve};
 use std::sync::LazyLock;
 
 /// What a candidate is called.
@@ -208,6 +208,12 @@ pub fn explain_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
 /// [`Refusal::NoActuator`] if the project describes none.
 pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
     project.actuator.as_ref().map(|own| own_candidate(project, own)).ok_or(Refusal::NoActuator)
+}
+
+/// The cycle of a project's axis on a candidate as time series.
+#[must_use]
+pub fn course(project: &Project, candidate: &Candidate<'_>) -> Course {
+    Course::of(&project.axis, candidate.parameters)
 }
 
 /// How far the axis of a project may be changed until a candidate just fits.

@@ -12,7 +12,7 @@ pub fn explain(found: &Check, language: Language) -> Value {
     let mut value = check(found, language);
     let explained = explanation(found, language);
     if let Value::Object(map) = &mut value {
-        let tree = |root: &Option<Node>| root.as_ref().map_or(Value::Null, |root| node(root));
+        let tree = |root: &Option<Node>| root.as_ref().map_or(Value::Null, node);
         map.insert("derivation".into(), json!({ "value": tree(&explained.value), "limit": tree(&explained.limit) }));
     }
     value

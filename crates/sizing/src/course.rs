@@ -1,0 +1,234 @@
+//! The cycle as time series, for pictures and tables: what is judged is the trace, this is how it looks.
+
+use crate::axis::Axis;
+use crate::currents::Currents;
+use crate::electric_checks::{AMBIENT_REFERENCE, losses, terminal_power};
+use crate::trace::Node;
+use actuator::{Parameters, Thermal, WINDING_TIME_CONSTANT};
+use mechanism::{Extra, Output};
+use motion::Hold;
+use quantities::{Measure, Power, Ratio, ThermodynamicTemperature, Time, Torque};
+
+/// Samples in one piece of a law.
+const PER_PIECE: u32 = 32;
+
+/// One instant of the cycle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sample {
+    /// Instant \[s\].
+    pub time_s: f64,
+    /// Position of the output \[rad\].
+    pub position_rad: f64,
+    /// Speed [rad/s].
+    pub speed_rad_s: f64,
+    /// Acceleration [rad/s²].
+    pub acceleration_rad_s2: f64,
+    /// Torque of the actuator, its own inertia included \[Nm\].
+    pub torque_nm: f64,
+    /// Motor current, signed like the torque, rms \[A\].
+    pub current_a: Option<f64>,
+    /// Electrical power at the motor terminals \[W\].
+    pub power_w: Option<f64>,
+    /// Winding in the steady cycle \[K\].
+    pub winding_k: Option<f64>,
+    /// Housing in the steady cycle \[K\].
+    pub housing_k: Option<f64>,
+    /// Overload integral in the steady cycle.
+    pub overload: Option<f64>,
+}
+
+/// The cycle of an axis on one actuator.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Course {
+    /// The instants in their order; two of the same time where something jumps.
+    pub samples: Vec<Sample>,
+    /// Instants at which the segments begin \[s\].
+    pub borders_s: Vec<f64>,
+    /// Duration \[s\].
+    pub duration_s: f64,
+}
+
+impl Course {
+    /// The cycle of an axis on an actuator; quantities whose data are not known are left out.
+    #[must_use]
+    pub fn of(axis: &Axis, actuator: &Parameters) -> Self {
+        let inertia = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
+        let currents = Currents::of(actuator);
+        let losses = losses(actuator, currents.as_ref());
+        let power = terminal_power(actuator, currents.as_ref());
+        let mut samples = Vec::new();
+        let mut loss_w = Vec::new();
+        instants(axis, &mut |position_rad, node| {
+            samples.push(Sample {
+                time_s: node.time,
+                position_rad,
+                speed_rad_s: node.speed,
+                acceleration_rad_s2: node.acceleration,
+                torque_nm: inertia * node.acceleration + node.load,
+                current_a: currents.as_ref().ok().map(|currents| currents.at(node)),
+                power_w: power.as_ref().ok().map(|power| power.at(node)),
+                ..Sample::default()
+            });
+            loss_w.extend(losses.as_ref().ok().map(|losses| losses.at(node)));
+        });
+        heat(&mut samples, &loss_w, axis, actuator);
+        overload(&mut samples, actuator);
+        Self {
+            samples,
+            borders_s: axis.motion.stretches().iter().map(|stretch| stretch.start.si()).collect(),
+            duration_s: axis.motion.duration().si(),
+        }
+    }
+}
+
+/// The pieces of the laws, sampled, and the samples of the recordings, in the order of time.
+fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
+    let none = Extra::none();
+    let extra = |segment: usize| axis.extras.get(segment).unwrap_or(&none);
+    let mut recordings = axis.motion.recordings().iter().peekable();
+    let recorded = |placed: &motion::Placed, look: &mut dyn FnMut(f64, &Node)| {
+        for interval in (0..placed.intervals()).filter_map(|index| placed.interval(index)) {
+            let acceleration = interval.acceleration_rad_s2();
+            let [first, last] = interval.speed_rad_s;
+            let direction = if first + last == 0.0 { 0.0 } else { (first + last).signum() };
+            for u in [0.0, 1.0] {
+                let (position, speed, torque) = interval.at(u);
+                let output =
+                    Output { position_rad: position, speed_rad_s: speed, acceleration_rad_s2: acceleration, direction };
+                let extra = extra(placed.segment);
+                let extra = Extra { torque: extra.torque + Torque::from_si(torque), ..*extra };
+                let time = interval.start_s + u * interval.duration_s;
+                let load = axis.mechanism.torque(&output, &extra);
+                look(position, &Node { time, weight: 0.0, acceleration, speed, direction, load });
+            }
+        }
+    };
+    for piece in axis.motion.pieces() {
+        while let Some(placed) = recordings.next_if(|placed| placed.start_s < piece.start_s) {
+            recorded(placed, look);
+        }
+        let hold = axis.motion.stretches().get(piece.segment).map_or(Hold::Motor, |stretch| stretch.hold);
+        let rests = piece.is_rest();
+        let parts = if rests { 1 } else { PER_PIECE };
+        let mut instants: Vec<f64> =
+            (0..=parts).map(|part| piece.duration_s * f64::from(part) / f64::from(parts)).collect();
+        instants.extend(piece.reversals().into_iter().flat_map(|t| [t, t]));
+        instants.sort_by(f64::total_cmp);
+        for (index, t) in instants.iter().enumerate() {
+            let state = piece.at(*t);
+            // On both sides of a reversal the direction is that of the neighbour away from it.
+            let neighbour = |at: Option<usize>| at.and_then(|at| instants.get(at)).filter(|other| *other != t);
+            let other = neighbour(index.checked_sub(1)).or_else(|| neighbour(Some(index + 1))).unwrap_or(t);
+            let speed = piece.at(0.5 * (t + other)).speed_rad_s;
+            let direction = if rests || speed == 0.0 { 0.0 } else { speed.signum() };
+            let output = Output {
+                position_rad: state.position_rad,
+                speed_rad_s: state.speed_rad_s,
+                acceleration_rad_s2: state.acceleration_rad_s2,
+                direction,
+            };
+            let held = rests && hold != Hold::Motor;
+            let load = if held { 0.0 } else { axis.mechanism.torque(&output, extra(piece.segment)) };
+            look(
+                state.position_rad,
+                &Node {
+                    time: piece.start_s + t,
+                    weight: 0.0,
+                    acceleration: state.acceleration_rad_s2,
+                    speed: state.speed_rad_s,
+                    direction,
+                    load,
+                },
+            );
+        }
+    }
+    for placed in recordings {
+        recorded(placed, look);
+    }
+}
+
+/// Durations from one sample to the next, the last to the end with none.
+fn gaps(samples: &[Sample]) -> Vec<f64> {
+    let next = samples.iter().skip(1).map(|sample| sample.time_s);
+    let last = samples.last().map(|sample| sample.time_s);
+    samples.iter().zip(next.chain(last)).map(|(sample, next)| (next - sample.time_s).max(0.0)).collect()
+}
+
+/// Means of a signal over the gaps.
+fn means(values: &[f64]) -> impl Iterator<Item = f64> {
+    values.iter().zip(values.iter().skip(1).chain(values.last())).map(|(a, b)| 0.5 * (a + b))
+}
+
+fn heat(samples: &mut [Sample], loss_w: &[f64], axis: &Axis, actuator: &Parameters) {
+    let Ok(model) = Thermal::of(actuator) else { return };
+    if loss_w.len() != samples.len() {
+        return;
+    }
+    let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
+    let pieces: Vec<(Time, Power)> = gaps(samples)
+        .into_iter()
+        .zip(means(loss_w))
+        .map(|(duration, loss)| (Time::from_si(duration), Power::from_si(loss)))
+        .collect();
+    for (sample, found) in samples.iter_mut().zip(model.course(&pieces, ambient)) {
+        sample.winding_k = Some(found.winding.si());
+        sample.housing_k = Some(found.housing.si());
+    }
+}
+
+fn overload(samples: &mut [Sample], actuator: &Parameters) {
+    let Some(stall) = actuator.stall_current.known().map(|stall| stall.value.si()) else { return };
+    let squares: Vec<f64> = samples.iter().filter_map(|sample| Some((sample.current_a? / stall).powi(2))).collect();
+    if squares.len() != samples.len() {
+        return;
+    }
+    let pieces: Vec<(Time, Ratio)> = gaps(samples)
+        .into_iter()
+        .zip(means(&squares))
+        .map(|(duration, square)| (Time::from_si(duration), Ratio::from_si(square)))
+        .collect();
+    let course = actuator::overload_course(&pieces, Time::from_si(WINDING_TIME_CONSTANT));
+    for (sample, found) in samples.iter_mut().zip(course) {
+        sample.overload = Some(found.si());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechanism::Mechanism;
+    use motion::{Closing, ManualMove, Motion, SegmentSpec};
+    use quantities::{AngularVelocity, MomentOfInertia};
+
+    #[test]
+    fn the_course_is_that_of_the_trace() {
+        let s = Time::from_si;
+        let only = SegmentSpec::Manual(ManualMove {
+            speed: AngularVelocity::from_si(4.0),
+            accelerate: s(0.1),
+            run: s(0.3),
+            brake: s(0.2),
+            pause: s(1.0),
+        });
+        let motion = Motion::new(&[only], None, Closing::Speed).unwrap();
+        let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(5.0));
+        let axis = Axis::new(load, motion, Vec::new());
+        let course = Course::of(&axis, &Parameters::unknown());
+        let peak = course.samples.iter().map(|sample| sample.torque_nm).fold(0.0, f64::max);
+        assert!((peak - 45.0).abs() < 1e-12, "{peak}");
+        let square: f64 = course
+            .samples
+            .windows(2)
+            .map(|pair| {
+                let (a, b) = (pair[0].torque_nm, pair[1].torque_nm);
+                (pair[1].time_s - pair[0].time_s) * (a * a + a * b + b * b) / 3.0
+            })
+            .sum();
+        assert!((square - axis.trace.gram.square([0.0, 1.0, 0.0, 0.0])).abs() < 1e-9);
+        assert!((course.duration_s - 1.6).abs() < 1e-12);
+        assert_eq!(course.borders_s, [0.0]);
+        let travelled = course.samples.last().unwrap().position_rad;
+        assert!((travelled - axis.moments().angle_travelled.si()).abs() < 1e-12);
+        assert!(course.samples.windows(2).all(|pair| pair[1].time_s >= pair[0].time_s));
+    }
+}
