@@ -17,7 +17,7 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 22] = [
+const ROOMS: [(&str, Room); 23] = [
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
     ("order-code", Room::Layer(0)),
@@ -27,6 +27,7 @@ const ROOMS: [(&str, Room); 22] = [
     ("recording", Room::Layer(1)),
     ("mechanism", Room::Layer(1)),
     ("actuator", Room::Layer(1)),
+    ("plot", Room::Layer(1)),
     ("configurator", Room::Layer(2)),
     ("sizing", Room::Layer(2)),
     ("twin", Room::Layer(2)),

@@ -1,0 +1,284 @@
+//! Items of a plane, drawn.
+
+use crate::canvas::{Anchor, Canvas, Fill, HAIR, Setting, Stroke, TEXT};
+use crate::font::{ASCENT, DESCENT};
+use crate::geometry::{Point, Rect};
+use crate::item::{Area, At, Item, Line, Markers, Note, Reference, Tags, colour, is_data, pieces};
+use crate::label::Label;
+use crate::legend::{MARKER, draw_marker, edge, fill, stroke};
+use crate::place::Field;
+use crate::plane::Plane;
+use crate::reduce::{line_path, outline_path, reduced};
+use crate::style::Colour;
+
+/// Points above which markers are thinned to one per half pixel and carry no data of their own.
+const MARKERS_MAX: usize = 2000;
+/// How far a name may stand from its point, and a note from its.
+const NAME_REACH: f64 = 42.0;
+const NOTE_REACH: f64 = 110.0;
+
+/// Areas, then references, then lines.
+pub(crate) fn items(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
+    for item in items {
+        if let Item::Area(area) = item {
+            draw_area(canvas, plane, area);
+        }
+    }
+    for item in items {
+        if let Item::Reference(reference) = item {
+            draw_reference(canvas, plane, reference);
+        }
+    }
+    for item in items {
+        if let Item::Line(line) = item {
+            draw_line(canvas, plane, line);
+        }
+    }
+}
+
+/// Markers, which lie on top of axes.
+pub(crate) fn markers(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
+    for item in items {
+        if let Item::Markers(markers) = item {
+            draw_markers(canvas, plane, markers);
+        }
+    }
+}
+
+/// Labels of references, notes, and names of points, each where there is room.
+pub(crate) fn texts(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item], field: &mut Field) {
+    for item in items {
+        if let Item::Reference(reference) = item {
+            label_reference(canvas, plane, reference, field);
+        }
+    }
+    for item in items {
+        if let Item::Note(note) = item {
+            draw_note(canvas, plane, note, field);
+        }
+    }
+    for item in items {
+        if let Item::Markers(markers) = item {
+            for (point, name) in markers.points.iter().zip(&markers.names) {
+                if is_data(*point) {
+                    near(canvas, plane, *point, name, field, (MARKER + 1.5, NAME_REACH), Colour::Ink);
+                }
+            }
+        }
+    }
+}
+
+/// What is drawn, for the field.
+pub(crate) fn stamp(field: &mut Field, plane: &Plane, items: &[Item]) {
+    for item in items {
+        match item {
+            Item::Line(line) => {
+                for piece in line_pieces(plane, line).0 {
+                    field.line(&piece);
+                }
+            }
+            Item::Area(area) => {
+                let (pieces, _) = pieces(&area.outline);
+                let mut outline: Vec<Point> = pieces.concat().iter().map(|point| plane.at(*point)).collect();
+                outline.extend(outline.first().copied());
+                field.line(&reduced(&outline));
+            }
+            Item::Markers(markers) => {
+                for point in markers.points.iter().filter(|point| is_data(**point)) {
+                    let at = plane.at(*point);
+                    if plane.area.grown(MARKER).cut(at, at).is_some() {
+                        field.disc(at, MARKER);
+                    }
+                }
+            }
+            Item::Reference(reference) => field.line(&ends(plane, reference)),
+            Item::Note(_) => {}
+        }
+    }
+}
+
+fn line_pieces(plane: &Plane, line: &Line) -> (Vec<Vec<Point>>, usize) {
+    let (mut parts, dropped) = pieces(&line.points);
+    // A closed line with a gap is not closed.
+    if line.closed
+        && let [only] = parts.as_mut_slice()
+    {
+        only.extend(only.first().copied());
+    }
+    let drawn = parts.into_iter().map(|piece| {
+        let stepped = if line.steps { steps(&piece) } else { piece };
+        reduced(&stepped.into_iter().map(|point| plane.at(point)).collect::<Vec<_>>())
+    });
+    (drawn.collect(), dropped)
+}
+
+fn steps(points: &[Point]) -> Vec<Point> {
+    let mut stepped: Vec<Point> = Vec::with_capacity(points.len() * 2);
+    for &point in points {
+        if let Some(&(_, y)) = stepped.last() {
+            stepped.push((point.0, y));
+        }
+        stepped.push(point);
+    }
+    stepped
+}
+
+fn draw_line(canvas: &mut Canvas<'_>, plane: &Plane, line: &Line) {
+    let (pieces, dropped) = line_pieces(plane, line);
+    canvas.open_item("line", &line.tags, &line.label, dropped);
+    let stroke = stroke(line);
+    let mut d = String::new();
+    for piece in &pieces {
+        match piece.as_slice() {
+            // A single point has no length, and would not be seen.
+            [only] if plane.area.cut(*only, *only).is_some() => {
+                draw_marker(canvas, crate::item::Shape::Circle, *only, stroke.colour, false);
+            }
+            more => d.push_str(&line_path(more, &plane.area)),
+        }
+    }
+    canvas.path(&d, &Fill::None, Some(&stroke));
+    canvas.close();
+}
+
+fn draw_area(canvas: &mut Canvas<'_>, plane: &Plane, area: &Area) {
+    let (pieces, dropped) = pieces(&area.outline);
+    canvas.open_item("area", &area.tags, &area.label, dropped);
+    let outline: Vec<Point> = pieces.concat().iter().map(|point| plane.at(*point)).collect();
+    let d = outline_path(&reduced(&outline), &plane.area);
+    let fill = fill(canvas, area);
+    if area.hatch.is_some() {
+        canvas.path(&d, &Fill::Flat(colour(area.tone), 0.06), None);
+    }
+    let edge = edge(area);
+    canvas.path(&d, &fill, area.outlined.then_some(&edge));
+    canvas.close();
+}
+
+fn draw_markers(canvas: &mut Canvas<'_>, plane: &Plane, markers: &Markers) {
+    let dropped = markers.points.iter().filter(|point| !is_data(**point)).count();
+    canvas.open_item("markers", &markers.tags, &markers.label, dropped);
+    let many = markers.points.len() > MARKERS_MAX;
+    let mut seen = std::collections::BTreeSet::new();
+    for (index, point) in markers.points.iter().enumerate().filter(|(_, point)| is_data(**point)) {
+        let at = plane.at(*point);
+        if plane.area.grown(0.01).cut(at, at).is_none() {
+            continue;
+        }
+        if many {
+            #[expect(clippy::cast_possible_truncation, reason = "a place within the picture")]
+            let place = ((at.0 * 2.0) as i32, (at.1 * 2.0) as i32);
+            if seen.insert(place) {
+                draw_marker(canvas, markers.shape, at, colour(markers.tone), markers.hollow);
+            }
+            continue;
+        }
+        let mut tags = Tags::default();
+        tags.put("x", &format!("{}", point.0));
+        tags.put("y", &format!("{}", point.1));
+        let name = markers.names.get(index).cloned().unwrap_or_default();
+        canvas.open_item("marker", &tags, &name, 0);
+        draw_marker(canvas, markers.shape, at, colour(markers.tone), markers.hollow);
+        canvas.close();
+    }
+    canvas.close();
+}
+
+fn ends(plane: &Plane, reference: &Reference) -> [Point; 2] {
+    let area = &plane.area;
+    match reference.at {
+        At::X(x) => [(plane.x_at(x), area.top), (plane.x_at(x), area.bottom)],
+        At::Y(y) => [(area.left, plane.y_at(y)), (area.right, plane.y_at(y))],
+    }
+}
+
+fn draw_reference(canvas: &mut Canvas<'_>, plane: &Plane, reference: &Reference) {
+    let value = match reference.at {
+        At::X(value) | At::Y(value) => value,
+    };
+    let data = is_data((value, 0.0));
+    canvas.open_item("reference", &reference.tags, &reference.label, usize::from(!data));
+    let [from, to] = ends(plane, reference);
+    if data && let Some((from, to)) = plane.area.cut(from, to) {
+        canvas.line(from, to, &Stroke { colour: colour(reference.tone), width: 1.1, dash: reference.dash.pattern() });
+    }
+    canvas.close();
+}
+
+fn label_reference(canvas: &mut Canvas<'_>, plane: &Plane, reference: &Reference, field: &mut Field) {
+    let [from, to] = ends(plane, reference);
+    if reference.label.is_empty() || plane.area.cut(from, to).is_none() || !from.0.is_finite() || !from.1.is_finite() {
+        return;
+    }
+    let label = reference.label.elided(plane.area.width() * 0.6, TEXT, false);
+    let (width, height) = (label.width(TEXT, false), TEXT * (ASCENT + DESCENT));
+    let box_at = |left: f64, top: f64| Rect { left, right: left + width, top, bottom: top + height };
+    let area = plane.area;
+    let shares = [0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0];
+    let boxes: Vec<Rect> = match reference.at {
+        At::Y(_) => shares
+            .into_iter()
+            .flat_map(|share| {
+                let left = (area.right - 4.0 - width) - share * (area.width() - width - 8.0);
+                [box_at(left, from.1 - 3.0 - height), box_at(left, from.1 + 3.0)]
+            })
+            .collect(),
+        At::X(_) => shares
+            .into_iter()
+            .flat_map(|share| {
+                let top = area.top + 4.0 + share * (area.height() - height - 8.0);
+                [box_at(from.0 + 4.0, top), box_at(from.0 - 4.0 - width, top)]
+            })
+            .collect(),
+    };
+    match field.best(boxes) {
+        Some((area, _)) => {
+            field.text(area);
+            write_in(canvas, &area, &label, colour(reference.tone));
+        }
+        None => canvas.hide(&reference.label),
+    }
+}
+
+fn draw_note(canvas: &mut Canvas<'_>, plane: &Plane, note: &Note, field: &mut Field) {
+    canvas.open_item("note", &note.tags, &note.label, usize::from(!is_data(note.at)));
+    if is_data(note.at) {
+        near(canvas, plane, note.at, &note.label, field, (5.0, NOTE_REACH), colour(note.tone));
+    }
+    canvas.close();
+}
+
+/// A text near a point, with a leader if it had to go away.
+fn near(
+    canvas: &mut Canvas<'_>,
+    plane: &Plane,
+    point: Point,
+    label: &Label,
+    field: &mut Field,
+    (gap, reach): (f64, f64),
+    colour: Colour,
+) {
+    let at = plane.at(point);
+    if label.is_empty() || plane.area.grown(0.01).cut(at, at).is_none() {
+        return;
+    }
+    let full = label;
+    let label = full.elided(plane.area.width() * 0.7, TEXT, false);
+    let (width, height) = (label.width(TEXT, false), TEXT * (ASCENT + DESCENT));
+    let Some(place) = field.near(at, width, height, gap, reach) else {
+        canvas.hide(full);
+        return;
+    };
+    if let Some(end) = place.leader {
+        let length = (end.0 - at.0).hypot(end.1 - at.1).max(1e-9);
+        // The leader starts outside its marker and ends short of the text.
+        let along = |px: f64| ((end.0 - at.0).mul_add(px / length, at.0), (end.1 - at.1).mul_add(px / length, at.1));
+        canvas.line(along(gap - 1.0), along((length - 1.0).max(gap)), &Stroke::solid(Colour::Soft, HAIR));
+    }
+    write_in(canvas, &place.area, &label, colour);
+}
+
+fn write_in(canvas: &mut Canvas<'_>, area: &Rect, label: &Label, colour: Colour) {
+    let setting = Setting::new(TEXT, colour, Anchor::Start).halo();
+    canvas.text((area.left, TEXT.mul_add(ASCENT, area.top)), label, setting);
+}

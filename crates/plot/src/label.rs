@@ -1,0 +1,247 @@
+//! Text with symbols: runs of plain, italic and lowered characters, measured, shortened and broken into lines.
+
+use crate::font::{self, Cut};
+
+/// Smallest font size in px: 7 pt.
+pub(crate) const SIZE_MIN: f64 = 7.0 * 96.0 / 72.0;
+const SUBSCRIPT_SCALE: f64 = 0.78;
+
+/// A text of a chart: plain words and symbols of quantities.
+///
+/// A symbol is set in italics, its index lowered and upright.
+///
+/// ```
+/// use plot::Label;
+/// let label = Label::symbol("T_rms").text(" at 325 V");
+/// assert_eq!(label.plain(), "T_rms at 325 V");
+/// assert_eq!(Label::from("Reach").plain(), "Reach");
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Label {
+    pub(crate) runs: Vec<Run>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Run {
+    pub(crate) text: String,
+    pub(crate) kind: Kind,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Plain,
+    Symbol,
+    Index,
+}
+
+impl Label {
+    /// The symbol of a quantity, its index after an underscore: `"T_max"`.
+    #[must_use]
+    pub fn symbol(symbol: &str) -> Self {
+        Self::default().and_symbol(symbol)
+    }
+
+    /// Continues with plain text.
+    #[must_use]
+    pub fn text(self, text: &str) -> Self {
+        self.with(text, Kind::Plain)
+    }
+
+    /// Continues with the symbol of a quantity.
+    #[must_use]
+    pub fn and_symbol(self, symbol: &str) -> Self {
+        match symbol.split_once('_') {
+            Some((base, index)) => self.with(base, Kind::Symbol).with(index, Kind::Index),
+            None => self.with(symbol, Kind::Symbol),
+        }
+    }
+
+    /// The text without any setting, an index after an underscore.
+    #[must_use]
+    pub fn plain(&self) -> String {
+        let mut plain = String::new();
+        for run in &self.runs {
+            if run.kind == Kind::Index {
+                plain.push('_');
+            }
+            plain.push_str(&run.text);
+        }
+        plain
+    }
+
+    /// Nothing to be seen.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.runs.iter().all(|run| run.text.trim().is_empty())
+    }
+
+    fn with(mut self, text: &str, kind: Kind) -> Self {
+        // A line break or a control character has no place in a line of text, the latter not even in XML.
+        let text: String = text.chars().map(|c| if is_drawable(c) { c } else { ' ' }).collect();
+        if !text.is_empty() {
+            self.runs.push(Run { text, kind });
+        }
+        self
+    }
+
+    pub(crate) fn width(&self, size: f64, bold: bool) -> f64 {
+        self.runs.iter().map(|run| run.width(size, bold)).sum()
+    }
+
+    /// The text cut so that it fits, with an ellipsis; empty if not even that fits.
+    pub(crate) fn elided(&self, limit: f64, size: f64, bold: bool) -> Self {
+        if self.width(size, bold) <= limit {
+            return self.clone();
+        }
+        let mut room = limit - font::width("…", cut(Kind::Plain, bold), size);
+        if room < 0.0 {
+            return Self::default();
+        }
+        let mut kept = Self::default();
+        for run in &self.runs {
+            let (size, cut) = (run.size(size), cut(run.kind, bold));
+            let mut text = String::new();
+            let mut full = false;
+            for c in run.text.chars() {
+                let mut buffer = [0; 4];
+                room -= font::width(c.encode_utf8(&mut buffer), cut, size);
+                if room < 0.0 {
+                    full = true;
+                    break;
+                }
+                text.push(c);
+            }
+            kept = kept.with(&text, run.kind);
+            if full {
+                break;
+            }
+        }
+        while kept.runs.last_mut().is_some_and(|run| {
+            run.text.truncate(run.text.trim_end().len());
+            run.text.is_empty()
+        }) {
+            kept.runs.pop();
+        }
+        kept.with("…", Kind::Plain)
+    }
+
+    /// The text in lines of at most `limit`, broken at blanks; the last of `lines` is shortened if need be.
+    pub(crate) fn wrapped(&self, limit: f64, size: f64, bold: bool, lines: usize) -> Vec<Self> {
+        let mut done: Vec<Self> = Vec::new();
+        let mut line = Self::default();
+        for word in self.words() {
+            let longer = line.clone().joined(&word);
+            if line.is_empty() || longer.width(size, bold) <= limit || done.len() + 1 >= lines {
+                line = if line.is_empty() { word.without_leading_blank() } else { longer };
+            } else {
+                done.push(line);
+                line = word.without_leading_blank();
+            }
+        }
+        if !line.is_empty() {
+            done.push(line);
+        }
+        done.iter().map(|line| line.elided(limit, size, bold)).collect()
+    }
+
+    /// Pieces that stay together; each but the first begins with its blank.
+    fn words(&self) -> Vec<Self> {
+        let mut words = vec![Self::default()];
+        for run in &self.runs {
+            for (number, piece) in run.text.split(' ').enumerate() {
+                if number > 0 {
+                    words.push(Self::default().with(" ", run.kind));
+                }
+                if let Some(word) = words.last_mut() {
+                    *word = std::mem::take(word).with(piece, run.kind);
+                }
+            }
+        }
+        words
+    }
+
+    fn joined(mut self, other: &Self) -> Self {
+        self.runs.extend(other.runs.iter().cloned());
+        self
+    }
+
+    fn without_leading_blank(mut self) -> Self {
+        if self.runs.first().is_some_and(|run| run.text == " ") {
+            self.runs.remove(0);
+        }
+        self
+    }
+}
+
+impl From<&str> for Label {
+    fn from(text: &str) -> Self {
+        Self::default().text(text)
+    }
+}
+
+impl From<String> for Label {
+    fn from(text: String) -> Self {
+        Self::default().text(&text)
+    }
+}
+
+impl Run {
+    pub(crate) fn size(&self, size: f64) -> f64 {
+        if self.kind == Kind::Index { (size * SUBSCRIPT_SCALE).max(SIZE_MIN) } else { size }
+    }
+
+    fn width(&self, size: f64, bold: bool) -> f64 {
+        font::width(&self.text, cut(self.kind, bold), self.size(size))
+    }
+}
+
+const fn cut(kind: Kind, bold: bool) -> Cut {
+    match (kind, bold) {
+        (Kind::Symbol, _) => Cut::Italic,
+        (_, true) => Cut::SemiBold,
+        (_, false) => Cut::Regular,
+    }
+}
+
+/// What XML and a single line can hold.
+pub(crate) fn is_drawable(c: char) -> bool {
+    !c.is_control() && !matches!(c, '\u{2028}' | '\u{2029}' | '\u{fffe}' | '\u{ffff}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_symbol_has_an_index() {
+        let label = Label::symbol("T_max");
+        assert_eq!(label.runs.iter().map(|run| run.kind).collect::<Vec<_>>(), [Kind::Symbol, Kind::Index]);
+        assert_eq!(label.plain(), "T_max");
+    }
+
+    #[test]
+    fn a_long_text_is_cut_to_its_room() {
+        let label = Label::from("A very long label of a check").and_symbol("T_continuous");
+        for limit in [0.0, 3.0, 20.0, 60.0, 150.0, 1e4] {
+            let cut = label.elided(limit, 12.0, true);
+            assert!(cut.width(12.0, true) <= limit, "{limit}");
+            assert!(cut.is_empty() || cut == label || cut.plain().ends_with('…'));
+        }
+        assert!(label.elided(3.0, 12.0, false).is_empty());
+    }
+
+    #[test]
+    fn lines_are_broken_at_blanks_and_lose_nothing() {
+        let label = Label::from("mean input speed of the gear ").and_symbol("n_in");
+        let lines = label.wrapped(90.0, 12.0, false, 9);
+        assert!(lines.len() > 1);
+        let plain: Vec<String> = lines.iter().map(Label::plain).collect();
+        assert_eq!(plain.join(" "), "mean input speed of the gear n_in");
+        assert_eq!(label.wrapped(90.0, 12.0, false, 2).len(), 2);
+    }
+
+    #[test]
+    fn control_characters_become_blanks() {
+        assert_eq!(Label::from("a\nb\u{0}c").plain(), "a b c");
+    }
+}

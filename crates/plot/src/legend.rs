@@ -1,0 +1,180 @@
+//! Legends: a sample of each item with its label.
+
+use crate::canvas::{Anchor, Canvas, Fill, HAIR, Setting, Stroke, TEXT};
+use crate::font::CAP_HEIGHT;
+use crate::geometry::{Point, Rect};
+use crate::item::{Area, Item, Line, Markers, Shape, colour};
+use crate::label::Label;
+use crate::style::Colour;
+
+/// Where the legend goes. Lines labelled at their end are in no legend.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Legend {
+    /// Into an empty corner, or below if there is none.
+    #[default]
+    Auto,
+    /// Below the chart.
+    Below,
+    /// Nowhere.
+    Off,
+}
+
+pub(crate) struct Entry {
+    pub(crate) label: Label,
+    pub(crate) sample: Sample,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum Sample {
+    Line(Stroke),
+    Patch(Fill, Stroke),
+    Marker(Shape, Colour, bool),
+}
+
+const SAMPLE: f64 = 24.0;
+const SAMPLE_GAP: f64 = 6.0;
+const COLUMN_GAP: f64 = 18.0;
+/// Distance of two lines of a legend.
+pub(crate) const ROW: f64 = 16.0;
+const PAD: f64 = 6.0;
+
+/// The entries of items that have a label and do not carry it themselves.
+pub(crate) fn entries(canvas: &mut Canvas<'_>, items: &[Item]) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = Vec::new();
+    for item in items {
+        let (label, sample) = match item {
+            Item::Line(line) if !line.label_at_end => (&line.label, Sample::Line(stroke(line))),
+            Item::Area(area) => (&area.label, Sample::Patch(fill(canvas, area), edge(area))),
+            Item::Markers(markers) => (&markers.label, marker(markers)),
+            Item::Line(_) | Item::Reference(_) | Item::Note(_) => continue,
+        };
+        // Pieces of one thing carry the same label; it is explained once.
+        if !label.is_empty() && !entries.iter().any(|entry| entry.label == *label) {
+            entries.push(Entry { label: label.clone(), sample });
+        }
+    }
+    entries
+}
+
+pub(crate) const fn stroke(line: &Line) -> Stroke {
+    Stroke { colour: colour(line.tone), width: line.width.pixels(), dash: line.pattern() }
+}
+
+pub(crate) fn fill(canvas: &mut Canvas<'_>, area: &Area) -> Fill {
+    match area.hatch {
+        Some(hatch) => canvas.hatch(colour(area.tone), hatch),
+        None => Fill::Flat(colour(area.tone), 0.16),
+    }
+}
+
+pub(crate) const fn edge(area: &Area) -> Stroke {
+    Stroke::solid(colour(area.tone), HAIR)
+}
+
+const fn marker(markers: &Markers) -> Sample {
+    Sample::Marker(markers.shape, colour(markers.tone), markers.hollow)
+}
+
+/// The size of the entries one below the other.
+pub(crate) fn column_size(entries: &[Entry]) -> (f64, f64) {
+    let widest = entries.iter().map(|entry| entry.label.width(TEXT, false)).fold(0.0, f64::max);
+    (2.0_f64.mul_add(PAD, SAMPLE + SAMPLE_GAP + widest), entries.iter().map(|_| ROW).sum::<f64>() + 2.0 * PAD - 3.0)
+}
+
+/// Draws the entries one below the other into a box of [`column_size`].
+pub(crate) fn column(canvas: &mut Canvas<'_>, entries: &[Entry], area: &Rect) {
+    canvas.open("legend");
+    canvas.rect(area, 2.0, &Fill::Flat(Colour::Paper, 0.9), Some(&Stroke::solid(Colour::Grid, HAIR)));
+    let mut y = area.top + PAD + ROW / 2.0 - 1.5;
+    for entry in entries {
+        draw(canvas, entry, (area.left + PAD, y), f64::INFINITY);
+        y += ROW;
+    }
+    canvas.close();
+}
+
+/// The entries in rows of a width: for each row the entries and their widths.
+pub(crate) fn rows(entries: &[Entry], width: f64) -> Vec<Vec<(&Entry, f64)>> {
+    let mut rows: Vec<Vec<(&Entry, f64)>> = Vec::new();
+    let mut taken = f64::INFINITY;
+    for entry in entries {
+        let wide = (SAMPLE + SAMPLE_GAP + entry.label.width(TEXT, false)).min(width);
+        if taken + COLUMN_GAP + wide > width {
+            rows.push(Vec::new());
+            taken = wide;
+        } else {
+            taken += COLUMN_GAP + wide;
+        }
+        if let Some(row) = rows.last_mut() {
+            row.push((entry, wide));
+        }
+    }
+    rows
+}
+
+/// Draws rows from a left end and an upper end downwards.
+pub(crate) fn draw_rows(canvas: &mut Canvas<'_>, rows: &[Vec<(&Entry, f64)>], (left, top): Point) {
+    canvas.open("legend");
+    let mut y = top + ROW / 2.0;
+    for row in rows {
+        let mut x = left;
+        for (entry, width) in row {
+            draw(canvas, entry, (x, y), *width);
+            x += width + COLUMN_GAP;
+        }
+        y += ROW;
+    }
+    canvas.close();
+}
+
+/// Draws one entry with its middle at a height.
+fn draw(canvas: &mut Canvas<'_>, entry: &Entry, (x, y): Point, width: f64) {
+    match &entry.sample {
+        Sample::Line(stroke) => canvas.line((x, y), (x + SAMPLE, y), stroke),
+        Sample::Patch(fill, stroke) => {
+            let area = Rect { left: x, right: x + SAMPLE, top: y - 5.0, bottom: y + 5.0 };
+            canvas.rect(&area, 0.0, fill, Some(stroke));
+        }
+        Sample::Marker(shape, colour, hollow) => draw_marker(canvas, *shape, (x + SAMPLE / 2.0, y), *colour, *hollow),
+    }
+    let label = entry.label.elided(width - SAMPLE - SAMPLE_GAP, TEXT, false);
+    let setting = Setting::new(TEXT, Colour::Ink, Anchor::Start);
+    canvas.text((x + SAMPLE + SAMPLE_GAP, TEXT.mul_add(CAP_HEIGHT / 2.0, y)), &label, setting);
+}
+
+/// Radius of a marker.
+pub(crate) const MARKER: f64 = 3.4;
+
+/// Draws a marker.
+pub(crate) fn draw_marker(canvas: &mut Canvas<'_>, shape: Shape, (x, y): Point, colour: Colour, hollow: bool) {
+    use crate::canvas::number;
+    let polygon = |corners: &[(f64, f64)]| {
+        let mut d = String::new();
+        for (index, (dx, dy)) in corners.iter().enumerate() {
+            let command = if index == 0 { 'M' } else { 'L' };
+            d.push_str(&format!("{command}{} {}", number(dx.mul_add(MARKER, x)), number(dy.mul_add(MARKER, y))));
+        }
+        d + "Z"
+    };
+    let d = match shape {
+        Shape::Circle => {
+            let r = number(MARKER);
+            let across = number(2.0 * MARKER);
+            format!("M{} {}a{r} {r} 0 1 0 {across} 0a{r} {r} 0 1 0 -{across} 0Z", number(x - MARKER), number(y))
+        }
+        Shape::Diamond => polygon(&[(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)]),
+        Shape::Square => polygon(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)]),
+        Shape::Triangle => polygon(&[(0.0, -1.25), (1.15, 0.8), (-1.15, 0.8)]),
+        Shape::Cross => {
+            let (l, r, t, b) = (number(x - MARKER), number(x + MARKER), number(y - MARKER), number(y + MARKER));
+            format!("M{l} {t}L{r} {b}M{l} {b}L{r} {t}")
+        }
+    };
+    if shape == Shape::Cross {
+        canvas.path(&d, &Fill::None, Some(&Stroke::solid(colour, 1.6)));
+    } else if hollow {
+        canvas.path(&d, &Fill::Flat(Colour::Paper, 1.0), Some(&Stroke::solid(colour, 1.3)));
+    } else {
+        canvas.path(&d, &Fill::Flat(colour, 1.0), Some(&Stroke::solid(Colour::Paper, HAIR)));
+    }
+}

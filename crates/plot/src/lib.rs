@@ -1,0 +1,29 @@
+//! Charts as SVG in one house style, for paper, a page and a screen. Knows nothing of what is drawn.
+
+mod canvas;
+mod draw;
+mod font;
+mod geometry;
+mod item;
+mod label;
+mod legend;
+mod picture;
+mod place;
+mod plane;
+#[cfg(feature = "png")]
+mod png;
+mod reduce;
+mod style;
+mod ticks;
+mod xy;
+
+pub use canvas::Hatch;
+pub use font::{FONT_FAMILY, font_files};
+pub use geometry::Rect;
+pub use item::{Area, Dash, Item, Line, Markers, Note, Reference, Shape, Width};
+pub use label::Label;
+pub use legend::Legend;
+pub use picture::{Picture, TextBox};
+pub use plane::Axis;
+pub use style::{Size, Style, Theme, Tone};
+pub use xy::XyChart;

@@ -1,0 +1,228 @@
+//! Where text may go: what is drawn is stamped onto a grid, and a text takes the free place nearest to its point.
+
+use crate::geometry::{Point, Rect};
+
+/// Side of a cell of the grid in px.
+const CELL: f64 = 3.0;
+/// Cells a side at most, so that a large picture has coarser cells.
+const CELLS_MAX: f64 = 600.0;
+
+/// A plane with what is drawn in it.
+pub(crate) struct Field {
+    area: Rect,
+    cell: f64,
+    columns: usize,
+    rows: usize,
+    taken: Vec<bool>,
+    texts: Vec<Rect>,
+}
+
+/// A place found for a text.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    pub(crate) area: Rect,
+    /// Where the leader meets the text, if it is so far away that it needs one.
+    pub(crate) leader: Option<Point>,
+}
+
+impl Field {
+    pub(crate) fn new(area: Rect) -> Self {
+        let cell = CELL.max(area.width().max(area.height()) / CELLS_MAX);
+        let (columns, rows) = (whole(area.width() / cell) + 1, whole(area.height() / cell) + 1);
+        Self { area, cell, columns, rows, taken: vec![false; columns * rows], texts: Vec::new() }
+    }
+
+    pub(crate) fn line(&mut self, points: &[Point]) {
+        for (&a, &b) in points.iter().zip(points.iter().skip(1)) {
+            let Some((from, to)) = self.area.cut(a, b) else { continue };
+            let steps = whole((to.0 - from.0).abs().max((to.1 - from.1).abs()) / (self.cell * 0.5)) + 1;
+            for step in 0..=steps {
+                let t = real(step) / real(steps);
+                self.point(((to.0 - from.0).mul_add(t, from.0), (to.1 - from.1).mul_add(t, from.1)));
+            }
+        }
+    }
+
+    pub(crate) fn disc(&mut self, at: Point, radius: f64) {
+        let box_ = Rect { left: at.0, right: at.0, top: at.1, bottom: at.1 }.grown(radius);
+        for index in self.cells(&box_) {
+            if let Some(cell) = self.taken.get_mut(index) {
+                *cell = true;
+            }
+        }
+    }
+
+    /// Keeps all other text out of a box.
+    pub(crate) fn text(&mut self, area: Rect) {
+        self.texts.push(area);
+    }
+
+    fn point(&mut self, at: Point) {
+        let (column, row) = (whole((at.0 - self.area.left) / self.cell), whole((at.1 - self.area.top) / self.cell));
+        if column < self.columns
+            && let Some(cell) = self.taken.get_mut(row * self.columns + column)
+        {
+            *cell = true;
+        }
+    }
+
+    fn cells(&self, area: &Rect) -> impl Iterator<Item = usize> + use<> {
+        let clamp = |value: f64, most: usize| whole(value / self.cell).min(most.saturating_sub(1));
+        let (left, right) =
+            (clamp(area.left - self.area.left, self.columns), clamp(area.right - self.area.left, self.columns));
+        let (top, bottom) = (clamp(area.top - self.area.top, self.rows), clamp(area.bottom - self.area.top, self.rows));
+        let columns = self.columns;
+        (top..=bottom).flat_map(move |row| (left..=right).map(move |column| row * columns + column))
+    }
+
+    /// Cells taken below a box; `None` if the box leaves the plane or meets a text.
+    pub(crate) fn cost(&self, area: &Rect) -> Option<f64> {
+        let free = self.area.holds(area) && !self.texts.iter().any(|text| text.overlaps(area));
+        free.then(|| real(self.cells(area).filter(|index| self.taken.get(*index) == Some(&true)).count()))
+    }
+
+    /// The best of several boxes: the least covering, of equals the first.
+    pub(crate) fn best(&self, boxes: impl IntoIterator<Item = Rect>) -> Option<(Rect, f64)> {
+        let mut best: Option<(Rect, f64)> = None;
+        for area in boxes {
+            if let Some(cost) = self.cost(&area.grown(1.5)).or_else(|| self.cost(&area))
+                && best.is_none_or(|(_, least)| cost < least)
+            {
+                best = Some((area, cost));
+            }
+        }
+        best
+    }
+
+    /// A place for a box of a size near a point, at most `reach` away from it; taken when found.
+    pub(crate) fn near(&mut self, at: Point, width: f64, height: f64, gap: f64, reach: f64) -> Option<Place> {
+        let mut best: Option<(Place, f64)> = None;
+        for (ring, distance) in [0.0, 7.0, 15.0, 25.0, 38.0, 54.0, 74.0, 98.0].into_iter().enumerate() {
+            let distance = distance + gap;
+            if distance > reach.max(gap) {
+                break;
+            }
+            for (order, (x, y)) in DIRECTIONS.into_iter().enumerate() {
+                let middle = ((width / 2.0 + distance).mul_add(x, at.0), (height / 2.0 + distance).mul_add(y, at.1));
+                let area = Rect {
+                    left: middle.0 - width / 2.0,
+                    right: middle.0 + width / 2.0,
+                    top: middle.1 - height / 2.0,
+                    bottom: middle.1 + height / 2.0,
+                };
+                let Some(covered) = self.cost(&area) else { continue };
+                let leader = (ring > 0).then(|| area.nearest(at));
+                let crossing = leader.map_or(0.0, |end| self.crossing(at, end));
+                let score = covered.mul_add(5.0, distance * 0.5) + real(order) * 0.15 + crossing;
+                if best.as_ref().is_none_or(|(_, least)| score < *least) {
+                    best = Some((Place { area, leader }, score));
+                }
+            }
+        }
+        let (place, _) = best?;
+        self.texts.push(place.area);
+        if let Some(end) = place.leader {
+            self.line(&[at, end]);
+        }
+        Some(place)
+    }
+
+    /// What it costs a leader to cross texts.
+    fn crossing(&self, from: Point, to: Point) -> f64 {
+        if self.texts.iter().any(|text| text.cut(from, to).is_some()) { 400.0 } else { 0.0 }
+    }
+}
+
+/// Sides of a point in the order of preference: right above first.
+const DIRECTIONS: [Point; 16] = [
+    (1.0, -0.75),
+    (-1.0, -0.75),
+    (1.0, 0.75),
+    (-1.0, 0.75),
+    (1.0, 0.0),
+    (-1.0, 0.0),
+    (0.0, -1.0),
+    (0.0, 1.0),
+    (0.5, -1.0),
+    (-0.5, -1.0),
+    (0.5, 1.0),
+    (-0.5, 1.0),
+    (1.0, -0.4),
+    (-1.0, -0.4),
+    (1.0, 0.4),
+    (-1.0, 0.4),
+];
+
+/// Centres of lines of text in a column: as near to those wished as a least distance allows, within two ends.
+///
+/// Keeps the order of the wishes; where there is no room for all, the rest of them is `None`.
+pub(crate) fn spread(wished: &[f64], distance: f64, from: f64, to: f64) -> Vec<Option<f64>> {
+    let mut order: Vec<(usize, f64)> = wished.iter().copied().enumerate().collect();
+    order.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+    order.truncate(whole((to - from) / distance) + 1);
+    let mut at = from - distance;
+    for (_, y) in &mut order {
+        at = y.max(at + distance);
+        *y = at;
+    }
+    let mut at = to + distance;
+    for (_, y) in order.iter_mut().rev() {
+        at = y.min(at - distance);
+        *y = at;
+    }
+    let mut placed = vec![None; wished.len()];
+    for (index, y) in order {
+        if let Some(slot) = placed.get_mut(index) {
+            *slot = Some(y);
+        }
+    }
+    placed
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, which is what is meant")]
+const fn whole(value: f64) -> usize {
+    value as usize
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a count of cells is small")]
+const fn real(value: usize) -> f64 {
+    value as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AREA: Rect = Rect { left: 0.0, right: 300.0, top: 0.0, bottom: 200.0 };
+
+    #[test]
+    fn texts_near_one_point_do_not_overlap() {
+        let mut field = Field::new(AREA);
+        let places: Vec<Rect> = (0..12)
+            .filter_map(|_| field.near((150.0, 100.0), 40.0, 12.0, 4.0, 120.0))
+            .map(|place| place.area)
+            .collect();
+        assert!(places.len() >= 8, "{}", places.len());
+        for (i, a) in places.iter().enumerate() {
+            assert!(AREA.holds(a));
+            assert!(places.iter().skip(i + 1).all(|b| !a.overlaps(b)));
+        }
+    }
+
+    #[test]
+    fn a_text_avoids_a_line() {
+        let mut field = Field::new(AREA);
+        field.line(&[(0.0, 200.0), (300.0, 0.0)]);
+        let place = field.near((150.0, 100.0), 50.0, 12.0, 4.0, 120.0).unwrap();
+        assert_eq!(field.taken.iter().filter(|taken| **taken).count() > 60, true);
+        assert!(place.area.right < 150.0 || place.area.top > 100.0 || place.area.left > 150.0);
+        assert_eq!(field.cells(&place.area).filter(|index| field.taken[*index]).count(), 0);
+    }
+
+    #[test]
+    fn a_column_of_texts_keeps_its_distance() {
+        let placed: Vec<f64> = spread(&[50.0, 51.0, 49.0, 99.0], 12.0, 0.0, 100.0).into_iter().flatten().collect();
+        assert_eq!(placed, [61.0, 73.0, 49.0, 99.0]);
+        assert_eq!(spread(&[0.0; 5], 60.0, 0.0, 100.0).iter().flatten().count(), 2);
+    }
+}

@@ -1,0 +1,331 @@
+//! Axes: which values they hold, where their ticks and labels go.
+
+use crate::canvas::{AXIS, Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT};
+use crate::font::CAP_HEIGHT;
+use crate::geometry::{Point, Rect};
+use crate::label::Label;
+use crate::style::Colour;
+use crate::ticks::{LARGEST, Ticks};
+
+/// One axis of a chart: name, symbol and unit of its quantity, and what it has to show.
+///
+/// Written as DIN 461 has it: name, symbol in italics, a stroke, the unit: "torque *T* / Nm".
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    name: Label,
+    unit: String,
+    fixed: Option<(f64, f64)>,
+    zero: bool,
+    tight: bool,
+    minor: bool,
+}
+
+impl Axis {
+    /// An axis of a quantity by its symbol (index after an underscore) and unit, either of which may be empty.
+    #[must_use]
+    pub fn new(symbol: &str, unit: &str) -> Self {
+        Self { name: Label::symbol(symbol), unit: unit.to_owned(), fixed: None, zero: true, tight: false, minor: false }
+    }
+
+    /// Writes the name of the quantity before its symbol.
+    #[must_use]
+    pub fn name(mut self, name: &str) -> Self {
+        let mut runs = Label::from(name).text(if self.name.is_empty() { "" } else { " " });
+        runs.runs.append(&mut self.name.runs);
+        self.name = runs;
+        self
+    }
+
+    /// Does not insist on showing zero. Lengths can then no longer be compared by eye.
+    #[must_use]
+    pub const fn without_zero(mut self) -> Self {
+        self.zero = false;
+        self
+    }
+
+    /// Ends the axis where the data end instead of at the next tick.
+    #[must_use]
+    pub const fn tight(mut self) -> Self {
+        self.tight = true;
+        self
+    }
+
+    /// Shows exactly this range; what lies outside is cut off.
+    #[must_use]
+    pub fn range(mut self, from: f64, to: f64) -> Self {
+        if from.is_finite() && to.is_finite() && from != to {
+            self.fixed = Some((from.min(to), from.max(to)));
+        }
+        self
+    }
+
+    /// Draws short ticks between the labelled ones.
+    #[must_use]
+    pub const fn minor_ticks(mut self) -> Self {
+        self.minor = true;
+        self
+    }
+
+    /// What stands beside the axis, with the power of ten taken out of its numbers.
+    pub(crate) fn title(&self, exponent: i32) -> Label {
+        let power = match exponent {
+            0 => String::new(),
+            _ => format!("10{}", raised(exponent)),
+        };
+        let unit = match (self.unit.as_str(), power.as_str()) {
+            ("", power) => power.to_owned(),
+            (unit, "") if unit.contains('/') && !self.name.is_empty() => format!("({unit})"),
+            (unit, "") => unit.to_owned(),
+            (unit, power) if unit.contains('/') => format!("({power} {unit})"),
+            (unit, power) => format!("{power} {unit}"),
+        };
+        match (self.name.is_empty(), unit.is_empty()) {
+            (_, true) => self.name.clone(),
+            (true, false) => Label::from(unit),
+            (false, false) => self.name.clone().text(&format!(" / {unit}")),
+        }
+    }
+
+    /// The range to show for data, and whether it may be widened to the next tick.
+    pub(crate) fn span(&self, data: &[f64], both_signs: bool) -> (f64, f64, bool) {
+        if let Some((lo, hi)) = self.fixed {
+            return (lo, hi, false);
+        }
+        let mut range: Option<(f64, f64)> = None;
+        let zero = if self.zero || both_signs { Some(0.0) } else { None };
+        for value in data.iter().copied().chain(zero).filter(|value| value.abs() <= LARGEST) {
+            range = Some(range.map_or((value, value), |(lo, hi)| (lo.min(value), hi.max(value))));
+        }
+        let (mut lo, mut hi) = range.unwrap_or((0.0, 1.0));
+        if self.tight && !both_signs {
+            return (lo, hi, lo >= hi);
+        }
+        // Room beyond the last point, so that it is not drawn on the frame.
+        let room = (hi - lo) * 0.03;
+        if hi > 0.0 || !self.zero {
+            hi += room;
+        }
+        if lo < 0.0 || !self.zero {
+            lo -= room;
+        }
+        if both_signs {
+            let least = 0.2 * hi.max(-lo);
+            (lo, hi) = (lo.min(-least), hi.max(least));
+        }
+        (lo, hi, true)
+    }
+}
+
+fn raised(exponent: i32) -> String {
+    exponent
+        .to_string()
+        .chars()
+        .map(|c| match c {
+            '-' => '⁻',
+            '1' => '¹',
+            '2' => '²',
+            '3' => '³',
+            digit => digit.to_digit(10).and_then(|d| char::from_u32(0x2070 + d)).unwrap_or(digit),
+        })
+        .collect()
+}
+
+/// A plane of two axes on the canvas.
+#[derive(Clone, Debug)]
+pub(crate) struct Plane {
+    pub(crate) area: Rect,
+    pub(crate) x: Ticks,
+    pub(crate) y: Ticks,
+}
+
+/// Length of a tick.
+pub(crate) const TICK: f64 = 4.0;
+/// Edge of the picture that stays free.
+pub(crate) const EDGE: f64 = 8.0;
+/// Between ticks and their labels.
+const GAP: f64 = 4.0;
+/// From the lower end of a plane to the base line of its x labels, to that of its x title.
+pub(crate) const X_LABELS: f64 = TICK + GAP + TEXT * CAP_HEIGHT;
+pub(crate) const X_TITLE: f64 = X_LABELS + 7.0 + AXIS * 0.8;
+/// What an x axis with title takes below the plane.
+pub(crate) const X_BELOW: f64 = X_TITLE + 4.0;
+/// What the title of a y axis takes above the plane.
+pub(crate) const Y_ABOVE: f64 = AXIS + 8.0;
+
+impl Plane {
+    pub(crate) fn at(&self, (x, y): Point) -> Point {
+        (self.x_at(x), self.y_at(y))
+    }
+
+    pub(crate) fn x_at(&self, x: f64) -> f64 {
+        let share = (x - self.x.lo) / (self.x.hi - self.x.lo);
+        share.clamp(-1e6, 1e6).mul_add(self.area.width(), self.area.left)
+    }
+
+    pub(crate) fn y_at(&self, y: f64) -> f64 {
+        let share = (y - self.y.lo) / (self.y.hi - self.y.lo);
+        share.clamp(-1e6, 1e6).mul_add(-self.area.height(), self.area.bottom)
+    }
+
+    /// Grid and, behind everything, a line where a quantity is zero.
+    pub(crate) fn grid(&self, canvas: &mut Canvas<'_>) {
+        canvas.open("grid");
+        let mut d = String::new();
+        let inside = |value: f64, lo: f64, hi: f64| value > lo && value < hi;
+        use crate::canvas::number;
+        for x in self.x.values.iter().filter(|x| inside(**x, self.x.lo, self.x.hi)) {
+            let x = number(self.x_at(*x));
+            d.push_str(&format!("M{x} {}V{}", number(self.area.top), number(self.area.bottom)));
+        }
+        for y in self.y.values.iter().filter(|y| **y != self.y.lo) {
+            let y = number(self.y_at(*y));
+            d.push_str(&format!("M{} {y}H{}", number(self.area.left), number(self.area.right)));
+        }
+        canvas.path(&d, &Fill::None, Some(&Stroke::solid(Colour::Grid, HAIR)));
+        canvas.close();
+    }
+
+    /// The y axis: line, ticks, numbers.
+    pub(crate) fn y_axis(&self, canvas: &mut Canvas<'_>, axis: &Axis) {
+        canvas.open("axis y");
+        let left = self.area.left;
+        let rule = Stroke::solid(Colour::Ink, RULE);
+        canvas.line((left, self.area.top), (left, self.area.bottom), &rule);
+        let language = canvas.style.language;
+        if axis.minor {
+            for value in &self.y.minor {
+                let y = self.y_at(*value);
+                canvas.line((left - TICK / 2.0, y), (left, y), &Stroke::solid(Colour::Ink, HAIR));
+            }
+        }
+        let mut above = f64::INFINITY;
+        for value in &self.y.values {
+            let y = self.y_at(*value);
+            canvas.line((left - TICK, y), (left, y), &rule);
+            // Ticks of a very low plane are closer than their numbers are high.
+            if above - y >= TEXT {
+                above = y;
+                let label = Label::from(self.y.label(*value, language));
+                let setting = Setting::new(TEXT, Colour::Ink, Anchor::End);
+                canvas.text((left - TICK - GAP, TEXT.mul_add(CAP_HEIGHT / 2.0, y)), &label, setting);
+            }
+        }
+        if self.y.lo < 0.0 && self.y.hi > 0.0 {
+            let zero = self.y_at(0.0);
+            canvas.line((left, zero), (self.area.right, zero), &Stroke::solid(Colour::Ink, RULE));
+        }
+        canvas.close();
+    }
+
+    /// The x axis: line, ticks, numbers.
+    pub(crate) fn x_axis(&self, canvas: &mut Canvas<'_>, axis: &Axis) {
+        canvas.open("axis x");
+        let bottom = self.area.bottom;
+        let rule = Stroke::solid(Colour::Ink, RULE);
+        canvas.line((self.area.left, bottom), (self.area.right, bottom), &rule);
+        let language = canvas.style.language;
+        if axis.minor {
+            for value in &self.x.minor {
+                let x = self.x_at(*value);
+                canvas.line((x, bottom), (x, bottom + TICK / 2.0), &Stroke::solid(Colour::Ink, HAIR));
+            }
+        }
+        let mut until = 0.0;
+        for value in &self.x.values {
+            let x = self.x_at(*value);
+            canvas.line((x, bottom), (x, bottom + TICK), &rule);
+            let label = Label::from(self.x.label(*value, language));
+            let half = label.width(TEXT, false) / 2.0;
+            // Only a plane too narrow for two numbers leaves one out.
+            if x - half >= until && x + half <= canvas.style.size.width {
+                until = x + half + GAP;
+                canvas.text((x, bottom + X_LABELS), &label, Setting::new(TEXT, Colour::Ink, Anchor::Middle));
+            }
+        }
+        canvas.close();
+    }
+
+    /// The title of the y axis, level above its numbers.
+    pub(crate) fn y_title(&self, canvas: &mut Canvas<'_>, axis: &Axis, room: f64) {
+        let title = axis.title(self.y.exponent).elided(room, AXIS, false);
+        canvas.text((EDGE, self.area.top - 8.0), &title, Setting::new(AXIS, Colour::Ink, Anchor::Start));
+    }
+
+    /// The title of the x axis, below its end.
+    pub(crate) fn x_title(&self, canvas: &mut Canvas<'_>, axis: &Axis) {
+        let title = axis.title(self.x.exponent).elided(self.area.right - EDGE, AXIS, false);
+        canvas.text(
+            (self.area.right, self.area.bottom + X_TITLE),
+            &title,
+            Setting::new(AXIS, Colour::Ink, Anchor::End),
+        );
+    }
+}
+
+/// As many ticks as a height has room for.
+pub(crate) fn y_ticks((lo, hi, widen): (f64, f64, bool), height: f64) -> Ticks {
+    // Widening adds up to two steps.
+    let most = (height / 34.0).clamp(1.0, 12.0);
+    Ticks::new(lo, hi, whole(most), widen)
+}
+
+/// What y labels take left of the plane.
+pub(crate) fn y_margin(canvas: &Canvas<'_>, ticks: &Ticks) -> f64 {
+    let widest = ticks.values.iter().map(|value| width_of(canvas, ticks, *value)).fold(0.0, f64::max);
+    EDGE + widest + TICK + GAP
+}
+
+/// Ticks whose labels do not touch, and the right end of the plane so that the last of them is not cut off.
+pub(crate) fn x_ticks(canvas: &Canvas<'_>, (lo, hi, widen): (f64, f64, bool), left: f64, right: f64) -> (Ticks, f64) {
+    let edge = canvas.style.size.width - 2.0;
+    let mut end = right;
+    for most in (1..=whole(((right - left) / 42.0).clamp(1.0, 16.0))).rev() {
+        let ticks = Ticks::new(lo, hi, most, widen);
+        let x_at = |x: f64, end: f64| ((x - ticks.lo) / (ticks.hi - ticks.lo)).mul_add(end - left, left);
+        end = right;
+        if let Some(last) = ticks.values.last() {
+            let beyond = width_of(canvas, &ticks, *last).mul_add(0.5, x_at(*last, right)) - edge;
+            end = (right - beyond.max(0.0)).max(left + 20.0);
+        }
+        let boxes: Vec<(f64, f64)> =
+            ticks.values.iter().map(|value| (x_at(*value, end), width_of(canvas, &ticks, *value) / 2.0)).collect();
+        if boxes.iter().zip(boxes.iter().skip(1)).all(|(a, b)| a.0 + a.1 + 12.0 <= b.0 - b.1) {
+            return (ticks, end);
+        }
+    }
+    (Ticks::new(lo, hi, 1, widen), end)
+}
+
+fn width_of(canvas: &Canvas<'_>, ticks: &Ticks, value: f64) -> f64 {
+    Label::from(ticks.label(value, canvas.style.language)).width(TEXT, false)
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a small count by the callers")]
+const fn whole(value: f64) -> usize {
+    value as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn titles_follow_the_standard() {
+        assert_eq!(Axis::new("T", "Nm").title(0).plain(), "T / Nm");
+        assert_eq!(Axis::new("n", "min⁻¹").name("Speed").title(3).plain(), "Speed n / 10³ min⁻¹");
+        assert_eq!(Axis::new("K", "Nm/rad").title(0).plain(), "K / (Nm/rad)");
+        assert_eq!(Axis::new("K", "Nm/rad").title(-6).plain(), "K / (10⁻⁶ Nm/rad)");
+        assert_eq!(Axis::new("", "%").title(0).plain(), "%");
+        assert_eq!(Axis::new("", "").name("Rank").title(0).plain(), "Rank");
+        assert_eq!(Axis::new("i", "").title(6).plain(), "i / 10⁶");
+    }
+
+    #[test]
+    fn zero_is_shown_unless_it_is_waived() {
+        assert_eq!(Axis::new("T", "Nm").span(&[5.0, 10.0], false).0, 0.0);
+        assert!(Axis::new("T", "Nm").without_zero().span(&[5.0, 10.0], false).0 > 4.0);
+        let (lo, hi, _) = Axis::new("T", "Nm").span(&[5.0, 10.0], true);
+        assert!(lo < 0.0 && hi > 10.0);
+        assert_eq!(Axis::new("T", "Nm").range(8.0, 2.0).span(&[5.0], false), (2.0, 8.0, false));
+    }
+}

@@ -1,0 +1,34 @@
+//! Pixels from the SVG text.
+
+use std::sync::Arc;
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::fontdb::Database;
+use resvg::usvg::{Options, Tree};
+
+use crate::font::{FONT_FAMILY, font_files};
+use crate::picture::Picture;
+
+pub(crate) fn png(picture: &Picture, scale: f64) -> Option<Vec<u8>> {
+    let mut fonts = Database::new();
+    for bytes in font_files() {
+        fonts.load_font_data(bytes.to_vec());
+    }
+    let options = Options { fontdb: Arc::new(fonts), font_family: FONT_FAMILY.to_owned(), ..Options::default() };
+    let tree = Tree::from_str(&picture.svg, &options).ok()?;
+    let (width, height) = (side(picture.width * scale)?, side(picture.height * scale)?);
+    let mut pixels = Pixmap::new(width, height)?;
+    // To the last pixel: a fraction of one at an edge would show as a line.
+    #[expect(clippy::cast_precision_loss, reason = "a side has few digits")]
+    let (x, y) = (width as f32 / tree.size().width(), height as f32 / tree.size().height());
+    resvg::render(&tree, Transform::from_scale(x, y), &mut pixels.as_mut());
+    pixels.encode_png().ok()
+}
+
+/// Longest side of a picture in pixels; four times this squared is the memory it takes.
+const SIDE_MAX: f64 = 16_000.0;
+
+fn side(pixels: f64) -> Option<u32> {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the bounds just asked for")]
+    (1.0..=SIDE_MAX).contains(&pixels).then_some(pixels.ceil() as u32)
+}

@@ -1,0 +1,226 @@
+//! The house style: sizes, colours, theme.
+
+use quantities::Language;
+
+/// How a chart is drawn: its size, theme and language.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Style {
+    pub(crate) size: Size,
+    pub(crate) theme: Theme,
+    pub(crate) language: Language,
+    pub(crate) id: String,
+}
+
+impl Style {
+    /// A light chart in English.
+    #[must_use]
+    pub fn new(size: Size) -> Self {
+        Self { size, theme: Theme::Light, language: Language::En, id: String::from("plot") }
+    }
+
+    /// Sets the theme.
+    #[must_use]
+    pub const fn theme(mut self, theme: Theme) -> Self {
+        self.theme = theme;
+        self
+    }
+
+    /// Sets the language, which decides between decimal point and comma.
+    #[must_use]
+    pub const fn language(mut self, language: Language) -> Self {
+        self.language = language;
+        self
+    }
+
+    /// Sets the beginning of every identifier in the SVG; two charts on one page need two.
+    #[must_use]
+    pub fn id(mut self, id: &str) -> Self {
+        self.id = id.chars().filter(|c| c.is_ascii_alphanumeric() || *c == '-').collect();
+        if !self.id.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            self.id.insert_str(0, "plot");
+        }
+        self
+    }
+}
+
+/// The nominal size of a chart. Text has a fixed size, so a larger chart shows more, not larger.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+    pub(crate) millimetres: bool,
+}
+
+/// CSS pixels per millimetre, 96 to the inch.
+const PX_PER_MM: f64 = 96.0 / 25.4;
+const WIDTH_MIN: f64 = 160.0;
+const HEIGHT_MIN: f64 = 120.0;
+const SIDE_MAX: f64 = 20_000.0;
+
+impl Size {
+    /// A size on paper. Too small a size is widened to what axes and text need.
+    #[must_use]
+    pub fn millimetres(width: f64, height: f64) -> Self {
+        Self::of(width * PX_PER_MM, height * PX_PER_MM, true)
+    }
+
+    /// A size on a screen, in CSS pixels. Too small a size is widened to what axes and text need.
+    #[must_use]
+    pub fn pixels(width: f64, height: f64) -> Self {
+        Self::of(width, height, false)
+    }
+
+    fn of(width: f64, height: f64, millimetres: bool) -> Self {
+        let side = |value: f64, least: f64| if value.is_finite() { value.clamp(least, SIDE_MAX) } else { least };
+        Self { width: side(width, WIDTH_MIN), height: side(height, HEIGHT_MIN), millimetres }
+    }
+
+    /// The attributes `width` and `height` of the picture.
+    pub(crate) fn written(self) -> (String, String) {
+        let write = |px: f64| {
+            if self.millimetres {
+                format!("{}mm", crate::canvas::number(px / PX_PER_MM))
+            } else {
+                crate::canvas::number(px)
+            }
+        };
+        (write(self.width), write(self.height))
+    }
+}
+
+/// Colours for paper, for a dark screen, or left to the style sheet of a page.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Theme {
+    /// Dark on white.
+    #[default]
+    Light,
+    /// Light on dark.
+    Dark,
+    /// Every colour is a CSS variable with the light colour as fallback; see [`Theme::variables`].
+    Css,
+}
+
+impl Theme {
+    /// The CSS declarations that give a page the colours of this theme, for charts drawn with [`Theme::Css`].
+    #[must_use]
+    pub fn variables(self) -> String {
+        COLOURS
+            .iter()
+            .map(|(name, light, dark)| {
+                let colour = if self == Self::Dark { dark } else { light };
+                format!("--plot-{name}:{colour};")
+            })
+            .collect()
+    }
+
+    pub(crate) fn colour(self, name: Colour) -> String {
+        let Some((name, light, dark)) = COLOURS.get(name.index()) else { return String::from("#888888") };
+        match self {
+            Self::Light => (*light).to_owned(),
+            Self::Dark => (*dark).to_owned(),
+            Self::Css => format!("var(--plot-{name},{light})"),
+        }
+    }
+}
+
+/// What an item stands for, which decides its colour and, unless said otherwise, its dashes and markers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tone {
+    /// A limit of continuous duty: red, solid.
+    Continuous,
+    /// A limit of short-time duty: blue, long dashes.
+    ShortTime,
+    /// What happens, such as a cycle: black, solid.
+    Trace,
+    /// Something beside the point: grey, dotted.
+    Muted,
+    /// One of several series of equal rank, from 0; repeats after six.
+    Series(u8),
+}
+
+/// A colour of the house by its place in [`COLOURS`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Colour {
+    Paper,
+    Ink,
+    Soft,
+    Grid,
+    Pass,
+    Advice,
+    Fail,
+    Unchecked,
+    Tone(Tone),
+}
+
+impl Colour {
+    const fn index(self) -> usize {
+        match self {
+            Self::Paper => 0,
+            Self::Ink => 1,
+            Self::Soft | Self::Tone(Tone::Muted) => 2,
+            Self::Grid => 3,
+            Self::Tone(Tone::Continuous) => 4,
+            Self::Tone(Tone::ShortTime) => 5,
+            Self::Tone(Tone::Trace) => 6,
+            Self::Pass => 7,
+            Self::Advice => 8,
+            Self::Fail => 9,
+            Self::Unchecked => 10,
+            Self::Tone(Tone::Series(number)) => 11 + (number % SERIES) as usize,
+        }
+    }
+}
+
+pub(crate) const SERIES: u8 = 6;
+
+/// Name, colour on light, colour on dark. The series follow Okabe and Ito, whose colours differ for every kind of colour
+/// vision; without their yellow, which is no line on white.
+const COLOURS: [(&str, &str, &str); 17] = [
+    ("paper", "#ffffff", "#15181d"),
+    ("ink", "#1d2127", "#e6e8eb"),
+    ("soft", "#626a75", "#9aa3ae"),
+    ("grid", "#e2e5e9", "#2c323a"),
+    ("continuous", "#c2182b", "#ff6f70"),
+    ("short-time", "#0b57a4", "#6db3f8"),
+    ("trace", "#14171b", "#f4f5f6"),
+    ("pass", "#1f8a70", "#35b895"),
+    ("advice", "#e09a00", "#f0b83a"),
+    ("fail", "#c2182b", "#ff6f70"),
+    ("unchecked", "#8a929d", "#7d8692"),
+    ("series-0", "#0072b2", "#56b4e9"),
+    ("series-1", "#d55e00", "#ff8f4a"),
+    ("series-2", "#009e73", "#2fc79b"),
+    ("series-3", "#b8629a", "#e39cc8"),
+    ("series-4", "#c98500", "#f2bd4b"),
+    ("series-5", "#3b3f8f", "#a5a9f5"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_css_colour_falls_back_to_the_light_one() {
+        assert_eq!(Theme::Css.colour(Colour::Ink), "var(--plot-ink,#1d2127)");
+        assert_eq!(Theme::Dark.colour(Colour::Ink), "#e6e8eb");
+        assert!(Theme::Dark.variables().starts_with("--plot-paper:#15181d;--plot-ink:#e6e8eb;"));
+    }
+
+    #[test]
+    fn every_colour_has_its_own_name() {
+        assert_eq!(Theme::Css.colour(Colour::Tone(Tone::Series(0))), "var(--plot-series-0,#0072b2)");
+        assert_eq!(Theme::Css.colour(Colour::Tone(Tone::Series(11))), "var(--plot-series-5,#3b3f8f)");
+        assert_eq!(Theme::Css.colour(Colour::Unchecked), "var(--plot-unchecked,#8a929d)");
+    }
+
+    #[test]
+    fn a_size_is_one_that_can_be_drawn() {
+        assert_eq!(Size::pixels(f64::NAN, -3.0), Size::pixels(160.0, 120.0));
+        assert_eq!(Size::millimetres(160.0, 100.0).written(), ("160mm".to_owned(), "100mm".to_owned()));
+    }
+
+    #[test]
+    fn an_identifier_is_one() {
+        assert_eq!(Style::new(Size::pixels(1.0, 1.0)).id("7\"<a").id, "plot7a");
+    }
+}

@@ -1,0 +1,254 @@
+//! Charts of one plane: curves, areas and points over two axes.
+
+use crate::canvas::{Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT, TITLE};
+use crate::draw;
+use crate::geometry::Rect;
+use crate::item::{Item, colour};
+use crate::label::Label;
+use crate::legend::{self, Entry, Legend};
+use crate::picture::Picture;
+use crate::place::{Field, spread};
+use crate::plane::{Axis, EDGE, Plane, X_BELOW, Y_ABOVE, x_ticks, y_margin, y_ticks};
+use crate::style::{Colour, Style};
+
+/// A chart of curves, areas and points over two axes.
+///
+/// ```
+/// use plot::{Axis, Line, Size, Style, Tone, XyChart};
+/// let picture = XyChart::new(Axis::new("n", "min⁻¹"), Axis::new("T", "Nm"))
+///     .title("Limits")
+///     .with(Line::new([(0.0, 9.0), (3000.0, 9.0), (4500.0, 0.0)]).tone(Tone::Continuous).label("continuous"))
+///     .render(&Style::new(Size::millimetres(120.0, 80.0)));
+/// assert!(picture.svg().starts_with("<svg"));
+/// assert_eq!(picture.dropped(), 0);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct XyChart {
+    pub(crate) x: Axis,
+    pub(crate) y: Axis,
+    pub(crate) title: Label,
+    pub(crate) description: String,
+    pub(crate) legend: Legend,
+    pub(crate) four_quadrant: bool,
+    pub(crate) items: Vec<Item>,
+}
+
+impl XyChart {
+    /// An empty chart.
+    #[must_use]
+    pub fn new(x: Axis, y: Axis) -> Self {
+        Self {
+            x,
+            y,
+            title: Label::default(),
+            description: String::new(),
+            legend: Legend::Auto,
+            four_quadrant: false,
+            items: Vec::new(),
+        }
+    }
+
+    /// Sets the title above the chart, which also names it to a screen reader.
+    #[must_use]
+    pub fn title(mut self, title: impl Into<Label>) -> Self {
+        self.title = title.into();
+        self
+    }
+
+    /// Sets what a screen reader tells of the chart.
+    #[must_use]
+    pub fn description(mut self, text: &str) -> Self {
+        text.clone_into(&mut self.description);
+        self
+    }
+
+    /// Sets where the legend goes.
+    #[must_use]
+    pub const fn legend(mut self, legend: Legend) -> Self {
+        self.legend = legend;
+        self
+    }
+
+    /// Shows both signs of both quantities, with axes through zero.
+    #[must_use]
+    pub const fn four_quadrant(mut self) -> Self {
+        self.four_quadrant = true;
+        self
+    }
+
+    /// Adds an item. Areas are drawn first, then references, lines, markers and notes, each kind in its order.
+    #[must_use]
+    pub fn with(mut self, item: impl Into<Item>) -> Self {
+        self.items.push(item.into());
+        self
+    }
+
+    /// Adds items.
+    #[must_use]
+    pub fn with_all<I: Into<Item>>(mut self, items: impl IntoIterator<Item = I>) -> Self {
+        self.items.extend(items.into_iter().map(Into::into));
+        self
+    }
+
+    /// Draws the chart.
+    #[must_use]
+    pub fn render(&self, style: &Style) -> Picture {
+        self.render_as("xy", style)
+    }
+
+    pub(crate) fn render_as(&self, kind: &str, style: &Style) -> Picture {
+        let mut canvas = Canvas::new(style);
+        let entries = if self.legend == Legend::Off { Vec::new() } else { legend::entries(&mut canvas, &self.items) };
+        let mut below = self.legend == Legend::Below;
+        let mut plane = self.layout(&canvas, &entries, below);
+        let mut field = self.field(&plane);
+        let mut corner = None;
+        if !entries.is_empty() && !below {
+            corner = legend_corner(&field, &plane.area, &entries);
+            if corner.is_none() {
+                below = true;
+                plane = self.layout(&canvas, &entries, below);
+                field = self.field(&plane);
+            }
+        }
+        if let Some(area) = &corner {
+            field.text(area.grown(2.0));
+        }
+        let top = title(&mut canvas, &self.title);
+        debug_assert!(top <= plane.area.top, "the title is above the plane");
+        canvas.open_plane("plane", &plane.area, (plane.x.lo, plane.x.hi), (plane.y.lo, plane.y.hi));
+        plane.grid(&mut canvas);
+        if self.four_quadrant {
+            canvas.rect(&plane.area, 0.0, &Fill::None, Some(&Stroke::solid(Colour::Grid, RULE)));
+        }
+        draw::items(&mut canvas, &plane, &self.items);
+        plane.y_axis(&mut canvas, &self.y);
+        plane.x_axis(&mut canvas, &self.x);
+        if plane.x.lo < 0.0 && plane.x.hi > 0.0 {
+            let zero = plane.x_at(0.0);
+            canvas.line((zero, plane.area.top), (zero, plane.area.bottom), &Stroke::solid(Colour::Ink, RULE));
+        }
+        draw::markers(&mut canvas, &plane, &self.items);
+        if let Some(area) = &corner {
+            legend::column(&mut canvas, &entries, area);
+        }
+        draw::texts(&mut canvas, &plane, &self.items, &mut field);
+        self.end_labels(&mut canvas, &plane);
+        canvas.close();
+        plane.y_title(&mut canvas, &self.y, style.size.width - 2.0 * EDGE);
+        plane.x_title(&mut canvas, &self.x);
+        if below {
+            let rows = legend::rows(&entries, style.size.width - 2.0 * EDGE);
+            legend::draw_rows(&mut canvas, &rows, (EDGE, plane.area.bottom + X_BELOW + 4.0));
+        }
+        canvas.finish(kind, &self.title.plain(), &self.description)
+    }
+
+    fn layout(&self, canvas: &Canvas<'_>, entries: &[Entry], below: bool) -> Plane {
+        let size = canvas.style.size;
+        let top = EDGE + title_height(canvas, &self.title) + Y_ABOVE;
+        let legend = if below && !entries.is_empty() {
+            legend::rows(entries, size.width - 2.0 * EDGE).iter().map(|_| legend::ROW).sum::<f64>() + 4.0
+        } else {
+            0.0
+        };
+        let bottom = (size.height - EDGE / 2.0 - X_BELOW - legend).max(top + 20.0);
+        let (xs, ys): (Vec<Vec<f64>>, Vec<Vec<f64>>) = self.items.iter().map(Item::reach).unzip();
+        let y = y_ticks(self.y.span(&ys.concat(), self.four_quadrant), bottom - top);
+        let left = y_margin(canvas, &y).min(size.width / 2.0);
+        let labels = self.end_labelled().map(|(label, _)| label.width(TEXT, false)).fold(0.0, f64::max);
+        let margin = if labels > 0.0 { (labels + END_GAP).min(size.width / 3.0) } else { 0.0 };
+        let right = size.width - EDGE - 4.0 - margin;
+        let (x, right) = x_ticks(canvas, self.x.span(&xs.concat(), self.four_quadrant), left, right);
+        Plane { area: Rect { left, right, top, bottom }, x, y }
+    }
+
+    /// What is drawn, so that text can keep clear of it.
+    fn field(&self, plane: &Plane) -> Field {
+        let mut field = Field::new(plane.area);
+        draw::stamp(&mut field, plane, &self.items);
+        if self.four_quadrant {
+            let (x, y) = (plane.x_at(0.0), plane.y_at(0.0));
+            field.line(&[(x, plane.area.top), (x, plane.area.bottom)]);
+            field.line(&[(plane.area.left, y), (plane.area.right, y)]);
+        }
+        field
+    }
+
+    /// Lines labelled at their end, with the end in data.
+    fn end_labelled(&self) -> impl Iterator<Item = (&Label, (Colour, (f64, f64)))> {
+        self.items.iter().filter_map(|item| match item {
+            Item::Line(line) if line.label_at_end && !line.label.is_empty() => {
+                let end = line.points.iter().rev().find(|point| crate::item::is_data(**point))?;
+                Some((&line.label, (colour(line.tone), *end)))
+            }
+            _ => None,
+        })
+    }
+
+    fn end_labels(&self, canvas: &mut Canvas<'_>, plane: &Plane) {
+        let ends: Vec<_> = self.end_labelled().collect();
+        let area = plane.area;
+        let wished: Vec<f64> =
+            ends.iter().map(|(_, (_, end))| plane.y_at(end.1).clamp(area.top, area.bottom)).collect();
+        for ((label, (colour, end)), y) in ends.into_iter().zip(spread(&wished, ROW_END, area.top, area.bottom)) {
+            let Some(y) = y else {
+                canvas.hide(label);
+                continue;
+            };
+            let (x, wish) = plane.at(end);
+            let (x, wish) = (x.clamp(area.left, area.right), wish.clamp(area.top, area.bottom));
+            if (wish - y).abs() > 1.0 || x < area.right - 6.0 {
+                let knee = (area.right + 2.0, wish);
+                let leader = Stroke { colour, width: HAIR, dash: "1.5 2" };
+                canvas.line((x + 2.0, wish), knee, &leader);
+                canvas.line(knee, (area.right + END_GAP - 4.0, y), &leader);
+            }
+            let left = area.right + END_GAP - 2.0;
+            let label = label.elided(canvas.style.size.width - left - 1.0, TEXT, false);
+            canvas.text((left, TEXT.mul_add(0.36, y)), &label, Setting::new(TEXT, colour, Anchor::Start));
+        }
+    }
+}
+
+const END_GAP: f64 = 14.0;
+const ROW_END: f64 = 13.0;
+
+/// A corner, or else the middle of the upper or lower edge, that a legend fits into without covering anything.
+fn legend_corner(field: &Field, area: &Rect, entries: &[Entry]) -> Option<Rect> {
+    let (width, height) = legend::column_size(entries);
+    if width > area.width() * 0.6 || height > area.height() * 0.6 {
+        return None;
+    }
+    let gap = 8.0;
+    let (left, right) = (area.left + gap, area.right - gap - width);
+    let (top, bottom) = (area.top + gap, area.bottom - gap - height);
+    let middle = area.middle().0 - width / 2.0;
+    let corners = [(right, top), (left, top), (right, bottom), (left, bottom), (middle, top), (middle, bottom)];
+    let boxes = corners.map(|(left, top)| Rect { left, right: left + width, top, bottom: top + height });
+    field.best(boxes).filter(|(_, cost)| *cost == 0.0).map(|(area, _)| area)
+}
+
+/// Lines of a title.
+const TITLE_LINES: usize = 2;
+const TITLE_ROW: f64 = 19.0;
+
+fn title_lines(canvas: &Canvas<'_>, title: &Label) -> Vec<Label> {
+    title.wrapped(canvas.style.size.width - 2.0 * EDGE, TITLE, true, TITLE_LINES)
+}
+
+/// What a title takes above the chart.
+pub(crate) fn title_height(canvas: &Canvas<'_>, title: &Label) -> f64 {
+    let lines: f64 = title_lines(canvas, title).iter().map(|_| TITLE_ROW).sum();
+    if lines > 0.0 { lines + 6.0 } else { 0.0 }
+}
+
+/// Draws the title; gives its lower end.
+pub(crate) fn title(canvas: &mut Canvas<'_>, title: &Label) -> f64 {
+    let mut y = EDGE;
+    for line in title_lines(canvas, title) {
+        canvas.text((EDGE, y + TITLE * 0.85), &line, Setting::new(TITLE, Colour::Ink, Anchor::Start).bold());
+        y += TITLE_ROW;
+    }
+    y
+}
