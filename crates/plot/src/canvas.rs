@@ -99,18 +99,9 @@ impl<'a> Canvas<'a> {
         Self { style, out: String::new(), patterns: BTreeMap::new(), texts: Vec::new(), hidden: Vec::new(), dropped: 0 }
     }
 
-    /// Counts points that are no numbers and were left out.
-    pub(crate) const fn drop_points(&mut self, count: usize) {
-        self.dropped += count;
-    }
-
     /// Keeps a label that found no free place.
     pub(crate) fn hide(&mut self, label: &Label) {
         self.hidden.push(label.plain());
-    }
-
-    pub(crate) fn texts(&self) -> &[TextBox] {
-        &self.texts
     }
 
     pub(crate) fn open(&mut self, class: &str) {

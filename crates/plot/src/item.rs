@@ -31,7 +31,7 @@ impl Tags {
     }
 }
 
-/// The builder methods that all items have.
+/// The builder methods for what a page may address.
 macro_rules! tagged {
     ($item:ident) => {
         impl $item {
@@ -55,7 +55,17 @@ macro_rules! tagged {
                 self.tags.tooltip = Some(text.to_owned());
                 self
             }
+        }
+    };
+}
+pub(crate) use tagged;
 
+/// Beside them those of items in a plane.
+macro_rules! labelled {
+    ($item:ident) => {
+        tagged!($item);
+
+        impl $item {
             /// Sets the label.
             #[must_use]
             pub fn label(mut self, label: impl Into<Label>) -> Self {
@@ -157,7 +167,7 @@ pub struct Line {
     pub(crate) label_at_end: bool,
     pub(crate) tags: Tags,
 }
-tagged!(Line);
+labelled!(Line);
 
 impl Line {
     /// A line through points (x, y).
@@ -239,7 +249,7 @@ pub struct Area {
     pub(crate) outlined: bool,
     pub(crate) tags: Tags,
 }
-tagged!(Area);
+labelled!(Area);
 
 impl Area {
     /// The area within a closed outline.
@@ -303,7 +313,7 @@ pub struct Markers {
     pub(crate) hollow: bool,
     pub(crate) tags: Tags,
 }
-tagged!(Markers);
+labelled!(Markers);
 
 impl Markers {
     /// Filled circles at points (x, y).
@@ -352,7 +362,7 @@ pub struct Reference {
     pub(crate) dash: Dash,
     pub(crate) tags: Tags,
 }
-tagged!(Reference);
+labelled!(Reference);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum At {
@@ -393,7 +403,7 @@ pub struct Note {
     pub(crate) tone: Tone,
     pub(crate) tags: Tags,
 }
-tagged!(Note);
+labelled!(Note);
 
 impl Note {
     /// A text for the point (x, y).

@@ -33,10 +33,12 @@ pub(crate) enum Sample {
 
 const SAMPLE: f64 = 24.0;
 const SAMPLE_GAP: f64 = 6.0;
-const COLUMN_GAP: f64 = 18.0;
+pub(crate) const COLUMN_GAP: f64 = 18.0;
 /// Distance of two lines of a legend.
 pub(crate) const ROW: f64 = 16.0;
 const PAD: f64 = 6.0;
+/// A width added up in another order differs in the last digit.
+const ROUNDING: f64 = 1e-6;
 
 /// The entries of items that have a label and do not carry it themselves.
 pub(crate) fn entries(canvas: &mut Canvas<'_>, items: &[Item]) -> Vec<Entry> {
@@ -137,7 +139,7 @@ fn draw(canvas: &mut Canvas<'_>, entry: &Entry, (x, y): Point, width: f64) {
         }
         Sample::Marker(shape, colour, hollow) => draw_marker(canvas, *shape, (x + SAMPLE / 2.0, y), *colour, *hollow),
     }
-    let label = entry.label.elided(width - SAMPLE - SAMPLE_GAP, TEXT, false);
+    let label = entry.label.elided(width - SAMPLE - SAMPLE_GAP + ROUNDING, TEXT, false);
     let setting = Setting::new(TEXT, Colour::Ink, Anchor::Start);
     canvas.text((x + SAMPLE + SAMPLE_GAP, TEXT.mul_add(CAP_HEIGHT / 2.0, y)), &label, setting);
 }

@@ -1,5 +1,6 @@
 //! Charts as SVG in one house style, for paper, a page and a screen. Knows nothing of what is drawn.
 
+mod bars;
 mod canvas;
 mod draw;
 mod font;
@@ -7,23 +8,28 @@ mod geometry;
 mod item;
 mod label;
 mod legend;
+mod map;
 mod picture;
 mod place;
 mod plane;
 #[cfg(feature = "png")]
 mod png;
 mod reduce;
+mod stacked;
 mod style;
 mod ticks;
 mod xy;
 
+pub use bars::{Bar, BarChart, Verdict};
 pub use canvas::Hatch;
 pub use font::{FONT_FAMILY, font_files};
 pub use geometry::Rect;
 pub use item::{Area, Dash, Item, Line, Markers, Note, Reference, Shape, Width};
 pub use label::Label;
 pub use legend::Legend;
+pub use map::MapChart;
 pub use picture::{Picture, TextBox};
 pub use plane::Axis;
+pub use stacked::{Panel, StackedChart};
 pub use style::{Size, Style, Theme, Tone};
 pub use xy::XyChart;

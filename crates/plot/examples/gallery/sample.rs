@@ -3,16 +3,22 @@
 use std::f64::consts::PI;
 
 use plot::{
-    Area, Axis, Dash, Hatch, Label, Line, Markers, Note, Picture, Reference, Shape, Style, Tone, Width, XyChart,
+    Area, Axis, Bar, BarChart, Dash, Hatch, Label, Line, MapChart, Markers, Note, Panel, Picture, Reference, Shape,
+    StackedChart, Style, Tone, Verdict, Width, XyChart,
 };
-use quantities::Language;
+use quantities::{Language, format_number};
 
 /// Draws one sample.
 pub(crate) type Draw = fn(Language, &Style) -> Picture;
 
 /// Name, size in mm and drawing of every sample.
-pub(crate) const ALL: &[(&str, (f64, f64), Draw)] =
-    &[("plane", (165.0, 115.0), plane), ("torsion", (120.0, 80.0), torsion)];
+pub(crate) const ALL: &[(&str, (f64, f64), Draw)] = &[
+    ("plane", (165.0, 115.0), plane),
+    ("stacked", (165.0, 190.0), stacked),
+    ("bars", (165.0, 130.0), bars),
+    ("map", (165.0, 110.0), map),
+    ("torsion", (120.0, 80.0), torsion),
+];
 
 const fn say(language: Language, en: &'static str, de: &'static str) -> &'static str {
     match language {
@@ -117,5 +123,155 @@ fn torsion(language: Language, style: &Style) -> Picture {
     .with(Reference::vertical(12.0).label(Label::symbol("T_2")).dash(Dash::Dotted))
     .with(Markers::new([(18.5, curve(18.5))]).tone(Tone::Trace).label(say(language, "working point", "Arbeitspunkt")))
     .with(Note::new(18.5, curve(18.5), say(language, "18.50 Nm → 5.10′", "18,50 Nm → 5,10′")))
+    .render(style)
+}
+
+fn stacked(language: Language, style: &Style) -> Picture {
+    let times = || (0..=4000).map(|i| f64::from(i) * 5e-4);
+    let speed = |t: f64| match t {
+        t if t < 0.4 => 40.0 * (1.0 - (PI * t / 0.4).cos()) / 2.0,
+        t if t < 0.9 => 40.0,
+        t if t < 1.3 => 40.0 * (1.0 + (PI * (t - 0.9) / 0.4).cos()) / 2.0,
+        _ => 0.0,
+    };
+    let acceleration = move |t: f64| (speed(t + 5e-4) - speed(t - 5e-4)) / 1e-3 * 2.0 * PI / 60.0;
+    let torque = move |t: f64| 1.3 * acceleration(t) + if speed(t) > 0.0 { 6.0 } else { 2.0 };
+    let current = move |t: f64| torque(t) / 11.4 + 0.02 * (t * 900.0).sin();
+    let angle: Vec<(f64, f64)> = times()
+        .scan(0.0, |sum, t| {
+            *sum += speed(t) * 5e-4 * 6.0;
+            Some((t, *sum))
+        })
+        .collect();
+    StackedChart::new(Axis::new("t", "s").name(say(language, "Time", "Zeit")).minor_ticks())
+        .title(say(language, "Cycle of the turntable", "Zyklus des Drehtisches"))
+        .segment(0.0, 0.4, say(language, "accelerate", "Beschleunigen"))
+        .segment(0.4, 0.9, say(language, "constant speed", "Konstante Drehzahl"))
+        .segment(0.9, 1.3, say(language, "brake", "Bremsen"))
+        .segment(1.3, 2.0, say(language, "dwell, held by the motor", "Stillstand, vom Motor gehalten"))
+        .panel(
+            Panel::new(Axis::new("φ", "°").name(say(language, "Angle", "Winkel")))
+                .with(Line::new(angle).tone(Tone::Trace)),
+        )
+        .panel(
+            Panel::new(Axis::new("n_out", "min⁻¹").name(say(language, "Speed", "Drehzahl")))
+                .with(Line::new(times().map(|t| (t, speed(t)))))
+                .with(
+                    Reference::horizontal(52.0)
+                        .tone(Tone::ShortTime)
+                        .dash(Dash::Dashed)
+                        .label(Label::symbol("n_max").text(say(language, " = 52.00 min⁻¹", " = 52,00 min⁻¹"))),
+                ),
+        )
+        .panel(
+            Panel::new(Axis::new("T_out", "Nm").name(say(language, "Torque", "Drehmoment")))
+                .with(Line::new(times().map(|t| (t, torque(t)))).label(say(language, "demand", "Bedarf")))
+                .with(Line::new(times().map(|t| (t, torque(t) * 0.8 + 3.0))).tone(Tone::Series(1)).label(say(
+                    language,
+                    "of the load",
+                    "der Last",
+                )))
+                .with(Reference::horizontal(27.0).tone(Tone::Continuous).dash(Dash::Solid).label(say(
+                    language,
+                    "continuous",
+                    "dauernd",
+                ))),
+        )
+        .panel(
+            Panel::new(Axis::new("I", "A").name(say(language, "Current", "Strom")))
+                .with(Line::new(times().map(|t| (t, current(t)))).tone(Tone::Series(0))),
+        )
+        .panel(
+            Panel::new(
+                Axis::new("ϑ_w", "°C").name(say(language, "Winding temperature", "Wicklungstemperatur")).without_zero(),
+            )
+            .with(
+                Line::new(times().map(|t| (t, 70.0 + 4.0 * (1.0 - (-t).exp()) + 0.6 * (t * 5.0).sin())))
+                    .tone(Tone::Series(5)),
+            )
+            .with(Reference::horizontal(82.0).tone(Tone::Continuous).label(say(language, "limit", "Grenze"))),
+        )
+        .render(style)
+}
+
+fn bars(language: Language, style: &Style) -> Picture {
+    use Verdict::{Advice, Fail, NotChecked, Pass};
+    const ROWS: &[(&str, &str, Verdict, f64)] = &[
+        ("#Drive", "#Antrieb", Pass, 0.0),
+        ("Peak torque", "Spitzendrehmoment", Pass, 62.4),
+        ("Peak speed", "Spitzendrehzahl", Pass, 77.03),
+        ("Mean speed", "Mittlere Drehzahl", Pass, 41.2),
+        ("Continuous torque", "Dauerdrehmoment", Advice, 96.8),
+        ("Peak current", "Spitzenstrom", Pass, 58.31),
+        ("Demagnetisation", "Entmagnetisierung", Pass, 33.0),
+        ("Terminal voltage", "Klemmenspannung", Fail, 112.45),
+        ("Winding temperature", "Wicklungstemperatur", Pass, 84.9),
+        ("Regeneration", "Rückspeisung", NotChecked, 0.0),
+        ("Inertia ratio", "Trägheitsverhältnis", Fail, 640.2),
+        ("Ambient temperature", "Umgebungstemperatur", Pass, 62.5),
+        ("#Gear", "#Getriebe", Pass, 0.0),
+        ("Average torque", "Durchschnittsdrehmoment", Pass, 71.0),
+        ("Momentary peak torque (emergency stop, collision)", "Kollisionsdrehmoment (Not-Halt, Anprall)", Pass, 22.8),
+        ("Mean input speed", "Mittlere Antriebsdrehzahl", Pass, 68.6),
+        ("Life of the wave generator", "Lebensdauer des Wave Generators", Advice, 91.0),
+        ("Torsion", "Verdrehung", NotChecked, 0.0),
+        ("#Output bearing", "#Abtriebslager", Pass, 0.0),
+        ("Axial load", "Axiallast", Pass, 12.5),
+        ("Radial load", "Radiallast", Pass, 0.0),
+        ("Tilting moment", "Kippmoment", Pass, 48.77),
+        ("Static safety", "Statische Sicherheit", Pass, 39.1),
+        ("Life L10", "Lebensdauer L10", Pass, 8.2),
+        ("Screw joint", "Schraubverbindung", NotChecked, 0.0),
+    ];
+    let mut chart = BarChart::new(Axis::new("", "%").name(say(language, "Utilisation", "Auslastung"))).title(say(
+        language,
+        "Checks",
+        "Nachweise",
+    ));
+    for (en, de, verdict, percent) in ROWS {
+        let label = say(language, en, de);
+        if let Some(heading) = label.strip_prefix('#') {
+            chart = chart.heading(heading);
+        } else if *verdict == NotChecked {
+            chart = chart.bar(Bar::new(label, NotChecked).text(say(language, "not checked", "nicht geprüft")));
+        } else {
+            let text = format!("{} %", format_number(*percent, 2, language));
+            chart = chart.bar(Bar::new(label, *verdict).percent(*percent).text(text));
+        }
+    }
+    chart
+        .explain(Pass, say(language, "pass", "erfüllt"))
+        .explain(Advice, say(language, "advice", "Hinweis"))
+        .explain(Fail, say(language, "fail", "nicht erfüllt"))
+        .explain(NotChecked, say(language, "not checked", "nicht geprüft"))
+        .render(style)
+}
+
+fn map(language: Language, style: &Style) -> Picture {
+    // A few steps of a linear congruence scatter the points the same way every time.
+    let mut state = 7_u32;
+    let mut next = move || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(state >> 8) / f64::from(1 << 24)
+    };
+    let points: Vec<(f64, f64, String)> = (0..40)
+        .map(|i| {
+            let size = [14, 17, 20, 25, 32, 40, 50, 58][i % 8];
+            let ratio = [30, 50, 80, 100, 120][i / 8];
+            let mass = f64::from(size).powf(1.7) / 60.0 * (0.9 + 0.2 * next());
+            let load = 3400.0 / f64::from(size).powf(1.35) / f64::from(ratio).powf(0.3) * (0.7 + 0.6 * next()) * 4.0;
+            (mass, load, format!("{size}A-{ratio}"))
+        })
+        .collect();
+    let of = |from: f64, to: f64| points.iter().filter(move |p| p.1 >= from && p.1 < to).cloned().collect::<Vec<_>>();
+    MapChart::new(
+        Axis::new("m", "kg").name(say(language, "Mass", "Masse")),
+        Axis::new("", "%").name(say(language, "Highest utilisation", "Höchste Auslastung")),
+    )
+    .title(say(language, "Candidates", "Kandidaten"))
+    .class(say(language, "fits", "passt"), Tone::Series(0), of(0.0, 80.0))
+    .class(say(language, "fits, with advice", "passt, mit Hinweis"), Tone::Series(4), of(80.0, 100.0))
+    .class(say(language, "does not fit", "passt nicht"), Tone::Series(1), of(100.0, 1e9))
+    .with(Reference::horizontal(100.0).tone(Tone::Continuous).dash(Dash::Solid))
     .render(style)
 }

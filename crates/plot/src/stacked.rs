@@ -1,0 +1,237 @@
+//! Panels one above the other over one axis, usually of time.
+
+use crate::canvas::{AXIS, Anchor, Canvas, HAIR, RULE, Setting, Stroke, TEXT};
+use crate::draw;
+use crate::geometry::Rect;
+use crate::item::{Item, Tags};
+use crate::label::Label;
+use crate::legend::{self, Entry};
+use crate::picture::Picture;
+use crate::place::Field;
+use crate::plane::{Axis, EDGE, Plane, X_BELOW, x_ticks, y_margin, y_ticks};
+use crate::style::{Colour, Style};
+use crate::ticks::Ticks;
+use crate::xy::{title, title_height};
+
+/// Panels over one shared axis, with the borders of segments drawn through all of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackedChart {
+    x: Axis,
+    title: Label,
+    description: String,
+    segments: Vec<(f64, f64, Label)>,
+    panels: Vec<Panel>,
+}
+
+/// One panel: a y axis and what is drawn over it. A limit is a [`Reference`](crate::Reference).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    y: Axis,
+    items: Vec<Item>,
+}
+
+impl Panel {
+    /// An empty panel.
+    #[must_use]
+    pub const fn new(y: Axis) -> Self {
+        Self { y, items: Vec::new() }
+    }
+
+    /// Adds an item. Items with a label are explained beside the title of the panel.
+    #[must_use]
+    pub fn with(mut self, item: impl Into<Item>) -> Self {
+        self.items.push(item.into());
+        self
+    }
+}
+
+/// Room for the names of segments.
+const SEGMENTS: f64 = 18.0;
+/// A line of title and legend above a panel.
+const HEADER: f64 = 26.0;
+const PANEL_MIN: f64 = 28.0;
+
+struct Laid<'a> {
+    plane: Plane,
+    panel: &'a Panel,
+    entries: Vec<Entry>,
+}
+
+impl StackedChart {
+    /// A chart without panels. The shared axis ends where data and segments end.
+    #[must_use]
+    pub fn new(x: Axis) -> Self {
+        Self {
+            x: x.tight(),
+            title: Label::default(),
+            description: String::new(),
+            segments: Vec::new(),
+            panels: Vec::new(),
+        }
+    }
+
+    /// Sets the title above the chart, which also names it to a screen reader.
+    #[must_use]
+    pub fn title(mut self, title: impl Into<Label>) -> Self {
+        self.title = title.into();
+        self
+    }
+
+    /// Sets what a screen reader tells of the chart.
+    #[must_use]
+    pub fn description(mut self, text: &str) -> Self {
+        text.clone_into(&mut self.description);
+        self
+    }
+
+    /// Adds a segment of the shared axis.
+    #[must_use]
+    pub fn segment(mut self, from: f64, to: f64, name: impl Into<Label>) -> Self {
+        if from.is_finite() && to.is_finite() {
+            self.segments.push((from.min(to), from.max(to), name.into()));
+        }
+        self
+    }
+
+    /// Adds a panel below the others.
+    #[must_use]
+    pub fn panel(mut self, panel: Panel) -> Self {
+        self.panels.push(panel);
+        self
+    }
+
+    /// Draws the chart.
+    #[must_use]
+    pub fn render(&self, style: &Style) -> Picture {
+        let style = &self.grown(style);
+        let mut canvas = Canvas::new(style);
+        let laid = self.layout(&mut canvas);
+        title(&mut canvas, &self.title);
+        self.draw_segments(&mut canvas, &laid);
+        for (index, part) in laid.iter().enumerate() {
+            let Laid { plane, panel, entries } = part;
+            canvas.open_plane("plane panel", &plane.area, (plane.x.lo, plane.x.hi), (plane.y.lo, plane.y.hi));
+            plane.grid(&mut canvas);
+            self.draw_borders(&mut canvas, plane);
+            draw::items(&mut canvas, plane, &panel.items);
+            plane.y_axis(&mut canvas, &panel.y);
+            if index + 1 == laid.len() {
+                plane.x_axis(&mut canvas, &self.x);
+            } else {
+                let (left, right, bottom) = (plane.area.left, plane.area.right, plane.area.bottom);
+                canvas.line((left, bottom), (right, bottom), &Stroke::solid(Colour::Soft, HAIR));
+            }
+            draw::markers(&mut canvas, plane, &panel.items);
+            let mut field = Field::new(plane.area);
+            draw::stamp(&mut field, plane, &panel.items);
+            draw::texts(&mut canvas, plane, &panel.items, &mut field);
+            canvas.close();
+            plane.y_title(&mut canvas, &panel.y, title_room(style));
+            let room = style.size.width - EDGE - legend_left(&panel.y, &plane.y, style);
+            if let Some(row) = legend::rows(entries, room).into_iter().next() {
+                let width = row.iter().map(|(_, width)| width + legend::COLUMN_GAP).sum::<f64>() - legend::COLUMN_GAP;
+                let left = plane.area.right - width;
+                for (entry, _) in entries.iter().skip(row.len()).map(|entry| (entry, 0)) {
+                    canvas.hide(&entry.label);
+                }
+                legend::draw_rows(&mut canvas, &[row], (left, plane.area.top - legend::ROW - 4.0));
+            }
+        }
+        if let Some(last) = laid.last() {
+            last.plane.x_title(&mut canvas, &self.x);
+        }
+        canvas.finish("stacked", &self.title.plain(), &self.description)
+    }
+
+    /// The style with the height that the panels need.
+    fn grown(&self, style: &Style) -> Style {
+        let mut style = style.clone();
+        let canvas = Canvas::new(&style);
+        let panels: f64 = self.panels.iter().map(|_| HEADER + PANEL_MIN).sum();
+        let least = 2.0 * EDGE + title_height(&canvas, &self.title) + self.segment_row() + panels + X_BELOW;
+        style.size.height = style.size.height.max(least);
+        style
+    }
+
+    const fn segment_row(&self) -> f64 {
+        if self.segments.is_empty() { 0.0 } else { SEGMENTS }
+    }
+
+    fn layout(&self, canvas: &mut Canvas<'_>) -> Vec<Laid<'_>> {
+        let size = canvas.style.size;
+        let top = EDGE + title_height(canvas, &self.title) + self.segment_row();
+        let bottom = size.height - EDGE / 2.0 - X_BELOW;
+        let share = (bottom - top) / self.panels.iter().map(|_| 1.0).sum::<f64>().max(1.0);
+        let mut xs: Vec<f64> = self.segments.iter().flat_map(|(from, to, _)| [*from, *to]).collect();
+        let mut parts: Vec<(&Panel, Ticks, Vec<Entry>)> = Vec::new();
+        for panel in &self.panels {
+            let (x, y): (Vec<Vec<f64>>, Vec<Vec<f64>>) = panel.items.iter().map(Item::reach).unzip();
+            xs.extend(x.concat());
+            let ticks = y_ticks(panel.y.span(&y.concat(), false), share - HEADER);
+            parts.push((panel, ticks, legend::entries(canvas, &panel.items)));
+        }
+        let left = parts.iter().map(|(_, ticks, _)| y_margin(canvas, ticks)).fold(0.0, f64::max).min(size.width / 2.0);
+        let (x, right) = x_ticks(canvas, self.x.span(&xs, false), left, size.width - EDGE - 4.0);
+        let mut y = top;
+        let mut laid = Vec::new();
+        for (panel, ticks, entries) in parts {
+            let area = Rect { left, right, top: y + HEADER, bottom: y + share };
+            laid.push(Laid { plane: Plane { area, x: x.clone(), y: ticks }, panel, entries });
+            y += share;
+        }
+        laid
+    }
+
+    /// Where segments meet, each place once.
+    fn borders(&self) -> Vec<f64> {
+        let mut borders: Vec<f64> = self.segments.iter().flat_map(|(from, to, _)| [*from, *to]).collect();
+        borders.sort_by(f64::total_cmp);
+        borders.dedup();
+        borders
+    }
+
+    fn draw_borders(&self, canvas: &mut Canvas<'_>, plane: &Plane) {
+        for x in self.borders().into_iter().filter(|x| *x > plane.x.lo && *x < plane.x.hi) {
+            let x = plane.x_at(x);
+            let from = (x, plane.area.top - 2.0);
+            canvas.line(from, (x, plane.area.bottom), &Stroke { colour: Colour::Soft, width: HAIR, dash: "3 2" });
+        }
+    }
+
+    /// Names of the segments above the first panel, with brackets that show how far they reach.
+    fn draw_segments(&self, canvas: &mut Canvas<'_>, laid: &[Laid<'_>]) {
+        let Some(first) = laid.first() else { return };
+        let plane = &first.plane;
+        let base = plane.area.top - HEADER;
+        let mut until = f64::NEG_INFINITY;
+        for (from, to, name) in &self.segments {
+            let (from, to) = (plane.x_at(*from), plane.x_at(*to));
+            let (from, to) = (from.max(plane.area.left), to.min(plane.area.right));
+            if to <= from {
+                continue;
+            }
+            canvas.open_item("segment", &Tags::default(), name, 0);
+            let rule = Stroke::solid(Colour::Soft, RULE);
+            canvas.line((from + 1.0, base), (to - 1.0, base), &rule);
+            let room = to - from.max(until) - 4.0;
+            let short = name.elided(room, TEXT, false);
+            // Segments that lie upon each other name only what is free.
+            if short.is_empty() || from < until {
+                canvas.hide(name);
+            } else {
+                let middle = f64::midpoint(from, to);
+                canvas.text((middle, base - 5.0), &short, Setting::new(TEXT, Colour::Soft, Anchor::Middle));
+                until = to;
+            }
+            canvas.close();
+        }
+    }
+}
+
+fn title_room(style: &Style) -> f64 {
+    (style.size.width - 2.0 * EDGE) * 0.6
+}
+
+fn legend_left(axis: &Axis, ticks: &Ticks, style: &Style) -> f64 {
+    EDGE + axis.title(ticks.exponent).width(AXIS, false).min(title_room(style)) + legend::COLUMN_GAP
+}
