@@ -162,7 +162,7 @@ impl BarChart {
         }
         let limit = x_at(&area, 100.0, ticks.hi);
         canvas.line((limit, area.top), (limit, area.bottom + TICK), &Stroke::solid(Colour::Ink, 1.6));
-        let title = self.axis.title(0).elided(style.size.width - 2.0 * EDGE, crate::canvas::AXIS, false);
+        let title = self.axis.title(0).elided(area.right - EDGE, crate::canvas::AXIS, false);
         let setting = Setting::new(crate::canvas::AXIS, Colour::Ink, Anchor::End);
         canvas.text((area.right, area.bottom + X_TITLE), &title, setting);
         draw_legend(&mut canvas, &legend, area.bottom + X_BELOW + 4.0);

@@ -231,11 +231,21 @@ impl<'a> Canvas<'a> {
     }
 
     /// Writes a text with its anchor on the base line and keeps the box that it takes.
+    ///
+    /// Layout sees to it that there is room. Where it cannot, because the picture is too small for what it has to show, the
+    /// first text stays and the other is told to be hidden: half a number is worse than none.
     pub(crate) fn text(&mut self, at: (f64, f64), label: &Label, setting: Setting) {
         if label.is_empty() {
             return;
         }
-        self.texts.push(TextBox { area: text_area(at, label, setting), text: label.plain() });
+        let area = text_area(at, label, setting);
+        let size = self.style.size;
+        let sheet = Rect { left: 0.0, right: size.width, top: 0.0, bottom: size.height };
+        if !sheet.holds(&area) || self.texts.iter().any(|text| text.area.overlaps(&area)) {
+            self.hide(label);
+            return;
+        }
+        self.texts.push(TextBox { area, text: label.plain() });
         let _ = write!(self.out, "<text x=\"{}\" y=\"{}\"", number(at.0), number(at.1));
         match setting.anchor {
             Anchor::Start => {}

@@ -14,16 +14,22 @@ use crate::style::Colour;
 /// Points above which markers are thinned to one per half pixel and carry no data of their own.
 const MARKERS_MAX: usize = 2000;
 /// How far a name may stand from its point, and a note from its.
-const NAME_REACH: f64 = 42.0;
+const NAME_REACH: f64 = 60.0;
 const NOTE_REACH: f64 = 110.0;
+/// Between a reference line and its label: more than a cell of the field, or the line would stand in its own way.
+const CLEAR: f64 = 4.6;
 
-/// Areas, then references, then lines.
-pub(crate) fn items(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
+/// Areas, which lie below axes.
+pub(crate) fn areas(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
     for item in items {
         if let Item::Area(area) = item {
             draw_area(canvas, plane, area);
         }
     }
+}
+
+/// References and lines, which lie above axes, and markers on top.
+pub(crate) fn lines(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
     for item in items {
         if let Item::Reference(reference) = item {
             draw_reference(canvas, plane, reference);
@@ -34,10 +40,6 @@ pub(crate) fn items(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
             draw_line(canvas, plane, line);
         }
     }
-}
-
-/// Markers, which lie on top of axes.
-pub(crate) fn markers(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
     for item in items {
         if let Item::Markers(markers) = item {
             draw_markers(canvas, plane, markers);
@@ -220,14 +222,14 @@ fn label_reference(canvas: &mut Canvas<'_>, plane: &Plane, reference: &Reference
             .into_iter()
             .flat_map(|share| {
                 let left = (area.right - 4.0 - width) - share * (area.width() - width - 8.0);
-                [box_at(left, from.1 - 3.0 - height), box_at(left, from.1 + 3.0)]
+                [box_at(left, from.1 - CLEAR - height), box_at(left, from.1 + CLEAR)]
             })
             .collect(),
         At::X(_) => shares
             .into_iter()
             .flat_map(|share| {
                 let top = area.top + 4.0 + share * (area.height() - height - 8.0);
-                [box_at(from.0 + 4.0, top), box_at(from.0 - 4.0 - width, top)]
+                [box_at(from.0 + CLEAR, top), box_at(from.0 - CLEAR - width, top)]
             })
             .collect(),
     };

@@ -107,7 +107,7 @@ mod tests {
 
     #[test]
     fn a_line_is_cut_where_it_leaves() {
-        assert_eq!(UNIT.cut((-1.0, 0.5), (2.0, 0.5)), Some(((0.0, 0.5), (1.0, 0.5))));
+        assert_eq!(UNIT.cut((-1.0, 0.5), (3.0, 0.5)), Some(((0.0, 0.5), (1.0, 0.5))));
         assert_eq!(UNIT.cut((-1.0, 2.0), (2.0, 2.0)), None);
         assert_eq!(UNIT.cut((0.2, 0.2), (0.2, 0.2)), Some(((0.2, 0.2), (0.2, 0.2))));
         assert_eq!(UNIT.cut((2.0, 0.0), (3.0, 1.0)), None);

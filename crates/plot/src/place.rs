@@ -120,18 +120,37 @@ impl Field {
             }
         }
         let (place, _) = best?;
-        self.texts.push(place.area);
+        // Two texts side by side are two only with a blank between them.
+        self.texts.push(place.area.grown(1.8));
         if let Some(end) = place.leader {
             self.line(&[at, end]);
         }
         Some(place)
     }
 
-    /// What it costs a leader to cross texts.
+    /// What it costs a leader to cross texts and what is drawn, other than at its own point.
     fn crossing(&self, from: Point, to: Point) -> f64 {
-        if self.texts.iter().any(|text| text.cut(from, to).is_some()) { 400.0 } else { 0.0 }
+        if self.texts.iter().any(|text| text.cut(from, to).is_some()) {
+            return 400.0;
+        }
+        let length = (to.0 - from.0).hypot(to.1 - from.1);
+        let steps = whole(length / self.cell);
+        let crossed = (0..=steps).map(|step| real(step) * self.cell).filter(|along| *along > OWN).filter(|along| {
+            let t = along / length;
+            let at = ((to.0 - from.0).mul_add(t, from.0), (to.1 - from.1).mul_add(t, from.1));
+            self.is_taken(at)
+        });
+        12.0 * real(crossed.count())
+    }
+
+    fn is_taken(&self, at: Point) -> bool {
+        let (column, row) = (whole((at.0 - self.area.left) / self.cell), whole((at.1 - self.area.top) / self.cell));
+        column < self.columns && self.taken.get(row * self.columns + column) == Some(&true)
     }
 }
+
+/// Around a point lies what it belongs to, which its leader may cross.
+const OWN: f64 = 7.0;
 
 /// Sides of a point in the order of preference: right above first.
 const DIRECTIONS: [Point; 16] = [

@@ -1,6 +1,6 @@
 //! Axes: which values they hold, where their ticks and labels go.
 
-use crate::canvas::{AXIS, Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT};
+use crate::canvas::{AXIS, Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT, number};
 use crate::font::CAP_HEIGHT;
 use crate::geometry::{Point, Rect};
 use crate::label::Label;
@@ -172,7 +172,6 @@ impl Plane {
         canvas.open("grid");
         let mut d = String::new();
         let inside = |value: f64, lo: f64, hi: f64| value > lo && value < hi;
-        use crate::canvas::number;
         for x in self.x.values.iter().filter(|x| inside(**x, self.x.lo, self.x.hi)) {
             let x = number(self.x_at(*x));
             d.push_str(&format!("M{x} {}V{}", number(self.area.top), number(self.area.bottom)));
@@ -264,9 +263,14 @@ impl Plane {
 
 /// As many ticks as a height has room for.
 pub(crate) fn y_ticks((lo, hi, widen): (f64, f64, bool), height: f64) -> Ticks {
-    // Widening adds up to two steps.
-    let most = (height / 34.0).clamp(1.0, 12.0);
-    Ticks::new(lo, hi, whole(most), widen)
+    // Widening adds up to two steps, so that the count is known only afterwards.
+    let distance = (height / 9.0).clamp(20.0, 38.0);
+    let room = whole((height / distance).clamp(1.0, 12.0));
+    (1..=room)
+        .rev()
+        .map(|most| Ticks::new(lo, hi, most, widen))
+        .find(|ticks| ticks.values.len() <= room + 1)
+        .unwrap_or_else(|| Ticks::new(lo, hi, 1, widen))
 }
 
 /// What y labels take left of the plane.

@@ -113,7 +113,7 @@ impl StackedChart {
             canvas.open_plane("plane panel", &plane.area, (plane.x.lo, plane.x.hi), (plane.y.lo, plane.y.hi));
             plane.grid(&mut canvas);
             self.draw_borders(&mut canvas, plane);
-            draw::items(&mut canvas, plane, &panel.items);
+            draw::areas(&mut canvas, plane, &panel.items);
             plane.y_axis(&mut canvas, &panel.y);
             if index + 1 == laid.len() {
                 plane.x_axis(&mut canvas, &self.x);
@@ -121,7 +121,7 @@ impl StackedChart {
                 let (left, right, bottom) = (plane.area.left, plane.area.right, plane.area.bottom);
                 canvas.line((left, bottom), (right, bottom), &Stroke::solid(Colour::Soft, HAIR));
             }
-            draw::markers(&mut canvas, plane, &panel.items);
+            draw::lines(&mut canvas, plane, &panel.items);
             let mut field = Field::new(plane.area);
             draw::stamp(&mut field, plane, &panel.items);
             draw::texts(&mut canvas, plane, &panel.items, &mut field);

@@ -57,7 +57,8 @@ impl Ticks {
     }
 
     pub(crate) fn label(&self, value: f64, language: Language) -> String {
-        format_number(multiple(value, -self.exponent), self.decimals, language)
+        let decimals = if value == 0.0 { 0 } else { self.decimals };
+        format_number(multiple(value, -self.exponent), decimals, language)
     }
 }
 
@@ -127,7 +128,7 @@ mod tests {
         let ticks = Ticks::new(0.0, 9.3, 5, true);
         assert_eq!(labels(&ticks, Language::En), ["0", "2", "4", "6", "8", "10"]);
         let ticks = Ticks::new(-0.13, 0.27, 5, true);
-        assert_eq!(labels(&ticks, Language::De), ["−0,2", "−0,1", "0,0", "0,1", "0,2", "0,3"]);
+        assert_eq!(labels(&ticks, Language::De), ["−0,2", "−0,1", "0", "0,1", "0,2", "0,3"]);
         let ticks = Ticks::new(0.0, 3.2, 4, false);
         assert_eq!((ticks.lo, ticks.hi), (0.0, 3.2));
         assert_eq!(labels(&ticks, Language::En), ["0", "1", "2", "3"]);
@@ -136,14 +137,14 @@ mod tests {
     #[test]
     fn large_and_small_values_take_out_a_power() {
         let ticks = Ticks::new(0.0, 2.4e9, 5, true);
-        assert_eq!((ticks.exponent, labels(&ticks, Language::De).join(" ")), (9, "0,0 0,5 1,0 1,5 2,0 2,5".to_owned()));
+        assert_eq!((ticks.exponent, labels(&ticks, Language::De).join(" ")), (9, "0 0,5 1,0 1,5 2,0 2,5".to_owned()));
         let ticks = Ticks::new(0.0, 4.2e-5, 5, true);
         assert_eq!((ticks.exponent, labels(&ticks, Language::En).join(" ")), (-6, "0 10 20 30 40 50".to_owned()));
     }
 
     #[test]
     fn no_span_still_gives_an_axis() {
-        assert_eq!(labels(&Ticks::new(0.0, 0.0, 4, true), Language::En), ["0.0", "0.5", "1.0"]);
+        assert_eq!(labels(&Ticks::new(0.0, 0.0, 4, true), Language::En), ["0", "0.5", "1.0"]);
         let ticks = Ticks::new(7.0, 7.0, 4, true);
         assert!(ticks.lo < 7.0 && ticks.hi > 7.0);
     }

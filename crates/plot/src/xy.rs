@@ -97,8 +97,9 @@ impl XyChart {
     }
 
     pub(crate) fn render_as(&self, kind: &str, style: &Style) -> Picture {
+        let style = &self.grown(style);
         let mut canvas = Canvas::new(style);
-        let entries = if self.legend == Legend::Off { Vec::new() } else { legend::entries(&mut canvas, &self.items) };
+        let entries = self.entries(&mut canvas);
         let mut below = self.legend == Legend::Below;
         let mut plane = self.layout(&canvas, &entries, below);
         let mut field = self.field(&plane);
@@ -121,14 +122,14 @@ impl XyChart {
         if self.four_quadrant {
             canvas.rect(&plane.area, 0.0, &Fill::None, Some(&Stroke::solid(Colour::Grid, RULE)));
         }
-        draw::items(&mut canvas, &plane, &self.items);
+        draw::areas(&mut canvas, &plane, &self.items);
         plane.y_axis(&mut canvas, &self.y);
         plane.x_axis(&mut canvas, &self.x);
         if plane.x.lo < 0.0 && plane.x.hi > 0.0 {
             let zero = plane.x_at(0.0);
             canvas.line((zero, plane.area.top), (zero, plane.area.bottom), &Stroke::solid(Colour::Ink, RULE));
         }
-        draw::markers(&mut canvas, &plane, &self.items);
+        draw::lines(&mut canvas, &plane, &self.items);
         if let Some(area) = &corner {
             legend::column(&mut canvas, &entries, area);
         }
@@ -144,15 +145,28 @@ impl XyChart {
         canvas.finish(kind, &self.title.plain(), &self.description)
     }
 
+    fn entries(&self, canvas: &mut Canvas<'_>) -> Vec<Entry> {
+        if self.legend == Legend::Off { Vec::new() } else { legend::entries(canvas, &self.items) }
+    }
+
+    /// The style with the height that a plane with title and legend needs.
+    fn grown(&self, style: &Style) -> Style {
+        let mut grown = style.clone();
+        let mut canvas = Canvas::new(style);
+        let entries = self.entries(&mut canvas);
+        let (above, below) = (self.above(&canvas), below(&canvas, &entries));
+        grown.size.height = grown.size.height.max(above + PLANE_MIN + below);
+        grown
+    }
+
+    fn above(&self, canvas: &Canvas<'_>) -> f64 {
+        EDGE + title_height(canvas, &self.title) + Y_ABOVE
+    }
+
     fn layout(&self, canvas: &Canvas<'_>, entries: &[Entry], below: bool) -> Plane {
         let size = canvas.style.size;
-        let top = EDGE + title_height(canvas, &self.title) + Y_ABOVE;
-        let legend = if below && !entries.is_empty() {
-            legend::rows(entries, size.width - 2.0 * EDGE).iter().map(|_| legend::ROW).sum::<f64>() + 4.0
-        } else {
-            0.0
-        };
-        let bottom = (size.height - EDGE / 2.0 - X_BELOW - legend).max(top + 20.0);
+        let top = self.above(canvas);
+        let bottom = size.height - self::below(canvas, if below { entries } else { &[] });
         let (xs, ys): (Vec<Vec<f64>>, Vec<Vec<f64>>) = self.items.iter().map(Item::reach).unzip();
         let y = y_ticks(self.y.span(&ys.concat(), self.four_quadrant), bottom - top);
         let left = y_margin(canvas, &y).min(size.width / 2.0);
@@ -211,6 +225,15 @@ impl XyChart {
     }
 }
 
+/// What axis and legend take below a plane.
+fn below(canvas: &Canvas<'_>, entries: &[Entry]) -> f64 {
+    let rows = legend::rows(entries, canvas.style.size.width - 2.0 * EDGE);
+    let legend = rows.iter().map(|_| legend::ROW).sum::<f64>();
+    X_BELOW + EDGE / 2.0 + if legend > 0.0 { legend + 4.0 } else { 0.0 }
+}
+
+/// Height of a plane at least.
+const PLANE_MIN: f64 = 60.0;
 const END_GAP: f64 = 14.0;
 const ROW_END: f64 = 13.0;
 
