@@ -105,7 +105,7 @@ impl<'a> Canvas<'a> {
     }
 
     pub(crate) fn open(&mut self, class: &str) {
-        let _ = write!(self.out, "<g class=\"{}\">\n", escaped(class));
+        let _ = writeln!(self.out, "<g class=\"{}\">", escaped(class));
     }
 
     /// Opens the group of an item of the caller, with its class, data and tooltip.
@@ -132,10 +132,10 @@ impl<'a> Canvas<'a> {
 
     /// Opens a group that tells a script how pixels and values belong together.
     pub(crate) fn open_plane(&mut self, class: &str, area: &Rect, x: (f64, f64), y: (f64, f64)) {
-        let _ = write!(
+        let _ = writeln!(
             self.out,
             "<g class=\"{class}\" data-left=\"{}\" data-right=\"{}\" data-top=\"{}\" data-bottom=\"{}\" \
-             data-x-min=\"{:e}\" data-x-max=\"{:e}\" data-y-min=\"{:e}\" data-y-max=\"{:e}\">\n",
+             data-x-min=\"{:e}\" data-x-max=\"{:e}\" data-y-min=\"{:e}\" data-y-max=\"{:e}\">",
             number(area.left),
             number(area.right),
             number(area.top),
@@ -324,17 +324,17 @@ impl<'a> Canvas<'a> {
         }
         svg.push_str(">\n");
         if !title.is_empty() {
-            let _ = write!(svg, "<title id=\"{id}-title\">{}</title>\n", escaped(title));
+            let _ = writeln!(svg, "<title id=\"{id}-title\">{}</title>", escaped(title));
         }
         if !description.is_empty() {
-            let _ = write!(svg, "<desc id=\"{id}-desc\">{}</desc>\n", escaped(description));
+            let _ = writeln!(svg, "<desc id=\"{id}-desc\">{}</desc>", escaped(description));
         }
         if !self.patterns.is_empty() {
             let patterns: String = self.patterns.values().map(String::as_str).collect();
-            let _ = write!(svg, "<defs>\n{patterns}</defs>\n");
+            let _ = writeln!(svg, "<defs>\n{patterns}</defs>");
         }
         let paper = self.style.theme.colour(Colour::Paper);
-        let _ = write!(svg, "<rect class=\"paper\" width=\"{width}\" height=\"{height}\" fill=\"{paper}\"/>\n");
+        let _ = writeln!(svg, "<rect class=\"paper\" width=\"{width}\" height=\"{height}\" fill=\"{paper}\"/>");
         svg.push_str(&self.out);
         svg.push_str("</svg>\n");
         Picture {

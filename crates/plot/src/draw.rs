@@ -6,16 +6,16 @@ use crate::geometry::{Point, Rect};
 use crate::item::{Area, At, Item, Line, Markers, Note, Reference, Tags, colour, is_data, pieces};
 use crate::label::Label;
 use crate::legend::{MARKER, draw_marker, edge, fill, stroke};
-use crate::place::Field;
+use crate::place::{Field, Near};
 use crate::plane::Plane;
 use crate::reduce::{line_path, outline_path, reduced};
 use crate::style::Colour;
 
 /// Points above which markers are thinned to one per half pixel and carry no data of their own.
 const MARKERS_MAX: usize = 2000;
-/// How far a name may stand from its point, and a note from its.
-const NAME_REACH: f64 = 60.0;
-const NOTE_REACH: f64 = 110.0;
+/// A name that would cover or cross something is left to the tooltip; a note is there because somebody wants it read.
+const NAME: Near = Near { gap: MARKER + 1.5, reach: 60.0, worst: 60.0 };
+const NOTE: Near = Near { gap: 5.0, reach: 110.0, worst: f64::INFINITY };
 /// Between a reference line and its label: more than a cell of the field, or the line would stand in its own way.
 const CLEAR: f64 = 4.6;
 
@@ -63,7 +63,7 @@ pub(crate) fn texts(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item], fiel
         if let Item::Markers(markers) = item {
             for (point, name) in markers.points.iter().zip(&markers.names) {
                 if is_data(*point) {
-                    near(canvas, plane, *point, name, field, (MARKER + 1.5, NAME_REACH), Colour::Ink);
+                    near(canvas, plane, *point, name, field, NAME, Colour::Ink);
                 }
             }
         }
@@ -89,7 +89,7 @@ pub(crate) fn stamp(field: &mut Field, plane: &Plane, items: &[Item]) {
                 for point in markers.points.iter().filter(|point| is_data(**point)) {
                     let at = plane.at(*point);
                     if plane.area.grown(MARKER).cut(at, at).is_some() {
-                        field.disc(at, MARKER);
+                        field.marker(at, MARKER);
                     }
                 }
             }
@@ -245,7 +245,7 @@ fn label_reference(canvas: &mut Canvas<'_>, plane: &Plane, reference: &Reference
 fn draw_note(canvas: &mut Canvas<'_>, plane: &Plane, note: &Note, field: &mut Field) {
     canvas.open_item("note", &note.tags, &note.label, usize::from(!is_data(note.at)));
     if is_data(note.at) {
-        near(canvas, plane, note.at, &note.label, field, (5.0, NOTE_REACH), colour(note.tone));
+        near(canvas, plane, note.at, &note.label, field, NOTE, colour(note.tone));
     }
     canvas.close();
 }
@@ -257,7 +257,7 @@ fn near(
     point: Point,
     label: &Label,
     field: &mut Field,
-    (gap, reach): (f64, f64),
+    near: Near,
     colour: Colour,
 ) {
     let at = plane.at(point);
@@ -267,7 +267,7 @@ fn near(
     let full = label;
     let label = full.elided(plane.area.width() * 0.7, TEXT, false);
     let (width, height) = (label.width(TEXT, false), TEXT * (ASCENT + DESCENT));
-    let Some(place) = field.near(at, width, height, gap, reach) else {
+    let Some(place) = field.near(at, (width, height), near) else {
         canvas.hide(full);
         return;
     };
@@ -275,7 +275,7 @@ fn near(
         let length = (end.0 - at.0).hypot(end.1 - at.1).max(1e-9);
         // The leader starts outside its marker and ends short of the text.
         let along = |px: f64| ((end.0 - at.0).mul_add(px / length, at.0), (end.1 - at.1).mul_add(px / length, at.1));
-        canvas.line(along(gap - 1.0), along((length - 1.0).max(gap)), &Stroke::solid(Colour::Soft, HAIR));
+        canvas.line(along(near.gap - 1.0), along((length - 1.0).max(near.gap)), &Stroke::solid(Colour::Soft, HAIR));
     }
     write_in(canvas, &place.area, &label, colour);
 }

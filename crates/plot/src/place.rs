@@ -1,5 +1,7 @@
 //! Where text may go: what is drawn is stamped onto a grid, and a text takes the free place nearest to its point.
 
+use std::collections::BTreeMap;
+
 use crate::geometry::{Point, Rect};
 
 /// Side of a cell of the grid in px.
@@ -15,6 +17,8 @@ pub(crate) struct Field {
     rows: usize,
     taken: Vec<bool>,
     texts: Vec<Rect>,
+    /// Middles of markers by squares of [`SQUARE`].
+    markers: BTreeMap<(usize, usize), Vec<Point>>,
 }
 
 /// A place found for a text.
@@ -25,11 +29,30 @@ pub(crate) struct Place {
     pub(crate) leader: Option<Point>,
 }
 
+/// How near a text has to be to its point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Near {
+    /// Between point and text at least.
+    pub(crate) gap: f64,
+    /// Between point and text at most.
+    pub(crate) reach: f64,
+    /// How bad a place may be: what it covers, how far it is away, what its leader crosses.
+    pub(crate) worst: f64,
+}
+
 impl Field {
     pub(crate) fn new(area: Rect) -> Self {
         let cell = CELL.max(area.width().max(area.height()) / CELLS_MAX);
         let (columns, rows) = (whole(area.width() / cell) + 1, whole(area.height() / cell) + 1);
-        Self { area, cell, columns, rows, taken: vec![false; columns * rows], texts: Vec::new() }
+        Self {
+            area,
+            cell,
+            columns,
+            rows,
+            taken: vec![false; columns * rows],
+            texts: Vec::new(),
+            markers: BTreeMap::new(),
+        }
     }
 
     pub(crate) fn line(&mut self, points: &[Point]) {
@@ -43,7 +66,8 @@ impl Field {
         }
     }
 
-    pub(crate) fn disc(&mut self, at: Point, radius: f64) {
+    pub(crate) fn marker(&mut self, at: Point, radius: f64) {
+        self.markers.entry(square(at)).or_default().push(at);
         let box_ = Rect { left: at.0, right: at.0, top: at.1, bottom: at.1 }.grown(radius);
         for index in self.cells(&box_) {
             if let Some(cell) = self.taken.get_mut(index) {
@@ -94,8 +118,9 @@ impl Field {
         best
     }
 
-    /// A place for a box of a size near a point, at most `reach` away from it; taken when found.
-    pub(crate) fn near(&mut self, at: Point, width: f64, height: f64, gap: f64, reach: f64) -> Option<Place> {
+    /// A place for a box of a size near a point, taken when found.
+    pub(crate) fn near(&mut self, at: Point, (width, height): (f64, f64), near: Near) -> Option<Place> {
+        let Near { gap, reach, worst } = near;
         let mut best: Option<(Place, f64)> = None;
         for (ring, distance) in [0.0, 7.0, 15.0, 25.0, 38.0, 54.0, 74.0, 98.0].into_iter().enumerate() {
             let distance = distance + gap;
@@ -112,20 +137,33 @@ impl Field {
                 };
                 let Some(covered) = self.cost(&area) else { continue };
                 let leader = (ring > 0).then(|| area.nearest(at));
-                let crossing = leader.map_or(0.0, |end| self.crossing(at, end));
-                let score = covered.mul_add(5.0, distance * 0.5) + real(order) * 0.15 + crossing;
+                let crossing = leader.map_or(0.0, |end| self.crossing(at, end))
+                    + if self.covers_marker(&area) { 300.0 } else { 0.0 };
+                // A text led away should not stand beside another point, whose name it would seem to be.
+                let beside = if ring > 0 { self.cost(&area.grown(4.0)).unwrap_or(0.0) - covered } else { 0.0 };
+                let score = covered.mul_add(8.0, distance * 0.5) + 2.0 * beside + real(order) * 0.15 + crossing;
                 if best.as_ref().is_none_or(|(_, least)| score < *least) {
                     best = Some((Place { area, leader }, score));
                 }
             }
         }
-        let (place, _) = best?;
+        let (place, _) = best.filter(|(_, score)| *score <= worst)?;
         // Two texts side by side are two only with a blank between them.
         self.texts.push(place.area.grown(1.8));
         if let Some(end) = place.leader {
             self.line(&[at, end]);
         }
         Some(place)
+    }
+
+    /// Whether a box lies upon a marker.
+    fn covers_marker(&self, area: &Rect) -> bool {
+        let around = area.grown(SOLID);
+        let (from, to) = (square((around.left, around.top)), square((around.right, around.bottom)));
+        (from.0..=to.0).any(|column| {
+            let squares = self.markers.range((column, from.1)..=(column, to.1));
+            squares.flat_map(|(_, middles)| middles).any(|middle| around.cut(*middle, *middle).is_some())
+        })
     }
 
     /// What it costs a leader to cross texts and what is drawn, other than at its own point.
@@ -140,13 +178,22 @@ impl Field {
             let at = ((to.0 - from.0).mul_add(t, from.0), (to.1 - from.1).mul_add(t, from.1));
             self.is_taken(at)
         });
-        12.0 * real(crossed.count())
+        25.0 * real(crossed.count())
     }
 
     fn is_taken(&self, at: Point) -> bool {
         let (column, row) = (whole((at.0 - self.area.left) / self.cell), whole((at.1 - self.area.top) / self.cell));
         column < self.columns && self.taken.get(row * self.columns + column) == Some(&true)
     }
+}
+
+/// Side of a square of markers in px.
+const SQUARE: f64 = 16.0;
+/// Around the middle of a marker no text may lie.
+const SOLID: f64 = 3.0;
+
+fn square(at: Point) -> (usize, usize) {
+    (whole(at.0 / SQUARE), whole(at.1 / SQUARE))
 }
 
 /// Around a point lies what it belongs to, which its leader may cross.
@@ -213,14 +260,13 @@ mod tests {
     use super::*;
 
     const AREA: Rect = Rect { left: 0.0, right: 300.0, top: 0.0, bottom: 200.0 };
+    const NEAR: Near = Near { gap: 4.0, reach: 120.0, worst: 1e3 };
 
     #[test]
     fn texts_near_one_point_do_not_overlap() {
         let mut field = Field::new(AREA);
-        let places: Vec<Rect> = (0..12)
-            .filter_map(|_| field.near((150.0, 100.0), 40.0, 12.0, 4.0, 120.0))
-            .map(|place| place.area)
-            .collect();
+        let places: Vec<Rect> =
+            (0..12).filter_map(|_| field.near((150.0, 100.0), (40.0, 12.0), NEAR)).map(|place| place.area).collect();
         assert!(places.len() >= 8, "{}", places.len());
         for (i, a) in places.iter().enumerate() {
             assert!(AREA.holds(a));
@@ -232,8 +278,8 @@ mod tests {
     fn a_text_avoids_a_line() {
         let mut field = Field::new(AREA);
         field.line(&[(0.0, 200.0), (300.0, 0.0)]);
-        let place = field.near((150.0, 100.0), 50.0, 12.0, 4.0, 120.0).unwrap();
-        assert_eq!(field.taken.iter().filter(|taken| **taken).count() > 60, true);
+        let place = field.near((150.0, 100.0), (50.0, 12.0), NEAR).unwrap();
+        assert!(field.taken.iter().filter(|taken| **taken).count() > 60);
         assert!(place.area.right < 150.0 || place.area.top > 100.0 || place.area.left > 150.0);
         assert_eq!(field.cells(&place.area).filter(|index| field.taken[*index]).count(), 0);
     }

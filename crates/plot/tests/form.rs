@@ -1,5 +1,7 @@
 //! What every picture has to be, whatever is drawn: XML, finite, within its frame, no text upon another, the same twice.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail loudly too")]
+
 use arbtest::arbitrary::{Result, Unstructured};
 use plot::{
     Area, Axis, Bar, BarChart, Dash, Hatch, Label, Legend, Line, MapChart, Markers, Note, Panel, Picture, Reference,
@@ -218,6 +220,32 @@ fn maps_hold_whatever_is_drawn() {
         holds(&chart.render(&style(u)?));
         Ok(())
     });
+}
+
+#[test]
+fn data_at_the_edges_of_numbers_are_drawn() {
+    let style = Style::new(Size::pixels(500.0, 300.0));
+    let series: [&[(f64, f64)]; 8] = [
+        &[],
+        &[(3.0, 4.0)],
+        &[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)],
+        &[(5.0, 7.0), (5.0, 7.0)],
+        &[(1e-9, 1e9), (2e-9, -1e9)],
+        &[(1e9, 1e-9), (1.000_000_001e9, 2e-9)],
+        &[(-1e290, -1e290), (1e290, 1e290)],
+        &[(5e-324, 5e-324), (0.0, 0.0)],
+    ];
+    for points in series {
+        for (x, y) in [
+            (Axis::new("x", "m"), Axis::new("y", "m")),
+            (Axis::new("x", "m").without_zero(), Axis::new("y", "m").without_zero()),
+        ] {
+            let picture = XyChart::new(x, y).with(Line::new(points.iter().copied())).render(&style);
+            holds(&picture);
+            assert_eq!(picture.hidden_labels(), [""; 0], "{points:?}");
+            assert!(picture.texts().len() >= 6, "{points:?} {:?}", picture.texts());
+        }
+    }
 }
 
 #[test]

@@ -17,6 +17,7 @@ pub(crate) const ALL: &[(&str, (f64, f64), Draw)] = &[
     ("stacked", (165.0, 190.0), stacked),
     ("bars", (165.0, 130.0), bars),
     ("map", (165.0, 110.0), map),
+    ("ends", (120.0, 75.0), ends),
     ("torsion", (120.0, 80.0), torsion),
 ];
 
@@ -254,10 +255,11 @@ fn map(language: Language, style: &Style) -> Picture {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         f64::from(state >> 8) / f64::from(1 << 24)
     };
-    let points: Vec<(f64, f64, String)> = (0..40)
-        .map(|i| {
-            let size = [14, 17, 20, 25, 32, 40, 50, 58][i % 8];
-            let ratio = [30, 50, 80, 100, 120][i / 8];
+    let sizes = [14, 17, 20, 25, 32, 40, 50, 58];
+    let points: Vec<(f64, f64, String)> = [30, 50, 80, 100, 120]
+        .into_iter()
+        .flat_map(|ratio| sizes.map(|size| (size, ratio)))
+        .map(|(size, ratio)| {
             let mass = f64::from(size).powf(1.7) / 60.0 * (0.9 + 0.2 * next());
             let load = 3400.0 / f64::from(size).powf(1.35) / f64::from(ratio).powf(0.3) * (0.7 + 0.6 * next()) * 4.0;
             (mass, load, format!("{size}A-{ratio}"))
@@ -274,4 +276,29 @@ fn map(language: Language, style: &Style) -> Picture {
     .class(say(language, "does not fit", "passt nicht"), Tone::Series(1), of(100.0, 1e9))
     .with(Reference::horizontal(100.0).tone(Tone::Continuous).dash(Dash::Solid))
     .render(style)
+}
+
+fn ends(language: Language, style: &Style) -> Picture {
+    let life = |k: f64| (0..=60).map(move |i| f64::from(i) * 25.0).map(move |n| (n, 4.2e6 * k / (1.0 + n / 300.0)));
+    let mut chart = XyChart::new(
+        Axis::new("n_in", "min⁻¹").name(say(language, "Input speed", "Antriebsdrehzahl")),
+        Axis::new("L_10", "h").name(say(language, "Life", "Lebensdauer")),
+    )
+    .title(say(language, "Life of the bearing", "Lebensdauer des Lagers"));
+    for (number, (name, k)) in (0..).zip([("14A", 0.6), ("17A", 0.66), ("20A", 0.7), ("25A", 1.4), ("32A", 1.9)]) {
+        chart = chart.with(Line::new(life(k)).tone(Tone::Series(number)).label(name).label_at_end());
+    }
+    chart
+        .with(Line::new([(0.0, 5.0e6), (500.0, 3.0e6), (900.0, 2.4e6), (1500.0, 2.4e6)]).steps().label(say(
+            language,
+            "required",
+            "gefordert",
+        )))
+        .with(
+            Markers::new((1..14).map(|i| (f64::from(i) * 110.0, 6.0e6 / f64::from(i + 1) + 2e5 * f64::from(i % 3))))
+                .shape(Shape::Cross)
+                .tone(Tone::Muted)
+                .label(say(language, "measured", "gemessen")),
+        )
+        .render(style)
 }
