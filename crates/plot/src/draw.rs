@@ -8,7 +8,7 @@ use crate::label::Label;
 use crate::legend::{MARKER, draw_marker, edge, fill, stroke};
 use crate::place::{Field, Near};
 use crate::plane::Plane;
-use crate::reduce::{line_path, outline_path, reduced};
+use crate::reduce::{line_path, outline_path, reduced, without_repeats};
 use crate::style::Colour;
 
 /// Points above which markers are thinned to one per half pixel and carry no data of their own.
@@ -107,9 +107,9 @@ fn line_pieces(plane: &Plane, line: &Line) -> (Vec<Vec<Point>>, usize) {
     {
         only.extend(only.first().copied());
     }
-    let drawn = parts.into_iter().map(|piece| {
+    let drawn = parts.into_iter().flat_map(|piece| {
         let stepped = if line.steps { steps(&piece) } else { piece };
-        reduced(&stepped.into_iter().map(|point| plane.at(point)).collect::<Vec<_>>())
+        without_repeats(reduced(&stepped.into_iter().map(|point| plane.at(point)).collect::<Vec<_>>()))
     });
     (drawn.collect(), dropped)
 }

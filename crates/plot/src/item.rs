@@ -42,7 +42,7 @@ macro_rules! tagged {
                 self
             }
 
-            /// Adds an attribute `data-KEY`.
+            /// Adds an attribute `data-KEY`; the keys `label` and `dropped` belong to the chart.
             #[must_use]
             pub fn data(mut self, key: &str, value: &str) -> Self {
                 self.tags.put(key, value);

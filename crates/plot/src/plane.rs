@@ -50,7 +50,7 @@ impl Axis {
         self
     }
 
-    /// Shows exactly this range; what lies outside is cut off.
+    /// Shows exactly this range; what lies outside is cut off. A range without extent is none.
     #[must_use]
     pub fn range(mut self, from: f64, to: f64) -> Self {
         if from.is_finite() && to.is_finite() && from != to {

@@ -1,5 +1,8 @@
 //! Long series made short without losing a peak.
 
+use std::collections::BTreeSet;
+
+use crate::canvas::number;
 use crate::geometry::{Point, Rect};
 
 /// Width of a column in px: half a pixel of a plain screen.
@@ -68,9 +71,57 @@ impl Run {
     }
 }
 
+/// Points above which a line that runs over itself again and again is drawn once only.
+const REPEATS_MIN: usize = 20_000;
+
+/// The pieces of a line without those that lie, to half a pixel, where it has already been.
+///
+/// A cycle run through a thousand times looks like one; a line of fewer points stays as it is.
+pub(crate) fn without_repeats(points: Vec<Point>) -> Vec<Vec<Point>> {
+    if points.len() < REPEATS_MIN {
+        return vec![points];
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "a place near the picture; far away it saturates")]
+    let snapped = |point: Point| ((point.0 / COLUMN).round() as i32, (point.1 / COLUMN).round() as i32);
+    let mut seen = BTreeSet::new();
+    let mut pieces: Vec<Vec<Point>> = Vec::new();
+    let mut down = false;
+    for (&a, &b) in points.iter().zip(points.iter().skip(1)) {
+        let (from, to) = (snapped(a), snapped(b));
+        if seen.insert((from.min(to), from.max(to))) {
+            match pieces.last_mut() {
+                Some(piece) if down => piece.push(b),
+                _ => pieces.push(vec![a, b]),
+            }
+            down = true;
+        } else {
+            down = false;
+        }
+    }
+    pieces
+}
+
+/// A line without the points that lie on a level or upright stretch as it is written, to a hundredth of a px.
+fn straightened(points: &[Point]) -> Vec<Point> {
+    let same = |a: f64, b: f64| (a * 100.0).round() == (b * 100.0).round();
+    let onward = |a: f64, b: f64, c: f64| (b - a) * (c - b) >= 0.0;
+    let mut kept: Vec<Point> = Vec::with_capacity(points.len());
+    for &c in points {
+        if let [.., a, b] = kept.as_slice() {
+            let level = same(a.1, b.1) && same(b.1, c.1) && onward(a.0, b.0, c.0);
+            let upright = same(a.0, b.0) && same(b.0, c.0) && onward(a.1, b.1, c.1);
+            if level || upright {
+                kept.pop();
+            }
+        }
+        kept.push(c);
+    }
+    kept
+}
+
 /// The path of a line, cut to an area; the pen lifts where it leaves.
 pub(crate) fn line_path(points: &[Point], area: &Rect) -> String {
-    use crate::canvas::number;
+    let points = straightened(points);
     let mut d = String::new();
     let mut pen: Option<Point> = None;
     for (&a, &b) in points.iter().zip(points.iter().skip(1)) {
@@ -86,7 +137,6 @@ pub(crate) fn line_path(points: &[Point], area: &Rect) -> String {
 
 /// The path of a closed outline, cut to an area.
 pub(crate) fn outline_path(points: &[Point], area: &Rect) -> String {
-    use crate::canvas::number;
     let mut d = String::new();
     for (index, point) in area.cut_outline(points).iter().enumerate() {
         d.push_str(&format!("{}{} {}", if index == 0 { 'M' } else { 'L' }, number(point.0), number(point.1)));
@@ -133,6 +183,25 @@ mod tests {
             }
             Ok(())
         });
+    }
+
+    #[test]
+    fn a_cycle_run_through_often_is_drawn_once() {
+        let turn = |i: u32| f64::from(i % 500) / 500.0 * std::f64::consts::TAU;
+        let points: Vec<Point> = (0..100_000).map(|i| (100.0 * turn(i).cos(), 100.0 * turn(i).sin())).collect();
+        let pieces = without_repeats(points.clone());
+        assert!(pieces.concat().len() <= 502, "{}", pieces.concat().len());
+        for point in points.iter().take(500) {
+            assert!(pieces.concat().iter().any(|kept| (kept.0 - point.0).hypot(kept.1 - point.1) < 0.5));
+        }
+        assert_eq!(without_repeats(points[..1500].to_vec()), [&points[..1500]]);
+    }
+
+    #[test]
+    fn level_and_upright_stretches_are_written_by_their_ends() {
+        let points = [(0.0, 1.0), (1.0, 1.0), (2.0, 1.001), (3.0, 1.0), (3.0, 2.0), (3.0, 5.0), (3.0, 4.0), (4.0, 3.0)];
+        let kept = [(0.0, 1.0), (3.0, 1.0), (3.0, 5.0), (3.0, 4.0), (4.0, 3.0)];
+        assert_eq!(straightened(&points), kept);
     }
 
     #[test]

@@ -100,7 +100,7 @@ impl StackedChart {
         self
     }
 
-    /// Draws the chart.
+    /// Draws the chart, higher than its style says if the panels need it.
     #[must_use]
     pub fn render(&self, style: &Style) -> Picture {
         let style = &self.grown(style);

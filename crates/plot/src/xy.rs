@@ -90,7 +90,7 @@ impl XyChart {
         self
     }
 
-    /// Draws the chart.
+    /// Draws the chart, higher than its style says if title and legend leave no room for the plane.
     #[must_use]
     pub fn render(&self, style: &Style) -> Picture {
         self.render_as("xy", style)
