@@ -63,7 +63,7 @@ pub fn read_pattern(text: &str, language: Language) -> Result<Pattern, Vec<CodeF
     Pattern::parse(text).map_err(|errors| spelling_faults(&errors, language))
 }
 
-fn spelling_faults(errors: &CodeErrors, language: Language) -> Vec<CodeFault> {
+pub(crate) fn spelling_faults(errors: &CodeErrors, language: Language) -> Vec<CodeFault> {
     errors
         .iter()
         .map(|error| {

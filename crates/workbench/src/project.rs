@@ -1,5 +1,6 @@
 //! The project file as typed data.
 
+mod curves;
 mod load;
 mod read;
 mod recorded;
@@ -8,6 +9,7 @@ mod section;
 mod spec;
 mod tolerance;
 
+pub(crate) use curves::OwnCatalogue;
 pub use recorded::{Files, NoFiles, RecordingRead};
 pub use schema::schema;
 pub(crate) use spec::{Kind, Range};
@@ -16,16 +18,17 @@ pub(crate) use tolerance::{Variant, Varied, sign};
 
 use crate::diagnostic::Diagnostic;
 use crate::text::Speak;
-use actuator::{BatteryFault, Curve, CurvePoint, Parameters};
+use actuator::{BatteryFault, Parameters};
 use configurator::Requirements;
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
 use order_code::{Feedback, Option1, Option2};
 use provenance::{Datum, Grade, Source, Sourced};
-use quantities::{AngularVelocity, Language, Measure, Time, Torque};
+use quantities::{Language, Measure, Time};
 use read::Reader;
 use section::Section;
 use sizing::{Asked, Axis, BearingDuty, OperatingCondition, SpecialApplication};
+use std::sync::Arc;
 
 /// Largest project file that is read, in bytes.
 pub const PROJECT_MAX_BYTES: usize = 1 << 20;
@@ -99,6 +102,8 @@ pub struct Project {
     pub option_2: Option<Option2>,
     /// The user's own actuator, if there is one.
     pub actuator: Option<OwnActuator>,
+    /// The catalogue with the user's curves, where there are any.
+    pub(crate) own_catalogue: Option<Arc<OwnCatalogue>>,
     /// Recordings that the motion consists of.
     pub recordings: Vec<RecordingRead>,
     /// Defaults that were taken.
@@ -133,9 +138,10 @@ impl Project {
         }
         let mut reader = Reader::new(text, language);
         let root = reader.read();
+        let own = curves::read(&root, &mut reader, language);
         let several = root.tables("axis");
         let axes: Vec<Option<Self>> = if several.is_empty() {
-            vec![Self::build(root, None, files, &mut reader, language)]
+            vec![Self::build(root, None, (files, own.as_ref()), &mut reader, language)]
         } else {
             for key in ["load", "mechanism", "motion", "bearing", "requirements", "actuator"] {
                 if root.has(key) {
@@ -143,7 +149,7 @@ impl Project {
                 }
             }
             let build = |(index, section): (usize, &Section)| {
-                Self::build(section.as_root(), Some(index), files, &mut reader, language)
+                Self::build(section.as_root(), Some(index), (files, own.as_ref()), &mut reader, language)
             };
             several.iter().enumerate().map(build).collect()
         };
@@ -158,7 +164,7 @@ impl Project {
     fn build(
         mut root: Section,
         index: Option<usize>,
-        files: &dyn Files,
+        (files, own_catalogue): (&dyn Files, Option<&Arc<OwnCatalogue>>),
         reader: &mut Reader<'_>,
         language: Language,
     ) -> Option<Self> {
@@ -172,6 +178,7 @@ impl Project {
         }
         Some(Self {
             name: root.table("axis").and_then(|axis| axis.text("name")).unwrap_or_default().to_owned(),
+            own_catalogue: own_catalogue.cloned(),
             recordings: recorded::all(root),
             assumptions: assumptions(root, !tolerances.is_empty()),
             requirements: requirements(root),
@@ -370,21 +377,11 @@ fn build_actuator(root: &Section, reader: &mut Reader<'_>, language: Language) -
     parameters.terminal_voltage_min = own(section, "terminal_voltage_min");
     parameters.ratio = section.number("ratio").map_or(Datum::NotPrinted, |value| known("ratio", value));
     parameters.pole_pairs = section.number("pole_pairs").map_or(Datum::NotPrinted, |value| known("pole_pairs", value));
-    if section.get("continuous_curve").is_some() {
-        let points = section
-            .rows("continuous_curve")
-            .iter()
-            .filter_map(|row| match row.as_slice() {
-                [speed, torque] => {
-                    Some(CurvePoint { speed: AngularVelocity::from_si(*speed), torque: Torque::from_si(*torque) })
-                }
-                _ => None,
-            })
-            .collect();
-        match Curve::new(points) {
-            Ok(curve) => parameters.continuous_curve = known("continuous_curve", curve),
-            Err(fault) => reader.fault(section.span_of("continuous_curve"), language.no_curve(fault), None),
-        }
+    if let Some(curve) = curves::curve(section, "continuous_curve", reader, language) {
+        parameters.continuous_curve = known("continuous_curve", curve);
+    }
+    if let Some(curve) = curves::curve(section, "short_time_curve", reader, language) {
+        parameters.short_time_curve = known("short_time_curve", curve);
     }
     Some(OwnActuator { name: section.text("name")?.to_owned(), parameters })
 }

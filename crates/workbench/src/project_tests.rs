@@ -440,3 +440,37 @@ fn more_tolerances_than_can_be_judged_are_refused() {
     );
     assert!(one(&text).message.contains("more than 64 quantities with a tolerance"));
 }
+
+const CURVE: &str = "[[curve]]\nkind = \"continuous\"\ncode = \"CHA-32A-50\"\nsource = \"bench 3\"\n\
+                     points = [[\"0 1/min\", \"60 N m\"], [\"40 1/min\", \"50 N m\"]]\n";
+
+#[test]
+fn a_curve_of_the_user_wins_over_the_catalogue() {
+    let text = include_str!("../../../examples/indexing-table.toml");
+    let project = Project::read(&format!("{text}\n{CURVE}"), Language::En).unwrap();
+    let code = order_code::parse("CHA-32A-50-H-C1024").unwrap().code;
+    let limit = |project: &Project, code: &order_code::OrderCode| {
+        let candidate = crate::check(project, code).unwrap();
+        let checks = &candidate.judgement.checks;
+        let found = checks.iter().find(|check| check.id == sizing::CheckId::ContinuousTorque).unwrap();
+        (found.limit.unwrap().si, found.grade.unwrap())
+    };
+    // n_av = 6.1538 1/min: 60 − 10 · 6.1538/40 Nm
+    let (torque, grade) = limit(&project, &code);
+    assert!((torque - (60.0 - 10.0 * 6.153_846_153_8 / 40.0)).abs() < 1e-6, "{torque}");
+    assert_eq!(grade, Grade::Published);
+    let plain = Project::read(text, Language::En).unwrap();
+    assert_ne!(limit(&plain, &code).0, torque);
+    let other = order_code::parse("CHA-40A-50-H-C1024").unwrap().code;
+    assert_eq!(limit(&plain, &other), limit(&project, &other), "other codes keep theirs");
+    for (from, to) in [
+        ("CHA-32A-50", "CHA-33A-50"),
+        ("CHA-32A-50", "CHA-14A-160-H"),
+        ("\"0 1/min\"", "\"1 1/min\""),
+        ("source = \"bench 3\"\n", ""),
+        ("continuous", "contineous"),
+    ] {
+        let text = format!("{text}\n{}", CURVE.replace(from, to));
+        assert_eq!(Project::read(&text, Language::En).unwrap_err().len(), 1, "{from} {to}");
+    }
+}

@@ -146,8 +146,16 @@ fn actuators_with(option_1: Option<Option1>) -> Vec<(OrderCode, Parameters)> {
         .collect()
 }
 
-fn actuators(option_1: Option<Option1>) -> &'static [(OrderCode, Parameters)] {
+pub(crate) fn actuators(option_1: Option<Option1>) -> &'static [(OrderCode, Parameters)] {
     if option_1.is_some() { actuators_with_output_encoder() } else { catalogue_actuators() }
+}
+
+/// The actuators of the catalogue with the curves of a project.
+fn actuators_of(project: &Project, option_1: Option<Option1>) -> &[(OrderCode, Parameters)] {
+    match &project.own_catalogue {
+        Some(own) => own.actuators(option_1.is_some()),
+        None => actuators(option_1),
+    }
 }
 
 /// Judges the whole catalogue for the axis of a project and ranks it.
@@ -155,7 +163,7 @@ fn actuators(option_1: Option<Option1>) -> &'static [(OrderCode, Parameters)] {
 /// Cost: O(ramps) to prepare the motion, O(ramps) per actuator, O(n log n) to rank.
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
-    let mut candidates: Vec<Candidate<'_>> = actuators(project.option_1)
+    let mut candidates: Vec<Candidate<'_>> = actuators_of(project, project.option_1)
         .iter()
         .map(|(code, parameters)| {
             let code = OrderCode { option_1: project.option_1, option_2: project.option_2, ..*code };
@@ -178,7 +186,8 @@ pub fn size(project: &Project) -> Sizing<'_> {
 pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
     availability(code).map_err(Refusal::Broken)?;
     let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
-    let (_, parameters) = actuators(code.option_1).iter().find(|(known, _)| *known == bare).ok_or(Refusal::NoData)?;
+    let mut known = actuators_of(project, code.option_1).iter();
+    let (_, parameters) = known.find(|(known, _)| *known == bare).ok_or(Refusal::NoData)?;
     Ok(candidate(project, *code, parameters, Depth::Full))
 }
 

@@ -124,6 +124,29 @@ pub(crate) const ROOT: &[Key] = &[
     key("bearing", Kind::Table(BEARING), false, "loads on the output flange", "Lasten am Abtriebsflansch"),
     key("requirements", Kind::Table(REQUIREMENTS), false, "what the actuator must have", "was der Antrieb haben muss"),
     key("actuator", Kind::Table(ACTUATOR), false, "an actuator that the catalogue lacks", "ein Antrieb, der nicht im Katalog steht"),
+    key("curve", Kind::Variants(&CURVES), false, "measured or digitised curves of the torque-speed plane; they win over the catalogue's", "gemessene oder digitalisierte Kennlinien; sie gehen denen des Katalogs vor"),
+];
+
+/// Curves of the user for actuators of the catalogue.
+#[rustfmt::skip] // one line per kind
+static CURVES: Variants = Variants {
+    keys: CURVE,
+    by: "kind",
+    kinds: &[
+        ("continuous", &["code", "points", "source"], &[]),
+        ("s3_50", &["code", "points", "source"], &[]),
+        ("s3_25", &["code", "points", "source"], &[]),
+        ("short_time", &["code", "points", "source"], &[]),
+    ],
+    shared: &[],
+};
+
+#[rustfmt::skip] // one line per key
+const CURVE: &[Key] = &[
+    key("kind", Kind::OneOf(&["continuous", "s3_50", "s3_25", "short_time"]), true, "what the curve limits", "was die Kennlinie begrenzt"),
+    key("code", Kind::Text, false, "codes it holds for; * stands for any field: CHA-25A-100-*", "Codes, für die sie gilt; * steht für jedes Feld: CHA-25A-100-*"),
+    key("points", Kind::Rows(&[Dimension::AngularVelocity, Dimension::Torque]), false, "corner points from standstill, speed and torque at the output", "Eckpunkte ab Stillstand, Drehzahl und Drehmoment am Abtrieb"),
+    key("source", Kind::Text, false, "where the curve is from", "woher die Kennlinie ist"),
 ];
 
 #[rustfmt::skip] // one line per key
@@ -406,5 +429,6 @@ const ACTUATOR: &[Key] = &[
     quantity("hollow_shaft", Dimension::Length, Range::NotNegative, "d_H", "d_H"),
     quantity("dc_link_max", Dimension::Voltage, Range::Positive, "U_DCmax", "U_DCmax"),
     quantity("terminal_voltage_min", Dimension::Voltage, Range::Positive, "U_M from which the performance holds", "U_M, ab der die Leistungsdaten gelten"),
+    key("short_time_curve", Kind::Rows(&[Dimension::AngularVelocity, Dimension::Torque]), false, "short-time curve by its corner points, from standstill", "Kurzzeitkennlinie durch ihre Eckpunkte, ab Stillstand"),
     key("continuous_curve", Kind::Rows(&[Dimension::AngularVelocity, Dimension::Torque]), false, "continuous-duty curve by its corner points, from standstill", "Dauerbetriebskennlinie durch ihre Eckpunkte, ab Stillstand"),
 ];

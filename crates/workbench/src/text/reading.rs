@@ -36,6 +36,7 @@ pub(crate) trait Speak: Copy {
     fn file_trouble(self, name: &str, error: &std::io::Error) -> String;
     fn unknown_unit(self, written: &str) -> String;
     fn joint_without_torque(self) -> String;
+    fn no_such_code(self, written: &str) -> String;
     fn battery_fault(self, fault: &BatteryFault) -> String;
     fn without_effect(self, key: &str) -> String;
     fn one_axis_only(self) -> String;
@@ -232,6 +233,14 @@ impl Speak for Language {
     fn unknown_unit(self, written: &str) -> String {
         let written: String = written.chars().take(40).collect();
         either(self, format!("unknown unit \"{written}\""), format!("unbekannte Einheit „{written}“"))
+    }
+
+    fn no_such_code(self, written: &str) -> String {
+        either(
+            self,
+            format!("no actuator of the catalogue has a code like `{written}`"),
+            format!("kein Antrieb des Katalogs hat einen Code wie `{written}`"),
+        )
     }
 
     fn joint_without_torque(self) -> String {
