@@ -4,6 +4,10 @@
     python3 benches/baseline/sizing_numpy.py catalogue.json
     python3 benches/baseline/sizing_numpy.py catalogue.json --moves 100
     python3 benches/baseline/sizing_numpy.py catalogue.json --recorded 10000
+    python3 benches/baseline/sizing_numpy.py catalogue.json --sampled 1e-3
+
+By default the ramps of the cycle are vectors over the whole catalogue; with --sampled the cycle is sampled in time and
+one actuator follows the other, with the checks that look at every instant too: trace, heat, overload, energy.
 
 The axis is that of examples/indexing-table.toml. Only the judging is timed: reading the catalogue and making the
 arrays is not. One answer is one JSON object on stdout. Exit code 3: NumPy is missing.
@@ -255,6 +259,79 @@ def judge(cat, axis):
     return ~np.logical_or.reduce(list(fails.values())), shown, fails
 
 
+def sampled(axis, step):
+    """The cycle at equal steps: time, speed, acceleration, direction; steps are placed in the middle of their interval."""
+    t = (np.arange(round(axis.whole / step)) + 0.5) * step
+    start = np.concatenate([[0.0], np.cumsum(axis.duration)])
+    ramp = np.searchsorted(start, t, side="right") - 1
+    into = (t - start[ramp]) / axis.duration[ramp]
+    return t, axis.n0[ramp] + into * (axis.n1 - axis.n0)[ramp], axis.alpha[ramp], axis.sign[ramp]
+
+
+def lag(values, step, tau):
+    """Largest value of a first-order lag in the steady cycle."""
+    t = np.arange(1, len(values) + 1) * step
+    gathered = np.cumsum(values * np.exp((t - t[-1]) / tau)) * step / tau * np.exp((t[-1] - t) / tau)
+    start = gathered[-1] / (1.0 - np.exp(-t[-1] / tau))
+    return (gathered + start * np.exp(-t / tau)).max()
+
+
+def judge_sampled(cat, axis, step):
+    """Every check over the sampled cycle, one actuator after the other, each a vector operation over time."""
+    t, speed, alpha, sign = sampled(axis, step)
+    magnitude = np.abs(speed)
+    n_av, n_peak = magnitude.mean(), magnitude.max()
+    limits = continuous_torque(cat, n_av)
+    hot = cat.R_LL / 2.0 * (1.0 + COPPER * 70.0)
+    warm = cat.R_LL * (1.0 + COPPER * 60.0)
+    flux = cat.k_EM * np.sqrt(2.0 / 3.0) / cat.p
+    available = axis.supply / np.sqrt(2.0) * axis.reserve
+    load = np.abs(axis.J_L * alpha + axis.T_L * sign)
+    t_mean = np.cbrt((load**3 * magnitude).sum() / magnitude.sum())
+    moment = axis.radial * (axis.radial_distance + cat.R) + axis.axial * axis.axial_distance
+    fit, out = np.zeros(len(cat), dtype=bool), np.empty((len(cat), 8))
+    for k in range(len(cat)):
+        torque = (axis.J_L + cat.J_out[k]) * alpha + axis.T_L * sign
+        t_rms, t_peak = np.sqrt((torque**2).mean()), np.abs(torque).max()
+        constant = np.where(torque * sign < 0.0, cat.K_warm[k], cat.K_cold[k])
+        friction = cat.I_NLS[k] + constant * magnitude
+        current = torque / cat.k_Tout[k] + sign * friction
+        i_peak = np.abs(current).max()
+        # Voltage at every instant, and the short-time torque at the speed of every instant.
+        omega, i_q = cat.p[k] * cat.i[k] * speed, np.sqrt(2.0) * current
+        reactance = omega * cat.L_LL[k] / 2.0
+        volts = np.sqrt(1.5 * ((reactance * i_q) ** 2 + (hot[k] * i_q + omega * flux[k]) ** 2)).max()
+        emf, square = np.abs(omega) * flux[k], reactance**2 + hot[k] ** 2
+        root = np.sqrt(np.maximum((hot[k] * emf) ** 2 - square * (emf**2 - available**2 / 1.5), 0.0))
+        i_u = (root - hot[k] * emf) / square / np.sqrt(2.0)
+        short = cat.k_Tout[k] * (np.minimum(i_u, cat.I_max[k]) - cat.I_NLS[k] - cat.K_cold[k] * magnitude)
+        short = np.where(torque * sign < 0.0, cat.T_max[k], np.clip(short, 0.0, cat.T_max[k]))
+        trace = (np.abs(torque) / np.maximum(short, 1e-9)).max()
+        # Heat, overload and energy.
+        heat = 1.5 * warm[k] * current**2 + FRICTION_SHARE * friction * cat.k_TM[k] * cat.i[k] * magnitude
+        rise = 40.0 * heat.mean() / (1.5 * warm[k] * cat.I_0_motor[k] ** 2)
+        ripple = lag(heat, step, 60.0)
+        overload = lag((current / cat.I_0[k]) ** 2, step, 60.0)
+        power = 1.5 * cat.R_LL[k] * current**2 + cat.k_TM[k] * cat.i[k] * current * speed
+        back = -np.minimum(power, 0.0).mean()
+        # What does not change over the cycle.
+        radial = axis.radial + 2.0 * moment[k] / cat.d_p[k]
+        small = axis.axial <= 1.5 * radial
+        equivalent = radial + 0.45 * axis.axial if small else 0.67 * (radial + axis.axial)
+        life = 1e6 * 2.0 * np.pi / n_av * (cat.C[k] / (axis.load_factor * equivalent)) ** cat.exponent[k]
+        fails = (
+            t_peak > cat.T_max[k], n_peak > cat.n_mot_max[k] / cat.i[k], n_av > cat.n_N[k] / cat.i[k],
+            t_rms > limits[k], i_peak > cat.I_max[k], i_peak > cat.I_E[k], volts > available, trace > 1.0,
+            rise > 50.0, overload > 1.0, t_mean > cat.T_A[k], axis.axial > cat.F_A_dyn_max[k],
+            axis.radial > cat.F_R_dyn_max[k], moment[k] > cat.M_dyn_max[k], life < axis.life_min,
+            cat.C_0[k] / (radial + 0.44 * axis.axial) < axis.safety_min, cat.d_H[k] < axis.hollow_min,
+            axis.supply > cat.U_DCmax[k],
+        )
+        fit[k] = not any(fails)
+        out[k] = t_rms, t_peak, i_peak, volts, trace, ripple, overload, back
+    return fit, out
+
+
 def recording(samples):
     """A recorded speed at 1 kHz: two oscillations with a dead band, so that the axis rests at every reversal."""
     t = np.arange(samples) * 1e-3
@@ -298,6 +375,7 @@ def main():
     parser.add_argument("catalogue", help="antrieb catalogue export --format json; - reads standard input")
     parser.add_argument("--moves", type=int, default=1, help="moves of the cycle")
     parser.add_argument("--recorded", type=int, metavar="N", help="a recorded motion of N samples instead")
+    parser.add_argument("--sampled", type=float, metavar="STEP", help="the cycle sampled at this step in seconds instead")
     parser.add_argument("--runs", type=int, help="calls per series")
     parser.add_argument("--figures", action="store_true", help="also every figure of every actuator")
     options = parser.parse_args()
@@ -317,6 +395,13 @@ def main():
             "actuators": len(cat), "samples": options.recorded, "seconds": seconds, "numpy": np.__version__,
             "t_rms": out[:5, 0].tolist(), "t_peak": out[:5, 1].tolist(), "i_peak": out[:5, 3].tolist(),
             "n_av": out[0, 2] / RPM, "n_peak": n_peak / RPM,
+        }
+    elif options.sampled:
+        fit, out = judge_sampled(cat, axis, options.sampled)
+        seconds = measure(options.runs or 3, lambda: judge_sampled(cat, axis, options.sampled))
+        answer = {
+            "actuators": len(cat), "step": options.sampled, "fit": int(fit.sum()), "seconds": seconds,
+            "numpy": np.__version__, "t_rms": out[:5, 0].tolist(), "back": out[:5, 7].tolist(),
         }
     else:
         fit, shown, fails = judge(cat, axis)

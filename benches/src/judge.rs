@@ -3,7 +3,7 @@
 //! Baseline: the bare sum that every judgement contains, T_rms by its formula for the same number of inertias.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
-use benches::{Gates, measure, milliseconds};
+use benches::{Gates, measure, milliseconds, numpy};
 use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -35,6 +35,23 @@ fn main() -> ExitCode {
     });
     let name = ("the bare T_rms of as many candidates", baseline);
     gates.hold(&format!("judge the catalogue ({judged} actuators)"), whole, Duration::from_millis(1), name);
+    let fitting = size(&project).candidates.iter().filter(|candidate| candidate.fits()).count();
+    // As an engineer writes it: the cycle sampled every millisecond, vectors over time, one actuator after the other.
+    match numpy(&["--sampled", "1e-3"]) {
+        Some((time, fit)) => {
+            assert_eq!(fit, fitting, "the baseline finds other actuators");
+            gates.times_faster("  the same in NumPy, vectors over time", whole, time, 50.0);
+        }
+        None => println!("  no Python with NumPy here: the ratio to it is not measured"),
+    }
+    if let Some((time, _)) = numpy(&[]) {
+        // Without instants, trace, heat and energy; told for comparison, not promised.
+        let ratio = time.as_secs_f64() / whole.median.as_secs_f64();
+        println!(
+            "  fewer checks in NumPy, vectors over the catalogue: {:.3} ms, {ratio:.2} × slower",
+            time.as_secs_f64() * 1e3
+        );
+    }
     println!("  per actuator: {:.0} ns", whole.median.as_secs_f64() * 1e9 / judged as f64);
     for count in [10, 100, 1000] {
         let many = Project::read(&with_moves(count), Language::En).expect("the repeated example is valid");

@@ -1,8 +1,55 @@
 //! What the benches share: a median that a noisy machine cannot move much, and gates.
 #![allow(clippy::print_stdout, reason = "a bench prints what it measured")]
 
-use std::process::ExitCode;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
+
+/// The top of the tree.
+#[must_use]
+pub fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// The release binary, built by the same cargo into the target folder that this bench runs from.
+#[must_use]
+pub fn binary() -> Option<PathBuf> {
+    let bench = std::env::current_exe().ok()?;
+    let release = bench.parent().and_then(Path::parent)?;
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let built = Command::new(cargo)
+        .args(["build", "--release", "--package", "antrieb", "--target-dir"])
+        .arg(release.parent()?)
+        .current_dir(root())
+        .status();
+    let binary = release.join(format!("antrieb{}", std::env::consts::EXE_SUFFIX));
+    (built.is_ok_and(|status| status.success()) && binary.is_file()).then_some(binary)
+}
+
+/// What the NumPy baseline says for some options: seconds of one judgement of the catalogue, and how many fit.
+/// `None` where there is no Python with NumPy.
+#[must_use]
+pub fn numpy(options: &[&str]) -> Option<(Duration, usize)> {
+    let catalogue = Command::new(binary()?).args(["catalogue", "export", "--format", "json"]).output().ok()?;
+    let mut python = Command::new("python3")
+        .arg(root().join("benches/baseline/sizing_numpy.py"))
+        .arg("-")
+        .args(options)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .ok()?;
+    std::io::Write::write_all(&mut python.stdin.take()?, &catalogue.stdout).ok()?;
+    let answer = python.wait_with_output().ok().filter(|answer| answer.status.success())?;
+    let text = String::from_utf8(answer.stdout).ok()?;
+    let figure = |name: &str| -> Option<f64> {
+        let rest = text.split_once(&format!("\"{name}\": "))?.1;
+        rest.split([',', '}']).next()?.trim().parse().ok()
+    };
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count")]
+    Some((Duration::from_secs_f64(figure("seconds")?), figure("fit")? as usize))
+}
 
 /// How long one call takes.
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +107,26 @@ impl Gates {
         println!("  from {:.3} to {:.3} ms", milliseconds(measured.least), milliseconds(measured.most));
         println!("  {ratio:.2} × {} ({:.3} ms)", baseline.0, milliseconds(baseline.1.median));
         if measured.median > promise {
+            self.missed.push(what.to_owned());
+        }
+    }
+
+    /// Prints how many times faster a measurement is than a baseline of the same run, against a promise.
+    pub fn times_faster(&mut self, what: &str, measured: Times, baseline: Duration, promise: f64) {
+        let ratio = baseline.as_secs_f64() / measured.median.as_secs_f64().max(1e-12);
+        let verdict = if ratio >= promise { "kept" } else { "MISSED" };
+        println!("{what}: {:.3} ms, {ratio:.1} × slower, promised {promise:.0}: {verdict}", milliseconds(baseline));
+        if ratio < promise {
+            self.missed.push(what.to_owned());
+        }
+    }
+
+    /// Prints a measurement as a multiple of a baseline of the same run, against a promise.
+    pub fn at_most_times(&mut self, what: &str, measured: Times, baseline: Times, promise: f64) {
+        let ratio = measured.median.as_secs_f64() / baseline.median.as_secs_f64().max(1e-12);
+        let verdict = if ratio <= promise { "kept" } else { "MISSED" };
+        println!("{what}: {ratio:.2} ×, promised at most {promise:.0}: {verdict}");
+        if ratio > promise {
             self.missed.push(what.to_owned());
         }
     }

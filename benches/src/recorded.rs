@@ -46,6 +46,7 @@ fn main() -> ExitCode {
             black_box(sizing::Axis::new(mechanism.clone(), motion.clone(), Vec::new()));
         });
         gates.hold(&format!("pass over {SAMPLES} samples, {what}"), pass, Duration::from_millis(10), name);
+        gates.at_most_times("  against the sums", pass, baseline, 2.0);
         println!(
             "  per sample: {:.1} ns, whole: {:.2} ms",
             pass.median.as_secs_f64() * 1e9 / SAMPLES as f64,

@@ -163,13 +163,16 @@ fn actuators_of(project: &Project, option_1: Option<Option1>) -> &[(OrderCode, P
 /// Cost: O(ramps) to prepare the motion, O(ramps) per actuator, O(n log n) to rank.
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
-    let mut candidates: Vec<Candidate<'_>> = actuators_of(project, project.option_1)
-        .iter()
-        .map(|(code, parameters)| {
-            let code = OrderCode { option_1: project.option_1, option_2: project.option_2, ..*code };
-            candidate(project, code, parameters, Depth::Survivors)
-        })
-        .collect();
+    let actuators = actuators_of(project, project.option_1);
+    // Two fixed halves; the order is that of the catalogue, whoever is done first.
+    let (first, second) = actuators.split_at(actuators.len() / 2);
+    let mut candidates = std::thread::scope(|scope| {
+        let other = scope.spawn(|| judged(project, second));
+        let mut candidates = judged(project, first);
+        // A thread that could not finish leaves its part to this one.
+        candidates.extend(other.join().unwrap_or_else(|_| judged(project, second)));
+        candidates
+    });
     candidates.sort_by(|a, b| rank(&a.standing, &b.standing));
     Sizing {
         name: &project.name,
@@ -177,6 +180,15 @@ pub fn size(project: &Project) -> Sizing<'_> {
         own: project.actuator.as_ref().map(|own| own_candidate(project, own)),
         assumptions: &project.assumptions,
     }
+}
+
+/// Each actuator as a candidate, with the options that the project asks for.
+fn judged<'p>(project: &'p Project, actuators: &'p [(OrderCode, Parameters)]) -> Vec<Candidate<'p>> {
+    let with_options = |(code, parameters): &'p (OrderCode, Parameters)| {
+        let code = OrderCode { option_1: project.option_1, option_2: project.option_2, ..*code };
+        candidate(project, code, parameters, Depth::Survivors)
+    };
+    actuators.iter().map(with_options).collect()
 }
 
 /// Judges one code for the axis of a project.

@@ -1,4 +1,5 @@
 //! Every check of every example is explained, and every formula gives the number beside it.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
 
 use std::collections::BTreeMap;
 use std::io::Read;

@@ -2,9 +2,9 @@
 
 use super::read::Reader;
 use super::section::Section;
+use crate::sizing_use::{actuators, catalogue_actuators};
 use crate::text::Speak;
 use actuator::{Curve, CurvePoint, Parameters};
-use crate::sizing_use::{actuators, catalogue_actuators};
 use order_code::{Option1, OrderCode, Pattern};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{AngularVelocity, Language, Measure, Torque};
