@@ -350,3 +350,111 @@ fn several_axes_get_a_verdict_each() {
         run_with(&["size", "-"], b"format = 1\n[[axis]]\nname = \"a\"\n[axis.load]\ninertia = \"1 kg m^2\"\n");
     assert!(without.code == 2 && without.err.contains("[[motion]]"), "{}", without.err);
 }
+
+/// A folder of its own for one test.
+fn scratch(name: &str) -> std::path::PathBuf {
+    let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+const RECORDED: &str =
+    "format = 1\n[load]\ninertia = \"0.5 kg m^2\"\n[[motion]]\nlaw = \"recorded\"\nfile = \"run.csv\"\n";
+
+#[test]
+fn a_recording_is_read_from_beside_the_project() {
+    let folder = scratch("recording");
+    let project = folder.join("axis.toml");
+    std::fs::write(&project, RECORDED).unwrap();
+    // A swing of 60 degrees and back in two seconds, at 100 Hz.
+    let rows = (0..=200).map(|k| {
+        let t = f64::from(k) * 0.01;
+        format!("{t};{}\n", 30.0 * (1.0 - (std::f64::consts::PI * t).cos()))
+    });
+    let text = format!("# logger 7\nZeit;Winkel\ns;deg\n{}", rows.collect::<String>().replace('.', ","));
+    std::fs::write(folder.join("run.csv"), text).unwrap();
+    let found = run(&["size", project.to_str().unwrap(), "--json"]);
+    assert_eq!((found.code, found.err.as_str()), (0, ""));
+    let value: Value = serde_json::from_str(&found.out).unwrap();
+    let recording = &value["motion"]["segments"][0]["recording"];
+    assert_eq!(
+        (recording["samples"].as_u64(), recording["columns"][1]["unit_by"].as_str()),
+        (Some(201), Some("unit_row"))
+    );
+    // 30° π/s = 15.708 1/min; 0.5 kgm² · 30° π² s⁻² = 2.5838 Nm for the load alone.
+    let speed = value["motion"]["segments"][0]["speed"].as_f64().unwrap();
+    assert!((speed - 15.708).abs() < 0.01, "{speed}");
+}
+
+#[test]
+fn a_bad_recording_is_refused_with_its_lines() {
+    let folder = scratch("bad-recording");
+    let project = folder.join("axis.toml");
+    let check = |project_text: &str, csv: Option<&str>, expected: &[&str]| {
+        std::fs::write(&project, project_text).unwrap();
+        let file = folder.join("run.csv");
+        match csv {
+            Some(text) => std::fs::write(&file, text).unwrap(),
+            None => drop(std::fs::remove_file(&file)),
+        }
+        let found = run(&["size", project.to_str().unwrap()]);
+        assert_eq!((found.code, found.out.as_str()), (2, ""), "{expected:?}");
+        for words in expected {
+            assert!(found.err.contains(words), "{words} is missing in {}", found.err);
+        }
+    };
+    check(RECORDED, None, &["run.csv: there is no such file", "axis.toml:6:"]);
+    check(RECORDED, Some("t [s],q [deg]\n0,0\n0.1,1\n0.05,2\n0.2,x\n0.3,3\n"), &["line 4", "line 5"]);
+    check(RECORDED, Some("t,q [deg]\n0,0\n1,1\n2,0\n"), &["unit"]);
+    check(RECORDED, Some("t [s],q [deg]\n0,0\n1,1\n2,5\n"), &["single_move"]);
+    check(RECORDED, Some("\0\0\0"), &["run.csv"]);
+    check(&RECORDED.replace("run.csv", "."), Some(""), &["folder"]);
+    check(
+        &format!("{RECORDED}standstill = \"1 mm/s\"\n"),
+        Some("t [s],q [deg]\n0,0\n1,1\n2,0\n"),
+        &["no fixed travel"],
+    );
+    check(
+        &RECORDED.replace("[load]\ninertia = \"0.5 kg m^2\"", "[mechanism.joint]\ninertia = \"1 kg m^2\""),
+        Some("t [s],q [deg]\n0,0\n1,1\n2,0\n"),
+        &["every [[motion]] must be recorded"],
+    );
+    check(
+        &format!("{RECORDED}from = \"0 s ± 1 s\"\n"),
+        Some("t [s],q [deg],n [1/min]\n0,0,0\n1,1,0\n2,0,0\n"),
+        &["no tolerance here"],
+    );
+}
+
+#[test]
+fn explain_gives_a_tree_for_every_check() {
+    let found = run(&["explain", "examples/tilting-arm.toml", "--code", "CHA-17A-100-H-M128S-B", "--json"]);
+    assert_eq!((found.code, found.err.as_str()), (0, ""));
+    let value: Value = serde_json::from_str(&found.out).unwrap();
+    for check in value["checks"].as_array().unwrap() {
+        for (figure, root) in [("value", "value"), ("limit", "limit")] {
+            let tree = &check["derivation"][root];
+            match check[figure].as_f64() {
+                Some(number) => {
+                    let found = tree["value"].as_f64().unwrap_or(f64::NAN);
+                    assert!((found - number).abs() <= 1e-9 * number.abs(), "{} {figure}", check["id"]);
+                    assert!(tree["source"].is_string(), "{}", check["id"]);
+                }
+                None => assert!(tree.is_null(), "{} {figure}", check["id"]),
+            }
+        }
+    }
+    let one = run(&["explain", "examples/tilting-arm.toml", "--code", "CHA-17A-100-H-M128S-B", "--check", "voltage"]);
+    assert!(one.out.contains("u_q") && !one.out.contains("inertia ratio"), "{}", one.out);
+    let none = run(&[
+        "explain",
+        "examples/tilting-arm.toml",
+        "--code",
+        "CHA-17A-100-H-M128S-B",
+        "--check",
+        "collision_torque",
+    ]);
+    assert_eq!(none.code, 2);
+    let unknown = run(&["explain", "examples/tilting-arm.toml", "--check", "contineous_torque"]);
+    assert!(unknown.code == 2 && unknown.err.contains("continuous_torque"), "{}", unknown.err);
+}

@@ -310,7 +310,8 @@ fn integral(time: &[f64], speed: &[f64]) -> Vec<f64> {
 /// Least squares of y = a + b τ + c τ², τ = t − t_k; at the ends the window is cut off. Positions and speeds up to the
 /// second degree pass unchanged.
 fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f64>, Vec<f64>), RecordedFault> {
-    let half = 0.5 * window;
+    // Samples at the very edge belong to the window, however their instants are rounded.
+    let half = 0.5 * window * (1.0 + 1e-9);
     let mut fitted = (Vec::with_capacity(time.len()), Vec::with_capacity(time.len()));
     let (mut from, mut to) = (0, 0);
     for t in time {

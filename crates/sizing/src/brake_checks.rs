@@ -98,7 +98,9 @@ fn hangs(axis: &Axis) -> bool {
 
 fn total_inertia(axis: &Axis, actuator: &Parameters) -> Result<MomentOfInertia, Missing> {
     // The lightest load moves most while the brake closes.
-    let least = MomentOfInertia::from_si(axis.trace.inertia.1);
+    // Of a joint only the largest inertia is stated.
+    let joint = matches!(axis.mechanism.kind, mechanism::Kind::Joint(_));
+    let least = MomentOfInertia::from_si(if joint { 0.0 } else { axis.trace.inertia.1 });
     Ok(actuator.inertia_out.require("J_out")?.value + least)
 }
 

@@ -209,7 +209,8 @@ fn peak_speed(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check 
     let id = CheckId::PeakSpeed;
     match actuator::speed_max_with(actuator, work) {
         Ok(limit) => {
-            let source = Source::Project { key: "motion.speed".into() };
+            let key = if axis.motion.recordings().is_empty() { "motion.speed" } else { "motion.file" };
+            let source = Source::Project { key: key.into() };
             let value = axis.moments.speed_peak.si();
             work.limit("n_max");
             work.found("n_peak", &REVOLUTION_PER_MINUTE, value, "max |n| over the cycle", &source, Grade::Computed);
@@ -273,6 +274,9 @@ fn continuous_torque(axis: &Axis, actuator: &Parameters, (demand, manual): Deman
 /// J_L ≤ 3 J_out is recommended for highly dynamic duty (table 70.1).
 fn inertia_ratio(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::InertiaRatio;
+    if matches!(axis.mechanism.kind, mechanism::Kind::Joint(_)) && axis.moments.inertia_max.si() <= 0.0 {
+        return not_checked(id, Missing { symbol: "mechanism.joint.inertia" });
+    }
     match actuator.inertia_out.require("J_out") {
         Ok(own) => {
             let source = match axis.by_the_manual() {

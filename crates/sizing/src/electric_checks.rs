@@ -350,7 +350,6 @@ pub(crate) fn regeneration(
     // The power changes its sign between the nodes: each gap is cut, everything in it taken as straight. Where the load
     // is only driven the power has one sign, and the block is taken as a whole.
     let mut driven = 0.0;
-    let parts = if axis.trace.is_recorded() { 1 } else { POWER_PARTS };
     for block in axis.trace.blocks() {
         if !axis.trace.is_short() && block.extent.power_sign(currents.inertia) == Some(1.0) {
             let taken = power.driving(block);
@@ -358,6 +357,7 @@ pub(crate) fn regeneration(
             bank.pass(taken);
             continue;
         }
+        let parts = if block.is_recorded() { 1 } else { POWER_PARTS };
         let mut last: Option<Node> = None;
         axis.trace.within(block, &mut |node| {
             count(node, 0.0);

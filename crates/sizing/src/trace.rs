@@ -179,6 +179,11 @@ impl Block {
         Self { place, duration: 0.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
     }
 
+    /// Whether it is a part of a recording.
+    pub(crate) const fn is_recorded(&self) -> bool {
+        matches!(self.place, Place::Recorded { .. })
+    }
+
     fn join(&mut self, other: &Self) {
         self.duration += other.duration;
         self.extent.join(&other.extent);
@@ -257,11 +262,6 @@ impl Trace {
     /// Whether so few nodes make the cycle that each may be looked at for every candidate.
     pub(crate) fn is_short(&self) -> bool {
         self.strips.is_empty() && self.nodes.len() <= 2 * BLOCK
-    }
-
-    /// Whether the cycle has a recording.
-    pub(crate) fn is_recorded(&self) -> bool {
-        !self.strips.is_empty()
     }
 
     /// The largest value over the nodes and the first node that has it. `bound` is above every value of its block, so

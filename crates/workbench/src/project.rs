@@ -173,6 +173,9 @@ impl Project {
         let axis = prepare(root, reader, language).map(|draft| finish(root, draft));
         let actuator = build_actuator(root, reader, language);
         let tolerances = tolerance::of_axis(&reader.tolerances, index);
+        for window in tolerances.iter().filter(|each| each.path.ends_with("].from") || each.path.ends_with("].to")) {
+            reader.fault(window.span.clone(), language.no_tolerance(), None);
+        }
         if reader.fault_count() == 0 && axis.is_some() {
             tolerance::hold(root, &tolerances, reader, language);
         }

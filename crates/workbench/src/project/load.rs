@@ -171,7 +171,11 @@ pub(super) fn motion(
         Ok(motion) => Some((motion, sections.iter().map(|section| extra(section, load)).collect())),
         Err(faults) => {
             for MotionFault { segment, fault } in faults {
-                let (message, hint) = language.motion_fault(&fault);
+                let (message, mut hint) = language.motion_fault(&fault);
+                let recorded = sections.iter().any(|section| section.text("law") == Some("recorded"));
+                if recorded && matches!(fault, MoveFault::SpeedNotClosed { .. }) {
+                    hint = Some(language.recording_not_closed());
+                }
                 let section = segment.and_then(|index| sections.get(index));
                 let span = section.map_or_else(|| root.span_of("motion"), |section| place(section, &fault));
                 reader.fault(span, message, hint);
@@ -193,9 +197,12 @@ fn without_effect(section: &Section, load: &Load, reader: &mut Reader<'_>, langu
         Kind::Linear(_) | Kind::SliderCrank(_) => (true, true),
         _ => (false, false),
     };
-    for (key, effect) in [("payload", carries), ("process_force", has_line)] {
+    // The recorded torque of a joint has the inertia of everything in it.
+    let turns = !matches!(load.mechanism.kind, Kind::Joint(_));
+    for (key, effect) in [("payload", carries), ("payload_inertia", turns), ("process_force", has_line)] {
         if section.get(key).is_some() && !effect {
             let hint = match key {
+                "payload" | "payload_inertia" if !turns => "process_torque",
                 "payload" => "payload_inertia, or payload_distance",
                 _ => "process_torque",
             };

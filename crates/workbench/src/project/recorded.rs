@@ -160,11 +160,14 @@ pub(super) fn motion(
         speed_rad_s: speed.flatten(),
         torque_nm: torque.flatten(),
     };
-    let standstill = section.along("standstill").and_then(|(dimension, si)| match (dimension, travel) {
-        (Dimension::Velocity, Some(travel)) => Some(si / travel),
-        (Dimension::Velocity, None) => None,
-        _ => Some(si),
-    });
+    let standstill = match (section.along("standstill"), travel) {
+        (Some((Dimension::Velocity, si)), Some(travel)) => Some(si / travel),
+        (Some((Dimension::Velocity, _)), None) => {
+            reader.fault(section.span_of("standstill"), language.no_line("standstill"), None);
+            return None;
+        }
+        (found, _) => found.map(|(_, si)| si),
+    };
     let treatment =
         Treatment { smoothing: section.quantity::<Time>("smoothing"), standstill: standstill.map(Measure::from_si) };
     match Recorded::new(samples, treatment) {

@@ -36,6 +36,8 @@ pub(crate) trait Speak: Copy {
     fn file_trouble(self, name: &str, error: &std::io::Error) -> String;
     fn unknown_unit(self, written: &str) -> String;
     fn joint_without_torque(self) -> String;
+    fn recording_not_closed(self) -> String;
+    fn no_tolerance(self) -> String;
     fn no_such_code(self, written: &str) -> String;
     fn battery_fault(self, fault: &BatteryFault) -> String;
     fn without_effect(self, key: &str) -> String;
@@ -240,6 +242,22 @@ impl Speak for Language {
             self,
             format!("no actuator of the catalogue has a code like `{written}`"),
             format!("kein Antrieb des Katalogs hat einen Code wie `{written}`"),
+        )
+    }
+
+    fn recording_not_closed(self) -> String {
+        either(
+            self,
+            "choose the window with from and to, state standstill, or write single_move = true under [axis]",
+            "das Fenster mit from und to wählen, standstill angeben oder unter [axis] single_move = true schreiben",
+        )
+    }
+
+    fn no_tolerance(self) -> String {
+        either(
+            self,
+            "no tolerance here: the window of a recording is read once",
+            "hier keine Toleranz: das Fenster einer Aufzeichnung wird einmal gelesen",
         )
     }
 

@@ -178,7 +178,7 @@ fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
                     format!("several columns could be the {role}: {list}"),
                     format!("mehrere Spalten passen für {role}: {list}"),
                 ),
-                Some(e(format!("name the one under {key}"), format!("die richtige unter {key} nennen"))),
+                Some(e(format!("name the one in columns.{key}"), format!("die richtige in columns.{key} nennen"))),
             )
         }
         Fault::UnitMissing { role, column } => (
