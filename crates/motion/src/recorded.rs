@@ -58,6 +58,9 @@ impl Recorded {
         let time_s: Vec<f64> = if start == 0.0 { time_s } else { time_s.iter().map(|t| t - start).collect() };
         let window = treatment.smoothing.map(Measure::si);
         let (is_placed, is_differentiated) = (position_rad.is_some(), speed_rad_s.is_none());
+        if let (Some(position), Some(speed)) = (&position_rad, &speed_rad_s) {
+            agree(&time_s, position, speed)?;
+        }
         let (position, mut speed) = match (position_rad, speed_rad_s, window) {
             (None, None, _) => return Err(RecordedFault::NoCourse),
             (Some(position), None, None) => {
@@ -71,11 +74,6 @@ impl Recorded {
             (position, Some(speed), None) => (position, speed),
             (position, Some(speed), Some(window)) => (position, smooth(&time_s, &speed, window)?.0),
         };
-        if let Some(position) = &position
-            && !is_differentiated
-        {
-            agree(&time_s, position, &speed)?;
-        }
         if let Some(least) = treatment.standstill {
             for speed in speed.iter_mut().filter(|speed| speed.abs() < least.si()) {
                 *speed = 0.0;
