@@ -149,13 +149,12 @@ fn is_stated(step: &Step) -> bool {
 /// The field's word for a symbol: of a printed cell that of the glossary, which another figure of the same name in a
 /// derivation must not take over.
 fn term(step: &Step, language: Language) -> String {
-    let printed = match &step.source {
-        Source::Cell(cell) | Source::Published { cell, .. } => step.how == How::Given && cell.symbol == step.symbol,
-        _ => false,
-    };
-    if printed {
-        let term = symbol_term(step.symbol, language);
-        return if term == step.symbol { String::new() } else { term };
+    if let Source::Cell(cell) | Source::Published { cell, .. } = &step.source
+        && step.how == How::Given
+        && cell.symbol.starts_with(step.symbol)
+    {
+        let term = symbol_term(cell.symbol, language);
+        return if term == cell.symbol { String::new() } else { term };
     }
     step_term(step.symbol, language).to_owned()
 }
