@@ -15,6 +15,7 @@ mod judge;
 mod moves;
 mod table;
 mod tolerance;
+mod waiting;
 
 use answer::Answer;
 use clap::ArgMatches;
@@ -35,7 +36,9 @@ fn main() -> ExitCode {
             return ExitCode::from(code);
         }
     };
+    let waiting = waiting::Waiting::begin(language);
     let answer = dispatch(&matches, language);
+    drop(waiting);
     answer.write()
 }
 
