@@ -33,8 +33,8 @@ pub use motor::{
     speed_max_with, speed_rated_out, speed_rated_out_with,
 };
 pub use output_bearing::{
-    BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, mean_load, static_safety,
-    tilt_angle, tilting_moment,
+    BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, dynamic_load_factors, mean_load,
+    static_safety, tilt_angle, tilting_moment,
 };
 pub use overload::{intermittent_loss_factor, overload_course, overload_peak, overload_trip_time};
 pub use parameters::Parameters;

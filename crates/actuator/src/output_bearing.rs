@@ -129,10 +129,25 @@ pub fn mean_load(parts: impl Iterator<Item = (f64, Angle)>, exponent: f64) -> f6
 /// # Source   cha-manual eq. 75.1, table 75.4
 #[must_use]
 pub fn dynamic_equivalent_load(load: &FlangeLoad, moment: Torque, pitch_diameter: Length) -> Force {
-    let radial = load.radial_force.si() + 2.0 * moment.si() / pitch_diameter.si();
-    let axial = load.axial_force.si();
-    let (x, y) = if axial <= 1.5 * radial { (1.0, 0.45) } else { (0.67, 0.67) };
-    Force::from_si(x * radial + y * axial)
+    let (x, y, _) = dynamic_load_factors(load, moment, pitch_diameter);
+    Force::from_si(x * radial_load(load, moment, pitch_diameter) + y * load.axial_force.si())
+}
+
+/// x and y of the dynamic equivalent load, and whether F_a / (F_r + 2M/d_p) ≤ 1.5.
+///
+/// # Source   cha-manual table 75.4
+#[must_use]
+pub fn dynamic_load_factors(load: &FlangeLoad, moment: Torque, pitch_diameter: Length) -> (f64, f64, bool) {
+    if load.axial_force.si() <= 1.5 * radial_load(load, moment, pitch_diameter) {
+        (1.0, 0.45, true)
+    } else {
+        (0.67, 0.67, false)
+    }
+}
+
+/// F_r + 2M/d_p \[N\]
+fn radial_load(load: &FlangeLoad, moment: Torque, pitch_diameter: Length) -> f64 {
+    load.radial_force.si() + 2.0 * moment.si() / pitch_diameter.si()
 }
 
 /// Life of the output bearing.
@@ -166,8 +181,7 @@ pub fn bearing_life(
 /// # Valid    P_0 > 0
 #[must_use]
 pub fn static_safety(static_rating: Force, load: &FlangeLoad, moment: Torque, pitch_diameter: Length) -> f64 {
-    let radial = load.radial_force.si() + 2.0 * moment.si() / pitch_diameter.si();
-    static_rating.si() / (radial + 0.44 * load.axial_force.si())
+    static_rating.si() / (radial_load(load, moment, pitch_diameter) + 0.44 * load.axial_force.si())
 }
 
 /// Tilt of the output flange.

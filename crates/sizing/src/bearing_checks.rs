@@ -2,46 +2,63 @@
 
 use crate::axis::{Axis, BearingDuty};
 use crate::check::{Check, CheckId, Note, Verdict};
-use crate::comparison::{Comparison, at_least, equation, not_checked, shown_or_at_most};
-use actuator::{FlangeLoad, OutputBearing};
-use provenance::{Missing, Source, Sourced};
-use quantities::unit::{ARCMINUTE, DEGREE, HOUR, NEWTON, NEWTON_METRE, ONE};
+use crate::comparison::{Asking, Comparison, at_least, equation, explained, not_checked, shown_or_at_most};
+use crate::workings;
+use actuator::{BearingType, FlangeLoad, OutputBearing};
+use derivation::Workings;
+use provenance::{CellRef, Grade, Missing, Source, Sourced};
+use quantities::unit::{ARCMINUTE, DEGREE, HOUR, METRE, NEWTON, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, ONE};
 use quantities::{Angle, Force, Length, Measure, Torque};
 
 /// Below this swing the manual warns of fretting (section 7.3.2).
 const SWING_MIN_DEG: f64 = 5.0;
 
+/// The model of tilting moment, life, safety and tilt.
+const MODEL: Source = Source::Model { name: "output-bearing" };
+
 /// Every check of the output bearing; none where the user gave no loads.
-pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing) -> Vec<Check> {
-    let Some(duty) = &axis.bearing else { return Vec::new() };
-    vec![
-        force(
-            CheckId::BearingAxial,
-            largest(duty, |load| load.axial_force.si()),
-            "bearing.axial_force",
-            bearing.axial_max.require("F_A_dyn_max"),
-        ),
-        force(
-            CheckId::BearingRadial,
-            largest(duty, |load| load.radial_force.si()),
-            "bearing.radial_force",
-            bearing.radial_max.require("F_R_dyn_max"),
-        ),
-        tilting_moment(duty, bearing),
-        life(axis, duty, bearing),
-        static_safety(duty, bearing),
-        tilt_angle(duty, bearing),
-    ]
+pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing, explain: bool, checks: &mut Vec<Check>) {
+    let Some(duty) = &axis.bearing else { return };
+    checks.push(explained(explain, |work| {
+        let limit = bearing.axial_max.require("F_A_dyn_max");
+        let value = largest(duty, |load| load.axial_force.si());
+        if limit.is_ok() {
+            largest_force(duty, ("F_a", "max F_a over the segments"), value, "bearing.axial_force", work);
+        }
+        force(CheckId::BearingAxial, value, "bearing.axial_force", ("F_A_dyn_max", limit), work)
+    }));
+    checks.push(explained(explain, |work| {
+        let limit = bearing.radial_max.require("F_R_dyn_max");
+        let value = largest(duty, |load| load.radial_force.si());
+        if limit.is_ok() {
+            largest_force(duty, ("F_r", "max F_r over the segments"), value, "bearing.radial_force", work);
+        }
+        force(CheckId::BearingRadial, value, "bearing.radial_force", ("F_R_dyn_max", limit), work)
+    }));
+    checks.push(explained(explain, |work| tilting_moment(duty, bearing, work)));
+    checks.push(explained(explain, |work| life(axis, duty, bearing, work)));
+    checks.push(explained(explain, |work| static_safety(duty, bearing, work)));
+    checks.push(explained(explain, |work| tilt_angle(duty, bearing, work)));
 }
 
 /// F_a ≤ F_A,dyn(max) and F_r ≤ F_R,dyn(max), each alone (table 55.1, footnote 4).
-fn force<Q: Measure>(id: CheckId, value: f64, key: &'static str, limit: Result<&Sourced<Q>, Missing>) -> Check {
+fn force<Q: Measure>(
+    id: CheckId,
+    value: f64,
+    key: &'static str,
+    (symbol, limit): (&'static str, Result<&Sourced<Q>, Missing>),
+    work: &mut Workings,
+) -> Check {
     match limit {
-        Ok(limit) => Comparison {
-            notes: vec![Note::LoadsOneAtATime],
-            ..Comparison::with(id, &NEWTON, value, Source::Project { key: key.into() }, limit)
+        Ok(limit) => {
+            work.given(symbol, &NEWTON, limit);
+            work.limit(symbol);
+            Comparison {
+                notes: vec![Note::LoadsOneAtATime],
+                ..Comparison::with(id, &NEWTON, value, Source::Project { key: key.into() }, limit)
+            }
+            .answer(Verdict::Fail)
         }
-        .answer(Verdict::Fail),
         Err(missing) => not_checked(id, missing),
     }
 }
@@ -57,50 +74,136 @@ fn moment_of(duty: &BearingDuty, bearing: &OutputBearing) -> Result<Torque, Miss
     Ok(Torque::from_si(largest(duty, |load| actuator::tilting_moment(load, offset.value).si())))
 }
 
-/// The averages of eq. 75.2 and 75.3 over the segments, and the tilting moment of the averages.
-///
-/// F_r (L_r + R) and F_a L_a are averaged like the forces, so that with distances that do not change the moment is
-/// F_rav (L_r + R) + F_aav L_a.
-fn mean_load(axis: &Axis, duty: &BearingDuty, offset: Length, exponent: f64) -> (FlangeLoad, Torque) {
-    // Segments one after the other often carry the same.
-    let mut parts: Vec<(&FlangeLoad, f64)> = Vec::new();
-    for (load, share) in duty.loads.iter().zip(&axis.trace.shares) {
-        match parts.last_mut().filter(|(last, _)| *last == load) {
-            Some((_, travelled)) => *travelled += share.travelled,
-            None => parts.push((load, share.travelled)),
+/// Whether every segment carries the same.
+fn is_constant(duty: &BearingDuty) -> bool {
+    duty.loads.windows(2).all(|pair| matches!(pair, [a, b] if a == b))
+}
+
+/// The workings of the largest force.
+fn largest_force(
+    duty: &BearingDuty,
+    (symbol, text): (&'static str, &'static str),
+    value: f64,
+    key: &'static str,
+    work: &mut Workings,
+) {
+    if !work.is_on() {
+        return;
+    }
+    let source = Source::Project { key: key.into() };
+    if is_constant(duty) {
+        work.figure(symbol, &NEWTON, value, &source, Grade::Printed);
+    } else {
+        work.found(symbol, &NEWTON, value, text, &source, Grade::Printed);
+    }
+    work.value(symbol);
+}
+
+/// The workings of the tilting moment under one load, `M`: what the user gave, from the segment that `text` names where
+/// there are several.
+fn load_moment(
+    duty: &BearingDuty,
+    load: &FlangeLoad,
+    offset: &Sourced<Length>,
+    text: &'static str,
+    work: &mut Workings,
+) {
+    let constant = is_constant(duty);
+    for (symbol, unit, value, key) in [
+        ("F_r", &NEWTON, load.radial_force.si(), "bearing.radial_force"),
+        ("L_r", &METRE, load.radial_distance.si(), "bearing.radial_distance"),
+        ("F_a", &NEWTON, load.axial_force.si(), "bearing.axial_force"),
+        ("L_a", &METRE, load.axial_distance.si(), "bearing.axial_distance"),
+    ] {
+        let source = Source::Project { key: key.into() };
+        if constant {
+            work.figure(symbol, unit, value, &source, Grade::Printed);
+        } else {
+            work.found(symbol, unit, value, text, &source, Grade::Printed);
         }
     }
-    let mean = |value: &dyn Fn(&FlangeLoad) -> f64| {
-        let parts = parts.iter().map(|(load, travelled)| (value(load), Angle::from_si(*travelled)));
-        actuator::mean_load(parts, exponent)
-    };
-    let none = Length::from_si(0.0);
-    let load = FlangeLoad {
-        radial_force: Force::from_si(mean(&|load| load.radial_force.si())),
-        radial_distance: none,
-        axial_force: Force::from_si(mean(&|load| load.axial_force.si())),
-        axial_distance: none,
-    };
-    let moment = mean(&|load| load.radial_force.si() * (load.radial_distance.si() + offset.si()))
-        + mean(&|load| load.axial_force.si() * load.axial_distance.si());
-    (load, Torque::from_si(moment))
+    work.given("R", &METRE, offset);
+    let moment = actuator::tilting_moment(load, offset.value).si();
+    work.formula("M", &NEWTON_METRE, moment, "F_r*(L_r + R) + F_a*L_a", &MODEL);
+}
+
+/// The workings of the largest tilting moment, `M`.
+pub(crate) fn largest_moment(duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) {
+    let Some(offset) = bearing.offset.known().filter(|_| work.is_on()) else { return };
+    let moment = |load: &FlangeLoad| actuator::tilting_moment(load, offset.value).si();
+    let largest = duty.loads.iter().max_by(|a, b| moment(a).total_cmp(&moment(b)));
+    if let Some(load) = largest {
+        load_moment(duty, load, offset, "in the segment of the largest M", work);
+    }
+}
+
+/// The averages of eq. 75.2 and 75.3 over the segments.
+struct MeanLoad<'a> {
+    /// F_rav and F_aav; no distances.
+    load: FlangeLoad,
+    /// The averages of F_r (L_r + R) and of F_a L_a.
+    moments: [f64; 2],
+    /// The load itself, where no other is carried in motion.
+    only: Option<&'a FlangeLoad>,
+}
+
+impl<'a> MeanLoad<'a> {
+    /// F_r (L_r + R) and F_a L_a are averaged like the forces, so that with distances that do not change the moment is
+    /// F_rav (L_r + R) + F_aav L_a.
+    fn of(axis: &Axis, duty: &'a BearingDuty, offset: Length, exponent: f64) -> Self {
+        // Segments one after the other often carry the same.
+        let mut parts: Vec<(&FlangeLoad, f64)> = Vec::new();
+        for (load, share) in duty.loads.iter().zip(&axis.trace.shares) {
+            match parts.last_mut().filter(|(last, _)| *last == load) {
+                Some((_, travelled)) => *travelled += share.travelled,
+                None => parts.push((load, share.travelled)),
+            }
+        }
+        let mean = |value: &dyn Fn(&FlangeLoad) -> f64| {
+            let parts = parts.iter().map(|(load, travelled)| (value(load), Angle::from_si(*travelled)));
+            actuator::mean_load(parts, exponent)
+        };
+        let none = Length::from_si(0.0);
+        let load = FlangeLoad {
+            radial_force: Force::from_si(mean(&|load| load.radial_force.si())),
+            radial_distance: none,
+            axial_force: Force::from_si(mean(&|load| load.axial_force.si())),
+            axial_distance: none,
+        };
+        let moments = [
+            mean(&|load| load.radial_force.si() * (load.radial_distance.si() + offset.si())),
+            mean(&|load| load.axial_force.si() * load.axial_distance.si()),
+        ];
+        let mut moving = parts.iter().filter(|(_, travelled)| *travelled != 0.0).map(|(load, _)| *load);
+        let only = moving.next().filter(|first| moving.all(|load| load == *first));
+        Self { load, moments, only }
+    }
+
+    /// The tilting moment of the averages.
+    fn moment(&self) -> Torque {
+        let [radial, axial] = self.moments;
+        Torque::from_si(radial + axial)
+    }
 }
 
 /// M ≤ M_dyn(max): from the tilt that the gear allows, so it holds even where the life would allow more.
-fn tilting_moment(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
+fn tilting_moment(duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
     let id = CheckId::BearingTiltingMoment;
     let found = moment_of(duty, bearing).and_then(|m| Ok((m, bearing.tilting_moment_max.require("M_dyn_max")?)));
     match found {
         Ok((moment, limit)) => {
-            let source = Source::Model { name: "output-bearing" };
-            Comparison::with(id, &NEWTON_METRE, moment.si(), source, limit).answer(Verdict::Fail)
+            largest_moment(duty, bearing, work);
+            work.value("M");
+            work.given("M_dyn_max", &NEWTON_METRE, limit);
+            work.limit("M_dyn_max");
+            Comparison::with(id, &NEWTON_METRE, moment.si(), MODEL, limit).answer(Verdict::Fail)
         }
         Err(missing) => not_checked(id, missing),
     }
 }
 
 /// L_10 ≥ the life required (eq. 74.1, 74.3).
-fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Check {
+fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
     let id = CheckId::BearingLife;
     let found = (|| {
         let offset = bearing.offset.require("R")?;
@@ -108,8 +211,8 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Check {
         let rating = bearing.dynamic_rating.require("C")?;
         let kind = bearing.kind.require("bearing_type")?;
         let load_factor = duty.load_factor.ok_or(Missing { symbol: "f_w" })?;
-        let (load, moment) = mean_load(axis, duty, offset.value, kind.value.life_exponent());
-        let equivalent = actuator::dynamic_equivalent_load(&load, moment, pitch.value);
+        let mean = MeanLoad::of(axis, duty, offset.value, kind.value.life_exponent());
+        let equivalent = actuator::dynamic_equivalent_load(&mean.load, mean.moment(), pitch.value);
         if equivalent.si() <= 0.0 {
             return Err(Missing { symbol: "F_r" });
         }
@@ -117,15 +220,33 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Check {
         if speed.si() <= 0.0 {
             return Err(Missing { symbol: "n_av" });
         }
-        Ok(actuator::bearing_life(rating.value, equivalent, load_factor, kind.value.life_exponent(), speed))
+        let life = actuator::bearing_life(rating.value, equivalent, load_factor, kind.value.life_exponent(), speed);
+        if work.is_on() {
+            explain_exponent(kind, work);
+            match mean.only {
+                Some(load) => load_moment(duty, load, offset, "in every segment in motion", work),
+                None => explain_mean_load(&mean, offset, work),
+            }
+            explain_equivalent_load(&mean, pitch, equivalent, work);
+            let factor = Source::Project { key: "bearing.load_factor".into() };
+            work.given("C", &NEWTON, rating);
+            work.figure("f_w", &ONE, load_factor, &factor, Grade::Printed);
+            workings::mean_speed(axis, work);
+            // Of a swing the manual writes the same with its angle and number a minute.
+            let source = if axis.moments().is_swing() { MODEL } else { equation("74.1") };
+            work.formula("L_10", &HOUR, life.si(), "10^6/(60*n_av)*(C/(f_w*P_c))^B", &source);
+            work.value("L_10");
+        }
+        Ok(life)
     })();
     let life = match found {
         Ok(life) => life,
         Err(missing) => return not_checked(id, missing),
     };
     let number = if axis.moments().is_swing() { "74.3" } else { "74.1" };
-    let asked = duty.life_min.map(Measure::si);
-    let mut check = at_least(id, &HOUR, life.si(), asked, "requirements.bearing_life_min", equation(number));
+    let (asked, key) = (duty.life_min.map(Measure::si), "requirements.bearing_life_min");
+    work.asked("L_10_min", &HOUR, asked, key);
+    let mut check = at_least(id, &HOUR, life.si(), asked, key, equation(number));
     let swing = axis.moments().angle_swing;
     if axis.moments().is_swing() && swing.in_unit(&DEGREE) < SWING_MIN_DEG {
         check.notes.push(Note::SwingTooSmall { swing });
@@ -136,23 +257,78 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Check {
     check
 }
 
+/// A cell of a table of the manual that holds for every size.
+const fn cell(table: &'static str, symbol: &'static str, condition: &'static str) -> Source {
+    Source::Cell(CellRef { table, symbol, condition, drive: "", ratio: "" })
+}
+
+/// B of the bearing's type.
+fn explain_exponent(kind: &Sourced<BearingType>, work: &mut Workings) {
+    let column = match kind.value {
+        BearingType::CrossedRoller => "bearing_type=C",
+        BearingType::FourPoint => "bearing_type=F",
+    };
+    work.figure("B", &ONE, kind.value.life_exponent(), &cell("74.5", "B", column), kind.grade);
+}
+
+/// The workings of the averages, where the load changes: `F_rav`, `F_aav` and `M`.
+fn explain_mean_load(mean: &MeanLoad<'_>, offset: &Sourced<Length>, work: &mut Workings) {
+    let [radial, axial] = mean.moments;
+    let (by_radial, by_axial) = (equation("75.2"), equation("75.3"));
+    let text = "(Σ |n_k| t_k F_rk^B / Σ |n_k| t_k)^(1/B) over the segments";
+    work.found("F_rav", &NEWTON, mean.load.radial_force.si(), text, &by_radial, Grade::Computed);
+    let text = "(Σ |n_k| t_k F_ak^B / Σ |n_k| t_k)^(1/B) over the segments";
+    work.found("F_aav", &NEWTON, mean.load.axial_force.si(), text, &by_axial, Grade::Computed);
+    work.given("R", &METRE, offset);
+    let text = "(Σ |n_k| t_k (F_rk (L_rk + R))^B / Σ |n_k| t_k)^(1/B) over the segments";
+    work.found("M_r", &NEWTON_METRE, radial, text, &MODEL, Grade::Computed);
+    let text = "(Σ |n_k| t_k (F_ak L_ak)^B / Σ |n_k| t_k)^(1/B) over the segments";
+    work.found("M_a", &NEWTON_METRE, axial, text, &MODEL, Grade::Computed);
+    work.formula("M", &NEWTON_METRE, radial + axial, "M_r + M_a", &MODEL);
+}
+
+/// The workings of the dynamic equivalent load, `P_c`.
+fn explain_equivalent_load(mean: &MeanLoad<'_>, pitch: &Sourced<Length>, equivalent: Force, work: &mut Workings) {
+    let (x, y, mostly_radial) = actuator::dynamic_load_factors(&mean.load, mean.moment(), pitch.value);
+    let column = if mostly_radial { "F_aav/(F_rav + 2 M/d_p) ≤ 1,5" } else { "F_aav/(F_rav + 2 M/d_p) > 1,5" };
+    work.given("d_p", &METRE, pitch);
+    work.figure("x", &ONE, x, &cell("75.4", "x", column), Grade::Printed);
+    work.figure("y", &ONE, y, &cell("75.4", "y", column), Grade::Printed);
+    let text = if mean.only.is_some() { "x*(F_r + 2*M/d_p) + y*F_a" } else { "x*(F_rav + 2*M/d_p) + y*F_aav" };
+    work.formula("P_c", &NEWTON, equivalent.si(), text, &equation("75.1"));
+}
+
 /// f_s = C_0/P_0 ≥ the least of the operating condition (eq. 76.1, table 76.3).
-fn static_safety(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
+fn static_safety(duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
     let id = CheckId::BearingStatic;
     let found = (|| {
         let offset = bearing.offset.require("R")?;
         let pitch = bearing.pitch_diameter.require("d_p")?;
         let rating = bearing.static_rating.require("C_0")?;
-        let safety = duty.loads.iter().map(|load| {
+        let of = |load: &FlangeLoad| {
             let moment = actuator::tilting_moment(load, offset.value);
             actuator::static_safety(rating.value, load, moment, pitch.value)
-        });
-        let safety = safety.fold(f64::INFINITY, f64::min);
-        if safety.is_finite() { Ok(safety) } else { Err(Missing { symbol: "F_r" }) }
+        };
+        let safety = duty.loads.iter().map(of).fold(f64::INFINITY, f64::min);
+        if !safety.is_finite() {
+            return Err(Missing { symbol: "F_r" });
+        }
+        let governing = duty.loads.iter().filter(|_| work.is_on()).find(|load| of(load) == safety);
+        if let Some(load) = governing {
+            load_moment(duty, load, offset, "in the segment of the least f_s", work);
+            work.given("d_p", &METRE, pitch);
+            work.given("C_0", &NEWTON, rating);
+            let equivalent = rating.value.si() / safety;
+            work.formula("P_0", &NEWTON, equivalent, "F_r + 2*M/d_p + 0.44*F_a", &equation("76.1"));
+            work.formula("f_s", &ONE, safety, "C_0/P_0", &equation("76.1"));
+            work.value("f_s");
+        }
+        Ok(safety)
     })();
     match found {
         Ok(safety) => {
             let asked = duty.operating_condition.map(crate::axis::OperatingCondition::static_safety_min);
+            work.asked("f_s_min", &ONE, asked, "bearing.operating_condition");
             at_least(id, &ONE, safety, asked, "bearing.operating_condition", equation("76.1"))
         }
         Err(missing) => not_checked(id, missing),
@@ -160,7 +336,7 @@ fn static_safety(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
 }
 
 /// γ = M/K_B ≤ the tilt permitted (eq. 76.4).
-fn tilt_angle(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
+fn tilt_angle(duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
     let id = CheckId::TiltAngle;
     let found = moment_of(duty, bearing).and_then(|m| Ok((m, bearing.tilting_stiffness.require("K_B")?)));
     let (moment, stiffness) = match found {
@@ -168,6 +344,11 @@ fn tilt_angle(duty: &BearingDuty, bearing: &OutputBearing) -> Check {
         Err(missing) => return not_checked(id, missing),
     };
     let tilt = actuator::tilt_angle(moment, stiffness.value).si();
-    let limit = duty.tilt_max.map(Measure::si);
-    shown_or_at_most(id, &ARCMINUTE, tilt, limit, "requirements.tilt_angle_max", equation("76.4"))
+    largest_moment(duty, bearing, work);
+    work.given("K_B", &NEWTON_METRE_PER_ARCMINUTE, stiffness);
+    work.formula("gamma", &ARCMINUTE, tilt, "M/K_B", &equation("76.4"));
+    work.value("gamma");
+    let (limit, key) = (duty.tilt_max.map(Measure::si), "requirements.tilt_angle_max");
+    work.asked("gamma_max", &ARCMINUTE, limit, key);
+    shown_or_at_most(id, &ARCMINUTE, tilt, limit, key, equation("76.4"))
 }

@@ -122,7 +122,7 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
         checks.push(explained(explain, |work| inertia_ratio(axis, actuator, work)));
     }
     gear_checks::judge(axis, actuator, bare, &mut checks);
-    checks.extend(bearing_checks::judge(axis, &actuator.output_bearing));
+    bearing_checks::judge(axis, &actuator.output_bearing, explain, &mut checks);
     if let Some(stated) = axis.ambient {
         checks.push(explained(explain, |work| ambient(stated, actuator, work)));
     }
