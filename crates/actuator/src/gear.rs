@@ -1,6 +1,8 @@
 //! The strain-wave gear: torsion, natural frequency, mean torque, life of the wave-generator bearing.
 
-use provenance::Datum;
+use derivation::Workings;
+use provenance::{CellRef, Datum, Grade, Source};
+use quantities::unit::{HOUR, REVOLUTION_PER_MINUTE};
 use quantities::{Angle, AngularVelocity, Frequency, Measure, MomentOfInertia, Time, Torque, TorsionalStiffness};
 
 /// What is known of the gear.
@@ -164,7 +166,35 @@ pub fn collisions_permitted(speed_in: AngularVelocity, duration: Time) -> f64 {
 /// # Valid    n_in,av > 0 and T_av > 0
 #[must_use]
 pub fn wave_generator_life(rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
-    Time::from_si(wave_generator_life_l50(rated, mean, speed_in_mean).si() / LIFE_RATIO)
+    wave_generator_life_with(rated, mean, speed_in_mean, &mut Workings::off())
+}
+
+/// [`wave_generator_life`] with its workings; the result is `L_10`, from `T_N`, `T_av` and `n_in` that the caller notes.
+#[must_use]
+pub fn wave_generator_life_with(
+    rated: Torque,
+    mean: Torque,
+    speed_in_mean: AngularVelocity,
+    work: &mut Workings,
+) -> Time {
+    let half = wave_generator_life_l50(rated, mean, speed_in_mean);
+    let life = Time::from_si(half.si() / LIFE_RATIO);
+    if work.is_on() {
+        let source = Source::Model { name: "gear" };
+        let constant = |symbol, condition| Source::Published {
+            document: "csd-2a-engineering-data",
+            cell: CellRef { table: "gear-life", symbol, condition, drive: "", ratio: "" },
+        };
+        let nominal = Time::new_in(NOMINAL_LIFE_H, &HOUR);
+        let series = constant("L_n", "series=HFUC, HFUS, CSD, CPU, CSF, SHD");
+        work.figure("L_n", &HOUR, nominal.si(), &series, Grade::Published);
+        let reference = AngularVelocity::new_in(REFERENCE_SPEED_RPM, &REVOLUTION_PER_MINUTE);
+        let rated_speed = constant("n_N_gear", "");
+        work.figure("n_N_gear", &REVOLUTION_PER_MINUTE, reference.si(), &rated_speed, Grade::Published);
+        work.formula("L_50", &HOUR, half.si(), "L_n*n_N_gear/n_in*(T_N/T_av)^3", &source);
+        work.formula("L_10", &HOUR, life.si(), "L_50/5", &source);
+    }
+    life
 }
 
 /// Revolutions of the wave generator's lobes under collision torque that the gear stands.

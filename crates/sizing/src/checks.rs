@@ -121,7 +121,7 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
     if !bare {
         checks.push(explained(explain, |work| inertia_ratio(axis, actuator, work)));
     }
-    gear_checks::judge(axis, actuator, bare, &mut checks);
+    gear_checks::judge(axis, actuator, (bare, explain), &mut checks);
     bearing_checks::judge(axis, &actuator.output_bearing, explain, &mut checks);
     if let Some(stated) = axis.ambient {
         checks.push(explained(explain, |work| ambient(stated, actuator, work)));
@@ -136,7 +136,7 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
             let currents = currents.as_ref();
             checks.push(explained(explain, |work| electric_checks::regeneration(axis, actuator, currents, work)));
         }
-        gear_checks::judge_further(axis, actuator, bare, &mut checks);
+        gear_checks::judge_further(axis, actuator, (bare, explain), &mut checks);
         checks.extend(brake_checks::judge(axis, actuator, explain));
         let asked = &axis.asked;
         let of_feedback =

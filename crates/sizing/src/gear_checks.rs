@@ -1,42 +1,71 @@
 //! The checks of the gear.
 
 use crate::axis::Axis;
+use crate::bearing_checks;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::comparison::{Comparison, at_least, equation, not_checked, shown_or_at_most};
-use actuator::{BudgetCase, Parameters, PositionLoop};
+use crate::comparison::{Asking, Comparison, at_least, equation, explained, not_checked, shown_or_at_most};
+use crate::workings;
+use actuator::{BudgetCase, ErrorBudget, ErrorKind, Feedback, FeedbackSide, Gear, Parameters, PositionLoop};
+use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source, Sourced};
-use quantities::unit::{ARCMINUTE, HERTZ, HOUR, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE};
-use quantities::{AngularVelocity, Measure, Ratio, Time, Torque};
+use quantities::unit::{
+    ARCMINUTE, ARCSECOND, HERTZ, HOUR, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE,
+    NEWTON_METRE_PER_RADIAN, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND,
+};
+use quantities::{Angle, AngularVelocity, Measure, Ratio, Time, Torque};
+
+/// The model of torsion, natural frequency, mean torque, collisions and life.
+const MODEL: Source = Source::Model { name: "gear" };
 
 /// Every check of the gear. It carries the torque of the load only: the rotor's inertia is on its other side.
 /// `bare`: without those that have no limit because none is asked for.
-pub(crate) fn judge(axis: &Axis, actuator: &Parameters, bare: bool, checks: &mut Vec<Check>) {
+pub(crate) fn judge(axis: &Axis, actuator: &Parameters, (bare, explain): (bool, bool), checks: &mut Vec<Check>) {
     let asked = &axis.asked;
-    checks.push(mean_torque(axis, actuator));
-    checks.extend((!bare || asked.gear_life_min.is_some()).then(|| life(axis, actuator)));
-    checks.extend((!bare || asked.torsion_max.is_some()).then(|| torsion(axis, actuator)));
-    checks.extend((!bare || asked.natural_frequency_min.is_some()).then(|| natural_frequency(axis, actuator)));
+    checks.push(explained(explain, |work| mean_torque(axis, actuator, work)));
+    if !bare || asked.gear_life_min.is_some() {
+        checks.push(explained(explain, |work| life(axis, actuator, work)));
+    }
+    if !bare || asked.torsion_max.is_some() {
+        checks.push(explained(explain, |work| torsion(axis, actuator, work)));
+    }
+    if !bare || asked.natural_frequency_min.is_some() {
+        checks.push(explained(explain, |work| natural_frequency(axis, actuator, work)));
+    }
 }
 
 /// The checks of the gear that only matter where nothing else fails. `bare`: without advice, and without those that have
 /// no limit because none is asked for.
-pub(crate) fn judge_further(axis: &Axis, actuator: &Parameters, bare: bool, checks: &mut Vec<Check>) {
+pub(crate) fn judge_further(
+    axis: &Axis,
+    actuator: &Parameters,
+    (bare, explain): (bool, bool),
+    checks: &mut Vec<Check>,
+) {
     let asked = &axis.asked;
-    checks.push(mean_input_speed(axis, actuator));
-    checks.extend(asked.collision_torque.map(|torque| collision(axis, torque, actuator)));
-    checks.extend((!bare).then(|| resonance(axis, actuator)));
-    let judged = asked.angle_error_max.is_some() || asked.deviation_max.is_some();
-    checks.extend((!bare || judged).then(|| error_budget(axis, actuator)));
+    checks.push(explained(explain, |work| mean_input_speed(axis, actuator, work)));
+    if let Some(torque) = asked.collision_torque {
+        checks.push(explained(explain, |work| collision(axis, torque, actuator, work)));
+    }
+    if !bare {
+        checks.push(explained(explain, |work| resonance(axis, actuator, work)));
+    }
+    if !bare || asked.angle_error_max.is_some() || asked.deviation_max.is_some() {
+        checks.push(explained(explain, |work| error_budget(axis, actuator, work)));
+    }
 }
 
 /// i n_av ≤ n_in,av; only where a limit of the gear is published.
-fn mean_input_speed(axis: &Axis, actuator: &Parameters) -> Check {
+fn mean_input_speed(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::GearMeanInputSpeed;
     let found =
         actuator.gear.input_speed_mean_max.require("n_in_av").and_then(|l| Ok((l, actuator.ratio.require("i")?)));
     match found {
         Ok((limit, ratio)) => {
             let speed = axis.moments().speed_mean().si() * ratio.value;
+            explain_input_speed(axis, ratio, speed, work);
+            work.value("n_in");
+            work.given("n_in_av", &REVOLUTION_PER_MINUTE, limit);
+            work.limit("n_in_av");
             Comparison {
                 notes: vec![Note::RatingOfInterchangeableGear],
                 ..Comparison::with(id, &REVOLUTION_PER_MINUTE, speed, equation("69.3"), limit)
@@ -47,8 +76,27 @@ fn mean_input_speed(axis: &Axis, actuator: &Parameters) -> Check {
     }
 }
 
+/// The workings of the mean input speed, `n_in`.
+fn explain_input_speed(axis: &Axis, ratio: &Sourced<f64>, speed: f64, work: &mut Workings) {
+    workings::mean_speed(axis, work);
+    work.given_number("i", ratio);
+    work.formula("n_in", &REVOLUTION_PER_MINUTE, speed, "i*n_av", &MODEL);
+}
+
+/// The workings of the largest J_L.
+fn explain_inertia(axis: &Axis, work: &mut Workings) {
+    if work.is_on() {
+        let source = match axis.by_the_manual() {
+            Some(_) => Source::Project { key: "load.inertia".into() },
+            None => Source::Model { name: "mechanisms" },
+        };
+        let inertia = axis.moments().inertia_max.si();
+        work.found("J_L", &KILOGRAM_SQUARE_METRE, inertia, "largest on the way", &source, Grade::Computed);
+    }
+}
+
 /// T_k ≤ T_M, and the number of collisions; only where a rating of the gear is published.
-fn collision(axis: &Axis, torque: Torque, actuator: &Parameters) -> Check {
+fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::CollisionTorque;
     let limit = match actuator.gear.collision_torque_max.require("T_M") {
         Ok(limit) => limit,
@@ -62,22 +110,43 @@ fn collision(axis: &Axis, torque: Torque, actuator: &Parameters) -> Check {
         let speed_in = AngularVelocity::from_si(axis.moments().speed_peak.si() * ratio.value);
         actuator::collisions_permitted(speed_in, time)
     });
+    let mut told = false;
     if let (Some(count), Some(permitted)) = (axis.asked.collisions, permitted) {
-        let most = Sourced {
-            value: Ratio::from_si(permitted),
-            source: Source::Model { name: "gear" },
-            grade: limit.grade,
-            errata: &[],
-        };
+        let most = Sourced { value: Ratio::from_si(permitted), source: MODEL, grade: limit.grade, errata: &[] };
         let number = Comparison::with(id, &ONE, count, key("requirements.collisions"), &most).answer(Verdict::Fail);
         // Of torque and number the tighter one is told.
         if number.utilisation > check.utilisation {
             check = number;
+            explain_collisions(axis, actuator, (count, permitted), work);
+            told = true;
         }
+    }
+    if work.is_on() && !told {
+        work.figure("T_k", &NEWTON_METRE, torque.si(), &key("requirements.collision_torque"), Grade::Printed);
+        work.value("T_k");
+        work.given("T_M", &NEWTON_METRE, limit);
+        work.limit("T_M");
     }
     check.notes.push(Note::RatingOfInterchangeableGear);
     check.notes.extend(permitted.map(Note::CollisionsPermitted));
     check
+}
+
+/// The workings of the number of collisions, `N`, and of that which the gear stands, `N_k`.
+fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f64, f64), work: &mut Workings) {
+    let (Some(time), Some(ratio)) = (axis.asked.collision_time, actuator.ratio.known().filter(|_| work.is_on())) else {
+        return;
+    };
+    let key = |key: &'static str| Source::Project { key: key.into() };
+    work.figure("N", &ONE, count, &key("requirements.collisions"), Grade::Printed);
+    work.value("N");
+    let speed = axis.moments().speed_peak.si();
+    let text = "max |n| over the cycle";
+    work.found("n", &REVOLUTION_PER_MINUTE, speed, text, &workings::DEMAND, Grade::Computed);
+    work.given_number("i", ratio);
+    work.figure("t_k", &SECOND, time.si(), &key("requirements.collision_time"), Grade::Printed);
+    work.formula("N_k", &ONE, permitted, "min(10^4/(2*i*n*t_k/60), 10^4)", &MODEL);
+    work.limit("N_k");
 }
 
 /// Half width of the band around a resonance speed in which nothing should run for long: a tenth of the speed. Assumed;
@@ -89,7 +158,7 @@ const FAR_FROM_RESONANCE: f64 = 1.0;
 
 /// Distance of the speeds that the cycle holds from those at which the wave generator excites the load (2 i n/60 = f on
 /// each region of stiffness), relative to the latter. To hold such a speed is against advice; to pass through is not.
-fn resonance(axis: &Axis, actuator: &Parameters) -> Check {
+fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::ResonanceSpeed;
     let inertia = axis.moments().inertia_max;
     let found = (|| {
@@ -111,11 +180,14 @@ fn resonance(axis: &Axis, actuator: &Parameters) -> Check {
                 speeds.iter().map(|n| (speed.abs() / n.si() - 1.0).abs()).fold(FAR_FROM_RESONANCE, f64::min)
             };
             let held = axis.motion.pieces().iter().filter(|piece| piece.speed_degree() == Some(0) && !piece.is_rest());
-            let nearest =
-                held.map(|piece| (distance(piece.speed_rad_s), piece.start_s)).min_by(|a, b| a.0.total_cmp(&b.0));
-            let (value, at) =
-                nearest.map_or((FAR_FROM_RESONANCE, None), |(value, at)| (value, Some(Time::from_si(at))));
-            let source = Source::Model { name: "gear" };
+            let nearest = held.map(|piece| (distance(piece.speed_rad_s), piece)).min_by(|a, b| a.0.total_cmp(&b.0));
+            let (value, at) = nearest
+                .map_or((FAR_FROM_RESONANCE, None), |(value, piece)| (value, Some(Time::from_si(piece.start_s))));
+            if work.is_on() {
+                let held = nearest.map(|(_, piece)| (piece.speed_rad_s, piece.start_s));
+                explain_resonance(axis, actuator, (&speeds, held, value), work);
+            }
+            let source = MODEL;
             Check {
                 id,
                 verdict: if value >= RESONANCE_BAND { Verdict::Pass } else { Verdict::Advice },
@@ -135,8 +207,48 @@ fn resonance(axis: &Axis, actuator: &Parameters) -> Check {
     }
 }
 
+/// The workings of the distance from the resonance speeds `n_r1` to `n_r3`, `d`; `held`: speed and start of what is held
+/// nearest to one of them.
+fn explain_resonance(
+    axis: &Axis,
+    actuator: &Parameters,
+    (speeds, held, value): (&[AngularVelocity; 3], Option<(f64, f64)>, f64),
+    work: &mut Workings,
+) {
+    if let Some((speed, start)) = held {
+        let each = [
+            ("K_1", "f_1", "sqrt(K_1/J_L)/(2*pi)", "n_r1", "60*f_1/(2*i)"),
+            ("K_2", "f_2", "sqrt(K_2/J_L)/(2*pi)", "n_r2", "60*f_2/(2*i)"),
+            ("K_3", "f_3", "sqrt(K_3/J_L)/(2*pi)", "n_r3", "60*f_3/(2*i)"),
+        ];
+        explain_inertia(axis, work);
+        if let Some(ratio) = actuator.ratio.known() {
+            work.given_number("i", ratio);
+        }
+        let regions = actuator.gear.stiffness.iter().zip(speeds).zip(each);
+        for ((stiffness, resonant), (k, f, frequency, n, text)) in regions {
+            if let Some(stiffness) = stiffness.known() {
+                work.given(k, &NEWTON_METRE_PER_RADIAN, stiffness);
+                let natural = actuator::natural_frequency(stiffness.value, axis.moments().inertia_max);
+                work.formula(f, &HERTZ, natural.si(), frequency, &MODEL);
+                work.formula(n, &REVOLUTION_PER_MINUTE, resonant.si(), text, &MODEL);
+            }
+        }
+        work.figure("t", &SECOND, start, &workings::DEMAND, Grade::Computed);
+        let text = "speed held from t on, the nearest to a resonance";
+        work.found("n", &REVOLUTION_PER_MINUTE, speed, text, &workings::DEMAND, Grade::Computed);
+        let text = "100*min(abs(abs(n)/n_r1 - 1), abs(abs(n)/n_r2 - 1), abs(abs(n)/n_r3 - 1), 1)";
+        work.formula("d", &PERCENT, value, text, &MODEL);
+    } else {
+        work.found("d", &PERCENT, value, "no speed is held", &MODEL, Grade::Computed);
+    }
+    work.value("d");
+    work.figure("d_min", &PERCENT, RESONANCE_BAND, &MODEL, Grade::Assumed);
+    work.limit("d_min");
+}
+
 /// Sum of all angular errors at the output, and its deviation at the lever arm.
-fn error_budget(axis: &Axis, actuator: &Parameters) -> Check {
+fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::ErrorBudget;
     let offset = actuator.output_bearing.offset.known();
     let moment = axis.bearing.as_ref().zip(offset).map_or(0.0, |(duty, offset)| {
@@ -156,15 +268,27 @@ fn error_budget(axis: &Axis, actuator: &Parameters) -> Check {
     }
     let worst = budget.worst_case();
     let deviation = axis.asked.lever_arm.map(|lever| actuator::deviation_at(worst, lever));
+    if work.is_on() {
+        explain_budget(axis, actuator, (&case, &budget), work);
+    }
     let source = Source::Model { name: "error-budget" };
     let mut check = match (deviation, axis.asked.deviation_max) {
         (Some(deviation), Some(permitted)) => {
             let key = "requirements.deviation_max";
+            if let Some(lever) = axis.asked.lever_arm.filter(|_| work.is_on()) {
+                let arm = Source::Project { key: "requirements.lever_arm".into() };
+                work.figure("r", &MILLIMETRE, lever.si(), &arm, Grade::Printed);
+                work.formula("s", &MILLIMETRE, deviation.si(), "phi_sum*pi/10800*r", &source);
+                work.value("s");
+            }
+            work.asked("s_max", &MILLIMETRE, Some(permitted.si()), key);
             shown_or_at_most(id, &MILLIMETRE, deviation.si(), Some(permitted.si()), key, source)
         }
         _ => {
-            let permitted = axis.asked.angle_error_max.map(Measure::si);
-            shown_or_at_most(id, &ARCMINUTE, worst.si(), permitted, "requirements.angle_error_max", source)
+            let (permitted, key) = (axis.asked.angle_error_max.map(Measure::si), "requirements.angle_error_max");
+            work.value("phi_sum");
+            work.asked("phi_sum_max", &ARCMINUTE, permitted, key);
+            shown_or_at_most(id, &ARCMINUTE, worst.si(), permitted, key, source)
         }
     };
     check.grade = Some(budget.grade());
@@ -176,21 +300,124 @@ fn error_budget(axis: &Axis, actuator: &Parameters) -> Check {
     check
 }
 
+/// The workings of the sum of all angular errors, `phi_sum`: what is not known counts as nothing, and says so.
+fn explain_budget(
+    axis: &Axis,
+    actuator: &Parameters,
+    (case, budget): (&BudgetCase, &ErrorBudget),
+    work: &mut Workings,
+) {
+    let source = Source::Model { name: "error-budget" };
+    let unknown = |kind: ErrorKind| budget.missing.contains(&kind);
+    let missing = |work: &mut Workings, symbol, unit| {
+        work.found(symbol, unit, 0.0, "not known: counted as 0", &source, Grade::Computed);
+    };
+    let motor = case.position_loop == PositionLoop::Motor;
+    if motor {
+        let accuracy = &actuator.accuracy;
+        for (symbol, datum) in [
+            ("transmission_accuracy", &accuracy.transmission_accuracy),
+            ("repeatability", &accuracy.repeatability),
+            ("hysteresis_loss", &accuracy.hysteresis_loss),
+            ("lost_motion", &accuracy.lost_motion),
+        ] {
+            match datum.known() {
+                Some(angle) => work.given(symbol, &ARCMINUTE, angle),
+                None => missing(work, symbol, &ARCMINUTE),
+            }
+        }
+        if unknown(ErrorKind::Torsion) {
+            missing(work, "phi", &ARCMINUTE);
+        } else {
+            explain_torsion(&actuator.gear, case.torque, work);
+        }
+    }
+    let feedback = if motor { &actuator.feedback } else { &actuator.feedback_out };
+    if unknown(ErrorKind::FeedbackAccuracy) {
+        missing(work, "accuracy_out", &ARCSECOND);
+    } else {
+        let texts = ("accuracy", "accuracy_out", "accuracy/i");
+        explain_feedback(&feedback.accuracy, feedback, &actuator.ratio, texts, work);
+    }
+    if unknown(ErrorKind::FeedbackResolution) {
+        missing(work, "resolution_out", &ARCSECOND);
+    } else {
+        let texts = ("resolution", "resolution_out", "resolution/i");
+        explain_feedback(&feedback.resolution, feedback, &actuator.ratio, texts, work);
+    }
+    match actuator.output_bearing.tilting_stiffness.known() {
+        Some(stiffness) => {
+            match (&axis.bearing, actuator.output_bearing.offset.known()) {
+                (Some(duty), Some(_)) => bearing_checks::largest_moment(duty, &actuator.output_bearing, work),
+                (Some(_), None) => missing(work, "M", &NEWTON_METRE),
+                (None, _) => {
+                    let text = "no loads on the flange are given";
+                    work.found("M", &NEWTON_METRE, 0.0, text, &source, Grade::Computed);
+                }
+            }
+            work.given("K_B", &NEWTON_METRE_PER_ARCMINUTE, stiffness);
+            let tilt = actuator::tilt_angle(case.tilting_moment, stiffness.value);
+            work.formula("gamma", &ARCMINUTE, tilt.si(), "M/K_B", &equation("76.4"));
+        }
+        None => missing(work, "gamma", &ARCMINUTE),
+    }
+    let text = if motor {
+        "transmission_accuracy + repeatability + hysteresis_loss + lost_motion + phi \
+         + (accuracy_out + resolution_out)/60 + gamma"
+    } else {
+        "(accuracy_out + resolution_out)/60 + gamma"
+    };
+    work.formula("phi_sum", &ARCMINUTE, budget.worst_case().si(), text, &source);
+}
+
+/// The workings of an angle of the feedback at the output.
+fn explain_feedback(
+    angle: &Datum<Angle>,
+    feedback: &Feedback,
+    ratio: &Datum<f64>,
+    (symbol, symbol_out, text): (&'static str, &'static str, &'static str),
+    work: &mut Workings,
+) {
+    match (angle.known(), ratio.known(), feedback.side) {
+        (Some(angle), _, FeedbackSide::Output) => work.given(symbol_out, &ARCSECOND, angle),
+        (Some(angle), Some(ratio), FeedbackSide::Motor) => {
+            work.given(symbol, &ARCSECOND, angle);
+            work.given_number("i", ratio);
+            let source = Source::Model { name: "feedback" };
+            work.formula(symbol_out, &ARCSECOND, angle.value.si() / ratio.value, text, &source);
+        }
+        _ => {}
+    }
+}
+
 /// T_av ≤ T_A; only where a rating of the gear is published.
-fn mean_torque(axis: &Axis, actuator: &Parameters) -> Check {
+fn mean_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::GearMeanTorque;
     match actuator.gear.average_torque_max.require("T_A") {
-        Ok(limit) => Comparison {
-            notes: vec![Note::RatingOfInterchangeableGear],
-            ..Comparison::with(id, &NEWTON_METRE, axis.load_cubic_mean().si(), Source::Model { name: "gear" }, limit)
+        Ok(limit) => {
+            let mean = axis.load_cubic_mean();
+            explain_mean_torque(mean, work);
+            work.value("T_av");
+            work.given("T_A", &NEWTON_METRE, limit);
+            work.limit("T_A");
+            Comparison {
+                notes: vec![Note::RatingOfInterchangeableGear],
+                ..Comparison::with(id, &NEWTON_METRE, mean.si(), MODEL, limit)
+            }
+            .answer(Verdict::Fail)
         }
-        .answer(Verdict::Fail),
         Err(missing) => not_checked(id, missing),
     }
 }
 
+/// The workings of the cubic mean torque, `T_av`.
+fn explain_mean_torque(mean: Torque, work: &mut Workings) {
+    let text = "(∫|T_L|³ |n| dt / ∫|n| dt)^(1/3) over the cycle";
+    work.found("T_av", &NEWTON_METRE, mean.si(), text, &MODEL, Grade::Computed);
+}
+
 /// L_10 of the wave-generator bearing against the life required.
-fn life(axis: &Axis, actuator: &Parameters) -> Check {
+fn life(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::GearLife;
     let found = (|| {
         let rated = actuator.gear.rated_torque.require("T_N")?;
@@ -200,13 +427,19 @@ fn life(axis: &Axis, actuator: &Parameters) -> Check {
         if speed.si() <= 0.0 || mean.si() <= 0.0 {
             return Err(Missing { symbol: "n_av" });
         }
-        Ok((actuator::wave_generator_life(rated.value, mean, speed), rated.grade))
+        if work.is_on() {
+            explain_input_speed(axis, ratio, speed.si(), work);
+            explain_mean_torque(mean, work);
+            work.given("T_N", &NEWTON_METRE, rated);
+        }
+        Ok((actuator::wave_generator_life_with(rated.value, mean, speed, work), rated.grade))
     })();
     match found {
         Ok((life, grade)) => {
-            let asked = axis.asked.gear_life_min.map(Measure::si);
-            let source = Source::Model { name: "gear" };
-            let mut check = at_least(id, &HOUR, life.si(), asked, "requirements.gear_life_min", source);
+            work.value("L_10");
+            let (asked, key) = (axis.asked.gear_life_min.map(Measure::si), "requirements.gear_life_min");
+            work.asked("L_10_min", &HOUR, asked, key);
+            let mut check = at_least(id, &HOUR, life.si(), asked, key, MODEL);
             check.grade = Some(grade.worst(Grade::Computed));
             check.notes.push(Note::RatingOfInterchangeableGear);
             check
@@ -216,20 +449,56 @@ fn life(axis: &Axis, actuator: &Parameters) -> Check {
 }
 
 /// Torsion of the gear under the largest torque of the load.
-fn torsion(axis: &Axis, actuator: &Parameters) -> Check {
+fn torsion(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::Torsion;
     let Some(curve) = actuator.gear.torsion() else { return not_checked(id, Missing { symbol: "K_1" }) };
     let worst = axis.moments().load_peak;
     let source = Source::Equation { document: "cha-manual", number: "73.1" };
-    let limit = axis.asked.torsion_max.map(Measure::si);
-    let mut check =
-        shown_or_at_most(id, &ARCMINUTE, curve.angle(worst).si(), limit, "requirements.torsion_max", source);
+    let (limit, key) = (axis.asked.torsion_max.map(Measure::si), "requirements.torsion_max");
+    explain_torsion(&actuator.gear, worst, work);
+    work.value("phi");
+    work.asked("phi_max", &ARCMINUTE, limit, key);
+    let mut check = shown_or_at_most(id, &ARCMINUTE, curve.angle(worst).si(), limit, key, source);
     check.at = Some(axis.moments().load_peak_at);
     check
 }
 
+/// The workings of the torsion under the largest torque of the load, `phi`, by the equation of the region that it
+/// reaches.
+fn explain_torsion(gear: &Gear, torque: Torque, work: &mut Workings) {
+    let Some(curve) = gear.torsion().filter(|_| work.is_on()) else { return };
+    let stiff = |work: &mut Workings, symbol, datum: &Datum<quantities::TorsionalStiffness>| {
+        if let Some(stiffness) = datum.known() {
+            work.given(symbol, &NEWTON_METRE_PER_RADIAN, stiffness);
+        }
+    };
+    let limit = |work: &mut Workings, symbol, datum: &Datum<Torque>| {
+        if let Some(torque) = datum.known() {
+            work.given(symbol, &NEWTON_METRE, torque);
+        }
+    };
+    let (angle, [k1, k2, k3]) = (curve.angle(torque).si(), &gear.stiffness);
+    let text = "max |T_L| over the cycle";
+    work.found("T", &NEWTON_METRE, torque.si(), text, &workings::DEMAND, Grade::Computed);
+    stiff(work, "K_1", k1);
+    if torque.si() <= curve.torque_1.si() {
+        work.formula("phi", &ARCMINUTE, angle, "T/K_1*10800/pi", &equation("73.1"));
+        return;
+    }
+    limit(work, "T_1", &gear.torque_1);
+    stiff(work, "K_2", k2);
+    if torque.si() <= curve.torque_2.si() {
+        work.formula("phi", &ARCMINUTE, angle, "(T_1/K_1 + (T - T_1)/K_2)*10800/pi", &equation("73.2"));
+        return;
+    }
+    limit(work, "T_2", &gear.torque_2);
+    stiff(work, "K_3", k3);
+    let text = "(T_1/K_1 + (T_2 - T_1)/K_2 + (T - T_2)/K_3)*10800/pi";
+    work.formula("phi", &ARCMINUTE, angle, text, &equation("73.3"));
+}
+
 /// First natural frequency of the load on the softest region of the gear, against the least that is asked.
-fn natural_frequency(axis: &Axis, actuator: &Parameters) -> Check {
+fn natural_frequency(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::NaturalFrequency;
     let [softest, _, _] = &actuator.gear.stiffness;
     let found = softest
@@ -238,9 +507,14 @@ fn natural_frequency(axis: &Axis, actuator: &Parameters) -> Check {
     match found {
         Ok(k) => {
             let frequency = actuator::natural_frequency(k.value, axis.moments().inertia_max);
-            let asked = axis.asked.natural_frequency_min.map(Measure::si);
-            let source = Source::Model { name: "gear" };
-            at_least(id, &HERTZ, frequency.si(), asked, "requirements.natural_frequency_min", source)
+            let (asked, key) =
+                (axis.asked.natural_frequency_min.map(Measure::si), "requirements.natural_frequency_min");
+            work.given("K_1", &NEWTON_METRE_PER_RADIAN, k);
+            explain_inertia(axis, work);
+            work.formula("f", &HERTZ, frequency.si(), "sqrt(K_1/J_L)/(2*pi)", &MODEL);
+            work.value("f");
+            work.asked("f_min", &HERTZ, asked, key);
+            at_least(id, &HERTZ, frequency.si(), asked, key, MODEL)
         }
         Err(missing) => not_checked(id, missing),
     }
