@@ -138,19 +138,17 @@ pub(crate) fn largest_moment(duty: &BearingDuty, bearing: &OutputBearing, work: 
 }
 
 /// The averages of eq. 75.2 and 75.3 over the segments.
-struct MeanLoad<'a> {
+struct MeanLoad {
     /// F_rav and F_aav; no distances.
     load: FlangeLoad,
     /// The averages of F_r (L_r + R) and of F_a L_a.
     moments: [f64; 2],
-    /// The load itself, where no other is carried in motion.
-    only: Option<&'a FlangeLoad>,
 }
 
-impl<'a> MeanLoad<'a> {
+impl MeanLoad {
     /// F_r (L_r + R) and F_a L_a are averaged like the forces, so that with distances that do not change the moment is
     /// F_rav (L_r + R) + F_aav L_a.
-    fn of(axis: &Axis, duty: &'a BearingDuty, offset: Length, exponent: f64) -> Self {
+    fn of(axis: &Axis, duty: &BearingDuty, offset: Length, exponent: f64) -> Self {
         // Segments one after the other often carry the same.
         let mut parts: Vec<(&FlangeLoad, f64)> = Vec::new();
         for (load, share) in duty.loads.iter().zip(&axis.trace.shares) {
@@ -174,9 +172,7 @@ impl<'a> MeanLoad<'a> {
             mean(&|load| load.radial_force.si() * (load.radial_distance.si() + offset.si())),
             mean(&|load| load.axial_force.si() * load.axial_distance.si()),
         ];
-        let mut moving = parts.iter().filter(|(_, travelled)| *travelled != 0.0).map(|(load, _)| *load);
-        let only = moving.next().filter(|first| moving.all(|load| load == *first));
-        Self { load, moments, only }
+        Self { load, moments }
     }
 
     /// The tilting moment of the averages.
@@ -184,6 +180,13 @@ impl<'a> MeanLoad<'a> {
         let [radial, axial] = self.moments;
         Torque::from_si(radial + axial)
     }
+}
+
+/// The load of all segments in motion, where it is one.
+fn only_load<'a>(axis: &Axis, duty: &'a BearingDuty) -> Option<&'a FlangeLoad> {
+    let shares = duty.loads.iter().zip(&axis.trace.shares);
+    let mut moving = shares.filter(|(_, share)| share.travelled != 0.0).map(|(load, _)| load);
+    moving.next().filter(|first| moving.all(|load| load == *first))
 }
 
 /// M ≤ M_dyn(max): from the tilt that the gear allows, so it holds even where the life would allow more.
@@ -223,11 +226,12 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Wor
         let life = actuator::bearing_life(rating.value, equivalent, load_factor, kind.value.life_exponent(), speed);
         if work.is_on() {
             explain_exponent(kind, work);
-            match mean.only {
+            let only = only_load(axis, duty);
+            match only {
                 Some(load) => load_moment(duty, load, offset, "in every segment in motion", work),
                 None => explain_mean_load(&mean, offset, work),
             }
-            explain_equivalent_load(&mean, pitch, equivalent, work);
+            explain_equivalent_load(&mean, only.is_some(), (pitch, equivalent), work);
             let factor = Source::Project { key: "bearing.load_factor".into() };
             work.given("C", &NEWTON, rating);
             work.figure("f_w", &ONE, load_factor, &factor, Grade::Printed);
@@ -272,7 +276,7 @@ fn explain_exponent(kind: &Sourced<BearingType>, work: &mut Workings) {
 }
 
 /// The workings of the averages, where the load changes: `F_rav`, `F_aav` and `M`.
-fn explain_mean_load(mean: &MeanLoad<'_>, offset: &Sourced<Length>, work: &mut Workings) {
+fn explain_mean_load(mean: &MeanLoad, offset: &Sourced<Length>, work: &mut Workings) {
     let [radial, axial] = mean.moments;
     let (by_radial, by_axial) = (equation("75.2"), equation("75.3"));
     let text = "(Σ |n_k| t_k F_rk^B / Σ |n_k| t_k)^(1/B) over the segments";
@@ -287,14 +291,19 @@ fn explain_mean_load(mean: &MeanLoad<'_>, offset: &Sourced<Length>, work: &mut W
     work.formula("M", &NEWTON_METRE, radial + axial, "M_r + M_a", &MODEL);
 }
 
-/// The workings of the dynamic equivalent load, `P_c`.
-fn explain_equivalent_load(mean: &MeanLoad<'_>, pitch: &Sourced<Length>, equivalent: Force, work: &mut Workings) {
+/// The workings of the dynamic equivalent load, `P_c`; `constant`: of the loads themselves, not of averages.
+fn explain_equivalent_load(
+    mean: &MeanLoad,
+    constant: bool,
+    (pitch, equivalent): (&Sourced<Length>, Force),
+    work: &mut Workings,
+) {
     let (x, y, mostly_radial) = actuator::dynamic_load_factors(&mean.load, mean.moment(), pitch.value);
     let column = if mostly_radial { "F_aav/(F_rav + 2 M/d_p) ≤ 1,5" } else { "F_aav/(F_rav + 2 M/d_p) > 1,5" };
     work.given("d_p", &METRE, pitch);
     work.figure("x", &ONE, x, &cell("75.4", "x", column), Grade::Printed);
     work.figure("y", &ONE, y, &cell("75.4", "y", column), Grade::Printed);
-    let text = if mean.only.is_some() { "x*(F_r + 2*M/d_p) + y*F_a" } else { "x*(F_rav + 2*M/d_p) + y*F_aav" };
+    let text = if constant { "x*(F_r + 2*M/d_p) + y*F_a" } else { "x*(F_rav + 2*M/d_p) + y*F_aav" };
     work.formula("P_c", &NEWTON, equivalent.si(), text, &equation("75.1"));
 }
 
