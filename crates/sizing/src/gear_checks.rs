@@ -188,9 +188,16 @@ fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
                 explain_resonance(axis, actuator, (&speeds, held, value), work);
             }
             let source = MODEL;
+            // Nobody says which speeds a recording holds.
+            let open = value >= RESONANCE_BAND && !axis.motion.recordings().is_empty();
+            let verdict = match value >= RESONANCE_BAND {
+                _ if open => Verdict::NotChecked,
+                true => Verdict::Pass,
+                false => Verdict::Advice,
+            };
             Check {
                 id,
-                verdict: if value >= RESONANCE_BAND { Verdict::Pass } else { Verdict::Advice },
+                verdict,
                 value: Some(Figure { si: value, unit: &PERCENT }),
                 limit: Some(Figure { si: RESONANCE_BAND, unit: &PERCENT }),
                 utilisation: (value > 0.0).then(|| RESONANCE_BAND / value),
@@ -198,7 +205,7 @@ fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
                 grade: Some(Grade::Assumed),
                 value_source: Some(source.clone()),
                 limit_source: Some(source),
-                missing: None,
+                missing: open.then_some("recorded_speed"),
                 notes: vec![Note::ResonanceSpeeds(speeds)],
                 workings: Vec::new(),
             }

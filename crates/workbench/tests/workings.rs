@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::PathBuf;
 use workbench::derivation::{How, Part, evaluate};
-use workbench::{Check, Files, Language, Project, catalogue_actuators, explain};
+use workbench::{Check, Files, Language, Node, Project, catalogue_actuators, explain, explanation};
 
 fn examples() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples")
@@ -103,4 +103,43 @@ fn every_check_is_explained_and_every_formula_gives_its_number() {
     }
     assert!(checks > 10_000, "{checks}");
     assert!(found.is_empty(), "{found:#?}");
+}
+
+/// What was searched or integrated is told in German too, and every symbol that is no printed cell has its word.
+#[test]
+fn every_step_has_its_words_in_both_languages() {
+    let mut english: Vec<String> = Vec::new();
+    let mut wordless: Vec<&str> = Vec::new();
+    for project in projects() {
+        for (code, _) in catalogue_actuators().iter().step_by(17) {
+            let Ok(candidate) = explain(&project, code) else { continue };
+            for check in &candidate.judgement.checks {
+                let explained = explanation(check, Language::De);
+                for root in [&explained.value, &explained.limit].into_iter().flatten() {
+                    look(root, &mut english, &mut wordless);
+                }
+            }
+        }
+    }
+    assert!(english.is_empty(), "still English in German: {english:#?}");
+    assert!(wordless.is_empty(), "symbols without a word: {wordless:?}");
+}
+
+const ENGLISH: [&str; 14] = [
+    "the ", "over", "over ", " of ", "largest", "load", " at ", " is ", "mean", "for ", "with", "where", "between",
+    "life",
+];
+
+fn look(node: &Node, english: &mut Vec<String>, wordless: &mut Vec<&str>) {
+    if let Some(formula) = &node.formula
+        && node.figures.is_none()
+        && ENGLISH.iter().any(|word| formula.contains(word))
+        && !english.contains(formula)
+    {
+        english.push(formula.clone());
+    }
+    if node.term.is_empty() && !wordless.contains(&node.symbol) {
+        wordless.push(node.symbol);
+    }
+    node.operands.iter().for_each(|operand| look(operand, english, wordless));
 }

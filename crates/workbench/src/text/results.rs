@@ -126,6 +126,13 @@ pub fn condition_text(condition: &str, language: Language) -> String {
 /// What a check lacks.
 #[must_use]
 pub fn check_missing(symbol: &str, language: Language) -> String {
+    if symbol == "recorded_speed" {
+        return either(
+            language,
+            "not known: which speeds the recording holds",
+            "nicht bekannt: welche Drehzahlen die Aufzeichnung hält",
+        );
+    }
     if symbol.starts_with("mechanism.") {
         return either(language, format!("not stated: {symbol}"), format!("nicht angegeben: {symbol}"));
     }
