@@ -1,0 +1,55 @@
+//! What the embedded fonts can show.
+//!
+//! A file to be kept must show every sign it holds, and a name may hold any. What no font has is written as its code
+//! point, so that nothing is lost and nothing is a blank box.
+
+use serde_json::Value;
+use typst::text::{Coverage, FontBook};
+
+/// The longest word that is kept whole: every key of a project is shorter.
+const LONG_WORD: usize = 40;
+
+pub(crate) struct Glyphs {
+    coverages: Vec<Coverage>,
+}
+
+impl Glyphs {
+    pub(crate) fn of(book: &FontBook, count: usize) -> Self {
+        Self { coverages: (0..count).filter_map(|index| Some(book.info(index)?.coverage.clone())).collect() }
+    }
+
+    /// Replaces in every text of the value what cannot be shown.
+    pub(crate) fn printable(&self, value: Value) -> Value {
+        match value {
+            Value::String(text) => Value::String(self.printable_text(&text)),
+            Value::Array(items) => items.into_iter().map(|item| self.printable(item)).collect(),
+            Value::Object(map) => map.into_iter().map(|(key, value)| (key, self.printable(value))).collect(),
+            other => other,
+        }
+    }
+
+    /// The text with the code point for what cannot be shown, and a space for what would break the line.
+    pub(crate) fn printable_text(&self, text: &str) -> String {
+        let mut printable = String::with_capacity(text.len());
+        let mut run = 0;
+        for sign in text.chars() {
+            run = if sign.is_whitespace() { 0 } else { run + 1 };
+            // A word longer than any of the field may break anywhere from here on, or it would leave the page.
+            if run > LONG_WORD {
+                printable.push('\u{200b}');
+            }
+            if sign.is_control() {
+                printable.push(' ');
+            } else if sign == ' ' || sign == '\u{202f}' || self.has(sign) {
+                printable.push(sign);
+            } else {
+                printable.push_str(&format!("<U+{:04X}>", u32::from(sign)));
+            }
+        }
+        printable
+    }
+
+    fn has(&self, sign: char) -> bool {
+        self.coverages.iter().any(|coverage| coverage.contains(u32::from(sign)))
+    }
+}

@@ -1,0 +1,252 @@
+//! The typesetting engine: a world of embedded files and fonts, and nothing else.
+//!
+//! The only file that knows the engine's interface, which changes with its every minor version.
+
+use crate::document::{Document, figure_file};
+use crate::glyphs::Glyphs;
+use crate::{Content, Fault, Settings, template};
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+use typst::diag::{FileError, FileResult, SourceDiagnostic};
+use typst::foundations::{Bytes, Datetime, Duration, Smart};
+use typst::layout::{Frame, FrameItem};
+use typst::syntax::{FileId, RootedPath, Source, VirtualPath, VirtualRoot};
+use typst::text::{Font, FontBook};
+use typst::utils::LazyHash;
+use typst::{Library, LibraryExt, World, WorldExt};
+use typst_kit::fonts::FontStore;
+use typst_layout::PagedDocument;
+use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
+
+/// The report as PDF, tagged, every font embedded.
+///
+/// # Errors
+/// [`Fault::Data`], [`Fault::Date`] and [`Fault::NoDate`] for what cannot be read; the others when the engine refuses, which is a defect.
+pub fn pdf(content: &Content, settings: &Settings) -> Result<Vec<u8>, Fault> {
+    if settings.pdf_a && settings.date.is_none() {
+        return Err(Fault::NoDate);
+    }
+    let document = typeset(content, settings)?;
+    let standards: &[PdfStandard] = if settings.pdf_a { &[PdfStandard::A_2a] } else { &[PdfStandard::V_1_7] };
+    let standards =
+        PdfStandards::new(standards).map_err(|fault| Fault::Export { message: fault.message().to_string() })?;
+    let options = PdfOptions {
+        // A constant: the document's identity is told by its hashes in the text, and time must not enter.
+        ident: Smart::Custom(format!("antrieb report {} {}", settings.number, settings.revision)),
+        creator: Smart::Custom(Some(concat!("antrieb ", env!("CARGO_PKG_VERSION")).to_owned())),
+        timestamp: None,
+        page_ranges: None,
+        standards,
+        tagged: true,
+        pretty: false,
+    };
+    let bytes =
+        typst_pdf::pdf(&document, &options).map_err(|faults| Fault::Export { message: messages(&faults, None) });
+    forget();
+    bytes
+}
+
+/// The pages as PNG, `scale` pixels per point.
+///
+/// # Errors
+/// As [`pdf`].
+#[cfg(feature = "png")]
+pub fn pages_png(content: &Content, settings: &Settings, scale: f64) -> Result<Vec<Vec<u8>>, Fault> {
+    let document = typeset(content, settings)?;
+    let options = typst_render::RenderOptions {
+        pixel_per_pt: typst::utils::Scalar::new(scale.clamp(0.1, 8.0)),
+        ..Default::default()
+    };
+    let pages = document
+        .pages()
+        .iter()
+        .enumerate()
+        .map(|(index, page)| {
+            typst_render::render(page, &options).encode_png().map_err(|_| Fault::Picture { page: index + 1 })
+        })
+        .collect();
+    forget();
+    pages
+}
+
+/// The text of every page, as set: for tests and for search.
+///
+/// # Errors
+/// As [`pdf`].
+pub fn page_texts(content: &Content, settings: &Settings) -> Result<Vec<String>, Fault> {
+    let document = typeset(content, settings)?;
+    let texts = document
+        .pages()
+        .iter()
+        .map(|page| {
+            let mut text = String::new();
+            collect_text(&page.frame, &mut text);
+            text
+        })
+        .collect();
+    forget();
+    Ok(texts)
+}
+
+/// How far to the right the text of every page reaches, in points: a page of A4 ends at 595.3.
+///
+/// # Errors
+/// As [`pdf`].
+#[doc(hidden)]
+pub fn right_edges(content: &Content, settings: &Settings) -> Result<Vec<f64>, Fault> {
+    let document = typeset(content, settings)?;
+    let edges = document.pages().iter().map(|page| right_edge(&page.frame, 0.0)).collect();
+    forget();
+    Ok(edges)
+}
+
+fn right_edge(frame: &Frame, left: f64) -> f64 {
+    let ends = frame.items().map(|(place, item)| {
+        let left = left + place.x.to_pt();
+        match item {
+            FrameItem::Group(group) => right_edge(&group.frame, left + group.transform.tx.to_pt()),
+            FrameItem::Text(run) => left + run.width().to_pt(),
+            _ => left,
+        }
+    });
+    ends.fold(0.0, f64::max)
+}
+
+fn collect_text(frame: &Frame, text: &mut String) {
+    for (_, item) in frame.items() {
+        match item {
+            FrameItem::Group(group) => collect_text(&group.frame, text),
+            FrameItem::Text(run) => {
+                text.push_str(&run.text);
+                text.push(' ');
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The engine remembers what it has set before; a server must not grow by that.
+fn forget() {
+    typst::comemo::evict(2);
+}
+
+fn typeset(content: &Content, settings: &Settings) -> Result<PagedDocument, Fault> {
+    let fonts = fonts();
+    let document = Document::build(content, settings)?;
+    let document = serde_json::to_value(&document).map_err(|fault| Fault::Data { message: fault.to_string() })?;
+    let document = fonts.glyphs.printable(document);
+    let mut files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
+    files.insert("data.json".to_owned(), document.to_string().into_bytes());
+    for (index, figure) in content.figures.iter().enumerate() {
+        files.insert(figure_file(index), figure.svg.clone().into_bytes());
+    }
+    let press = Press::new(files)?;
+    typst::compile::<PagedDocument>(&press)
+        .output
+        .map_err(|faults| Fault::Typesetting { message: messages(&faults, Some(&press)) })
+}
+
+fn messages(faults: &[SourceDiagnostic], press: Option<&Press>) -> String {
+    let lines: Vec<String> = faults
+        .iter()
+        .map(|fault| {
+            let place = press.and_then(|press| press.place(fault)).unwrap_or_default();
+            let hints: String = fault.hints.iter().map(|hint| format!(" ({})", hint.v)).collect();
+            format!("{place}{}{hints}", fault.message)
+        })
+        .collect();
+    lines.join("; ")
+}
+
+struct Fonts {
+    store: FontStore,
+    glyphs: Glyphs,
+}
+
+/// Loaded once for all reports: first the family of the diagrams, so that text in them and around them looks alike, then those of the engine for signs it lacks.
+fn fonts() -> &'static Fonts {
+    static FONTS: OnceLock<Fonts> = OnceLock::new();
+    FONTS.get_or_init(|| {
+        let mut store = FontStore::new();
+        let mut count = 0;
+        let own = plot::font_files().into_iter().flat_map(|bytes| Font::iter(Bytes::new(bytes)));
+        for font in own {
+            let info = font.info().clone();
+            store.push((font, info));
+            count += 1;
+        }
+        for entry in typst_kit::fonts::embedded() {
+            store.push(entry);
+            count += 1;
+        }
+        let glyphs = Glyphs::of(store.book(), count);
+        Fonts { store, glyphs }
+    })
+}
+
+struct Press {
+    library: LazyHash<Library>,
+    main: FileId,
+    sources: BTreeMap<&'static str, Source>,
+    files: BTreeMap<String, Vec<u8>>,
+}
+
+fn file_id(name: &str) -> Result<FileId, Fault> {
+    let path = VirtualPath::new(name).map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
+    Ok(RootedPath::new(VirtualRoot::Project, path).intern())
+}
+
+fn name_of(id: FileId) -> &'static str {
+    id.get().vpath().get_without_slash()
+}
+
+impl Press {
+    fn new(files: BTreeMap<String, Vec<u8>>) -> Result<Self, Fault> {
+        let mut sources = BTreeMap::new();
+        for (name, text) in template::FILES {
+            sources.insert(*name, Source::new(file_id(name)?, (*text).to_owned()));
+        }
+        Ok(Self { library: LazyHash::new(Library::builder().build()), main: file_id("main.typ")?, sources, files })
+    }
+
+    /// File and line of a fault, for whoever works on the template.
+    fn place(&self, fault: &SourceDiagnostic) -> Option<String> {
+        let id = fault.span.id()?;
+        let source = self.source(id).ok()?;
+        let line = source.lines().byte_to_line(self.range(fault.span)?.start)?;
+        Some(format!("{}:{}: ", name_of(id), line + 1))
+    }
+}
+
+impl World for Press {
+    fn library(&self) -> &LazyHash<Library> {
+        &self.library
+    }
+
+    fn book(&self) -> &LazyHash<FontBook> {
+        fonts().store.book()
+    }
+
+    fn main(&self) -> FileId {
+        self.main
+    }
+
+    fn source(&self, id: FileId) -> FileResult<Source> {
+        let name = name_of(id);
+        self.sources.get(name).cloned().ok_or_else(|| FileError::NotFound(name.into()))
+    }
+
+    fn file(&self, id: FileId) -> FileResult<Bytes> {
+        let name = name_of(id);
+        self.files.get(name).map(|bytes| Bytes::new(bytes.clone())).ok_or_else(|| FileError::NotFound(name.into()))
+    }
+
+    fn font(&self, index: usize) -> Option<Font> {
+        fonts().store.font(index)
+    }
+
+    /// There is no clock here.
+    fn today(&self, _offset: Option<Duration>) -> Option<Datetime> {
+        None
+    }
+}
