@@ -4,6 +4,7 @@ use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::error_word;
 use crate::judge::{axes_of, refuse, together};
+use crate::plot;
 use crate::table::{Align, Table};
 use clap::ArgMatches;
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
@@ -11,7 +12,12 @@ use workbench::quantities::{ElectricPotential, Measure, Time, format_significant
 use workbench::text::{check_title, curve_title, grade_word, source_text, verdict_word};
 use workbench::{Language, Verdict, json};
 
-fn fault(option: &str, (message, hint): (String, Option<String>), as_json: bool, language: Language) -> Answer {
+pub(crate) fn fault(
+    option: &str,
+    (message, hint): (String, Option<String>),
+    as_json: bool,
+    language: Language,
+) -> Answer {
     let hint = hint.map(|hint| format!("  {hint}\n")).unwrap_or_default();
     let mut answer = Answer::fault(format!("{}: --{option}: {message}\n{hint}", error_word(language)));
     if as_json {
@@ -20,7 +26,7 @@ fn fault(option: &str, (message, hint): (String, Option<String>), as_json: bool,
     answer
 }
 
-fn quantity<Q: Measure>(
+pub(crate) fn quantity<Q: Measure>(
     matches: &ArgMatches,
     option: &str,
     as_json: bool,
@@ -47,6 +53,13 @@ pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> 
     let Some(Ok(curves)) = workbench::curves(&code, voltage) else {
         return refuse(&workbench::Refusal::NoData, as_json, language);
     };
+    if plot::is_asked(matches) {
+        let Some(Ok(plane)) = workbench::plane_of(&code, voltage) else {
+            return refuse(&workbench::Refusal::NoData, as_json, language);
+        };
+        let answer = plot::put(&figures::curves(&code, &plane, language), matches, as_json, language);
+        return Answer { talk: talk + &answer.talk, ..answer };
+    }
     if as_json {
         return Answer { data: format!("{:#}\n", json::curves(&code, &curves, language)), talk, code: 0 };
     }

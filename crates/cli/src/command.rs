@@ -311,15 +311,8 @@ fn commands(language: Language) -> Command {
                 ),
         )
         .subcommand(inertia(language))
-        .subcommand(
-            Command::new("curve")
-                .about(t("Curves of the torque-speed plane", "Kennlinien in der Drehmoment-Drehzahl-Ebene"))
-                .arg(Arg::new("code").value_name("CODE").required(true).help(t("Ordering code", "Bestellcode")))
-                .arg(Arg::new("voltage").long("voltage").value_name("VOLTAGE").help(t(
-                    "Terminal voltage of the motor, rms, for example \"220 V\"; without it the printed range holds",
-                    "Klemmenspannung des Motors, effektiv, zum Beispiel \"220 V\"; ohne sie gilt der gedruckte Bereich",
-                ))),
-        )
+        .subcommand(curve(language))
+        .subcommand(plot(language))
         .subcommand(
             Command::new("bearing")
                 .about(t(
@@ -368,6 +361,93 @@ fn commands(language: Language) -> Command {
                     .help(t("Command; antrieb itself without it", "Befehl; ohne ihn antrieb selbst")),
             ),
         )
+}
+
+fn curve(language: Language) -> Command {
+    let t = |en, de| either(language, en, de);
+    let command = Command::new("curve")
+        .about(t("Curves of the torque-speed plane", "Kennlinien in der Drehmoment-Drehzahl-Ebene"))
+        .arg(Arg::new("code").value_name("CODE").required(true).help(t("Ordering code", "Bestellcode")))
+        .arg(Arg::new("voltage").long("voltage").value_name("VOLTAGE").help(t(
+            "Terminal voltage of the motor, rms, for example \"220 V\"; without it the printed range holds",
+            "Klemmenspannung des Motors, effektiv, zum Beispiel \"220 V\"; ohne sie gilt der gedruckte Bereich",
+        )));
+    picture(command, language)
+}
+
+fn plot(language: Language) -> Command {
+    let t = |en, de| either(language, en, de);
+    let command = Command::new("plot")
+        .about(t(
+            "A picture of an axis on an actuator, as SVG or PNG",
+            "Ein Bild einer Achse mit einem Antrieb, als SVG oder PNG",
+        ))
+        .arg(project(language))
+        .arg(axis(language))
+        .arg(Arg::new("code").long("code").value_name("CODE").help(t(
+            "Ordering code; without it the project's own [actuator], else the best of the catalogue",
+            "Bestellcode; ohne ihn der eigene [actuator] des Projekts, sonst der beste des Katalogs",
+        )))
+        .arg(
+            Arg::new("figure")
+                .long("figure")
+                .value_name("FIGURE")
+                .required(true)
+                .value_parser(PossibleValuesParser::new(figures::Figure::ALL.map(figures::Figure::id)))
+                .help("torque_speed, cycle, utilisation, torsion, bearing_load, candidate_map"),
+        )
+        .arg(
+            Arg::new("by")
+                .long("by")
+                .value_name("WHAT")
+                .default_value("mass")
+                .value_parser(PossibleValuesParser::new(["mass", "length"]))
+                .help(t(
+                    "candidate_map over mass (default) or length",
+                    "candidate_map über mass (Masse, Vorgabe) oder length (Länge)",
+                )),
+        );
+    picture(command, language).after_help(t(
+        "Without --svg and --png the SVG goes to standard output. A file that exists is replaced, in one step.",
+        "Ohne --svg und --png geht das SVG auf die Standardausgabe. Eine vorhandene Datei wird ersetzt, in einem Schritt.",
+    ))
+}
+
+/// The options of a command that draws.
+fn picture(command: Command, language: Language) -> Command {
+    let t = |en, de| either(language, en, de);
+    let file = |name, help| {
+        Arg::new(name).long(name).value_name("FILE").value_parser(value_parser!(std::path::PathBuf)).help(help)
+    };
+    let length = |name, help| Arg::new(name).long(name).value_name("LENGTH").help(help);
+    command
+        .arg(file(
+            "svg",
+            t(
+                "Draw into this SVG file; - is standard output",
+                "In diese SVG-Datei zeichnen; - ist die Standardausgabe",
+            ),
+        ))
+        .arg(file("png", t("Draw into this PNG file", "In diese PNG-Datei zeichnen")))
+        .arg(
+            Arg::new("theme")
+                .long("theme")
+                .value_name("THEME")
+                .default_value("light")
+                .value_parser(PossibleValuesParser::new(["light", "dark"]))
+                .help(t("light (default) or dark", "light (hell, Vorgabe) oder dark (dunkel)")),
+        )
+        .arg(length(
+            "width",
+            t("Width of the picture, for example \"160 mm\"", "Breite des Bildes, zum Beispiel \"160 mm\""),
+        ))
+        .arg(length(
+            "height",
+            t(
+                "Height of the picture; it grows if its content needs it",
+                "Höhe des Bildes; es wächst, wenn sein Inhalt es braucht",
+            ),
+        ))
 }
 
 fn inertia(language: Language) -> Command {

@@ -13,6 +13,8 @@ mod fault;
 mod inertia;
 mod judge;
 mod moves;
+mod plot;
+mod save;
 mod table;
 mod tolerance;
 mod waiting;
@@ -52,6 +54,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("data", found)) => data::sheet(found, json, language),
         Some(("catalogue", found)) => data::catalogue(found, json),
         Some(("curve", found)) => chapter::curve(found, json, language),
+        Some(("plot", found)) => plot::plot(found, json, language),
         Some(("bearing", found)) => chapter::bearing(found, json, language),
         Some(("battery", found)) => chapter::battery(found, json, language),
         Some(("new", found)) => chapter::template(found),

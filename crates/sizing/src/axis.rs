@@ -222,6 +222,13 @@ impl Axis {
         &self.moments
     }
 
+    /// What the supply gives at the motor terminals, rms; `None` where the project names no supply.
+    #[must_use]
+    pub fn terminal_voltage(&self) -> Option<ElectricPotential> {
+        self.supply
+            .map(|(supply, reserve)| ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2 * reserve))
+    }
+
     /// Cubic mean of the torque of the load over the angle travelled: (∫|T|³|ω| dt / ∫|ω| dt)^(1/3).
     pub(crate) fn load_cubic_mean(&self) -> Torque {
         let travelled = self.trace.gram.travelled();

@@ -64,9 +64,7 @@ pub(crate) fn dc_link(supply: ElectricPotential, actuator: &Parameters, work: &m
 /// |T| ≤ short-time torque at the speed of every instant; while braking the voltage helps, and T_max is the limit.
 fn torque_speed_trace(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::TorqueSpeedTrace;
-    let terminal = axis
-        .supply
-        .map(|(supply, reserve)| ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2 * reserve));
+    let terminal = axis.terminal_voltage();
     let limit = |speed: f64| actuator::short_time_torque(actuator, AngularVelocity::from_si(speed), terminal);
     let found = (|| {
         let inertia = actuator.inertia_out.require("J_out")?.value.si();

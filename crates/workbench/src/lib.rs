@@ -9,9 +9,11 @@ mod diagnostic;
 mod explain;
 mod export;
 mod fingerprint;
+mod flange;
 mod inertia;
 pub mod json;
 mod moves;
+mod plane;
 mod project;
 mod sheet;
 mod sizing_use;
@@ -19,6 +21,7 @@ pub mod text;
 mod tolerance;
 mod torsion;
 
+pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use chapters::{TEMPLATES, battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, read_code, read_pattern};
 pub use configurator::{Availability, Choice, Unmet};
@@ -26,9 +29,11 @@ pub use diagnostic::{Diagnostic, place};
 pub use explain::{Explanation, Node, explanation, trust};
 pub use export::{EXPORT_COLUMNS, export_rows};
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
+pub use flange::{FlangeSegment, flange_course};
 pub use inertia::{BODY_SHAPES, BodyAnswer, BodyShape, InertiaAnswer, inertia};
 pub use moves::{Move, Moves, moves};
 pub use order_code::{Field, OrderCode};
+pub use plane::{Plane, plane, plane_of};
 pub use project::{
     ALL_CORNERS_MOST, Assumption, Files, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project, RecordingRead, Tolerance,
     schema,
@@ -44,7 +49,7 @@ pub use sizing_use::{
 pub use tolerance::{
     Assessment, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
 };
-pub use torsion::{TorsionAnswer, read_torque, torsion};
+pub use torsion::{TorsionAnswer, TorsionCurve, read_torque, torsion, torsion_of};
 
 #[cfg(test)]
 mod tests {

@@ -1,5 +1,7 @@
 //! The torsion of a gear under a torque, alone.
 
+use crate::project::Project;
+use crate::sizing_use::Candidate;
 use actuator::Torsion;
 use order_code::OrderCode;
 use quantities::{Angle, Language, QuantityError, Torque, parse_as};
@@ -41,4 +43,37 @@ pub fn torsion(code: &OrderCode, torque: Torque) -> Option<TorsionAnswer> {
         3
     };
     Some(TorsionAnswer { curve, torque, angle: curve.angle(torque), region })
+}
+
+/// The torsion curve of a gear with the point at which an axis works.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TorsionCurve {
+    /// The curve: T_1, T_2, K_1, K_2, K_3.
+    pub curve: Torsion,
+    /// Largest torque on the gear.
+    pub torque: Torque,
+    /// Torsion under it.
+    pub angle: Angle,
+}
+
+impl TorsionCurve {
+    /// The corners of the curve from `−end` to `end`.
+    #[must_use]
+    pub fn points(&self, end: Torque) -> Vec<(Torque, Angle)> {
+        use quantities::Measure;
+        let (one, two, end) = (self.curve.torque_1.si(), self.curve.torque_2.si(), end.si().abs());
+        let corners = [-end, -two, -one, 0.0, one, two, end];
+        let inside = corners.into_iter().filter(|torque| torque.abs() <= end).map(Torque::from_si);
+        inside.map(|torque| (torque, self.curve.angle(torque))).collect()
+    }
+}
+
+/// The torsion curve of a candidate's gear and its working point; `None` where the stiffness is not known.
+///
+/// # Source   cha-manual eq. 73.1 to 73.3; the torque is that of the torsion check, without the actuator's own inertia
+#[must_use]
+pub fn torsion_of(project: &Project, candidate: &Candidate<'_>) -> Option<TorsionCurve> {
+    let curve = candidate.parameters.gear.torsion()?;
+    let torque = project.axis.moments().load_peak;
+    Some(TorsionCurve { curve, torque, angle: curve.angle(torque) })
 }

@@ -17,7 +17,7 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 23] = [
+const ROOMS: [(&str, Room); 24] = [
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
     ("order-code", Room::Layer(0)),
@@ -33,6 +33,7 @@ const ROOMS: [(&str, Room); 23] = [
     ("twin", Room::Layer(2)),
     ("installation", Room::Layer(2)),
     ("workbench", Room::Layer(3)),
+    ("figures", Room::Layer(4)),
     ("report", Room::Layer(4)),
     ("antrieb", Room::Layer(5)),
     ("server", Room::Layer(5)),

@@ -1,0 +1,199 @@
+//! `plot`, and `curve` with a file: pictures.
+
+use crate::answer::Answer;
+use crate::chapter::quantity;
+use crate::code::parse_for_use;
+use crate::fault::error_word;
+use crate::judge::{axes_of, refuse};
+use crate::save::save;
+use clap::ArgMatches;
+use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use workbench::quantities::unit::MILLIMETRE;
+use workbench::quantities::{Length, Measure, format_number};
+use workbench::text::file_trouble;
+use workbench::{Candidate, Language, Project};
+
+/// Pixels of a PNG to the CSS pixel: 192 dpi.
+const PNG_SCALE: f64 = 2.0;
+
+/// Millimetres to the CSS pixel, 96 to the inch.
+const MM_PER_PX: f64 = 25.4 / 96.0;
+
+/// Sides of a picture that can be asked for.
+const SIDE_MM: std::ops::RangeInclusive<f64> = 40.0..=2000.0;
+
+/// `antrieb plot PROJECT --figure FIGURE`
+pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let projects = match axes_of(matches, as_json, language) {
+        Ok(projects) => projects,
+        Err(answer) => return answer,
+    };
+    let [project] = projects.as_slice() else {
+        let names: Vec<&str> = projects.iter().map(|project| project.name.as_str()).collect();
+        let names = names.join(", ");
+        return refused(
+            &match language {
+                Language::En => format!("the project has several axes; name one with --axis: {names}"),
+                Language::De => format!("das Projekt hat mehrere Achsen; eine mit --axis nennen: {names}"),
+            },
+            as_json,
+            language,
+        );
+    };
+    let figure = matches.get_one::<String>("figure").and_then(|id| Figure::of_id(id)).unwrap_or(Figure::TorqueSpeed);
+    let by = if matches.get_one::<String>("by").is_some_and(|by| by == "length") { By::Length } else { By::Mass };
+    let (candidate, talk) = match candidate(project, matches, as_json, language) {
+        Ok(found) => found,
+        Err(answer) => return answer,
+    };
+    let drawing = match figures::draw(figure, project, &candidate, by, language) {
+        Ok(drawing) => drawing,
+        Err(fault) => return refused(fault.message(language), as_json, language),
+    };
+    let answer = put(&drawing, matches, as_json, language);
+    let code = if answer.code == 0 { u8::from(!candidate.fits()) } else { answer.code };
+    Answer { talk: talk + &answer.talk, code, ..answer }
+}
+
+/// The actuator asked for, else the project's own, else the best of the catalogue.
+fn candidate<'p>(
+    project: &'p Project,
+    matches: &ArgMatches,
+    as_json: bool,
+    language: Language,
+) -> Result<(Candidate<'p>, String), Answer> {
+    let refuse = |refusal| refuse(&refusal, as_json, language);
+    if let Some(text) = matches.get_one::<String>("code") {
+        let (reading, note) = parse_for_use(text, as_json, language)?;
+        return Ok((workbench::check(project, &reading.parsed.code).map_err(refuse)?, note));
+    }
+    if let Ok(own) = workbench::check_own(project) {
+        return Ok((own, String::new()));
+    }
+    let best = workbench::size(project).candidates.into_iter().next();
+    match best.map(|best| best.id) {
+        // Ranked by the checks that decide; drawn with all of them.
+        Some(workbench::CandidateId::Code(code)) => {
+            Ok((workbench::check(project, &code).map_err(refuse)?, String::new()))
+        }
+        _ => Err(refuse(workbench::Refusal::NoData)),
+    }
+}
+
+/// Whether a picture is asked for.
+pub(crate) fn is_asked(matches: &ArgMatches) -> bool {
+    matches.contains_id("svg") || matches.contains_id("png")
+}
+
+/// Draws and writes where it is asked to: to files, or to standard output.
+pub(crate) fn put(drawing: &Drawing, matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let style = match style(drawing, matches, as_json, language) {
+        Ok(style) => style,
+        Err(answer) => return answer,
+    };
+    let is_file = |path: &&PathBuf| path.as_os_str() != "-";
+    let asked = |name: &str| matches.get_one::<PathBuf>(name);
+    if asked("png").is_some_and(|path| path.as_os_str() == "-") {
+        let what = match language {
+            Language::En => "--png needs a file: pixels do not go to standard output",
+            Language::De => "--png braucht eine Datei: Pixel gehen nicht auf die Standardausgabe",
+        };
+        return refused(what, as_json, language);
+    }
+    let picture = drawing.render(&style);
+    let (svg, png) = (asked("svg").filter(is_file), asked("png"));
+    let mut pixels = Vec::new();
+    if png.is_some() {
+        match picture.png(PNG_SCALE) {
+            Some(found) => pixels = found,
+            None => {
+                let what = match language {
+                    Language::En => "the picture is too large for pixels",
+                    Language::De => "das Bild ist zu groß für Pixel",
+                };
+                return refused(what, as_json, language);
+            }
+        }
+    }
+    let files: Vec<(&Path, &[u8])> = svg
+        .map(|path| (path.as_path(), picture.svg().as_bytes()))
+        .into_iter()
+        .chain(png.map(|path| (path.as_path(), pixels.as_slice())))
+        .collect();
+    if let Err(fault) = save(&files) {
+        let trouble = match (fault.error.kind(), language) {
+            (ErrorKind::NotFound | ErrorKind::NotADirectory, Language::En) => "there is no such folder".to_owned(),
+            (ErrorKind::NotFound | ErrorKind::NotADirectory, Language::De) => "diesen Ordner gibt es nicht".to_owned(),
+            _ => file_trouble(&fault.error, language),
+        };
+        let what = format!("{}: {trouble}", fault.path.display());
+        return refused(&what, as_json, language);
+    }
+    let paths: Vec<String> = files.iter().map(|(path, _)| path.display().to_string()).collect();
+    if as_json {
+        return Answer::data(format!("{:#}\n", described(drawing, &picture, &paths)));
+    }
+    let to_stdout = asked("svg").is_some_and(|path| path.as_os_str() == "-") || paths.is_empty();
+    if to_stdout {
+        return Answer::data(format!("{}\n", picture.svg()));
+    }
+    let (width, height) = millimetres(&picture);
+    let mm = |value: f64| format_number(value, 0, language);
+    let head = format!("{} ({} × {} mm)", paths.join(", "), mm(width), mm(height));
+    Answer::data(format!("{head}\n{}\n{}\n", drawing.title, drawing.description))
+}
+
+fn millimetres(picture: &Picture) -> (f64, f64) {
+    let (width, height) = picture.pixels();
+    let round = |px: f64| (px * MM_PER_PX * 10.0).round() / 10.0;
+    (round(width), round(height))
+}
+
+fn described(drawing: &Drawing, picture: &Picture, paths: &[String]) -> serde_json::Value {
+    let (width, height) = millimetres(picture);
+    serde_json::json!({
+        "figure": drawing.figure.id(),
+        "file": paths.first(),
+        "files": paths,
+        "width": width,
+        "height": height,
+        "units": { "width": "mm", "height": "mm" },
+        "title": drawing.title,
+        "caption": drawing.caption,
+        "description": drawing.description,
+    })
+}
+
+fn style(drawing: &Drawing, matches: &ArgMatches, as_json: bool, language: Language) -> Result<Style, Answer> {
+    let side = |name: &str, usual: f64| {
+        let Some(asked) = quantity::<Length>(matches, name, as_json, language)? else { return Ok(usual) };
+        let asked = asked.in_unit(&MILLIMETRE);
+        if SIDE_MM.contains(&asked) {
+            return Ok(asked);
+        }
+        let (least, most) = (SIDE_MM.start(), SIDE_MM.end());
+        let what = match language {
+            Language::En => format!("a picture has sides of {least} mm to {most} mm"),
+            Language::De => format!("ein Bild hat Seiten von {least} mm bis {most} mm"),
+        };
+        Err(crate::chapter::fault(name, (what, None), as_json, language))
+    };
+    let (width, height) = drawing.size_mm;
+    let size = Size::millimetres(side("width", width)?, side("height", height)?);
+    let theme = if matches.get_one::<String>("theme").is_some_and(|theme| theme == "dark") {
+        Theme::Dark
+    } else {
+        Theme::Light
+    };
+    Ok(Style::new(size).theme(theme).language(language).id(&drawing.figure.id().replace('_', "-")))
+}
+
+fn refused(what: &str, as_json: bool, language: Language) -> Answer {
+    let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
+    if as_json {
+        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
+    }
+    answer
+}

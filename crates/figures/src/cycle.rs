@@ -1,0 +1,222 @@
+//! The cycle over time, one panel for each quantity.
+
+use crate::drawing::{Drawing, Figure};
+use crate::words::{amount, listed, say, subject};
+use plot::{Axis, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
+use workbench::quantities::unit::{
+    AMPERE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, PERCENT, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
+    WATT,
+};
+use workbench::quantities::{Language, Measure, Unit};
+use workbench::{Candidate, CheckId, Course, Move, Project, Sample};
+
+const WIDTH_MM: f64 = 165.0;
+/// Height of title, segments and time axis.
+const FRAME_MM: f64 = 26.0;
+const PANEL_MM: f64 = 25.5;
+
+/// A limit is drawn where the course comes this near to it; one far above would press the course flat.
+const LIMIT_NEAR: f64 = 0.2;
+
+/// Angle, speed, acceleration, torque, current, power, temperatures and I²t over the cycle.
+#[must_use]
+pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
+    let course = workbench::course(project, candidate);
+    let t = |en, de| say(language, en, de);
+    let mut panels = vec![
+        signal(&course, Axis::new("φ", "°").name(t("Angle at the output", "Winkel am Abtrieb")), &DEGREE, |sample| {
+            Some(sample.position_rad)
+        }),
+        limited(
+            signal(
+                &course,
+                Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(t("Output speed", "Abtriebsdrehzahl")),
+                &REVOLUTION_PER_MINUTE,
+                |sample| Some(sample.speed_rad_s),
+            ),
+            limit_of(candidate, CheckId::PeakSpeed),
+            "n_max",
+            language,
+        ),
+        signal(
+            &course,
+            Axis::new("α", RADIAN_PER_SECOND_SQUARED.symbol)
+                .name(t("Acceleration at the output", "Beschleunigung am Abtrieb")),
+            &RADIAN_PER_SECOND_SQUARED,
+            |sample| Some(sample.acceleration_rad_s2),
+        ),
+        limited(
+            signal(
+                &course,
+                Axis::new("T", NEWTON_METRE.symbol).name(t("Output torque", "Abtriebsdrehmoment")),
+                &NEWTON_METRE,
+                |sample| Some(sample.torque_nm),
+            ),
+            limit_of(candidate, CheckId::PeakTorque),
+            "T_max",
+            language,
+        ),
+    ];
+    panels.push(limited(
+        signal(
+            &course,
+            Axis::new("I", AMPERE.symbol).name(t("Motor current, rms", "Motorstrom, effektiv")),
+            &AMPERE,
+            |sample| sample.current_a,
+        ),
+        limit_of(candidate, CheckId::PeakCurrent),
+        "I_max",
+        language,
+    ));
+    panels.push(signal(
+        &course,
+        Axis::new("P", WATT.symbol).name(t("Power at the motor terminals", "Leistung an den Motorklemmen")),
+        &WATT,
+        |sample| sample.power_w,
+    ));
+    panels.push(temperatures(&course, candidate, language));
+    panels.push(limited(
+        signal(&course, Axis::new("I²t", PERCENT.symbol).name(t("Overload", "Überlast")), &PERCENT, |sample| {
+            sample.overload
+        }),
+        limit_of(candidate, CheckId::OverloadI2t),
+        "",
+        language,
+    ));
+    let panels: Vec<Panel> = panels.into_iter().flatten().map(|signal| signal.panel).collect();
+    let mut height = FRAME_MM;
+    let mut chart = StackedChart::new(Axis::new("t", SECOND.symbol).name(t("Time", "Zeit")).minor_ticks());
+    for (from, to, name) in segments(project, language) {
+        chart = chart.segment(from, to, name);
+    }
+    for panel in panels {
+        chart = chart.panel(panel);
+        height += PANEL_MM;
+    }
+    let caption = t(
+        "The steady cycle, on one time axis; dashed verticals are borders of segments. Torque with the actuator's own inertia. A limit far above the course is left out.",
+        "Der eingeschwungene Zyklus über einer Zeitachse; gestrichelte Senkrechte sind Grenzen der Abschnitte. Drehmoment mit der Eigenträgheit des Antriebs. Eine Grenze weit über dem Verlauf ist weggelassen.",
+    );
+    Drawing::new(Figure::Cycle, &subject(candidate, &project.name), (WIDTH_MM, height), language).stacked(
+        caption.to_owned(),
+        description(&course, project, language),
+        chart,
+    )
+}
+
+/// A panel with the extremes of what it shows, in SI.
+struct Signal {
+    panel: Panel,
+    low: f64,
+    high: f64,
+}
+
+fn signal(course: &Course, axis: Axis, unit: &Unit, of: impl Fn(&Sample) -> Option<f64>) -> Option<Signal> {
+    let (low, high) = extremes(course, &of)?;
+    let points = course.samples.iter().filter_map(|sample| Some((sample.time_s, unit.from_si(of(sample)?))));
+    Some(Signal { panel: Panel::new(axis).with(Line::new(points).tone(Tone::Trace)), low, high })
+}
+
+fn extremes(course: &Course, of: impl Fn(&Sample) -> Option<f64>) -> Option<(f64, f64)> {
+    let mut found: Option<(f64, f64)> = None;
+    for value in course.samples.iter().filter_map(of) {
+        found = Some(found.map_or((value, value), |(low, high)| (low.min(value), high.max(value))));
+    }
+    found
+}
+
+fn limit_of(candidate: &Candidate<'_>, id: CheckId) -> Option<workbench::Figure> {
+    candidate.judgement.checks.iter().find(|check| check.id == id)?.limit
+}
+
+/// The limit on each side that the signal comes near to.
+fn limited(
+    signal: Option<Signal>,
+    limit: Option<workbench::Figure>,
+    symbol: &str,
+    language: Language,
+) -> Option<Signal> {
+    let mut signal = signal?;
+    let Some(limit) = limit else { return Some(signal) };
+    let value = limit.value();
+    let mut text = amount(limit.si, limit.unit, language);
+    let mut label = Label::symbol(symbol);
+    if !symbol.is_empty() {
+        text.insert_str(0, " = ");
+    }
+    label = label.text(&text);
+    let line = |value: f64| Reference::horizontal(value).tone(Tone::ShortTime).dash(Dash::Dashed);
+    if signal.high >= LIMIT_NEAR * limit.si {
+        signal.panel = signal.panel.with(line(value).label(label.clone()));
+        label = Label::default();
+    }
+    if -signal.low >= LIMIT_NEAR * limit.si {
+        signal.panel = signal.panel.with(line(-value).label(label));
+    }
+    Some(signal)
+}
+
+fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) -> Option<Signal> {
+    let (low, high) = extremes(course, |sample| sample.winding_k)?;
+    let line = |of: fn(&Sample) -> Option<f64>| {
+        let points = course.samples.iter();
+        Line::new(points.filter_map(move |sample| Some((sample.time_s, DEGREE_CELSIUS.from_si(of(sample)?)))))
+    };
+    let axis = Axis::new("ϑ", DEGREE_CELSIUS.symbol).name(say(language, "Temperature", "Temperatur")).without_zero();
+    let mut panel = Panel::new(axis)
+        .with(line(|sample| sample.winding_k).tone(Tone::Trace).label(say(language, "winding", "Wicklung")))
+        .with(line(|sample| sample.housing_k).tone(Tone::Series(1)).label(say(language, "housing", "Gehäuse")));
+    if let Some(limit) = limit_of(candidate, CheckId::Thermal) {
+        let text = amount(limit.si, limit.unit, language);
+        panel = panel.with(
+            Reference::horizontal(limit.value())
+                .tone(Tone::Continuous)
+                .label(format!("{} {text}", say(language, "warning", "Warnung"))),
+        );
+    }
+    Some(Signal { panel, low, high })
+}
+
+/// Beginning, end and name of each segment.
+pub(crate) fn segments(project: &Project, language: Language) -> Vec<(f64, f64, String)> {
+    let named = |(index, segment): (usize, &Move<'_>)| {
+        let what = match (segment.recording, segment.course) {
+            (Some(_), _) => say(language, "recording", "Aufzeichnung"),
+            (None, Some(_)) => say(language, "move", "Bewegung"),
+            (None, None) => say(language, "dwell", "Rast"),
+        };
+        let from = segment.start.si();
+        (from, from + segment.duration.si(), format!("{} {what}", index + 1))
+    };
+    workbench::moves(project).moves.iter().enumerate().map(named).collect()
+}
+
+fn description(course: &Course, project: &Project, language: Language) -> String {
+    let range = |of: &dyn Fn(&Sample) -> Option<f64>, unit: &Unit, en: &'static str, de: &'static str| {
+        let (low, high) = extremes(course, of)?;
+        let (low, high) = (amount(low, unit, language), amount(high, unit, language));
+        Some(match language {
+            Language::En => format!("{en} from {low} to {high}"),
+            Language::De => format!("{de} von {low} bis {high}"),
+        })
+    };
+    let parts: Vec<String> = [
+        range(&|sample| Some(sample.position_rad), &DEGREE, "the angle", "der Winkel"),
+        range(&|sample| Some(sample.speed_rad_s), &REVOLUTION_PER_MINUTE, "the speed", "die Drehzahl"),
+        range(&|sample| Some(sample.torque_nm), &NEWTON_METRE, "the torque", "das Drehmoment"),
+        range(&|sample| sample.current_a, &AMPERE, "the current", "der Strom"),
+        range(&|sample| sample.power_w, &WATT, "the power", "die Leistung"),
+        range(&|sample| sample.winding_k, &DEGREE_CELSIUS, "the winding", "die Wicklung"),
+        range(&|sample| sample.overload, &PERCENT, "the overload", "die Überlast"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let (count, duration) = (workbench::moves(project).moves.len(), amount(course.duration_s, &SECOND, language));
+    match language {
+        Language::En if count == 1 => format!("One cycle of {duration}: {}.", listed(&parts, language)),
+        Language::En => format!("One cycle of {duration} in {count} segments: {}.", listed(&parts, language)),
+        Language::De if count == 1 => format!("Ein Zyklus von {duration}: {}.", listed(&parts, language)),
+        Language::De => format!("Ein Zyklus von {duration} in {count} Abschnitten: {}.", listed(&parts, language)),
+    }
+}

@@ -1,0 +1,139 @@
+//! The figures there are, and one that is laid out.
+
+use crate::words::say;
+use plot::{BarChart, MapChart, Picture, Size, StackedChart, Style, XyChart};
+use workbench::Language;
+
+/// The figures there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Figure {
+    /// Limits in four quadrants with the cycle.
+    TorqueSpeed,
+    /// The cycle over time.
+    Cycle,
+    /// Every check as a bar.
+    Utilisation,
+    /// Torsion curve of the gear with its working point.
+    Torsion,
+    /// Loads on the output bearing over time.
+    BearingLoad,
+    /// All candidates, margin over mass or length.
+    CandidateMap,
+}
+
+impl Figure {
+    /// Every figure.
+    pub const ALL: [Self; 6] =
+        [Self::TorqueSpeed, Self::Cycle, Self::Utilisation, Self::Torsion, Self::BearingLoad, Self::CandidateMap];
+
+    /// The identifier, part of the contract with scripts.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::TorqueSpeed => "torque_speed",
+            Self::Cycle => "cycle",
+            Self::Utilisation => "utilisation",
+            Self::Torsion => "torsion",
+            Self::BearingLoad => "bearing_load",
+            Self::CandidateMap => "candidate_map",
+        }
+    }
+
+    /// The figure of an identifier.
+    #[must_use]
+    pub fn of_id(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|figure| figure.id() == id)
+    }
+
+    /// What the figure is called.
+    #[must_use]
+    pub const fn title(self, language: Language) -> &'static str {
+        match self {
+            Self::TorqueSpeed => say(language, "Torque-speed plane", "Drehmoment-Drehzahl-Ebene"),
+            Self::Cycle => say(language, "Cycle", "Zyklus"),
+            Self::Utilisation => say(language, "Utilisation", "Auslastung"),
+            Self::Torsion => say(language, "Torsion of the gear", "Torsion des Getriebes"),
+            Self::BearingLoad => say(language, "Load on the output bearing", "Belastung des Abtriebslagers"),
+            Self::CandidateMap => say(language, "Candidates", "Kandidaten"),
+        }
+    }
+}
+
+/// A figure, laid out and not yet drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// Which figure it is.
+    pub figure: Figure,
+    /// Title, as it stands above the picture.
+    pub title: String,
+    /// How to read the picture, for a line below it.
+    pub caption: String,
+    /// What the picture tells, in sentences with numbers; it stands in the picture for screen readers.
+    pub description: String,
+    /// Width and height in millimetres that suit it.
+    pub size_mm: (f64, f64),
+    pub(crate) chart: Chart,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Chart {
+    Xy(XyChart),
+    Stacked(StackedChart),
+    Bars(BarChart),
+    Map(MapChart),
+}
+
+impl Drawing {
+    pub(crate) fn new(figure: Figure, of: &str, size_mm: (f64, f64), language: Language) -> Self {
+        let title = format!("{}: {of}", figure.title(language));
+        Self {
+            figure,
+            title,
+            caption: String::new(),
+            description: String::new(),
+            size_mm,
+            chart: Chart::Xy(XyChart::new(plot::Axis::new("", ""), plot::Axis::new("", ""))),
+        }
+    }
+
+    /// The size that suits the figure.
+    #[must_use]
+    pub fn size(&self) -> Size {
+        Size::millimetres(self.size_mm.0, self.size_mm.1)
+    }
+
+    /// Draws the figure; its language is that of the style's numbers too.
+    #[must_use]
+    pub fn render(&self, style: &Style) -> Picture {
+        match &self.chart {
+            Chart::Xy(chart) => chart.render(style),
+            Chart::Stacked(chart) => chart.render(style),
+            Chart::Bars(chart) => chart.render(style),
+            Chart::Map(chart) => chart.render(style),
+        }
+    }
+
+    pub(crate) fn xy(mut self, caption: String, description: String, chart: XyChart) -> Self {
+        self.chart = Chart::Xy(chart.title(self.title.as_str()).description(&description));
+        (self.caption, self.description) = (caption, description);
+        self
+    }
+
+    pub(crate) fn stacked(mut self, caption: String, description: String, chart: StackedChart) -> Self {
+        self.chart = Chart::Stacked(chart.title(self.title.as_str()).description(&description));
+        (self.caption, self.description) = (caption, description);
+        self
+    }
+
+    pub(crate) fn bars(mut self, caption: String, description: String, chart: BarChart) -> Self {
+        self.chart = Chart::Bars(chart.title(self.title.as_str()).description(&description));
+        (self.caption, self.description) = (caption, description);
+        self
+    }
+
+    pub(crate) fn map(mut self, caption: String, description: String, chart: MapChart) -> Self {
+        self.chart = Chart::Map(chart.title(self.title.as_str()).description(&description));
+        (self.caption, self.description) = (caption, description);
+        self
+    }
+}

@@ -1,0 +1,135 @@
+//! All candidates in one picture: margin over mass or length.
+
+use crate::drawing::{Drawing, Figure};
+use crate::words::{amount, percent, say};
+use plot::{Axis, Dash, Label, MapChart, Note, Reference, Tone};
+use workbench::quantities::unit::{KILOGRAM, MILLIMETRE};
+use workbench::quantities::{Language, Measure, Unit};
+use workbench::{Candidate, CandidateId, Sizing};
+
+/// What the candidates are laid out by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// Mass.
+    Mass,
+    /// Length.
+    Length,
+}
+
+/// Candidates with less margin than this are left out: they miss by so much that the others could not be told apart.
+const MARGIN_MIN: f64 = -0.5;
+
+/// How many of the best are named.
+const NAMED: usize = 6;
+
+impl By {
+    const fn unit(self) -> &'static Unit {
+        match self {
+            Self::Mass => &KILOGRAM,
+            Self::Length => &MILLIMETRE,
+        }
+    }
+
+    fn of(self, candidate: &Candidate<'_>) -> Option<f64> {
+        match self {
+            Self::Mass => Some(candidate.parameters.mass.known()?.value.si()),
+            Self::Length => Some(candidate.parameters.length.known()?.value.si()),
+        }
+    }
+}
+
+/// Every candidate by mass or length and by the margin to its tightest limit; one of them may be marked.
+#[must_use]
+pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, language: Language) -> Drawing {
+    let t = |en, de| say(language, en, de);
+    let all: Vec<&Candidate<'_>> = sizing.candidates.iter().chain(sizing.own.as_ref()).collect();
+    let margin = |candidate: &Candidate<'_>| 1.0 - candidate.standing.utilisation;
+    let place = |candidate: &Candidate<'_>| {
+        let x = by.of(candidate)?;
+        (margin(candidate) >= MARGIN_MIN).then(|| (by.unit().from_si(x), margin(candidate) * 100.0))
+    };
+    let named: Vec<&CandidateId> =
+        all.iter().filter(|candidate| candidate.fits()).take(NAMED).map(|candidate| &candidate.id).collect();
+    let points = |of: &dyn Fn(&Candidate<'_>) -> bool| {
+        let found = all.iter().filter(|candidate| of(candidate)).filter_map(|candidate| {
+            let (x, y) = place(candidate)?;
+            let name = if named.contains(&&candidate.id) { short(&candidate.id) } else { String::new() };
+            Some((x, y, name))
+        });
+        found.collect::<Vec<_>>()
+    };
+    let axis = match by {
+        By::Mass => Axis::new("m", "kg").name(t("Mass", "Masse")),
+        By::Length => Axis::new("L", "mm").name(t("Length", "Länge")),
+    };
+    let mut chart =
+        MapChart::new(axis, Axis::new("", "%").name(t("Margin to the tightest limit", "Reserve zur engsten Grenze")))
+            .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid))
+            .class(t("fits", "passt"), Tone::Series(2), points(&|candidate| candidate.fits()))
+            .class(
+                t("requirement not met", "Anforderung nicht erfüllt"),
+                Tone::Muted,
+                points(&|candidate| !candidate.fits() && candidate.judgement_fits()),
+            )
+            .class(
+                t("limit exceeded", "Grenze überschritten"),
+                Tone::Series(1),
+                points(&|candidate| !candidate.judgement_fits()),
+            );
+    let marked = marked.and_then(|id| all.iter().find(|candidate| candidate.id == *id));
+    if let Some(candidate) = marked
+        && let Some((x, y)) = place(candidate)
+    {
+        chart = chart.with(Note::new(x, y, Label::from(candidate.id.to_string())).class("marked"));
+    }
+    let left_out = all.iter().filter(|candidate| place(candidate).is_none()).count();
+    let floor = percent(MARGIN_MIN, language);
+    let caption = match language {
+        Language::En => format!(
+            "Each point is an actuator of the catalogue; above the red line no limit is exceeded. {left_out} are left out: margin below {floor}, or no figure known."
+        ),
+        Language::De => format!(
+            "Jeder Punkt ist ein Antrieb des Katalogs; über der roten Linie ist keine Grenze überschritten. {left_out} fehlen: Reserve unter {floor}, oder Angabe nicht bekannt."
+        ),
+    };
+    let description = description(sizing, &all, by, marked.copied(), language);
+    let of = if sizing.name.is_empty() { t("axis", "Achse") } else { sizing.name };
+    Drawing::new(Figure::CandidateMap, of, (165.0, 115.0), language).map(caption, description, chart)
+}
+
+/// A code without the name of the series, which all share.
+fn short(id: &CandidateId) -> String {
+    let text = id.to_string();
+    text.strip_prefix("CHA-").unwrap_or(&text).to_owned()
+}
+
+fn description(
+    sizing: &Sizing<'_>,
+    all: &[&Candidate<'_>],
+    by: By,
+    marked: Option<&Candidate<'_>>,
+    language: Language,
+) -> String {
+    let fitting = all.iter().filter(|candidate| candidate.fits()).count();
+    let mut text = match language {
+        Language::En => format!("{} actuators, {fitting} fit.", all.len()),
+        Language::De => format!("{} Antriebe, {fitting} passen.", all.len()),
+    };
+    let told = |candidate: &Candidate<'_>| {
+        let figure = by.of(candidate).map_or_else(|| "–".to_owned(), |si| amount(si, by.unit(), language));
+        let margin = percent(1.0 - candidate.standing.utilisation, language);
+        match language {
+            Language::En => format!("{}, {figure}, margin {margin}", candidate.id),
+            Language::De => format!("{}, {figure}, Reserve {margin}", candidate.id),
+        }
+    };
+    if let Some(best) = sizing.answer() {
+        text.push_str(&format!(" {}: {}.", say(language, "The best", "Der beste"), told(best)));
+    }
+    if let Some(marked) = marked
+        && sizing.answer().is_none_or(|best| best.id != marked.id)
+    {
+        text.push_str(&format!(" {}: {}.", say(language, "Marked", "Markiert"), told(marked)));
+    }
+    text
+}

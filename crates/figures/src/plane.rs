@@ -1,0 +1,362 @@
+//! The torque-speed plane: limits in four quadrants, the cycle, its mean and its peaks.
+
+use crate::drawing::{Drawing, Figure};
+use crate::words::{amount, listed, say, subject};
+use plot::{Area, Axis, Dash, Hatch, Label, Line, Markers, Note, Shape, Tone, Width, XyChart};
+use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
+use workbench::quantities::{AngularVelocity, Language, Measure, Torque, format_number};
+use workbench::{
+    Candidate, CheckId, Course, CurveKind, CurvePoint, OrderCode, PerformanceCurve, Plane, Project, Sample,
+};
+
+const SIZE_MM: (f64, f64) = (165.0, 125.0);
+
+/// Speed in 1/min and torque in Nm.
+type Point = (f64, f64);
+
+/// Limits at the voltage of the project's supply, the cycle in them, its mean point and its peaks.
+#[must_use]
+pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
+    let plane = workbench::plane(project, candidate).ok();
+    let course = workbench::course(project, candidate);
+    let mut chart = empty(language);
+    if let Some(plane) = &plane {
+        chart = with_limits(chart, plane, language);
+    }
+    chart = chart.with(
+        Line::new(course.samples.iter().map(|sample| at(sample.speed_rad_s, sample.torque_nm)))
+            .tone(Tone::Trace)
+            .label(say(language, "cycle", "Zyklus"))
+            .class("cycle"),
+    );
+    let mut told = vec![say_cycle(&course, language)];
+    if let Some(demand) = &candidate.judgement.demand {
+        let mean = at(demand.speed_mean.si(), demand.torque_rms.si());
+        let peaks = peaks(demand, &course);
+        chart = chart
+            .with(
+                Markers::new([mean])
+                    .shape(Shape::Diamond)
+                    .label(
+                        Label::from(say(language, "mean point ", "mittlerer Punkt "))
+                            .and_symbol("n_av")
+                            .text(", ")
+                            .and_symbol("T_rms"),
+                    )
+                    .class("mean"),
+            )
+            .with(
+                Markers::new(peaks.iter().map(|(point, ..)| *point))
+                    .shape(Shape::Circle)
+                    .hollow()
+                    .label(say(language, "peaks", "Spitzen"))
+                    .class("peaks"),
+            )
+            .with(Note::new(mean.0, mean.1, symbol_is("T_rms", &torque(demand.torque_rms, language))));
+        for (point, label, _) in &peaks {
+            chart = chart.with(Note::new(point.0, point.1, label(language)));
+        }
+        told.push(say_demand(demand, language));
+    }
+    told.extend(say_limits(candidate, language));
+    let caption = caption(plane.as_ref(), language);
+    Drawing::new(Figure::TorqueSpeed, &subject(candidate, &project.name), SIZE_MM, language).xy(
+        caption,
+        told.join(" "),
+        chart,
+    )
+}
+
+/// The limits of a code alone.
+#[must_use]
+pub fn curves(code: &OrderCode, plane: &Plane, language: Language) -> Drawing {
+    let chart = with_limits(empty(language), plane, language);
+    let kinds: Vec<String> = plane
+        .curves
+        .iter()
+        .filter_map(|curve| {
+            let (first, end) = (curve.points.first()?, curve.points.last()?);
+            Some(match language {
+                Language::En => format!(
+                    "{} from {} at standstill, up to {}",
+                    curve_name(curve, language),
+                    torque(first.torque, language),
+                    speed(end.speed, language)
+                ),
+                Language::De => format!(
+                    "{} ab {} im Stillstand, bis {}",
+                    curve_name(curve, language),
+                    torque(first.torque, language),
+                    speed(end.speed, language)
+                ),
+            })
+        })
+        .collect();
+    let description = match language {
+        Language::En => format!("Limits of {code}: {}.", listed(&kinds, language)),
+        Language::De => format!("Grenzen von {code}: {}.", listed(&kinds, language)),
+    };
+    Drawing::new(Figure::TorqueSpeed, &code.to_string(), SIZE_MM, language).xy(
+        caption(Some(plane), language),
+        description,
+        chart,
+    )
+}
+
+fn empty(language: Language) -> XyChart {
+    XyChart::new(
+        Axis::new("n", REVOLUTION_PER_MINUTE.symbol)
+            .name(say(language, "Output speed", "Abtriebsdrehzahl"))
+            .minor_ticks(),
+        Axis::new("T", NEWTON_METRE.symbol).name(say(language, "Output torque", "Abtriebsdrehmoment")).minor_ticks(),
+    )
+    .four_quadrant()
+}
+
+fn at(speed_rad_s: f64, torque_nm: f64) -> Point {
+    (REVOLUTION_PER_MINUTE.from_si(speed_rad_s), NEWTON_METRE.from_si(torque_nm))
+}
+
+fn torque(torque: Torque, language: Language) -> String {
+    amount(torque.si(), &NEWTON_METRE, language)
+}
+
+fn speed(speed: AngularVelocity, language: Language) -> String {
+    amount(speed.si(), &REVOLUTION_PER_MINUTE, language)
+}
+
+fn symbol_is(symbol: &str, value: &str) -> Label {
+    Label::symbol(symbol).text(&format!(" = {value}"))
+}
+
+fn points_of(points: &[CurvePoint]) -> Vec<Point> {
+    points.iter().map(|point| at(point.speed.si(), point.torque.si())).collect()
+}
+
+/// A limit that holds by magnitude, around all four quadrants.
+fn mirrored(limit: &[Point]) -> Vec<Point> {
+    around(limit, limit)
+}
+
+/// A limit around all four quadrants: the first where the actuator drives, the other where it brakes.
+fn around(driving: &[Point], braking: &[Point]) -> Vec<Point> {
+    let drive = driving.iter().copied();
+    let brake = braking.iter().rev().map(|(n, t)| (*n, -t));
+    let back = driving.iter().map(|(n, t)| (-n, -t));
+    let brake_back = braking.iter().rev().map(|(n, t)| (-n, *t));
+    drive.chain(brake).chain(back).chain(brake_back).collect()
+}
+
+/// The same in the two quadrants where the actuator drives.
+fn driving(limit: &[Point]) -> [Vec<Point>; 2] {
+    [limit.to_vec(), limit.iter().map(|(n, t)| (-n, -t)).collect()]
+}
+
+fn curve_name(curve: &PerformanceCurve, language: Language) -> String {
+    match curve.kind {
+        CurveKind::Continuous => say(language, "continuous limit", "Dauergrenze").to_owned(),
+        CurveKind::S3 { duty } => format!("S3 {} %", format_number(duty.si() * 100.0, 0, language)),
+        CurveKind::ShortTime => say(language, "short-time limit", "Kurzzeitgrenze").to_owned(),
+    }
+}
+
+fn with_limits(mut chart: XyChart, plane: &Plane, language: Language) -> XyChart {
+    let band = say(language, "band of an estimate", "Band einer Schätzung");
+    let braking = plane.braking.map(|(end, torque)| {
+        let (end, torque) = at(end.si(), torque.si());
+        [(0.0, torque), (end, torque), (end, 0.0)]
+    });
+    for curve in &plane.curves {
+        let points = points_of(&curve.points);
+        let upper = curve.upper.as_deref().map(points_of);
+        let name = curve_name(curve, language);
+        let line = |points: Vec<Point>| Line::new(points).label(name.as_str());
+        match curve.kind {
+            CurveKind::Continuous => {
+                if let Some(upper) = upper {
+                    let area = Area::between(mirrored(&points), mirrored(&upper)).tone(Tone::Continuous);
+                    chart = chart.with(area.hatch(Hatch::Rising).label(band).class("band"));
+                }
+                let line = line(mirrored(&points)).closed().tone(Tone::Continuous).width(Width::Strong);
+                chart = chart.with(line.class("continuous"));
+            }
+            CurveKind::S3 { duty } => {
+                let dash = if duty.si() < 0.4 { Dash::Dotted } else { Dash::DashDotted };
+                let line = line(mirrored(&points)).closed().tone(Tone::Series(3)).dash(dash);
+                chart = chart.with(line.class("s3"));
+            }
+            CurveKind::ShortTime => {
+                if let Some(upper) = upper {
+                    for (lower, upper) in driving(&points).into_iter().zip(driving(&upper)) {
+                        let area = Area::between(lower, upper).tone(Tone::ShortTime).hatch(Hatch::Falling);
+                        chart = chart.with(area.label(band).class("band"));
+                    }
+                }
+                let whole = braking.map_or_else(|| mirrored(&points), |braking| around(&points, &braking));
+                let line = line(whole).closed().tone(Tone::ShortTime);
+                chart = chart.with(line.class("short-time"));
+                chart = chart.with_all(voltage(curve, &points, language));
+            }
+        }
+    }
+    for curve in &plane.sagged {
+        let points = points_of(&curve.points);
+        for part in driving(&points) {
+            let line = Line::new(part).tone(Tone::ShortTime).width(Width::Thin).dash(Dash::Dotted);
+            let name = say(language, "the same at less voltage", "dieselbe bei weniger Spannung");
+            chart = chart.with(line.label(name).class("short-time-sagged"));
+        }
+        chart = chart.with_all(voltage(curve, &points, language));
+    }
+    chart
+}
+
+/// The voltage of a limit, written where its power is largest.
+fn voltage(curve: &PerformanceCurve, points: &[Point], language: Language) -> Option<Note> {
+    let volts = curve.voltage?;
+    let corner = points.iter().copied().max_by(|a, b| (a.0 * a.1).total_cmp(&(b.0 * b.1)))?;
+    let text = format!("{} {}", format_number(VOLT.from_si(volts.si()), 0, language), VOLT.symbol);
+    Some(Note::new(corner.0, corner.1, text).tone(Tone::ShortTime).class("voltage"))
+}
+
+/// The largest torque and the largest speed, each at its instant, with label and text; one point if they coincide.
+#[expect(clippy::type_complexity, reason = "three things of one point")]
+fn peaks<'d>(
+    demand: &'d workbench::Demand,
+    course: &Course,
+) -> Vec<(Point, Box<dyn Fn(Language) -> Label + 'd>, &'static str)> {
+    let mut found: Vec<(Point, Box<dyn Fn(Language) -> Label + 'd>, &'static str)> = Vec::new();
+    let highest = sample_at(course, demand.torque_peak_at.si(), |sample| sample.torque_nm.abs());
+    let fastest = sample_at(course, demand.speed_peak_at.si(), |sample| sample.torque_nm.abs());
+    if let Some(sample) = highest {
+        let peak = demand.torque_peak.si().copysign(sample.torque_nm);
+        let label = |language| symbol_is("T_peak", &torque(demand.torque_peak, language));
+        found.push((at(sample.speed_rad_s, peak), Box::new(label), "T_peak"));
+    }
+    if let Some(sample) = fastest {
+        let peak = demand.speed_peak.si().copysign(sample.speed_rad_s);
+        let point = at(peak, sample.torque_nm);
+        let label = |language| symbol_is("n_peak", &speed(demand.speed_peak, language));
+        match found.first_mut() {
+            Some((first, both, _)) if near(*first, point) => {
+                *both = Box::new(move |language| {
+                    symbol_is("T_peak", &torque(demand.torque_peak, language))
+                        .text(", ")
+                        .and_symbol("n_peak")
+                        .text(&format!(" = {}", speed(demand.speed_peak, language)))
+                });
+            }
+            _ => found.push((point, Box::new(label), "n_peak")),
+        }
+    }
+    found
+}
+
+fn near(a: Point, b: Point) -> bool {
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-6 * a.abs().max(b.abs());
+    close(a.0, b.0) && close(a.1, b.1)
+}
+
+/// The sample at an instant; of several, the one where something is largest.
+fn sample_at(course: &Course, time_s: f64, of: impl Fn(&Sample) -> f64) -> Option<&Sample> {
+    let distance = |sample: &Sample| (sample.time_s - time_s).abs();
+    let least = course.samples.iter().map(distance).fold(f64::INFINITY, f64::min);
+    let same = least + 1e-9 * course.duration_s;
+    course.samples.iter().filter(|sample| distance(sample) <= same).max_by(|a, b| of(a).total_cmp(&of(b)))
+}
+
+fn say_cycle(course: &Course, language: Language) -> String {
+    let duration = amount(course.duration_s, &SECOND, language);
+    match language {
+        Language::En => format!("A cycle of {duration} within the limits of the actuator."),
+        Language::De => format!("Ein Zyklus von {duration} in den Grenzen des Antriebs."),
+    }
+}
+
+fn say_demand(demand: &workbench::Demand, language: Language) -> String {
+    let (peak, fast) = (torque(demand.torque_peak, language), speed(demand.speed_peak, language));
+    let (rms, mean) = (torque(demand.torque_rms, language), speed(demand.speed_mean, language));
+    let when = amount(demand.torque_peak_at.si(), &SECOND, language);
+    match language {
+        Language::En => format!(
+            "The torque reaches {peak} at {when}, the speed {fast}; the mean point is at {rms} (rms) and {mean}."
+        ),
+        Language::De => format!(
+            "Das Drehmoment erreicht {peak} bei {when}, die Drehzahl {fast}; der mittlere Punkt liegt bei {rms} (effektiv) und {mean}."
+        ),
+    }
+}
+
+fn say_limits(candidate: &Candidate<'_>, language: Language) -> Vec<String> {
+    let limit = |id: CheckId| {
+        let check = candidate.judgement.checks.iter().find(|check| check.id == id)?;
+        check.limit.map(|limit| amount(limit.si, limit.unit, language))
+    };
+    let mut parts = Vec::new();
+    if let Some(limit) = limit(CheckId::ContinuousTorque) {
+        parts.push(match language {
+            Language::En => format!("continuous {limit} at the mean speed"),
+            Language::De => format!("dauernd {limit} bei der mittleren Drehzahl"),
+        });
+    }
+    if let Some(limit) = limit(CheckId::PeakTorque) {
+        parts.push(match language {
+            Language::En => format!("at most {limit} for a short time"),
+            Language::De => format!("kurzzeitig höchstens {limit}"),
+        });
+    }
+    if let Some(limit) = limit(CheckId::PeakSpeed) {
+        parts.push(match language {
+            Language::En => format!("at most {limit}"),
+            Language::De => format!("höchstens {limit}"),
+        });
+    }
+    if parts.is_empty() {
+        return Vec::new();
+    }
+    let head = say(language, "Limits", "Grenzen");
+    vec![format!("{head}: {}.", listed(&parts, language))]
+}
+
+fn caption(plane: Option<&Plane>, language: Language) -> String {
+    let Some(plane) = plane else {
+        return say(language, "No limit of this actuator is known.", "Keine Grenze dieses Antriebs ist bekannt.")
+            .into();
+    };
+    let mut parts = vec![say(
+        language,
+        "Driving in the first and third quadrant, braking in the others. Red: continuous duty; blue: acceleration and braking.",
+        "Treiben im ersten und dritten Quadranten, Bremsen in den anderen. Rot: Dauerbetrieb; blau: Beschleunigen und Bremsen.",
+    )];
+    if plane.curves.iter().any(|curve| matches!(curve.kind, CurveKind::S3 { .. })) {
+        parts.push(say(
+            language,
+            "S3: intermittent duty with a cycle of 1 min, lower edge.",
+            "S3: Aussetzbetrieb mit 1 min Spieldauer, unterer Rand.",
+        ));
+    }
+    if plane.curves.iter().any(|curve| curve.upper.is_some()) {
+        parts.push(say(
+            language,
+            "Hatched: between the edges of an estimate; the checks use the lower one.",
+            "Schraffiert: zwischen den Rändern einer Schätzung; die Prüfungen nehmen den unteren.",
+        ));
+    }
+    if plane.braking.is_some() {
+        parts.push(say(
+            language,
+            "While braking the voltage helps, and T_max is the limit.",
+            "Beim Bremsen hilft die Spannung, und T_max ist die Grenze.",
+        ));
+    }
+    if plane.curves.iter().all(|curve| curve.voltage.is_none()) {
+        parts.push(say(
+            language,
+            "No voltage limit is drawn: none was given.",
+            "Ohne Spannungsgrenze: es ist keine Spannung angegeben.",
+        ));
+    } else {
+        parts.push(say(language, "Volts: at the motor terminals, rms.", "Volt: an den Motorklemmen, effektiv."));
+    }
+    parts.join(" ")
+}

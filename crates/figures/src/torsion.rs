@@ -1,0 +1,65 @@
+//! The torsion curve of the gear with its working point.
+
+use crate::drawing::{Drawing, Figure};
+use crate::fault::NoFigure;
+use crate::words::{amount, say, subject};
+use plot::{Axis, Dash, Label, Line, Markers, Note, Reference, Tone, Width, XyChart};
+use workbench::quantities::unit::{ARCMINUTE, NEWTON_METRE};
+use workbench::quantities::{Language, Measure, Torque};
+use workbench::{Candidate, Project};
+
+/// The curve reaches this far beyond the last thing to be seen.
+const ROOM: f64 = 1.15;
+
+/// The torsion curve of a candidate's gear, both directions, with the largest torque of the project.
+///
+/// # Errors
+/// [`NoFigure::NoStiffness`]
+pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language) -> Result<Drawing, NoFigure> {
+    let found = workbench::torsion_of(project, candidate).ok_or(NoFigure::NoStiffness)?;
+    let end = found.torque.si().abs().max(found.curve.torque_2.si()) * ROOM;
+    let points = found.points(Torque::from_si(end));
+    let nm = |torque: Torque| NEWTON_METRE.from_si(torque.si());
+    let curve = points.iter().map(|(torque, angle)| (nm(*torque), ARCMINUTE.from_si(angle.si())));
+    let work = (nm(found.torque), ARCMINUTE.from_si(found.angle.si()));
+    let (torque, angle) =
+        (amount(found.torque.si(), &NEWTON_METRE, language), amount(found.angle.si(), &ARCMINUTE, language));
+    let border = |torque: Torque, symbol: &str| {
+        let text = format!(" = {}", amount(torque.si(), &NEWTON_METRE, language));
+        Reference::vertical(nm(torque)).dash(Dash::Dotted).label(Label::symbol(symbol).text(&text))
+    };
+    let name = say(language, "working point", "Arbeitspunkt");
+    let chart = XyChart::new(
+        Axis::new("T", NEWTON_METRE.symbol).name(say(language, "Torque on the gear", "Drehmoment am Getriebe")),
+        Axis::new("φ", "arcmin").name(say(language, "Torsion", "Verdrehung")),
+    )
+    .four_quadrant()
+    .legend(plot::Legend::Off)
+    .with(border(found.curve.torque_1, "T_1"))
+    .with(border(found.curve.torque_2, "T_2"))
+    .with(Line::new(curve).tone(Tone::Series(0)).width(Width::Strong).class("torsion"))
+    .with(Markers::new([work]).label(name).class("working-point"))
+    .with(Note::new(work.0, work.1, format!("{name}: {torque} → {angle}")));
+    let (one, two) = (
+        amount(found.curve.torque_1.si(), &NEWTON_METRE, language),
+        amount(found.curve.torque_2.si(), &NEWTON_METRE, language),
+    );
+    let description = match language {
+        Language::En => format!(
+            "The largest torque of the cycle, {torque}, twists the gear by {angle}. The stiffness changes at {one} and {two}."
+        ),
+        Language::De => format!(
+            "Das größte Drehmoment des Zyklus, {torque}, verdreht das Getriebe um {angle}. Die Steifigkeit ändert sich bei {one} und {two}."
+        ),
+    };
+    let caption = say(
+        language,
+        "Mean values of many gears with blocked input; hysteresis and lost motion come on top. Torque of the load without the actuator's own inertia.",
+        "Mittelwerte vieler Getriebe bei blockiertem Antrieb; Hysterese und Spiel kommen hinzu. Drehmoment der Last ohne die Eigenträgheit des Antriebs.",
+    );
+    Ok(Drawing::new(Figure::Torsion, &subject(candidate, &project.name), (135.0, 95.0), language).xy(
+        caption.to_owned(),
+        description,
+        chart,
+    ))
+}

@@ -1,0 +1,130 @@
+//! Every check as a bar against its limit.
+
+use crate::drawing::{Drawing, Figure};
+use crate::words::{amount, listed, percent, say, sentence};
+use plot::{Axis, Bar, BarChart};
+use workbench::text::{check_missing, check_title, unmet_text, verdict_word};
+use workbench::{Candidate, Check, Language, Objection, Unmet, Verdict};
+
+/// Every check of a candidate: those that fail first, then by utilisation, then what could not be checked.
+#[must_use]
+pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
+    let mut checks: Vec<&Check> = candidate.judgement.checks.iter().collect();
+    checks.sort_by(|a, b| {
+        let open = |check: &Check| check.verdict == Verdict::NotChecked;
+        let fails = |check: &Check| check.verdict == Verdict::Fail;
+        let share = |check: &Check| check.utilisation.unwrap_or(0.0);
+        (open(a).cmp(&open(b))).then(fails(b).cmp(&fails(a))).then(share(b).total_cmp(&share(a)))
+    });
+    let mut chart =
+        BarChart::new(Axis::new("", "%").name(say(language, "Utilisation of the limit", "Auslastung der Grenze")));
+    for objection in &candidate.objections {
+        chart = chart.bar(objection_bar(candidate, objection, language));
+    }
+    for check in &checks {
+        chart = chart.bar(bar(check, language));
+    }
+    for (sign, verdict) in [
+        (plot::Verdict::Pass, Verdict::Pass),
+        (plot::Verdict::Advice, Verdict::Advice),
+        (plot::Verdict::Fail, Verdict::Fail),
+        (plot::Verdict::NotChecked, Verdict::NotChecked),
+    ] {
+        if checks.iter().any(|check| check.verdict == verdict) {
+            chart = chart.explain(sign, verdict_word(verdict, language));
+        }
+    }
+    let caption = say(
+        language,
+        "The line at 100 % is the limit. A bar that is broken goes on beyond the picture. What is not checked stands below with the datum that is missing; it does not count as passed.",
+        "Die Linie bei 100 % ist die Grenze. Ein unterbrochener Balken reicht über das Bild hinaus. Nicht Geprüftes steht unten mit der fehlenden Angabe; es gilt nicht als erfüllt.",
+    );
+    let rows = checks.len() + candidate.objections.len();
+    #[expect(clippy::cast_precision_loss, reason = "a count of rows")]
+    let height = 6.0f64.mul_add(rows as f64, 30.0);
+    Drawing::new(Figure::Utilisation, &candidate.id.to_string(), (165.0, height), language).bars(
+        caption.to_owned(),
+        description(candidate, &checks, language),
+        chart,
+    )
+}
+
+const fn sign(verdict: Verdict) -> plot::Verdict {
+    match verdict {
+        Verdict::Pass => plot::Verdict::Pass,
+        Verdict::Fail => plot::Verdict::Fail,
+        Verdict::Advice => plot::Verdict::Advice,
+        Verdict::NotChecked => plot::Verdict::NotChecked,
+    }
+}
+
+fn bar(check: &Check, language: Language) -> Bar {
+    let mut bar =
+        Bar::new(sentence(&check_title(check.id, language)), sign(check.verdict)).data("check", check.id.id());
+    let numbers = match (check.value, check.limit) {
+        (Some(value), Some(limit)) => {
+            let value = workbench::quantities::format_significant(value.value(), 4, language);
+            format!("{value} / {}", amount(limit.si, limit.unit, language))
+        }
+        (Some(value), None) => amount(value.si, value.unit, language),
+        _ => String::new(),
+    };
+    if check.verdict == Verdict::NotChecked {
+        let missing = check.missing.unwrap_or_default();
+        // The datum by its bare name: where it belongs to is told by the tooltip.
+        let short = missing.rsplit('.').next().unwrap_or(missing);
+        let reason = check_missing(missing, language);
+        return bar.text(format!("{} {short}", say(language, "lacks", "ohne"))).tooltip(&format!("{reason} {numbers}"));
+    }
+    let Some(share) = check.utilisation else { return bar.text(numbers) };
+    bar = bar.percent(share * 100.0).data("utilisation", &format!("{share}"));
+    bar.text(if numbers.is_empty() {
+        percent(share, language)
+    } else {
+        format!("{} · {numbers}", percent(share, language))
+    })
+}
+
+fn objection_bar(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> Bar {
+    let (sign, text) = match objection {
+        Objection::Unmet(unmet @ Unmet::NotKnown { .. }) => (plot::Verdict::NotChecked, unmet_text(unmet, language)),
+        Objection::Unmet(unmet) => (plot::Verdict::Fail, unmet_text(unmet, language)),
+        Objection::Rule(rule) => (
+            plot::Verdict::Fail,
+            match &candidate.id {
+                workbench::CandidateId::Code(code) => workbench::text::describe_rule(code, rule, language),
+                workbench::CandidateId::Own(_) => rule.table.to_owned(),
+            },
+        ),
+    };
+    Bar::new(sentence(&text), sign).text(say(language, "requirement", "Anforderung")).tooltip(&text)
+}
+
+fn description(candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
+    let count = |verdict: Verdict| checks.iter().filter(|check| check.verdict == verdict).count();
+    let parts: Vec<String> = [Verdict::Pass, Verdict::Advice, Verdict::Fail, Verdict::NotChecked]
+        .into_iter()
+        .filter(|verdict| count(*verdict) > 0)
+        .map(|verdict| format!("{} {}", count(verdict), verdict_word(verdict, language)))
+        .collect();
+    let head = match language {
+        Language::En => format!("{} checks of {}: {}.", checks.len(), candidate.id, listed(&parts, language)),
+        Language::De => format!("{} Prüfungen von {}: {}.", checks.len(), candidate.id, listed(&parts, language)),
+    };
+    let named = |check: &&&Check| {
+        Some(format!("{} {}", check_title(check.id, language), percent(check.utilisation?, language)))
+    };
+    let worst: Vec<String> = checks
+        .iter()
+        .filter(|check| check.verdict != Verdict::NotChecked && check.id.has_margin())
+        .filter_map(|check| named(&check))
+        .take(3)
+        .collect();
+    if worst.is_empty() {
+        return head;
+    }
+    match language {
+        Language::En => format!("{head} The tightest: {}.", listed(&worst, language)),
+        Language::De => format!("{head} Am engsten: {}.", listed(&worst, language)),
+    }
+}
