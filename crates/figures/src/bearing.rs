@@ -1,6 +1,6 @@
 //! The loads on the output bearing over the cycle.
 
-use crate::cycle::segments;
+use crate::cycle::{LIMIT_NEAR, segments};
 use crate::drawing::{Drawing, Figure};
 use crate::fault::NoFigure;
 use crate::words::{amount, listed, say, subject};
@@ -61,16 +61,24 @@ pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Lang
         let largest = course.iter().filter_map(of).fold(0.0, f64::max);
         let check = candidate.judgement.checks.iter().find(|check| check.id == id);
         let limit = check.and_then(|check| check.limit);
-        let mut panel = Panel::new(axis).with(Line::new(steps).tone(Tone::Trace));
+        let mut line = Line::new(steps).tone(Tone::Trace);
+        let mut panel = Panel::new(axis);
         let shown = amount(largest, unit, language);
         if let Some(limit) = limit {
             let text = amount(limit.si, limit.unit, language);
-            panel = panel.with(
-                Reference::horizontal(limit.value())
-                    .tone(Tone::Continuous)
-                    .dash(Dash::Dashed)
-                    .label(Label::symbol(symbol).text(&format!(" = {text}"))),
-            );
+            // A limit far above would press the load onto the axis.
+            if largest >= LIMIT_NEAR * limit.si {
+                panel = panel.with(
+                    Reference::horizontal(limit.value())
+                        .tone(Tone::Continuous)
+                        .dash(Dash::Dashed)
+                        .label(Label::symbol(symbol).text(&format!(" = {text}"))),
+                );
+            }
+            line = line.label(match language {
+                Language::En => format!("at most {shown} of {text}"),
+                Language::De => format!("höchstens {shown} von {text}"),
+            });
             told.push(match language {
                 Language::En => format!("{name} reaches {shown} of {text}"),
                 Language::De => format!("{name} erreicht {shown} von {text}"),
@@ -81,12 +89,13 @@ pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Lang
                 Language::De => format!("{name} erreicht {shown}"),
             });
         }
+        panel = panel.with(line);
         chart = chart.panel(panel);
     }
     let description = format!("{}.", crate::words::sentence(&listed(&told, language)));
     let caption = t(
-        "Loads as the project states them, constant within a segment; the tilting moment is about the middle of the bearing. The limits hold one at a time.",
-        "Lasten, wie das Projekt sie angibt, konstant in einem Abschnitt; das Kippmoment gilt für die Mitte des Lagers. Die Grenzen gelten je für sich.",
+        "Loads as the project states them, constant within a segment; the tilting moment is about the middle of the bearing. The limits hold one at a time; one far above the load is named and not drawn.",
+        "Lasten, wie das Projekt sie angibt, konstant in einem Abschnitt; das Kippmoment gilt für die Mitte des Lagers. Die Grenzen gelten je für sich; eine weit über der Last ist genannt und nicht gezeichnet.",
     );
     Ok(Drawing::new(Figure::BearingLoad, &subject(candidate, &project.name), (165.0, 115.0), language).stacked(
         caption.to_owned(),

@@ -16,14 +16,17 @@ const FRAME_MM: f64 = 26.0;
 const PANEL_MM: f64 = 25.5;
 
 /// A limit is drawn where the course comes this near to it; one far above would press the course flat.
-const LIMIT_NEAR: f64 = 0.2;
+pub(crate) const LIMIT_NEAR: f64 = 0.2;
+
+/// Beyond the last thing in a panel.
+const ROOM: f64 = 1.12;
 
 /// Angle, speed, acceleration, torque, current, power, temperatures and I²t over the cycle.
 #[must_use]
 pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
     let course = workbench::course(project, candidate);
     let t = |en, de| say(language, en, de);
-    let mut panels = vec![
+    let signals = vec![
         signal(&course, Axis::new("φ", "°").name(t("Angle at the output", "Winkel am Abtrieb")), &DEGREE, |sample| {
             Some(sample.position_rad)
         }),
@@ -56,34 +59,35 @@ pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -
             "T_max",
             language,
         ),
-    ];
-    panels.push(limited(
+        limited(
+            signal(
+                &course,
+                Axis::new("I", AMPERE.symbol).name(t("Motor current, rms", "Motorstrom, effektiv")),
+                &AMPERE,
+                |sample| sample.current_a,
+            ),
+            limit_of(candidate, CheckId::PeakCurrent),
+            "I_max",
+            language,
+        ),
         signal(
             &course,
-            Axis::new("I", AMPERE.symbol).name(t("Motor current, rms", "Motorstrom, effektiv")),
-            &AMPERE,
-            |sample| sample.current_a,
+            Axis::new("P", WATT.symbol).name(t("Power at the motor terminals", "Leistung an den Motorklemmen")),
+            &WATT,
+            |sample| sample.power_w,
         ),
-        limit_of(candidate, CheckId::PeakCurrent),
-        "I_max",
-        language,
-    ));
-    panels.push(signal(
-        &course,
-        Axis::new("P", WATT.symbol).name(t("Power at the motor terminals", "Leistung an den Motorklemmen")),
-        &WATT,
-        |sample| sample.power_w,
-    ));
-    panels.push(temperatures(&course, candidate, language));
-    panels.push(limited(
+    ];
+    let overload = limited(
         signal(&course, Axis::new("I²t", PERCENT.symbol).name(t("Overload", "Überlast")), &PERCENT, |sample| {
             sample.overload
         }),
         limit_of(candidate, CheckId::OverloadI2t),
         "",
         language,
-    ));
-    let panels: Vec<Panel> = panels.into_iter().flatten().map(|signal| signal.panel).collect();
+    );
+    let mut panels: Vec<Panel> = signals.into_iter().flatten().map(Signal::panel).collect();
+    panels.extend(temperatures(&course, candidate, language));
+    panels.extend(overload.map(Signal::panel));
     let mut height = FRAME_MM;
     let mut chart = StackedChart::new(Axis::new("t", SECOND.symbol).name(t("Time", "Zeit")).minor_ticks());
     for (from, to, name) in segments(project, language) {
@@ -104,17 +108,34 @@ pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -
     )
 }
 
-/// A panel with the extremes of what it shows, in SI.
+/// A quantity over the cycle.
 struct Signal {
-    panel: Panel,
+    axis: Axis,
+    unit: &'static Unit,
+    line: Line,
+    /// Extremes in SI.
     low: f64,
     high: f64,
+    limits: Vec<Reference>,
+    /// Where the axis ends, if that is not left to the renderer.
+    range: Option<(f64, f64)>,
 }
 
-fn signal(course: &Course, axis: Axis, unit: &Unit, of: impl Fn(&Sample) -> Option<f64>) -> Option<Signal> {
+impl Signal {
+    fn panel(self) -> Panel {
+        let axis = match self.range {
+            Some((from, to)) => self.axis.range(from, to),
+            None => self.axis,
+        };
+        self.limits.into_iter().fold(Panel::new(axis).with(self.line), Panel::with)
+    }
+}
+
+fn signal(course: &Course, axis: Axis, unit: &'static Unit, of: impl Fn(&Sample) -> Option<f64>) -> Option<Signal> {
     let (low, high) = extremes(course, &of)?;
     let points = course.samples.iter().filter_map(|sample| Some((sample.time_s, unit.from_si(of(sample)?))));
-    Some(Signal { panel: Panel::new(axis).with(Line::new(points).tone(Tone::Trace)), low, high })
+    let line = Line::new(points).tone(Tone::Trace);
+    Some(Signal { axis, unit, line, low, high, limits: Vec::new(), range: None })
 }
 
 fn extremes(course: &Course, of: impl Fn(&Sample) -> Option<f64>) -> Option<(f64, f64)> {
@@ -137,27 +158,33 @@ fn limited(
     language: Language,
 ) -> Option<Signal> {
     let mut signal = signal?;
-    let Some(limit) = limit else { return Some(signal) };
-    let value = limit.value();
-    let mut text = amount(limit.si, limit.unit, language);
-    let mut label = Label::symbol(symbol);
-    if !symbol.is_empty() {
-        text.insert_str(0, " = ");
-    }
-    label = label.text(&text);
+    let Some(limit) = limit.filter(|limit| limit.si > 0.0) else { return Some(signal) };
+    let value = signal.unit.from_si(limit.si);
+    let text = amount(limit.si, signal.unit, language);
+    let mut label = match symbol {
+        "" => Label::from(text),
+        symbol => Label::symbol(symbol).text(&format!(" = {text}")),
+    };
     let line = |value: f64| Reference::horizontal(value).tone(Tone::ShortTime).dash(Dash::Dashed);
-    if signal.high >= LIMIT_NEAR * limit.si {
-        signal.panel = signal.panel.with(line(value).label(label.clone()));
-        label = Label::default();
+    let (above, below) = (signal.high >= LIMIT_NEAR * limit.si, -signal.low >= LIMIT_NEAR * limit.si);
+    if above {
+        signal.limits.push(line(value).label(std::mem::take(&mut label)));
     }
-    if -signal.low >= LIMIT_NEAR * limit.si {
-        signal.panel = signal.panel.with(line(-value).label(label));
+    if below {
+        signal.limits.push(line(-value).label(label));
+    }
+    if above || below {
+        let end = |near: bool, extreme: f64| {
+            let extreme = signal.unit.from_si(extreme).max(0.0);
+            ROOM * if near { extreme.max(value) } else { extreme }
+        };
+        signal.range = Some((-end(below, -signal.low), end(above, signal.high)));
     }
     Some(signal)
 }
 
-fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) -> Option<Signal> {
-    let (low, high) = extremes(course, |sample| sample.winding_k)?;
+fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) -> Option<Panel> {
+    extremes(course, |sample| sample.winding_k)?;
     let line = |of: fn(&Sample) -> Option<f64>| {
         let points = course.samples.iter();
         Line::new(points.filter_map(move |sample| Some((sample.time_s, DEGREE_CELSIUS.from_si(of(sample)?)))))
@@ -174,7 +201,7 @@ fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) 
                 .label(format!("{} {text}", say(language, "warning", "Warnung"))),
         );
     }
-    Some(Signal { panel, low, high })
+    Some(panel)
 }
 
 /// Beginning, end and name of each segment.

@@ -2,7 +2,7 @@
 
 use crate::drawing::{Drawing, Figure};
 use crate::words::{amount, percent, say};
-use plot::{Axis, Dash, Label, MapChart, Note, Reference, Tone};
+use plot::{Axis, Dash, MapChart, Markers, Note, Reference, Shape, Tone};
 use workbench::quantities::unit::{KILOGRAM, MILLIMETRE};
 use workbench::quantities::{Language, Measure, Unit};
 use workbench::{Candidate, CandidateId, Sizing};
@@ -19,8 +19,8 @@ pub enum By {
 /// Candidates with less margin than this are left out: they miss by so much that the others could not be told apart.
 const MARGIN_MIN: f64 = -0.5;
 
-/// How many of the best are named.
-const NAMED: usize = 6;
+/// How many of the best are named besides the one marked.
+const NAMED: usize = 4;
 
 impl By {
     const fn unit(self) -> &'static Unit {
@@ -48,8 +48,13 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
         let x = by.of(candidate)?;
         (margin(candidate) >= MARGIN_MIN).then(|| (by.unit().from_si(x), margin(candidate) * 100.0))
     };
-    let named: Vec<&CandidateId> =
-        all.iter().filter(|candidate| candidate.fits()).take(NAMED).map(|candidate| &candidate.id).collect();
+    let named: Vec<&CandidateId> = all
+        .iter()
+        .map(|candidate| (&candidate.id, candidate.fits()))
+        .filter(|(id, fits)| *fits && Some(*id) != marked)
+        .map(|(id, _)| id)
+        .take(NAMED)
+        .collect();
     let points = |of: &dyn Fn(&Candidate<'_>) -> bool| {
         let found = all.iter().filter(|candidate| of(candidate)).filter_map(|candidate| {
             let (x, y) = place(candidate)?;
@@ -64,23 +69,32 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     };
     let mut chart =
         MapChart::new(axis, Axis::new("", "%").name(t("Margin to the tightest limit", "Reserve zur engsten Grenze")))
-            .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid))
-            .class(t("fits", "passt"), Tone::Series(2), points(&|candidate| candidate.fits()))
-            .class(
-                t("requirement not met", "Anforderung nicht erfüllt"),
-                Tone::Muted,
-                points(&|candidate| !candidate.fits() && candidate.judgement_fits()),
-            )
-            .class(
-                t("limit exceeded", "Grenze überschritten"),
-                Tone::Series(1),
-                points(&|candidate| !candidate.judgement_fits()),
-            );
+            .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid));
+    // What fits is drawn last, upon the others.
+    for (name, tone, points) in [
+        (
+            t("limit exceeded", "Grenze überschritten"),
+            Tone::Series(1),
+            points(&|candidate| !candidate.judgement_fits()),
+        ),
+        (
+            t("requirement not met", "Anforderung nicht erfüllt"),
+            Tone::Muted,
+            points(&|candidate| !candidate.fits() && candidate.judgement_fits()),
+        ),
+        (t("fits", "passt"), Tone::Series(2), points(&|candidate| candidate.fits())),
+    ] {
+        // A class without a point would only take room in the legend.
+        if !points.is_empty() {
+            chart = chart.class(name, tone, points);
+        }
+    }
     let marked = marked.and_then(|id| all.iter().find(|candidate| candidate.id == *id));
     if let Some(candidate) = marked
         && let Some((x, y)) = place(candidate)
     {
-        chart = chart.with(Note::new(x, y, Label::from(candidate.id.to_string())).class("marked"));
+        let markers = Markers::new([(x, y)]).shape(Shape::Diamond).label(candidate.id.to_string());
+        chart = chart.with(markers.class("marked")).with(Note::new(x, y, candidate.id.to_string()));
     }
     let left_out = all.iter().filter(|candidate| place(candidate).is_none()).count();
     let floor = percent(MARGIN_MIN, language);

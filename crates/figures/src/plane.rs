@@ -33,28 +33,21 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
     if let Some(demand) = &candidate.judgement.demand {
         let mean = at(demand.speed_mean.si(), demand.torque_rms.si());
         let peaks = peaks(demand, &course);
-        chart = chart
-            .with(
-                Markers::new([mean])
-                    .shape(Shape::Diamond)
-                    .label(
-                        Label::from(say(language, "mean point ", "mittlerer Punkt "))
-                            .and_symbol("n_av")
-                            .text(", ")
-                            .and_symbol("T_rms"),
-                    )
-                    .class("mean"),
-            )
-            .with(
-                Markers::new(peaks.iter().map(|(point, ..)| *point))
-                    .shape(Shape::Circle)
-                    .hollow()
-                    .label(say(language, "peaks", "Spitzen"))
-                    .class("peaks"),
-            )
-            .with(Note::new(mean.0, mean.1, symbol_is("T_rms", &torque(demand.torque_rms, language))));
-        for (point, label, _) in &peaks {
-            chart = chart.with(Note::new(point.0, point.1, label(language)));
+        let name = Label::from(say(language, "mean: ", "Mittel: "));
+        let name = value_of(name, "n_av", &speed(demand.speed_mean, language)).text(", ");
+        let name = value_of(name, "T_rms", &torque(demand.torque_rms, language));
+        chart = chart.with(Markers::new([mean]).shape(Shape::Diamond).label(name).class("mean")).with(Note::new(
+            mean.0,
+            mean.1,
+            Label::symbol("T_rms"),
+        ));
+        let name = Label::from(say(language, "peaks: ", "Spitzen: "));
+        let name = value_of(name, "T_peak", &torque(demand.torque_peak, language)).text(", ");
+        let name = value_of(name, "n_peak", &speed(demand.speed_peak, language));
+        let points = peaks.iter().map(|(point, _)| *point);
+        chart = chart.with(Markers::new(points).shape(Shape::Circle).hollow().label(name).class("peaks"));
+        for (point, label) in peaks {
+            chart = chart.with(Note::new(point.0, point.1, label));
         }
         told.push(say_demand(demand, language));
     }
@@ -125,12 +118,14 @@ fn speed(speed: AngularVelocity, language: Language) -> String {
     amount(speed.si(), &REVOLUTION_PER_MINUTE, language)
 }
 
-fn symbol_is(symbol: &str, value: &str) -> Label {
-    Label::symbol(symbol).text(&format!(" = {value}"))
+fn value_of(label: Label, symbol: &str, value: &str) -> Label {
+    label.and_symbol(symbol).text(&format!(" = {value}"))
 }
 
+/// The points of a limit up to where nothing is left of it.
 fn points_of(points: &[CurvePoint]) -> Vec<Point> {
-    points.iter().map(|point| at(point.speed.si(), point.torque.si())).collect()
+    let end = points.iter().position(|point| point.torque.si() <= 0.0).map_or(points.len(), |index| index + 1);
+    points.iter().take(end).map(|point| at(point.speed.si(), point.torque.si())).collect()
 }
 
 /// A limit that holds by magnitude, around all four quadrants.
@@ -219,34 +214,19 @@ fn voltage(curve: &PerformanceCurve, points: &[Point], language: Language) -> Op
     Some(Note::new(corner.0, corner.1, text).tone(Tone::ShortTime).class("voltage"))
 }
 
-/// The largest torque and the largest speed, each at its instant, with label and text; one point if they coincide.
-#[expect(clippy::type_complexity, reason = "three things of one point")]
-fn peaks<'d>(
-    demand: &'d workbench::Demand,
-    course: &Course,
-) -> Vec<(Point, Box<dyn Fn(Language) -> Label + 'd>, &'static str)> {
-    let mut found: Vec<(Point, Box<dyn Fn(Language) -> Label + 'd>, &'static str)> = Vec::new();
-    let highest = sample_at(course, demand.torque_peak_at.si(), |sample| sample.torque_nm.abs());
-    let fastest = sample_at(course, demand.speed_peak_at.si(), |sample| sample.torque_nm.abs());
-    if let Some(sample) = highest {
+/// The largest torque and the largest speed, each at its instant with its symbol; one point if they coincide.
+fn peaks(demand: &workbench::Demand, course: &Course) -> Vec<(Point, Label)> {
+    let mut found: Vec<(Point, Label)> = Vec::new();
+    let torque = |sample: &Sample| sample.torque_nm.abs();
+    if let Some(sample) = sample_at(course, demand.torque_peak_at.si(), torque) {
         let peak = demand.torque_peak.si().copysign(sample.torque_nm);
-        let label = |language| symbol_is("T_peak", &torque(demand.torque_peak, language));
-        found.push((at(sample.speed_rad_s, peak), Box::new(label), "T_peak"));
+        found.push((at(sample.speed_rad_s, peak), Label::symbol("T_peak")));
     }
-    if let Some(sample) = fastest {
-        let peak = demand.speed_peak.si().copysign(sample.speed_rad_s);
-        let point = at(peak, sample.torque_nm);
-        let label = |language| symbol_is("n_peak", &speed(demand.speed_peak, language));
-        match found.first_mut() {
-            Some((first, both, _)) if near(*first, point) => {
-                *both = Box::new(move |language| {
-                    symbol_is("T_peak", &torque(demand.torque_peak, language))
-                        .text(", ")
-                        .and_symbol("n_peak")
-                        .text(&format!(" = {}", speed(demand.speed_peak, language)))
-                });
-            }
-            _ => found.push((point, Box::new(label), "n_peak")),
+    if let Some(sample) = sample_at(course, demand.speed_peak_at.si(), torque) {
+        let point = at(demand.speed_peak.si().copysign(sample.speed_rad_s), sample.torque_nm);
+        match found.as_mut_slice() {
+            [(first, label)] if near(*first, point) => *label = label.clone().text(", ").and_symbol("n_peak"),
+            _ => found.push((point, Label::symbol("n_peak"))),
         }
     }
     found
@@ -268,8 +248,8 @@ fn sample_at(course: &Course, time_s: f64, of: impl Fn(&Sample) -> f64) -> Optio
 fn say_cycle(course: &Course, language: Language) -> String {
     let duration = amount(course.duration_s, &SECOND, language);
     match language {
-        Language::En => format!("A cycle of {duration} within the limits of the actuator."),
-        Language::De => format!("Ein Zyklus von {duration} in den Grenzen des Antriebs."),
+        Language::En => format!("Torque over speed: a cycle of {duration} and the limits of the actuator."),
+        Language::De => format!("Drehmoment über Drehzahl: ein Zyklus von {duration} und die Grenzen des Antriebs."),
     }
 }
 

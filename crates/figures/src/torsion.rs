@@ -34,12 +34,11 @@ pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language)
         Axis::new("φ", "arcmin").name(say(language, "Torsion", "Verdrehung")),
     )
     .four_quadrant()
-    .legend(plot::Legend::Off)
     .with(border(found.curve.torque_1, "T_1"))
     .with(border(found.curve.torque_2, "T_2"))
     .with(Line::new(curve).tone(Tone::Series(0)).width(Width::Strong).class("torsion"))
     .with(Markers::new([work]).label(name).class("working-point"))
-    .with(Note::new(work.0, work.1, format!("{name}: {torque} → {angle}")));
+    .with(Note::new(work.0, work.1, format!("{torque} → {angle}")));
     let (one, two) = (
         amount(found.curve.torque_1.si(), &NEWTON_METRE, language),
         amount(found.curve.torque_2.si(), &NEWTON_METRE, language),

@@ -63,8 +63,13 @@ fn bar(check: &Check, language: Language) -> Bar {
         Bar::new(sentence(&check_title(check.id, language)), sign(check.verdict)).data("check", check.id.id());
     let numbers = match (check.value, check.limit) {
         (Some(value), Some(limit)) => {
+            let value_si = value.si;
             let value = workbench::quantities::format_significant(value.value(), 4, language);
-            format!("{value} / {}", amount(limit.si, limit.unit, language))
+            // Of a life or a safety the limit is a least value.
+            let least =
+                check.utilisation.is_some_and(|share| (share <= 1.0) == (value_si >= limit.si) && value_si != limit.si);
+            let sign = if least { "≥ " } else { "" };
+            format!("{value} / {sign}{}", amount(limit.si, limit.unit, language))
         }
         (Some(value), None) => amount(value.si, value.unit, language),
         _ => String::new(),
@@ -74,7 +79,9 @@ fn bar(check: &Check, language: Language) -> Bar {
         // The datum by its bare name: where it belongs to is told by the tooltip.
         let short = missing.rsplit('.').next().unwrap_or(missing);
         let reason = check_missing(missing, language);
-        return bar.text(format!("{} {short}", say(language, "lacks", "ohne"))).tooltip(&format!("{reason} {numbers}"));
+        return bar
+            .text(format!("{}: {short}", say(language, "missing", "fehlt")))
+            .tooltip(&format!("{reason} {numbers}"));
     }
     let Some(share) = check.utilisation else { return bar.text(numbers) };
     bar = bar.percent(share * 100.0).data("utilisation", &format!("{share}"));

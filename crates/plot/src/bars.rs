@@ -225,10 +225,12 @@ impl BarChart {
         let thick = (height * 0.58).min(13.0);
         let lane = Rect { left: area.left, right: area.right, top: middle - thick / 2.0, bottom: middle + thick / 2.0 };
         match (bar.verdict, bar.length()) {
-            (Verdict::NotChecked, _) | (_, None) => {
+            (Verdict::NotChecked, _) => {
                 let fill = canvas.hatch(Colour::Unchecked, Hatch::Dots);
                 canvas.rect(&lane, 0.0, &fill, None);
             }
+            // Decided, but by no ratio: sign and text tell it.
+            (_, None) => {}
             (verdict, Some(percent)) => {
                 // A pixel at least: a bar of nothing is still a bar.
                 let end = x_at(area, percent.min(hi), hi).max(area.left + 1.0);
