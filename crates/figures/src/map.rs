@@ -84,16 +84,14 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
         ),
         (t("fits", "passt"), Tone::Series(2), points(&|candidate| candidate.fits())),
     ] {
-        // A class without a point would only take room in the legend.
-        if !points.is_empty() {
-            chart = chart.class(name, tone, points);
-        }
+        // A class without a point keeps its marker and has no place in the legend.
+        chart = chart.class(if points.is_empty() { "" } else { name }, tone, points);
     }
     let marked = marked.and_then(|id| all.iter().find(|candidate| candidate.id == *id));
     if let Some(candidate) = marked
         && let Some((x, y)) = place(candidate)
     {
-        let markers = Markers::new([(x, y)]).shape(Shape::Diamond).label(candidate.id.to_string());
+        let markers = Markers::new([(x, y)]).shape(Shape::Triangle).label(candidate.id.to_string());
         chart = chart.with(markers.class("marked")).with(Note::new(x, y, candidate.id.to_string()));
     }
     let left_out = all.iter().filter(|candidate| place(candidate).is_none()).count();

@@ -3,7 +3,7 @@
 use crate::drawing::{Drawing, Figure};
 use crate::fault::NoFigure;
 use crate::words::{amount, say, subject};
-use plot::{Axis, Dash, Label, Line, Markers, Note, Reference, Tone, Width, XyChart};
+use plot::{Axis, Dash, Label, Line, Markers, Reference, Tone, Width, XyChart};
 use workbench::quantities::unit::{ARCMINUTE, NEWTON_METRE};
 use workbench::quantities::{Language, Measure, Torque};
 use workbench::{Candidate, Project};
@@ -24,10 +24,8 @@ pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language)
     let work = (nm(found.torque), ARCMINUTE.from_si(found.angle.si()));
     let (torque, angle) =
         (amount(found.torque.si(), &NEWTON_METRE, language), amount(found.angle.si(), &ARCMINUTE, language));
-    let border = |torque: Torque, symbol: &str| {
-        let text = format!(" = {}", amount(torque.si(), &NEWTON_METRE, language));
-        Reference::vertical(nm(torque)).dash(Dash::Dotted).label(Label::symbol(symbol).text(&text))
-    };
+    let border =
+        |torque: Torque, symbol: &str| Reference::vertical(nm(torque)).dash(Dash::Dotted).label(Label::symbol(symbol));
     let name = say(language, "working point", "Arbeitspunkt");
     let chart = XyChart::new(
         Axis::new("T", NEWTON_METRE.symbol).name(say(language, "Torque on the gear", "Drehmoment am Getriebe")),
@@ -37,25 +35,27 @@ pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language)
     .with(border(found.curve.torque_1, "T_1"))
     .with(border(found.curve.torque_2, "T_2"))
     .with(Line::new(curve).tone(Tone::Series(0)).width(Width::Strong).class("torsion"))
-    .with(Markers::new([work]).label(name).class("working-point"))
-    .with(Note::new(work.0, work.1, format!("{torque} → {angle}")));
+    .with(Markers::new([work]).label(format!("{name}: {torque}, {angle}")).class("working-point"));
     let (one, two) = (
         amount(found.curve.torque_1.si(), &NEWTON_METRE, language),
         amount(found.curve.torque_2.si(), &NEWTON_METRE, language),
     );
     let description = match language {
         Language::En => format!(
-            "The largest torque of the cycle, {torque}, twists the gear by {angle}. The stiffness changes at {one} and {two}."
+            "The largest torque of the load, {torque}, twists the gear by {angle}. The stiffness changes at {one} and {two}."
         ),
         Language::De => format!(
-            "Das größte Drehmoment des Zyklus, {torque}, verdreht das Getriebe um {angle}. Die Steifigkeit ändert sich bei {one} und {two}."
+            "Das größte Drehmoment der Last, {torque}, verdreht das Getriebe um {angle}. Die Steifigkeit ändert sich bei {one} und {two}."
         ),
     };
-    let caption = say(
-        language,
-        "Mean values of many gears with blocked input; hysteresis and lost motion come on top. Torque of the load without the actuator's own inertia.",
-        "Mittelwerte vieler Getriebe bei blockiertem Antrieb; Hysterese und Spiel kommen hinzu. Drehmoment der Last ohne die Eigenträgheit des Antriebs.",
-    );
+    let caption = match language {
+        Language::En => format!(
+            "Mean values of many gears with blocked input; hysteresis and lost motion come on top. The stiffness changes at T_1 = {one} and T_2 = {two}. Torque of the load without the actuator's own inertia."
+        ),
+        Language::De => format!(
+            "Mittelwerte vieler Getriebe bei blockiertem Eingang; Hysterese und Lost Motion kommen hinzu. Die Steifigkeit ändert sich bei T_1 = {one} und T_2 = {two}. Drehmoment der Last ohne die Eigenträgheit des Antriebs."
+        ),
+    };
     Ok(Drawing::new(Figure::Torsion, &subject(candidate, &project.name), (135.0, 95.0), language).xy(
         caption.to_owned(),
         description,

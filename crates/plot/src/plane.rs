@@ -266,7 +266,9 @@ pub(crate) fn y_ticks((lo, hi, widen): (f64, f64, bool), height: f64) -> Ticks {
     // Widening adds up to two steps, so that the count is known only afterwards.
     let distance = (height / 9.0).clamp(20.0, 38.0);
     let room = whole((height / distance).clamp(1.0, 12.0));
-    (1..=room)
+    // A range that stays as it is loses what lies beyond its last ticks: finer ones leave more than a single number.
+    let most = if widen { room } else { room + 2 };
+    (1..=most)
         .rev()
         .map(|most| Ticks::new(lo, hi, most, widen))
         .find(|ticks| ticks.values.len() <= room + 1)

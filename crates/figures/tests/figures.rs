@@ -1,0 +1,212 @@
+//! Every figure of every example: a picture that is whole, and points where the checks say.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+use figures::{By, Drawing, Figure, NoFigure, Picture, Style, draw};
+use roxmltree::{Document, Node};
+use std::path::PathBuf;
+use workbench::quantities::unit::{ARCMINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
+use workbench::quantities::{Language, Measure};
+use workbench::{Candidate, CheckId, Files, Project};
+
+const LANGUAGES: [Language; 2] = [Language::En, Language::De];
+
+struct Beside;
+
+fn folder() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples")
+}
+
+impl Files for Beside {
+    fn open(&self, name: &str) -> std::io::Result<Box<dyn std::io::Read>> {
+        Ok(Box::new(std::fs::File::open(folder().join(name))?))
+    }
+}
+
+fn examples() -> Vec<Project> {
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    paths.sort();
+    assert!(paths.len() >= 10);
+    let read =
+        |path: &PathBuf| Project::read_all(&std::fs::read_to_string(path).unwrap(), &Beside, Language::En).unwrap();
+    paths.iter().flat_map(read).collect()
+}
+
+/// The best of the catalogue, with every check, and the project's own.
+fn candidates(project: &Project) -> Vec<Candidate<'_>> {
+    let best = workbench::size(project).candidates.swap_remove(0);
+    let workbench::CandidateId::Code(code) = best.id else { panic!("a code") };
+    let best = workbench::check(project, &code).unwrap();
+    std::iter::once(best).chain(workbench::check_own(project).ok()).collect()
+}
+
+fn picture(drawing: &Drawing, language: Language) -> Picture {
+    drawing.render(&Style::new(drawing.size()).language(language).id(drawing.figure.id()))
+}
+
+fn example(name: &str) -> Project {
+    let text = std::fs::read_to_string(folder().join(name)).unwrap();
+    Project::read_all(&text, &Beside, Language::En).unwrap().swap_remove(0)
+}
+
+/// The points of the markers of a class.
+fn points(document: &Document<'_>, class: &str) -> Vec<(f64, f64)> {
+    let has = |node: &Node<'_, '_>, class: &str| {
+        node.attribute("class").is_some_and(|classes| classes.split(' ').any(|known| known == class))
+    };
+    let group = document.descendants().find(|node| has(node, class)).unwrap_or_else(|| panic!("no {class}"));
+    let number = |node: &Node<'_, '_>, key: &str| node.attribute(key)?.parse::<f64>().ok();
+    group.descendants().filter_map(|node| Some((number(&node, "data-x")?, number(&node, "data-y")?))).collect()
+}
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
+}
+
+#[test]
+fn every_figure_of_every_example_is_whole() {
+    for project in examples() {
+        for candidate in candidates(&project) {
+            for figure in Figure::ALL {
+                for language in LANGUAGES {
+                    let what = format!("{} {} {}", project.name, candidate.id, figure.id());
+                    let drawing = match draw(figure, &project, &candidate, By::Mass, language) {
+                        Ok(drawing) => drawing,
+                        Err(NoFigure::NoFlangeLoads) => {
+                            assert!(figure == Figure::BearingLoad && project.axis.bearing.is_none(), "{what}");
+                            continue;
+                        }
+                        Err(fault) => {
+                            assert_eq!((figure, fault), (Figure::Torsion, NoFigure::NoStiffness), "{what}");
+                            continue;
+                        }
+                    };
+                    let picture = picture(&drawing, language);
+                    assert_eq!(picture.dropped(), 0, "{what}");
+                    assert!(!picture.svg().contains("NaN") && !picture.svg().contains("inf\""), "{what}");
+                    let document = Document::parse(picture.svg()).unwrap();
+                    let text = |tag: &str| {
+                        let found = document.descendants().find(|node| node.has_tag_name(tag));
+                        found.and_then(|node| node.text()).unwrap_or_default().to_owned()
+                    };
+                    assert_eq!(text("title"), drawing.title, "{what}");
+                    assert_eq!(text("desc"), drawing.description, "{what}");
+                    assert!(drawing.description.contains(|c: char| c.is_ascii_digit()), "{what}: no number told");
+                    assert!(drawing.caption.ends_with('.') && drawing.description.ends_with('.'), "{what}");
+                    if figure != Figure::CandidateMap {
+                        assert!(picture.hidden_labels().is_empty(), "{what}: {:?}", picture.hidden_labels());
+                    }
+                    let texts = picture.texts();
+                    for (index, one) in texts.iter().enumerate() {
+                        let other = texts.iter().skip(index + 1).find(|other| one.area.overlaps(&other.area));
+                        assert!(other.is_none(), "{what}: {one:?} {other:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn mean_and_peaks_stand_where_the_checks_say() {
+    for project in examples() {
+        for candidate in candidates(&project) {
+            let drawing = figures::torque_speed(&project, &candidate, Language::En);
+            let picture = picture(&drawing, Language::En);
+            let document = Document::parse(picture.svg()).unwrap();
+            let Some(demand) = &candidate.judgement.demand else { continue };
+            let value = |id: CheckId| {
+                let check = candidate.judgement.checks.iter().find(|check| check.id == id);
+                check.and_then(|check| check.value).map(|value| value.si)
+            };
+            let [mean] = points(&document, "mean")[..] else { panic!("one mean point") };
+            let what = format!("{} {}", project.name, candidate.id);
+            assert!(close(mean.0, REVOLUTION_PER_MINUTE.from_si(demand.speed_mean.si())), "{what}");
+            assert!(close(mean.1, NEWTON_METRE.from_si(demand.torque_rms.si())), "{what}");
+            if let Some(speed) = value(CheckId::MeanSpeed) {
+                assert!(close(mean.0, REVOLUTION_PER_MINUTE.from_si(speed)), "{what}");
+            }
+            let peaks = points(&document, "peaks");
+            let torque = peaks.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
+            let speed = peaks.iter().map(|point| point.0.abs()).fold(0.0, f64::max);
+            assert!(close(torque, NEWTON_METRE.from_si(value(CheckId::PeakTorque).unwrap())), "{what}: {torque}");
+            assert!(close(speed, REVOLUTION_PER_MINUTE.from_si(value(CheckId::PeakSpeed).unwrap())), "{what}: {speed}");
+            // The marked peaks lie on the trace, up to what lies between two of its samples.
+            let course = workbench::course(&project, &candidate);
+            for (n, t) in peaks {
+                let near = course.samples.iter().any(|sample| {
+                    (REVOLUTION_PER_MINUTE.from_si(sample.speed_rad_s) - n).abs() <= 0.02 * speed
+                        && (sample.torque_nm - t).abs() <= 0.02 * torque
+                });
+                assert!(near, "{what}: ({n}, {t})");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_working_point_of_the_torsion_is_that_of_the_check() {
+    let project = example("indexing-table.toml");
+    let candidate = candidates(&project).swap_remove(0);
+    let picture = picture(&figures::torsion(&project, &candidate, Language::De).unwrap(), Language::De);
+    let [point] = points(&Document::parse(picture.svg()).unwrap(), "working-point")[..] else { panic!("one point") };
+    let check = candidate.judgement.checks.iter().find(|check| check.id == CheckId::Torsion).unwrap();
+    assert!(close(point.1, ARCMINUTE.from_si(check.value.unwrap().si)));
+}
+
+#[test]
+fn bars_have_the_utilisation_of_the_checks() {
+    let project = example("tilting-arm.toml");
+    let candidate = candidates(&project).swap_remove(0);
+    let picture = picture(&figures::utilisation(&candidate, Language::En), Language::En);
+    let document = Document::parse(picture.svg()).unwrap();
+    let bars: Vec<Node<'_, '_>> =
+        document.descendants().filter(|node| node.attribute("data-check").is_some()).collect();
+    assert_eq!(bars.len(), candidate.judgement.checks.len());
+    for check in &candidate.judgement.checks {
+        let bar = bars.iter().find(|bar| bar.attribute("data-check") == Some(check.id.id())).unwrap();
+        let shown: Option<f64> = bar.attribute("data-utilisation").and_then(|share| share.parse().ok());
+        let judged = check.verdict != workbench::Verdict::NotChecked;
+        assert_eq!(shown, check.utilisation.filter(|_| judged), "{}", check.id.id());
+    }
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    let project = example("screw-axis.toml");
+    let candidate = candidates(&project).swap_remove(0);
+    for figure in Figure::ALL {
+        let svg =
+            || draw(figure, &project, &candidate, By::Length, Language::De).map(|found| picture(&found, Language::De));
+        assert_eq!(svg(), svg());
+    }
+}
+
+#[test]
+fn a_map_tells_every_candidate_or_counts_it() {
+    let project = example("tilting-arm.toml");
+    let sizing = workbench::size(&project);
+    for by in [By::Mass, By::Length] {
+        let drawing = figures::candidate_map(&sizing, by, None, Language::En);
+        let picture = picture(&drawing, Language::En);
+        let document = Document::parse(picture.svg()).unwrap();
+        let shown = document.descendants().filter(|node| node.attribute("class") == Some("marker")).count();
+        let left_out: usize = drawing.caption.split_whitespace().find_map(|word| word.parse().ok()).unwrap();
+        assert_eq!(shown + left_out, sizing.candidates.len(), "{}", drawing.caption);
+    }
+}
+
+#[test]
+fn the_limits_of_a_code_need_no_project() {
+    let code = workbench::read_code("CHA-20A-100-H-C1024", Language::En).unwrap().parsed.code;
+    let volts = workbench::read_quantity("120 V", Language::En).unwrap();
+    for terminal in [None, Some(volts)] {
+        let plane = workbench::plane_of(&code, terminal).unwrap().unwrap();
+        for language in LANGUAGES {
+            let picture = picture(&figures::curves(&code, &plane, language), language);
+            assert_eq!(picture.dropped(), 0);
+            assert!(Document::parse(picture.svg()).is_ok());
+            assert_eq!(picture.svg().contains("120 V"), terminal.is_some());
+        }
+    }
+}
