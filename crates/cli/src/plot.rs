@@ -137,7 +137,7 @@ pub(crate) fn put(drawing: &Drawing, matches: &ArgMatches, as_json: bool, langua
     }
     let to_stdout = asked("svg").is_some_and(|path| path.as_os_str() == "-") || paths.is_empty();
     if to_stdout {
-        return Answer::data(format!("{}\n", picture.svg()));
+        return Answer::data(picture.into_svg());
     }
     let (width, height) = millimetres(&picture);
     let mm = |value: f64| format_number(value, 0, language);

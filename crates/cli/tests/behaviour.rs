@@ -354,6 +354,11 @@ fn several_axes_get_a_verdict_each() {
 /// A folder of its own for one test.
 fn scratch(name: &str) -> std::path::PathBuf {
     let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+
+/// A folder of its own for what a test writes.
+fn scratch(name: &str) -> std::path::PathBuf {
+    let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).unwrap();
     folder
 }
@@ -457,4 +462,78 @@ fn explain_gives_a_tree_for_every_check() {
     assert_eq!(none.code, 2);
     let unknown = run(&["explain", "examples/tilting-arm.toml", "--check", "contineous_torque"]);
     assert!(unknown.code == 2 && unknown.err.contains("continuous_torque"), "{}", unknown.err);
+
+fn names(folder: &std::path::Path) -> Vec<String> {
+    let mut names: Vec<String> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_picture_goes_to_standard_output_or_whole_into_files() {
+    let project = "examples/indexing-table.toml";
+    let plain = run(&["plot", project, "--figure", "torque_speed"]);
+    assert_eq!((plain.code, plain.err.as_str()), (0, ""));
+    assert!(plain.out.starts_with("<svg ") && plain.out.ends_with("</svg>\n"));
+    let dash = run(&["plot", project, "--figure", "torque_speed", "--svg", "-"]);
+    assert_eq!(dash.out, plain.out);
+    let folder = scratch("pictures");
+    let (svg, png) = (folder.join("a.svg"), folder.join("a.png"));
+    let (svg, png) = (svg.to_str().unwrap(), png.to_str().unwrap());
+    for _ in 0..2 {
+        let run = run(&["plot", project, "--figure", "torque_speed", "--svg", svg, "--png", png, "--json"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        let value: Value = serde_json::from_str(&run.out).unwrap();
+        assert_eq!((value["figure"].as_str(), value["file"].as_str()), (Some("torque_speed"), Some(svg)));
+        assert_eq!((value["width"].as_f64(), value["height"].as_f64()), (Some(165.0), Some(125.0)));
+        assert!(value["description"].as_str().unwrap().contains("110.6 Nm"));
+        assert_eq!(names(&folder), ["a.png", "a.svg"]);
+    }
+    assert_eq!(std::fs::read_to_string(svg).unwrap().trim_end(), plain.out.trim_end());
+    assert!(std::fs::read(png).unwrap().starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn nothing_is_written_where_something_is_wrong() {
+    let folder = scratch("unwritten");
+    let (svg, png) = (folder.join("a.svg"), folder.join("none/a.png"));
+    let (svg, png) = (svg.to_str().unwrap(), png.to_str().unwrap());
+    let table = "examples/indexing-table.toml";
+    for (arguments, told) in [
+        (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--png", png], "there is no such folder"),
+        (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--png", "-"], "--png needs a file"),
+        (vec!["plot", table, "--figure", "cycle", "--svg", folder.to_str().unwrap()], "this is a folder"),
+        (vec!["plot", "examples/screw-axis.toml", "--figure", "bearing_load", "--svg", svg], "[bearing] is missing"),
+        (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--width", "30"], "--width"),
+        (vec!["plot", table, "--figure", "cycl", "--svg", svg], "cycle"),
+        (vec!["curve", "CHA-20A-100-H-C1024", "--svg", svg, "--height", "9 m"], "--height"),
+    ] {
+        let run = run(&arguments);
+        assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments:?}");
+        assert!(run.err.contains(told), "{arguments:?}: {}", run.err);
+        assert!(names(&folder).is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_picture_of_what_does_not_fit_says_so_by_its_code() {
+    let run = run(&["plot", "examples/indexing-table.toml", "--code", "CHA-25A-50-H-M512P", "--figure", "utilisation"]);
+    assert_eq!(run.code, 1);
+    assert!(run.out.contains("class=\"bar fail\""));
+}
+
+#[test]
+fn a_curve_has_a_picture_and_without_a_file_its_text() {
+    let folder = scratch("curve");
+    let path = folder.join("c.svg");
+    let path = path.to_str().unwrap();
+    let code = "CHA-32A-50-H-C1024";
+    let run_with_file = run(&["curve", code, "--voltage", "400 V", "--svg", path, "--theme", "dark"]);
+    assert_eq!((run_with_file.code, run_with_file.err.as_str()), (0, ""));
+    assert!(run_with_file.out.contains("c.svg (165 × 125 mm)"));
+    assert!(std::fs::read_to_string(path).unwrap().contains("400 V"));
+    assert!(run(&["curve", code, "--voltage", "400 V"]).out.contains("T Nm"));
 }

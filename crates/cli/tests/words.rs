@@ -47,6 +47,14 @@ shows! {
     inertia_with_faults_in_german: ["inertia", "--lang", "de", "box a=50mm b=-5mm mass=0,6kg", "point distance=80mm count=2.5", "rod length=80mm axis=parallel density=1kg/l"];
     inertia_faults_as_json: ["inertia", "--json", "point mass=1kg", "sphere diametre=50mm mass=1kg"];
     inertia_help: ["inertia", "--help"];
+    plot_help: ["plot", "--help"];
+    plot_help_in_german: ["plot", "--help", "--lang", "de"];
+    curve_help: ["curve", "--help"];
+    torsion_as_picture: ["plot", "examples/indexing-table.toml", "--code", "CHA-32A-50-H-C1024", "--figure", "torsion", "--width", "90 mm", "--height", "60 mm"];
+    unknown_figure: ["plot", "examples/indexing-table.toml", "--figure", "torque_sped"];
+    unknown_figure_in_german: ["plot", "examples/indexing-table.toml", "--figure", "torque_sped", "--lang", "de"];
+    picture_of_one_axis_of_two: ["plot", "examples/two-axes.toml", "--figure", "cycle"];
+    picture_too_small: ["plot", "examples/indexing-table.toml", "--figure", "cycle", "--width", "3 mm", "--lang", "de"];
     inertia_help_in_german: ["inertia", "--help", "--lang", "de"];
 }
 
