@@ -351,10 +351,6 @@ fn several_axes_get_a_verdict_each() {
     assert!(without.code == 2 && without.err.contains("[[motion]]"), "{}", without.err);
 }
 
-/// A folder of its own for one test.
-fn scratch(name: &str) -> std::path::PathBuf {
-    let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-
 /// A folder of its own for what a test writes.
 fn scratch(name: &str) -> std::path::PathBuf {
     let folder = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
@@ -462,6 +458,7 @@ fn explain_gives_a_tree_for_every_check() {
     assert_eq!(none.code, 2);
     let unknown = run(&["explain", "examples/tilting-arm.toml", "--check", "contineous_torque"]);
     assert!(unknown.code == 2 && unknown.err.contains("continuous_torque"), "{}", unknown.err);
+}
 
 fn names(folder: &std::path::Path) -> Vec<String> {
     let mut names: Vec<String> = std::fs::read_dir(folder)
