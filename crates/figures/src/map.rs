@@ -5,7 +5,7 @@ use crate::words::{amount, percent, say};
 use plot::{Axis, Dash, MapChart, Markers, Note, Reference, Shape, Tone};
 use workbench::quantities::unit::{KILOGRAM, MILLIMETRE};
 use workbench::quantities::{Language, Measure, Unit};
-use workbench::{Candidate, CandidateId, Sizing};
+use workbench::{Candidate, CandidateId, Sizing, Verdict};
 
 /// What the candidates are laid out by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +70,9 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     let mut chart =
         MapChart::new(axis, Axis::new("", "%").name(t("Margin to the tightest limit", "Reserve zur engsten Grenze")))
             .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid));
+    let advised = |candidate: &Candidate<'_>| {
+        candidate.fits() && candidate.judgement.checks.iter().any(|check| check.verdict == Verdict::Advice)
+    };
     // What fits is drawn last, upon the others.
     for (name, tone, points) in [
         (
@@ -82,7 +85,8 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
             Tone::Muted,
             points(&|candidate| !candidate.fits() && candidate.judgement_fits()),
         ),
-        (t("fits", "passt"), Tone::Series(2), points(&|candidate| candidate.fits())),
+        (t("fits", "passt"), Tone::Series(2), points(&|candidate| candidate.fits() && !advised(candidate))),
+        (t("fits, with advice", "passt, mit Hinweis"), Tone::Series(4), points(&advised)),
     ] {
         // A class without a point keeps its marker and has no place in the legend.
         chart = chart.class(if points.is_empty() { "" } else { name }, tone, points);
@@ -91,17 +95,17 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     if let Some(candidate) = marked
         && let Some((x, y)) = place(candidate)
     {
-        let markers = Markers::new([(x, y)]).shape(Shape::Triangle).label(candidate.id.to_string());
+        let markers = Markers::new([(x, y)]).shape(Shape::Diamond).label(candidate.id.to_string());
         chart = chart.with(markers.class("marked")).with(Note::new(x, y, candidate.id.to_string()));
     }
     let left_out = all.iter().filter(|candidate| place(candidate).is_none()).count();
     let floor = percent(MARGIN_MIN, language);
     let caption = match language {
         Language::En => format!(
-            "Each point is an actuator of the catalogue; above the red line no limit is exceeded. {left_out} are left out: margin below {floor}, or no figure known."
+            "Each point is an actuator of the catalogue; below the red line a limit or a recommendation is exceeded. {left_out} are left out: margin below {floor}, or no figure known."
         ),
         Language::De => format!(
-            "Jeder Punkt ist ein Antrieb des Katalogs; über der roten Linie ist keine Grenze überschritten. {left_out} fehlen: Reserve unter {floor}, oder Angabe nicht bekannt."
+            "Jeder Punkt ist ein Antrieb des Katalogs; unter der roten Linie ist eine Grenze oder eine Empfehlung überschritten. {left_out} fehlen: Reserve unter {floor}, oder Angabe nicht bekannt."
         ),
     };
     let description = description(sizing, &all, by, marked.copied(), language);

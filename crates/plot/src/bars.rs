@@ -187,7 +187,7 @@ impl BarChart {
         let width = style.size.width;
         let widest = |of: fn(&Bar) -> f64| self.bars().map(of).fold(0.0, f64::max);
         let labels = widest(|bar| bar.label.width(TEXT, false)).min(width * 0.42);
-        let texts = widest(|bar| bar.text.width(TEXT, bar.verdict == Verdict::Fail)).min(width * 0.28);
+        let texts = widest(|bar| bar.text.width(TEXT, bar.verdict == Verdict::Fail)).min(width * 0.32);
         let left = EDGE + SIGN + labels + GAP;
         let right = (width - EDGE - texts - GAP).max(left + 30.0);
         Rect { left, right, top, bottom }
