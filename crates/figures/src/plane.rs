@@ -68,19 +68,20 @@ pub fn curves(code: &OrderCode, plane: &Plane, language: Language) -> Drawing {
         .curves
         .iter()
         .filter_map(|curve| {
-            let (first, end) = (curve.points.first()?, curve.points.last()?);
+            let points = points_of(&curve.points);
+            let (first, end) = (curve.points.first()?, points.last()?);
             Some(match language {
                 Language::En => format!(
                     "{} from {} at standstill, up to {}",
                     curve_name(curve, language),
                     torque(first.torque, language),
-                    speed(end.speed, language)
+                    speed(AngularVelocity::new_in(end.0, &REVOLUTION_PER_MINUTE), language)
                 ),
                 Language::De => format!(
                     "{} ab {} im Stillstand, bis {}",
                     curve_name(curve, language),
                     torque(first.torque, language),
-                    speed(end.speed, language)
+                    speed(AngularVelocity::new_in(end.0, &REVOLUTION_PER_MINUTE), language)
                 ),
             })
         })
