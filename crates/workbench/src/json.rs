@@ -1,12 +1,14 @@
 //! The results as JSON values, with the names that scripts rely on.
 
 mod chapters;
+mod compare;
 mod explain;
 mod inertia;
 mod moves;
 mod tolerance;
 
 pub use chapters::{battery, curves, reserve};
+pub use compare::{compare, difference, input_changes};
 pub use explain::explain;
 pub use inertia::inertia;
 pub use moves::moves;
@@ -125,6 +127,12 @@ fn objection(candidate: &Candidate<'_>, objection: &Objection, language: Languag
     }
 }
 
+/// What speaks against a candidate besides a failing check, in words.
+#[must_use]
+pub fn objections(candidate: &Candidate<'_>, language: Language) -> Vec<String> {
+    candidate.objections.iter().map(|each| objection(candidate, each, language)).collect()
+}
+
 fn names(fields: &[Field], language: Language) -> Vec<&'static str> {
     fields.iter().map(|field| describe_field(*field, language)).collect()
 }
@@ -145,9 +153,7 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> Value {
     map.insert("on_request".into(), json!(names(&candidate.on_request, language)));
     map.insert("demand".into(), demand(candidate.judgement.manual.as_ref(), candidate.judgement.demand.as_ref()));
     map.insert("checks".into(), candidate.judgement.checks.iter().map(|each| check(each, language)).collect());
-    let objections: Vec<String> =
-        candidate.objections.iter().map(|each| objection(candidate, each, language)).collect();
-    map.insert("objections".into(), json!(objections));
+    map.insert("objections".into(), json!(objections(candidate, language)));
     map.insert("open_questions".into(), json!(candidate.open_questions()));
     Value::Object(map)
 }
@@ -162,8 +168,6 @@ fn rejection(candidate: &Candidate<'_>, language: Language) -> Value {
         .filter(|check| check.verdict == sizing::Verdict::Fail)
         .map(|check| check.id.id())
         .collect();
-    let objections: Vec<String> =
-        candidate.objections.iter().map(|each| objection(candidate, each, language)).collect();
     json!({
         "code": candidate.id.to_string(),
         "check": worst.map(|check| check.id.id()),
@@ -172,7 +176,7 @@ fn rejection(candidate: &Candidate<'_>, language: Language) -> Value {
         "unit": worst.and_then(|check| check.value).map(|figure| figure.unit.json),
         "utilisation": worst.and_then(|check| check.utilisation).map(number),
         "failing": failing,
-        "objections": objections,
+        "objections": objections(candidate, language),
     })
 }
 

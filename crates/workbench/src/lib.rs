@@ -5,6 +5,7 @@
 
 mod chapters;
 mod codes;
+mod compare;
 mod diagnostic;
 mod explain;
 mod export;
@@ -24,6 +25,7 @@ mod torsion;
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use chapters::{TEMPLATES, battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, read_code, read_pattern};
+pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
 pub use configurator::{Availability, Choice, Unmet};
 pub use diagnostic::{Diagnostic, place};
 pub use explain::{Explanation, Node, explanation, trust};
@@ -35,8 +37,8 @@ pub use moves::{Move, Moves, moves};
 pub use order_code::{Field, OrderCode};
 pub use plane::{Plane, plane, plane_of};
 pub use project::{
-    ALL_CORNERS_MOST, Assumption, Files, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project, RecordingRead, Tolerance,
-    schema,
+    ALL_CORNERS_MOST, Assumption, Files, Input, InputChange, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project,
+    RecordingRead, Tolerance, input_changes, inputs, schema,
 };
 pub use quantities::{self, Language};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};

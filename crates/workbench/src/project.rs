@@ -1,6 +1,7 @@
 //! The project file as typed data.
 
 mod curves;
+mod inputs;
 mod load;
 mod read;
 mod recorded;
@@ -10,6 +11,7 @@ mod spec;
 mod tolerance;
 
 pub(crate) use curves::OwnCatalogue;
+pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use recorded::{Files, NoFiles, RecordingRead};
 pub use schema::schema;
 pub(crate) use spec::{Kind, Range};

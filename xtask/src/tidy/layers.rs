@@ -35,6 +35,7 @@ const ROOMS: [(&str, Room); 24] = [
     ("workbench", Room::Layer(3)),
     ("figures", Room::Layer(4)),
     ("report", Room::Layer(4)),
+    ("tables", Room::Layer(4)),
     ("antrieb", Room::Layer(5)),
     ("server", Room::Layer(5)),
     ("testkit", Room::DevOnly),

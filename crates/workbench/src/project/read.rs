@@ -1,10 +1,12 @@
 //! Reads a project file against its description and reports every fault at once.
 
+use super::inputs::Input;
 use super::section::{Entry, Section};
 use super::spec::{Key, Kind, ROOT, Range, Variants};
 use super::tolerance::{TOLERANCES_MOST, Tolerance};
 use crate::diagnostic::Diagnostic;
 use crate::text::{Speak, tolerance as words};
+use quantities::unit::ONE;
 use quantities::{Dimension, HalfWidth, Language, Reading};
 use std::ops::Range as Span;
 use toml::Spanned;
@@ -20,11 +22,13 @@ const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 const LIST_MAX: usize = 10_000;
 
 pub(crate) struct Reader<'t> {
-    text: &'t str,
+    pub(super) text: &'t str,
     language: Language,
     pub(crate) faults: Vec<Diagnostic>,
     /// The tolerances in the order in which they were read, each under its path in the file.
     pub(crate) tolerances: Vec<Tolerance>,
+    /// Every value that is accepted, where that is asked for.
+    pub(super) inputs: Option<Vec<Input>>,
     damaged: bool,
     /// How many faults there are beyond those that are kept.
     more: usize,
@@ -35,7 +39,7 @@ const FAULTS_MOST: usize = 50;
 
 impl<'t> Reader<'t> {
     pub(crate) const fn new(text: &'t str, language: Language) -> Self {
-        Self { text, language, faults: Vec::new(), tolerances: Vec::new(), damaged: false, more: 0 }
+        Self { text, language, faults: Vec::new(), tolerances: Vec::new(), inputs: None, damaged: false, more: 0 }
     }
 
     /// Reads the whole file; faults are collected in `self.faults`.
@@ -106,6 +110,9 @@ impl<'t> Reader<'t> {
             };
             let path = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
             if let Some(entry) = self.entry(value, key, &path, damaged) {
+                if let Some(number) = entry.plain() {
+                    self.input(&path, &value.span(), number.map(|number| (number, &ONE)));
+                }
                 section.entries.insert(key.name, (entry, value.span()));
             } else {
                 section.refused.push(key.name);
@@ -258,6 +265,7 @@ impl<'t> Reader<'t> {
                     return None;
                 }
                 self.tolerance(&reading, half, &span, text, path, (dimension, range))?;
+                self.input(path, &span, Some((reading.value, reading.unit)));
                 Some(reading.si)
             }
         }
@@ -397,6 +405,9 @@ impl<'t> Reader<'t> {
                     let path = format!("{path}[{}].{key}", line + 1);
                     self.tolerance(&reading, Some(half), whole, text, &path, (reading.unit.dimension, Range::Any))?;
                 }
+                for (number, (_, span)) in (1..).zip(&lines) {
+                    self.input(&format!("{path}[{number}]"), span, None);
+                }
                 let bodies = answer.bodies.into_iter().map(|each| each.body).collect();
                 (lines.len() == items.len()).then_some(Entry::Bodies(bodies))
             }
@@ -506,6 +517,7 @@ impl<'t> Reader<'t> {
                 }
                 let path = format!("{path}[{row}][{column}]");
                 self.tolerance(&reading, half, &span, text, &path, (dimension, Range::Any))?;
+                self.input(&path, &span, Some((reading.value, reading.unit)));
                 Some(reading.si)
             }
             Err(error) => {

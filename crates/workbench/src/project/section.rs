@@ -27,6 +27,19 @@ pub(crate) enum Entry {
     Tables(Vec<Section>),
 }
 
+impl Entry {
+    /// Of a value that is no quantity, table or row: its number if it is one.
+    pub(super) const fn plain(&self) -> Option<Option<f64>> {
+        match self {
+            Self::Number(number) => Some(Some(*number)),
+            #[allow(clippy::cast_precision_loss, reason = "bounded by its description")]
+            Self::Integer(number) => Some(Some(*number as f64)),
+            Self::Bool(_) | Self::Text(_) | Self::List(_) => Some(None),
+            _ => None,
+        }
+    }
+}
+
 /// A table that passed its description.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Section {
