@@ -1,1 +1,27 @@
-//! Tables.
+//! A result as tables, and how they are written.
+//!
+//! A [`Table`] is plain data: columns with a name, a unit and a meaning, and rows of cells. Every table is defined
+//! once ([`Subject::table`]), and four writers take it from there: [`xlsx`] a whole workbook, [`csv`], [`json`] and
+//! [`parquet`] one table each. They give bytes; nothing here touches a file or the clock, and the same tables give
+//! the same bytes.
+//!
+//! Names of tables and columns and their units are the contract with scripts and are the same in both languages;
+//! titles, remarks and sources are words.
+
+mod csv;
+mod define;
+mod error;
+mod json;
+mod parquet;
+mod results;
+mod table;
+mod words;
+mod xlsx;
+
+pub use crate::csv::csv;
+pub use crate::json::json;
+pub use crate::parquet::parquet;
+pub use define::{NAMES, Subject};
+pub use error::WriteError;
+pub use table::{Cell, Column, Derived, Kind, Table};
+pub use xlsx::{Front, SHEET_ROWS_MOST, xlsx};

@@ -4,7 +4,9 @@ use crate::project::Project;
 use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own, size};
 use order_code::OrderCode;
 use provenance::Datum;
-use quantities::unit::{AMPERE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, ONE};
+use quantities::unit::{
+    AMPERE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, ONE,
+};
 use quantities::unit::{PERCENT, REVOLUTION_PER_MINUTE};
 use quantities::{Measure, Unit};
 use sizing::{Check, CheckId, Verdict};
@@ -166,7 +168,8 @@ impl CheckChange {
         let figure = |check: &Option<Check>, of: fn(&Check) -> Option<sizing::Figure>| {
             check.as_ref().and_then(of).map(|figure| figure.si)
         };
-        let near = |of: fn(&Check) -> Option<sizing::Figure>| match (figure(&self.before, of), figure(&self.after, of)) {
+        let near = |of: fn(&Check) -> Option<sizing::Figure>| match (figure(&self.before, of), figure(&self.after, of))
+        {
             (Some(a), Some(b)) => (a - b).abs() <= SAME * a.abs().max(b.abs()),
             (a, b) => a.is_none() && b.is_none(),
         };
@@ -203,11 +206,7 @@ pub struct Difference<'p> {
 ///
 /// # Errors
 /// [`Refusal`] where the code cannot be judged.
-pub fn difference<'p>(
-    old: &'p Project,
-    new: &'p Project,
-    code: Option<&OrderCode>,
-) -> Result<Difference<'p>, Refusal> {
+pub fn difference<'p>(old: &'p Project, new: &'p Project, code: Option<&OrderCode>) -> Result<Difference<'p>, Refusal> {
     let (sized_before, sized_after) = (size(old), size(new));
     let best = |sizing: &Sizing<'_>| sizing.answer().map(|answer| answer.id.clone());
     let own = code.is_none() && old.actuator.is_some() && new.actuator.is_some();

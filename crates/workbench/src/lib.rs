@@ -40,6 +40,7 @@ pub use project::{
     ALL_CORNERS_MOST, Assumption, Files, Input, InputChange, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project,
     RecordingRead, Tolerance, input_changes, inputs, schema,
 };
+pub use provenance::Grade;
 pub use quantities::{self, Language};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
 pub use sizing::derivation;

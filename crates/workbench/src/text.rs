@@ -15,8 +15,8 @@ pub use derivation::{found_text, symbol_shown};
 pub(crate) use reading::Speak;
 pub use reading::file_trouble;
 pub use results::{
-    assumption_text, check_missing, check_title, condition_text, curve_title, evidence_text, grade_word, note_text,
-    ranking_rule, source_text, symbol_term, unmet_text, verdict_word,
+    assumption_text, check_missing, check_title, condition_text, curve_title, evidence_text, figure_term, grade_about,
+    grade_word, note_text, ranking_rule, source_text, symbol_term, unmet_text, verdict_word,
 };
 
 use quantities::Language;

@@ -408,3 +408,34 @@ pub fn ranking_rule(language: Language) -> String {
         "Reihenfolge: was passt zuerst, dann die kleinere Baugröße, dann die geringere höchste Auslastung, dann die geringere Masse",
     )
 }
+
+/// The field's word for a figure of an actuator or of the demand on it, as it is compared: with what is built in.
+#[must_use]
+pub fn figure_term(symbol: &str, language: Language) -> String {
+    let (en, de) = match symbol {
+        "J_out" => ("own moment of inertia at the output", "eigenes Massenträgheitsmoment am Abtrieb"),
+        "L" => ("length", "Länge"),
+        "m" => ("mass", "Masse"),
+        "n_peak" => ("peak output speed", "Spitzendrehzahl am Abtrieb"),
+        "T_peak" => ("peak torque", "Spitzendrehmoment"),
+        _ => return symbol_term(symbol, language),
+    };
+    either(language, en, de)
+}
+
+/// What stands behind a grade, in a sentence.
+#[must_use]
+pub fn grade_about(grade: Grade, language: Language) -> &'static str {
+    match (language, grade) {
+        (Language::En, Grade::Printed) => "a value that the maker's manual prints",
+        (Language::De, Grade::Printed) => "ein Wert, den die Anleitung des Herstellers druckt",
+        (Language::En, Grade::Computed) => "computed from printed values with an equation of the manual",
+        (Language::De, Grade::Computed) => "aus gedruckten Werten mit einer Gleichung der Anleitung berechnet",
+        (Language::En, Grade::Published) => "a value of another document, or of your own data sheet",
+        (Language::De, Grade::Published) => "ein Wert eines anderen Dokuments oder des eigenen Datenblatts",
+        (Language::En, Grade::Estimated) => "a model of antrieb with a stated band",
+        (Language::De, Grade::Estimated) => "ein Modell von antrieb mit angegebenem Band",
+        (Language::En, Grade::Assumed) => "a default that nobody confirmed",
+        (Language::De, Grade::Assumed) => "eine Vorgabe, die niemand bestätigt hat",
+    }
+}

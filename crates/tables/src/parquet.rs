@@ -1,0 +1,71 @@
+//! A table as Parquet.
+
+use crate::error::WriteError;
+use crate::table::{Cell, Column, Table};
+use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
+use parquet::data_type::{ByteArray, ByteArrayType, DoubleType};
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::Type;
+use std::sync::Arc;
+
+/// Rows that one group holds.
+const GROUP: usize = 1 << 20;
+
+/// A table as Parquet: numbers as DOUBLE, words as UTF-8, all optional; the unit of a column stands in the metadata of
+/// the file under `<column>.unit`, its meaning under `<column>.about`.
+///
+/// # Errors
+/// [`WriteError::Parquet`] if the library refuses.
+pub fn parquet(table: &Table) -> Result<Vec<u8>, WriteError> {
+    let fields = table.columns.iter().map(field).collect::<Result<Vec<_>, _>>()?;
+    let schema = Arc::new(Type::group_type_builder(table.name).with_fields(fields).build()?);
+    let properties = WriterProperties::builder()
+        .set_compression(Compression::SNAPPY)
+        .set_created_by("antrieb".to_owned())
+        .set_key_value_metadata(Some(metadata(table)))
+        .build();
+    let mut out = Vec::new();
+    let mut writer = SerializedFileWriter::new(&mut out, schema, Arc::new(properties))?;
+    for rows in table.rows.chunks(GROUP) {
+        let mut group = writer.next_row_group()?;
+        for (index, column) in table.columns.iter().enumerate() {
+            let Some(mut into) = group.next_column()? else { continue };
+            let cells = || rows.iter().map(|row| row.get(index).unwrap_or(&Cell::Empty));
+            if column.is_numeric() {
+                let levels: Vec<i16> = cells().map(|cell| i16::from(cell.as_number().is_some())).collect();
+                let values: Vec<f64> = cells().filter_map(Cell::as_number).collect();
+                into.typed::<DoubleType>().write_batch(&values, Some(&levels), None)?;
+            } else {
+                let levels: Vec<i16> = cells().map(|cell| i16::from(cell.as_text().is_some())).collect();
+                let values: Vec<ByteArray> = cells().filter_map(Cell::as_text).map(ByteArray::from).collect();
+                into.typed::<ByteArrayType>().write_batch(&values, Some(&levels), None)?;
+            }
+            into.close()?;
+        }
+        group.close()?;
+    }
+    writer.close()?;
+    Ok(out)
+}
+
+fn field(column: &Column) -> Result<Arc<Type>, WriteError> {
+    let (physical, logical) =
+        if column.is_numeric() { (Physical::DOUBLE, None) } else { (Physical::BYTE_ARRAY, Some(LogicalType::String)) };
+    let built = Type::primitive_type_builder(&column.name, physical)
+        .with_repetition(Repetition::OPTIONAL)
+        .with_logical_type(logical)
+        .build()?;
+    Ok(Arc::new(built))
+}
+
+fn metadata(table: &Table) -> Vec<KeyValue> {
+    let pair = |key: String, value: &str| KeyValue::new(key, value.to_owned());
+    let mut pairs = vec![pair("antrieb.table".to_owned(), table.name), pair("antrieb.about".to_owned(), &table.about)];
+    for column in &table.columns {
+        pairs.extend(column.unit_json().map(|unit| pair(format!("{}.unit", column.name), unit)));
+        pairs.push(pair(format!("{}.about", column.name), &column.about));
+    }
+    pairs
+}

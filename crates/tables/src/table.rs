@@ -1,0 +1,180 @@
+//! A table as plain data.
+
+use workbench::quantities::Unit;
+use workbench::quantities::unit::ONE;
+
+/// What a column holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Words.
+    Text,
+    /// A number in the unit of the column.
+    Number,
+    /// A whole number.
+    Count,
+    /// A ratio of which 1 is the whole: a utilisation, a margin.
+    Share,
+    /// A word of a fixed set, told by colour too.
+    Verdict,
+}
+
+/// A column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Its name in data exchange.
+    pub name: String,
+    /// Its heading for people.
+    pub title: String,
+    /// The unit of its numbers; `None` for words, and where another column names the unit of each row.
+    pub unit: Option<&'static Unit>,
+    /// What it means and where it comes from.
+    pub about: String,
+    /// What it holds.
+    pub kind: Kind,
+}
+
+/// One value.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// There is none.
+    Empty,
+    /// Words.
+    Text(String),
+    /// A finite number.
+    Number(f64),
+    /// A word of a fixed set: as data exchange has it, and as people read it.
+    Word(&'static str, String),
+}
+
+impl Cell {
+    /// A number as it is printed, with twelve significant digits: without those that only a change of unit has made.
+    /// What is not finite is no value.
+    #[must_use]
+    pub fn number(value: f64) -> Self {
+        if !value.is_finite() {
+            return Self::Empty;
+        }
+        // No negative zero either.
+        Self::Number(if value == 0.0 { 0.0 } else { format!("{value:.11e}").parse().unwrap_or(value) })
+    }
+
+    /// An SI value in a unit.
+    #[must_use]
+    pub fn in_unit(si: Option<f64>, unit: &Unit) -> Self {
+        si.map_or(Self::Empty, |si| Self::number(unit.from_si(si)))
+    }
+
+    /// Words; none is no value.
+    #[must_use]
+    pub fn text(text: impl Into<String>) -> Self {
+        let text = text.into();
+        if text.is_empty() { Self::Empty } else { Self::Text(text) }
+    }
+
+    /// The number, if it is one.
+    #[must_use]
+    pub const fn as_number(&self) -> Option<f64> {
+        match self {
+            Self::Number(number) => Some(*number),
+            _ => None,
+        }
+    }
+
+    /// The words of data exchange, if it is words.
+    #[must_use]
+    pub fn as_text(&self) -> Option<&str> {
+        match self {
+            Self::Text(text) => Some(text),
+            Self::Word(id, _) => Some(id),
+            _ => None,
+        }
+    }
+}
+
+/// How a column follows from others, where that is simple.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Derived {
+    /// |value| / |limit|, or the other way round where the value must not be less; the numbers say which.
+    Utilisation {
+        /// The column of the ratio.
+        column: usize,
+        /// The column of the values.
+        value: usize,
+        /// The column of the limits.
+        limit: usize,
+    },
+    /// One less the utilisation.
+    Margin {
+        /// The column of the margin.
+        column: usize,
+        /// The column of the utilisation.
+        utilisation: usize,
+    },
+}
+
+/// A table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Its name in data exchange.
+    pub name: &'static str,
+    /// Its title for people; short enough for a sheet.
+    pub title: String,
+    /// What it shows.
+    pub about: String,
+    /// The columns.
+    pub columns: Vec<Column>,
+    /// The rows, each with a cell for every column.
+    pub rows: Vec<Vec<Cell>>,
+    /// What follows from other columns.
+    pub derived: Vec<Derived>,
+}
+
+impl Table {
+    /// The place of a column.
+    #[must_use]
+    pub fn column(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column.name == name)
+    }
+
+    /// The numbers of a column, in the order of the rows.
+    pub fn numbers(&self, column: usize) -> impl Iterator<Item = Option<f64>> {
+        self.rows.iter().map(move |row| row.get(column).and_then(Cell::as_number))
+    }
+}
+
+impl Column {
+    /// The unit in data exchange, where there is one.
+    #[must_use]
+    pub fn unit_json(&self) -> Option<&'static str> {
+        self.unit.map(|unit| unit.json)
+    }
+
+    /// The name with its unit as a header has it: `time [s]`.
+    #[must_use]
+    pub fn header(&self) -> String {
+        match self.unit {
+            Some(unit) if *unit != ONE => format!("{} [{}]", self.name, unit.json),
+            _ => self.name.clone(),
+        }
+    }
+
+    /// Whether it holds numbers.
+    #[must_use]
+    pub const fn is_numeric(&self) -> bool {
+        matches!(self.kind, Kind::Number | Kind::Count | Kind::Share)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_holds_a_finite_number_or_none() {
+        assert_eq!(Cell::number(0.1 + 0.2), Cell::Number(0.3));
+        assert_eq!(Cell::number(f64::INFINITY), Cell::Empty);
+        assert_eq!(Cell::number(f64::NAN), Cell::Empty);
+        assert_eq!(Cell::number(-0.0), Cell::Number(0.0));
+        assert!(matches!(Cell::number(-0.0), Cell::Number(zero) if zero.is_sign_positive()));
+    }
+}

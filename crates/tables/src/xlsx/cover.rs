@@ -1,0 +1,225 @@
+//! The first sheet: what was asked, what came out, and how to read the rest.
+
+use super::sheet::FIRST;
+use super::style::{Styles, decimals};
+use super::{Front, SHEET_ROWS_MOST, page};
+use crate::error::WriteError;
+use crate::results::{DOES_NOT_FIT, FITS};
+use crate::table::Table;
+use crate::words::{Both, t};
+use rust_xlsxwriter::utility::row_col_to_cell;
+use rust_xlsxwriter::{Format, Formula, Url, Worksheet};
+use workbench::quantities::Measure;
+use workbench::quantities::format_number;
+use workbench::quantities::unit::NEWTON_METRE;
+use workbench::text::{check_title, grade_about, grade_word};
+use workbench::{Grade, Language};
+
+const GRADES: [Grade; 5] = [Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
+
+/// A sheet that is written from the top down.
+struct Page<'s> {
+    sheet: Worksheet,
+    row: u32,
+    styles: &'s Styles,
+    language: Language,
+}
+
+impl Page<'_> {
+    fn heading(&mut self, words: Both) -> Result<(), WriteError> {
+        self.row += 1;
+        for column in 0..3 {
+            let text = if column == 0 { t(self.language, words) } else { "" };
+            self.sheet.write_string_with_format(self.row, column, text, &self.styles.head)?;
+        }
+        self.row += 1;
+        Ok(())
+    }
+
+    fn pair(&mut self, label: Both, value: &str) -> Result<(), WriteError> {
+        let format = &self.styles.plain;
+        self.sheet.write_string_with_format(self.row, 0, t(self.language, label), &self.styles.label)?;
+        self.sheet.write_string_with_format(self.row, 1, value, format)?;
+        self.row += 1;
+        Ok(())
+    }
+
+    /// A formula with its value, a unit and a remark.
+    fn formula(&mut self, label: &str, formula: Formula, format: &Format, about: &str) -> Result<(), WriteError> {
+        self.sheet.write_string_with_format(self.row, 0, label, &self.styles.label)?;
+        self.sheet.write_formula_with_format(self.row, 1, formula, format)?;
+        self.sheet.write_string_with_format(self.row, 2, about, &self.styles.plain)?;
+        self.row += 1;
+        Ok(())
+    }
+}
+
+pub(super) fn sheet(tables: &[Table], front: &Front<'_>, styles: &Styles) -> Result<Worksheet, WriteError> {
+    let l = front.language;
+    let mut page = Page { sheet: Worksheet::new(), row: 0, styles, language: l };
+    page.sheet.set_name(t(l, ["Overview", "Übersicht"]))?;
+    for (column, width) in (0_u16..).zip([30.0, 34.0, 92.0]) {
+        page.sheet.set_column_width(column, width)?;
+    }
+    let name = if front.project.name.is_empty() { front.file } else { &front.project.name };
+    page.sheet.write_string_with_format(0, 0, name, &styles.title)?;
+    page.row = 1;
+    answer(&mut page, front)?;
+    effective_torque(&mut page, tables, front)?;
+    contents(&mut page, tables)?;
+    legend(&mut page)?;
+    page.row += 1;
+    let sentence = [
+        "antrieb is an open engineering workbench for hollow-shaft servo actuators; it is not affiliated with their maker.",
+        "antrieb ist ein offenes Auslegungswerkzeug für Hohlwellen-Servoantriebe; es steht in keiner Verbindung zu deren Hersteller.",
+    ];
+    page.sheet.write_string_with_format(page.row, 0, t(l, sentence), &styles.label)?;
+    super::page(&mut page.sheet);
+    Ok(page.sheet)
+}
+
+fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
+    let l = front.language;
+    let chosen = front.chosen;
+    page.sheet.write_string_with_format(page.row, 0, t(l, ["verdict", "Urteil"]), &page.styles.label)?;
+    let (words, format) = if chosen.fits() { (FITS, &page.styles.fine) } else { (DOES_NOT_FIT, &page.styles.over) };
+    let format = format.clone().set_bold();
+    page.sheet.write_string_with_format(page.row, 1, t(l, words), &format)?;
+    page.row += 1;
+    let label = t(l, ["ordering code", "Bestellcode"]);
+    page.sheet.write_string_with_format(page.row, 0, label, &page.styles.label)?;
+    page.sheet.write_string_with_format(page.row, 1, chosen.id.to_string(), &page.styles.strong)?;
+    page.row += 1;
+    if let Some(check) = chosen.judgement.tightest() {
+        let share = format_number(check.utilisation.unwrap_or(0.0) * 100.0, 1, l);
+        page.pair(["tightest check", "knappste Prüfung"], &format!("{}, {share} %", check_title(check.id, l)))?;
+    }
+    page.pair(["open questions", "offene Fragen"], &chosen.open_questions().to_string())?;
+    for objection in workbench::json::objections(chosen, l) {
+        page.pair(["requirement not met", "Anforderung nicht erfüllt"], &objection)?;
+    }
+    page.pair(["project file", "Projektdatei"], front.file)?;
+    for (label, value) in [(["revision", "Revision"], front.revision), (["date", "Datum"], front.date)] {
+        if let Some(value) = value {
+            page.pair(label, value)?;
+        }
+    }
+    page.pair(["antrieb, version", "antrieb, Version"], env!("CARGO_PKG_VERSION"))
+}
+
+/// T_rms once more from the course, beside the exact integral.
+fn effective_torque(page: &mut Page<'_>, tables: &[Table], front: &Front<'_>) -> Result<(), WriteError> {
+    let l = front.language;
+    let course = tables.iter().find(|table| table.name == "course" && table.rows.len() <= SHEET_ROWS_MOST);
+    let (Some(course), Some(demand)) = (course, front.chosen.judgement.demand.as_ref()) else { return Ok(()) };
+    let (Some(time), Some(torque)) = (course.column("time"), course.column("torque")) else { return Ok(()) };
+    let (Ok(time_at), Ok(torque_at)) = (u16::try_from(time), u16::try_from(torque)) else { return Ok(()) };
+    let last = FIRST + u32::try_from(course.rows.len()).unwrap_or(0) - 1;
+    let Some(found) = trapezoid_rms(course, time, torque) else { return Ok(()) };
+    let range = |column: u16, from: u32, to: u32| {
+        format!("'{}'!{}:{}", course.title, row_col_to_cell(from, column), row_col_to_cell(to, column))
+    };
+    let (t_0, t_1) = (range(time_at, FIRST, last - 1), range(time_at, FIRST + 1, last));
+    let (a, b) = (range(torque_at, FIRST, last - 1), range(torque_at, FIRST + 1, last));
+    let all = range(time_at, FIRST, last);
+    let formula = format!("=SQRT(SUMPRODUCT(({t_1}-{t_0})*({a}^2+{a}*{b}+{b}^2)/3)/(MAX({all})-MIN({all})))");
+    let exact = NEWTON_METRE.from_si(demand.torque_rms.si());
+    let digits = page.styles.number(&format!("{}\" Nm\"", decimals(exact, 5)));
+    page.heading(["Effective torque, computed twice", "Effektives Drehmoment, zweimal gerechnet"])?;
+    let from = page.row;
+    page.formula(
+        t(l, ["T_rms from the course", "T_rms aus dem Verlauf"]),
+        Formula::new(formula).set_result(found.to_string()),
+        &digits,
+        t(
+            l,
+            [
+                "live formula over the sheet of the course, torque taken as straight between its instants",
+                "lebende Formel über das Blatt des Verlaufs, Drehmoment zwischen den Zeitpunkten als gerade genommen",
+            ],
+        ),
+    )?;
+    page.sheet.write_string_with_format(page.row, 0, t(l, ["T_rms exact", "T_rms exakt"]), &page.styles.label)?;
+    page.sheet.write_number_with_format(page.row, 1, exact, &digits)?;
+    let about = ["exact integral, which the checks use", "exaktes Integral, mit dem geprüft wird"];
+    page.sheet.write_string_with_format(page.row, 2, t(l, about), &page.styles.plain)?;
+    page.row += 1;
+    let (course_cell, exact_cell) = (row_col_to_cell(from, 1), row_col_to_cell(from + 1, 1));
+    let difference = if exact == 0.0 { 0.0 } else { found / exact - 1.0 };
+    let share = page.styles.number("0.0000%");
+    page.formula(
+        t(l, ["difference", "Unterschied"]),
+        Formula::new(format!("=IF({exact_cell}=0,0,{course_cell}/{exact_cell}-1)")).set_result(difference.to_string()),
+        &share,
+        t(l, ["what the sampling leaves out", "was die Abtastung weglässt"]),
+    )
+}
+
+/// What the formula gives, for programs that show a workbook without computing it.
+fn trapezoid_rms(course: &Table, time: usize, torque: usize) -> Option<f64> {
+    let samples: Vec<(f64, f64)> =
+        course.numbers(time).zip(course.numbers(torque)).map(|(t, m)| Some((t?, m?))).collect::<Option<_>>()?;
+    let (first, last) = (samples.first()?.0, samples.last()?.0);
+    let pairs = samples.iter().zip(samples.iter().skip(1));
+    let square: f64 = pairs.map(|((t, a), (next, b))| (next - t) * (a * a + a * b + b * b) / 3.0).sum();
+    let found = (square / (last - first)).sqrt();
+    found.is_finite().then_some(found)
+}
+
+fn contents(page: &mut Page<'_>, tables: &[Table]) -> Result<(), WriteError> {
+    let l = page.language;
+    page.heading(["Sheets", "Blätter"])?;
+    for table in tables {
+        let rows = table.rows.len();
+        let count = match l {
+            Language::En => format!("{rows} rows"),
+            Language::De => format!("{rows} Zeilen"),
+        };
+        if rows <= SHEET_ROWS_MOST {
+            let link = Url::new(format!("internal:'{}'!A1", table.title)).set_text(table.title.as_str());
+            page.sheet.write_url_with_format(page.row, 0, link, &page.styles.link)?;
+            page.sheet.write_string_with_format(page.row, 1, count, &page.styles.plain)?;
+        } else {
+            let left = match l {
+                Language::En => format!("{count}, too many for a sheet: antrieb export --table {}", table.name),
+                Language::De => format!("{count}, zu viele für ein Blatt: antrieb export --table {}", table.name),
+            };
+            page.sheet.write_string_with_format(page.row, 0, table.title.as_str(), &page.styles.label)?;
+            page.sheet.write_string_with_format(page.row, 1, left, &page.styles.plain)?;
+        }
+        page.sheet.write_string_with_format(page.row, 2, table.about.as_str(), &page.styles.plain)?;
+        page.row += 1;
+    }
+    Ok(())
+}
+
+fn legend(page: &mut Page<'_>) -> Result<(), WriteError> {
+    let l = page.language;
+    page.heading(["How to read it", "Wie man es liest"])?;
+    let styles = page.styles;
+    for (shown, format, words) in [
+        ("62.0 %", &styles.fine, ["up to 80 % of a limit, or passed", "bis 80 % einer Grenze, oder erfüllt"]),
+        ("● 91.0 %", &styles.near, ["above 80 % of a limit, or advice", "über 80 % einer Grenze, oder Hinweis"]),
+        ("▲ 104.0 %", &styles.over, ["above a limit, or failed", "über einer Grenze, oder verfehlt"]),
+        (
+            "–",
+            &styles.open,
+            [
+                "not checked: a datum is missing; it counts as neither passed nor failed",
+                "nicht geprüft: eine Angabe fehlt; es zählt weder als erfüllt noch als verfehlt",
+            ],
+        ),
+    ] {
+        let shown = if l == Language::De { shown.replace('.', ",") } else { shown.to_owned() };
+        page.sheet.write_string_with_format(page.row, 0, shown, format)?;
+        page.sheet.write_string_with_format(page.row, 2, t(l, words), &styles.plain)?;
+        page.row += 1;
+    }
+    for grade in GRADES {
+        page.sheet.write_string_with_format(page.row, 0, t(l, ["grade", "Güte"]), &styles.label)?;
+        page.sheet.write_string_with_format(page.row, 1, grade_word(grade, l), &styles.plain)?;
+        page.sheet.write_string_with_format(page.row, 2, grade_about(grade, l), &styles.plain)?;
+        page.row += 1;
+    }
+    Ok(())
+}

@@ -1,0 +1,257 @@
+//! One table on a sheet.
+
+use super::page;
+use super::style::{MARGIN, NEAR, SHARE, Styles, decimals};
+use crate::error::WriteError;
+use crate::results::{DOES_NOT_FIT, FITS};
+use crate::table::{Cell, Column, Derived, Kind, Table};
+use crate::words::t;
+use rust_xlsxwriter::utility::{column_number_to_name, row_col_to_cell};
+use rust_xlsxwriter::{ConditionalFormatFormula, Format, Formula, Url, Worksheet};
+use std::collections::BTreeMap;
+use workbench::text::verdict_word;
+use workbench::{Language, Verdict};
+
+/// The row of the first record: heading and unit stand above it.
+pub(super) const FIRST: u32 = 2;
+
+/// Widest and narrowest column in characters.
+const WIDTHS: (usize, usize) = (9, 64);
+
+/// Rows after which the width of a column is no longer looked for.
+const LOOK: usize = 2000;
+
+/// The digits of a column, and of a single number among numbers of other units.
+const DIGITS: (i32, i32) = (5, 4);
+
+/// Where the sheets of candidates and checks have a code first.
+#[derive(Debug, Default)]
+pub(super) struct Links {
+    /// From the name of a table to the name and the rows of the other one.
+    to: BTreeMap<&'static str, (String, BTreeMap<String, u32>)>,
+}
+
+impl Links {
+    pub(super) fn of(tables: &[Table]) -> Self {
+        let mut links = Self::default();
+        for (from, to) in [("candidates", "checks"), ("checks", "candidates")] {
+            let Some(target) = tables.iter().find(|table| table.name == to) else { continue };
+            let Some(code) = target.column("code") else { continue };
+            let mut rows = BTreeMap::new();
+            for (row, cells) in (FIRST..).zip(&target.rows) {
+                if let Some(text) = cells.get(code).and_then(Cell::as_text) {
+                    rows.entry(text.to_owned()).or_insert(row);
+                }
+            }
+            links.to.insert(from, (target.title.clone(), rows));
+        }
+        links
+    }
+
+    fn get(&self, table: &str, code: &str) -> Option<String> {
+        let (title, rows) = self.to.get(table)?;
+        rows.get(code).map(|row| format!("internal:'{title}'!{}", row_col_to_cell(*row, 0)))
+    }
+}
+
+pub(super) fn sheet(
+    table: &Table,
+    links: &Links,
+    styles: &Styles,
+    language: Language,
+) -> Result<Worksheet, WriteError> {
+    let mut sheet = Worksheet::new();
+    sheet.set_name(table.title.as_str())?;
+    let last = FIRST + u32::try_from(table.rows.len()).unwrap_or(u32::MAX - FIRST).max(1) - 1;
+    for (at, column) in (0_u16..).zip(&table.columns) {
+        let index = usize::from(at);
+        sheet.write_string_with_format(0, at, column.title.as_str(), &styles.head)?;
+        sheet.write_string_with_format(1, at, unit(column), &styles.unit)?;
+        sheet.set_column_width(at, width(table, index, column))?;
+        let derived = table.derived.iter().find(|derived| derived.column() == index);
+        let format = column_format(table, index, column, derived, styles);
+        for (row, cells) in (FIRST..).zip(&table.rows) {
+            let Some(cell) = cells.get(index) else { continue };
+            let place = Place { row, at, cells };
+            write(&mut sheet, &place, cell, (column, derived), format.as_ref(), (table.name, links), styles)?;
+        }
+        colour(&mut sheet, column, derived, (at, last), styles, language)?;
+    }
+    let right = u16::try_from(table.columns.len()).unwrap_or(1).max(1) - 1;
+    sheet.autofilter(1, 0, last, right)?;
+    let held = table.column("code").map_or(1, |code| u16::try_from(code).unwrap_or(0) + 1);
+    sheet.set_freeze_panes(FIRST, held)?;
+    sheet.set_repeat_rows(0, 1)?;
+    page(&mut sheet);
+    Ok(sheet)
+}
+
+impl Derived {
+    const fn column(self) -> usize {
+        match self {
+            Self::Utilisation { column, .. } | Self::Margin { column, .. } => column,
+        }
+    }
+}
+
+/// What stands under the heading.
+fn unit(column: &Column) -> &'static str {
+    match (column.kind, column.unit) {
+        (Kind::Share, _) => "%",
+        (_, Some(unit)) if unit.symbol != "1" => unit.symbol,
+        _ => "",
+    }
+}
+
+fn width(table: &Table, index: usize, column: &Column) -> f64 {
+    let longest = table
+        .rows
+        .iter()
+        .take(LOOK)
+        .filter_map(|row| match row.get(index)? {
+            Cell::Text(text) | Cell::Word(_, text) => Some(text.chars().count()),
+            _ => None,
+        })
+        .max()
+        .unwrap_or(0);
+    // A heading may break at its spaces, a value should not.
+    let word = column.title.split([' ', '-']).map(|word| word.chars().count()).max().unwrap_or(0);
+    #[allow(clippy::cast_precision_loss, reason = "at most WIDTHS.1")]
+    let width = longest.max(word).clamp(WIDTHS.0, WIDTHS.1) as f64;
+    width * 1.1 + 2.0
+}
+
+/// The format of the numbers of a column; `None` where each has its own.
+fn column_format(
+    table: &Table,
+    index: usize,
+    column: &Column,
+    derived: Option<&Derived>,
+    styles: &Styles,
+) -> Option<Format> {
+    match (column.kind, derived) {
+        (Kind::Share, Some(Derived::Margin { .. })) => Some(styles.number(MARGIN)),
+        (Kind::Share, _) => Some(styles.number(SHARE)),
+        (Kind::Count, _) => Some(styles.number("0")),
+        (Kind::Number, _) if column.unit.is_some() => {
+            let largest = table.numbers(index).flatten().fold(0.0, |most: f64, number| most.max(number.abs()));
+            Some(styles.number(&decimals(largest, DIGITS.0)))
+        }
+        _ => None,
+    }
+}
+
+/// A cell with the row it belongs to.
+struct Place<'t> {
+    row: u32,
+    at: u16,
+    cells: &'t [Cell],
+}
+
+fn write(
+    sheet: &mut Worksheet,
+    place: &Place<'_>,
+    cell: &Cell,
+    (column, derived): (&Column, Option<&Derived>),
+    format: Option<&Format>,
+    (table, links): (&str, &Links),
+    styles: &Styles,
+) -> Result<(), WriteError> {
+    let (row, at) = (place.row, place.at);
+    match cell {
+        Cell::Empty => {}
+        Cell::Text(text) => {
+            let link = (column.name == "code").then(|| links.get(table, text)).flatten();
+            match link {
+                Some(link) => sheet.write_url_with_format(row, at, Url::new(link).set_text(text), &styles.link)?,
+                None => sheet.write_string_with_format(row, at, text, &styles.text)?,
+            };
+        }
+        Cell::Word(_, text) => {
+            sheet.write_string_with_format(row, at, text, &styles.text)?;
+        }
+        Cell::Number(number) => {
+            let own;
+            let format = match format {
+                Some(format) => format,
+                None => {
+                    own = styles.number(&decimals(*number, DIGITS.1));
+                    &own
+                }
+            };
+            match derived.and_then(|derived| formula(place, *number, *derived)) {
+                Some(formula) => {
+                    let formula = Formula::new(formula).set_result(number.to_string());
+                    sheet.write_formula_with_format(row, at, formula, format)?
+                }
+                None => sheet.write_number_with_format(row, at, *number, format)?,
+            };
+        }
+    }
+    Ok(())
+}
+
+/// The formula that gives a derived number, if one does.
+fn formula(place: &Place<'_>, number: f64, derived: Derived) -> Option<String> {
+    let cell = |index: usize| Some(row_col_to_cell(place.row, u16::try_from(index).ok()?));
+    let figure = |index: usize| place.cells.get(index).and_then(Cell::as_number);
+    let gives = |found: f64| (found - number).abs() <= 1e-9 * number.abs().max(1e-3);
+    match derived {
+        Derived::Margin { utilisation, .. } => {
+            gives(1.0 - figure(utilisation)?).then_some(format!("=1-{}", cell(utilisation)?))
+        }
+        Derived::Utilisation { value, limit, .. } => {
+            let (v, l) = (figure(value)?, figure(limit)?);
+            let ratio = |upper: usize, lower: usize| Some(format!("=ABS({}/{})", cell(upper)?, cell(lower)?));
+            if l != 0.0 && gives((v / l).abs()) {
+                ratio(value, limit)
+            } else if v != 0.0 && gives((l / v).abs()) {
+                ratio(limit, value)
+            } else {
+                None
+            }
+        }
+    }
+}
+
+/// Colours by rule: they follow a value that is changed.
+fn colour(
+    sheet: &mut Worksheet,
+    column: &Column,
+    derived: Option<&Derived>,
+    (at, last): (u16, u32),
+    styles: &Styles,
+    language: Language,
+) -> Result<(), WriteError> {
+    let cell = format!("${}{}", column_number_to_name(at), FIRST + 1);
+    let mut rules: Vec<(String, &Format)> = Vec::new();
+    match (column.kind, derived) {
+        (Kind::Share, Some(Derived::Margin { .. })) => {
+            rules.push((format!("=AND(ISNUMBER({cell}),{cell}<0)"), &styles.over));
+        }
+        (Kind::Share, _) => {
+            rules.push((format!("=AND(ISNUMBER({cell}),{cell}>1)"), &styles.over));
+            rules.push((format!("=AND(ISNUMBER({cell}),{cell}>{NEAR},{cell}<=1)"), &styles.near));
+            rules.push((format!("=AND(ISNUMBER({cell}),{cell}<={NEAR})"), &styles.fine));
+        }
+        (Kind::Verdict, _) => {
+            let word = |verdict| verdict_word(verdict, language);
+            for (text, format) in [
+                (word(Verdict::Pass), &styles.fine),
+                (word(Verdict::Fail), &styles.over),
+                (word(Verdict::Advice), &styles.near),
+                (word(Verdict::NotChecked), &styles.open),
+                (t(language, FITS).to_owned(), &styles.fine),
+                (t(language, DOES_NOT_FIT).to_owned(), &styles.over),
+            ] {
+                rules.push((format!("={cell}=\"{text}\""), format));
+            }
+        }
+        _ => {}
+    }
+    for (rule, format) in rules {
+        let rule = ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(format);
+        sheet.add_conditional_format(FIRST, at, last, at, &rule)?;
+    }
+    Ok(())
+}
