@@ -291,6 +291,9 @@ fn commands(language: Language) -> Command {
         .subcommand(size)
         .subcommand(check)
         .subcommand(explain)
+        .subcommand(compare(language))
+        .subcommand(diff(language))
+        .subcommand(export(language))
         .subcommand(code)
         .subcommand(data)
         .subcommand(catalogue)
@@ -448,6 +451,93 @@ fn picture(command: Command, language: Language) -> Command {
                 "Höhe des Bildes; es wächst, wenn sein Inhalt es braucht",
             ),
         ))
+
+fn compare(language: Language) -> Command {
+    let t = |en, de| either(language, en, de);
+    Command::new("compare")
+        .about(t(
+            "Two to five actuators side by side, check by check",
+            "Zwei bis fünf Antriebe nebeneinander, Prüfung für Prüfung",
+        ))
+        .arg(project(language))
+        .arg(axis(language))
+        .arg(
+            Arg::new("code").long("code").value_name("CODE").required(true).action(ArgAction::Append).help(t(
+                "Ordering code; given once for each actuator",
+                "Bestellcode; für jeden Antrieb einmal anzugeben",
+            )),
+        )
+}
+
+fn diff(language: Language) -> Command {
+    let t = |en, de| either(language, en, de);
+    let file = |name: &'static str, value: &'static str, help| {
+        Arg::new(name).value_name(value).required(true).value_parser(value_parser!(std::path::PathBuf)).help(help)
+    };
+    Command::new("diff")
+        .about(t(
+            "What another revision of a project changes in each check",
+            "Was ein anderer Stand eines Projekts an jeder Prüfung ändert",
+        ))
+        .arg(file("old", "OLD", t("Project file before", "Projektdatei vorher")))
+        .arg(file(
+            "new",
+            "NEW",
+            t(
+                "Project file after; its verdict is the exit code",
+                "Projektdatei nachher; ihr Urteil ist der Rückgabewert",
+            ),
+        ))
+        .arg(axis(language))
+        .arg(Arg::new("code").long("code").value_name("CODE").help(t(
+            "Ordering code; without it the project's own [actuator], else the best before",
+            "Bestellcode; ohne ihn der eigene [actuator] des Projekts, sonst der beste vorher",
+        )))
+}
+
+fn export(language: Language) -> Command {
+    let t = |en, de| either(language, en, de);
+    let text = |name: &'static str, value: &'static str, help| Arg::new(name).long(name).value_name(value).help(help);
+    Command::new("export")
+        .about(t(
+            "The results as a workbook, or one table as CSV, JSON or Parquet",
+            "Die Ergebnisse als Arbeitsmappe, oder eine Tabelle als CSV, JSON oder Parquet",
+        ))
+        .arg(project(language))
+        .arg(axis(language))
+        .arg(text("code", "CODE", t(
+            "Ordering code; without it the project's own [actuator], else the best",
+            "Bestellcode; ohne ihn der eigene [actuator] des Projekts, sonst der beste",
+        )))
+        .arg(
+            text("out", "FILE", t(
+                "File to write, by its ending: .xlsx, .csv, .json, .parquet; - or none: CSV to standard output",
+                "Zieldatei, nach ihrer Endung: .xlsx, .csv, .json, .parquet; - oder keine: CSV auf die Standardausgabe",
+            ))
+            .short('o')
+            .value_parser(value_parser!(std::path::PathBuf)),
+        )
+        .arg(text("table", "NAME", t(
+            "One table: inputs, assumptions, demand, motion, candidates, checks, course",
+            "Eine Tabelle: inputs, assumptions, demand, motion, candidates, checks, course",
+        )))
+        .arg(
+            text("top", "N", t(
+                "How many of the ranking the tables hold (20)",
+                "Wie viele der Reihenfolge die Tabellen enthalten (20)",
+            ))
+            .default_value("20")
+            .value_parser(value_parser!(u16).range(1..)),
+        )
+        .arg(text("revision", "TEXT", t("Revision for the first sheet", "Revision für das erste Blatt")))
+        .arg(text("date", "DATE", t(
+            "Date for the first sheet; none without it, so that the same call gives the same bytes",
+            "Datum für das erste Blatt; ohne Angabe keines, damit derselbe Aufruf dieselben Bytes gibt",
+        )))
+        .arg(Arg::new("force").long("force").action(ArgAction::SetTrue).help(t(
+            "Replace a file that exists",
+            "Eine vorhandene Datei ersetzen",
+        )))
 }
 
 fn inertia(language: Language) -> Command {

@@ -3,44 +3,62 @@
 use crate::answer::Answer;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use workbench::text::file_trouble;
 use workbench::{Diagnostic, Files, Language, PROJECT_MAX_BYTES, Project, json};
 
 /// Longest line that is shown with an underline; a longer one is cut out of the picture.
 const LINE_MAX: usize = 400;
 
-/// Reads a project file with all its axes; a fault is the finished answer.
-pub(crate) fn read_projects(path: &Path, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
-    let name = if path.as_os_str() == "-" { "stdin".to_owned() } else { path.display().to_string() };
-    let bytes =
-        read_bytes(path).map_err(|error| unreadable(&name, &file_trouble(&error, language), as_json, language))?;
-    if bytes.len() > PROJECT_MAX_BYTES {
-        let what = match language {
-            Language::En => {
-                format!("the file is larger than {PROJECT_MAX_BYTES} bytes; a project file is text of a few kilobytes")
-            }
-            Language::De => format!(
-                "die Datei ist größer als {PROJECT_MAX_BYTES} Byte; eine Projektdatei ist Text von wenigen Kilobyte"
-            ),
-        };
-        return Err(unreadable(&name, &what, as_json, language));
-    }
-    let text = match String::from_utf8(bytes) {
-        Ok(text) => text,
-        Err(error) => {
+/// The text of a project file.
+pub(crate) struct Source {
+    /// What it is called in messages.
+    pub(crate) name: String,
+    pub(crate) text: String,
+    folder: PathBuf,
+}
+
+impl Source {
+    /// Reads the text of a project file; a fault is the finished answer.
+    pub(crate) fn read(path: &Path, as_json: bool, language: Language) -> Result<Self, Answer> {
+        let piped = path.as_os_str() == "-";
+        let name = if piped { "stdin".to_owned() } else { path.display().to_string() };
+        let bytes =
+            read_bytes(path).map_err(|error| unreadable(&name, &file_trouble(&error, language), as_json, language))?;
+        if bytes.len() > PROJECT_MAX_BYTES {
+            let what = match language {
+                Language::En => format!(
+                    "the file is larger than {PROJECT_MAX_BYTES} bytes; a project file is text of a few kilobytes"
+                ),
+                Language::De => format!(
+                    "die Datei ist größer als {PROJECT_MAX_BYTES} Byte; eine Projektdatei ist Text von wenigen Kilobyte"
+                ),
+            };
+            return Err(unreadable(&name, &what, as_json, language));
+        }
+        let text = String::from_utf8(bytes).map_err(|error| {
             let at = error.utf8_error().valid_up_to();
             let line = error.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count() + 1;
             let what = match language {
                 Language::En => format!("line {line}: not UTF-8 text"),
                 Language::De => format!("Zeile {line}: kein UTF-8-Text"),
             };
-            return Err(unreadable(&name, &what, as_json, language));
-        }
-    };
-    let folder = if path.as_os_str() == "-" { Path::new("") } else { path.parent().unwrap_or(Path::new("")) };
-    Project::read_all(&text, &Beside(folder), language)
-        .map_err(|faults| report(&name, &text, &faults, as_json, language))
+            unreadable(&name, &what, as_json, language)
+        })?;
+        let folder = if piped { Path::new("") } else { path.parent().unwrap_or(Path::new("")) };
+        Ok(Self { name, text, folder: folder.to_owned() })
+    }
+
+    /// All its axes; a fault is the finished answer.
+    pub(crate) fn projects(&self, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
+        Project::read_all(&self.text, &Beside(&self.folder), language)
+            .map_err(|faults| report(&self.name, &self.text, &faults, as_json, language))
+    }
+}
+
+/// Reads a project file with all its axes; a fault is the finished answer.
+pub(crate) fn read_projects(path: &Path, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
+    Source::read(path, as_json, language)?.projects(as_json, language)
 }
 
 /// At most one byte more than a project file may have: a large file or an endless stream is not read to its end.
@@ -68,7 +86,16 @@ impl Files for Beside<'_> {
     }
 }
 
-fn unreadable(file: &str, what: &str, as_json: bool, language: Language) -> Answer {
+/// A fault in one sentence.
+pub(crate) fn simple(what: &str, as_json: bool, language: Language) -> Answer {
+    let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
+    if as_json {
+        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
+    }
+    answer
+}
+
+pub(crate) fn unreadable(file: &str, what: &str, as_json: bool, language: Language) -> Answer {
     let word = error_word(language);
     let talk = format!("{word}: {file}: {what}\n");
     let mut answer = Answer::fault(talk);

@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use crate::code::parse_for_use;
-use crate::fault::{error_word, read_projects};
+use crate::fault::{read_projects, simple};
 use crate::moves;
 use crate::table::{Align, Table, paragraph};
 use crate::tolerance;
@@ -21,7 +21,7 @@ use workbench::{
     Verdict, json,
 };
 
-fn t(language: Language, en: &str, de: &str) -> String {
+pub(crate) fn t(language: Language, en: &str, de: &str) -> String {
     match language {
         Language::En => en.to_owned(),
         Language::De => de.to_owned(),
@@ -32,11 +32,11 @@ fn shown(si: f64, unit: &Unit, language: Language) -> String {
     format_significant(unit.from_si(si), 4, language)
 }
 
-fn figure(figure: Option<Figure>, language: Language) -> String {
+pub(crate) fn figure(figure: Option<Figure>, language: Language) -> String {
     figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
 }
 
-fn percent(utilisation: Option<f64>, language: Language) -> String {
+pub(crate) fn percent(utilisation: Option<f64>, language: Language) -> String {
     utilisation.map_or_else(|| "–".into(), |share| format_number(share * 100.0, 1, language))
 }
 
@@ -54,24 +54,33 @@ fn paint(text: &str, verdict: Verdict) -> String {
 /// The axes of the project, or the one that is asked for.
 pub(crate) fn axes_of(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
     let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
-    let mut projects = read_projects(&path, as_json, language)?;
-    if let Some(wanted) = matches.get_one::<String>("axis") {
-        let names: Vec<String> = projects.iter().map(|project| project.name.clone()).collect();
-        projects.retain(|project| project.name == *wanted);
-        if projects.is_empty() {
+    let projects = read_projects(&path, as_json, language)?;
+    let found = picked(projects, matches, as_json, language)?;
+    Ok(found.into_iter().map(|(_, project)| project).collect())
+}
+
+/// The axes, or the one that is asked for, each with its place in the file.
+pub(crate) fn picked(
+    projects: Vec<Project>,
+    matches: &ArgMatches,
+    as_json: bool,
+    language: Language,
+) -> Result<Vec<(usize, Project)>, Answer> {
+    let wanted = matches.get_one::<String>("axis");
+    let names: Vec<String> = projects.iter().map(|project| project.name.clone()).collect();
+    let mut found: Vec<(usize, Project)> = projects.into_iter().enumerate().collect();
+    if let Some(wanted) = wanted {
+        found.retain(|(_, project)| project.name == *wanted);
+        if found.is_empty() {
             let what = t(
                 language,
                 &format!("the project has no axis \"{wanted}\"; it has: {}", names.join(", ")),
                 &format!("das Projekt hat keine Achse „{wanted}“; es hat: {}", names.join(", ")),
             );
-            let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
-            if as_json {
-                answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
-            }
-            return Err(answer);
+            return Err(simple(&what, as_json, language));
         }
     }
-    Ok(projects)
+    Ok(found)
 }
 
 /// The answers of several axes as one: texts under each other, JSON values in `axes`; one that does not fit decides.
@@ -556,9 +565,5 @@ pub(crate) fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> An
             "für diesen Code druckt die Anleitung keine Daten: er ist nur auf Anfrage lieferbar",
         ),
     };
-    let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
-    if as_json {
-        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
-    }
-    answer
+    simple(&what, as_json, language)
 }

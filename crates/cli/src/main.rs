@@ -7,8 +7,11 @@ mod answer;
 mod chapter;
 mod code;
 mod command;
+mod compare;
 mod data;
+mod diff;
 mod explain;
+mod export;
 mod fault;
 mod inertia;
 mod judge;
@@ -50,6 +53,9 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("size", found)) => judge::size(found, json, language),
         Some(("check", found)) => judge::check(found, json, language),
         Some(("explain", found)) => explain::explain(found, json, language),
+        Some(("compare", found)) => compare::compare(found, json, language),
+        Some(("diff", found)) => diff::diff(found, json, language),
+        Some(("export", found)) => export::export(found, json, language),
         Some(("code", found)) => code::dispatch(found, json, language),
         Some(("data", found)) => data::sheet(found, json, language),
         Some(("catalogue", found)) => data::catalogue(found, json),

@@ -29,6 +29,15 @@ impl Table {
         self.rows.push(cells.into_iter().collect());
     }
 
+    /// A table with columns that are counted when it is made.
+    pub(crate) fn of(columns: Vec<(String, Align)>) -> Self {
+        Self { columns, rows: Vec::new() }
+    }
+
+    pub(crate) fn push(&mut self, cells: Vec<String>) {
+        self.rows.push(cells);
+    }
+
     /// The table as text. Columns on the left are wrapped, the widest first, so that no line is wider than [`WIDTH`].
     pub(crate) fn render(&self) -> String {
         let width = |index: usize| {

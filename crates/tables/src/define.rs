@@ -20,7 +20,7 @@ pub struct Subject<'a> {
     /// Text of the project file.
     pub text: &'a str,
     /// Place of the axis among several of the file.
-    pub axis: Option<usize>,
+    pub axis: usize,
     /// The axis.
     pub project: &'a Project,
     /// The catalogue ranked for it.
@@ -77,13 +77,9 @@ impl Subject<'_> {
         shown
     }
 
-    fn new(&self, name: &'static str, title: Both, about: Both, columns: Vec<Column>) -> Table {
+    pub(crate) fn empty(&self, name: &'static str, title: Both, about: Both, columns: Vec<Column>) -> Table {
         let (title, about) = (t(self.language, title).to_owned(), t(self.language, about).to_owned());
         Table { name, title, about, columns, rows: Vec::new(), derived: Vec::new() }
-    }
-
-    pub(crate) fn empty(&self, name: &'static str, title: Both, about: Both, columns: Vec<Column>) -> Table {
-        self.new(name, title, about, columns)
     }
 
     fn inputs(&self) -> Table {
@@ -131,14 +127,11 @@ impl Subject<'_> {
             ),
         ];
         let about = ["every value of the project file", "jeder Wert der Projektdatei"];
-        let mut table = self.new("inputs", ["Inputs", "Eingaben"], about, columns);
-        let own = self.axis.map(|index| format!("axis[{}].", index + 1));
+        let mut table = self.empty("inputs", ["Inputs", "Eingaben"], about, columns);
+        let own = format!("axis[{}].", self.axis + 1);
         table.rows = inputs(self.text)
             .into_iter()
-            .filter(|input| match &own {
-                Some(own) => !input.path.starts_with("axis[") || input.path.starts_with(own),
-                None => true,
-            })
+            .filter(|input| !input.path.starts_with("axis[") || input.path.starts_with(&own))
             .map(|input| {
                 let (value, unit) =
                     input.amount.map_or((Cell::Empty, ""), |(value, unit)| (Cell::number(value), unit.json));
@@ -168,7 +161,7 @@ impl Subject<'_> {
             ),
         ];
         let about = ["what was assumed since nobody stated it", "was angenommen ist, weil es niemand angegeben hat"];
-        let mut table = self.new("assumptions", ["Assumptions", "Annahmen"], about, columns);
+        let mut table = self.empty("assumptions", ["Assumptions", "Annahmen"], about, columns);
         table.rows = (1_u16..)
             .zip(&self.project.assumptions)
             .map(|(number, each)| vec![Cell::number(f64::from(number)), Cell::text(assumption_text(*each, l))])
@@ -219,7 +212,7 @@ impl Subject<'_> {
             "the segments of the motion, what was given and what followed: distance, largest speed and acceleration",
             "die Abschnitte der Bewegung, was gegeben ist und was folgt: Weg, größte Drehzahl und Beschleunigung",
         ];
-        let mut table = self.new("motion", ["Motion", "Bewegung"], about, columns);
+        let mut table = self.empty("motion", ["Motion", "Bewegung"], about, columns);
         table.rows = (1_u32..)
             .zip(&moves.moves)
             .map(|(number, each)| {
@@ -322,7 +315,7 @@ impl Subject<'_> {
             .collect();
         let about =
             ["the cycle of the chosen actuator as time series", "der Zyklus des gewählten Antriebs als Zeitreihe"];
-        let mut table = self.new("course", ["Course", "Verlauf"], about, columns);
+        let mut table = self.empty("course", ["Course", "Verlauf"], about, columns);
         table.rows = course(self.project, self.chosen)
             .samples
             .iter()

@@ -8,7 +8,7 @@ mod moves;
 mod tolerance;
 
 pub use chapters::{battery, curves, reserve};
-pub use compare::{compare, difference, input_changes};
+pub use compare::{compare, difference, input_changes, verdict};
 pub use explain::explain;
 pub use inertia::inertia;
 pub use moves::moves;
@@ -145,7 +145,7 @@ pub fn candidate(candidate: &Candidate<'_>, language: Language) -> Value {
         CandidateId::Code(code) => map.insert("code".into(), json!(code.to_string())),
         CandidateId::Own(name) => map.insert("name".into(), json!(name)),
     };
-    map.insert("verdict".into(), json!(if candidate.fits() { "fits" } else { "does_not_fit" }));
+    map.insert("verdict".into(), json!(verdict(candidate)));
     map.insert("utilisation".into(), number(candidate.standing.utilisation));
     map.insert("tightest".into(), json!(candidate.judgement.tightest().map(|check| check.id.id())));
     let mass = candidate.parameters.mass.known().map(|mass| in_unit(mass.value.si(), &KILOGRAM));

@@ -2,7 +2,7 @@
 
 use super::sheet::FIRST;
 use super::style::{Styles, decimals};
-use super::{Front, SHEET_ROWS_MOST, page};
+use super::{Front, SHEET_ROWS_MOST};
 use crate::error::WriteError;
 use crate::results::{DOES_NOT_FIT, FITS};
 use crate::table::Table;

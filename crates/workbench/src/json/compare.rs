@@ -20,7 +20,9 @@ fn head(candidate: &Candidate<'_>, language: Language) -> Value {
     })
 }
 
-const fn verdict(candidate: &Candidate<'_>) -> &'static str {
+/// Identifier of the verdict on a whole candidate.
+#[must_use]
+pub const fn verdict(candidate: &Candidate<'_>) -> &'static str {
     if candidate.fits() { "fits" } else { "does_not_fit" }
 }
 

@@ -70,10 +70,19 @@ pub struct InputChange {
 
 /// The values that differ between two project files, in the order of the second; what is gone comes last.
 ///
-/// Keys are compared by what they say: another spelling of the same quantity is no change.
+/// Keys are compared by what they say: another spelling of the same quantity is no change. Of several axes one of
+/// each file is looked at, with its keys as if it stood alone.
 #[must_use]
-pub fn input_changes(old: &str, new: &str) -> Vec<InputChange> {
-    let (old, new) = (inputs(old), inputs(new));
+pub fn input_changes(old: (&str, usize), new: (&str, usize)) -> Vec<InputChange> {
+    let of_axis = |(text, axis): (&str, usize)| -> Vec<Input> {
+        let own = format!("axis[{}].", axis + 1);
+        let path = |path: &str| match path.strip_prefix(own.as_str()) {
+            None if path.starts_with("axis[") => None,
+            inside => Some(inside.unwrap_or(path).to_owned()),
+        };
+        inputs(text).into_iter().filter_map(|input| Some(Input { path: path(&input.path)?, ..input })).collect()
+    };
+    let (old, new) = (of_axis(old), of_axis(new));
     let by_path = |inputs: &[Input]| -> BTreeMap<String, Input> {
         inputs.iter().map(|input| (input.path.clone(), input.clone())).collect()
     };
@@ -158,11 +167,21 @@ mod tests {
     }
 
     #[test]
+    fn axes_are_compared_by_themselves_wherever_they_stand() {
+        let one = "[[axis]]\nname = \"a\"\n[axis.load]\ninertia = \"1 kg m^2\"\n";
+        let two = "[[axis]]\nname = \"b\"\n[axis.load]\ninertia = \"2 kg m^2\"\n";
+        let (before, after) = (format!("format = 1\n{one}{two}"), format!("format = 1\n{two}{one}"));
+        assert_eq!(input_changes((&before, 0), (&after, 1)), []);
+        let changes = input_changes((&before, 0), (&after, 0));
+        assert_eq!(changes.iter().map(|change| change.path.as_str()).collect::<Vec<_>>(), ["name", "load.inertia"]);
+    }
+
+    #[test]
     fn another_spelling_of_the_same_is_no_change() {
         let new = OLD.replace("accelerate = \"0.1 s\"", "accelerate = \"100 ms\"");
-        assert_eq!(input_changes(OLD, &new), []);
+        assert_eq!(input_changes((OLD, 0), (&new, 0)), []);
         let new = OLD.replace("± 10 %", "").replace("5 N m", "6 N m").replace("pause = \"1 s\"\n", "");
-        let told: Vec<_> = input_changes(OLD, &new).into_iter().map(|c| (c.path, c.old, c.new)).collect();
+        let told: Vec<_> = input_changes((OLD, 0), (&new, 0)).into_iter().map(|c| (c.path, c.old, c.new)).collect();
         let some = |text: &str| Some(text.to_owned());
         assert_eq!(
             told,

@@ -1,0 +1,212 @@
+//! `diff`: what another revision of a project does to an actuator.
+
+use crate::answer::Answer;
+use crate::code::parse_for_use;
+use crate::compare::{names, shown, verdict};
+use crate::fault::{Source, simple};
+use crate::judge::{percent, picked, refuse, t, together};
+use crate::table::{Align, Table, paragraph};
+use clap::ArgMatches;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use workbench::quantities::format_number;
+use workbench::text::{check_title, verdict_word};
+use workbench::{CandidateId, Check, CheckChange, Difference, InputChange, Language, OrderCode, Project, json};
+
+/// An axis with its place in its file.
+type Axis = (usize, Project);
+
+/// `antrieb diff OLD NEW`
+pub(crate) fn diff(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    answer(matches, as_json, language).unwrap_or_else(|fault| fault)
+}
+
+fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Answer, Answer> {
+    let mut talk = String::new();
+    let code = match matches.get_one::<String>("code") {
+        None => None,
+        Some(text) => {
+            let (reading, note) = parse_for_use(text, as_json, language)?;
+            talk = note;
+            Some(reading.parsed.code)
+        }
+    };
+    let read = |which: &str| -> Result<(Source, Vec<Axis>), Answer> {
+        let path = matches.get_one::<PathBuf>(which).cloned().unwrap_or_default();
+        let source = Source::read(&path, as_json, language)?;
+        let axes = picked(source.projects(as_json, language)?, matches, as_json, language)?;
+        Ok((source, axes))
+    };
+    let ((old_file, old), (new_file, new)) = (read("old")?, read("new")?);
+    let pairs = pairs(&old, &new);
+    let told = |axis: &Axis, file: &Source, paired: bool| {
+        let (name, file) = (&axis.1.name, &file.name);
+        (!paired).then(|| {
+            t(
+                language,
+                &format!("axis \"{name}\" is only in {file}\n"),
+                &format!("Achse „{name}“ gibt es nur in {file}\n"),
+            )
+        })
+    };
+    for (index, axis) in old.iter().enumerate() {
+        talk.extend(told(axis, &old_file, pairs.iter().any(|pair| pair.0 == index)));
+    }
+    for (index, axis) in new.iter().enumerate() {
+        talk.extend(told(axis, &new_file, pairs.iter().any(|pair| pair.1 == index)));
+    }
+    if pairs.is_empty() {
+        let what = t(
+            language,
+            "the two projects have no axis of the same name",
+            "die beiden Projekte haben keine Achse gleichen Namens",
+        );
+        let mut fault = simple(&what, as_json, language);
+        fault.talk = talk + &fault.talk;
+        return Err(fault);
+    }
+    let mut answers = Vec::new();
+    for (before, after) in pairs {
+        let (Some(before), Some(after)) = (old.get(before), new.get(after)) else { continue };
+        let inputs = workbench::input_changes((&old_file.text, before.0), (&new_file.text, after.0));
+        answers.push(axis(&before.1, &after.1, &inputs, code.as_ref(), as_json, language)?);
+    }
+    let mut answer = together(answers, as_json);
+    answer.talk = talk + &answer.talk;
+    Ok(answer)
+}
+
+/// The axes that belong together: those of the same name, and the only one of each whatever its name.
+fn pairs(old: &[Axis], new: &[Axis]) -> Vec<(usize, usize)> {
+    if old.len() == 1 && new.len() == 1 {
+        return vec![(0, 0)];
+    }
+    let partner = |axis: &Axis| new.iter().position(|other| other.1.name == axis.1.name);
+    old.iter().enumerate().filter_map(|(index, axis)| Some((index, partner(axis)?))).collect()
+}
+
+fn axis(
+    old: &Project,
+    new: &Project,
+    inputs: &[InputChange],
+    code: Option<&OrderCode>,
+    as_json: bool,
+    language: Language,
+) -> Result<Answer, Answer> {
+    let found = workbench::difference(old, new, code).map_err(|refusal| refuse(&refusal, as_json, language))?;
+    let data = if as_json {
+        let mut value = json::difference(&found, &new.name, language);
+        if let serde_json::Value::Object(map) = &mut value {
+            map.insert("inputs".into(), json::input_changes(inputs));
+        }
+        format!("{value:#}\n")
+    } else {
+        text(&found, &new.name, inputs, language)
+    };
+    Ok(Answer::data(data).fits(found.after.fits()))
+}
+
+fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: Language) -> String {
+    let mut out = String::new();
+    let head = if name.is_empty() { String::new() } else { format!("{name}: ") };
+    let (before, after) = (verdict(&found.before, language), verdict(&found.after, language));
+    let share = |share: f64| percent(share.is_finite().then_some(share), language);
+    let _ = writeln!(
+        out,
+        "{head}{} {before} ({} %) → {after} ({} %)",
+        found.after.id,
+        share(found.before.standing.utilisation),
+        share(found.after.standing.utilisation),
+    );
+    let none = t(language, "none fits", "keiner passt");
+    let best = |id: &Option<CandidateId>| id.as_ref().map_or_else(|| none.clone(), ToString::to_string);
+    let word = t(language, "best of the catalogue", "bester des Katalogs");
+    let (first, second) = (best(&found.best_before), best(&found.best_after));
+    let _ = if first == second {
+        writeln!(out, "{word}: {first}, {}", t(language, "as before", "wie vorher"))
+    } else {
+        writeln!(out, "{word}: {first} → {second}")
+    };
+    out.push('\n');
+    out.push_str(&changed_inputs(inputs, language));
+    out.push_str(&demand(found, language));
+    out.push_str(&checks(&found.checks, language));
+    for objection in json::objections(&found.after, language) {
+        out.push_str(&paragraph(&t(language, "requirement not met: ", "Anforderung nicht erfüllt: "), &objection));
+    }
+    out
+}
+
+fn changed_inputs(inputs: &[InputChange], language: Language) -> String {
+    if inputs.is_empty() {
+        return format!("{}\n\n", t(language, "no input changed", "keine Eingabe geändert"));
+    }
+    let mut table = Table::of(vec![
+        (t(language, "input", "Eingabe"), Align::Left),
+        (t(language, "before", "vorher"), Align::Left),
+        (t(language, "after", "nachher"), Align::Left),
+    ]);
+    let written = |text: &Option<String>| text.clone().unwrap_or_else(|| "–".to_owned());
+    for change in inputs {
+        table.push(vec![change.path.clone(), written(&change.old), written(&change.new)]);
+    }
+    format!("{}\n", table.render())
+}
+
+fn demand(found: &Difference<'_>, language: Language) -> String {
+    let rows: Vec<_> = found.demand.iter().filter(|row| !row.is_same()).collect();
+    if rows.is_empty() {
+        return format!("{}\n\n", t(language, "the demand is the same", "die Anforderung ist dieselbe"));
+    }
+    let mut table = Table::of(vec![
+        (t(language, "demand", "Anforderung"), Align::Left),
+        (t(language, "unit", "Einheit"), Align::Left),
+        (t(language, "before", "vorher"), Align::Right),
+        (t(language, "after", "nachher"), Align::Right),
+    ]);
+    for row in rows {
+        let mut cells = names(row, language).to_vec();
+        cells.extend(row.values.iter().map(|value| shown(*value, language)));
+        table.push(cells);
+    }
+    format!("{}\n", table.render())
+}
+
+fn checks(changes: &[CheckChange], language: Language) -> String {
+    let (same, other): (Vec<&CheckChange>, Vec<&CheckChange>) = changes.iter().partition(|change| change.is_same());
+    let mut out = String::new();
+    if !other.is_empty() {
+        let mut table = Table::of(vec![
+            (t(language, "check", "Prüfung"), Align::Left),
+            (t(language, "before", "vorher"), Align::Left),
+            (t(language, "after", "nachher"), Align::Left),
+            (t(language, "util. %", "Ausl. %"), Align::Right),
+            (t(language, "after", "nachher"), Align::Right),
+            (t(language, "change", "Änderung"), Align::Right),
+        ]);
+        for change in other {
+            let word = |check: &Option<Check>| {
+                check.as_ref().map_or_else(|| "–".to_owned(), |check| verdict_word(check.verdict, language))
+            };
+            let share = |check: &Option<Check>| percent(check.as_ref().and_then(|check| check.utilisation), language);
+            let by = change.change().map_or_else(
+                || "–".to_owned(),
+                |by| format!("{}{}", if by > 0.0 { "+" } else { "" }, format_number(by * 100.0, 1, language)),
+            );
+            table.push(vec![
+                check_title(change.id, language),
+                word(&change.before),
+                word(&change.after),
+                share(&change.before),
+                share(&change.after),
+                by,
+            ]);
+        }
+        out.push_str(&table.render());
+    }
+    if !same.is_empty() {
+        let titles: Vec<String> = same.iter().map(|change| check_title(change.id, language)).collect();
+        out.push_str(&paragraph(&t(language, "unchanged: ", "unverändert: "), &titles.join(", ")));
+    }
+    out
+}

@@ -1,0 +1,211 @@
+//! `export`: the results as a workbook, or one table in a file.
+
+use crate::answer::Answer;
+use crate::code::parse_for_use;
+use crate::fault::{Source, simple, unreadable};
+use crate::judge::{picked, refuse, t};
+use clap::ArgMatches;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use tables::{Front, NAMES, Subject, Table};
+use workbench::text::file_trouble;
+use workbench::{Candidate, Language, Project, Refusal, Sizing, json};
+
+/// How a table is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    Workbook,
+    Csv,
+    Json,
+    Parquet,
+}
+
+/// What is asked for, before anything is computed.
+struct Wish<'m> {
+    /// The file; `None` for standard output.
+    file: Option<&'m Path>,
+    format: Format,
+    /// One table; `None` for the whole workbook.
+    table: Option<&'static str>,
+    force: bool,
+}
+
+/// `antrieb export PROJECT (--out FILE | --table NAME)`
+pub(crate) fn export(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    answer(matches, as_json, language).unwrap_or_else(|fault| fault)
+}
+
+fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Answer, Answer> {
+    let wish = wish(matches, as_json, language)?;
+    let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
+    let source = Source::read(&path, as_json, language)?;
+    let mut axes = picked(source.projects(as_json, language)?, matches, as_json, language)?;
+    if axes.len() > 1 {
+        let names: Vec<&str> = axes.iter().map(|(_, project)| project.name.as_str()).collect();
+        let names = names.join(", ");
+        let what = t(
+            language,
+            &format!("an export is of one axis; choose one with --axis: {names}"),
+            &format!("ein Export gilt einer Achse; eine mit --axis wählen: {names}"),
+        );
+        return Err(simple(&what, as_json, language));
+    }
+    let Some((axis, project)) = axes.pop() else { return Ok(Answer::none()) };
+    let sizing = workbench::size(&project);
+    let (chosen, talk) = chosen(matches, &project, &sizing, as_json, language)?;
+    let top = usize::from(matches.get_one::<u16>("top").copied().unwrap_or(20));
+    let subject =
+        Subject { text: &source.text, axis, project: &project, sizing: &sizing, chosen: &chosen, top, language };
+    let tables: Vec<Table> = match wish.table {
+        Some(name) => subject.table(name).into_iter().collect(),
+        None => subject.tables(),
+    };
+    let file = path.file_name().map_or_else(|| source.name.clone(), |name| name.to_string_lossy().into_owned());
+    let front = Front {
+        file: &file,
+        revision: matches.get_one::<String>("revision").map(String::as_str),
+        date: matches.get_one::<String>("date").map(String::as_str),
+        project: &project,
+        chosen: &chosen,
+        language,
+    };
+    let bytes = bytes(&wish, &tables, &front).map_err(|error| simple(&error.to_string(), as_json, language))?;
+    let code = u8::from(!chosen.fits());
+    let Some(file) = wish.file else {
+        return Ok(Answer { data: String::from_utf8_lossy(&bytes).into_owned(), talk, code });
+    };
+    save(file, &bytes, wish.force, language)
+        .map_err(|what| unreadable(&file.display().to_string(), &what, as_json, language))?;
+    let data = if as_json { told_json(file, &tables, &chosen) } else { told(file, &tables, &chosen, language) };
+    Ok(Answer { data, talk, code })
+}
+
+fn wish<'m>(matches: &'m ArgMatches, as_json: bool, language: Language) -> Result<Wish<'m>, Answer> {
+    let fault = |en: &str, de: &str| simple(&t(language, en, de), as_json, language);
+    let names = NAMES.join(", ");
+    let table = match matches.get_one::<String>("table") {
+        None => None,
+        Some(written) => Some(*NAMES.iter().find(|name| *name == written).ok_or_else(|| {
+            let near = NAMES.iter().min_by_key(|name| strsim::damerau_levenshtein(name, written)).unwrap_or(&NAMES[0]);
+            let close = strsim::damerau_levenshtein(near, written) * 2 <= near.len();
+            let (en, de) = if close {
+                (format!("did you mean {near}?"), format!("gemeint ist vielleicht {near}"))
+            } else {
+                (format!("valid are {names}"), format!("gültig sind {names}"))
+            };
+            fault(
+                &format!("there is no table \"{written}\"; {en}"),
+                &format!("es gibt keine Tabelle „{written}“; {de}"),
+            )
+        })?),
+    };
+    let file = matches.get_one::<PathBuf>("out").map(PathBuf::as_path).filter(|path| path.as_os_str() != "-");
+    let ending = file.map(|file| file.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()));
+    let format = match ending.as_ref().map(Option::as_deref) {
+        None if as_json => Format::Json,
+        None | Some(Some("csv")) => Format::Csv,
+        Some(Some("xlsx")) => Format::Workbook,
+        Some(Some("json")) => Format::Json,
+        Some(Some("parquet")) => Format::Parquet,
+        Some(_) => {
+            return Err(fault(
+                "the ending of the file says the format: .xlsx, .csv, .json or .parquet",
+                "die Endung der Datei sagt das Format: .xlsx, .csv, .json oder .parquet",
+            ));
+        }
+    };
+    if table.is_none() && format != Format::Workbook {
+        return Err(fault(
+            &format!("name one table with --table: {names}; or write the whole workbook with --out FILE.xlsx"),
+            &format!("eine Tabelle mit --table nennen: {names}; oder die ganze Mappe mit --out DATEI.xlsx schreiben"),
+        ));
+    }
+    Ok(Wish { file, format, table, force: matches.get_flag("force") })
+}
+
+/// The code asked for, else the project's own actuator, else the best of the catalogue, be it the nearest miss.
+fn chosen<'p>(
+    matches: &ArgMatches,
+    project: &'p Project,
+    sizing: &Sizing<'p>,
+    as_json: bool,
+    language: Language,
+) -> Result<(Candidate<'p>, String), Answer> {
+    let mut talk = String::new();
+    let judged = match (matches.get_one::<String>("code"), sizing.candidates.first().map(|best| &best.id)) {
+        (Some(text), _) => {
+            let (reading, note) = parse_for_use(text, as_json, language)?;
+            talk = note;
+            workbench::check(project, &reading.parsed.code)
+        }
+        (None, _) if project.actuator.is_some() => workbench::check_own(project),
+        (None, Some(workbench::CandidateId::Code(code))) => workbench::check(project, code),
+        (None, _) => Err(Refusal::NoActuator),
+    };
+    // A code of the ranking may break a rule with the options asked for: then it is judged as the ranking did.
+    let judged = match (judged, matches.contains_id("code"), sizing.candidates.first()) {
+        (Err(_), false, Some(best)) => Ok(best.clone()),
+        (judged, ..) => judged,
+    };
+    judged.map(|candidate| (candidate, talk)).map_err(|refusal| refuse(&refusal, as_json, language))
+}
+
+fn bytes(wish: &Wish<'_>, tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>, tables::WriteError> {
+    let one = tables.first();
+    Ok(match (wish.format, one) {
+        (Format::Workbook, _) => tables::xlsx(tables, front)?,
+        (Format::Csv, Some(table)) => tables::csv(table).into_bytes(),
+        (Format::Json, Some(table)) => format!("{:#}\n", tables::json(table)).into_bytes(),
+        (Format::Parquet, Some(table)) => tables::parquet(table)?,
+        (_, None) => Vec::new(),
+    })
+}
+
+/// Writes a file whole or not at all: into a new one beside it, which then takes its name.
+fn save(path: &Path, bytes: &[u8], force: bool, language: Language) -> Result<(), String> {
+    let trouble = |error: &std::io::Error| file_trouble(error, language);
+    let exists = || t(language, "the file exists; --force replaces it", "die Datei gibt es schon; --force ersetzt sie");
+    if path.is_dir() {
+        return Err(trouble(&std::io::ErrorKind::IsADirectory.into()));
+    }
+    if !force && path.exists() {
+        return Err(exists());
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if !folder.is_dir() {
+        return Err(t(language, "there is no such folder", "diesen Ordner gibt es nicht"));
+    }
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".antrieb-");
+    // As open as any new file of the user: the mask of the process still takes its share.
+    #[cfg(unix)]
+    let mode = std::os::unix::fs::PermissionsExt::from_mode(0o666);
+    #[cfg(unix)]
+    builder.permissions(mode);
+    let mut file = builder.tempfile_in(folder).map_err(|error| trouble(&error))?;
+    file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(|error| trouble(&error))?;
+    let kept = if force { file.persist(path) } else { file.persist_noclobber(path) };
+    kept.map(|_| ()).map_err(|error| match error.error.kind() {
+        std::io::ErrorKind::AlreadyExists => exists(),
+        _ => trouble(&error.error),
+    })
+}
+
+fn told(file: &Path, tables: &[Table], chosen: &Candidate<'_>, language: Language) -> String {
+    let verdict = if chosen.fits() { t(language, "fits", "passt") } else { t(language, "does not fit", "passt nicht") };
+    let parts: Vec<String> = tables.iter().map(|table| format!("{} {}", table.name, table.rows.len())).collect();
+    let rows = t(language, "rows", "Zeilen");
+    format!("{}: {} {verdict}; {rows}: {}\n", file.display(), chosen.id, parts.join(", "))
+}
+
+fn told_json(file: &Path, tables: &[Table], chosen: &Candidate<'_>) -> String {
+    let tables: Vec<serde_json::Value> =
+        tables.iter().map(|table| serde_json::json!({ "name": table.name, "rows": table.rows.len() })).collect();
+    let value = serde_json::json!({
+        "file": file.display().to_string(),
+        "code": chosen.id.to_string(),
+        "verdict": json::verdict(chosen),
+        "tables": tables,
+    });
+    format!("{value:#}\n")
+}
