@@ -4,7 +4,7 @@ use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::compare::{names, shown, verdict};
 use crate::fault::{Source, simple};
-use crate::judge::{percent, picked, refuse, t, together};
+use crate::judge::{figure, percent, picked, refuse, t, together};
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
@@ -176,31 +176,19 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
     let (same, other): (Vec<&CheckChange>, Vec<&CheckChange>) = changes.iter().partition(|change| change.is_same());
     let mut out = String::new();
     if !other.is_empty() {
+        let (before, after) = (t(language, "before", "vorher"), t(language, "after", "nachher"));
         let mut table = Table::of(vec![
             (t(language, "check", "Prüfung"), Align::Left),
-            (t(language, "before", "vorher"), Align::Left),
-            (t(language, "after", "nachher"), Align::Left),
-            (t(language, "util. %", "Ausl. %"), Align::Right),
-            (t(language, "after", "nachher"), Align::Right),
+            (t(language, "verdict", "Urteil"), Align::Left),
+            (before.clone(), Align::Right),
+            (after.clone(), Align::Right),
+            (t(language, "unit", "Einheit"), Align::Left),
+            (format!("{before} %"), Align::Right),
+            (format!("{after} %"), Align::Right),
             (t(language, "change", "Änderung"), Align::Right),
         ]);
         for change in other {
-            let word = |check: &Option<Check>| {
-                check.as_ref().map_or_else(|| "–".to_owned(), |check| verdict_word(check.verdict, language))
-            };
-            let share = |check: &Option<Check>| percent(check.as_ref().and_then(|check| check.utilisation), language);
-            let by = change.change().map_or_else(
-                || "–".to_owned(),
-                |by| format!("{}{}", if by > 0.0 { "+" } else { "" }, format_number(by * 100.0, 1, language)),
-            );
-            table.push(vec![
-                check_title(change.id, language),
-                word(&change.before),
-                word(&change.after),
-                share(&change.before),
-                share(&change.after),
-                by,
-            ]);
+            table.push(changed(change, language));
         }
         out.push_str(&table.render());
     }
@@ -209,4 +197,27 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
         out.push_str(&paragraph(&t(language, "unchanged: ", "unverändert: "), &titles.join(", ")));
     }
     out
+}
+
+/// The cells of a check that is not the same.
+fn changed(change: &CheckChange, language: Language) -> Vec<String> {
+    let none = || "–".to_owned();
+    let word = |check: &Option<Check>| check.as_ref().map_or_else(none, |check| verdict_word(check.verdict, language));
+    let value = |check: &Option<Check>| figure(check.as_ref().and_then(|check| check.value), language);
+    let share = |check: &Option<Check>| percent(check.as_ref().and_then(|check| check.utilisation), language);
+    let (before, after) = (word(&change.before), word(&change.after));
+    let unit = [&change.after, &change.before].into_iter().flatten().find_map(|check| check.value.or(check.limit));
+    let by = change.change().map_or_else(none, |by| {
+        format!("{}{}", if by > 0.0 { "+" } else { "" }, format_number(by * 100.0, 1, language))
+    });
+    vec![
+        check_title(change.id, language),
+        if before == after { after } else { format!("{before} → {after}") },
+        value(&change.before),
+        value(&change.after),
+        unit.map_or("–", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol }).to_owned(),
+        share(&change.before),
+        share(&change.after),
+        by,
+    ]
 }

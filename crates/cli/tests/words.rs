@@ -46,6 +46,12 @@ shows! {
     inertia_with_every_fault: ["inertia", "cylinder diameter=200 length=20s densty=7850kg/m^3", "tub outer=50mm", "tube outer=50mm inner=60mm length=0mm mass=1kg density=1kg/dm^3 count=0"];
     inertia_with_faults_in_german: ["inertia", "--lang", "de", "box a=50mm b=-5mm mass=0,6kg", "point distance=80mm count=2.5", "rod length=80mm axis=parallel density=1kg/l"];
     inertia_faults_as_json: ["inertia", "--json", "point mass=1kg", "sphere diametre=50mm mass=1kg"];
+    compared: ["compare", "examples/indexing-table.toml", "--code", "CHA-32A-50-H-C1024", "--code", "CHA-25A-50-H-C1024", "--code", "CHA-32A-80-H-C1024-B"];
+    compared_in_german: ["compare", "examples/belt-axis.toml", "--code", "CHA-14A-50-N-D2048", "--code", "CHA-17A-50-H-C1024-B", "--lang", "de"];
+    compare_help: ["compare", "--help"];
+    diff_help_in_german: ["diff", "--help", "--lang", "de"];
+    export_help: ["export", "--help"];
+    export_help_in_german: ["export", "--help", "--lang", "de"];
     inertia_help: ["inertia", "--help"];
     plot_help: ["plot", "--help"];
     plot_help_in_german: ["plot", "--help", "--lang", "de"];
@@ -67,5 +73,18 @@ fn every_fault_of_a_project() {
         assert_eq!(run.code, 2);
         assert_eq!(run.out, "");
         insta::assert_snapshot!(format!("every_fault_of_a_project_{language}"), run.err);
+    }
+}
+
+#[test]
+fn another_revision() {
+    let old = std::fs::read_to_string(run::root().join("examples/tilting-arm.toml")).unwrap();
+    let new =
+        old.replace("[requirements]", "[requirements]\nmass_max = \"2.5 kg\"").replace("\"30 degC\"", "\"38 degC\"");
+    let new = new.replacen("payload = \"4 kg\"", "payload = \"6 kg\"", 1);
+    assert_ne!(old, new);
+    for language in ["en", "de"] {
+        let run = run_with(&["diff", "examples/tilting-arm.toml", "-", "--lang", language], new.as_bytes());
+        insta::assert_snapshot!(format!("another_revision_{language}"), format!("{}--- exit {}\n", run.out, run.code));
     }
 }

@@ -133,14 +133,15 @@ impl Subject<'_> {
             .into_iter()
             .filter(|input| !input.path.starts_with("axis[") || input.path.starts_with(&own))
             .map(|input| {
-                let (value, unit) =
-                    input.amount.map_or((Cell::Empty, ""), |(value, unit)| (Cell::number(value), unit.json));
+                let (value, unit) = input
+                    .amount
+                    .map_or((Cell::Empty, Cell::Empty), |(value, unit)| (Cell::number(value), Cell::unit(unit)));
                 vec![
                     Cell::text(input.path),
                     Cell::text(input.written),
                     value,
                     input.half_width.map_or(Cell::Empty, Cell::number),
-                    Cell::text(unit),
+                    unit,
                 ]
             })
             .collect();

@@ -365,7 +365,7 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
 
 fn check_row(code: &str, check: &Check, l: Language) -> Vec<Cell> {
     let figure = |figure: Option<workbench::Figure>| figure.map_or(Cell::Empty, |figure| Cell::number(figure.value()));
-    let unit = check.value.or(check.limit).map_or("", |figure| figure.unit.json);
+    let unit = check.value.or(check.limit).map_or(Cell::Empty, |figure| Cell::unit(figure.unit));
     let sources: Vec<String> =
         [&check.limit_source, &check.value_source].into_iter().flatten().map(|source| source_text(source, l)).collect();
     let notes: Vec<String> =
@@ -379,7 +379,7 @@ fn check_row(code: &str, check: &Check, l: Language) -> Vec<Cell> {
         Cell::Word(check.verdict.id(), verdict_word(check.verdict, l)),
         figure(check.value),
         figure(check.limit),
-        Cell::text(unit),
+        unit,
         utilisation,
         margin,
         Cell::in_unit(check.at.map(|at| at.si()), &SECOND),

@@ -64,6 +64,12 @@ impl Cell {
         si.map_or(Self::Empty, |si| Self::number(unit.from_si(si)))
     }
 
+    /// A unit: as data exchange writes it, and as people do.
+    #[must_use]
+    pub fn unit(unit: &Unit) -> Self {
+        Self::Word(unit.json, if *unit == ONE { String::new() } else { unit.symbol.to_owned() })
+    }
+
     /// Words; none is no value.
     #[must_use]
     pub fn text(text: impl Into<String>) -> Self {

@@ -172,6 +172,8 @@ fn contents(page: &mut Page<'_>, tables: &[Table]) -> Result<(), WriteError> {
     for table in tables {
         let rows = table.rows.len();
         let count = match l {
+            Language::En if rows == 1 => "1 row".to_owned(),
+            Language::De if rows == 1 => "1 Zeile".to_owned(),
             Language::En => format!("{rows} rows"),
             Language::De => format!("{rows} Zeilen"),
         };

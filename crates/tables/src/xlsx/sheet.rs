@@ -1,7 +1,7 @@
 //! One table on a sheet.
 
 use super::page;
-use super::style::{MARGIN, NEAR, SHARE, Styles, decimals};
+use super::style::{MARGIN, NEAR, SHARE, Styles, decimals, single};
 use crate::error::WriteError;
 use crate::results::{DOES_NOT_FIT, FITS};
 use crate::table::{Cell, Column, Derived, Kind, Table};
@@ -175,7 +175,7 @@ fn write(
             let format = match format {
                 Some(format) => format,
                 None => {
-                    own = styles.number(&decimals(*number, DIGITS.1));
+                    own = styles.number(&single(*number, DIGITS.1));
                     &own
                 }
             };

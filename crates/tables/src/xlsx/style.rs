@@ -63,6 +63,12 @@ impl Styles {
     }
 }
 
+/// A format for a single number: as it is where it is short, else with so many digits.
+pub(super) fn single(number: f64, digits: i32) -> String {
+    const SHORT: usize = 8;
+    if number.to_string().len() <= SHORT { "General".to_owned() } else { decimals(number, digits) }
+}
+
 /// A format with as many decimals as a magnitude needs for so many digits.
 pub(super) fn decimals(magnitude: f64, digits: i32) -> String {
     let magnitude = magnitude.abs();
