@@ -451,6 +451,7 @@ fn picture(command: Command, language: Language) -> Command {
                 "Höhe des Bildes; es wächst, wenn sein Inhalt es braucht",
             ),
         ))
+}
 
 fn compare(language: Language) -> Command {
     let t = |en, de| either(language, en, de);
@@ -480,14 +481,17 @@ fn diff(language: Language) -> Command {
             "Was ein anderer Stand eines Projekts an jeder Prüfung ändert",
         ))
         .arg(file("old", "OLD", t("Project file before", "Projektdatei vorher")))
-        .arg(file(
-            "new",
-            "NEW",
-            t(
-                "Project file after; its verdict is the exit code",
-                "Projektdatei nachher; ihr Urteil ist der Rückgabewert",
-            ),
-        ))
+        .arg(
+            file(
+                "new",
+                "NEW",
+                t(
+                    "Project file after; its verdict is the exit code",
+                    "Projektdatei nachher; ihr Urteil ist der Rückgabewert",
+                ),
+            )
+            .display_order(2),
+        )
         .arg(axis(language))
         .arg(Arg::new("code").long("code").value_name("CODE").help(t(
             "Ordering code; without it the project's own [actuator], else the best before",

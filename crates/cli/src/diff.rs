@@ -194,7 +194,7 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
     }
     if !same.is_empty() {
         let titles: Vec<String> = same.iter().map(|change| check_title(change.id, language)).collect();
-        out.push_str(&paragraph(&t(language, "unchanged: ", "unverändert: "), &titles.join(", ")));
+        out.push_str(&paragraph(&t(language, "unchanged: ", "unverändert: "), &titles.join(" · ")));
     }
     out
 }
