@@ -2,13 +2,12 @@
 
 use crate::answer::Answer;
 use crate::code::parse_for_use;
-use crate::fault::{Source, simple, unreadable};
+use crate::fault::{Source, simple};
 use crate::judge::{picked, refuse, t};
+use crate::save::save;
 use clap::ArgMatches;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use tables::{Front, NAMES, Subject, Table};
-use workbench::text::file_trouble;
 use workbench::{Candidate, Language, Project, Refusal, Sizing, json};
 
 /// How a table is written.
@@ -74,8 +73,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
     let Some(file) = wish.file else {
         return Ok(Answer { data: String::from_utf8_lossy(&bytes).into_owned(), talk, code });
     };
-    save(file, &bytes, wish.force, language)
-        .map_err(|what| unreadable(&file.display().to_string(), &what, as_json, language))?;
+    save(&[(file, &bytes)], wish.force).map_err(|fault| simple(&fault.message(language), as_json, language))?;
     let data = if as_json { told_json(file, &tables, &chosen) } else { told(file, &tables, &chosen, language) };
     Ok(Answer { data, talk, code })
 }
@@ -158,36 +156,6 @@ fn bytes(wish: &Wish<'_>, tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>
         (Format::Json, Some(table)) => format!("{:#}\n", tables::json(table)).into_bytes(),
         (Format::Parquet, Some(table)) => tables::parquet(table)?,
         (_, None) => Vec::new(),
-    })
-}
-
-/// Writes a file whole or not at all: into a new one beside it, which then takes its name.
-fn save(path: &Path, bytes: &[u8], force: bool, language: Language) -> Result<(), String> {
-    let trouble = |error: &std::io::Error| file_trouble(error, language);
-    let exists = || t(language, "the file exists; --force replaces it", "die Datei gibt es schon; --force ersetzt sie");
-    if path.is_dir() {
-        return Err(trouble(&std::io::ErrorKind::IsADirectory.into()));
-    }
-    if !force && path.exists() {
-        return Err(exists());
-    }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    if !folder.is_dir() {
-        return Err(t(language, "there is no such folder", "diesen Ordner gibt es nicht"));
-    }
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".antrieb-");
-    // As open as any new file of the user: the mask of the process still takes its share.
-    #[cfg(unix)]
-    let mode = std::os::unix::fs::PermissionsExt::from_mode(0o666);
-    #[cfg(unix)]
-    builder.permissions(mode);
-    let mut file = builder.tempfile_in(folder).map_err(|error| trouble(&error))?;
-    file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(|error| trouble(&error))?;
-    let kept = if force { file.persist(path) } else { file.persist_noclobber(path) };
-    kept.map(|_| ()).map_err(|error| match error.error.kind() {
-        std::io::ErrorKind::AlreadyExists => exists(),
-        _ => trouble(&error.error),
     })
 }
 

@@ -17,6 +17,7 @@ mod inertia;
 mod judge;
 mod moves;
 mod plot;
+mod report;
 mod save;
 mod table;
 mod tolerance;
@@ -52,6 +53,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
     match matches.subcommand() {
         Some(("size", found)) => judge::size(found, json, language),
         Some(("check", found)) => judge::check(found, json, language),
+        Some(("report", found)) => report::report(found, json, language),
         Some(("explain", found)) => explain::explain(found, json, language),
         Some(("compare", found)) => compare::compare(found, json, language),
         Some(("diff", found)) => diff::diff(found, json, language),

@@ -8,11 +8,9 @@ use crate::judge::{axes_of, refuse};
 use crate::save::save;
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use workbench::quantities::unit::MILLIMETRE;
 use workbench::quantities::{Length, Measure, format_number};
-use workbench::text::file_trouble;
 use workbench::{Candidate, Language, Project};
 
 /// Pixels of a PNG to the CSS pixel: 192 dpi.
@@ -58,7 +56,7 @@ pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> A
 }
 
 /// The actuator asked for, else the project's own, else the best of the catalogue.
-fn candidate<'p>(
+pub(crate) fn candidate<'p>(
     project: &'p Project,
     matches: &ArgMatches,
     as_json: bool,
@@ -122,14 +120,8 @@ pub(crate) fn put(drawing: &Drawing, matches: &ArgMatches, as_json: bool, langua
         .into_iter()
         .chain(png.map(|path| (path.as_path(), pixels.as_slice())))
         .collect();
-    if let Err(fault) = save(&files) {
-        let trouble = match (fault.error.kind(), language) {
-            (ErrorKind::NotFound | ErrorKind::NotADirectory, Language::En) => "there is no such folder".to_owned(),
-            (ErrorKind::NotFound | ErrorKind::NotADirectory, Language::De) => "diesen Ordner gibt es nicht".to_owned(),
-            _ => file_trouble(&fault.error, language),
-        };
-        let what = format!("{}: {trouble}", fault.path.display());
-        return refused(&what, as_json, language);
+    if let Err(fault) = save(&files, matches.get_flag("force")) {
+        return refused(&fault.message(language), as_json, language);
     }
     let paths: Vec<String> = files.iter().map(|(path, _)| path.display().to_string()).collect();
     if as_json {

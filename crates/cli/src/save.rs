@@ -1,8 +1,10 @@
 //! Files that are written: whole or not at all.
 
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
+use workbench::Language;
+use workbench::text::file_trouble;
 
 /// A file that could not be written.
 #[derive(Debug)]
@@ -11,17 +13,36 @@ pub(crate) struct Unwritten {
     pub(crate) error: std::io::Error,
 }
 
-/// Writes files, each beside its place first and then renamed. Nothing is renamed before all are written.
-pub(crate) fn save(files: &[(&Path, &[u8])]) -> Result<(), Unwritten> {
+/// Writes files, each beside its place first and then renamed. Nothing is renamed before all are written. A file that
+/// exists stays unless `force` says otherwise.
+pub(crate) fn save(files: &[(&Path, &[u8])], force: bool) -> Result<(), Unwritten> {
     let unwritten = |path: &Path, error| Unwritten { path: path.to_owned(), error };
     let mut staged: Vec<(NamedTempFile, &Path)> = Vec::new();
     for (path, bytes) in files {
+        if !force && path.exists() && !path.is_dir() {
+            return Err(unwritten(path, std::io::ErrorKind::AlreadyExists.into()));
+        }
         staged.push((stage(path, bytes).map_err(|error| unwritten(path, error))?, path));
     }
     for (file, path) in staged {
-        file.persist(path).map_err(|fault| unwritten(path, fault.error))?;
+        let kept = if force { file.persist(path) } else { file.persist_noclobber(path) };
+        kept.map_err(|fault| unwritten(path, fault.error))?;
     }
     Ok(())
+}
+
+impl Unwritten {
+    /// File and trouble in one sentence.
+    pub(crate) fn message(&self, language: Language) -> String {
+        let (en, de) = match self.error.kind() {
+            ErrorKind::NotFound | ErrorKind::NotADirectory => ("there is no such folder", "diesen Ordner gibt es nicht"),
+            ErrorKind::AlreadyExists => {
+                ("the file exists; --force replaces it", "die Datei gibt es schon; --force ersetzt sie")
+            }
+            _ => return format!("{}: {}", self.path.display(), file_trouble(&self.error, language)),
+        };
+        format!("{}: {}", self.path.display(), if language == Language::De { de } else { en })
+    }
 }
 
 fn stage(path: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
@@ -61,7 +82,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.svg");
         for text in ["one", "two"] {
-            save(&[(&path, text.as_bytes())]).unwrap();
+            save(&[(&path, text.as_bytes())], true).unwrap();
             assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
         }
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
@@ -71,7 +92,7 @@ mod tests {
     fn of_two_files_none_is_written_if_one_cannot_be() {
         let folder = tempfile::tempdir().unwrap();
         let (good, bad) = (folder.path().join("a.svg"), folder.path().join("none/a.png"));
-        let fault = save(&[(&good, b"x"), (&bad, b"y")]).unwrap_err();
+        let fault = save(&[(&good, b"x"), (&bad, b"y")], true).unwrap_err();
         assert_eq!(fault.path, bad);
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
     }

@@ -5,6 +5,7 @@ mod compare;
 mod explain;
 mod inertia;
 mod moves;
+mod screws;
 mod tolerance;
 
 pub use chapters::{battery, curves, reserve};
@@ -12,6 +13,7 @@ pub use compare::{compare, difference, input_changes, verdict};
 pub use explain::explain;
 pub use inertia::inertia;
 pub use moves::moves;
+pub use screws::screws;
 pub use tolerance::tolerance;
 
 use crate::codes::{CodeFault, CodeReading, explain_code};

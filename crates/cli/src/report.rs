@@ -1,0 +1,143 @@
+//! `report`: the results as the PDF that an engineer signs.
+
+use crate::answer::Answer;
+use crate::fault::{Source, simple};
+use crate::judge::picked;
+use crate::plot::candidate;
+use crate::save::save;
+use clap::ArgMatches;
+use figures::{By, Drawing, Figure, Style, Theme};
+use report::{Content, Settings};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use workbench::{Candidate, Language, Project, catalogue_fingerprint, json as answers, project_fingerprint};
+
+/// The figures of the report, each with its place there.
+const FIGURES: [(&str, Figure); 5] = [
+    ("motion", Figure::Cycle),
+    ("torque_speed", Figure::TorqueSpeed),
+    ("output_bearing", Figure::BearingLoad),
+    ("gear", Figure::Torsion),
+    ("candidates", Figure::CandidateMap),
+];
+
+/// `antrieb report PROJECT --out FILE`
+pub(crate) fn report(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+    let out = matches.get_one::<PathBuf>("out").cloned().unwrap_or_default();
+    write(matches, &out, as_json, language).unwrap_or_else(|answer| answer)
+}
+
+/// Writes the report of the axis and the actuator that are asked for.
+pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: Language) -> Result<Answer, Answer> {
+    let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
+    let source = Source::read(&path, as_json, language)?;
+    let projects = picked(source.projects(as_json, language)?, matches, as_json, language)?;
+    let [(_, project)] = projects.as_slice() else {
+        let names: Vec<&str> = projects.iter().map(|(_, project)| project.name.as_str()).collect();
+        let names = names.join(", ");
+        let what = match language {
+            Language::En => format!("a report is that of one axis; name it with --axis: {names}"),
+            Language::De => format!("ein Bericht gilt für eine Achse; sie mit --axis nennen: {names}"),
+        };
+        return Err(simple(&what, as_json, language));
+    };
+    let (candidate, talk) = candidate(project, matches, as_json, language)?;
+    let content = content(project, &candidate, &source.text, language);
+    let bytes = report::pdf(&content, &settings(matches))
+        .map_err(|fault| simple(&fault.to_string(), as_json, language))?;
+    save(&[(out, &bytes)], matches.get_flag("force"))
+        .map_err(|fault| simple(&fault.message(language), as_json, language))?;
+    let verdict = match (candidate.fits(), language) {
+        (true, Language::En) => "fits",
+        (true, Language::De) => "passt",
+        (false, Language::En) => "does not fit",
+        (false, Language::De) => "passt nicht",
+    };
+    let data = if as_json {
+        let value = json!({
+            "file": out.display().to_string(),
+            "code": candidate.id.to_string(),
+            "verdict": answers::verdict(&candidate),
+            "bytes": bytes.len(),
+        });
+        format!("{value:#}\n")
+    } else {
+        format!("{}: {} {verdict}, {} kB\n", out.display(), candidate.id, bytes.len() / 1000)
+    };
+    Ok(Answer { data, talk, code: u8::from(!candidate.fits()) })
+}
+
+fn settings(matches: &ArgMatches) -> Settings {
+    let text = |name: &str| {
+        let given = matches.try_get_one::<String>(name).ok().flatten();
+        given.cloned().unwrap_or_default()
+    };
+    Settings {
+        date: Some(text("date")).filter(|date| !date.is_empty()),
+        revision: text("revision"),
+        project: text("title"),
+        number: text("number"),
+        author: text("author"),
+        company: text("company"),
+        pdf_a: matches.try_get_one::<bool>("archive").ok().flatten().copied().unwrap_or(false),
+    }
+}
+
+fn content(project: &Project, candidate: &Candidate<'_>, text: &str, language: Language) -> Content {
+    let sizing = workbench::size(project);
+    let motion = answers::moves(&workbench::moves(project));
+    let assumptions = answers::assumptions(&project.assumptions, language);
+    let mut judged = answers::candidate(candidate, language);
+    if let Value::Object(map) = &mut judged {
+        map.insert("axis".into(), json!(project.name));
+        map.insert("motion".into(), motion.clone());
+        map.insert("reserve".into(), answers::reserve(&workbench::reserve_of(project, candidate)));
+        map.insert("assumptions".into(), json!(assumptions));
+    }
+    let mut ranking = answers::sizing(&sizing, project, &[], usize::MAX, language);
+    if let Value::Object(map) = &mut ranking {
+        map.insert("motion".into(), motion);
+    }
+    let explained = match &candidate.id {
+        workbench::CandidateId::Code(code) => workbench::explain(project, code),
+        workbench::CandidateId::Own(_) => workbench::explain_own(project),
+    };
+    let derivations: Vec<Value> = explained
+        .iter()
+        .flat_map(|explained| &explained.judgement.checks)
+        .map(|check| answers::explain(check, language))
+        .collect();
+    let recordings: Vec<Value> = project
+        .recordings
+        .iter()
+        .map(|read| json!({ "file": read.file, "samples": read.recording.time_s.len() }))
+        .collect();
+    let item = if language == Language::De { "Servoantrieb" } else { "servo actuator" };
+    let inputs = report::inputs(text).unwrap_or_default();
+    let data = json!({
+        "check": judged,
+        "sizing": ranking,
+        "inputs": inputs,
+        "assumptions": assumptions,
+        "explain": { "axis": project.name, "code": candidate.id.to_string(), "checks": derivations },
+        "recordings": recordings,
+        "hash": { "project": project_fingerprint(text, &project.recordings), "catalogue": catalogue_fingerprint() },
+        "screws": answers::screws(candidate, language),
+        "bill_of_material": [{ "item": item, "quantity": "1", "code": candidate.id.to_string() }],
+    });
+    let figures = FIGURES.iter().filter_map(|(place, figure)| {
+        let drawing = figures::draw(*figure, project, candidate, By::Mass, language).ok()?;
+        Some(drawn(place, &drawing, language))
+    });
+    Content { language, data, figures: figures.collect() }
+}
+
+fn drawn(place: &str, drawing: &Drawing, language: Language) -> report::Figure {
+    let style = Style::new(drawing.size()).theme(Theme::Light).language(language).id(place);
+    report::Figure {
+        name: place.to_owned(),
+        svg: drawing.render(&style).into_svg(),
+        caption: drawing.caption.clone(),
+        alternative_text: drawing.description.clone(),
+    }
+}
