@@ -277,7 +277,7 @@ fn read_date(text: &str) -> Result<Date, Fault> {
 
 fn motion_table(
     motion: &Motion,
-    inputs: &[crate::data::Input],
+    inputs: &[crate::project::Input],
     recordings: &[Recording],
     shown: &Shown,
 ) -> MotionTable {

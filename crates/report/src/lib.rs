@@ -3,12 +3,15 @@
 //! A face gathers what the workbench answers into a [`Content`], adds what stands on the title page ([`Settings`]) and
 //! asks for the [`pdf`]. Same content and settings, same bytes: no clock, no file, no system font is touched.
 
+#[cfg(feature = "pdf")]
 mod data;
+#[cfg(feature = "pdf")]
 mod document;
 #[cfg(feature = "pdf")]
 mod glyphs;
 #[cfg(feature = "pdf")]
 mod press;
+mod project;
 #[cfg(feature = "pdf")]
 mod template;
 
@@ -17,7 +20,7 @@ pub use press::pages_png;
 #[cfg(feature = "pdf")]
 pub use press::{page_texts, pdf, right_edges};
 
-pub use data::{Input, inputs};
+pub use project::{Input, inputs};
 use quantities::Language;
 
 /// Everything that stands in the report, as data.

@@ -1,7 +1,7 @@
 //! The project as it was written, and what of it the sketch calls out.
 
 use super::shown::Shown;
-use crate::data::Input;
+use crate::project::Input;
 use serde::Serialize;
 
 /// One table of the project file.
