@@ -177,13 +177,26 @@ impl Document {
     }
 }
 
+/// The chapter of a figure; the ids of `figures` are known.
+fn place(name: &str) -> String {
+    let place = name.split([':', '/']).next().unwrap_or_default().trim().replace('-', "_");
+    match place.as_str() {
+        "cycle" => "motion".to_owned(),
+        "utilisation" => "checks".to_owned(),
+        "torsion" => "gear".to_owned(),
+        "bearing_load" => "output_bearing".to_owned(),
+        "candidate_map" => "alternatives".to_owned(),
+        _ => place,
+    }
+}
+
 fn placed(content: &Content) -> Vec<Placed> {
     content
         .figures
         .iter()
         .enumerate()
         .map(|(index, figure)| Placed {
-            place: figure.name.split([':', '/']).next().unwrap_or_default().trim().replace('-', "_"),
+            place: place(&figure.name),
             file: figure_file(index),
             caption: figure.caption.clone(),
             // A file to be kept must have one.

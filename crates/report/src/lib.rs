@@ -54,7 +54,8 @@ pub struct Content {
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// Its place and name: up to the first `:`, `/` or end one of `mechanism`, `motion`, `demand`, `torque_speed`,
-    /// `output_bearing`, `gear`, `brake`, `thermal`, `energy`; any other name puts it behind the parts of chapter 7.
+    /// `checks`, `output_bearing`, `gear`, `brake`, `thermal`, `energy`, `feedback`, `screws`, `alternatives`, `wiring`, or
+    /// an id of the crate `figures`; any other name puts it behind the parts of chapter 7.
     pub name: String,
     /// SVG, its text in the family Inter.
     pub svg: String,
