@@ -1,6 +1,7 @@
 //! The cycle over time, one panel for each quantity.
 
 use crate::drawing::{Drawing, Figure};
+use crate::thin::thinned;
 use crate::words::{amount, listed, say, subject};
 use plot::{Axis, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
 use workbench::quantities::unit::{
@@ -24,7 +25,7 @@ const ROOM: f64 = 1.12;
 /// Angle, speed, acceleration, torque, current, power, temperatures and I²t over the cycle.
 #[must_use]
 pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
-    let course = workbench::course(project, candidate);
+    let course = thinned(workbench::course(project, candidate));
     let t = |en, de| say(language, en, de);
     let signals = vec![
         signal(&course, Axis::new("φ", "°").name(t("Angle at the output", "Winkel am Abtrieb")), &DEGREE, |sample| {

@@ -8,6 +8,7 @@ mod drawing;
 mod fault;
 mod map;
 mod plane;
+mod thin;
 mod torsion;
 mod utilisation;
 mod words;

@@ -1,0 +1,79 @@
+//! Long courses made short without losing an extreme.
+
+use workbench::{Course, Sample};
+
+/// Samples above which a course is thinned.
+const SAMPLES_MAX: usize = 200_000;
+
+/// Columns of time that a course is thinned to; finer than the pixels of a picture.
+const COLUMNS: f64 = 8000.0;
+
+type Quantity = fn(&Sample) -> Option<f64>;
+
+const QUANTITIES: [Quantity; 9] = [
+    |sample| Some(sample.position_rad),
+    |sample| Some(sample.speed_rad_s),
+    |sample| Some(sample.acceleration_rad_s2),
+    |sample| Some(sample.torque_nm),
+    |sample| sample.current_a,
+    |sample| sample.power_w,
+    |sample| sample.winding_k,
+    |sample| sample.housing_k,
+    |sample| sample.overload,
+];
+
+/// Of each column of time the first and the last sample, and those where a quantity is least or largest.
+pub(crate) fn thinned(course: Course) -> Course {
+    if course.samples.len() <= SAMPLES_MAX || course.duration_s <= 0.0 {
+        return course;
+    }
+    let column = |sample: &Sample| (sample.time_s / course.duration_s * COLUMNS).floor();
+    let samples = course.samples.chunk_by(|a, b| column(a) == column(b)).flat_map(extremes).collect();
+    Course { samples, ..course }
+}
+
+/// The samples of a column that a picture needs, in their order.
+fn extremes(samples: &[Sample]) -> Vec<Sample> {
+    let mut kept = vec![0, samples.len().saturating_sub(1)];
+    for of in QUANTITIES {
+        let mut found: Option<((usize, f64), (usize, f64))> = None;
+        for (index, value) in samples.iter().enumerate().filter_map(|(index, sample)| Some((index, of(sample)?))) {
+            let (low, high) = found.get_or_insert(((index, value), (index, value)));
+            if value < low.1 {
+                *low = (index, value);
+            }
+            if value > high.1 {
+                *high = (index, value);
+            }
+        }
+        kept.extend(found.map(|(low, high)| [low.0, high.0]).into_iter().flatten());
+    }
+    kept.sort_unstable();
+    kept.dedup();
+    kept.into_iter().filter_map(|index| samples.get(index).copied()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_course_keeps_its_extremes_and_its_ends() {
+        let sample = |index: u32| {
+            let time_s = f64::from(index) * 1e-3;
+            let peak = if index == 123_457 { 9.0 } else { 0.0 };
+            Sample { time_s, position_rad: (time_s * 40.0).sin(), torque_nm: time_s + peak, ..Sample::default() }
+        };
+        let course = Course { samples: (0..=400_000).map(sample).collect(), borders_s: vec![0.0], duration_s: 400.0 };
+        let short = thinned(course.clone());
+        assert!(short.samples.len() < 100_000, "{}", short.samples.len());
+        assert_eq!((short.samples.first(), short.samples.last()), (course.samples.first(), course.samples.last()));
+        assert!(short.samples.windows(2).all(|pair| pair[0].time_s < pair[1].time_s));
+        for of in QUANTITIES {
+            let least = |course: &Course| course.samples.iter().filter_map(of).fold(f64::INFINITY, f64::min);
+            let largest = |course: &Course| course.samples.iter().filter_map(of).fold(f64::NEG_INFINITY, f64::max);
+            assert_eq!((least(&short), largest(&short)), (least(&course), largest(&course)));
+        }
+        assert!(short.samples.contains(&sample(123_457)));
+    }
+}
