@@ -11,7 +11,7 @@ const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod files;
 
-use files::{compare, curve, diff, export, plot, report};
+use files::{compare, curve, diff, export, plot, report, sheet};
 
 fn either(language: Language, en: &'static str, de: &'static str) -> &'static str {
     match language {
@@ -167,7 +167,14 @@ fn commands(language: Language) -> Command {
             "Show every actuator, the rejected ones with their reason",
             "Alle Antriebe zeigen, die abgelehnten mit Grund",
         )));
-    let size = sampling(size, language);
+    let size = size.arg(
+        Arg::new("report")
+            .long("report")
+            .value_name("FILE")
+            .value_parser(value_parser!(std::path::PathBuf))
+            .help(t("Write the report of the best as PDF", "Den Bericht des besten als PDF schreiben")),
+    );
+    let size = sheet(sampling(size, language), language);
     let check = Command::new("check")
         .about(t(
             "Judge one actuator, every check with its margin",

@@ -4,6 +4,7 @@ use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::{read_projects, simple};
 use crate::moves;
+use crate::report;
 use crate::table::{Align, Table, paragraph};
 use crate::tolerance;
 use anstyle::{AnsiColor, Style};
@@ -111,6 +112,14 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
         Ok(projects) => projects,
         Err(answer) => return answer,
     };
+    // The file first: a report that cannot be written leaves nothing half said.
+    let talk = match matches.get_one::<PathBuf>("report") {
+        Some(out) => match report::write(matches, out, false, language) {
+            Ok(written) => written.data,
+            Err(answer) => return answer,
+        },
+        None => String::new(),
+    };
     let all = matches.get_flag("all");
     let top = if all { usize::MAX } else { usize::from(matches.get_one::<u16>("top").copied().unwrap_or(10)) };
     let answers = projects.iter().map(|project| {
@@ -127,7 +136,8 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
         }
         Answer::data(sizing_text(&sizing, project, &assessed, (top, all), language)).fits(fits)
     });
-    together(answers.collect(), as_json)
+    let answer = together(answers.collect(), as_json);
+    Answer { talk: answer.talk.clone() + &talk, ..answer }
 }
 
 fn sizing_text(

@@ -63,7 +63,7 @@ pub(crate) fn candidate<'p>(
     language: Language,
 ) -> Result<(Candidate<'p>, String), Answer> {
     let refuse = |refusal| refuse(&refusal, as_json, language);
-    if let Some(text) = matches.get_one::<String>("code") {
+    if let Ok(Some(text)) = matches.try_get_one::<String>("code") {
         let (reading, note) = parse_for_use(text, as_json, language)?;
         return Ok((workbench::check(project, &reading.parsed.code).map_err(refuse)?, note));
     }

@@ -43,8 +43,8 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
     };
     let (candidate, talk) = candidate(project, matches, as_json, language)?;
     let content = content(project, &candidate, &source.text, language);
-    let bytes = report::pdf(&content, &settings(matches))
-        .map_err(|fault| simple(&fault.to_string(), as_json, language))?;
+    let bytes =
+        report::pdf(&content, &settings(matches)).map_err(|fault| simple(&fault.to_string(), as_json, language))?;
     save(&[(out, &bytes)], matches.get_flag("force"))
         .map_err(|fault| simple(&fault.message(language), as_json, language))?;
     let verdict = match (candidate.fits(), language) {

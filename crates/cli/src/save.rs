@@ -35,7 +35,9 @@ impl Unwritten {
     /// File and trouble in one sentence.
     pub(crate) fn message(&self, language: Language) -> String {
         let (en, de) = match self.error.kind() {
-            ErrorKind::NotFound | ErrorKind::NotADirectory => ("there is no such folder", "diesen Ordner gibt es nicht"),
+            ErrorKind::NotFound | ErrorKind::NotADirectory => {
+                ("there is no such folder", "diesen Ordner gibt es nicht")
+            }
             ErrorKind::AlreadyExists => {
                 ("the file exists; --force replaces it", "die Datei gibt es schon; --force ersetzt sie")
             }

@@ -481,7 +481,7 @@ fn a_picture_goes_to_standard_output_or_whole_into_files() {
     let (svg, png) = (folder.join("a.svg"), folder.join("a.png"));
     let (svg, png) = (svg.to_str().unwrap(), png.to_str().unwrap());
     for _ in 0..2 {
-        let run = run(&["plot", project, "--figure", "torque_speed", "--svg", svg, "--png", png, "--json"]);
+        let run = run(&["plot", project, "--figure", "torque_speed", "--svg", svg, "--png", png, "--json", "--force"]);
         assert_eq!(run.code, 0, "{}", run.err);
         let value: Value = serde_json::from_str(&run.out).unwrap();
         assert_eq!((value["figure"].as_str(), value["file"].as_str()), (Some("torque_speed"), Some(svg)));
@@ -547,4 +547,30 @@ fn the_pictures_of_the_guide_are_what_the_tool_draws() {
         let shown = std::fs::read_to_string(root().join("docs/guide/pictures").join(file)).unwrap();
         assert!(drawn == shown, "{file} is stale: antrieb plot examples/{example}.toml --figure {figure}");
     }
+}
+
+#[test]
+fn a_report_is_written_once_and_the_same_twice() {
+    let folder = scratch("report");
+    let (first, second) = (folder.join("a.pdf"), folder.join("b.pdf"));
+    let (first, second) = (first.to_str().unwrap(), second.to_str().unwrap());
+    let project = "examples/indexing-table.toml";
+    let sheet = ["--date", "2026-11-21", "--revision", "B", "--title", "Anlage Ä µ ²", "--archive"];
+    let found = run(&[&["report", project, "--out", first], sheet.as_slice()].concat());
+    assert_eq!((found.code, found.err.as_str()), (0, ""));
+    let found = run(&[&["size", project, "--report", second], sheet.as_slice()].concat());
+    assert_eq!(found.code, 0);
+    assert!(found.err.contains("b.pdf"), "{}", found.err);
+    let bytes = std::fs::read(first).unwrap();
+    assert!(bytes.starts_with(b"%PDF-1.7") && bytes.len() < 2_000_000, "{}", bytes.len());
+    assert!(bytes == std::fs::read(second).unwrap(), "the same axis and actuator give other bytes");
+    let again = run(&["report", project, "--out", first]);
+    assert!(again.code == 2 && again.err.contains("--force"), "{}", again.err);
+    let nowhere = folder.join("no/such/a.pdf");
+    let lost = run(&["size", project, "--report", nowhere.to_str().unwrap()]);
+    assert!(lost.code == 2 && lost.out.is_empty() && lost.err.contains("folder"), "{}", lost.err);
+    let date = run(&["report", project, "--out", second, "--force", "--date", "21.13.2026"]);
+    assert_eq!((date.code, names(&folder)), (2, vec!["a.pdf".to_owned(), "b.pdf".to_owned()]));
+    let several = run(&["report", "examples/two-axes.toml", "--out", second, "--force"]);
+    assert!(several.code == 2 && several.err.contains("--axis"), "{}", several.err);
 }

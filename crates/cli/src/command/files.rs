@@ -181,7 +181,6 @@ pub(super) fn export(language: Language) -> Command {
         .arg(force(language))
 }
 
-
 pub(super) fn report(language: Language) -> Command {
     let t = |en, de| either(language, en, de);
     let text = |name: &'static str, value: &'static str, help| Arg::new(name).long(name).value_name(value).help(help);
@@ -189,10 +188,14 @@ pub(super) fn report(language: Language) -> Command {
         .about(t("The results as a PDF to sign", "Die Ergebnisse als PDF zum Unterschreiben"))
         .arg(project(language))
         .arg(axis(language))
-        .arg(text("code", "CODE", t(
-            "Ordering code; without it the project's own [actuator], else the best of the catalogue",
-            "Bestellcode; ohne ihn der eigene [actuator] des Projekts, sonst der beste des Katalogs",
-        )))
+        .arg(text(
+            "code",
+            "CODE",
+            t(
+                "Ordering code; without it the project's own [actuator], else the best of the catalogue",
+                "Bestellcode; ohne ihn der eigene [actuator] des Projekts, sonst der beste des Katalogs",
+            ),
+        ))
         .arg(
             text("out", "FILE", t("PDF file to write", "Zu schreibende PDF-Datei"))
                 .short('o')
@@ -207,19 +210,25 @@ pub(super) fn sheet(command: Command, language: Language) -> Command {
     let t = |en, de| either(language, en, de);
     let text = |name: &'static str, value: &'static str, help| Arg::new(name).long(name).value_name(value).help(help);
     command
-        .arg(text("date", "DATE", t(
-            "Date of the document, 2026-11-21; none without it, so that the same call gives the same bytes",
-            "Datum des Dokuments, 2026-11-21; ohne Angabe keines, damit derselbe Aufruf dieselben Bytes gibt",
-        )))
+        .arg(text(
+            "date",
+            "DATE",
+            t(
+                "Date of the document, 2026-11-21; none without it, so that the same call gives the same bytes",
+                "Datum des Dokuments, 2026-11-21; ohne Angabe keines, damit derselbe Aufruf dieselben Bytes gibt",
+            ),
+        ))
         .arg(text("revision", "TEXT", t("Revision of the document", "Revision des Dokuments")))
         .arg(text("title", "TEXT", t("Project, plant or order", "Projekt, Anlage oder Auftrag")))
         .arg(text("number", "TEXT", t("Number of the document", "Nummer des Dokuments")))
         .arg(text("author", "TEXT", t("Who made it", "Bearbeitet von")))
         .arg(text("company", "TEXT", t("Company or office", "Firma oder Büro")))
-        .arg(Arg::new("archive").long("archive").action(ArgAction::SetTrue).help(t(
-            "As PDF/A, to be kept; needs --date",
-            "Als PDF/A zum Aufbewahren; braucht --date",
-        )))
+        .arg(
+            Arg::new("archive")
+                .long("archive")
+                .action(ArgAction::SetTrue)
+                .help(t("As PDF/A, to be kept; needs --date", "Als PDF/A zum Aufbewahren; braucht --date")),
+        )
         .arg(force(language))
 }
 
