@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use crate::Error;
 use crate::cargo::{Workspace, cargo};
 
-const PREFIX: &str = "cargo run --release -- ";
+const PREFIX: &str = "cargo run -- ";
 /// A command that the README shows must answer while the reader waits.
 const PATIENCE: Duration = Duration::from_secs(120);
 
@@ -45,7 +45,7 @@ impl Line {
     fn try_in(&self, root: &Path, desk: &Path) -> Result<(), Error> {
         eprintln!("readme: {}", self.printed);
         let manifest = root.join("Cargo.toml");
-        let mut command = cargo(desk, &["run", "--release", "--quiet", "--manifest-path"]);
+        let mut command = cargo(desk, &["run", "--quiet", "--manifest-path"]);
         command.arg(manifest).arg("--").args(&self.words).stdin(Stdio::null());
         match &self.into {
             None => command.stdout(Stdio::null()),
@@ -85,7 +85,7 @@ impl Line {
     }
 }
 
-/// The commands in fenced blocks that start with `cargo run --release -- `, a prompt `$ ` allowed.
+/// The commands in fenced blocks that start with `cargo run -- `, a prompt `$ ` allowed.
 fn commands(readme: &str) -> Result<Vec<Line>, Error> {
     let mut found = Vec::new();
     let mut fenced = false;
@@ -204,8 +204,8 @@ mod tests {
 
     #[test]
     fn only_fenced_commands_count() {
-        let readme = "cargo run --release -- not this\n```sh\n$ cargo run --release -- new table > axis.toml\n\
-                      cargo build\ncargo run --release -- torsion X \\\n  --torque \"60 N m\"  # a remark\n```\n";
+        let readme = "cargo run -- not this\n```sh\n$ cargo run -- new table > axis.toml\n\
+                      cargo build\ncargo run -- torsion X \\\n  --torque \"60 N m\"  # a remark\n```\n";
         let lines = commands(readme).unwrap();
         assert_eq!(lines.len(), 2);
         assert_eq!((lines[0].number, lines[0].into.as_deref()), (3, Some("axis.toml")));
