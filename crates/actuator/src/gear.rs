@@ -123,9 +123,6 @@ const NOMINAL_LIFE_H: f64 = 35_000.0;
 /// n_N: reference input speed of the life equation, 2000 1/min.
 const REFERENCE_SPEED_RPM: f64 = 2_000.0;
 
-/// Strains of the flexspline under collision torque, and the most collisions in any case.
-const COLLISION_STRAINS: f64 = 1e4;
-
 /// L_50 / L_10
 const LIFE_RATIO: f64 = 5.0;
 
@@ -141,20 +138,6 @@ pub fn wave_generator_life_l50(rated: Torque, mean: Torque, speed_in_mean: Angul
     let speed_rpm = speed_in_mean.si().abs() * 60.0 / std::f64::consts::TAU;
     let hours = NOMINAL_LIFE_H * REFERENCE_SPEED_RPM / speed_rpm * (rated.si() / mean.si()).powi(3);
     Time::from_si(hours * 3600.0)
-}
-
-/// How many collisions the flexspline bears at an input speed: the wave generator turns under the overload, and each of
-/// its turns strains the flexspline twice.
-///
-/// N_k = 10⁴ / (2 n_in t_k / 60), never above 10⁴
-///
-/// # Symbols  n_in input speed at the collision [1/min], t_k duration of the collision \[s\]
-/// # Source   csd-2a-engineering-data; constants in the table gear-life
-/// # Valid    collision torque not above T_M
-#[must_use]
-pub fn collisions_permitted(speed_in: AngularVelocity, duration: Time) -> f64 {
-    let strains = 2.0 * speed_in.si().abs() / std::f64::consts::TAU * duration.si();
-    (COLLISION_STRAINS / strains).min(COLLISION_STRAINS)
 }
 
 /// Life of the wave-generator bearing that 90 % of the gears reach.

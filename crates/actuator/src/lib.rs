@@ -24,8 +24,8 @@ pub use brake::{Brake, EmergencyStop, StopOutcome, emergency_stop, sag_angle, sa
 pub use curve::{Curve, CurveFault, CurvePoint};
 pub use feedback::{Feedback, FeedbackSide};
 pub use gear::{
-    Gear, Torsion, collision_count_max, collisions_permitted, cubic_mean_torque, natural_frequency, resonance_speed,
-    wave_generator_life, wave_generator_life_l50, wave_generator_life_with,
+    Gear, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, resonance_speed, wave_generator_life,
+    wave_generator_life_l50, wave_generator_life_with,
 };
 pub use motor::{
     ContinuousLimit, FRICTION_LOSS_SHARE, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT, continuous_torque,

@@ -106,10 +106,11 @@ fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Work
     let mut check = Comparison::with(id, &NEWTON_METRE, torque.si(), key("requirements.collision_torque"), limit)
         .answer(Verdict::Fail);
     // At the peak speed a collision lasts for the most turns of the wave generator.
-    let permitted = axis.asked.collision_time.zip(actuator.ratio.known()).map(|(time, ratio)| {
-        let speed_in = AngularVelocity::from_si(axis.moments().speed_peak.si() * ratio.value);
-        actuator::collisions_permitted(speed_in, time)
-    });
+    let permitted = axis
+        .asked
+        .collision_time
+        .zip(actuator.ratio.known())
+        .map(|(time, ratio)| actuator::collision_count_max(axis.moments().speed_peak, ratio.value, time));
     let mut told = false;
     if let (Some(count), Some(permitted)) = (axis.asked.collisions, permitted) {
         let most = Sourced { value: Ratio::from_si(permitted), source: MODEL, grade: limit.grade, errata: &[] };

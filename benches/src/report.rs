@@ -1,0 +1,41 @@
+//! The report as PDF, by the release binary: process start, judging, pictures, typesetting, file.
+//!
+//! Baseline: `size` on the same project, which does all but pictures and typesetting.
+#![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
+
+use benches::{Gates, Times, binary, measure, root};
+use std::path::Path;
+use std::process::{Command, ExitCode, Stdio};
+use std::time::Duration;
+
+fn time(binary: &Path, arguments: &[&str]) -> Times {
+    measure(3, || {
+        let status = Command::new(binary)
+            .args(arguments)
+            .current_dir(root())
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .status();
+        assert!(status.is_ok_and(|status| status.success()), "{arguments:?} failed");
+    })
+}
+
+fn main() -> ExitCode {
+    let binary = binary().expect("the release binary is built");
+    let mut gates = Gates::default();
+    let file = std::env::temp_dir().join(format!("antrieb-bench-{}.pdf", std::process::id()));
+    let out = file.to_str().expect("a folder with a name");
+    let project = "examples/indexing-table.toml";
+    let baseline = ("size", time(&binary, &["size", project]));
+    let pdf = time(&binary, &["report", project, "--force", "--date", "2026-11-21", "--out", out]);
+    let bytes = std::fs::metadata(&file).map_or(0, |found| found.len());
+    let _ = std::fs::remove_file(&file);
+    gates.hold("report of the indexing table as PDF", pdf, Duration::from_millis(PROMISED_MS), baseline);
+    println!("  {} kB, promised 2000 at most", bytes / 1000);
+    assert!((1..=2_000_000).contains(&bytes), "{bytes} bytes");
+    gates.close()
+}
+
+/// Twice what an idle machine takes, so that a busy one does not miss it.
+const PROMISED_MS: u64 = 1_000;
