@@ -76,6 +76,47 @@ fn every_sample_says_all_that_its_data_say() {
     }
 }
 
+/// Without spaces of any width, which stand between number, unit and groups of digits.
+fn dense(text: &str) -> String {
+    text.chars().filter(|sign| !sign.is_whitespace()).collect()
+}
+
+/// A figure of the JSON as a reader of that language finds it: four digits, no zeros at the end.
+fn printed(value: f64, language: Language) -> String {
+    let text = quantities::format_significant(value, 4, language);
+    let point = if language == Language::De { ',' } else { '.' };
+    let (mantissa, power) = text.split_at(text.find('·').unwrap_or(text.len()));
+    let short = if mantissa.contains(point) { mantissa.trim_end_matches('0').trim_end_matches(point) } else { mantissa };
+    dense(&format!("{short}{power}"))
+}
+
+#[test]
+fn every_number_of_a_check_stands_in_the_report_as_it_is_in_the_answer() {
+    for (name, answers, project, language) in samples::SAMPLES {
+        let content = samples::content(answers, project, language);
+        let text = dense(&report::page_texts(&content, &samples::settings()).unwrap().concat());
+        let mut numbers = 0;
+        for check in content.data["check"]["checks"].as_array().unwrap() {
+            let unit = match check["unit"].as_str() {
+                None | Some("1") => "",
+                Some("deg") => "°",
+                Some(unit) => quantities::Unit::of(unit).map_or(unit, |unit| unit.symbol),
+            };
+            for key in ["value", "limit"] {
+                let Some(value) = check[key].as_f64() else { continue };
+                let figure = format!("{}{unit}", printed(value, language));
+                assert!(text.contains(&dense(&figure)), "{name}, {} {key}: {figure}", check["id"]);
+                numbers += 1;
+            }
+            if let Some(share) = check["utilisation"].as_f64().filter(|share| *share * 100.0 >= 0.05) {
+                let percent = dense(&format!("{}%", quantities::format_number(share * 100.0, 1, language)));
+                assert!(text.contains(&percent), "{name}, {}: {percent}", check["id"]);
+            }
+        }
+        assert!(numbers > 30, "{name}: {numbers}");
+    }
+}
+
 #[test]
 fn the_language_is_that_of_headings_and_numbers() {
     let mut content = sample("indexing-table-en");
