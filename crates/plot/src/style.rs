@@ -184,14 +184,14 @@ const COLOURS: [(&str, &str, &str); 17] = [
     ("short-time", "#0b57a4", "#6db3f8"),
     ("trace", "#14171b", "#f4f5f6"),
     ("pass", "#1f8a70", "#35b895"),
-    ("advice", "#e09a00", "#f0b83a"),
+    ("advice", "#c07f00", "#f0b83a"),
     ("fail", "#c2182b", "#ff6f70"),
     ("unchecked", "#8a929d", "#7d8692"),
     ("series-0", "#0072b2", "#56b4e9"),
     ("series-1", "#d55e00", "#ff8f4a"),
     ("series-2", "#009e73", "#2fc79b"),
     ("series-3", "#b8629a", "#e39cc8"),
-    ("series-4", "#c98500", "#f2bd4b"),
+    ("series-4", "#b87b00", "#f2bd4b"),
     ("series-5", "#3b3f8f", "#a5a9f5"),
 ];
 
@@ -211,6 +211,32 @@ mod tests {
         assert_eq!(Theme::Css.colour(Colour::Tone(Tone::Series(0))), "var(--plot-series-0,#0072b2)");
         assert_eq!(Theme::Css.colour(Colour::Tone(Tone::Series(11))), "var(--plot-series-5,#3b3f8f)");
         assert_eq!(Theme::Css.colour(Colour::Unchecked), "var(--plot-unchecked,#8a929d)");
+    }
+
+    /// Contrast of two colours, 1 to 21, as WCAG 2 defines it.
+    fn contrast(a: &str, b: &str) -> f64 {
+        let luminance = |colour: &str| {
+            let channel = |at: usize| {
+                let value = f64::from(u8::from_str_radix(&colour[at..at + 2], 16).unwrap()) / 255.0;
+                if value <= 0.03928 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+            };
+            0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+        };
+        let (a, b) = (luminance(a), luminance(b));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    /// Text 4.5 to 1 against the paper, lines and marks 3 to 1; the grid may stay behind.
+    #[test]
+    fn every_colour_stands_out_from_its_paper() {
+        let (_, light_paper, dark_paper) = COLOURS[0];
+        for (name, light, dark) in COLOURS.iter().skip(1).filter(|(name, ..)| *name != "grid") {
+            let least = if matches!(*name, "ink" | "soft") { 4.5 } else { 3.0 };
+            for (colour, paper) in [(light, light_paper), (dark, dark_paper)] {
+                let found = contrast(colour, paper);
+                assert!(found >= least, "{name} {colour} on {paper}: {found:.2}");
+            }
+        }
     }
 
     #[test]
