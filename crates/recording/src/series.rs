@@ -6,7 +6,7 @@ use quantities::{Dimension, Time, Unit};
 /// Recorded samples in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
-    /// Times since the first kept sample [s], strictly rising; the first is zero.
+    /// Times since the first kept sample \[s\], strictly rising; the first is zero.
     pub time_s: Vec<f64>,
     /// Time of the first kept sample, as the file counts it.
     pub first_time: Time,
