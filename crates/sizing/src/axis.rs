@@ -216,6 +216,12 @@ impl Axis {
         }
     }
 
+    /// Whether so few instants make the cycle that judging an actuator costs microseconds.
+    #[must_use]
+    pub fn is_short(&self) -> bool {
+        self.trace.is_short()
+    }
+
     /// The integrals of the cycle.
     #[must_use]
     pub const fn moments(&self) -> &Moments {

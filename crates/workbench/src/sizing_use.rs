@@ -164,15 +164,20 @@ fn actuators_of(project: &Project, option_1: Option<Option1>) -> &[(OrderCode, P
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
     let actuators = actuators_of(project, project.option_1);
-    // Two fixed halves; the order is that of the catalogue, whoever is done first.
-    let (first, second) = actuators.split_at(actuators.len() / 2);
-    let mut candidates = std::thread::scope(|scope| {
-        let other = scope.spawn(|| judged(project, second));
-        let mut candidates = judged(project, first);
-        // A thread that could not finish leaves its part to this one.
-        candidates.extend(other.join().unwrap_or_else(|_| judged(project, second)));
-        candidates
-    });
+    let mut candidates = if project.axis.is_short() {
+        // Beginning a thread would take as long as the work.
+        judged(project, actuators)
+    } else {
+        // Two fixed halves; the order is that of the catalogue, whoever is done first.
+        let (first, second) = actuators.split_at(actuators.len() / 2);
+        std::thread::scope(|scope| {
+            let other = scope.spawn(|| judged(project, second));
+            let mut candidates = judged(project, first);
+            // A thread that could not finish leaves its part to this one.
+            candidates.extend(other.join().unwrap_or_else(|_| judged(project, second)));
+            candidates
+        })
+    };
     candidates.sort_by(|a, b| rank(&a.standing, &b.standing));
     Sizing {
         name: &project.name,
