@@ -92,7 +92,7 @@ pub const fn milliseconds(time: Duration) -> f64 {
 const ALLOWANCE: f64 = 2.0;
 
 /// The gates of a bench: what was measured, what is promised. What misses its promise is told; what misses it by more than
-/// the [`ALLOWANCE`] fails.
+/// that allowance fails.
 #[derive(Debug, Default)]
 pub struct Gates {
     missed: Vec<String>,
