@@ -174,7 +174,7 @@ fn torsion(actuator: &Parameters, torque: Torque) -> Datum<Angle> {
     actuator.gear.torsion().map_or(Datum::NotPrinted, |curve| {
         Datum::Known(Sourced {
             value: Angle::from_si(curve.angle(torque).si().abs()),
-            source: Source::Equation { document: "cha-manual", number: "73.1" },
+            source: Source::Equation { number: "73.1" },
             grade: grades.into_iter().flatten().fold(Grade::Computed, Grade::worst),
             errata: &[],
         })
@@ -186,7 +186,7 @@ fn tilt(actuator: &Parameters, moment: Torque) -> Datum<Angle> {
     actuator.output_bearing.tilting_stiffness.known().map_or(Datum::NotPrinted, |stiffness| {
         Datum::Known(Sourced {
             value: Angle::from_si(tilt_angle(moment, stiffness.value).si().abs()),
-            source: Source::Equation { document: "cha-manual", number: "76.4" },
+            source: Source::Equation { number: "76.4" },
             grade: stiffness.grade.worst(Grade::Computed),
             errata: stiffness.errata,
         })
@@ -204,8 +204,8 @@ mod tests {
     use quantities::{TiltingStiffness, TorsionalStiffness};
 
     fn known<T>(value: T) -> Datum<T> {
-        let cell = CellRef { table: "54.1", symbol: "x", condition: "", drive: "", ratio: "" };
-        Datum::Known(Sourced { value, source: Source::Cell(cell), grade: Grade::Printed, errata: &[] })
+        const CELL: CellRef = CellRef::of_the_manual("54.1", "x", "");
+        Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] })
     }
 
     fn minutes(value: f64) -> Datum<Angle> {

@@ -152,8 +152,8 @@ mod tests {
     use quantities::unit::ARCSECOND;
 
     fn known<T>(value: T) -> Datum<T> {
-        let cell = CellRef { table: "58.1", symbol: "x", condition: "", drive: "", ratio: "" };
-        Datum::Known(Sourced { value, source: Source::Cell(cell), grade: Grade::Printed, errata: &[] })
+        const CELL: CellRef = CellRef::of_the_manual("58.1", "x", "");
+        Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] })
     }
 
     /// 4096 turns of 131072 steps, ±60″.

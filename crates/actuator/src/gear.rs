@@ -152,6 +152,17 @@ pub fn wave_generator_life(rated: Torque, mean: Torque, speed_in_mean: AngularVe
     wave_generator_life_with(rated, mean, speed_in_mean, &mut Workings::off())
 }
 
+/// A constant of the life in our table of published gear data.
+const fn published(symbol: &'static str, condition: &'static str) -> CellRef {
+    CellRef { document: "csd-2a-engineering-data", table: "gear-life", symbol, condition, drive: "", ratio: "" }
+}
+
+/// Where the nominal life stands.
+const NOMINAL_LIFE: CellRef = published("L_n", "series=HFUC, HFUS, CSD, CPU, CSF, SHD");
+
+/// Where the speed stands that it holds for.
+const REFERENCE_SPEED: CellRef = published("n_N_gear", "");
+
 /// [`wave_generator_life`] with its workings; the result is `L_10`, from `T_N`, `T_av` and `n_in` that the caller notes.
 #[must_use]
 pub fn wave_generator_life_with(
@@ -164,16 +175,11 @@ pub fn wave_generator_life_with(
     let life = Time::from_si(half.si() / LIFE_RATIO);
     if work.is_on() {
         let source = Source::Model { name: "gear" };
-        let constant = |symbol, condition| Source::Published {
-            document: "csd-2a-engineering-data",
-            cell: CellRef { table: "gear-life", symbol, condition, drive: "", ratio: "" },
-        };
         let nominal = Time::new_in(NOMINAL_LIFE_H, &HOUR);
-        let series = constant("L_n", "series=HFUC, HFUS, CSD, CPU, CSF, SHD");
-        work.figure("L_n", &HOUR, nominal.si(), &series, Grade::Published);
+        work.figure("L_n", &HOUR, nominal.si(), &Source::Published(&NOMINAL_LIFE), Grade::Published);
         let reference = AngularVelocity::new_in(REFERENCE_SPEED_RPM, &REVOLUTION_PER_MINUTE);
-        let rated_speed = constant("n_N_gear", "");
-        work.figure("n_N_gear", &REVOLUTION_PER_MINUTE, reference.si(), &rated_speed, Grade::Published);
+        let stated = Source::Published(&REFERENCE_SPEED);
+        work.figure("n_N_gear", &REVOLUTION_PER_MINUTE, reference.si(), &stated, Grade::Published);
         work.formula("L_50", &HOUR, half.si(), "L_n*n_N_gear/n_in*(T_N/T_av)^3", &source);
         work.formula("L_10", &HOUR, life.si(), "L_50/5", &source);
     }

@@ -10,8 +10,8 @@ use quantities::{
 };
 
 fn known<T>(value: T) -> Datum<T> {
-    let cell = CellRef { table: "26.1", symbol: "x", condition: "", drive: "", ratio: "" };
-    Datum::Known(Sourced { value, source: Source::Cell(cell), grade: Grade::Printed, errata: &[] })
+    const CELL: CellRef = CellRef::of_the_manual("26.1", "x", "");
+    Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] })
 }
 
 fn rpm(n: f64) -> AngularVelocity {

@@ -4,8 +4,8 @@ use super::*;
 use provenance::{CellRef, Datum, Sourced};
 
 fn known<T>(value: T) -> Datum<T> {
-    let cell = CellRef { table: "26.1", symbol: "x", condition: "", drive: "", ratio: "" };
-    Datum::Known(Sourced { value, source: Source::Cell(cell), grade: Grade::Printed, errata: &[] })
+    const CELL: CellRef = CellRef::of_the_manual("26.1", "x", "");
+    Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] })
 }
 
 /// CHA-20A: R_LL = 5.9 Ω, I_0 = 2.1 A, hence 48.23 W at 80 °C.

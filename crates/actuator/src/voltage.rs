@@ -174,8 +174,8 @@ mod tests {
     use quantities::{ElectricalResistance, Inductance, VoltageConstant};
 
     fn known<T>(value: T) -> Datum<T> {
-        let cell = CellRef { table: "26.1", symbol: "x", condition: "", drive: "", ratio: "" };
-        Datum::Known(Sourced { value, source: Source::Cell(cell), grade: Grade::Printed, errata: &[] })
+        const CELL: CellRef = CellRef::of_the_manual("26.1", "x", "");
+        Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] })
     }
 
     /// The motor of CHA-20A (table 26.1) at i = 50.

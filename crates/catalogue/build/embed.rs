@@ -277,14 +277,15 @@ fn write_all(out: &mut String, data: &Data, cells: &[Cell<'_>], ranges: &[(usize
     let _ = writeln!(out, "pub(crate) static CELLS: &[Cell] = &[");
     for cell in cells {
         let [drive, feedback, ratio, symbol, condition] = &cell.keys;
-        let table = data.tables.get(cell.table).map_or("", |t| t.table.as_str());
+        let (document, table) = data.tables.get(cell.table).map_or(("", ""), |t| (t.source.as_str(), t.table.as_str()));
         let errata: Vec<&str> =
             cell.errata.iter().filter_map(|n| data.errata.get(*n)).map(|erratum| erratum.id.as_str()).collect();
         let limit = cell.checks_use.map_or("None".into(), |text| format!("Some({})", value_expression(text)));
         let _ = writeln!(
             out,
-            "Cell {{ table: {table:?}, row: {}, column: {}, drive: {drive:?}, feedback: {feedback:?}, ratio: {ratio:?}, \
-             symbol: {symbol:?}, condition: {condition:?}, unit: {:?}, printed: {:?}, corrected: {:?}, value: {}, \
+            "Cell {{ place: CellRef {{ document: {document:?}, table: {table:?}, symbol: {symbol:?}, \
+             condition: {condition:?}, drive: {drive:?}, ratio: {ratio:?} }}, row: {}, column: {}, \
+             feedback: {feedback:?}, unit: {:?}, printed: {:?}, corrected: {:?}, value: {}, \
              checks_use: {limit}, errata: &{errata:?} }},",
             cell.row,
             cell.column,

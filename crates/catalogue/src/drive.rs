@@ -52,14 +52,14 @@ static DRIVES: LazyLock<Vec<Drive>> = LazyLock::new(|| {
         .iter()
         .map(|&(name, size, windings, feedbacks)| {
             let mut by_symbol: BTreeMap<&'static str, Vec<&'static Cell>> = BTreeMap::new();
-            for cell in crate::cells().iter().filter(|cell| cell.drive == name) {
-                by_symbol.entry(cell.symbol).or_default().push(cell);
+            for cell in crate::cells().iter().filter(|cell| cell.place.drive == name) {
+                by_symbol.entry(cell.place.symbol).or_default().push(cell);
             }
             let printed = by_symbol.get("T_max").map(Vec::as_slice).unwrap_or_default();
             let ratios = Ratio::ALL
                 .iter()
                 .copied()
-                .filter(|ratio| printed.iter().any(|cell| cell.ratio == ratio.to_string()))
+                .filter(|ratio| printed.iter().any(|cell| cell.place.ratio == ratio.to_string()))
                 .collect();
             Drive { name, size, windings, feedbacks, ratios, by_symbol }
         })
@@ -107,7 +107,9 @@ impl Drive {
     #[must_use]
     pub fn cell(&self, symbol: &str, condition: &str, feedback: Feedback, ratio: Ratio) -> Option<&'static Cell> {
         self.by_symbol.get(symbol)?.iter().copied().find(|cell| {
-            cell.condition == condition && covers(cell.feedback, feedback) && covers_ratio(cell.ratio, ratio)
+            cell.place.condition == condition
+                && covers(cell.feedback, feedback)
+                && covers_ratio(cell.place.ratio, ratio)
         })
     }
 
@@ -129,7 +131,7 @@ pub fn size_cell(size: Size, ratio: Ratio, symbol: &str) -> Option<&'static Cell
         .get(symbol)?
         .iter()
         .copied()
-        .find(|cell| cell.drive.split(" / ").any(|drive| drive == head) && covers_ratio(cell.ratio, ratio))
+        .find(|cell| cell.place.drive.split(" / ").any(|drive| drive == head) && covers_ratio(cell.place.ratio, ratio))
 }
 
 /// How the tables head a size.
@@ -151,7 +153,7 @@ static SIZE_CELLS: LazyLock<BTreeMap<&'static str, Vec<&'static Cell>>> = LazyLo
     let tables =
         crate::tables().iter().filter(|table| sections.iter().any(|section| table.section.starts_with(section)));
     for cell in tables.flat_map(Table::cells) {
-        by_symbol.entry(cell.symbol).or_default().push(cell);
+        by_symbol.entry(cell.place.symbol).or_default().push(cell);
     }
     by_symbol
 });
@@ -163,7 +165,7 @@ pub fn datum_of<Q: Measure>(cell: &'static Cell) -> Datum<Q> {
     match (cell.limit().number(), unit) {
         (Some(value), Some(unit)) => Datum::Known(Sourced {
             value: Q::from_si(unit.to_si(value)),
-            source: Source::Cell(cell.reference()),
+            source: Source::Cell(&cell.place),
             grade: if cell.checks_use.is_some() { Grade::Computed } else { Grade::Printed },
             errata: cell.errata,
         }),
@@ -184,9 +186,10 @@ pub fn cells_about(size: Size, winding: Winding, feedback: Feedback, ratio: Rati
         .filter(|table| table.is_of_the_manual() && !is_ordering_or_wiring(table))
         .flat_map(crate::Table::cells)
         .filter(|cell| {
-            let by_drive = cell.drive.split(" / ").any(|head| [drive.name, &size_head, general_head].contains(&head));
-            let by_feedback = cell.drive.is_empty() && !cell.feedback.is_empty() && is_feedback_table(cell);
-            (by_drive || by_feedback) && covers(cell.feedback, feedback) && covers_ratio(cell.ratio, ratio)
+            let by_drive =
+                cell.place.drive.split(" / ").any(|head| [drive.name, &size_head, general_head].contains(&head));
+            let by_feedback = cell.place.drive.is_empty() && !cell.feedback.is_empty() && is_feedback_table(cell);
+            (by_drive || by_feedback) && covers(cell.feedback, feedback) && covers_ratio(cell.place.ratio, ratio)
         })
         .collect()
 }
@@ -198,5 +201,5 @@ fn is_ordering_or_wiring(table: &Table) -> bool {
 
 /// The tables of section 6.22 hold for a feedback on every drive.
 fn is_feedback_table(cell: &Cell) -> bool {
-    crate::table(cell.table).is_some_and(|table| table.section.starts_with("6.22"))
+    crate::table(cell.place.table).is_some_and(|table| table.section.starts_with("6.22"))
 }

@@ -12,6 +12,7 @@ pub use record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Va
 
 mod embedded {
     use crate::record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value};
+    use provenance::CellRef;
     include!(concat!(env!("OUT_DIR"), "/data.rs"));
 }
 

@@ -51,22 +51,15 @@ impl Value {
 /// One printed cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// Number of the table after errata.
-    pub table: &'static str,
+    /// Where it stands: table, drive, ratio, symbol, condition. The drive is as headed in 6.2-6.17, or the size where a
+    /// table heads only that.
+    pub place: CellRef,
     /// Row of the table file, from zero.
     pub row: u16,
     /// First column on which the cell stands, from zero.
     pub column: u16,
-    /// Drive as headed in 6.2-6.17, or the size where a table heads only that; empty: holds for all.
-    pub drive: &'static str,
     /// Motor feedback; empty: holds for every feedback of the drive.
     pub feedback: &'static str,
-    /// Reduction ratio; empty: printed once for all ratios.
-    pub ratio: &'static str,
-    /// Symbol, a key of the glossary.
-    pub symbol: &'static str,
-    /// What else tells this cell from others of the same symbol.
-    pub condition: &'static str,
     /// Unit as printed, in ASCII; empty for pure numbers and texts.
     pub unit: &'static str,
     /// Text of the cell as the manual prints it.
@@ -82,18 +75,6 @@ pub struct Cell {
 }
 
 impl Cell {
-    /// The place of this cell, for citations.
-    #[must_use]
-    pub const fn reference(&self) -> CellRef {
-        CellRef {
-            table: self.table,
-            symbol: self.symbol,
-            condition: self.condition,
-            drive: self.drive,
-            ratio: self.ratio,
-        }
-    }
-
     /// The value that checks use: the safe one of a contradiction, otherwise the value after errata.
     #[must_use]
     pub fn limit(&self) -> Value {

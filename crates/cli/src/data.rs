@@ -42,9 +42,9 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
             Table::new([(symbol, Align::Left), (value, Align::Left), (unit, Align::Left), (name, Align::Left)]);
         for row in &section.rows {
             let cell = row.cell;
-            let mut name = symbol_term(cell.symbol, language);
-            if !cell.condition.is_empty() {
-                let _ = write!(name, " ({})", condition_text(cell.condition, language));
+            let mut name = symbol_term(cell.place.symbol, language);
+            if !cell.place.condition.is_empty() {
+                let _ = write!(name, " ({})", condition_text(cell.place.condition, language));
             }
             let mut value = decimal(cell.corrected, language);
             if cell.corrected != cell.printed {
@@ -59,7 +59,7 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
                 errata.extend(cell.errata.iter().filter(|id| !errata.contains(id)).copied().collect::<Vec<_>>());
             }
             let unit = Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol);
-            table.row([cell.symbol.to_owned(), value, unit.to_owned(), name]);
+            table.row([cell.place.symbol.to_owned(), value, unit.to_owned(), name]);
         }
         out.push_str(&table.render());
     }

@@ -103,7 +103,7 @@ fn text(check: &Check, language: Language) -> String {
     if let Some(missing) = check.missing {
         out.push_str(&paragraph("  ", &check_missing(missing, language)));
     }
-    for note in &check.notes {
+    for note in check.notes.iter() {
         let note = note_text(note, language);
         if !note.is_empty() {
             out.push_str(&paragraph("  ", &note));

@@ -383,7 +383,7 @@ fn remarks(candidate: &Candidate<'_>, language: Language) -> String {
     for check in &candidate.judgement.checks {
         // The erratum of a limit that is far away is told by --json; here it would drown the rest.
         let far = check.verdict == Verdict::Pass && check.utilisation.is_some_and(|share| share < 0.5);
-        for note in &check.notes {
+        for note in check.notes.iter() {
             if far && note.is_erratum() {
                 continue;
             }

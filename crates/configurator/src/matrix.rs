@@ -48,8 +48,8 @@ fn entry_of(cell: &Cell) -> Option<Entry> {
 fn conditions() -> Vec<&'static str> {
     let mut found: Vec<&'static str> = Vec::new();
     for cell in table("12.1") {
-        if !found.contains(&cell.condition) {
-            found.push(cell.condition);
+        if !found.contains(&cell.place.condition) {
+            found.push(cell.place.condition);
         }
     }
     found
@@ -66,7 +66,9 @@ static MATRIX: LazyLock<Matrix> = LazyLock::new(|| {
         let head = format!("CHA-{size}");
         for &condition in &conditions {
             // A cell merged over several sizes names all of them.
-            let covers = |cell: &&Cell| cell.condition == condition && cell.drive.split(" / ").any(|each| each == head);
+            let covers = |cell: &&Cell| {
+                cell.place.condition == condition && cell.place.drive.split(" / ").any(|each| each == head)
+            };
             if let Some(entry) = table("12.1").iter().find(covers).and_then(entry_of) {
                 entries.insert((size, condition), entry);
             }
@@ -75,8 +77,9 @@ static MATRIX: LazyLock<Matrix> = LazyLock::new(|| {
     let mut pairs = Vec::new();
     for &winding in Winding::ALL {
         for &feedback in Feedback::ALL {
-            let named =
-                |cell: &&Cell| cell.condition == format!("winding={winding}") && cell.feedback == feedback.as_str();
+            let named = |cell: &&Cell| {
+                cell.place.condition == format!("winding={winding}") && cell.feedback == feedback.as_str()
+            };
             if table("11.3").iter().any(|cell| named(&cell)) {
                 pairs.push((winding, feedback));
             }

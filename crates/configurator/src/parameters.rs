@@ -4,9 +4,12 @@ use crate::parts;
 use actuator::{BearingType, Curve, CurvePoint, Gear, OutputBearing, Parameters};
 use catalogue::Drive;
 use order_code::{Brake, OrderCode, Ratio, Size, Winding};
-use provenance::{Datum, Grade, Source, Sourced};
+use provenance::{CellRef, Datum, Grade, Source, Sourced};
 use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use quantities::{AngularVelocity, ElectricCurrent, Measure, ThermodynamicTemperature, Torque};
+
+/// Where the ratios stand.
+const RATIOS: CellRef = CellRef::of_the_manual("12.1", "i", "");
 
 /// What is printed about the actuator of a code; `None` where the manual prints no data for it
 /// (the resolver on 20A to 58A).
@@ -22,13 +25,7 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
     Some(Parameters {
         ratio: Datum::Known(Sourced {
             value: f64::from(ratio.value()),
-            source: Source::Cell(provenance::CellRef {
-                table: "12.1",
-                symbol: "i",
-                condition: "",
-                drive: drive.name,
-                ratio: "",
-            }),
+            source: Source::Cell(&RATIOS),
             grade: Grade::Printed,
             errata: &[],
         }),
@@ -92,7 +89,7 @@ fn terminal_voltage_min(drive: &Drive, code: &OrderCode) -> Datum<quantities::El
     match drive.cell("U_M", "", code.feedback, code.ratio).map(|cell| (cell, cell.value)) {
         Some((cell, catalogue::Value::Range { low, .. })) => Datum::Known(Sourced {
             value: quantities::ElectricPotential::from_si(low),
-            source: Source::Cell(cell.reference()),
+            source: Source::Cell(&cell.place),
             grade: Grade::Printed,
             errata: cell.errata,
         }),
@@ -104,12 +101,13 @@ fn terminal_voltage_min(drive: &Drive, code: &OrderCode) -> Datum<quantities::El
 fn ambient_range(winding: Winding) -> Datum<(ThermodynamicTemperature, ThermodynamicTemperature)> {
     let table = if winding == Winding::E { "13.1" } else { "13.2" };
     let cells = catalogue::table(table).map(catalogue::Table::cells).unwrap_or_default();
-    match cells.iter().find(|cell| cell.symbol == "ambient_temperature_operation").map(|cell| (cell, cell.value)) {
+    match cells.iter().find(|cell| cell.place.symbol == "ambient_temperature_operation").map(|cell| (cell, cell.value))
+    {
         Some((cell, catalogue::Value::Range { low, high })) => {
             let celsius = |value| ThermodynamicTemperature::new_in(value, &DEGREE_CELSIUS);
             Datum::Known(Sourced {
                 value: (celsius(low), celsius(high)),
-                source: Source::Cell(cell.reference()),
+                source: Source::Cell(&cell.place),
                 grade: Grade::Printed,
                 errata: cell.errata,
             })
@@ -122,7 +120,7 @@ fn plain_number(drive: &Drive, symbol: &str, code: &OrderCode) -> Datum<f64> {
     match drive.cell(symbol, "", code.feedback, code.ratio).and_then(|cell| Some((cell, cell.limit().number()?))) {
         Some((cell, value)) => Datum::Known(Sourced {
             value,
-            source: Source::Cell(cell.reference()),
+            source: Source::Cell(&cell.place),
             grade: Grade::Printed,
             errata: cell.errata,
         }),
@@ -163,11 +161,14 @@ fn published_input_speed(code: &OrderCode, symbol: &str) -> Datum<AngularVelocit
 fn published<Q: Measure>(table: &str, symbol: &str, code: &OrderCode, ratio: &str) -> Datum<Q> {
     let Some(table) = catalogue::table(table) else { return Datum::NotPrinted };
     let head = format!("CHA-{}", code.size);
-    let cell = table.cells().iter().find(|cell| cell.symbol == symbol && cell.drive == head && cell.ratio == ratio);
+    let cell = table
+        .cells()
+        .iter()
+        .find(|cell| cell.place.symbol == symbol && cell.place.drive == head && cell.place.ratio == ratio);
     match cell.map_or(Datum::NotPrinted, catalogue::datum_of::<Q>) {
         Datum::Known(mut known) => {
             if let Source::Cell(cell) = known.source {
-                known.source = Source::Published { document: table.source, cell };
+                known.source = Source::Published(cell);
             }
             known.grade = Grade::Published;
             Datum::Known(known)
@@ -184,7 +185,7 @@ fn output_bearing(code: &OrderCode) -> OutputBearing {
             "F" => BearingType::FourPoint,
             _ => return None,
         };
-        let source = Source::Cell(cell.reference());
+        let source = Source::Cell(&cell.place);
         Some(Datum::Known(Sourced { value, source, grade: Grade::Printed, errata: cell.errata }))
     });
     OutputBearing {
@@ -224,7 +225,7 @@ fn published_curve(size: Size, ratio: Ratio, which: &str) -> Datum<Curve> {
         .map(catalogue::Table::cells)
         .unwrap_or_default()
         .iter()
-        .find(|cell| cell.condition == which && cell.ratio == wanted);
+        .find(|cell| cell.place.condition == which && cell.place.ratio == wanted);
     let Some((cell, points)) = cell.and_then(|cell| Some((cell, published_curve_points(cell.corrected)?))) else {
         return Datum::NotPrinted;
     };
@@ -238,10 +239,7 @@ fn published_curve(size: Size, ratio: Ratio, which: &str) -> Datum<Curve> {
     match Curve::new(points) {
         Ok(curve) => Datum::Known(Sourced {
             value: curve,
-            source: Source::Published {
-                document: catalogue::table("curves-20A").map_or("", |table| table.source),
-                cell: cell.reference(),
-            },
+            source: Source::Published(&cell.place),
             grade: Grade::Published,
             errata: cell.errata,
         }),

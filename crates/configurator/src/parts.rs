@@ -14,7 +14,7 @@ pub(crate) fn number_of(cell: Option<&'static Cell>) -> Datum<f64> {
     match cell.and_then(|cell| Some((cell, cell.limit().number()?))) {
         Some((cell, value)) => Datum::Known(Sourced {
             value,
-            source: Source::Cell(cell.reference()),
+            source: Source::Cell(&cell.place),
             grade: if cell.checks_use.is_some() { Grade::Computed } else { Grade::Printed },
             errata: cell.errata,
         }),
@@ -46,7 +46,7 @@ fn feedback_cell(name: &str, symbol: &str) -> Option<&'static Cell> {
         .iter()
         .filter(|table| table.section.starts_with("6.22") || table.section.starts_with("6.25"))
         .flat_map(Table::cells)
-        .find(|cell| cell.feedback == name && cell.symbol == symbol && cell.ratio.is_empty())
+        .find(|cell| cell.feedback == name && cell.place.symbol == symbol && cell.place.ratio.is_empty())
 }
 
 /// A full turn divided by a printed number of steps.
@@ -139,7 +139,7 @@ fn screw_joint(code: &OrderCode, rows: &JointRows) -> ScrewJoint {
     let text = |symbol| match cell(symbol).filter(|cell| !cell.corrected.is_empty() && cell.corrected != "-") {
         Some(cell) => Datum::Known(Sourced {
             value: Cow::Borrowed(cell.corrected),
-            source: Source::Cell(cell.reference()),
+            source: Source::Cell(&cell.place),
             grade: Grade::Printed,
             errata: cell.errata,
         }),

@@ -152,7 +152,7 @@ fn gear_ratings_exist_where_they_are_published() {
     close(value(&gear.input_speed_mean_max, &REVOLUTION_PER_MINUTE), 3500.0);
     let known = gear.input_speed_max.known().unwrap();
     assert_eq!(known.grade, Grade::Published);
-    assert!(matches!(known.source, Source::Published { document: "zd-shf-2uh", .. }));
+    assert!(matches!(known.source, Source::Published(provenance::CellRef { document: "zd-shf-2uh", .. })));
     assert_eq!(of("CHA-40A-80-H-C1024").gear.collision_torque_max, Datum::NotPrinted);
     assert_eq!(of("CHA-40A-80-H-C1024").gear.input_speed_max, Datum::NotPrinted);
 }

@@ -144,7 +144,7 @@ fn one_wrong_letter_finds_its_code_among_the_nearest() {
 fn the_tables_and_the_grammar_know_the_same_words() {
     for &winding in Winding::ALL {
         let listed =
-            catalogue::table("12.1").unwrap().cells().iter().any(|c| c.condition == format!("winding={winding}"));
+            catalogue::table("12.1").unwrap().cells().iter().any(|c| c.place.condition == format!("winding={winding}"));
         assert!(listed, "{winding}");
     }
     for &feedback in Feedback::ALL {

@@ -115,18 +115,27 @@ impl Workings {
     }
 
     /// A quantity that is put in.
+    #[inline]
     pub fn given<Q: Measure>(&mut self, symbol: &'static str, unit: &'static Unit, datum: &Sourced<Q>) {
-        self.put(symbol, unit, datum.value.si(), &datum.source, datum.grade, datum.errata);
+        if self.is_on() {
+            self.put(symbol, unit, datum.value.si(), &datum.source, datum.grade, datum.errata);
+        }
     }
 
     /// A bare number that is put in, such as a ratio; the unit is that of a ratio.
+    #[inline]
     pub fn given_number(&mut self, symbol: &'static str, datum: &Sourced<f64>) {
-        self.put(symbol, &quantities::unit::ONE, datum.value, &datum.source, datum.grade, datum.errata);
+        if self.is_on() {
+            self.put(symbol, &quantities::unit::ONE, datum.value, &datum.source, datum.grade, datum.errata);
+        }
     }
 
     /// A figure that is put in, in SI.
+    #[inline]
     pub fn figure(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, source: &Source, grade: Grade) {
-        self.put(symbol, unit, si, source, grade, &[]);
+        if self.is_on() {
+            self.put(symbol, unit, si, source, grade, &[]);
+        }
     }
 
     fn put(
@@ -149,14 +158,16 @@ impl Workings {
 
     /// What a formula gave, in SI. Its symbols are those of earlier steps, the latest of each name; grade and errata are
     /// those of what was put in.
+    #[inline]
     pub fn formula(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, text: &'static str, source: &Source) {
-        if self.steps.is_some() {
-            let operands = self.operands(text);
-            self.push(symbol, unit, si, How::Formula { text, operands }, source, Grade::Computed);
+        if self.is_on() {
+            let how = How::Formula { text, operands: self.operands(text) };
+            self.push(symbol, unit, si, how, source, Grade::Computed);
         }
     }
 
     /// As [`Self::formula`], of a model whose answer is an estimate however good its figures are.
+    #[inline]
     pub fn estimate(
         &mut self,
         symbol: &'static str,
@@ -165,14 +176,15 @@ impl Workings {
         text: &'static str,
         source: &Source,
     ) {
-        if self.steps.is_some() {
-            let operands = self.operands(text);
-            self.push(symbol, unit, si, How::Formula { text, operands }, source, Grade::Estimated);
+        if self.is_on() {
+            let how = How::Formula { text, operands: self.operands(text) };
+            self.push(symbol, unit, si, how, source, Grade::Estimated);
         }
     }
 
     /// What was searched, integrated or read off, in SI: the text says of what; symbols of earlier steps in it are its
     /// operands. The grade is the worst of those and of `grade`.
+    #[inline]
     pub fn found(
         &mut self,
         symbol: &'static str,
@@ -182,20 +194,26 @@ impl Workings {
         source: &Source,
         grade: Grade,
     ) {
-        if self.steps.is_some() {
-            let operands = self.operands(text);
-            self.push(symbol, unit, si, How::Found { text, operands }, source, grade);
+        if self.is_on() {
+            let how = How::Found { text, operands: self.operands(text) };
+            self.push(symbol, unit, si, how, source, grade);
         }
     }
 
     /// The latest figure of a symbol is what the axis asks.
+    #[inline]
     pub fn value(&mut self, symbol: &'static str) {
-        self.mark(symbol, Part::Value);
+        if self.is_on() {
+            self.mark(symbol, Part::Value);
+        }
     }
 
     /// The latest figure of a symbol is what the actuator gives.
+    #[inline]
     pub fn limit(&mut self, symbol: &'static str) {
-        self.mark(symbol, Part::Limit);
+        if self.is_on() {
+            self.mark(symbol, Part::Limit);
+        }
     }
 
     fn mark(&mut self, symbol: &str, part: Part) {
@@ -249,7 +267,7 @@ mod tests {
     use quantities::Torque;
     use quantities::unit::{KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND};
 
-    const EQUATION: Source = Source::Equation { document: "cha-manual", number: "69.1" };
+    const EQUATION: Source = Source::Equation { number: "69.1" };
 
     /// The manual's example: 5 + 2π/60 · 2.363 · 40/0.1 = 103.98 Nm.
     fn worked() -> Workings {

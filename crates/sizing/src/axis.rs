@@ -195,6 +195,8 @@ pub struct Axis {
     pub asked: Asked,
     pub(crate) moments: Moments,
     pub(crate) trace: Trace,
+    /// J_L and T_L where the manual's equations describe the load.
+    pub(crate) plain: Option<(MomentOfInertia, Torque)>,
 }
 
 impl Axis {
@@ -203,7 +205,9 @@ impl Axis {
     pub fn new(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>) -> Self {
         let trace = Trace::of(&mechanism, &motion, &extras);
         let moments = Moments::of(&trace, &motion);
+        let plain = plain_load(&mechanism, &extras);
         Self {
+            plain,
             mechanism,
             motion,
             extras,
@@ -254,14 +258,18 @@ impl Axis {
     /// J_L, T_L and the moves where the manual's equations describe the axis: a constant inertia, a friction that does
     /// not depend on the speed, nothing else, and a cycle of the manual's moves only.
     pub(crate) fn by_the_manual(&self) -> Option<(MomentOfInertia, Torque, &[ManualMove])> {
-        let moves = self.motion.manual()?;
-        let plain = self.mechanism.is_constant_over_ramps()
-            && self.mechanism.efficiency_driving == 1.0
-            && self.mechanism.efficiency_driven == 1.0
-            && self.extras.iter().all(|extra| *extra == Extra::none())
-            && self.mechanism.holding_torque(0.0, &Extra::none()).si() == 0.0
-            && matches!(self.mechanism.kind, mechanism::Kind::Rotor(_));
-        let load = self.mechanism.inertia(0.0, &Extra::none());
-        plain.then_some((load, self.mechanism.friction.coulomb, moves))
+        let (inertia, friction) = self.plain?;
+        Some((inertia, friction, self.motion.manual()?))
     }
+}
+
+/// J_L and T_L of a load that is a constant inertia with a friction that does not depend on the speed, and nothing else.
+fn plain_load(mechanism: &Mechanism, extras: &[Extra]) -> Option<(MomentOfInertia, Torque)> {
+    let plain = mechanism.is_constant_over_ramps()
+        && mechanism.efficiency_driving == 1.0
+        && mechanism.efficiency_driven == 1.0
+        && extras.iter().all(|extra| *extra == Extra::none())
+        && mechanism.holding_torque(0.0, &Extra::none()).si() == 0.0
+        && matches!(mechanism.kind, mechanism::Kind::Rotor(_));
+    plain.then(|| (mechanism.inertia(0.0, &Extra::none()), mechanism.friction.coulomb))
 }

@@ -9,6 +9,7 @@ use derivation::Workings;
 use provenance::{CellRef, Grade, Missing, Source, Sourced};
 use quantities::unit::{ARCMINUTE, DEGREE, HOUR, METRE, NEWTON, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, ONE};
 use quantities::{Angle, Force, Length, Measure, Torque};
+use std::borrow::Cow;
 
 /// Below this swing the manual warns of fretting (section 7.3.2).
 const SWING_MIN_DEG: f64 = 5.0;
@@ -54,7 +55,7 @@ fn force<Q: Measure>(
             work.given(symbol, &NEWTON, limit);
             work.limit(symbol);
             Comparison {
-                notes: vec![Note::LoadsOneAtATime],
+                notes: Cow::Borrowed(&[Note::LoadsOneAtATime]),
                 ..Comparison::with(id, &NEWTON, value, Source::Project { key: key.into() }, limit)
             }
             .answer(Verdict::Fail)
@@ -157,22 +158,27 @@ impl MeanLoad {
                 None => parts.push((load, share.travelled)),
             }
         }
+        let by_radial = |load: &FlangeLoad| load.radial_force.si() * (load.radial_distance.si() + offset.si());
+        let by_axial = |load: &FlangeLoad| load.axial_force.si() * load.axial_distance.si();
+        let (radial_distance, axial_distance) = (Length::from_si(0.0), Length::from_si(0.0));
+        if let [(load, travelled)] = parts.as_slice()
+            && *travelled != 0.0
+        {
+            // The mean of one load is that load.
+            let moments = [by_radial(load), by_axial(load)];
+            return Self { load: FlangeLoad { radial_distance, axial_distance, ..**load }, moments };
+        }
         let mean = |value: &dyn Fn(&FlangeLoad) -> f64| {
             let parts = parts.iter().map(|(load, travelled)| (value(load), Angle::from_si(*travelled)));
             actuator::mean_load(parts, exponent)
         };
-        let none = Length::from_si(0.0);
         let load = FlangeLoad {
             radial_force: Force::from_si(mean(&|load| load.radial_force.si())),
-            radial_distance: none,
+            radial_distance,
             axial_force: Force::from_si(mean(&|load| load.axial_force.si())),
-            axial_distance: none,
+            axial_distance,
         };
-        let moments = [
-            mean(&|load| load.radial_force.si() * (load.radial_distance.si() + offset.si())),
-            mean(&|load| load.axial_force.si() * load.axial_distance.si()),
-        ];
-        Self { load, moments }
+        Self { load, moments: [mean(&by_radial), mean(&by_axial)] }
     }
 
     /// The tilting moment of the averages.
@@ -253,7 +259,7 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Wor
     let mut check = at_least(id, &HOUR, life.si(), asked, key, equation(number));
     let swing = axis.moments().angle_swing;
     if axis.moments().is_swing() && swing.in_unit(&DEGREE) < SWING_MIN_DEG {
-        check.notes.push(Note::SwingTooSmall { swing });
+        check.notes.to_mut().push(Note::SwingTooSmall { swing });
         if check.verdict == Verdict::Pass {
             check.verdict = Verdict::Advice;
         }
@@ -261,18 +267,28 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Wor
     check
 }
 
-/// A cell of a table of the manual that holds for every size.
-const fn cell(table: &'static str, symbol: &'static str, condition: &'static str) -> Source {
-    Source::Cell(CellRef { table, symbol, condition, drive: "", ratio: "" })
-}
+/// Columns of table 74.5: exponent B of the life by the type of the bearing.
+const EXPONENT: [CellRef; 2] =
+    [CellRef::of_the_manual("74.5", "B", "bearing_type=C"), CellRef::of_the_manual("74.5", "B", "bearing_type=F")];
+
+/// Rows of table 75.4: factors x and y where the load is mostly radial, and elsewhere.
+const FACTORS: [[CellRef; 2]; 2] = {
+    const RADIAL: &str = "F_aav/(F_rav + 2 M/d_p) ≤ 1,5";
+    const AXIAL: &str = "F_aav/(F_rav + 2 M/d_p) > 1,5";
+    [
+        [CellRef::of_the_manual("75.4", "x", RADIAL), CellRef::of_the_manual("75.4", "y", RADIAL)],
+        [CellRef::of_the_manual("75.4", "x", AXIAL), CellRef::of_the_manual("75.4", "y", AXIAL)],
+    ]
+};
 
 /// B of the bearing's type.
 fn explain_exponent(kind: &Sourced<BearingType>, work: &mut Workings) {
+    let [crossed, four] = &EXPONENT;
     let column = match kind.value {
-        BearingType::CrossedRoller => "bearing_type=C",
-        BearingType::FourPoint => "bearing_type=F",
+        BearingType::CrossedRoller => crossed,
+        BearingType::FourPoint => four,
     };
-    work.figure("B", &ONE, kind.value.life_exponent(), &cell("74.5", "B", column), kind.grade);
+    work.figure("B", &ONE, kind.value.life_exponent(), &Source::Cell(column), kind.grade);
 }
 
 /// The workings of the averages, where the load changes: `F_rav`, `F_aav` and `M`.
@@ -299,10 +315,11 @@ fn explain_equivalent_load(
     work: &mut Workings,
 ) {
     let (x, y, mostly_radial) = actuator::dynamic_load_factors(&mean.load, mean.moment(), pitch.value);
-    let column = if mostly_radial { "F_aav/(F_rav + 2 M/d_p) ≤ 1,5" } else { "F_aav/(F_rav + 2 M/d_p) > 1,5" };
+    let [radial, axial] = &FACTORS;
+    let [of_x, of_y] = if mostly_radial { radial } else { axial };
     work.given("d_p", &METRE, pitch);
-    work.figure("x", &ONE, x, &cell("75.4", "x", column), Grade::Printed);
-    work.figure("y", &ONE, y, &cell("75.4", "y", column), Grade::Printed);
+    work.figure("x", &ONE, x, &Source::Cell(of_x), Grade::Printed);
+    work.figure("y", &ONE, y, &Source::Cell(of_y), Grade::Printed);
     let text = if constant { "x*(F_r + 2*M/d_p) + y*F_a" } else { "x*(F_rav + 2*M/d_p) + y*F_aav" };
     work.formula("P_c", &NEWTON, equivalent.si(), text, &equation("75.1"));
 }

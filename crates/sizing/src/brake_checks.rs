@@ -12,6 +12,7 @@ use quantities::unit::{
     DEGREE, KILOGRAM_SQUARE_METRE, NEWTON_METRE, ONE, RADIAN_PER_SECOND, REVOLUTION_PER_MINUTE, SECOND,
 };
 use quantities::{Measure, MomentOfInertia};
+use std::borrow::Cow;
 
 /// Below this share of the load's weight nothing hangs: rounding of an angle.
 const HANGING: f64 = 1e-9;
@@ -50,7 +51,7 @@ fn free(axis: &Axis, work: &mut Workings) -> Check {
     work.given("T_c", &NEWTON_METRE, &friction);
     work.limit("T_c");
     Comparison {
-        notes: vec![Note::NothingHolds],
+        notes: Cow::Borrowed(&[Note::NothingHolds]),
         ..Comparison::with(
             CheckId::BrakeHolding,
             &NEWTON_METRE,
@@ -79,7 +80,7 @@ fn absent(axis: &Axis, work: &mut Workings) -> Check {
         value_source: Some(Source::Model { name: "brake" }),
         limit_source: Some(none),
         missing: None,
-        notes: vec![Note::NoBrake],
+        notes: Cow::Borrowed(&[Note::NoBrake]),
         workings: Vec::new(),
     }
 }
@@ -122,8 +123,11 @@ fn holding(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Working
             notes.push(Note::Sag(actuator::sag_angle(inertia, torque, closing.value)));
         }
     }
-    Comparison { notes, ..Comparison::with(id, &NEWTON_METRE, torque.si(), Source::Model { name: "brake" }, limit) }
-        .answer(Verdict::Fail)
+    Comparison {
+        notes: notes.into(),
+        ..Comparison::with(id, &NEWTON_METRE, torque.si(), Source::Model { name: "brake" }, limit)
+    }
+    .answer(Verdict::Fail)
 }
 
 /// A stop from the peak speed by the brake alone, the load driving on: its angle, and how many of them.
@@ -164,7 +168,7 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Worki
                 work.given("T_Br", &NEWTON_METRE, known);
                 work.limit("T_Br");
             }
-            check.notes.push(Note::BrakeDoesNotStop);
+            check.notes.to_mut().push(Note::BrakeDoesNotStop);
             return check;
         }
     };
@@ -196,7 +200,7 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Worki
         stop_angle(axis, actuator, brake, stop.angle.si(), work);
         work.asked("phi_perm", &DEGREE, angle, "requirements.stop_angle_max");
     }
-    check.notes.push(Note::BrakeStop {
+    check.notes.to_mut().push(Note::BrakeStop {
         angle: stop.angle,
         time: stop.time,
         energy: stop.energy,

@@ -3,6 +3,7 @@
 use derivation::Step;
 use provenance::{Grade, Source};
 use quantities::{Angle, AngularVelocity, Energy, Length, Power, ThermodynamicTemperature, Time, Torque, Unit};
+use std::borrow::Cow;
 
 /// Identifier of a check, part of the contract with scripts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -313,6 +314,9 @@ pub enum Note {
     Erratum(&'static str),
 }
 
+/// Remarks of a check. Most are the same for every candidate, and shared.
+pub type Notes = Cow<'static, [Note]>;
+
 impl Note {
     /// Whether the remark cites an erratum.
     #[must_use]
@@ -345,7 +349,7 @@ pub struct Check {
     /// Symbol of the datum that is missing.
     pub missing: Option<&'static str>,
     /// Remarks.
-    pub notes: Vec<Note>,
+    pub notes: Notes,
     /// How value and limit came about; empty unless it was asked for.
     pub workings: Vec<Step>,
 }

@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::bearing_checks;
 use crate::brake_checks;
-use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use crate::check::{Check, CheckId, Figure, Note, Notes, Verdict};
 use crate::comparison::{Comparison, cite, equation, explained, not_checked};
 use crate::currents::{self, Currents};
 use crate::demand::{Demand, ManualDemand};
@@ -17,6 +17,7 @@ use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use quantities::{Measure, ThermodynamicTemperature};
+use std::borrow::Cow;
 
 /// J_L ≤ 3 J_out is recommended for highly dynamic duty (table 70.1).
 const INERTIA_RATIO_RECOMMENDED: f64 = 3.0;
@@ -25,8 +26,9 @@ const INERTIA_RATIO_RECOMMENDED: f64 = 3.0;
 /// more than a tenth of its rise, so the effective value alone says too little.
 const SHORT_CYCLE_SHARE: f64 = 0.2;
 
-/// Room for all checks of one actuator, so that judging many does not grow one vector after the other.
-const CHECKS_MOST: usize = 40;
+/// Room for the checks of an actuator that is rejected, and for all of one that is not, so that judging many does not
+/// grow one vector after the other.
+const ROOM: [usize; 2] = [22, 40];
 
 /// Everything there is to say about one actuator for one axis.
 #[derive(Clone, Debug)]
@@ -107,16 +109,19 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
     let demand = inertia.map(|inertia| axis.demand(inertia));
     let bare = depth == Depth::Margins;
     let manual = inertia.filter(|_| !bare).and_then(|inertia| axis.manual_demand(inertia));
-    let mut checks = Vec::with_capacity(CHECKS_MOST);
+    let [rejected, all] = ROOM;
+    let mut checks = Vec::with_capacity(if depth == Depth::Survivors { rejected } else { all });
     // Pushed one by one: a check is large, and a list of them would be copied once more.
     let demands = (demand.as_ref(), manual.as_ref());
     checks.push(explained(explain, |work| peak_torque(axis, actuator, demands, work)));
     checks.push(explained(explain, |work| peak_speed(axis, actuator, work)));
     checks.push(explained(explain, |work| mean_speed(axis, actuator, work)));
     checks.push(explained(explain, |work| continuous_torque(axis, actuator, demands, work)));
-    checks.extend(currents::current_checks(axis, actuator, explain));
-    if let Some((supply, reserve)) = axis.supply {
-        checks.push(explained(explain, |work| currents::voltage(axis, actuator, (supply, reserve), work)));
+    let currents = Currents::of(actuator);
+    let currents = currents.as_ref();
+    checks.extend(currents::current_checks(axis, actuator, currents, explain));
+    if axis.supply.is_some() {
+        checks.push(explained(explain, |work| currents::voltage(axis, actuator, currents, work)));
     }
     if !bare {
         checks.push(explained(explain, |work| inertia_ratio(axis, actuator, work)));
@@ -130,10 +135,9 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
         checks.push(explained(explain, |work| electric_checks::dc_link(supply, actuator, work)));
     }
     if depth != Depth::Survivors || checks.iter().all(|check| check.verdict != Verdict::Fail) {
-        let currents = Currents::of(actuator);
-        electric_checks::judge(axis, actuator, currents.as_ref(), explain, &mut checks);
+        checks.reserve_exact(all - checks.len().min(all));
+        electric_checks::judge(axis, actuator, currents, explain, &mut checks);
         if !bare || axis.asked.regeneration_power_max.is_some() {
-            let currents = currents.as_ref();
             checks.push(explained(explain, |work| electric_checks::regeneration(axis, actuator, currents, work)));
         }
         gear_checks::judge_further(axis, actuator, (bare, explain), &mut checks);
@@ -155,8 +159,11 @@ fn inertia_errata(actuator: &Parameters) -> &'static [&'static str] {
 }
 
 /// Says that eq. 69.2 takes the braking torque from the accelerating time, where it does.
-fn braking_note(manual: Option<&ManualDemand>) -> Vec<Note> {
-    manual.filter(|manual| manual.braking_assumed).map(|_| Note::BrakingTorqueAssumed).into_iter().collect()
+fn braking_note(manual: Option<&ManualDemand>) -> Notes {
+    match manual {
+        Some(manual) if manual.braking_assumed => Cow::Borrowed(&[Note::BrakingTorqueAssumed]),
+        _ => Cow::Borrowed(&[]),
+    }
 }
 
 /// The manual's equation where it describes the axis and sees every braking torque, else the exact integral.
@@ -259,10 +266,10 @@ fn continuous_torque(axis: &Axis, actuator: &Parameters, (demand, manual): Deman
             cite(&mut notes, datum.known().map_or(&[], |known| known.errata));
         }
         cite(&mut notes, actuator.torque_constant_out.known().map_or(&[], |known| known.errata));
-        notes.push(Note::EstimatedUpTo(limit.upper));
+        notes.to_mut().push(Note::EstimatedUpTo(limit.upper));
     }
     if axis.moments.duration.si() > SHORT_CYCLE_SHARE * actuator::WINDING_TIME_CONSTANT {
-        notes.push(Note::CycleNotShort { cycle: axis.moments.duration });
+        notes.to_mut().push(Note::CycleNotShort { cycle: axis.moments.duration });
     }
     Comparison {
         notes,
@@ -293,7 +300,7 @@ fn inertia_ratio(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Che
             Comparison {
                 limit,
                 grade: own.grade.worst(Grade::Computed),
-                notes: vec![Note::RecommendationForHighDynamics],
+                notes: Cow::Borrowed(&[Note::RecommendationForHighDynamics]),
                 ..Comparison::with(id, &KILOGRAM_SQUARE_METRE, value, source, own)
             }
             .answer(Verdict::Advice)
@@ -329,7 +336,7 @@ fn ambient(stated: ThermodynamicTemperature, actuator: &Parameters, work: &mut W
         value_source: Some(Source::Project { key: "requirements.ambient".into() }),
         limit_source: Some(range.source.clone()),
         missing: None,
-        notes: Vec::new(),
+        notes: Cow::Borrowed(&[]),
         workings: Vec::new(),
     }
 }

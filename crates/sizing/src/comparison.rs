@@ -1,9 +1,10 @@
 //! Value against limit, and how both came about.
 
-use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use crate::check::{Check, CheckId, Figure, Note, Notes, Verdict};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::{Measure, Time, Unit};
+use std::borrow::Cow;
 
 /// A check with its workings, if they are asked for.
 pub(crate) fn explained(explain: bool, check: impl FnOnce(&mut Workings) -> Check) -> Check {
@@ -39,7 +40,7 @@ pub(crate) struct Comparison<'a> {
     pub(crate) limit_source: &'a Source,
     pub(crate) grade: Grade,
     pub(crate) errata: &'static [&'static str],
-    pub(crate) notes: Vec<Note>,
+    pub(crate) notes: Notes,
 }
 
 impl<'a> Comparison<'a> {
@@ -61,7 +62,7 @@ impl<'a> Comparison<'a> {
             limit_source: &limit.source,
             grade: limit.grade,
             errata: limit.errata,
-            notes: Vec::new(),
+            notes: Cow::Borrowed(&[]),
         }
     }
 
@@ -99,7 +100,7 @@ pub(crate) fn not_checked(id: CheckId, missing: Missing) -> Check {
         value_source: None,
         limit_source: None,
         missing: Some(missing.symbol),
-        notes: Vec::new(),
+        notes: Cow::Borrowed(&[]),
         workings: Vec::new(),
     }
 }
@@ -129,7 +130,7 @@ pub(crate) fn at_least(
         value_source: Some(source),
         limit_source: asked.map(|_| Source::Project { key: key.into() }),
         missing: asked.is_none().then_some(key),
-        notes: Vec::new(),
+        notes: Cow::Borrowed(&[]),
         workings: Vec::new(),
     }
 }
@@ -152,15 +153,15 @@ pub(crate) fn shown_or_at_most(
 }
 
 /// Cites errata, each once.
-pub(crate) fn cite(notes: &mut Vec<Note>, errata: &'static [&'static str]) {
+pub(crate) fn cite(notes: &mut Notes, errata: &'static [&'static str]) {
     for id in errata {
         let note = Note::Erratum(id);
         if !notes.contains(&note) {
-            notes.push(note);
+            notes.to_mut().push(note);
         }
     }
 }
 
 pub(crate) const fn equation(number: &'static str) -> Source {
-    Source::Equation { document: "cha-manual", number }
+    Source::Equation { number }
 }

@@ -1,7 +1,7 @@
 //! The checks of current and voltage.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Note, Verdict};
+use crate::check::{Check, CheckId, Note, Notes, Verdict};
 use crate::comparison::{Comparison, cite, explained, not_checked};
 use crate::trace::{Extent, Node};
 use crate::workings;
@@ -11,7 +11,8 @@ use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{
     AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, NEWTON_METRE_PER_AMPERE, ONE, REVOLUTION_PER_MINUTE, VOLT,
 };
-use quantities::{AngularVelocity, ElectricCurrent, ElectricPotential, Measure, Time};
+use quantities::{AngularVelocity, ElectricCurrent, Measure, Time};
+use std::borrow::Cow;
 
 /// The motor current at every instant.
 ///
@@ -47,9 +48,8 @@ impl Currents {
     }
 
     /// How friction counts, and the errata of the inputs.
-    fn notes(&self) -> Vec<Note> {
-        let mut notes = Vec::with_capacity(4);
-        notes.push(Note::FrictionTemperatures);
+    fn notes(&self) -> Notes {
+        let mut notes: Notes = Cow::Borrowed(&[Note::FrictionTemperatures]);
         for errata in self.errata {
             cite(&mut notes, errata);
         }
@@ -118,11 +118,14 @@ impl Currents {
 pub(crate) fn voltage(
     axis: &Axis,
     actuator: &Parameters,
-    (supply, reserve): (ElectricPotential, f64),
+    currents: Result<&Currents, &Missing>,
     work: &mut Workings,
 ) -> Check {
     let id = CheckId::Voltage;
-    let (motor, currents) = match MotorVoltage::of(actuator).and_then(|m| Ok((m, Currents::of(actuator)?))) {
+    let Some((supply, reserve)) = axis.supply else {
+        return not_checked(id, Missing { symbol: "requirements.supply" });
+    };
+    let (motor, currents) = match MotorVoltage::of(actuator).and_then(|m| Ok((m, currents.map_err(|m| *m)?))) {
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
@@ -176,15 +179,19 @@ pub(crate) fn voltage(
 }
 
 /// I_peak ≤ I_max, and I_peak ≤ I_E, at which demagnetisation begins.
-pub(crate) fn current_checks(axis: &Axis, actuator: &Parameters, explain: bool) -> [Check; 2] {
-    let currents = Currents::of(actuator);
-    let peak = currents.as_ref().ok().map(|currents| currents.largest(axis));
+pub(crate) fn current_checks(
+    axis: &Axis,
+    actuator: &Parameters,
+    currents: Result<&Currents, &Missing>,
+    explain: bool,
+) -> [Check; 2] {
+    let peak = currents.ok().map(|currents| currents.largest(axis));
     let limits = [
         (CheckId::PeakCurrent, "I_max", actuator.current_max.require("I_max")),
         (CheckId::Demagnetisation, "I_E", actuator.current_demagnetisation.require("I_E")),
     ];
     let check = |id, symbol, limit: Result<&Sourced<ElectricCurrent>, Missing>, work: &mut Workings| {
-        let (limit, currents, (current, node)) = match (limit, &currents, peak) {
+        let (limit, currents, (current, node)) = match (limit, currents, peak) {
             (Ok(limit), Ok(currents), Some(peak)) => (limit, currents, peak),
             (Err(missing), ..) => return not_checked(id, missing),
             (_, Err(missing), _) => return not_checked(id, *missing),

@@ -15,6 +15,7 @@ use quantities::unit::{
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Measure, Power, Ratio, ThermodynamicTemperature, Time,
 };
+use std::borrow::Cow;
 
 /// Shutdown threshold of the winding, table 62.3: 90 °C, in kelvin.
 const WINDING_SHUTDOWN: f64 = 363.15;
@@ -208,9 +209,8 @@ fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Miss
         work.found("dtheta", &KELVIN_DIFFERENCE, hottest - steady, text, &source, Grade::Estimated);
         work.estimate("theta_w", &DEGREE_CELSIUS, hottest, "theta_m + dtheta", &source);
         work.value("theta_w");
-        let cell = CellRef { table: "62.3", symbol: "T_KTY", condition: "", drive: "", ratio: "" };
-        let threshold = Source::Cell(cell);
-        work.figure("theta_warn", &DEGREE_CELSIUS, limit.si(), &threshold, Grade::Printed);
+        const THRESHOLD: CellRef = CellRef::of_the_manual("62.3", "T_KTY", "");
+        work.figure("theta_warn", &DEGREE_CELSIUS, limit.si(), &Source::Cell(&THRESHOLD), Grade::Printed);
         work.limit("theta_warn");
     }
     Check {
@@ -225,7 +225,7 @@ fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Miss
         value_source: Some(Thermal::SOURCE),
         limit_source: Some(Source::Model { name: "thermal" }),
         missing: None,
-        notes: vec![Note::Housing(cycle.housing), Note::WarmUp(model.warm_up_time(mean, ambient, limit))],
+        notes: Cow::Owned(vec![Note::Housing(cycle.housing), Note::WarmUp(model.warm_up_time(mean, ambient, limit))]),
         workings: Vec::new(),
     }
 }
@@ -386,12 +386,12 @@ pub(crate) fn regeneration(
     check.grade = Some(currents.grade.worst(Grade::Computed));
     if let (Some(rise), Some((supply, _))) = (axis.asked.dc_link_rise, axis.supply) {
         let (low, high) = (supply.si(), supply.si() + rise.si());
-        check.notes.push(Note::Capacitor {
+        check.notes.to_mut().push(Note::Capacitor {
             energy: Energy::from_si(bank.most),
             capacitance_f: 2.0 * bank.most / (high * high - low * low),
         });
     }
-    check.notes.push(Note::EnergyPerCycle {
+    check.notes.to_mut().push(Note::EnergyPerCycle {
         motoring: Energy::from_si(motoring),
         regenerated: Energy::from_si(back),
         peak: Power::from_si(peak),

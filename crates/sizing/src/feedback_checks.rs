@@ -8,6 +8,7 @@ use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source};
 use quantities::unit::{ARCSECOND, HOUR, ONE, REVOLUTION, YEAR};
 use quantities::{Measure, Time};
+use std::borrow::Cow;
 
 /// The checks of the feedback; that of the battery only where there is one.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool) -> Vec<Check> {
@@ -58,11 +59,11 @@ fn range(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
         value_source: Some(source.clone()),
         limit_source: None,
         missing: asked.is_none().then_some("requirements.absolute"),
-        notes: Vec::new(),
+        notes: Cow::Borrowed(&[]),
         workings: Vec::new(),
     };
     let Some((turns, feedback)) = absolute(actuator) else {
-        check.notes.push(Note::NeedsReferencing);
+        check.notes.to_mut().push(Note::NeedsReferencing);
         if asked.is_some() {
             work.figure("N_out", &REVOLUTION, 0.0, &source, Grade::Printed);
             work.limit("N_out");
@@ -81,9 +82,9 @@ fn range(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     check.limit = Some(Figure { si: limit, unit: &REVOLUTION });
     check.limit_source = Some(source);
     if lost {
-        check.notes.push(Note::ReferenceLost);
+        check.notes.to_mut().push(Note::ReferenceLost);
     } else if !within {
-        check.notes.push(Note::NeedsReferencing);
+        check.notes.to_mut().push(Note::NeedsReferencing);
     }
     if asked.is_some() {
         check.verdict = if within { Verdict::Pass } else { Verdict::Fail };
@@ -141,7 +142,7 @@ fn battery(axis: &Axis, work: &mut Workings) -> Check {
             work.asked("L_asked", &YEAR, asked, key);
             let mut check = at_least(id, &YEAR, battery.life.value.si(), asked, key, battery.life.source.clone());
             check.grade = Some(battery.life.grade);
-            check.notes.push(Note::BatteryExchange {
+            check.notes.to_mut().push(Note::BatteryExchange {
                 recommended: battery.exchange_recommended,
                 latest: battery.exchange_latest,
             });

@@ -13,6 +13,7 @@ use quantities::unit::{
     NEWTON_METRE_PER_RADIAN, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND,
 };
 use quantities::{Angle, AngularVelocity, Measure, Ratio, Time, Torque};
+use std::borrow::Cow;
 
 /// The model of torsion, natural frequency, mean torque, collisions and life.
 const MODEL: Source = Source::Model { name: "gear" };
@@ -67,7 +68,7 @@ fn mean_input_speed(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> 
             work.given("n_in_av", &REVOLUTION_PER_MINUTE, limit);
             work.limit("n_in_av");
             Comparison {
-                notes: vec![Note::RatingOfInterchangeableGear],
+                notes: Cow::Borrowed(&[Note::RatingOfInterchangeableGear]),
                 ..Comparison::with(id, &REVOLUTION_PER_MINUTE, speed, equation("69.3"), limit)
             }
             .answer(Verdict::Fail)
@@ -128,8 +129,8 @@ fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Work
         work.given("T_M", &NEWTON_METRE, limit);
         work.limit("T_M");
     }
-    check.notes.push(Note::RatingOfInterchangeableGear);
-    check.notes.extend(permitted.map(Note::CollisionsPermitted));
+    check.notes.to_mut().push(Note::RatingOfInterchangeableGear);
+    check.notes.to_mut().extend(permitted.map(Note::CollisionsPermitted));
     check
 }
 
@@ -207,7 +208,7 @@ fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
                 value_source: Some(source.clone()),
                 limit_source: Some(source),
                 missing: open.then_some("recorded_speed"),
-                notes: vec![Note::ResonanceSpeeds(speeds)],
+                notes: Cow::Owned(vec![Note::ResonanceSpeeds(speeds)]),
                 workings: Vec::new(),
             }
         }
@@ -300,7 +301,7 @@ fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Chec
         }
     };
     check.grade = Some(budget.grade());
-    check.notes.push(Note::Budget {
+    check.notes.to_mut().push(Note::Budget {
         root_sum_square: budget.root_sum_square(),
         deviation,
         missing: budget.missing.len(),
@@ -409,7 +410,7 @@ fn mean_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check
             work.given("T_A", &NEWTON_METRE, limit);
             work.limit("T_A");
             Comparison {
-                notes: vec![Note::RatingOfInterchangeableGear],
+                notes: Cow::Borrowed(&[Note::RatingOfInterchangeableGear]),
                 ..Comparison::with(id, &NEWTON_METRE, mean.si(), MODEL, limit)
             }
             .answer(Verdict::Fail)
@@ -449,7 +450,7 @@ fn life(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
             work.asked("L_10_min", &HOUR, asked, key);
             let mut check = at_least(id, &HOUR, life.si(), asked, key, MODEL);
             check.grade = Some(grade.worst(Grade::Computed));
-            check.notes.push(Note::RatingOfInterchangeableGear);
+            check.notes.to_mut().push(Note::RatingOfInterchangeableGear);
             check
         }
         Err(missing) => not_checked(id, missing),
@@ -461,7 +462,7 @@ fn torsion(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::Torsion;
     let Some(curve) = actuator.gear.torsion() else { return not_checked(id, Missing { symbol: "K_1" }) };
     let worst = axis.moments().load_peak;
-    let source = Source::Equation { document: "cha-manual", number: "73.1" };
+    let source = Source::Equation { number: "73.1" };
     let (limit, key) = (axis.asked.torsion_max.map(Measure::si), "requirements.torsion_max");
     explain_torsion(&actuator.gear, worst, work);
     work.value("phi");

@@ -53,7 +53,7 @@ pub(crate) fn judge(
         check.limit = Some(Figure { si: 0.0, unit: &ONE });
         check.grade = Some(Grade::Printed);
         check.value_source = Some(Source::Project { key: "requirements.special_application".into() });
-        check.notes.push(Note::ApprovalNeeded);
+        check.notes.to_mut().push(Note::ApprovalNeeded);
         let source = Source::Project { key: "requirements.special_application".into() };
         work.figure("approvals_needed", &ONE, 1.0, &source, Grade::Printed);
         work.value("approvals_needed");

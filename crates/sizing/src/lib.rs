@@ -23,7 +23,7 @@ mod trace;
 mod workings;
 
 pub use axis::{Asked, Axis, BearingDuty, Moments, OperatingCondition, SpecialApplication};
-pub use check::{Check, CheckId, Figure, Note, Verdict};
+pub use check::{Check, CheckId, Figure, Note, Notes, Verdict};
 pub use checks::{Depth, Judgement, explain, judge};
 pub use course::{Course, Sample};
 pub use demand::{Demand, ManualDemand, MoveTorques};

@@ -149,7 +149,7 @@ fn is_stated(step: &Step) -> bool {
 /// The field's word for a symbol: of a printed cell that of the glossary, which another figure of the same name in a
 /// derivation must not take over.
 fn term(step: &Step, language: Language) -> String {
-    if let Source::Cell(cell) | Source::Published { cell, .. } = &step.source
+    if let Source::Cell(cell) | Source::Published(cell) = &step.source
         && step.how == How::Given
         && cell.symbol.starts_with(step.symbol)
     {

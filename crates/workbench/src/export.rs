@@ -10,15 +10,15 @@ pub const EXPORT_COLUMNS: [&str; 10] =
 pub fn export_rows() -> impl Iterator<Item = (&'static Cell, [String; 10])> {
     catalogue::cells().iter().map(|cell| {
         let row = [
-            cell.drive.to_owned(),
+            cell.place.drive.to_owned(),
             cell.feedback.to_owned(),
-            cell.ratio.to_owned(),
-            cell.symbol.to_owned(),
-            cell.condition.to_owned(),
+            cell.place.ratio.to_owned(),
+            cell.place.symbol.to_owned(),
+            cell.place.condition.to_owned(),
             cell.printed.to_owned(),
             cell.value_text(),
             cell.unit.to_owned(),
-            cell.table.to_owned(),
+            cell.place.table.to_owned(),
             cell.errata.join(";"),
         ];
         (cell, row)

@@ -385,13 +385,13 @@ fn cell_value(cell: &catalogue::Cell) -> Value {
 
 fn cell(cell: &catalogue::Cell, language: Language) -> Value {
     json!({
-        "symbol": cell.symbol,
-        "name": crate::text::symbol_term(cell.symbol, language),
-        "condition": cell.condition,
+        "symbol": cell.place.symbol,
+        "name": crate::text::symbol_term(cell.place.symbol, language),
+        "condition": cell.place.condition,
         "printed": cell.printed,
         "value": cell_value(cell),
         "unit": cell.unit,
-        "table": cell.table,
+        "table": cell.place.table,
         "grade": "printed",
         "errata": cell.errata,
         "checks_use": cell.checks_use.and_then(CellValue::number),

@@ -65,7 +65,7 @@ mod tests {
         for (code, _) in list_codes(None) {
             let Some(sheet) = sheet(code) else { continue };
             for row in sheet.sections.iter().flat_map(|section| &section.rows) {
-                let text = text::condition_text(row.cell.condition, Language::De);
+                let text = text::condition_text(row.cell.place.condition, Language::De);
                 if !seen.contains(&text) {
                     seen.push(text);
                 }

@@ -39,10 +39,10 @@ pub fn sheet(code: &OrderCode) -> Option<Sheet> {
         if !concerns(cell, code) {
             continue;
         }
-        match sections.last_mut().filter(|section| section.table.id == cell.table) {
+        match sections.last_mut().filter(|section| section.table.id == cell.place.table) {
             Some(section) => section.rows.push(SheetRow { cell }),
             None => {
-                if let Some(table) = catalogue::table(cell.table) {
+                if let Some(table) = catalogue::table(cell.place.table) {
                     sections.push(SheetSection { table, rows: vec![SheetRow { cell }] });
                 }
             }
@@ -60,10 +60,11 @@ pub fn sheet(code: &OrderCode) -> Option<Sheet> {
 /// Whether a cell holds for this code's brake variant.
 fn concerns(cell: &Cell, code: &OrderCode) -> bool {
     let of_the_other_variant = match code.brake {
-        Brake::With => ["J_out", "J", "m", "L"].contains(&cell.symbol),
+        Brake::With => ["J_out", "J", "m", "L"].contains(&cell.place.symbol),
         Brake::Without => {
-            cell.symbol.ends_with("_brake")
-                || ["U_Br", "T_Br", "I_OBr", "I_HBr", "N_brakings", "N_emergency", "t_o", "t_c"].contains(&cell.symbol)
+            cell.place.symbol.ends_with("_brake")
+                || ["U_Br", "T_Br", "I_OBr", "I_HBr", "N_brakings", "N_emergency", "t_o", "t_c"]
+                    .contains(&cell.place.symbol)
         }
     };
     !of_the_other_variant

@@ -164,7 +164,7 @@ fn actuators_of(project: &Project, option_1: Option<Option1>) -> &[(OrderCode, P
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
     let actuators = actuators_of(project, project.option_1);
-    let mut candidates = if project.axis.is_short() {
+    let candidates = if project.axis.is_short() {
         // Beginning a thread would take as long as the work.
         judged(project, actuators)
     } else {
@@ -178,13 +178,20 @@ pub fn size(project: &Project) -> Sizing<'_> {
             candidates
         })
     };
-    candidates.sort_by(|a, b| rank(&a.standing, &b.standing));
     Sizing {
         name: &project.name,
-        candidates,
+        candidates: ranked(candidates),
         own: project.actuator.as_ref().map(|own| own_candidate(project, own)),
         assumptions: &project.assumptions,
     }
+}
+
+/// Candidates, best first; each is moved once.
+fn ranked(candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
+    let mut order: Vec<(Standing, usize)> = candidates.iter().map(|c| c.standing).zip(0..).collect();
+    order.sort_by(|(a, _), (b, _)| rank(a, b));
+    let mut places: Vec<Option<Candidate<'_>>> = candidates.into_iter().map(Some).collect();
+    order.into_iter().filter_map(|(_, index)| places.get_mut(index)?.take()).collect()
 }
 
 /// Each actuator as a candidate, with the options that the project asks for.

@@ -10,7 +10,7 @@ use sizing::OperatingCondition;
 /// The cell of a table with this symbol whose condition begins like this.
 fn cell(table: &str, symbol: &str, condition: &str) -> &'static catalogue::Cell {
     let cells = catalogue::table(table).unwrap().cells();
-    cells.iter().find(|cell| cell.symbol == symbol && cell.condition.contains(condition)).unwrap()
+    cells.iter().find(|cell| cell.place.symbol == symbol && cell.place.condition.contains(condition)).unwrap()
 }
 
 fn number(table: &str, symbol: &str, condition: &str) -> f64 {
@@ -61,7 +61,7 @@ fn recommendation_and_temperatures() {
         assert_eq!(value, Value::Range { low: 0.0, high: 40.0 });
     }
     let warning =
-        catalogue::table("62.3").unwrap().cells().iter().find(|cell| cell.condition.contains("warning")).unwrap();
+        catalogue::table("62.3").unwrap().cells().iter().find(|cell| cell.place.condition.contains("warning")).unwrap();
     assert!((warning.value.number().unwrap() + 273.15 - actuator::WINDING_TEMPERATURE_CONTINUOUS).abs() < 1e-9);
 }
 

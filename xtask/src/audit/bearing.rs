@@ -38,10 +38,11 @@ pub(super) fn static_moment(view: &View, tally: &mut Tally) {
 /// Tolerance: half the last digit of the force; a smaller force is another limit and passes. Blamed: the force.
 pub(super) fn life(view: &View, tally: &mut Tally) {
     const MILLION_TURNS: f64 = 15_000.0 * 60.0 * 15.0 / 1e6;
-    let y = view.row("75.4", "y").find_map(|entry| entry.number().filter(|_| entry.cell.condition.contains("> 1,5")));
+    let y =
+        view.row("75.4", "y").find_map(|entry| entry.number().filter(|_| entry.cell.place.condition.contains("> 1,5")));
     for size in SIZES {
         let kind = view.of_size("55.1", "bearing_type", size).map(|entry| format!("bearing_type={}", entry.text));
-        let exponent = kind.and_then(|kind| view.row("74.5", "B").find(|entry| entry.cell.condition == kind));
+        let exponent = kind.and_then(|kind| view.row("74.5", "B").find(|entry| entry.cell.place.condition == kind));
         let exponent = exponent.and_then(|entry| quotient(&entry.text));
         let rating = view.of_size("55.1", "C", size).and_then(Entry::number);
         let (Some(b), Some(c), Some(y)) = (exponent, rating, y) else {
@@ -81,19 +82,19 @@ pub(super) fn growth(view: &View, tally: &mut Tally) {
     };
     for (small, large) in [("K_1", "K_2"), ("K_2", "K_3"), ("T_1", "T_2")] {
         for first in stiffness(small) {
-            let head = (first.cell.drive, first.cell.ratio);
-            let second = stiffness(large).find(|entry| (entry.cell.drive, entry.cell.ratio) == head);
+            let head = (first.cell.place.drive, first.cell.place.ratio);
+            let second = stiffness(large).find(|entry| (entry.cell.place.drive, entry.cell.place.ratio) == head);
             step(tally, Some(first), second, |a, b| a < b, "not below the next region");
         }
     }
     for symbol in ["K_1", "K_2", "K_3", "T_1", "T_2"] {
         let cells: Vec<&Entry> = stiffness(symbol).collect();
         for ratio in ["30", "50", "> 50", ""] {
-            let row: Vec<&Entry> = cells.iter().copied().filter(|entry| entry.cell.ratio == ratio).collect();
+            let row: Vec<&Entry> = cells.iter().copied().filter(|entry| entry.cell.place.ratio == ratio).collect();
             ascending(tally, &row);
         }
         for size in SIZES {
-            let row: Vec<&Entry> = cells.iter().copied().filter(|entry| entry.cell.drive == size).collect();
+            let row: Vec<&Entry> = cells.iter().copied().filter(|entry| entry.cell.place.drive == size).collect();
             ascending(tally, &row);
         }
     }
@@ -105,7 +106,7 @@ pub(super) fn growth(view: &View, tally: &mut Tally) {
             let row: Vec<&Entry> = ["54.1", "54.2"]
                 .iter()
                 .flat_map(|table| view.row(table, symbol))
-                .filter(|entry| entry.cell.drive == size)
+                .filter(|entry| entry.cell.place.drive == size)
                 .collect();
             for pair in row.windows(2) {
                 if let [first, second] = pair {
@@ -136,12 +137,14 @@ pub(super) fn screws(view: &View, tally: &mut Tally) {
         let strongest = catalogue::drives().iter().filter(|drive| drive.name.starts_with(size));
         let strongest = strongest
             .flat_map(|drive| view.drive(drive.name).entries)
-            .filter(|entry| entry.cell.symbol == "T_max")
+            .filter(|entry| entry.cell.place.symbol == "T_max")
             .filter_map(Entry::number)
             .fold(0.0, f64::max);
         for side in ["load", "housing"] {
             let get = |what: &str| {
-                view.find(|c| c.table == "79.1" && c.drive == size && c.symbol == format!("{what}_{side}"))
+                view.find(|c| {
+                    c.place.table == "79.1" && c.place.drive == size && c.place.symbol == format!("{what}_{side}")
+                })
             };
             let number = |what: &str| get(what).and_then(Entry::number);
             let cells = (get("screw_size"), get("transmissible_torque"), get("tightening_torque"));
@@ -191,7 +194,7 @@ mod tests {
     use super::*;
 
     fn altered(table: &str, symbol: &'static str, drive: &'static str, text: &str) -> View {
-        View::with(table, text, |cell| cell.symbol == symbol && cell.drive == drive)
+        View::with(table, text, |cell| cell.place.symbol == symbol && cell.place.drive == drive)
     }
 
     #[test]
@@ -207,12 +210,16 @@ mod tests {
 
     #[test]
     fn a_stiffness_or_accuracy_out_of_order_is_found() {
-        let view = View::with("54.3", "4,8", |c| c.symbol == "K_2" && c.drive == "CHA-17A" && c.ratio == "30");
+        let view = View::with("54.3", "4,8", |c| {
+            c.place.symbol == "K_2" && c.place.drive == "CHA-17A" && c.place.ratio == "30"
+        });
         assert!(told(growth, &view).is_empty(), "still in order");
-        let view = View::with("54.3", "44", |c| c.symbol == "K_2" && c.drive == "CHA-17A" && c.ratio == "30");
+        let view = View::with("54.3", "44", |c| {
+            c.place.symbol == "K_2" && c.place.drive == "CHA-17A" && c.place.ratio == "30"
+        });
         assert!(!told(growth, &view).is_empty());
         let view = View::with("54.1", "< 1,6", |c| {
-            c.symbol == "transmission_accuracy" && c.drive == "CHA-20A" && c.ratio == "> 50"
+            c.place.symbol == "transmission_accuracy" && c.place.drive == "CHA-20A" && c.place.ratio == "> 50"
         });
         assert_eq!(told(growth, &view).len(), 1);
     }

@@ -40,7 +40,7 @@ fn resolutions(view: &View, tally: &mut Tally, table: &str, symbol: &str, steps:
     let mut seen = 0;
     for cell in view.row(table, symbol) {
         seen += 1;
-        let ratio = if cell.cell.ratio.is_empty() { Some(1.0) } else { cell.cell.ratio.parse().ok() };
+        let ratio = if cell.cell.place.ratio.is_empty() { Some(1.0) } else { cell.cell.place.ratio.parse().ok() };
         let Some((span, ratio)) = cell.span().zip(ratio) else {
             tally.absent(cell.place());
             continue;
@@ -70,7 +70,7 @@ pub(super) fn turns(view: &View, tally: &mut Tally) {
             continue;
         };
         for cell in view.row(table, "turns_out") {
-            match cell.cell.ratio.parse::<f64>() {
+            match cell.cell.place.ratio.parse::<f64>() {
                 Ok(ratio) => exact(tally, cell, (turns / ratio).floor(), &[cell], "whole turns of the motor over i"),
                 Err(_) => tally.absent(cell.place()),
             }
@@ -117,7 +117,7 @@ mod tests {
     use super::*;
 
     fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> View {
-        View::with(table, text, |cell| cell.symbol == symbol && cell.ratio == ratio)
+        View::with(table, text, |cell| cell.place.symbol == symbol && cell.place.ratio == ratio)
     }
 
     #[test]

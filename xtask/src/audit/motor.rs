@@ -225,7 +225,7 @@ mod tests {
     use super::*;
 
     fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> View {
-        View::with(table, text, |cell| cell.symbol == symbol && cell.ratio == ratio)
+        View::with(table, text, |cell| cell.place.symbol == symbol && cell.place.ratio == ratio)
     }
 
     #[test]
@@ -236,13 +236,13 @@ mod tests {
     #[test]
     fn a_changed_mechanical_time_constant_is_found() {
         assert_eq!(told(mechanical_time_constant, &altered("26.1", "tau_m", "", "7,6")).len(), 1);
-        let small = View::with("17.1", "4,9", |cell| cell.symbol == "tau_m" && cell.feedback == "RES");
+        let small = View::with("17.1", "4,9", |cell| cell.place.symbol == "tau_m" && cell.feedback == "RES");
         assert_eq!(told(mechanical_time_constant, &small).len(), 1);
     }
 
     #[test]
     fn time_constants_out_of_the_ratio_of_the_inertias_are_found() {
-        let view = View::with("17.1", "4,9", |cell| cell.symbol == "tau_m" && cell.feedback == "M128S");
+        let view = View::with("17.1", "4,9", |cell| cell.place.symbol == "tau_m" && cell.feedback == "M128S");
         assert_eq!(told(time_constant_and_inertia, &view).len(), 1);
     }
 

@@ -28,7 +28,9 @@ pub(super) fn ratios(view: &View, tally: &mut Tally) {
     for size in SIZES {
         for ratio in RATIOS {
             let condition = format!("ratio={ratio}");
-            let find = |table: &str| view.find(|c| c.table == table && c.drive == size && c.condition == condition);
+            let find = |table: &str| {
+                view.find(|c| c.place.table == table && c.place.drive == size && c.place.condition == condition)
+            };
             let Some(matrix) = find("12.1") else {
                 tally.absent(format_args!("{size}, {condition} in table 12.1"));
                 continue;
@@ -44,7 +46,8 @@ pub(super) fn ratios(view: &View, tally: &mut Tally) {
             for drive in catalogue::drives().iter().filter(|drive| drive.name.starts_with(size)) {
                 for symbol in ["T_max", "J_out", "T_Br"] {
                     let mut cells = view.drive(drive.name).entries.into_iter();
-                    let printed = cells.any(|entry| entry.cell.symbol == symbol && entry.cell.ratio == ratio);
+                    let printed =
+                        cells.any(|entry| entry.cell.place.symbol == symbol && entry.cell.place.ratio == ratio);
                     tally.compare(printed == orderable, &[matrix], || {
                         let name = drive.name;
                         format!("{name}, i = {ratio}: table 12.1 has {}, a column of {symbol}: {printed}", matrix.text)
@@ -64,10 +67,11 @@ pub(super) fn ratios(view: &View, tally: &mut Tally) {
 pub(super) fn combinations(view: &View, tally: &mut Tally) {
     let listed: BTreeSet<(&str, &str)> = view
         .row("11.3", "motor_connector")
-        .filter_map(|entry| Some((entry.cell.condition.strip_prefix("winding=")?, entry.cell.feedback)))
+        .filter_map(|entry| Some((entry.cell.place.condition.strip_prefix("winding=")?, entry.cell.feedback)))
         .collect();
     let mark = |size: &str, condition: String| {
-        view.find(|c| c.table == "12.1" && c.drive == size && c.condition == condition).map(|entry| entry.text.clone())
+        view.find(|c| c.place.table == "12.1" && c.place.drive == size && c.place.condition == condition)
+            .map(|entry| entry.text.clone())
     };
     for size in SIZES {
         for winding in order_code::Winding::ALL {
@@ -92,8 +96,9 @@ pub(super) fn combinations(view: &View, tally: &mut Tally) {
     }
     for drive in view.drives() {
         let winding = if drive.is_48_v() { "winding=E" } else { "winding=H" };
-        let key = view.find(|c| c.table == "11.2" && c.condition == winding && c.drive.contains(drive.size()));
-        let key = key.or_else(|| view.row("11.2", "U_DCmax").find(|entry| entry.cell.condition == winding));
+        let key = view
+            .find(|c| c.place.table == "11.2" && c.place.condition == winding && c.place.drive.contains(drive.size()));
+        let key = key.or_else(|| view.row("11.2", "U_DCmax").find(|entry| entry.cell.place.condition == winding));
         match (key, drive.once("U_DCmax")) {
             (Some(key), Some(cell)) => tally.compare(key.text == cell.text, &[cell], || {
                 format!("{} is {}, table 11.2 has {}", cell.place(), cell.text, key.text)
@@ -137,8 +142,8 @@ pub(super) fn tables(view: &View, tally: &mut Tally) {
             let of: BTreeSet<&str> = drive
                 .entries
                 .iter()
-                .filter(|entry| entry.cell.symbol == symbol)
-                .map(|entry| entry.cell.table)
+                .filter(|entry| entry.cell.place.symbol == symbol)
+                .map(|entry| entry.cell.place.table)
                 .collect();
             tally.compare(of.len() == 1, &[], || format!("{what} of {} stand in tables {of:?}", drive.name));
         }
@@ -153,19 +158,22 @@ mod tests {
     #[test]
     fn a_ratio_taken_from_the_matrix_or_given_to_it_is_found() {
         let altered = |size: &'static str, ratio: &'static str, text| {
-            View::with("12.1", text, |cell| cell.drive == size && cell.condition == format!("ratio={ratio}"))
+            View::with("12.1", text, |cell| {
+                cell.place.drive == size && cell.place.condition == format!("ratio={ratio}")
+            })
         };
         assert!(!told(ratios, &altered("CHA-20A", "80", "-")).is_empty());
         assert!(!told(ratios, &altered("CHA-50A", "30", "●")).is_empty());
-        let view = View::with("11.1", "60", |cell| cell.drive == "CHA-20A" && cell.condition == "ratio=80");
+        let view = View::with("11.1", "60", |cell| cell.place.drive == "CHA-20A" && cell.place.condition == "ratio=80");
         assert_eq!(told(ratios, &view).len(), 1);
     }
 
     #[test]
     fn a_feedback_without_data_is_found() {
-        let view = View::with("12.1", "●", |cell| cell.drive == "CHA-20A" && cell.condition == "feedback=RES");
+        let view =
+            View::with("12.1", "●", |cell| cell.place.drive == "CHA-20A" && cell.place.condition == "feedback=RES");
         assert_eq!(told(combinations, &view).len(), 1);
-        let view = View::with("36.1", "560", |cell| cell.symbol == "U_DCmax");
+        let view = View::with("36.1", "560", |cell| cell.place.symbol == "U_DCmax");
         assert_eq!(told(combinations, &view).len(), 1);
     }
 

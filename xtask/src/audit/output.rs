@@ -14,9 +14,9 @@ pub(super) fn inertia(view: &View, tally: &mut Tally) {
     for drive in view.drives() {
         for (out, motor) in [("J_out", "J"), ("J_out_brake", "J_brake")] {
             let mut seen = 0;
-            for cell in drive.entries.iter().filter(|entry| entry.cell.symbol == out) {
+            for cell in drive.entries.iter().filter(|entry| entry.cell.place.symbol == out) {
                 let beside = drive.beside(motor, cell);
-                let square = cell.cell.ratio.parse::<f64>().ok().map(|i| i * i * 1e-4);
+                let square = cell.cell.place.ratio.parse::<f64>().ok().map(|i| i * i * 1e-4);
                 let spans = (cell.span(), beside.and_then(Entry::span), square);
                 let (Some(printed), Some(at_motor), Some(square)) = spans else {
                     tally.absent(cell.place());
@@ -113,7 +113,8 @@ pub(super) fn order(view: &View, tally: &mut Tally) {
             for symbol in ["T_max", "T_0", "k_Tout", "K_INL", "J_out", "J_out_brake", "n_max", "I_NLS"] {
                 for first in drive.every(symbol, before).filter(|entry| !cold(entry)) {
                     let second = drive.every(symbol, after).find(|entry| {
-                        (entry.cell.condition, entry.cell.feedback) == (first.cell.condition, first.cell.feedback)
+                        (entry.cell.place.condition, entry.cell.feedback)
+                            == (first.cell.place.condition, first.cell.feedback)
                     });
                     let fits: fn(f64, f64) -> bool = match symbol {
                         "n_max" => |a, b| a > b,
@@ -128,7 +129,7 @@ pub(super) fn order(view: &View, tally: &mut Tally) {
         for (without, with) in
             [("J", "J_brake"), ("J_out", "J_out_brake"), ("m", "m_brake"), ("L", "L_brake"), ("I_HBr", "I_OBr")]
         {
-            for bare in drive.entries.iter().copied().filter(|entry| entry.cell.symbol == without) {
+            for bare in drive.entries.iter().copied().filter(|entry| entry.cell.place.symbol == without) {
                 let braked = drive.beside(with, bare);
                 if braked.is_some_and(|entry| entry.text == "-") {
                     continue;
@@ -141,7 +142,7 @@ pub(super) fn order(view: &View, tally: &mut Tally) {
 
 /// I_NLS at the cold limit rises with i; only the value at 20 °C falls.
 fn cold(entry: &Entry) -> bool {
-    entry.cell.symbol == "I_NLS" && entry.cell.condition.starts_with('-')
+    entry.cell.place.symbol == "I_NLS" && entry.cell.place.condition.starts_with('-')
 }
 
 /// Compares two numbers.
@@ -172,7 +173,7 @@ mod tests {
     use super::*;
 
     fn altered(table: &str, symbol: &'static str, ratio: &'static str, text: &str) -> View {
-        View::with(table, text, |cell| cell.symbol == symbol && cell.ratio == ratio)
+        View::with(table, text, |cell| cell.place.symbol == symbol && cell.place.ratio == ratio)
     }
 
     #[test]
@@ -203,7 +204,8 @@ mod tests {
     fn a_value_out_of_order_is_found() {
         assert_eq!(told(order, &altered("26.1", "T_max", "80", "47")).len(), 1);
         assert_eq!(told(order, &altered("26.1", "m_brake", "", "2,9")).len(), 1);
-        let view = View::with("51.3", "117", |cell| cell.symbol == "L_brake" && cell.drive == "CHA-20A-C1024");
+        let view =
+            View::with("51.3", "117", |cell| cell.place.symbol == "L_brake" && cell.place.drive == "CHA-20A-C1024");
         assert_eq!(told(order, &view).len(), 1);
     }
 }

@@ -14,7 +14,8 @@ pub(super) fn temperature_sensor(view: &View, tally: &mut Tally) {
     let row: Vec<&Entry> = view.row("kty84-130", "R_KTY").collect();
     rising(tally, &row);
     for cell in row {
-        let head = cell.cell.condition.split(", ").find_map(|part| part.strip_suffix(" degC")?.parse::<f64>().ok());
+        let head =
+            cell.cell.place.condition.split(", ").find_map(|part| part.strip_suffix(" degC")?.parse::<f64>().ok());
         let Some((printed, temperature)) = cell.number().zip(head) else {
             tally.absent(cell.place());
             continue;
@@ -36,7 +37,7 @@ pub(super) fn temperature_sensor(view: &View, tally: &mut Tally) {
 pub(super) fn thermistor(view: &View, tally: &mut Tally) {
     let every: Vec<&Entry> = view.row("ptc-din44081", "R_PTC").collect();
     let of = |kind: &str| -> Vec<&Entry> {
-        every.iter().copied().filter(|entry| entry.cell.condition.split(", ").any(|part| part == kind)).collect()
+        every.iter().copied().filter(|entry| entry.cell.place.condition.split(", ").any(|part| part == kind)).collect()
     };
     let single = of("single");
     for (kind, times) in [("single", 1.0), ("triple", 3.0), ("triple and single in series", 4.0)] {
@@ -62,7 +63,9 @@ pub(super) fn thermistor(view: &View, tally: &mut Tally) {
 pub(super) fn gear_ratings(view: &View, tally: &mut Tally) {
     let get = |symbol: &str, like: &Entry| {
         view.row("gear-ratings", symbol)
-            .find(|entry| (entry.cell.drive, entry.cell.ratio) == (like.cell.drive, like.cell.ratio))
+            .find(|entry| {
+                (entry.cell.place.drive, entry.cell.place.ratio) == (like.cell.place.drive, like.cell.place.ratio)
+            })
             .cloned()
     };
     let mut seen = 0;
@@ -74,8 +77,8 @@ pub(super) fn gear_ratings(view: &View, tally: &mut Tally) {
                 step(tally, first.as_ref(), second.as_ref(), |a, b| a < b, "not below the next limit");
             }
         }
-        for drive in catalogue::drives().iter().filter(|drive| drive.name.starts_with(repeated.cell.drive)) {
-            let maximum = view.drive(drive.name).at("T_max", repeated.cell.ratio);
+        for drive in catalogue::drives().iter().filter(|drive| drive.name.starts_with(repeated.cell.place.drive)) {
+            let maximum = view.drive(drive.name).at("T_max", repeated.cell.place.ratio);
             step(tally, Some(repeated), maximum, |a, b| (a - b).abs() < 1e-9, "T_R is not T_max of the CHA");
         }
     }
@@ -99,12 +102,12 @@ pub(super) fn curves(view: &View, tally: &mut Tally) {
             tally.absent(cell.place());
             continue;
         };
-        let number = |symbol| drive.at(symbol, cell.cell.ratio).and_then(Entry::number);
+        let number = |symbol| drive.at(symbol, cell.cell.place.ratio).and_then(Entry::number);
         let (Some(stall), Some(peak), Some(speed)) = (number("T_0"), number("T_max"), number("n_max")) else {
             tally.absent(cell.place());
             continue;
         };
-        let (limit, exact) = match cell.cell.condition {
+        let (limit, exact) = match cell.cell.place.condition {
             "continuous" => (stall, true),
             "maximum" => (peak, true),
             _ => (peak, false),
@@ -139,7 +142,7 @@ mod tests {
 
     #[test]
     fn a_changed_sensor_resistance_is_found() {
-        let view = View::with("kty84-130", "606", |cell| cell.condition.contains("25 degC"));
+        let view = View::with("kty84-130", "606", |cell| cell.place.condition.contains("25 degC"));
         assert_eq!(told(temperature_sensor, &view).len(), 1);
     }
 
@@ -152,7 +155,9 @@ mod tests {
     #[test]
     fn a_changed_gear_rating_is_found() {
         let altered = |symbol: &'static str, text| {
-            View::with("gear-ratings", text, move |c| c.symbol == symbol && c.drive == "CHA-14A" && c.ratio == "50")
+            View::with("gear-ratings", text, move |c| {
+                c.place.symbol == symbol && c.place.drive == "CHA-14A" && c.place.ratio == "50"
+            })
         };
         assert_eq!(told(gear_ratings, &altered("T_N", "7,4")).len(), 1);
         assert_eq!(told(gear_ratings, &altered("T_R", "19")).len(), 2);
@@ -160,7 +165,9 @@ mod tests {
 
     #[test]
     fn a_curve_off_the_table_is_found() {
-        let altered = |text| View::with("curves-20A", text, |c| c.condition.contains("continuous") && c.ratio == "50");
+        let altered = |text| {
+            View::with("curves-20A", text, |c| c.place.condition.contains("continuous") && c.place.ratio == "50")
+        };
         assert_eq!(told(curves, &altered("(0;34)(25;31)(70;20)")).len(), 2);
         assert_eq!(told(curves, &altered("(0;32)(25;31)(130;20)")).len(), 1);
     }

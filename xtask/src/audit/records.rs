@@ -52,7 +52,7 @@ pub(super) fn sources(_: &View, tally: &mut Tally) {
 /// Source: the rules of `data/README.md`.
 /// Tolerance: none.
 pub(super) fn terms(_: &View, tally: &mut Tally) {
-    let used: BTreeSet<&str> = catalogue::cells().iter().map(|cell| cell.symbol).collect();
+    let used: BTreeSet<&str> = catalogue::cells().iter().map(|cell| cell.place.symbol).collect();
     let kept: BTreeSet<&str> = TERMS_WITHOUT_TABLE.iter().map(|(symbol, _)| *symbol).collect();
     each_once(tally, "term", catalogue::glossary().iter().map(|term| term.symbol), &used, &kept);
 }
@@ -91,8 +91,8 @@ pub(super) fn errata(_: &View, tally: &mut Tally) {
     }
     for cell in catalogue::cells() {
         for id in cell.errata {
-            let belongs = catalogue::erratum(id).is_some_and(|erratum| erratum.table == cell.table);
-            tally.compare(belongs, &[], || format!("erratum {id} at a cell of table {}", cell.table));
+            let belongs = catalogue::erratum(id).is_some_and(|erratum| erratum.table == cell.place.table);
+            tally.compare(belongs, &[], || format!("erratum {id} at a cell of table {}", cell.place.table));
         }
     }
 }

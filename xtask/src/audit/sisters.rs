@@ -13,7 +13,7 @@ use super::view::{DriveView, Entry, Span, View, brief};
 pub(super) fn same_motor(view: &View, tally: &mut Tally) {
     for (coded, absolute) in pairs(view, "-C1024", "-M512P") {
         let shared = |entry: &&&Entry| {
-            let symbol = entry.cell.symbol;
+            let symbol = entry.cell.place.symbol;
             !symbol.starts_with("J") && !["m", "m_brake", "tau_m", "L", "L_brake"].contains(&symbol)
         };
         let count = absolute.entries.iter().filter(shared).count();
@@ -22,8 +22,8 @@ pub(super) fn same_motor(view: &View, tally: &mut Tally) {
         });
         for cell in coded.entries.iter().filter(shared) {
             let twin = absolute.entries.iter().copied().find(|entry| {
-                (entry.cell.symbol, entry.cell.condition, entry.cell.ratio)
-                    == (cell.cell.symbol, cell.cell.condition, cell.cell.ratio)
+                (entry.cell.place.symbol, entry.cell.place.condition, entry.cell.place.ratio)
+                    == (cell.cell.place.symbol, cell.cell.place.condition, cell.cell.place.ratio)
             });
             same_text(tally, cell, twin);
         }
@@ -100,11 +100,11 @@ pub(super) fn same_gear(view: &View, tally: &mut Tally) {
         "n_N",
     ];
     for (low, high) in pairs(view, "-E", "-H/N") {
-        let shared = low.entries.iter().filter(|entry| SHARED.contains(&entry.cell.symbol));
+        let shared = low.entries.iter().filter(|entry| SHARED.contains(&entry.cell.place.symbol));
         for cell in shared {
             let twin = high.entries.iter().copied().find(|entry| {
-                (entry.cell.symbol, entry.cell.condition, entry.cell.ratio, entry.cell.feedback)
-                    == (cell.cell.symbol, cell.cell.condition, cell.cell.ratio, cell.cell.feedback)
+                (entry.cell.place.symbol, entry.cell.place.condition, entry.cell.place.ratio, entry.cell.feedback)
+                    == (cell.cell.place.symbol, cell.cell.place.condition, cell.cell.place.ratio, cell.cell.feedback)
             });
             same_text(tally, cell, twin);
         }
@@ -133,22 +133,23 @@ mod tests {
 
     #[test]
     fn a_motor_value_changed_in_one_sister_is_found() {
-        let view = View::with("38.1", "57", |cell| cell.symbol == "T_max" && cell.ratio == "50");
+        let view = View::with("38.1", "57", |cell| cell.place.symbol == "T_max" && cell.place.ratio == "50");
         assert_eq!(told(same_motor, &view).len(), 1);
     }
 
     #[test]
     fn another_mass_length_or_inertia_of_the_encoder_is_found() {
-        let altered = |table, symbol: &'static str, text| View::with(table, text, |cell| cell.symbol == symbol);
+        let altered = |table, symbol: &'static str, text| View::with(table, text, |cell| cell.place.symbol == symbol);
         assert_eq!(told(encoder_share, &altered("42.1", "m", "7,8")).len(), 1);
         assert_eq!(told(encoder_share, &altered("42.2", "J", "6,3")).len(), 1);
-        let view = View::with("53.3", "177", |cell| cell.symbol == "L_brake" && cell.drive == "CHA-40A-M512P");
+        let view =
+            View::with("53.3", "177", |cell| cell.place.symbol == "L_brake" && cell.place.drive == "CHA-40A-M512P");
         assert_eq!(told(encoder_share, &view).len(), 1);
     }
 
     #[test]
     fn a_gear_value_changed_in_one_winding_is_found() {
-        let view = View::with("18.2", "17", |cell| cell.symbol == "T_Br" && cell.ratio == "50");
+        let view = View::with("18.2", "17", |cell| cell.place.symbol == "T_Br" && cell.place.ratio == "50");
         assert_eq!(told(same_gear, &view).len(), 1);
     }
 }

@@ -39,7 +39,7 @@ pub(super) type Place = (&'static str, u16, u16);
 
 /// The place of a cell.
 pub(super) const fn place(cell: &Cell) -> Place {
-    (cell.table, cell.row, cell.column)
+    (cell.place.table, cell.row, cell.column)
 }
 
 /// What else may explain a deviation, besides the errata of the cells compared.

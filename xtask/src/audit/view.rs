@@ -73,14 +73,14 @@ impl Entry {
 
     /// Where the cell stands, for messages.
     pub(super) fn place(&self) -> String {
-        let mut place = format!("table {}, {}", self.cell.table, self.cell.symbol);
-        for part in [self.cell.condition, self.cell.drive, self.cell.feedback] {
+        let mut place = format!("table {}, {}", self.cell.place.table, self.cell.place.symbol);
+        for part in [self.cell.place.condition, self.cell.place.drive, self.cell.feedback] {
             if !part.is_empty() {
                 place.push_str(&format!(", {part}"));
             }
         }
-        if !self.cell.ratio.is_empty() {
-            place.push_str(&format!(", i = {}", self.cell.ratio));
+        if !self.cell.place.ratio.is_empty() {
+            place.push_str(&format!(", i = {}", self.cell.place.ratio));
         }
         place
     }
@@ -102,7 +102,7 @@ impl View {
 
     /// The cells of a table.
     pub(super) fn table<'a, 'b>(&'a self, id: &'b str) -> impl Iterator<Item = &'a Entry> + use<'a, 'b> {
-        self.entries.iter().filter(move |entry| entry.cell.table == id)
+        self.entries.iter().filter(move |entry| entry.cell.place.table == id)
     }
 
     /// The cells of a symbol in a table, in the order of its columns.
@@ -111,12 +111,12 @@ impl View {
         table: &'b str,
         symbol: &'b str,
     ) -> impl Iterator<Item = &'a Entry> + use<'a, 'b> {
-        self.table(table).filter(move |entry| entry.cell.symbol == symbol)
+        self.table(table).filter(move |entry| entry.cell.place.symbol == symbol)
     }
 
     /// The cell of a symbol in a table with one column per size.
     pub(super) fn of_size(&self, table: &str, symbol: &str, size: &str) -> Option<&Entry> {
-        self.row(table, symbol).find(|entry| entry.cell.drive == size)
+        self.row(table, symbol).find(|entry| entry.cell.place.drive == size)
     }
 
     /// The first cell that a predicate accepts.
@@ -126,7 +126,7 @@ impl View {
 
     /// The cells that the tables of one drive print, technical data, inertias, brake and lengths.
     pub(super) fn drive(&self, name: &'static str) -> DriveView<'_> {
-        DriveView { name, entries: self.entries.iter().filter(|entry| entry.cell.drive == name).collect() }
+        DriveView { name, entries: self.entries.iter().filter(|entry| entry.cell.place.drive == name).collect() }
     }
 
     /// All sixteen drives.
@@ -140,7 +140,7 @@ impl View {
     /// As printed, with the text of one cell changed; the cell must exist once and bear no erratum.
     pub(super) fn with(table: &str, text: &str, accept: impl Fn(&Cell) -> bool) -> Self {
         let mut view = Self::of(Reading::Printed);
-        let mut hits = view.entries.iter_mut().filter(|entry| entry.cell.table == table && accept(entry.cell));
+        let mut hits = view.entries.iter_mut().filter(|entry| entry.cell.place.table == table && accept(entry.cell));
         let entry = hits.next().expect("the cell to change exists");
         assert!(entry.cell.errata.is_empty(), "{} has an erratum already", entry.place());
         assert!(hits.next().is_none(), "more than one cell to change");
@@ -160,19 +160,23 @@ pub(super) struct DriveView<'a> {
 impl<'a> DriveView<'a> {
     /// Its ratios, ascending, as the columns of its tables name them.
     pub(super) fn ratios(&self) -> Vec<&'static str> {
-        self.entries.iter().filter(|entry| entry.cell.symbol == "T_max").map(|entry| entry.cell.ratio).collect()
+        self.entries
+            .iter()
+            .filter(|entry| entry.cell.place.symbol == "T_max")
+            .map(|entry| entry.cell.place.ratio)
+            .collect()
     }
 
     /// The cell of a symbol at a ratio; a value printed once holds for every ratio. Where a symbol is printed for
     /// several temperatures, the warm-room one: 20 °C.
     pub(super) fn at(&self, symbol: &str, ratio: &str) -> Option<&'a Entry> {
-        self.every(symbol, ratio).find(|entry| ["", "20 degC"].contains(&entry.cell.condition))
+        self.every(symbol, ratio).find(|entry| ["", "20 degC"].contains(&entry.cell.place.condition))
     }
 
     /// The cells of a symbol at a ratio, under any condition and feedback.
     pub(super) fn every(&self, symbol: &str, ratio: &str) -> impl Iterator<Item = &'a Entry> {
         self.entries.iter().copied().filter(move |entry| {
-            entry.cell.symbol == symbol && (entry.cell.ratio.is_empty() || entry.cell.ratio == ratio)
+            entry.cell.place.symbol == symbol && (entry.cell.place.ratio.is_empty() || entry.cell.place.ratio == ratio)
         })
     }
 
@@ -184,10 +188,10 @@ impl<'a> DriveView<'a> {
     /// The cell that stands like `other`, feedback, condition and ratio alike, under another symbol.
     pub(super) fn beside(&self, symbol: &str, other: &Entry) -> Option<&'a Entry> {
         self.entries.iter().copied().find(|entry| {
-            entry.cell.symbol == symbol
+            entry.cell.place.symbol == symbol
                 && entry.cell.feedback == other.cell.feedback
-                && entry.cell.condition == other.cell.condition
-                && (entry.cell.ratio.is_empty() || entry.cell.ratio == other.cell.ratio)
+                && entry.cell.place.condition == other.cell.place.condition
+                && (entry.cell.place.ratio.is_empty() || entry.cell.place.ratio == other.cell.place.ratio)
         })
     }
 

@@ -5,7 +5,7 @@ use crate::project::Assumption;
 use actuator::CurveKind;
 use configurator::Unmet;
 use order_code::Brake;
-use provenance::{Grade, Source};
+use provenance::{Grade, MANUAL, Source};
 use quantities::unit::{DEGREE, KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND, VOLT};
 use quantities::{Language, Measure, Unit, format_number, format_significant};
 use sizing::{CheckId, Note, Verdict};
@@ -389,9 +389,9 @@ pub fn source_text(source: &Source, language: Language) -> String {
     match (source, language) {
         (_, Language::En) => source.to_string(),
         (Source::Cell(cell), Language::De) => cell.to_string().replacen("table", "Tabelle", 1),
-        (Source::Equation { document, number }, Language::De) => format!("{document} Gl. {number}"),
-        (Source::Published { document, cell }, Language::De) => {
-            format!("{document} ({})", cell.to_string().replacen("table", "Tabelle", 1))
+        (Source::Equation { number }, Language::De) => format!("{MANUAL} Gl. {number}"),
+        (Source::Published(cell), Language::De) => {
+            format!("{} ({})", cell.document, cell.to_string().replacen("table", "Tabelle", 1))
         }
         (Source::Model { name }, Language::De) => format!("Modell {name}"),
         (Source::Project { key }, Language::De) => format!("Projekt {key}"),
