@@ -1,6 +1,7 @@
 //! Every check of every example is explained, and every formula gives the number beside it.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
 
+use provenance::{CellRef, Source};
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::PathBuf;
@@ -103,6 +104,46 @@ fn every_check_is_explained_and_every_formula_gives_its_number() {
     }
     assert!(checks > 10_000, "{checks}");
     assert!(found.is_empty(), "{found:#?}");
+}
+
+/// The cells that derivations cite are in the catalogue.
+#[test]
+fn every_cell_that_is_cited_exists() {
+    let exists = |place: &CellRef| {
+        let cells = catalogue::table(place.table).map(catalogue::Table::cells).unwrap_or_default();
+        cells.iter().any(|cell| {
+            let there = &cell.place;
+            let rest = (place.condition, place.drive, place.ratio);
+            place.document == there.document
+                && place.symbol == there.symbol
+                && [(rest.0, there.condition), (rest.1, there.drive), (rest.2, there.ratio)]
+                    .iter()
+                    .all(|(cited, printed)| cited.is_empty() || cited == printed)
+        })
+    };
+    let (mut missing, mut cited) = (Vec::new(), 0);
+    for project in projects() {
+        for (code, _) in catalogue_actuators().iter().step_by(7) {
+            let Ok(candidate) = explain(&project, code) else { continue };
+            for check in &candidate.judgement.checks {
+                let steps = check.workings.iter().map(|step| (&step.source, step.symbol));
+                let both = [&check.value_source, &check.limit_source].into_iter().flatten();
+                for (source, symbol) in steps.chain(both.map(|source| (source, check.id.id()))) {
+                    let (Source::Cell(place) | Source::Published(place)) = source else { continue };
+                    cited += 1;
+                    // The ratios are the heads of the columns of table 12.1.
+                    let head = place.table == "12.1" && place.symbol == "i";
+                    if !head && !exists(place) {
+                        missing.push(format!("{} {symbol}: {source}", check.id.id()));
+                    }
+                }
+            }
+        }
+    }
+    missing.sort();
+    missing.dedup();
+    assert!(cited > 1000, "{cited}");
+    assert!(missing.is_empty(), "{missing:#?}");
 }
 
 /// What was searched or integrated is told in German too, and every symbol that is no printed cell has its word.
