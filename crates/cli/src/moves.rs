@@ -3,6 +3,7 @@
 use crate::table::{Align, Table, paragraph};
 use workbench::quantities::unit::SECOND;
 use workbench::quantities::{Measure, format_significant};
+use workbench::text::law_text;
 use workbench::{Language, Moves};
 
 /// So many segments are shown; --json has them all.
@@ -14,6 +15,7 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
     let heads = match language {
         Language::En => [
             "move".to_owned(),
+            "law".into(),
             "from s".into(),
             "time s".into(),
             format!("distance {distance}"),
@@ -22,6 +24,7 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
         ],
         Language::De => [
             "Abschnitt".to_owned(),
+            "Gesetz".into(),
             "ab s".into(),
             "Zeit s".into(),
             format!("Weg {distance}"),
@@ -32,11 +35,12 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
     let number = |value: f64| format_significant(value, 4, language);
     let mut table = Table::new([
         (heads[0].as_str(), Align::Right),
-        (heads[1].as_str(), Align::Right),
+        (heads[1].as_str(), Align::Left),
         (heads[2].as_str(), Align::Right),
         (heads[3].as_str(), Align::Right),
         (heads[4].as_str(), Align::Right),
         (heads[5].as_str(), Align::Right),
+        (heads[6].as_str(), Align::Right),
     ]);
     for (index, each) in moves.moves.iter().enumerate().take(SEGMENTS_MOST) {
         let cells = match each.course {
@@ -49,7 +53,8 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
         let [distance, speed, acceleration] = cells;
         let time = |si: f64| number(SECOND.from_si(si));
         let (start, duration) = (time(each.start.si()), time(each.duration.si()));
-        table.row([(index + 1).to_string(), start, duration, distance, speed, acceleration]);
+        let law = law_text(each.law, language).to_owned();
+        table.row([(index + 1).to_string(), law, start, duration, distance, speed, acceleration]);
     }
     let mut out = table.render();
     let more = moves.moves.len().saturating_sub(SEGMENTS_MOST);

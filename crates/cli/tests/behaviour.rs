@@ -535,14 +535,15 @@ fn a_curve_has_a_picture_and_without_a_file_its_text() {
     assert!(run(&["curve", code, "--voltage", "400 V"]).out.contains("T Nm"));
 }
 
-/// As `docs/guide/plots.md` shows them; draw anew with `antrieb plot examples/EXAMPLE --figure FIGURE --svg FILE`.
+/// As the guide shows them; draw anew with `antrieb plot examples/EXAMPLE.toml --figure FIGURE --svg FILE --force`.
 #[test]
 fn the_pictures_of_the_guide_are_what_the_tool_draws() {
-    for (example, figure, file) in [
-        ("screw-axis", "torque_speed", "torque-speed.svg"),
-        ("tilting-arm", "cycle", "cycle.svg"),
-        ("indexing-table", "candidate_map", "candidate-map.svg"),
-    ] {
+    let mut pictures = vec![("indexing-table", "candidate_map", "candidate-map.svg".to_owned())];
+    for example in ["indexing-table", "tilting-arm", "screw-axis", "belt-axis", "robot-joint"] {
+        pictures.push((example, "torque_speed", format!("{example}-torque-speed.svg")));
+        pictures.push((example, "cycle", format!("{example}-cycle.svg")));
+    }
+    for (example, figure, file) in &pictures {
         let drawn = run(&["plot", &format!("examples/{example}.toml"), "--figure", figure]).out;
         let shown = std::fs::read_to_string(root().join("docs/guide/pictures").join(file)).unwrap();
         assert!(drawn == shown, "{file} is stale: antrieb plot examples/{example}.toml --figure {figure}");

@@ -9,6 +9,7 @@ use workbench::quantities::unit::{
     WATT,
 };
 use workbench::quantities::{Language, Measure, Unit};
+use workbench::text::law_text;
 use workbench::{Candidate, CheckId, Course, Move, Project, Sample};
 
 const WIDTH_MM: f64 = 165.0;
@@ -208,11 +209,7 @@ fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) 
 /// Beginning, end and name of each segment.
 pub(crate) fn segments(project: &Project, language: Language) -> Vec<(f64, f64, String)> {
     let named = |(index, segment): (usize, &Move<'_>)| {
-        let what = match (segment.recording, segment.course) {
-            (Some(_), _) => say(language, "recording", "Aufzeichnung"),
-            (None, Some(_)) => say(language, "move", "Bewegung"),
-            (None, None) => say(language, "dwell", "Rast"),
-        };
+        let what = law_text(segment.law, language);
         let from = segment.start.si();
         (from, from + segment.duration.si(), format!("{} {what}", index + 1))
     };

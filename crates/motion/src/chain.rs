@@ -69,6 +69,8 @@ pub struct Stretch {
     pub duration: Time,
     /// What holds at rest within it.
     pub hold: Hold,
+    /// The law, where one was given; `None` also for a move of the manual, which is a trapezoid with a pause.
+    pub law: Option<Law>,
     /// The move with everything solved; `None` for rest and for recordings.
     pub solved: Option<Solved>,
 }
@@ -120,6 +122,7 @@ impl Motion {
                 start: Time::from_si(at),
                 duration: Time::from_si(chain.clock - at),
                 hold: if let SegmentSpec::Dwell(_, hold) = segment { *hold } else { Hold::Motor },
+                law: if let SegmentSpec::Move(law, _) = segment { Some(*law) } else { None },
                 solved: moved.then(|| solved(chain.pieces.get(from..).unwrap_or_default())),
             });
         }
@@ -167,6 +170,7 @@ impl Motion {
                     start: time(stretch.start),
                     duration: time(stretch.duration),
                     hold: stretch.hold,
+                    law: stretch.law,
                     solved: stretch.solved.map(|solved| Solved {
                         distance: solved.distance,
                         time: time(solved.time),

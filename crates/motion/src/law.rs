@@ -61,6 +61,35 @@ pub struct Solved {
 }
 
 impl Law {
+    /// Every law.
+    pub const ALL: [Self; 9] = [
+        Self::Trapezoid,
+        Self::Triangle,
+        Self::Jerk,
+        Self::Polynomial5,
+        Self::ModifiedSine,
+        Self::ModifiedTrapezoid,
+        Self::SimpleSine,
+        Self::InclinedSine,
+        Self::Constant,
+    ];
+
+    /// The identifier used in project files and data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Trapezoid => "trapezoid",
+            Self::Triangle => "triangle",
+            Self::Jerk => "jerk",
+            Self::Polynomial5 => "polynomial_5",
+            Self::ModifiedSine => "modified_sine",
+            Self::ModifiedTrapezoid => "modified_trapezoid",
+            Self::SimpleSine => "simple_sine",
+            Self::InclinedSine => "inclined_sine",
+            Self::Constant => "constant",
+        }
+    }
+
     /// C_v = v_max T/s and C_a = a_max T²/s of the normalised law from rest to rest; the trapezoid with thirds.
     ///
     /// # Source   VDI 2143-1, characteristic values; derived in docs/theory/motion-laws.md

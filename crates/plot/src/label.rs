@@ -88,6 +88,19 @@ impl Label {
         self.runs.iter().map(|run| run.width(size, bold)).sum()
     }
 
+    /// The text up to its first blank.
+    pub(crate) fn first_word(&self) -> Self {
+        let mut word = Self::default();
+        for run in &self.runs {
+            let (text, rest) = run.text.split_once(' ').map_or((run.text.as_str(), None), |(a, b)| (a, Some(b)));
+            word = word.with(text, run.kind);
+            if rest.is_some() {
+                break;
+            }
+        }
+        word
+    }
+
     /// The text cut so that it fits, with an ellipsis; empty if not even that fits.
     pub(crate) fn elided(&self, limit: f64, size: f64, bold: bool) -> Self {
         if self.width(size, bold) <= limit {

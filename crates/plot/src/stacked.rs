@@ -214,7 +214,9 @@ impl StackedChart {
             let rule = Stroke::solid(Colour::Soft, RULE);
             canvas.line((from + 1.0, base), (to - 1.0, base), &rule);
             let room = to - from.max(until) - 4.0;
-            let short = name.elided(room, TEXT, false);
+            // A name that finds no room leaves its first word, which tells segments apart; half a name tells nothing.
+            let fits = name.width(TEXT, false) <= room;
+            let short = if fits { name.clone() } else { name.first_word().elided(room, TEXT, false) };
             // Segments that lie upon each other name only what is free.
             if short.is_empty() || from < until {
                 canvas.hide(name);

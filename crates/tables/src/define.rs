@@ -8,7 +8,7 @@ use workbench::quantities::Unit;
 use workbench::quantities::unit::{
     AMPERE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, ONE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND, WATT,
 };
-use workbench::text::assumption_text;
+use workbench::text::{assumption_text, law_text};
 use workbench::{Candidate, Language, Project, Sample, Sizing, course, inputs, moves};
 
 /// The names of the tables, in the order of a workbook.
@@ -189,6 +189,14 @@ impl Subject<'_> {
                 l,
             ),
             column(
+                "law",
+                ["law", "Gesetz"],
+                Kind::Text,
+                None,
+                ["law of motion, or rest", "Bewegungsgesetz, oder Rast"],
+                l,
+            ),
+            column(
                 "start",
                 ["from", "ab"],
                 Kind::Number,
@@ -221,6 +229,7 @@ impl Subject<'_> {
                 let [s, v, a] = course;
                 vec![
                     Cell::number(f64::from(number)),
+                    Cell::text(law_text(each.law, l)),
                     Cell::in_unit(Some(each.start.si()), &SECOND),
                     Cell::in_unit(Some(each.duration.si()), &SECOND),
                     Cell::in_unit(s, distance),

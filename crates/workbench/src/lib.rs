@@ -33,7 +33,7 @@ pub use export::{EXPORT_COLUMNS, export_rows};
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::{FlangeSegment, flange_course};
 pub use inertia::{BODY_SHAPES, BodyAnswer, BodyShape, InertiaAnswer, inertia};
-pub use moves::{Move, Moves, moves};
+pub use moves::{Move, Moves, SegmentLaw, moves};
 pub use order_code::{Field, OrderCode};
 pub use plane::{Plane, plane, plane_of};
 pub use project::{

@@ -1,10 +1,37 @@
 //! The motion as it came out: every segment with what was given and what followed from it.
 
 use crate::project::{Project, RecordingRead};
+use motion::Law;
 use quantities::unit::{
     DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
 };
 use quantities::{Measure, Time, Unit};
+
+/// What a segment follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SegmentLaw {
+    /// A law of motion.
+    Law(Law),
+    /// The manual's move: a trapezoid with a pause.
+    Manual,
+    /// Rest.
+    Dwell,
+    /// A recording.
+    Recorded,
+}
+
+impl SegmentLaw {
+    /// The identifier used in project files and data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Law(law) => law.id(),
+            Self::Manual => "manual",
+            Self::Dwell => "dwell",
+            Self::Recorded => "recorded",
+        }
+    }
+}
 
 /// One segment of the motion.
 #[derive(Clone, Debug)]
@@ -13,6 +40,8 @@ pub struct Move<'p> {
     pub start: Time,
     /// Duration.
     pub duration: Time,
+    /// What it is: a law, the manual's move, rest, or a recording.
+    pub law: SegmentLaw,
     /// Distance, largest speed and largest acceleration, in SI at the output or along the line; `None` at rest.
     pub course: Option<[f64; 3]>,
     /// The recording, where it is one.
@@ -49,7 +78,14 @@ pub fn moves(project: &Project) -> Moves<'_> {
         let placed = motion.recordings().iter().find(|placed| placed.segment == index);
         let at_output = placed.map(motion::Placed::course).or_else(|| course(index));
         let recording = placed.and_then(|_| recordings.next());
+        let law = match (stretch.law, placed, stretch.solved) {
+            (Some(law), ..) => SegmentLaw::Law(law),
+            (None, Some(_), _) => SegmentLaw::Recorded,
+            (None, None, Some(_)) => SegmentLaw::Manual,
+            (None, None, None) => SegmentLaw::Dwell,
+        };
         Move {
+            law,
             start: stretch.start,
             duration: stretch.duration,
             course: at_output.map(|values| values.map(|value| value * factor)),

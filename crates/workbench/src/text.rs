@@ -12,6 +12,7 @@ pub(crate) mod tolerance;
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token};
 pub(crate) use derivation::step_term;
 pub use derivation::{found_text, symbol_shown};
+pub use motion::law_text;
 pub(crate) use reading::Speak;
 pub use reading::file_trouble;
 pub use results::{

@@ -20,6 +20,7 @@ pub fn moves(moves: &Moves<'_>) -> Value {
 
 fn segment(each: &Move<'_>, moves: &Moves<'_>) -> Value {
     let mut map = Map::new();
+    map.insert("law".into(), json!(each.law.id()));
     map.insert("start".into(), in_unit(each.start.si(), &SECOND));
     map.insert("duration".into(), in_unit(each.duration.si(), &SECOND));
     if let Some(course) = each.course {

@@ -289,15 +289,9 @@ impl Turning<'_> {
                 };
                 return Some(SegmentSpec::Dwell(given.time?, hold));
             }
-            "trapezoid" => Law::Trapezoid,
-            "jerk" => Law::Jerk,
-            "polynomial_5" => Law::Polynomial5,
-            "modified_sine" => Law::ModifiedSine,
-            "modified_trapezoid" => Law::ModifiedTrapezoid,
-            "simple_sine" => Law::SimpleSine,
-            "inclined_sine" => Law::InclinedSine,
-            "constant" => Law::Constant,
-            _ => Law::Triangle,
+            // VDI 2143 calls it so.
+            "parabola" => Law::Triangle,
+            id => Law::ALL.into_iter().find(|law| law.id() == id)?,
         };
         // A value that was refused has been told; without it the move would only seem undetermined.
         section.is_whole().then_some(SegmentSpec::Move(law, given))

@@ -1,12 +1,36 @@
 //! Words about motions that cannot be.
 
 use super::either;
-use motion::{MoveFault, Needed, RecordedFault};
+use crate::moves::SegmentLaw;
+use motion::{Law, MoveFault, Needed, RecordedFault};
 use quantities::unit::{DEGREE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, Unit, format_significant};
 
 fn shown(si: f64, unit: &Unit, language: Language) -> String {
     format!("{} {}", format_significant(unit.from_si(si), 5, language), unit.symbol)
+}
+
+/// What a segment follows, in the words of VDI 2143.
+#[must_use]
+pub fn law_text(law: SegmentLaw, language: Language) -> &'static str {
+    let (en, de) = match law {
+        SegmentLaw::Law(Law::Trapezoid) | SegmentLaw::Manual => ("trapezoid", "Trapez"),
+        SegmentLaw::Law(Law::Triangle) => ("triangle", "Dreieck"),
+        SegmentLaw::Law(Law::Jerk) => ("limited jerk", "ruckbegrenzt"),
+        SegmentLaw::Law(Law::Polynomial5) => ("polynomial 3-4-5", "Polynom 3-4-5"),
+        SegmentLaw::Law(Law::ModifiedSine) => ("modified sine", "mod. Sinuslinie"),
+        SegmentLaw::Law(Law::ModifiedTrapezoid) => ("modified trapezoid", "mod. Trapez"),
+        SegmentLaw::Law(Law::SimpleSine) => ("simple sine", "einfache Sinuslinie"),
+        SegmentLaw::Law(Law::InclinedSine) => ("inclined sine", "geneigte Sinuslinie"),
+        SegmentLaw::Law(Law::Constant) => ("constant speed", "konstant"),
+        SegmentLaw::Law(_) => ("move", "Bewegung"),
+        SegmentLaw::Dwell => ("dwell", "Rast"),
+        SegmentLaw::Recorded => ("recording", "Aufzeichnung"),
+    };
+    match language {
+        Language::En => en,
+        Language::De => de,
+    }
 }
 
 /// What is wrong with a move, and what would be possible.
