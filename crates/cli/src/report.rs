@@ -42,7 +42,10 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         return Err(simple(&what, as_json, language));
     };
     let (candidate, talk) = candidate(project, matches, as_json, language)?;
-    let content = content(project, &candidate, &source.text, language);
+    let content = std::thread::scope(|scope| {
+        scope.spawn(report::prepare);
+        content(project, &candidate, &source.text, language)
+    });
     let bytes =
         report::pdf(&content, &settings(matches)).map_err(|fault| simple(&fault.to_string(), as_json, language))?;
     save(&[(out, &bytes)], matches.get_flag("force"))
@@ -84,6 +87,16 @@ fn settings(matches: &ArgMatches) -> Settings {
 }
 
 fn content(project: &Project, candidate: &Candidate<'_>, text: &str, language: Language) -> Content {
+    std::thread::scope(|scope| {
+        let figures = scope.spawn(|| drawn_figures(project, candidate, language));
+        let data = data(project, candidate, text, language);
+        // A thread that could not finish leaves its part to this one.
+        let figures = figures.join().unwrap_or_else(|_| drawn_figures(project, candidate, language));
+        Content { language, data, figures }
+    })
+}
+
+fn data(project: &Project, candidate: &Candidate<'_>, text: &str, language: Language) -> Value {
     let sizing = workbench::size(project);
     let motion = answers::moves(&workbench::moves(project));
     let assumptions = answers::assumptions(&project.assumptions, language);
@@ -114,7 +127,7 @@ fn content(project: &Project, candidate: &Candidate<'_>, text: &str, language: L
         .collect();
     let item = if language == Language::De { "Servoantrieb" } else { "servo actuator" };
     let inputs = report::inputs(text).unwrap_or_default();
-    let data = json!({
+    json!({
         "check": judged,
         "sizing": ranking,
         "inputs": inputs,
@@ -124,12 +137,15 @@ fn content(project: &Project, candidate: &Candidate<'_>, text: &str, language: L
         "hash": { "project": project_fingerprint(text, &project.recordings), "catalogue": catalogue_fingerprint() },
         "screws": answers::screws(candidate, language),
         "bill_of_material": [{ "item": item, "quantity": "1", "code": candidate.id.to_string() }],
-    });
+    })
+}
+
+fn drawn_figures(project: &Project, candidate: &Candidate<'_>, language: Language) -> Vec<report::Figure> {
     let figures = FIGURES.iter().filter_map(|(place, figure)| {
         let drawing = figures::draw(*figure, project, candidate, By::Mass, language).ok()?;
         Some(drawn(place, &drawing, language))
     });
-    Content { language, data, figures: figures.collect() }
+    figures.collect()
 }
 
 fn drawn(place: &str, drawing: &Drawing, language: Language) -> report::Figure {

@@ -140,7 +140,7 @@ fn typeset(content: &Content, settings: &Settings) -> Result<PagedDocument, Faul
     for (index, figure) in content.figures.iter().enumerate() {
         files.insert(figure_file(index), figure.svg.clone().into_bytes());
     }
-    let press = Press::new(files)?;
+    let press = Press { template: template()?, files };
     typst::compile::<PagedDocument>(&press)
         .output
         .map_err(|faults| Fault::Typesetting { message: messages(&faults, Some(&press)) })
@@ -184,10 +184,40 @@ fn fonts() -> &'static Fonts {
     })
 }
 
-struct Press {
+/// The template, read, and the library of the engine: the same for all reports.
+struct Template {
     library: LazyHash<Library>,
     main: FileId,
     sources: BTreeMap<&'static str, Source>,
+}
+
+impl Template {
+    fn read() -> Result<Self, Fault> {
+        let mut sources = BTreeMap::new();
+        for (name, text) in template::FILES {
+            sources.insert(*name, Source::new(file_id(name)?, (*text).to_owned()));
+        }
+        Ok(Self { library: LazyHash::new(Library::builder().build()), main: file_id("main.typ")?, sources })
+    }
+}
+
+fn template() -> Result<&'static Template, Fault> {
+    static TEMPLATE: OnceLock<Template> = OnceLock::new();
+    match TEMPLATE.get() {
+        Some(template) => Ok(template),
+        None => Template::read().map(|read| TEMPLATE.get_or_init(|| read)),
+    }
+}
+
+/// Loads fonts and template, so that a face may have it done while it computes. [`pdf`] does it otherwise.
+pub fn prepare() {
+    fonts();
+    // What is wrong with the template, the report will tell.
+    let _ = template();
+}
+
+struct Press {
+    template: &'static Template,
     files: BTreeMap<String, Vec<u8>>,
 }
 
@@ -201,14 +231,6 @@ fn name_of(id: FileId) -> &'static str {
 }
 
 impl Press {
-    fn new(files: BTreeMap<String, Vec<u8>>) -> Result<Self, Fault> {
-        let mut sources = BTreeMap::new();
-        for (name, text) in template::FILES {
-            sources.insert(*name, Source::new(file_id(name)?, (*text).to_owned()));
-        }
-        Ok(Self { library: LazyHash::new(Library::builder().build()), main: file_id("main.typ")?, sources, files })
-    }
-
     /// File and line of a fault, for whoever works on the template.
     fn place(&self, fault: &SourceDiagnostic) -> Option<String> {
         let id = fault.span.id()?;
@@ -220,7 +242,7 @@ impl Press {
 
 impl World for Press {
     fn library(&self) -> &LazyHash<Library> {
-        &self.library
+        &self.template.library
     }
 
     fn book(&self) -> &LazyHash<FontBook> {
@@ -228,12 +250,12 @@ impl World for Press {
     }
 
     fn main(&self) -> FileId {
-        self.main
+        self.template.main
     }
 
     fn source(&self, id: FileId) -> FileResult<Source> {
         let name = name_of(id);
-        self.sources.get(name).cloned().ok_or_else(|| FileError::NotFound(name.into()))
+        self.template.sources.get(name).cloned().ok_or_else(|| FileError::NotFound(name.into()))
     }
 
     fn file(&self, id: FileId) -> FileResult<Bytes> {

@@ -38,7 +38,7 @@ const AMBIENT_STEP: f64 = 5.0;
 /// Cost: some sixty judgements for each of the quantities, with the motion prepared anew.
 #[must_use]
 pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
-    let fits = |changed: &Axis| judge(changed, actuator, Depth::Full).fits();
+    let fits = |changed: &Axis| judge(changed, actuator, Depth::Margins).fits();
     let load = |factor: f64| fits(&axis.with_load(factor, factor));
     let payload = |factor: f64| fits(&axis.with_load(1.0, factor));
     // A faster cycle is a smaller factor on the time.

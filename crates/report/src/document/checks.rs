@@ -1,6 +1,6 @@
 //! The checks: their order, their parts, their sources and derivations.
 
-use super::shown::Shown;
+use super::shown::{Shown, tied};
 use crate::data::{Check, Judged, Sizing};
 use serde::Serialize;
 use std::cmp::Ordering;
@@ -94,7 +94,7 @@ fn row(check: &Check, shown: &Shown) -> CheckRow {
         grade: check.grade.clone(),
         sources: parts_of_source(&check.source),
         missing: check.missing.clone(),
-        notes: check.notes.iter().filter(|note| !note.is_empty()).cloned().collect(),
+        notes: check.notes.iter().filter(|note| !note.is_empty()).map(|note| tied(note)).collect(),
     }
 }
 

@@ -8,6 +8,21 @@ pub(super) struct Shown(pub(super) Language);
 /// No-break narrow space between number and unit, as DIN 5008 and the SI brochure ask.
 const THIN: char = '\u{202f}';
 
+/// The text with every unit tied to the number before it.
+pub(super) fn tied(text: &str) -> String {
+    let mut tied = String::with_capacity(text.len());
+    let mut after_digit = false;
+    for (place, sign) in text.char_indices() {
+        let ties = sign == ' ' && after_digit && {
+            let next = text.get(place + 1..).and_then(|rest| rest.split([' ', ',', ';', ')', ':']).next());
+            next.is_some_and(|word| word == "%" || Unit::of(word.trim_end_matches('.')).is_some())
+        };
+        tied.push(if ties { THIN } else { sign });
+        after_digit = sign.is_ascii_digit();
+    }
+    tied
+}
+
 impl Shown {
     /// Four significant digits.
     pub(super) fn number(&self, value: f64) -> String {
@@ -105,6 +120,15 @@ mod tests {
         assert_eq!(en.written("90 deg"), "90°");
         for text in ["", "robot-joint.csv", "1.2.3", "3 turns", "true", "-", "2 #let x"] {
             assert_eq!(de.written(text), text);
+        }
+    }
+
+    #[test]
+    fn a_unit_stays_with_its_number() {
+        assert_eq!(tied("up to 39.0 Nm, at 30 °C (80 °C)"), "up to 39.0\u{202f}Nm, at 30\u{202f}°C (80\u{202f}°C)");
+        assert_eq!(tied("20 min⁻¹ und 5,5 %."), "20\u{202f}min⁻¹ und 5,5\u{202f}%.");
+        for text in ["", "in 4 segments", "J_L ≤ 3 J_out", "L_10 of 2"] {
+            assert_eq!(tied(text), text);
         }
     }
 
