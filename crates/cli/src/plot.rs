@@ -11,7 +11,7 @@ use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
 use std::path::{Path, PathBuf};
 use workbench::quantities::unit::MILLIMETRE;
 use workbench::quantities::{Length, Measure, format_number};
-use workbench::{Candidate, Language, Project};
+use workbench::{Candidate, CandidateId, Language, Project};
 
 /// Pixels of a PNG to the CSS pixel: 192 dpi.
 const PNG_SCALE: f64 = 2.0;
@@ -42,7 +42,8 @@ pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> A
     };
     let figure = matches.get_one::<String>("figure").and_then(|id| Figure::of_id(id)).unwrap_or(Figure::TorqueSpeed);
     let by = if matches.get_one::<String>("by").is_some_and(|by| by == "length") { By::Length } else { By::Mass };
-    let (candidate, talk) = match candidate(project, matches, as_json, language) {
+    let best = || workbench::size(project).candidates.into_iter().next().map(|best| best.id);
+    let (candidate, talk) = match candidate(project, best, matches, as_json, language) {
         Ok(found) => found,
         Err(answer) => return answer,
     };
@@ -55,9 +56,10 @@ pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> A
     Answer { talk: talk + &answer.talk, code, ..answer }
 }
 
-/// The actuator asked for, else the project's own, else the best of the catalogue.
+/// The actuator asked for, else the project's own, else the best of the catalogue, which `best` names.
 pub(crate) fn candidate<'p>(
     project: &'p Project,
+    best: impl FnOnce() -> Option<CandidateId>,
     matches: &ArgMatches,
     as_json: bool,
     language: Language,
@@ -70,12 +72,9 @@ pub(crate) fn candidate<'p>(
     if let Ok(own) = workbench::check_own(project) {
         return Ok((own, String::new()));
     }
-    let best = workbench::size(project).candidates.into_iter().next();
-    match best.map(|best| best.id) {
+    match best() {
         // Ranked by the checks that decide; drawn with all of them.
-        Some(workbench::CandidateId::Code(code)) => {
-            Ok((workbench::check(project, &code).map_err(refuse)?, String::new()))
-        }
+        Some(CandidateId::Code(code)) => Ok((workbench::check(project, &code).map_err(refuse)?, String::new())),
         _ => Err(refuse(workbench::Refusal::NoData)),
     }
 }

@@ -10,15 +10,14 @@ use figures::{By, Drawing, Figure, Style, Theme};
 use report::{Content, Settings};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use workbench::{Candidate, Language, Project, catalogue_fingerprint, json as answers, project_fingerprint};
+use workbench::{Candidate, Language, Project, Sizing, catalogue_fingerprint, json as answers, project_fingerprint};
 
-/// The figures of the report, each with its place there.
-const FIGURES: [(&str, Figure); 5] = [
+/// The figures of the report beside the map of the candidates, each with its place there.
+const FIGURES: [(&str, Figure); 4] = [
     ("motion", Figure::Cycle),
     ("torque_speed", Figure::TorqueSpeed),
     ("output_bearing", Figure::BearingLoad),
     ("gear", Figure::Torsion),
-    ("candidates", Figure::CandidateMap),
 ];
 
 /// `antrieb report PROJECT --out FILE`
@@ -41,11 +40,10 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         };
         return Err(simple(&what, as_json, language));
     };
-    let (candidate, talk) = candidate(project, matches, as_json, language)?;
-    let content = std::thread::scope(|scope| {
-        scope.spawn(report::prepare);
-        content(project, &candidate, &source.text, language)
-    });
+    let sizing = workbench::size(project);
+    let best = || sizing.candidates.first().map(|best| best.id.clone());
+    let (candidate, talk) = candidate(project, best, matches, as_json, language)?;
+    let content = content(project, &sizing, &candidate, &source.text, language);
     let bytes =
         report::pdf(&content, &settings(matches)).map_err(|fault| simple(&fault.to_string(), as_json, language))?;
     save(&[(out, &bytes)], matches.get_flag("force"))
@@ -86,18 +84,27 @@ fn settings(matches: &ArgMatches) -> Settings {
     }
 }
 
-fn content(project: &Project, candidate: &Candidate<'_>, text: &str, language: Language) -> Content {
+/// Results as data and as figures, side by side.
+fn content(
+    project: &Project,
+    sizing: &Sizing<'_>,
+    candidate: &Candidate<'_>,
+    text: &str,
+    language: Language,
+) -> Content {
+    let figures = || drawn_figures(project, sizing, candidate, language);
     std::thread::scope(|scope| {
-        let figures = scope.spawn(|| drawn_figures(project, candidate, language));
-        let data = data(project, candidate, text, language);
+        let drawn = scope.spawn(|| {
+            report::prepare();
+            figures()
+        });
+        let data = data(project, sizing, candidate, text, language);
         // A thread that could not finish leaves its part to this one.
-        let figures = figures.join().unwrap_or_else(|_| drawn_figures(project, candidate, language));
-        Content { language, data, figures }
+        Content { language, data, figures: drawn.join().unwrap_or_else(|_| figures()) }
     })
 }
 
-fn data(project: &Project, candidate: &Candidate<'_>, text: &str, language: Language) -> Value {
-    let sizing = workbench::size(project);
+fn data(project: &Project, sizing: &Sizing<'_>, candidate: &Candidate<'_>, text: &str, language: Language) -> Value {
     let motion = answers::moves(&workbench::moves(project));
     let assumptions = answers::assumptions(&project.assumptions, language);
     let mut judged = answers::candidate(candidate, language);
@@ -107,7 +114,7 @@ fn data(project: &Project, candidate: &Candidate<'_>, text: &str, language: Lang
         map.insert("reserve".into(), answers::reserve(&workbench::reserve_of(project, candidate)));
         map.insert("assumptions".into(), json!(assumptions));
     }
-    let mut ranking = answers::sizing(&sizing, project, &[], usize::MAX, language);
+    let mut ranking = answers::sizing(sizing, project, &[], usize::MAX, language);
     if let Value::Object(map) = &mut ranking {
         map.insert("motion".into(), motion);
     }
@@ -140,12 +147,18 @@ fn data(project: &Project, candidate: &Candidate<'_>, text: &str, language: Lang
     })
 }
 
-fn drawn_figures(project: &Project, candidate: &Candidate<'_>, language: Language) -> Vec<report::Figure> {
+fn drawn_figures(
+    project: &Project,
+    sizing: &Sizing<'_>,
+    candidate: &Candidate<'_>,
+    language: Language,
+) -> Vec<report::Figure> {
     let figures = FIGURES.iter().filter_map(|(place, figure)| {
         let drawing = figures::draw(*figure, project, candidate, By::Mass, language).ok()?;
         Some(drawn(place, &drawing, language))
     });
-    figures.collect()
+    let map = figures::candidate_map(sizing, By::Mass, Some(&candidate.id), language);
+    figures.chain([drawn("candidates", &map, language)]).collect()
 }
 
 fn drawn(place: &str, drawing: &Drawing, language: Language) -> report::Figure {
