@@ -8,6 +8,7 @@ use crate::comparison::{Comparison, cite, equation, explained, not_checked};
 use crate::currents::{self, Currents};
 use crate::demand::{Demand, ManualDemand};
 use crate::electric_checks;
+use crate::energy;
 use crate::feedback_checks;
 use crate::gear_checks;
 use crate::joint_checks;
@@ -138,7 +139,7 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
         checks.reserve_exact(all - checks.len().min(all));
         electric_checks::judge(axis, actuator, currents, explain, &mut checks);
         if !bare || axis.asked.regeneration_power_max.is_some() {
-            checks.push(explained(explain, |work| electric_checks::regeneration(axis, actuator, currents, work)));
+            checks.push(explained(explain, |work| energy::regeneration(axis, actuator, currents, work)));
         }
         gear_checks::judge_further(axis, actuator, (bare, explain), &mut checks);
         checks.extend(brake_checks::judge(axis, actuator, explain));

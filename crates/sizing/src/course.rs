@@ -2,7 +2,8 @@
 
 use crate::axis::Axis;
 use crate::currents::Currents;
-use crate::electric_checks::{AMBIENT_REFERENCE, losses, terminal_power};
+use crate::electric_checks::{AMBIENT_REFERENCE, losses};
+use crate::energy::TerminalPower;
 use crate::trace::Node;
 use actuator::{Parameters, Thermal, WINDING_TIME_CONSTANT};
 use mechanism::{Extra, Output};
@@ -55,7 +56,7 @@ impl Course {
         let inertia = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
         let currents = Currents::of(actuator);
         let losses = losses(actuator, currents.as_ref());
-        let power = terminal_power(actuator, currents.as_ref());
+        let power = TerminalPower::of(actuator, currents.as_ref());
         let mut samples = Vec::new();
         let mut loss_w = Vec::new();
         instants(axis, &mut |position_rad, node| {

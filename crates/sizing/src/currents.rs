@@ -59,7 +59,13 @@ impl Currents {
     /// The current at an instant \[A\].
     pub(crate) fn at(&self, node: &Node) -> f64 {
         let torque = self.inertia * node.acceleration + node.load;
-        let constant = if torque * node.direction < 0.0 { self.warm } else { self.cold };
+        self.with(node, torque * node.direction < 0.0)
+    }
+
+    /// The current at an instant at the border of a time with one sign of T σ: friction as within that time \[A\].
+    pub(crate) fn with(&self, node: &Node, braking: bool) -> f64 {
+        let torque = self.inertia * node.acceleration + node.load;
+        let constant = if braking { self.warm } else { self.cold };
         torque / self.torque_constant + node.direction * (self.starting + constant * node.speed.abs())
     }
 

@@ -1,8 +1,8 @@
-//! Checks of motor and supply that look at every instant: torque-speed trace, temperature, overload, regeneration.
+//! Checks of the motor that look at every instant: torque-speed trace, temperature, overload.
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::comparison::{Asking, Comparison, explained, not_checked, shown_or_at_most};
+use crate::comparison::{Comparison, explained, not_checked};
 use crate::currents::Currents;
 use crate::trace::{Block, Node};
 use crate::workings;
@@ -10,10 +10,10 @@ use actuator::{FRICTION_LOSS_SHARE, Parameters, Thermal, WINDING_TEMPERATURE_CON
 use derivation::Workings;
 use provenance::{CellRef, Grade, Missing, Source};
 use quantities::unit::{
-    AMPERE, DEGREE_CELSIUS, JOULE, KELVIN_DIFFERENCE, NEWTON_METRE, ONE, REVOLUTION_PER_MINUTE, SECOND, VOLT, WATT,
+    AMPERE, DEGREE_CELSIUS, KELVIN_DIFFERENCE, NEWTON_METRE, ONE, REVOLUTION_PER_MINUTE, SECOND, VOLT, WATT,
 };
 use quantities::{
-    AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Measure, Power, Ratio, ThermodynamicTemperature, Time,
+    AngularVelocity, ElectricCurrent, ElectricPotential, Measure, Power, Ratio, ThermodynamicTemperature, Time,
 };
 use std::borrow::Cow;
 
@@ -23,15 +23,12 @@ const WINDING_SHUTDOWN: f64 = 363.15;
 /// The ambient temperature up to which the printed data hold, 40 °C, in kelvin: assumed where none is stated.
 pub(crate) const AMBIENT_REFERENCE: f64 = 313.15;
 
-/// Parts of a gap between two instants, for the power; a recording is dense enough without.
-const POWER_PARTS: u32 = 16;
-
 /// A hundredth of τ_w \[s\]: over blocks not longer than this the mean loss stands for its course. What the temperature
 /// of the winding swings within a block is left out, at most a hundredth of what the peak loss would make it rise to.
 const SHORT_BLOCK: f64 = 0.01 * WINDING_TIME_CONSTANT;
 
 /// Picks ω out of (α, T_L, σ, ω).
-const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
+pub(crate) const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 
 /// The checks that look at every instant and have a limit in any case.
 pub(crate) fn judge(
@@ -263,138 +260,4 @@ fn overload(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Mis
     };
     Comparison { at: Some(at), ..Comparison::with(id, &ONE, peak.si(), Source::Model { name: "overload" }, &one) }
         .answer(Verdict::Fail)
-}
-
-/// Power at the motor terminals, winding cold: P = 1.5 R I² + k_TM I ω_mot.
-pub(crate) struct TerminalPower<'a> {
-    currents: &'a Currents,
-    copper_ohm: f64,
-    constant_vs: f64,
-}
-
-impl TerminalPower<'_> {
-    /// At an instant \[W\].
-    pub(crate) fn at(&self, node: &Node) -> f64 {
-        let current = self.currents.at(node);
-        self.copper_ohm * current * current + self.constant_vs * current * node.speed
-    }
-
-    /// Its integral over a block in which the load is only driven \[J\].
-    fn driving(&self, block: &Block) -> f64 {
-        let weights = self.currents.weights(1.0);
-        self.copper_ohm * block.gram.square(weights) + self.constant_vs * block.gram.product(weights, SPEED)
-    }
-}
-
-pub(crate) fn terminal_power<'a>(
-    actuator: &Parameters,
-    currents: Result<&'a Currents, &Missing>,
-) -> Result<TerminalPower<'a>, Missing> {
-    let currents = currents.map_err(|missing| *missing)?;
-    let resistance = actuator.resistance_ll.require("R_LL")?;
-    let constant = actuator.torque_constant_motor.require("k_TM")?;
-    let ratio = actuator.ratio.require("i")?;
-    Ok(TerminalPower {
-        currents,
-        copper_ohm: 1.5 * resistance.value.si(),
-        constant_vs: constant.value.si() * ratio.value,
-    })
-}
-
-/// What a capacitor bank holds that gives out what the motor takes before the supply does.
-#[derive(Clone, Copy, Debug, Default)]
-struct Bank {
-    /// Energy held \[J\].
-    held: f64,
-    /// The most that it had to hold \[J\].
-    most: f64,
-}
-
-impl Bank {
-    fn pass(&mut self, taken: f64) {
-        self.held = (self.held - taken).max(0.0);
-        self.most = self.most.max(self.held);
-    }
-}
-
-/// Mean power that the motor gives back over the cycle, winding cold.
-///
-/// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
-/// load returns.
-pub(crate) fn regeneration(
-    axis: &Axis,
-    actuator: &Parameters,
-    currents: Result<&Currents, &Missing>,
-    work: &mut Workings,
-) -> Check {
-    let id = CheckId::Regeneration;
-    let (currents, power) = match terminal_power(actuator, currents).and_then(|p| Ok((currents.map_err(|m| *m)?, p))) {
-        Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
-    };
-    let (mut motoring, mut back, mut peak) = (0.0, 0.0, 0.0_f64);
-    let mut bank = Bank::default();
-    // With no weight an instant only counts for the peak.
-    let mut count = |node: &Node, weight: f64| -> f64 {
-        let power = power.at(node);
-        if power > 0.0 {
-            motoring += power * weight;
-        } else {
-            back -= power * weight;
-            peak = peak.max(-power);
-        }
-        power * weight
-    };
-    // The power changes its sign between the nodes: each gap is cut, everything in it taken as straight. Where the load
-    // is only driven the power has one sign, and the block is taken as a whole.
-    let mut driven = 0.0;
-    for block in axis.trace.blocks() {
-        if !axis.trace.is_short() && block.extent.power_sign(currents.inertia) == Some(1.0) {
-            let taken = power.driving(block);
-            driven += taken;
-            bank.pass(taken);
-            continue;
-        }
-        let parts = if block.is_recorded() { 1 } else { POWER_PARTS };
-        let mut last: Option<Node> = None;
-        axis.trace.within(block, &mut |node| {
-            count(node, 0.0);
-            if let Some(last) = last.as_ref().filter(|last| node.time > last.time) {
-                for part in 0..parts {
-                    let share = (f64::from(part) + 0.5) / f64::from(parts);
-                    bank.pass(count(&last.towards(node, share), (node.time - last.time) / f64::from(parts)));
-                }
-            }
-            last = Some(*node);
-        });
-    }
-    motoring += driven;
-    let mean = back / axis.moments.duration.si();
-    let permitted = axis.asked.regeneration_power_max.map(Measure::si);
-    let key = "requirements.regeneration_power_max";
-    if work.is_on() {
-        let source = Source::Model { name: "energy" };
-        let grade = currents.grade.worst(Grade::Computed);
-        let text = "−∫ P dt where P = 1.5 R_LL I² + k_TM I ω_mot < 0, over the cycle";
-        work.found("E_reg", &JOULE, back, text, &source, grade);
-        work.figure("t_0", &SECOND, axis.moments.duration.si(), &source, Grade::Computed);
-        work.formula("P_reg", &WATT, mean, "E_reg/t_0", &source);
-        work.value("P_reg");
-    }
-    work.asked("P_perm", &WATT, permitted, key);
-    let mut check = shown_or_at_most(id, &WATT, mean, permitted, key, Source::Model { name: "energy" });
-    check.grade = Some(currents.grade.worst(Grade::Computed));
-    if let (Some(rise), Some((supply, _))) = (axis.asked.dc_link_rise, axis.supply) {
-        let (low, high) = (supply.si(), supply.si() + rise.si());
-        check.notes.to_mut().push(Note::Capacitor {
-            energy: Energy::from_si(bank.most),
-            capacitance_f: 2.0 * bank.most / (high * high - low * low),
-        });
-    }
-    check.notes.to_mut().push(Note::EnergyPerCycle {
-        motoring: Energy::from_si(motoring),
-        regenerated: Energy::from_si(back),
-        peak: Power::from_si(peak),
-    });
-    check
 }

@@ -14,6 +14,7 @@ mod course;
 mod currents;
 mod demand;
 mod electric_checks;
+mod energy;
 mod feedback_checks;
 mod gear_checks;
 mod joint_checks;

@@ -179,11 +179,6 @@ impl Block {
         Self { place, duration: 0.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
     }
 
-    /// Whether it is a part of a recording.
-    pub(crate) const fn is_recorded(&self) -> bool {
-        matches!(self.place, Place::Recorded { .. })
-    }
-
     fn join(&mut self, other: &Self) {
         self.duration += other.duration;
         self.extent.join(&other.extent);

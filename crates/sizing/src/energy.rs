@@ -1,0 +1,270 @@
+//! Power at the motor terminals over the cycle: what is taken, what is given back.
+
+use crate::axis::Axis;
+use crate::check::{Check, CheckId, Note};
+use crate::comparison::{Asking, not_checked, shown_or_at_most};
+use crate::currents::Currents;
+use crate::electric_checks::SPEED;
+use crate::trace::{Block, Node};
+use actuator::Parameters;
+use derivation::Workings;
+use provenance::{Grade, Missing, Source};
+use quantities::unit::{JOULE, SECOND, WATT};
+use quantities::{Energy, Measure, Power};
+
+/// Power at the motor terminals, winding cold: P = 1.5 R I² + k_TM I ω_mot.
+pub(crate) struct TerminalPower<'a> {
+    currents: &'a Currents,
+    copper_ohm: f64,
+    constant_vs: f64,
+}
+
+impl<'a> TerminalPower<'a> {
+    pub(crate) fn of(actuator: &Parameters, currents: Result<&'a Currents, &Missing>) -> Result<Self, Missing> {
+        let currents = currents.map_err(|missing| *missing)?;
+        let resistance = actuator.resistance_ll.require("R_LL")?;
+        let constant = actuator.torque_constant_motor.require("k_TM")?;
+        let ratio = actuator.ratio.require("i")?;
+        Ok(Self { currents, copper_ohm: 1.5 * resistance.value.si(), constant_vs: constant.value.si() * ratio.value })
+    }
+
+    /// At an instant \[W\].
+    pub(crate) fn at(&self, node: &Node) -> f64 {
+        let current = self.currents.at(node);
+        (self.copper_ohm * current + self.constant_vs * node.speed) * current
+    }
+
+    /// Its integral over a block in which the load is only driven \[J\].
+    fn driving(&self, block: &Block) -> f64 {
+        let weights = self.currents.weights(1.0);
+        self.copper_ohm * block.gram.square(weights) + self.constant_vs * block.gram.product(weights, SPEED)
+    }
+
+    /// Over a gap between two instants, torque and speed taken as straight in it: cut where the torque passes zero,
+    /// since friction counts otherwise there.
+    fn gap(&self, a: &Node, b: &Node, take: &mut impl FnMut(&Arc)) {
+        let inertia = self.currents.inertia;
+        let [from, to] = [a, b].map(|node| inertia * node.acceleration + node.load);
+        if from * to < 0.0 {
+            let zero = a.towards(b, from / (from - to));
+            self.arc(a, &zero, from, take);
+            self.arc(&zero, b, to, take);
+        } else {
+            self.arc(a, b, from + to, take);
+        }
+    }
+
+    /// Over a part of a gap with one sign of the torque: I and ω are straight there, so P is a parabola of time.
+    fn arc(&self, a: &Node, b: &Node, torque: f64, take: &mut impl FnMut(&Arc)) {
+        let braking = torque * a.direction < 0.0;
+        let (i0, i1) = (self.currents.with(a, braking), self.currents.with(b, braking));
+        let (w0, dw, di) = (a.speed, b.speed - a.speed, i1 - i0);
+        let (r, k) = (self.copper_ohm, self.constant_vs);
+        take(&Arc {
+            duration: b.time - a.time,
+            power: [(r * i0 + k * w0) * i0, 2.0 * r * i0 * di + k * (i0 * dw + w0 * di), (r * di + k * dw) * di],
+        });
+    }
+}
+
+/// A parabola of the power over a time: P(u) = p_0 + p_1 u + p_2 u² with u from 0 to 1.
+struct Arc {
+    /// Time \[s\].
+    duration: f64,
+    /// p_0, p_1, p_2 \[W\].
+    power: [f64; 3],
+}
+
+impl Arc {
+    /// P(u) \[W\]
+    fn at(&self, u: f64) -> f64 {
+        let [p0, p1, p2] = self.power;
+        p0 + u * (p1 + u * p2)
+    }
+
+    /// ∫P dt from the beginning to u \[J\]
+    fn energy(&self, u: f64) -> f64 {
+        let [p0, p1, p2] = self.power;
+        self.duration * u * (p0 + u * (p1 / 2.0 + u * p2 / 3.0))
+    }
+
+    /// Where P passes zero within, in order.
+    fn zeros(&self) -> [Option<f64>; 2] {
+        let [p0, p1, p2] = self.power;
+        let root = p1 * p1 - 4.0 * p2 * p0;
+        if root < 0.0 {
+            return [None; 2];
+        }
+        // Without cancellation: one root from the sum, the other from the product.
+        let q = -0.5 * (p1 + root.sqrt().copysign(p1));
+        let within = |u: f64| (u > 0.0 && u < 1.0).then_some(u);
+        match (within(q / p2), within(p0 / q)) {
+            (Some(a), Some(b)) if a > b => [Some(b), Some(a)],
+            found => [found.0, found.1],
+        }
+    }
+
+    /// The energy of each part with one sign of P, in order \[J\].
+    fn parts(&self, mut take: impl FnMut(f64)) {
+        let mut taken = 0.0;
+        for u in self.zeros().into_iter().flatten().chain([1.0]) {
+            let until = self.energy(u);
+            take(until - taken);
+            taken = until;
+        }
+    }
+
+    /// The least power \[W\].
+    fn least(&self) -> f64 {
+        let [p0, p1, p2] = self.power;
+        let ends = p0.min(self.at(1.0));
+        let vertex = -p1 / (2.0 * p2);
+        if vertex > 0.0 && vertex < 1.0 { ends.min(self.at(vertex)) } else { ends }
+    }
+}
+
+/// What a capacitor bank holds that gives out what the motor takes before the supply does.
+#[derive(Clone, Copy, Debug, Default)]
+struct Bank {
+    /// Energy held \[J\].
+    held: f64,
+    /// The most that it had to hold \[J\].
+    most: f64,
+}
+
+impl Bank {
+    fn pass(&mut self, taken: f64) {
+        self.held = (self.held - taken).max(0.0);
+        self.most = self.most.max(self.held);
+    }
+}
+
+/// What a cycle takes and gives back.
+#[derive(Clone, Copy, Debug, Default)]
+struct Balance {
+    /// ∫P dt over the cycle \[J\].
+    whole: f64,
+    /// −∫P dt where P < 0 \[J\].
+    back: f64,
+    /// Largest −P \[W\].
+    peak: f64,
+    bank: Bank,
+}
+
+impl Balance {
+    fn of(axis: &Axis, power: &TerminalPower<'_>) -> Self {
+        let mut balance = Self::default();
+        for block in axis.trace.blocks() {
+            // Where the load is only driven the power has one sign, and the block is taken as a whole.
+            if !axis.trace.is_short() && block.extent.power_sign(power.currents.inertia) == Some(1.0) {
+                let taken = power.driving(block);
+                balance.whole += taken;
+                balance.bank.pass(taken);
+                continue;
+            }
+            let mut last: Option<Node> = None;
+            axis.trace.within(block, &mut |node| {
+                balance.whole += node.weight * power.at(node);
+                if let Some(last) = last.as_ref().filter(|last| node.time > last.time) {
+                    power.gap(last, node, &mut |arc| balance.take(arc));
+                }
+                last = Some(*node);
+            });
+        }
+        balance
+    }
+
+    fn take(&mut self, arc: &Arc) {
+        self.peak = self.peak.max(-arc.least());
+        arc.parts(|taken| {
+            self.back -= taken.min(0.0);
+            self.bank.pass(taken);
+        });
+    }
+}
+
+/// Mean power that the motor gives back over the cycle, winding cold.
+///
+/// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
+/// load returns. What is taken besides is the balance: E_mot = ∫P dt + E_reg.
+pub(crate) fn regeneration(
+    axis: &Axis,
+    actuator: &Parameters,
+    currents: Result<&Currents, &Missing>,
+    work: &mut Workings,
+) -> Check {
+    let id = CheckId::Regeneration;
+    let power = match TerminalPower::of(actuator, currents) {
+        Ok(power) => power,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let balance = Balance::of(axis, &power);
+    let grade = power.currents.grade.worst(Grade::Computed);
+    let mean = balance.back / axis.moments.duration.si();
+    let permitted = axis.asked.regeneration_power_max.map(Measure::si);
+    let key = "requirements.regeneration_power_max";
+    if work.is_on() {
+        let source = Source::Model { name: "energy" };
+        let text = "−∫ P dt where P = 1.5 R_LL I² + k_TM I ω_mot < 0, over the cycle";
+        work.found("E_reg", &JOULE, balance.back, text, &source, grade);
+        work.figure("t_0", &SECOND, axis.moments.duration.si(), &source, Grade::Computed);
+        work.formula("P_reg", &WATT, mean, "E_reg/t_0", &source);
+        work.value("P_reg");
+    }
+    work.asked("P_perm", &WATT, permitted, key);
+    let mut check = shown_or_at_most(id, &WATT, mean, permitted, key, Source::Model { name: "energy" });
+    check.grade = Some(grade);
+    let notes = check.notes.to_mut();
+    if let (Some(rise), Some((supply, _))) = (axis.asked.dc_link_rise, axis.supply) {
+        let (low, high) = (supply.si(), supply.si() + rise.si());
+        notes.push(Note::Capacitor {
+            energy: Energy::from_si(balance.bank.most),
+            capacitance_f: 2.0 * balance.bank.most / (high * high - low * low),
+        });
+    }
+    notes.push(Note::EnergyPerCycle {
+        motoring: Energy::from_si((balance.whole + balance.back).max(0.0)),
+        regenerated: Energy::from_si(balance.back),
+        peak: Power::from_si(balance.peak),
+    });
+    check
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn arc(power: [f64; 3]) -> Arc {
+        Arc { duration: 2.0, power }
+    }
+
+    /// P = −3 + 8u − 4u² has its zeros at ½ and 1½, P = 2 − 9u + 9u² at ⅓ and ⅔.
+    #[test]
+    fn zeros_and_least_power_by_hand() {
+        assert_eq!(arc([-3.0, 8.0, -4.0]).zeros(), [None, Some(0.5)]);
+        let [a, b] = arc([2.0, -9.0, 9.0]).zeros().map(Option::unwrap);
+        assert!((a - 1.0 / 3.0).abs() < 1e-15 && (b - 2.0 / 3.0).abs() < 1e-15);
+        assert_eq!(arc([2.0, -9.0, 9.0]).least(), -0.25);
+        assert_eq!(arc([-1.0, 4.0, 0.0]).zeros().into_iter().flatten().collect::<Vec<_>>(), [0.25]);
+        for none in [[1.0, 0.0, 0.0], [0.0; 3], [1.0, 0.0, 1.0], [-2.0, 0.5, 0.1]] {
+            assert_eq!(arc(none).zeros(), [None; 2]);
+        }
+    }
+
+    #[test]
+    fn parts_agree_with_brute_force() {
+        for power in [[-3.0, 8.0, -4.0], [2.0, -9.0, 9.0], [5.0, 1.0, -20.0], [-1.0, 0.0, 0.0], [4.0, -8.0, 0.0]] {
+            let arc = arc(power);
+            let (mut plus, mut minus) = (0.0, 0.0);
+            arc.parts(|taken| if taken > 0.0 { plus += taken } else { minus -= taken });
+            let steps = 100_000;
+            let (mut brute_plus, mut brute_minus) = (0.0, 0.0);
+            for step in 0..steps {
+                let power = arc.at((f64::from(step) + 0.5) / f64::from(steps)) * arc.duration / f64::from(steps);
+                if power > 0.0 { brute_plus += power } else { brute_minus -= power }
+            }
+            assert!((plus - brute_plus).abs() < 1e-8 && (minus - brute_minus).abs() < 1e-8, "{power:?}");
+            assert!((plus - minus - arc.energy(1.0)).abs() < 1e-12, "{power:?}");
+        }
+    }
+}
