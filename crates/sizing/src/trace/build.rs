@@ -37,6 +37,10 @@ const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 /// more coarsely than [`PANEL_ANGLE`].
 const PANELS_MOST: f64 = 1_000.0;
 
+/// The nodes of a recording of at most so many intervals are kept: they are looked at many times for every candidate, and
+/// a few megabytes hold them. Those of a longer one would cost more to store and load than to make.
+const KEPT: usize = 1 << 13;
+
 impl<'a> Builder<'a> {
     pub(super) fn new(mechanism: &'a Mechanism, motion: &'a Motion, extras: &'a [Extra]) -> Self {
         Self {
@@ -109,7 +113,7 @@ impl<'a> Builder<'a> {
         let none = Extra::none();
         let extra = self.extras.get(placed.segment).unwrap_or(&none);
         let strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra);
-        let survey = strip.survey(self.strips.len());
+        let mut survey = strip.survey(self.strips.len());
         if let Some(share) = self.shares.get_mut(placed.segment) {
             share.travelled += survey.blocks.iter().map(|block| block.gram.travelled()).sum::<f64>();
         }
@@ -117,8 +121,13 @@ impl<'a> Builder<'a> {
         self.inertia = (self.inertia.0.max(survey.inertia.1), self.inertia.1.min(survey.inertia.0));
         self.span = both(self.span, survey.span);
         self.holding = self.holding.max(survey.holding);
+        if strip.intervals() <= KEPT {
+            survey.blocks.iter_mut().for_each(|block| strip.keep(block, &mut self.nodes));
+            self.blocked = self.nodes.len();
+        } else {
+            self.strips.push(strip);
+        }
         self.blocks.extend(survey.blocks);
-        self.strips.push(strip);
     }
 
     fn piece(&mut self, piece: &Piece, extra: &Extra, hold: Hold) {

@@ -1,4 +1,5 @@
-//! A recording under its load: bounds and sums of its blocks in one pass, its nodes made when they are looked at.
+//! A recording under its load: bounds and sums of its blocks in one pass; the nodes of a long one are made when they are
+//! looked at.
 
 use super::{Block, Extent, Gram, Node, Place};
 use mechanism::{Extra, Mechanism, Output, Plain};
@@ -61,6 +62,19 @@ impl Strip {
                     load: self.load(&output, torque),
                 });
             }
+        }
+    }
+
+    pub(super) fn intervals(&self) -> usize {
+        self.placed.intervals()
+    }
+
+    /// Makes the nodes of a block once and for all.
+    pub(super) fn keep(&self, block: &mut Block, nodes: &mut Vec<Node>) {
+        if let Place::Recorded { intervals, .. } = &block.place {
+            let from = nodes.len();
+            intervals.clone().for_each(|index| self.interval(index, &mut |node| nodes.push(*node)));
+            block.place = Place::Kept(from..nodes.len());
         }
     }
 
