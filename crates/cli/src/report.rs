@@ -132,7 +132,6 @@ fn data(project: &Project, sizing: &Sizing<'_>, candidate: &Candidate<'_>, text:
         .iter()
         .map(|read| json!({ "file": read.file, "samples": read.recording.time_s.len() }))
         .collect();
-    let item = if language == Language::De { "Servoantrieb" } else { "servo actuator" };
     let inputs = report::inputs(text).unwrap_or_default();
     json!({
         "check": judged,
@@ -143,7 +142,7 @@ fn data(project: &Project, sizing: &Sizing<'_>, candidate: &Candidate<'_>, text:
         "recordings": recordings,
         "hash": { "project": project_fingerprint(text, &project.recordings), "catalogue": catalogue_fingerprint() },
         "screws": answers::screws(candidate, language),
-        "bill_of_material": [{ "item": item, "quantity": "1", "code": candidate.id.to_string() }],
+        "bill_of_material": answers::bill_of_material(candidate, language),
     })
 }
 

@@ -18,7 +18,7 @@ mod template;
 #[cfg(feature = "png")]
 pub use press::pages_png;
 #[cfg(feature = "pdf")]
-pub use press::{page_texts, pdf, prepare, right_edges};
+pub use press::{overlaps, page_texts, pdf, prepare, right_edges};
 
 pub use project::{Input, inputs};
 use quantities::Language;

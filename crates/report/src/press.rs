@@ -112,6 +112,52 @@ fn right_edge(frame: &Frame, left: f64) -> f64 {
     ends.fold(0.0, f64::max)
 }
 
+/// Texts that stand upon each other, as `one | other`: none should.
+///
+/// # Errors
+/// As [`pdf`].
+#[doc(hidden)]
+pub fn overlaps(content: &Content, settings: &Settings) -> Result<Vec<String>, Fault> {
+    let document = typeset(content, settings)?;
+    let mut found = Vec::new();
+    for page in document.pages() {
+        let mut runs = Vec::new();
+        collect_runs(&page.frame, (0.0, 0.0), &mut runs);
+        runs.sort_by(|a, b| a.line.total_cmp(&b.line));
+        for (index, a) in runs.iter().enumerate() {
+            let beside = runs.iter().skip(index + 1).take_while(|b| b.line - a.line < 0.5);
+            let upon = beside.filter(|b| a.to.min(b.to) - a.from.max(b.from) > 0.5);
+            found.extend(upon.map(|b| format!("{} | {}", a.text, b.text)));
+        }
+    }
+    forget();
+    Ok(found)
+}
+
+/// A run of text on its base line, in points.
+struct Run {
+    line: f64,
+    from: f64,
+    to: f64,
+    text: String,
+}
+
+fn collect_runs(frame: &Frame, (left, top): (f64, f64), runs: &mut Vec<Run>) {
+    for (place, item) in frame.items() {
+        let (left, top) = (left + place.x.to_pt(), top + place.y.to_pt());
+        match item {
+            FrameItem::Group(group) => {
+                let moved = (left + group.transform.tx.to_pt(), top + group.transform.ty.to_pt());
+                collect_runs(&group.frame, moved, runs);
+            }
+            FrameItem::Text(run) => {
+                runs.push(Run { line: top, from: left, to: left + run.width().to_pt(), text: run.text.to_string() });
+            }
+            _ => {}
+        }
+    }
+}
+
 fn collect_text(frame: &Frame, text: &mut String) {
     for (_, item) in frame.items() {
         match item {

@@ -130,6 +130,24 @@ fn the_language_is_that_of_headings_and_numbers() {
 }
 
 #[test]
+fn no_text_stands_upon_another() {
+    for (name, answers, project, language) in samples::SAMPLES {
+        let mut content = samples::content(answers, project, language);
+        let source = "Tabelle 79.1, transmissible_torque_load (entfettete Fuge, Reibungszahl 0,15), i = 100";
+        let text = "Schrauben zwischen Gehäuse und Maschine; Länge nach dem verschraubten Teil";
+        let row = json!({ "joint": "Gehäuse", "screws": "12 × M3, 12.9", "circle": "80 mm", "torque": "2,3 Nm",
+            "text": "überträgt 158 Nm, trocken", "source": source });
+        content.data["screws"] = json!([row, row]);
+        let item = json!({ "item": "1", "quantity": "12", "code": "CHA-17A-100-H-M128S-B-EC-K", "text": text, "source": source });
+        content.data["bill_of_material"] = json!([item, item]);
+        let pin = json!({ "connector": "X1", "pin": "12", "signal": "U_REF", "colour": "weiß-grün", "text": text, "source": source });
+        content.data["wiring"] = json!([pin]);
+        let found = report::overlaps(&content, &samples::settings()).unwrap();
+        assert!(found.is_empty(), "{name}: {found:#?}");
+    }
+}
+
+#[test]
 fn the_same_input_gives_the_same_bytes() {
     let content = sample("screw-axis-de");
     let first = report::pdf(&content, &samples::settings()).unwrap();

@@ -1,19 +1,19 @@
 //! The results as JSON values, with the names that scripts rely on.
 
+mod build;
 mod chapters;
 mod compare;
 mod explain;
 mod inertia;
 mod moves;
-mod screws;
 mod tolerance;
 
+pub use build::{bill_of_material, screws};
 pub use chapters::{battery, curves, reserve};
 pub use compare::{compare, difference, input_changes, verdict};
 pub use explain::explain;
 pub use inertia::inertia;
 pub use moves::moves;
-pub use screws::screws;
 pub use tolerance::tolerance;
 
 use crate::codes::{CodeFault, CodeReading, explain_code};

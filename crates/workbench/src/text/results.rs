@@ -5,7 +5,7 @@ use crate::project::Assumption;
 use actuator::CurveKind;
 use configurator::Unmet;
 use order_code::Brake;
-use provenance::{Grade, MANUAL, Source};
+use provenance::{CellRef, Grade, MANUAL, Source};
 use quantities::unit::{DEGREE, KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND, VOLT};
 use quantities::{Language, Measure, Unit, format_number, format_significant};
 use sizing::{CheckId, Note, Verdict};
@@ -118,9 +118,19 @@ pub fn condition_text(condition: &str, language: Language) -> String {
             text = text.replace(en, de);
         }
     } else {
-        text = text.replace("sensor=", "sensor ");
+        text = with_points(&text.replace("sensor=", "sensor "));
     }
     text
+}
+
+/// The decimal commas of a print as points.
+fn with_points(text: &str) -> String {
+    let signs: Vec<char> = text.chars().collect();
+    let digit = |index: Option<usize>| index.and_then(|at| signs.get(at)).is_some_and(char::is_ascii_digit);
+    let point = |(index, sign): (usize, &char)| {
+        if *sign == ',' && digit(index.checked_sub(1)) && digit(Some(index + 1)) { '.' } else { *sign }
+    };
+    signs.iter().enumerate().map(point).collect()
 }
 
 /// What a check lacks.
@@ -386,17 +396,30 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
 /// Where a number comes from.
 #[must_use]
 pub fn source_text(source: &Source, language: Language) -> String {
-    match (source, language) {
-        (_, Language::En) => source.to_string(),
-        (Source::Cell(cell), Language::De) => cell.to_string().replacen("table", "Tabelle", 1),
-        (Source::Equation { number }, Language::De) => format!("{MANUAL} Gl. {number}"),
-        (Source::Published(cell), Language::De) => {
-            format!("{} ({})", cell.document, cell.to_string().replacen("table", "Tabelle", 1))
+    match source {
+        Source::Cell(cell) => cell_text(cell, language),
+        Source::Published(cell) => format!("{} ({})", cell.document, cell_text(cell, language)),
+        Source::Equation { number } => {
+            either(language, format!("{MANUAL} eq. {number}"), format!("{MANUAL} Gl. {number}"))
         }
-        (Source::Model { name }, Language::De) => format!("Modell {name}"),
-        (Source::Project { key }, Language::De) => format!("Projekt {key}"),
-        (other, Language::De) => other.to_string(),
+        Source::Model { name } => either(language, format!("model {name}"), format!("Modell {name}")),
+        Source::Project { key } => either(language, format!("project {key}"), format!("Projekt {key}")),
+        other => other.to_string(),
     }
+}
+
+fn cell_text(cell: &CellRef, language: Language) -> String {
+    let mut text = either(language, "table ", "Tabelle ");
+    text.push_str(cell.table);
+    text.push_str(", ");
+    text.push_str(cell.symbol);
+    if !cell.condition.is_empty() {
+        text.push_str(&format!(" ({})", condition_text(cell.condition, language)));
+    }
+    if !cell.ratio.is_empty() {
+        text.push_str(&format!(", i = {}", cell.ratio));
+    }
+    text
 }
 
 /// The stated rule of the ranking.
