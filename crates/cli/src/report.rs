@@ -157,7 +157,7 @@ fn drawn_figures(
         Some(drawn(place, &drawing, language))
     });
     let map = figures::candidate_map(sizing, By::Mass, Some(&candidate.id), language);
-    figures.chain([drawn("candidates", &map, language)]).collect()
+    figures.chain([drawn("alternatives", &map, language)]).collect()
 }
 
 fn drawn(place: &str, drawing: &Drawing, language: Language) -> report::Figure {
