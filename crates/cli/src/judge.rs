@@ -130,7 +130,7 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
         if as_json {
             let mut value = json::sizing(&sizing, project, &assessed, top, language);
             if let serde_json::Value::Object(map) = &mut value {
-                map.insert("motion".into(), json::moves(&workbench::moves(project)));
+                map.insert("motion".into(), json::moves(&workbench::moves(project), language));
             }
             return Answer::data(format!("{value:#}\n")).fits(fits);
         }
@@ -545,7 +545,7 @@ fn check_axis(project: &Project, matches: &ArgMatches, as_json: bool, language: 
         let mut value = json::candidate(&candidate, language);
         if let serde_json::Value::Object(map) = &mut value {
             map.insert("axis".into(), serde_json::json!(project.name));
-            map.insert("motion".into(), json::moves(&workbench::moves(project)));
+            map.insert("motion".into(), json::moves(&workbench::moves(project), language));
             map.insert("reserve".into(), json::reserve(&reserve));
             map.extend(assessment.map(|found| ("tolerance".to_owned(), json::tolerance(project, found))));
             map.insert("assumptions".into(), serde_json::json!(json::assumptions(&project.assumptions, language)));

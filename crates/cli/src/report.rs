@@ -105,7 +105,7 @@ fn content(
 }
 
 fn data(project: &Project, sizing: &Sizing<'_>, candidate: &Candidate<'_>, text: &str, language: Language) -> Value {
-    let motion = answers::moves(&workbench::moves(project));
+    let motion = answers::moves(&workbench::moves(project), language);
     let assumptions = answers::assumptions(&project.assumptions, language);
     let mut judged = answers::candidate(candidate, language);
     if let Value::Object(map) = &mut judged {

@@ -124,7 +124,7 @@ pub(crate) struct MotionUnits {
 #[derive(Default, Deserialize)]
 #[serde(default)]
 pub(crate) struct Segment {
-    pub(crate) law: String,
+    pub(crate) name: String,
     pub(crate) start: Option<f64>,
     pub(crate) duration: Option<f64>,
     pub(crate) distance: Option<f64>,

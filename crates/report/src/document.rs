@@ -305,7 +305,7 @@ fn motion_table(
         .enumerate()
         .map(|(index, segment)| MotionRow {
             number: index + 1,
-            law: if segment.law.is_empty() { law(index) } else { segment.law.clone() },
+            law: if segment.name.is_empty() { law(index) } else { segment.name.clone() },
             start: number(segment.start),
             duration: number(segment.duration),
             distance: number(segment.distance),

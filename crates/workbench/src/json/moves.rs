@@ -3,24 +3,26 @@
 use super::{in_unit, number};
 use crate::moves::{Move, Moves};
 use crate::project::RecordingRead;
-use quantities::Measure;
+use crate::text::law_text;
 use quantities::unit::SECOND;
+use quantities::{Language, Measure};
 use recording::{KnownBy, Role};
 use serde_json::{Map, Value, json};
 
 /// Every segment with what was given and what followed from it.
 #[must_use]
-pub fn moves(moves: &Moves<'_>) -> Value {
+pub fn moves(moves: &Moves<'_>, language: Language) -> Value {
     let [distance, speed, acceleration] = moves.units;
     json!({
         "units": { "time": "s", "distance": distance.json, "speed": speed.json, "acceleration": acceleration.json },
-        "segments": moves.moves.iter().map(|each| segment(each, moves)).collect::<Vec<_>>(),
+        "segments": moves.moves.iter().map(|each| segment(each, moves, language)).collect::<Vec<_>>(),
     })
 }
 
-fn segment(each: &Move<'_>, moves: &Moves<'_>) -> Value {
+fn segment(each: &Move<'_>, moves: &Moves<'_>, language: Language) -> Value {
     let mut map = Map::new();
     map.insert("law".into(), json!(each.law.id()));
+    map.insert("name".into(), json!(law_text(each.law, language)));
     map.insert("start".into(), in_unit(each.start.si(), &SECOND));
     map.insert("duration".into(), in_unit(each.duration.si(), &SECOND));
     if let Some(course) = each.course {
