@@ -101,22 +101,74 @@ pub(crate) fn without_repeats(points: Vec<Point>) -> Vec<Vec<Point>> {
     pieces
 }
 
-/// A line without the points that lie on a level or upright stretch as it is written, to a hundredth of a px.
+/// How far a line may pass beside a point that is left out, in px: what is written has hundredths.
+const BESIDE: f64 = 0.02;
+
+/// A line without the points that lie on its straight stretches, to [`BESIDE`].
+///
+/// From each point that is kept the line goes on as long as one direction passes all that follow, and none turns back.
 fn straightened(points: &[Point]) -> Vec<Point> {
-    let same = |a: f64, b: f64| (a * 100.0).round() == (b * 100.0).round();
-    let onward = |a: f64, b: f64, c: f64| (b - a) * (c - b) >= 0.0;
-    let mut kept: Vec<Point> = Vec::with_capacity(points.len());
-    for &c in points {
-        if let [.., a, b] = kept.as_slice() {
-            let level = same(a.1, b.1) && same(b.1, c.1) && onward(a.0, b.0, c.0);
-            let upright = same(a.0, b.0) && same(b.0, c.0) && onward(a.1, b.1, c.1);
-            if level || upright {
-                kept.pop();
-            }
+    let Some((&first, rest)) = points.split_first() else { return Vec::new() };
+    let mut kept = vec![first];
+    let mut sight = Sight::from(first);
+    for &point in rest {
+        if !sight.passes(point) {
+            kept.push(sight.last);
+            sight = Sight::from(sight.last);
+            sight.passes(point);
         }
-        kept.push(c);
     }
+    if rest.is_empty() {
+        return kept;
+    }
+    kept.push(sight.last);
     kept
+}
+
+/// The directions from a point in which everything since lies, to [`BESIDE`].
+struct Sight {
+    from: Point,
+    last: Point,
+    far: f64,
+    /// Right and left border, once something lies away from the point.
+    borders: Option<[Point; 2]>,
+}
+
+impl Sight {
+    const fn from(from: Point) -> Self {
+        Self { from, last: from, far: 0.0, borders: None }
+    }
+
+    /// Whether the next point can be reached straight, past all before; then it is the last.
+    fn passes(&mut self, point: Point) -> bool {
+        let cross = |a: Point, b: Point| a.0 * b.1 - a.1 * b.0;
+        let (x, y) = (point.0 - self.from.0, point.1 - self.from.1);
+        let far = x.hypot(y);
+        if !far.is_finite() || far + BESIDE < self.far {
+            return false;
+        }
+        if far > 2.0 * BESIDE {
+            let (sin, cos) = (BESIDE / far, (1.0 - (BESIDE / far).powi(2)).sqrt());
+            let mut borders = [(x * cos + y * sin, y * cos - x * sin), (x * cos - y * sin, y * cos + x * sin)];
+            if let Some([right, left]) = self.borders {
+                if cross(right, (x, y)) < 0.0 || cross((x, y), left) < 0.0 {
+                    return false;
+                }
+                if cross(borders[0], right) > 0.0 {
+                    borders[0] = right;
+                }
+                if cross(left, borders[1]) > 0.0 {
+                    borders[1] = left;
+                }
+            }
+            self.borders = Some(borders);
+        } else if self.borders.is_some() {
+            return false;
+        }
+        self.far = self.far.max(far);
+        self.last = point;
+        true
+    }
 }
 
 /// The path of a line, cut to an area; the pen lifts where it leaves.
@@ -150,6 +202,34 @@ pub(crate) fn outline_path(points: &[Point], area: &Rect) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Distance of a point from a stretch.
+    fn beside((x, y): Point, (a, b): (Point, Point)) -> f64 {
+        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+        let square = dx * dx + dy * dy;
+        let along = if square > 0.0 { (((x - a.0) * dx + (y - a.1) * dy) / square).clamp(0.0, 1.0) } else { 0.0 };
+        (x - a.0 - along * dx).hypot(y - a.1 - along * dy)
+    }
+
+    #[test]
+    fn a_straightened_line_passes_every_point() {
+        let wave: Vec<Point> = (0..2000).map(|k| f64::from(k) * 0.3).map(|x| (x, 40.0 * (x / 25.0).sin())).collect();
+        let steps =
+            vec![(0.0, 0.0), (5.0, 0.0), (5.0, 8.0), (5.0, 3.0), (9.0, 3.0), (2.0, 3.0), (2.0, 3.0), (2.01, 3.0)];
+        let level: Vec<Point> = (0..500).map(|k| (f64::from(k), 7.0)).collect();
+        for (line, most) in [(&wave, 400), (&steps, steps.len()), (&level, 2)] {
+            let short = straightened(line);
+            assert!(short.len() <= most, "{} points", short.len());
+            assert_eq!((short.first(), short.last()), (line.first(), line.last()));
+            for point in line {
+                let near =
+                    short.windows(2).map(|pair| beside(*point, (pair[0], pair[1]))).fold(f64::INFINITY, f64::min);
+                assert!(near <= 2.0 * BESIDE, "{point:?} lies {near} beside");
+            }
+        }
+        assert_eq!(straightened(&[]), []);
+        assert_eq!(straightened(&[(1.0, 2.0)]), [(1.0, 2.0)]);
+    }
 
     #[test]
     fn few_points_stay_as_they_are() {
