@@ -1,4 +1,3 @@
-use super::recording::INTERVALS;
 use super::*;
 use mechanism::{Friction, Kind, Output, Rotor};
 use motion::{Closing, Given, Hold, Law, ManualMove, Placed, Recorded, Samples, SegmentSpec, Treatment};
@@ -338,7 +337,8 @@ fn the_envelope_of_a_recording_finds_what_a_plain_loop_finds_and_threads_change_
 fn swing_blocks(motion: &Motion) -> Vec<Gram> {
     let strip = Strip::new(motion.recordings()[0].clone(), direct(), Extra::none());
     let count = motion.recordings()[0].intervals();
-    (0..count).step_by(INTERVALS).map(|from| strip.block(0, from..(from + INTERVALS).min(count)).gram).collect()
+    let most = strip.block_intervals();
+    (0..count).step_by(most).map(|from| strip.block(0, from..(from + most).min(count)).gram).collect()
 }
 
 /// Means over blocks leave the energy and move the rest by less than the block is long against what looks at it.

@@ -11,8 +11,15 @@ use wide::f64x4;
 /// From so many intervals two threads share the pass; the sums are those of one thread to the last bit.
 const SHARED_FROM: usize = 1 << 16;
 
-/// A block holds so many intervals of a recording.
+/// A block holds at most so many intervals of a recording.
 pub(super) const INTERVALS: usize = 256;
+
+/// And lasts about so long at most \[s\], unless that were less than [`INTERVALS_LEAST`]: short enough that the models of
+/// heat may take it as a whole.
+const BLOCK_S: f64 = 0.5;
+
+/// So many intervals a block holds at least.
+const INTERVALS_LEAST: usize = 16;
 
 /// A recording with what it moves.
 #[derive(Clone, Debug)]
@@ -95,11 +102,25 @@ impl Strip {
         }
     }
 
+    /// So many intervals make a block.
+    pub(super) fn block_intervals(&self) -> usize {
+        let time = self.placed.recorded.time_s();
+        let whole = time.last().zip(time.first()).map_or(0.0, |(last, first)| last - first) * self.placed.stretch;
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "a count; what is out of range is clamped"
+        )]
+        let fitting = (BLOCK_S / whole * self.placed.intervals() as f64) as usize;
+        fitting.clamp(INTERVALS_LEAST, INTERVALS) / LANES * LANES
+    }
+
     /// One pass over all samples.
     pub(super) fn survey(&self, own: usize) -> Survey {
-        let intervals = self.placed.intervals();
+        let (intervals, most) = (self.placed.intervals(), self.block_intervals());
         let ranges: Vec<Range<usize>> =
-            (0..intervals).step_by(INTERVALS).map(|from| from..(from + INTERVALS).min(intervals)).collect();
+            (0..intervals).step_by(most).map(|from| from..(from + most).min(intervals)).collect();
         let work = |ranges: &[Range<usize>]| -> Vec<Block> {
             ranges.iter().map(|range| self.block(own, range.clone())).collect()
         };
