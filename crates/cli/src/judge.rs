@@ -5,21 +5,22 @@ use crate::code::parse_for_use;
 use crate::fault::{read_projects, simple};
 use crate::moves;
 use crate::report;
+use crate::reserve::{assumptions_text, reserve_text};
 use crate::table::{Align, Table, paragraph};
 use crate::tolerance;
 use anstyle::{AnsiColor, Style};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use workbench::quantities::unit::{DEGREE_CELSIUS, KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
+use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
 use workbench::quantities::{Measure, Unit, format_number, format_significant};
 use workbench::text::{
-    assumption_text, check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, source_text,
-    unmet_text, verdict_word,
+    check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, source_text, unmet_text,
+    verdict_word,
 };
 use workbench::{
-    Assessment, Candidate, CandidateId, Check, Demand, Figure, Language, Objection, Project, Refusal, Reserve, Sizing,
-    Verdict, json,
+    Assessment, Candidate, CandidateId, Check, Demand, Figure, Language, Objection, Project, Refusal, Sizing, Verdict,
+    json,
 };
 
 pub(crate) fn t(language: Language, en: &str, de: &str) -> String {
@@ -311,10 +312,11 @@ fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: La
     }
     // What would have to change for the nearest that only a limit keeps out.
     let curable = |candidate: &&&Candidate<'_>| {
-        candidate.objections.is_empty() && candidate.worst_failure().is_some_and(|check| check.utilisation.is_some())
+        let by_checks = || candidate.worst_failure().is_some_and(|check| check.utilisation.is_some());
+        (candidate.objections.is_empty() && by_checks()) || workbench::limits_needed(candidate).is_some()
     };
     if let Some(near) = rejected.iter().find(curable) {
-        let reserve = reserve_text(&workbench::reserve_of(project, near), false, language);
+        let reserve = reserve_text(&workbench::reserve_of(project, near), near, language);
         if !reserve.is_empty() {
             if rejected.first().is_none_or(|first| first.id != near.id) {
                 out.push_str(&paragraph("", &format!("{}, {}", near.id, reason(near, language))));
@@ -395,46 +397,6 @@ fn remarks(candidate: &Candidate<'_>, language: Language) -> String {
         }
     }
     out
-}
-
-fn assumptions_text(assumptions: &[workbench::Assumption], language: Language) -> String {
-    let head = t(language, "assumed: ", "angenommen: ");
-    assumptions.iter().map(|assumption| paragraph(&head, &assumption_text(*assumption, language))).collect()
-}
-
-/// How far one thing may be changed, all others as they are.
-fn reserve_text(reserve: &Reserve, fits: bool, language: Language) -> String {
-    let number = |value: f64| format_significant(value, 4, language);
-    let mut parts = Vec::new();
-    if let Some(factor) = reserve.payload_factor {
-        let factor = number(factor);
-        parts.push(t(language, &format!("payload × {factor}"), &format!("Nutzlast × {factor}")));
-    }
-    if let Some(factor) = reserve.load_factor {
-        let factor = number(factor);
-        parts.push(t(
-            language,
-            &format!("all masses and inertias × {factor}"),
-            &format!("alle Massen und Trägheiten × {factor}"),
-        ));
-    }
-    if let Some(time) = reserve.cycle_time {
-        let time = number(time.si());
-        parts.push(t(language, &format!("cycle of {time} s"), &format!("Zyklus von {time} s")));
-    }
-    if let Some(ambient) = reserve.ambient {
-        let ambient = number(DEGREE_CELSIUS.from_si(ambient.si()));
-        parts.push(t(language, &format!("ambient {ambient} °C"), &format!("Umgebung {ambient} °C")));
-    }
-    if parts.is_empty() {
-        return String::new();
-    }
-    let head = if fits {
-        t(language, "fits up to, one at a time: ", "passt bis zu, je für sich: ")
-    } else {
-        t(language, "would fit with one of: ", "würde passen mit einem von: ")
-    };
-    paragraph(&head, &parts.join("; "))
 }
 
 /// Every check of one actuator.
@@ -546,13 +508,13 @@ fn check_axis(project: &Project, matches: &ArgMatches, as_json: bool, language: 
         if let serde_json::Value::Object(map) = &mut value {
             map.insert("axis".into(), serde_json::json!(project.name));
             map.insert("motion".into(), json::moves(&workbench::moves(project), language));
-            map.insert("reserve".into(), json::reserve(&reserve));
+            map.insert("reserve".into(), json::reserve(&reserve, &candidate));
             map.extend(assessment.map(|found| ("tolerance".to_owned(), json::tolerance(project, found))));
             map.insert("assumptions".into(), serde_json::json!(json::assumptions(&project.assumptions, language)));
         }
         format!("{value:#}\n")
     } else {
-        let reserve = reserve_text(&reserve, candidate.judgement_fits(), language);
+        let reserve = reserve_text(&reserve, &candidate, language);
         let assumed = assumptions_text(&project.assumptions, language);
         let head = if project.name.is_empty() { String::new() } else { format!("{} · ", project.name) };
         let tolerances = assessment.map(|found| tolerance::detail(project, found, language)).unwrap_or_default();

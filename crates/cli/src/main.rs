@@ -18,6 +18,7 @@ mod judge;
 mod moves;
 mod plot;
 mod report;
+mod reserve;
 mod save;
 mod table;
 mod tolerance;

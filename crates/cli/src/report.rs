@@ -111,7 +111,7 @@ fn data(project: &Project, sizing: &Sizing<'_>, candidate: &Candidate<'_>, text:
     if let Value::Object(map) = &mut judged {
         map.insert("axis".into(), json!(project.name));
         map.insert("motion".into(), motion.clone());
-        map.insert("reserve".into(), answers::reserve(&workbench::reserve_of(project, candidate)));
+        map.insert("reserve".into(), answers::reserve(&workbench::reserve_of(project, candidate), candidate));
         map.insert("assumptions".into(), json!(assumptions));
     }
     let mut ranking = answers::sizing(sizing, project, &[], usize::MAX, language);

@@ -1,6 +1,8 @@
 //! Curves and battery as JSON.
 
 use super::{in_unit, number};
+use crate::limits::{NeededLimit, limits_needed};
+use crate::sizing_use::Candidate;
 use crate::text::{curve_title, source_text};
 use actuator::{BatteryLife, CurveKind, CurvePoint, PerformanceCurve};
 use order_code::OrderCode;
@@ -42,10 +44,19 @@ pub fn curves(code: &OrderCode, curves: &[PerformanceCurve], language: Language)
     json!({ "code": code.to_string(), "units": { "n": "1/min", "T": "Nm", "U": "V", "ED": "%" }, "curves": curves })
 }
 
-/// How far the axis may be changed; `null` where nothing within reach fits or everything does.
+/// How far the axis may be changed, or the limits of its project; `null` where nothing within reach fits or everything
+/// does.
 #[must_use]
-pub fn reserve(reserve: &Reserve) -> Value {
+pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>) -> Value {
+    let limits = limits_needed(candidate).map(|limits| {
+        let limit = |needed: &NeededLimit| {
+            let unit = needed.reached.unit;
+            json!({ "key": needed.key, "value": in_unit(needed.reached.si, unit), "unit": unit.json })
+        };
+        limits.iter().map(limit).collect::<Vec<_>>()
+    });
     json!({
+        "limits": limits,
         "load_factor": reserve.load_factor.map(number),
         "payload_factor": reserve.payload_factor.map(number),
         "cycle_time": reserve.cycle_time.map(|time| in_unit(time.si(), &SECOND)),

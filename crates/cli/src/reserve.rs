@@ -1,0 +1,80 @@
+//! What a candidate leaves in reserve or lacks, and what was assumed, as text.
+
+use crate::judge::t;
+use crate::table::paragraph;
+use workbench::quantities::unit::DEGREE_CELSIUS;
+use workbench::quantities::{Language, Measure, format_significant};
+use workbench::text::assumption_text;
+use workbench::{Candidate, NeededLimit, Reserve, limits_needed};
+
+/// What was taken because nobody stated it.
+pub(crate) fn assumptions_text(assumptions: &[workbench::Assumption], language: Language) -> String {
+    let head = t(language, "assumed: ", "angenommen: ");
+    assumptions.iter().map(|assumption| paragraph(&head, &assumption_text(*assumption, language))).collect()
+}
+
+/// How far one thing may be changed, all others as they are; for what does not fit also the limits of the project that
+/// would have to be others.
+pub(crate) fn reserve_text(reserve: &Reserve, candidate: &Candidate<'_>, language: Language) -> String {
+    let number = |value: f64| format_significant(value, 4, language);
+    let mut parts = Vec::new();
+    if let Some(factor) = reserve.payload_factor {
+        let factor = number(factor);
+        parts.push(t(language, &format!("payload × {factor}"), &format!("Nutzlast × {factor}")));
+    }
+    if let Some(factor) = reserve.load_factor {
+        let factor = number(factor);
+        parts.push(t(
+            language,
+            &format!("all masses and inertias × {factor}"),
+            &format!("alle Massen und Trägheiten × {factor}"),
+        ));
+    }
+    if let Some(time) = reserve.cycle_time {
+        let time = number(time.si());
+        parts.push(t(language, &format!("cycle of {time} s"), &format!("Zyklus von {time} s")));
+    }
+    if let Some(ambient) = reserve.ambient {
+        let ambient = number(DEGREE_CELSIUS.from_si(ambient.si()));
+        parts.push(t(language, &format!("ambient {ambient} °C"), &format!("Umgebung {ambient} °C")));
+    }
+    let mut out = String::new();
+    if !parts.is_empty() {
+        let head = match (candidate.judgement_fits(), candidate.objections.is_empty()) {
+            (true, true) => t(language, "fits up to, one at a time: ", "passt bis zu, je für sich: "),
+            (true, false) => t(
+                language,
+                "all checks pass up to, one at a time: ",
+                "alle Prüfungen sind erfüllt bis zu, je für sich: ",
+            ),
+            (false, true) => t(language, "would fit with one of: ", "würde passen mit einem von: "),
+            (false, false) => {
+                t(language, "all checks would pass with one of: ", "alle Prüfungen wären erfüllt mit einem von: ")
+            }
+        };
+        out.push_str(&paragraph(&head, &parts.join("; ")));
+    }
+    if let Some(needed) = limits_needed(candidate) {
+        let each = |needed: &NeededLimit| {
+            let unit = needed.reached.unit;
+            format!("{} {} {}", needed.key, number(outward(needed)), unit.symbol)
+        };
+        let all: Vec<String> = needed.iter().map(each).collect();
+        let head = t(language, "would fit with this asked for: ", "würde passen, wenn dies gefordert wäre: ");
+        out.push_str(&paragraph(&head, &all.join("; ")));
+    }
+    out
+}
+
+/// The value in its unit, rounded to the four digits that are shown, towards the side on which it suffices.
+fn outward(needed: &NeededLimit) -> f64 {
+    let value = needed.reached.value();
+    if value == 0.0 || !value.is_finite() {
+        return value;
+    }
+    // A value that has four digits already must not be pushed on by its rounding.
+    let place = 10_f64.powf(3.0 - value.abs().log10().floor());
+    let (scaled, room) = (value * place, 1e-9);
+    let rounded = if needed.key.ends_with("_min") { (scaled + room).floor() } else { (scaled - room).ceil() };
+    rounded / place
+}

@@ -1,0 +1,42 @@
+//! The limits of a project that would let a candidate in.
+
+use crate::sizing_use::{Candidate, Objection};
+use configurator::Unmet;
+use provenance::Source;
+use quantities::unit::{KILOGRAM, MILLIMETRE};
+use quantities::{Measure, Unit};
+use sizing::{Figure, Verdict};
+
+/// A limit that the project asks for, and what it would have to be.
+#[derive(Clone, Debug)]
+pub struct NeededLimit {
+    /// Its key: `requirements.torsion_max`.
+    pub key: String,
+    /// What the candidate reaches.
+    pub reached: Figure,
+}
+
+/// The limits of the project, all of them together, with which a candidate would fit; `None` if it fits, or if something
+/// speaks against it that no limit of the project can change.
+#[must_use]
+pub fn limits_needed(candidate: &Candidate<'_>) -> Option<Vec<NeededLimit>> {
+    let of =
+        |key: &str, si: f64, unit: &'static Unit| NeededLimit { key: key.to_owned(), reached: Figure { si, unit } };
+    let mut needed = Vec::new();
+    for objection in &candidate.objections {
+        needed.push(match objection {
+            Objection::Unmet(Unmet::HollowShaft { has, .. }) => {
+                of("requirements.hollow_shaft_min", has.si(), &MILLIMETRE)
+            }
+            Objection::Unmet(Unmet::Length { has, .. }) => of("requirements.length_max", has.si(), &MILLIMETRE),
+            Objection::Unmet(Unmet::Mass { has, .. }) => of("requirements.mass_max", has.si(), &KILOGRAM),
+            _ => return None,
+        });
+    }
+    for check in candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail) {
+        let Some(Source::Project { key }) = &check.limit_source else { return None };
+        let asked = key.starts_with("requirements.") && (key.ends_with("_max") || key.ends_with("_min"));
+        needed.push(NeededLimit { key: key.to_string(), reached: check.value.filter(|_| asked)? });
+    }
+    (!needed.is_empty()).then_some(needed)
+}
