@@ -2,41 +2,15 @@
 
 use crate::answer::Answer;
 use crate::code::parse_for_use;
-use crate::fault::error_word;
-use crate::judge::{axes_of, refuse, together};
+use crate::fault::{error_word, option_fault, quantity};
 use crate::plot;
+use crate::subject::{axes_of, refuse, together};
 use crate::table::{Align, Table};
 use clap::ArgMatches;
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
 use workbench::quantities::{ElectricPotential, Measure, Time, format_significant};
 use workbench::text::{check_title, curve_title, grade_word, source_text, verdict_word};
 use workbench::{Language, Verdict, json};
-
-pub(crate) fn fault(
-    option: &str,
-    (message, hint): (String, Option<String>),
-    as_json: bool,
-    language: Language,
-) -> Answer {
-    let hint = hint.map(|hint| format!("  {hint}\n")).unwrap_or_default();
-    let mut answer = Answer::fault(format!("{}: --{option}: {message}\n{hint}", error_word(language)));
-    if as_json {
-        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "option": option, "message": message }] }));
-    }
-    answer
-}
-
-pub(crate) fn quantity<Q: Measure>(
-    matches: &ArgMatches,
-    option: &str,
-    as_json: bool,
-    language: Language,
-) -> Result<Option<Q>, Answer> {
-    matches
-        .get_one::<String>(option)
-        .map(|text| workbench::read_quantity(text, language).map_err(|error| fault(option, error, as_json, language)))
-        .transpose()
-}
 
 /// `antrieb curve CODE`
 pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -175,7 +149,7 @@ pub(crate) fn battery(matches: &ArgMatches, as_json: bool, language: Language) -
         Ok(hours) => Time::new_in(hours, &workbench::quantities::unit::HOUR),
         Err(_) => match workbench::read_quantity(hours, language) {
             Ok(time) => time,
-            Err(error) => return fault("hours-per-day", error, as_json, language),
+            Err(error) => return option_fault("hours-per-day", error, as_json, language),
         },
     };
     let storage = match quantity::<Time>(matches, "storage", as_json, language) {
@@ -184,7 +158,7 @@ pub(crate) fn battery(matches: &ArgMatches, as_json: bool, language: Language) -
     };
     let battery = match workbench::battery(operation, storage, language) {
         Ok(battery) => battery,
-        Err(message) => return fault("hours-per-day", (message, None), as_json, language),
+        Err(message) => return option_fault("hours-per-day", (message, None), as_json, language),
     };
     if as_json {
         return Answer::data(format!("{:#}\n", json::battery(&battery)));

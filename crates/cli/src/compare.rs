@@ -3,7 +3,8 @@
 use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::simple;
-use crate::judge::{axes_of, figure, percent, refuse, t, together};
+use crate::say::{figure, percent, t};
+use crate::subject::{axes_of, refuse, together};
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;

@@ -3,7 +3,7 @@
 use crate::answer::Answer;
 use crate::code::{parse_for_use, read_argument};
 use crate::fault::error_word;
-use crate::judge::refuse;
+use crate::subject::refuse;
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;

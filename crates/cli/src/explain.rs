@@ -3,7 +3,7 @@
 use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::error_word;
-use crate::judge::{axes_of, refuse, together};
+use crate::subject::{axes_of, refuse, together};
 use crate::table::paragraph;
 use clap::ArgMatches;
 use std::fmt::Write as _;

@@ -3,8 +3,9 @@
 use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::{Source, simple};
-use crate::judge::{picked, refuse, t};
 use crate::save::save;
+use crate::say::t;
+use crate::subject::{picked, refuse};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use tables::{Front, NAMES, Subject, Table};

@@ -2,8 +2,10 @@
 
 use crate::answer::Answer;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use clap::ArgMatches;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use workbench::quantities::Measure;
 use workbench::text::file_trouble;
 use workbench::{Diagnostic, Files, Language, PROJECT_MAX_BYTES, Project, json};
 
@@ -158,4 +160,34 @@ fn render(file: &str, text: &str, fault: &Diagnostic, language: Language) -> Str
         group = group.element(Level::HELP.with_name(help_word(language)).message(hint));
     }
     format!("{}\n", Renderer::styled().render(&[group]))
+}
+
+/// A fault of an option, with what would help.
+pub(crate) fn option_fault(
+    option: &str,
+    (message, hint): (String, Option<String>),
+    as_json: bool,
+    language: Language,
+) -> Answer {
+    let hint = hint.map(|hint| format!("  {hint}\n")).unwrap_or_default();
+    let mut answer = Answer::fault(format!("{}: --{option}: {message}\n{hint}", error_word(language)));
+    if as_json {
+        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "option": option, "message": message }] }));
+    }
+    answer
+}
+
+/// A quantity given as an option.
+pub(crate) fn quantity<Q: Measure>(
+    matches: &ArgMatches,
+    option: &str,
+    as_json: bool,
+    language: Language,
+) -> Result<Option<Q>, Answer> {
+    matches
+        .get_one::<String>(option)
+        .map(|text| {
+            workbench::read_quantity(text, language).map_err(|error| option_fault(option, error, as_json, language))
+        })
+        .transpose()
 }

@@ -2,10 +2,11 @@
 
 use crate::answer::Answer;
 use crate::code::parse_for_use;
-use crate::fault::{read_projects, simple};
 use crate::moves;
 use crate::report;
 use crate::reserve::{assumptions_text, reserve_text};
+use crate::say::{figure, percent, shown, t};
+use crate::subject::{axes_of, refuse, together};
 use crate::table::{Align, Table, paragraph};
 use crate::tolerance;
 use anstyle::{AnsiColor, Style};
@@ -13,34 +14,14 @@ use clap::ArgMatches;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
-use workbench::quantities::{Measure, Unit, format_number, format_significant};
+use workbench::quantities::{Measure, format_number, format_significant};
 use workbench::text::{
     check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, source_text, unmet_text,
     verdict_word,
 };
 use workbench::{
-    Assessment, Candidate, CandidateId, Check, Demand, Figure, Language, Objection, Project, Refusal, Sizing, Verdict,
-    json,
+    Assessment, Candidate, CandidateId, Check, Demand, Language, Objection, Project, Sizing, Verdict, json,
 };
-
-pub(crate) fn t(language: Language, en: &str, de: &str) -> String {
-    match language {
-        Language::En => en.to_owned(),
-        Language::De => de.to_owned(),
-    }
-}
-
-fn shown(si: f64, unit: &Unit, language: Language) -> String {
-    format_significant(unit.from_si(si), 4, language)
-}
-
-pub(crate) fn figure(figure: Option<Figure>, language: Language) -> String {
-    figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
-}
-
-pub(crate) fn percent(utilisation: Option<f64>, language: Language) -> String {
-    utilisation.map_or_else(|| "–".into(), |share| format_number(share * 100.0, 1, language))
-}
 
 fn paint(text: &str, verdict: Verdict) -> String {
     let colour = match verdict {
@@ -51,60 +32,6 @@ fn paint(text: &str, verdict: Verdict) -> String {
     };
     let style = Style::new().fg_color(Some(colour.into())).bold();
     format!("{style}{text}{style:#}")
-}
-
-/// The axes of the project, or the one that is asked for.
-pub(crate) fn axes_of(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
-    let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
-    let projects = read_projects(&path, as_json, language)?;
-    let found = picked(projects, matches, as_json, language)?;
-    Ok(found.into_iter().map(|(_, project)| project).collect())
-}
-
-/// The axes, or the one that is asked for, each with its place in the file.
-pub(crate) fn picked(
-    projects: Vec<Project>,
-    matches: &ArgMatches,
-    as_json: bool,
-    language: Language,
-) -> Result<Vec<(usize, Project)>, Answer> {
-    let wanted = matches.get_one::<String>("axis");
-    let names: Vec<String> = projects.iter().map(|project| project.name.clone()).collect();
-    let mut found: Vec<(usize, Project)> = projects.into_iter().enumerate().collect();
-    if let Some(wanted) = wanted {
-        found.retain(|(_, project)| project.name == *wanted);
-        if found.is_empty() {
-            let what = t(
-                language,
-                &format!("the project has no axis \"{wanted}\"; it has: {}", names.join(", ")),
-                &format!("das Projekt hat keine Achse „{wanted}“; es hat: {}", names.join(", ")),
-            );
-            return Err(simple(&what, as_json, language));
-        }
-    }
-    Ok(found)
-}
-
-/// The answers of several axes as one: texts under each other, JSON values in `axes`; one that does not fit decides.
-pub(crate) fn together(answers: Vec<Answer>, as_json: bool) -> Answer {
-    let mut answers = answers;
-    if answers.len() == 1 {
-        return answers.remove(0);
-    }
-    let code = answers.iter().map(|answer| answer.code).max().unwrap_or(0);
-    let mut talk: Vec<&str> =
-        answers.iter().map(|answer| answer.talk.as_str()).filter(|talk| !talk.is_empty()).collect();
-    talk.dedup();
-    let talk = talk.concat();
-    if as_json {
-        let axes: Vec<serde_json::Value> =
-            answers.iter().filter_map(|answer| serde_json::from_str(&answer.data).ok()).collect();
-        let verdict = if code == 0 { "fits" } else { "does_not_fit" };
-        let value = serde_json::json!({ "verdict": verdict, "axes": axes });
-        return Answer { data: format!("{value:#}\n"), talk, code };
-    }
-    let texts: Vec<&str> = answers.iter().map(|answer| answer.data.as_str()).collect();
-    Answer { data: texts.join("\n"), talk, code }
 }
 
 /// `antrieb size PROJECT`
@@ -522,20 +449,4 @@ fn check_axis(project: &Project, matches: &ArgMatches, as_json: bool, language: 
         format!("{head}{}{reserve}{moves}{tolerances}{assumed}", candidate_text(&candidate, language))
     };
     Answer { data, talk, code: u8::from(!candidate.fits()) }
-}
-
-pub(crate) fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> Answer {
-    let what = match refusal {
-        Refusal::NoActuator => t(
-            language,
-            "the project has no [actuator]; name one of the catalogue with --code",
-            "das Projekt hat keinen [actuator]; einen aus dem Katalog mit --code nennen",
-        ),
-        _ => t(
-            language,
-            "the manual prints no data for this code: it is on request only",
-            "für diesen Code druckt die Anleitung keine Daten: er ist nur auf Anfrage lieferbar",
-        ),
-    };
-    simple(&what, as_json, language)
 }

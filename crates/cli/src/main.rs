@@ -20,6 +20,8 @@ mod plot;
 mod report;
 mod reserve;
 mod save;
+mod say;
+mod subject;
 mod table;
 mod tolerance;
 mod waiting;

@@ -1,17 +1,15 @@
 //! `plot`, and `curve` with a file: pictures.
 
 use crate::answer::Answer;
-use crate::chapter::quantity;
-use crate::code::parse_for_use;
-use crate::fault::error_word;
-use crate::judge::{axes_of, refuse};
+use crate::fault::{error_word, quantity};
 use crate::save::save;
+use crate::subject::{axes_of, candidate};
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
 use std::path::{Path, PathBuf};
+use workbench::Language;
 use workbench::quantities::unit::MILLIMETRE;
 use workbench::quantities::{Length, Measure, format_number};
-use workbench::{Candidate, CandidateId, Language, Project};
 
 /// Pixels of a PNG to the CSS pixel: 192 dpi.
 const PNG_SCALE: f64 = 2.0;
@@ -54,29 +52,6 @@ pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> A
     let answer = put(&drawing, matches, as_json, language);
     let code = if answer.code == 0 { u8::from(!candidate.fits()) } else { answer.code };
     Answer { talk: talk + &answer.talk, code, ..answer }
-}
-
-/// The actuator asked for, else the project's own, else the best of the catalogue, which `best` names.
-pub(crate) fn candidate<'p>(
-    project: &'p Project,
-    best: impl FnOnce() -> Option<CandidateId>,
-    matches: &ArgMatches,
-    as_json: bool,
-    language: Language,
-) -> Result<(Candidate<'p>, String), Answer> {
-    let refuse = |refusal| refuse(&refusal, as_json, language);
-    if let Ok(Some(text)) = matches.try_get_one::<String>("code") {
-        let (reading, note) = parse_for_use(text, as_json, language)?;
-        return Ok((workbench::check(project, &reading.parsed.code).map_err(refuse)?, note));
-    }
-    if let Ok(own) = workbench::check_own(project) {
-        return Ok((own, String::new()));
-    }
-    match best() {
-        // Ranked by the checks that decide; drawn with all of them.
-        Some(CandidateId::Code(code)) => Ok((workbench::check(project, &code).map_err(refuse)?, String::new())),
-        _ => Err(refuse(workbench::Refusal::NoData)),
-    }
 }
 
 /// Whether a picture is asked for.
@@ -169,7 +144,7 @@ fn style(drawing: &Drawing, matches: &ArgMatches, as_json: bool, language: Langu
             Language::En => format!("a picture has sides of {least} mm to {most} mm"),
             Language::De => format!("ein Bild hat Seiten von {least} mm bis {most} mm"),
         };
-        Err(crate::chapter::fault(name, (what, None), as_json, language))
+        Err(crate::fault::option_fault(name, (what, None), as_json, language))
     };
     let (width, height) = drawing.size_mm;
     let size = Size::millimetres(side("width", width)?, side("height", height)?);

@@ -2,9 +2,9 @@
 
 use crate::answer::Answer;
 use crate::fault::{Source, simple};
-use crate::judge::picked;
-use crate::plot::candidate;
 use crate::save::save;
+use crate::subject::candidate;
+use crate::subject::picked;
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Style, Theme};
 use report::{Content, Settings};

@@ -1,6 +1,6 @@
 //! What a candidate leaves in reserve or lacks, and what was assumed, as text.
 
-use crate::judge::t;
+use crate::say::t;
 use crate::table::paragraph;
 use workbench::quantities::unit::DEGREE_CELSIUS;
 use workbench::quantities::{Language, Measure, format_significant};

@@ -1,5 +1,6 @@
 //! The part of `size` and `check` that tells what the tolerances of a project mean.
 
+use crate::say::t;
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
@@ -11,13 +12,6 @@ use workbench::{
 
 /// Of so many candidates at most the tolerances are judged.
 const CANDIDATES_MOST: usize = 10;
-
-fn t(language: Language, en: &str, de: &str) -> String {
-    match language {
-        Language::En => en.to_owned(),
-        Language::De => de.to_owned(),
-    }
-}
 
 fn percent(share: f64, language: Language) -> String {
     if share.is_finite() { format_number(share * 100.0, 1, language) } else { "∞".to_owned() }
