@@ -575,3 +575,16 @@ fn a_report_is_written_once_and_the_same_twice() {
     let several = run(&["report", "examples/two-axes.toml", "--out", second, "--force"]);
     assert!(several.code == 2 && several.err.contains("--axis"), "{}", several.err);
 }
+
+#[test]
+fn a_check_names_the_errata_that_it_rests_on() {
+    let run = run(&["check", "examples/indexing-table.toml", "--code", "CHA-25A-50-H-M512P", "--json"]);
+    let value: Value = serde_json::from_str(&run.out).unwrap();
+    for check in value["checks"].as_array().unwrap() {
+        let rests =
+            ["peak_torque", "continuous_torque", "peak_current", "voltage"].contains(&check["id"].as_str().unwrap());
+        let named = check["errata"].as_array().is_some_and(|ids| ids.contains(&"25A-M512P-J_out-50".into()));
+        assert!(!rests || named, "{check:#}");
+        assert!(check["errata"].as_array().is_none_or(|ids| !ids.is_empty()));
+    }
+}

@@ -30,7 +30,7 @@ use order_code::{Field, OrderCode};
 use quantities::unit::{KILOGRAM, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, Unit};
 use serde_json::{Map, Value, json};
-use sizing::{Check, Demand, ManualDemand};
+use sizing::{Check, Demand, ManualDemand, Note};
 
 /// A number without the last digits that only a change of unit has made: twelve significant digits.
 fn number(value: f64) -> Value {
@@ -55,7 +55,9 @@ pub fn check(check: &Check, language: Language) -> Value {
         .flatten()
         .map(|source| source_text(source, language))
         .collect();
-    json!({
+    let errata = check.notes.iter().filter_map(|note| if let Note::Erratum(id) = note { Some(*id) } else { None });
+    let errata: Vec<&str> = errata.collect();
+    let mut fields = json!({
         "id": check.id.id(),
         "title": check_title(check.id, language),
         "verdict": check.verdict.id(),
@@ -68,7 +70,13 @@ pub fn check(check: &Check, language: Language) -> Value {
         "source": if sources.is_empty() { Value::Null } else { json!(sources.join("; ")) },
         "missing": check.missing,
         "notes": check.notes.iter().map(|note| note_text(note, language)).collect::<Vec<_>>(),
-    })
+    });
+    if let Value::Object(map) = &mut fields
+        && !errata.is_empty()
+    {
+        map.insert("errata".into(), json!(errata));
+    }
+    fields
 }
 
 fn demand_fields(demand: &Demand) -> Map<String, Value> {
