@@ -82,6 +82,24 @@ pub fn measure(runs: usize, mut call: impl FnMut()) -> Times {
     times
 }
 
+/// Times a whole process of the binary in five series of `runs`.
+///
+/// # Panics
+/// When it cannot be run or fails: then nothing was measured.
+#[must_use]
+pub fn process(binary: &Path, runs: usize, arguments: &[&str]) -> Times {
+    measure(runs, || {
+        let status = Command::new(binary)
+            .args(arguments)
+            .current_dir(root())
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .status();
+        assert!(status.is_ok_and(|status| status.success()), "{arguments:?} failed");
+    })
+}
+
 /// Milliseconds of a duration.
 #[must_use]
 pub const fn milliseconds(time: Duration) -> f64 {

@@ -3,23 +3,9 @@
 //! Baseline: `size` on the same project, which does all but pictures and typesetting.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
-use benches::{Gates, Times, binary, measure, root};
-use std::path::Path;
-use std::process::{Command, ExitCode, Stdio};
+use benches::{Gates, binary, process};
+use std::process::ExitCode;
 use std::time::Duration;
-
-fn time(binary: &Path, arguments: &[&str]) -> Times {
-    measure(3, || {
-        let status = Command::new(binary)
-            .args(arguments)
-            .current_dir(root())
-            .stdin(Stdio::null())
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .status();
-        assert!(status.is_ok_and(|status| status.success()), "{arguments:?} failed");
-    })
-}
 
 fn main() -> ExitCode {
     let binary = binary().expect("the release binary is built");
@@ -28,8 +14,8 @@ fn main() -> ExitCode {
     let out = file.to_str().expect("a folder with a name");
     for example in ["indexing-table", "tilting-arm", "robot-joint"] {
         let project = &format!("examples/{example}.toml");
-        let baseline = ("size", time(&binary, &["size", project]));
-        let pdf = time(&binary, &["report", project, "--force", "--date", "2026-11-21", "--out", out]);
+        let baseline = ("size", process(&binary, 3, &["size", project]));
+        let pdf = process(&binary, 3, &["report", project, "--force", "--date", "2026-11-21", "--out", out]);
         let bytes = std::fs::metadata(&file).map_or(0, |found| found.len());
         let _ = std::fs::remove_file(&file);
         gates.hold(&format!("report of {example} as PDF"), pdf, Duration::from_millis(PROMISED_MS), baseline);

@@ -160,10 +160,7 @@ impl Workings {
     /// those of what was put in.
     #[inline]
     pub fn formula(&mut self, symbol: &'static str, unit: &'static Unit, si: f64, text: &'static str, source: &Source) {
-        if self.is_on() {
-            let how = How::Formula { text, operands: self.operands(text) };
-            self.push(symbol, unit, si, how, source, Grade::Computed);
-        }
+        self.calculation(symbol, unit, si, (text, Grade::Computed), source);
     }
 
     /// As [`Self::formula`], of a model whose answer is an estimate however good its figures are.
@@ -176,9 +173,21 @@ impl Workings {
         text: &'static str,
         source: &Source,
     ) {
+        self.calculation(symbol, unit, si, (text, Grade::Estimated), source);
+    }
+
+    #[inline]
+    fn calculation(
+        &mut self,
+        symbol: &'static str,
+        unit: &'static Unit,
+        si: f64,
+        (text, grade): (&'static str, Grade),
+        source: &Source,
+    ) {
         if self.is_on() {
             let how = How::Formula { text, operands: self.operands(text) };
-            self.push(symbol, unit, si, how, source, Grade::Estimated);
+            self.push(symbol, unit, si, how, source, grade);
         }
     }
 
