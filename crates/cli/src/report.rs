@@ -127,11 +127,6 @@ fn data(project: &Project, sizing: &Sizing<'_>, candidate: &Candidate<'_>, text:
         .flat_map(|explained| &explained.judgement.checks)
         .map(|check| answers::explain(check, language))
         .collect();
-    let recordings: Vec<Value> = project
-        .recordings
-        .iter()
-        .map(|read| json!({ "file": read.file, "samples": read.recording.time_s.len() }))
-        .collect();
     let inputs = report::inputs(text).unwrap_or_default();
     json!({
         "check": judged,
@@ -139,7 +134,6 @@ fn data(project: &Project, sizing: &Sizing<'_>, candidate: &Candidate<'_>, text:
         "inputs": inputs,
         "assumptions": assumptions,
         "explain": { "axis": project.name, "code": candidate.id.to_string(), "checks": derivations },
-        "recordings": recordings,
         "hash": { "project": project_fingerprint(text, &project.recordings), "catalogue": catalogue_fingerprint() },
         "screws": answers::screws(candidate, language),
         "bill_of_material": answers::bill_of_material(candidate, language),

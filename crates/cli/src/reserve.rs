@@ -56,25 +56,12 @@ pub(crate) fn reserve_text(reserve: &Reserve, candidate: &Candidate<'_>, languag
     }
     if let Some(needed) = limits_needed(candidate) {
         let each = |needed: &NeededLimit| {
-            let unit = needed.reached.unit;
-            format!("{} {} {}", needed.key, number(outward(needed)), unit.symbol)
+            let unit = needed.enough.unit;
+            format!("{} {} {}", needed.key, number(needed.enough.value()), unit.symbol)
         };
         let all: Vec<String> = needed.iter().map(each).collect();
         let head = t(language, "would fit with this asked for: ", "würde passen, wenn dies gefordert wäre: ");
         out.push_str(&paragraph(&head, &all.join("; ")));
     }
     out
-}
-
-/// The value in its unit, rounded to the four digits that are shown, towards the side on which it suffices.
-fn outward(needed: &NeededLimit) -> f64 {
-    let value = needed.reached.value();
-    if value == 0.0 || !value.is_finite() {
-        return value;
-    }
-    // A value that has four digits already must not be pushed on by its rounding.
-    let place = 10_f64.powf(3.0 - value.abs().log10().floor());
-    let (scaled, room) = (value * place, 1e-9);
-    let rounded = if needed.key.ends_with("_min") { (scaled + room).floor() } else { (scaled - room).ceil() };
-    rounded / place
 }

@@ -155,6 +155,15 @@ pub(crate) struct Reserve {
     pub(crate) payload_factor: Option<f64>,
     pub(crate) cycle_time: Option<f64>,
     pub(crate) ambient: Option<f64>,
+    pub(crate) limits: Option<Vec<NeededLimit>>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct NeededLimit {
+    pub(crate) key: String,
+    pub(crate) value: f64,
+    pub(crate) unit: String,
 }
 
 #[derive(Default, Deserialize)]

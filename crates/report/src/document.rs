@@ -77,6 +77,8 @@ struct Date {
 #[derive(Serialize)]
 struct Reserved {
     id: &'static str,
+    /// The key of a limit of the project; empty elsewhere.
+    key: String,
     value: String,
 }
 
@@ -232,8 +234,13 @@ fn cover(
         ("ambient", reserve.and_then(|it| it.ambient), "degC"),
     ]
     .into_iter()
-    .filter_map(|(id, value, unit)| Some(Reserved { id, value: shown.figure(value?, unit) }))
-    .collect();
+    .filter_map(|(id, value, unit)| Some(Reserved { id, key: String::new(), value: shown.figure(value?, unit) }));
+    let limits = judged.reserve.iter().filter_map(|it| it.limits.as_ref()).flatten().map(|limit| Reserved {
+        id: "limits",
+        key: limit.key.clone(),
+        value: shown.figure(limit.value, &limit.unit),
+    });
+    let reserve = reserve.chain(limits).collect();
     let cycle: f64 = judged.motion.segments.iter().filter_map(|segment| segment.duration).sum();
     let date = settings.date.as_deref().map(read_date).transpose()?;
     Ok(Cover {

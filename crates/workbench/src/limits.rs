@@ -12,16 +12,41 @@ use sizing::{Figure, Verdict};
 pub struct NeededLimit {
     /// Its key: `requirements.torsion_max`.
     pub key: String,
-    /// What the candidate reaches.
-    pub reached: Figure,
+    /// What the candidate reaches, rounded to four digits towards the side on which it is enough.
+    pub enough: Figure,
+}
+
+impl NeededLimit {
+    fn of(key: &str, reached: Figure) -> Self {
+        let enough = outward(reached.value(), key.ends_with("_min"));
+        Self { key: key.to_owned(), enough: Figure { si: reached.unit.to_si(enough), ..reached } }
+    }
+}
+
+/// Four digits of a positive value, down or up.
+fn outward(value: f64, down: bool) -> f64 {
+    if value <= 0.0 || !value.is_finite() {
+        return value;
+    }
+    let place = 10_f64.powf(3.0 - value.log10().floor());
+    let digits = value * place;
+    // What has four digits already must not be pushed on by its rounding.
+    let near = digits.round();
+    let rounded = if (digits - near).abs() <= 1e-9 * near {
+        near
+    } else if down {
+        digits.floor()
+    } else {
+        digits.ceil()
+    };
+    rounded / place
 }
 
 /// The limits of the project, all of them together, with which a candidate would fit; `None` if it fits, or if something
 /// speaks against it that no limit of the project can change.
 #[must_use]
 pub fn limits_needed(candidate: &Candidate<'_>) -> Option<Vec<NeededLimit>> {
-    let of =
-        |key: &str, si: f64, unit: &'static Unit| NeededLimit { key: key.to_owned(), reached: Figure { si, unit } };
+    let of = |key: &str, si: f64, unit: &'static Unit| NeededLimit::of(key, Figure { si, unit });
     let mut needed = Vec::new();
     for objection in &candidate.objections {
         needed.push(match objection {
@@ -36,7 +61,7 @@ pub fn limits_needed(candidate: &Candidate<'_>) -> Option<Vec<NeededLimit>> {
     for check in candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail) {
         let Some(Source::Project { key }) = &check.limit_source else { return None };
         let asked = key.starts_with("requirements.") && (key.ends_with("_max") || key.ends_with("_min"));
-        needed.push(NeededLimit { key: key.to_string(), reached: check.value.filter(|_| asked)? });
+        needed.push(NeededLimit::of(key, check.value.filter(|_| asked)?));
     }
     (!needed.is_empty()).then_some(needed)
 }

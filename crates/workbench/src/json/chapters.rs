@@ -50,8 +50,8 @@ pub fn curves(code: &OrderCode, curves: &[PerformanceCurve], language: Language)
 pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>) -> Value {
     let limits = limits_needed(candidate).map(|limits| {
         let limit = |needed: &NeededLimit| {
-            let unit = needed.reached.unit;
-            json!({ "key": needed.key, "value": in_unit(needed.reached.si, unit), "unit": unit.json })
+            let unit = needed.enough.unit;
+            json!({ "key": needed.key, "value": in_unit(needed.enough.si, unit), "unit": unit.json })
         };
         limits.iter().map(limit).collect::<Vec<_>>()
     });
