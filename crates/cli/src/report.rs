@@ -84,7 +84,7 @@ fn settings(matches: &ArgMatches) -> Settings {
     }
 }
 
-/// Results as data and as figures, side by side.
+/// Results as data and as figures, side by side. A thread that could not finish leaves its part to this one.
 fn content(
     project: &Project,
     sizing: &Sizing<'_>,
@@ -98,8 +98,13 @@ fn content(
             report::prepare();
             figures()
         });
-        let data = data(project, sizing, candidate, text, language);
-        // A thread that could not finish leaves its part to this one.
+        let search = || workbench::reserve_of(project, candidate);
+        let searched = scope.spawn(search);
+        let mut data = data(project, sizing, candidate, text, language);
+        let reserve = answers::reserve(&searched.join().unwrap_or_else(|_| search()), candidate);
+        if let Some(Value::Object(judged)) = data.get_mut("check") {
+            judged.insert("reserve".into(), reserve);
+        }
         Content { language, data, figures: drawn.join().unwrap_or_else(|_| figures()) }
     })
 }
@@ -111,7 +116,6 @@ fn data(project: &Project, sizing: &Sizing<'_>, candidate: &Candidate<'_>, text:
     if let Value::Object(map) = &mut judged {
         map.insert("axis".into(), json!(project.name));
         map.insert("motion".into(), motion.clone());
-        map.insert("reserve".into(), answers::reserve(&workbench::reserve_of(project, candidate), candidate));
         map.insert("assumptions".into(), json!(assumptions));
     }
     let mut ranking = answers::sizing(sizing, project, &[], usize::MAX, language);
