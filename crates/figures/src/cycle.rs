@@ -145,7 +145,10 @@ fn extremes(course: &Course, of: impl Fn(&Sample) -> Option<f64>) -> Option<(f64
     for value in course.samples.iter().filter_map(of) {
         found = Some(found.map_or((value, value), |(low, high)| (low.min(value), high.max(value))));
     }
-    found
+    // What rounding leaves beside zero is zero.
+    let noise = found.map_or(0.0, |(low, high)| 1e-12 * f64::max(low.abs(), high.abs()));
+    let clean = |value: f64| if value.abs() <= noise { 0.0 } else { value };
+    found.map(|(low, high)| (clean(low), clean(high)))
 }
 
 fn limit_of(candidate: &Candidate<'_>, id: CheckId) -> Option<workbench::Figure> {

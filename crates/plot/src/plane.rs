@@ -100,12 +100,13 @@ impl Axis {
         if self.tight && !both_signs {
             return (lo, hi, lo >= hi);
         }
-        // Room beyond the last point, so that it is not drawn on the frame.
+        // Room beyond the last point, so that it is not drawn on the frame; none for what only rounding leaves beside zero.
         let room = (hi - lo) * 0.03;
-        if hi > 0.0 || !self.zero {
+        let noise = (hi - lo) * 1e-9;
+        if hi > noise || !self.zero {
             hi += room;
         }
-        if lo < 0.0 || !self.zero {
+        if lo < -noise || !self.zero {
             lo -= room;
         }
         if both_signs {
@@ -329,6 +330,9 @@ mod tests {
     #[test]
     fn zero_is_shown_unless_it_is_waived() {
         assert_eq!(Axis::new("T", "Nm").span(&[5.0, 10.0], false).0, 0.0);
+        // A way back that ends a rounding below where it began needs no negative half.
+        assert!(Axis::new("φ", "°").span(&[-3e-13, 763.9], false).0 > -1e-6);
+        assert!(Axis::new("φ", "°").span(&[-763.9, 3e-13], false).1 < 1e-6);
         assert!(Axis::new("T", "Nm").without_zero().span(&[5.0, 10.0], false).0 > 4.0);
         let (lo, hi, _) = Axis::new("T", "Nm").span(&[5.0, 10.0], true);
         assert!(lo < 0.0 && hi > 10.0);
