@@ -2,6 +2,7 @@
 
 mod build;
 mod form;
+mod gains;
 mod lags;
 mod recording;
 mod rule;
@@ -9,11 +10,12 @@ mod rule;
 pub(crate) use form::Form;
 pub(crate) use lags::{Lag, Peak};
 
+use lags::LagCache;
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
 use recording::Strip;
 use std::ops::Range;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// One instant with its share of the cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -58,6 +60,8 @@ pub(crate) struct Extent {
     pub(crate) acceleration: (f64, f64),
     pub(crate) load: (f64, f64),
     pub(crate) direction: (f64, f64),
+    /// ω
+    pub(crate) speeds: (f64, f64),
     /// Largest |ω|.
     pub(crate) speed: f64,
 }
@@ -67,6 +71,7 @@ impl Extent {
         acceleration: (f64::INFINITY, f64::NEG_INFINITY),
         load: (f64::INFINITY, f64::NEG_INFINITY),
         direction: (f64::INFINITY, f64::NEG_INFINITY),
+        speeds: (f64::INFINITY, f64::NEG_INFINITY),
         speed: 0.0,
     };
 
@@ -75,6 +80,7 @@ impl Extent {
         self.acceleration = wider(self.acceleration, node.acceleration);
         self.load = wider(self.load, node.load);
         self.direction = wider(self.direction, node.direction);
+        self.speeds = wider(self.speeds, node.speed);
         self.speed = self.speed.max(node.speed.abs());
     }
 
@@ -83,6 +89,7 @@ impl Extent {
         self.acceleration = both(self.acceleration, other.acceleration);
         self.load = both(self.load, other.load);
         self.direction = both(self.direction, other.direction);
+        self.speeds = both(self.speeds, other.speeds);
         self.speed = self.speed.max(other.speed);
     }
 
@@ -138,6 +145,11 @@ impl Gram {
         }
     }
 
+    /// A G Aᵀ over a time that is longer by a factor.
+    fn seen(&self, rows: &[[f64; 4]; 4], stretch: f64) -> Self {
+        Self(rows.map(|a| rows.map(|b| stretch * self.product(a, b))))
+    }
+
     /// cᵀ G c
     pub(crate) fn square(&self, c: [f64; 4]) -> f64 {
         // Rounding may leave a tiny negative sum where the signal vanishes.
@@ -174,6 +186,8 @@ pub(crate) struct Panel<'a> {
     pub(crate) nodes: &'a [Node],
     /// Duration \[s\].
     pub(crate) duration: f64,
+    /// Between two neighbouring nodes no signal leaves the straight line by more than this.
+    pub(crate) bow: [f64; 4],
 }
 
 /// A panel whose nodes are kept.
@@ -181,6 +195,7 @@ pub(crate) struct Panel<'a> {
 struct Kept {
     nodes: Range<usize>,
     duration: f64,
+    bow: [f64; 4],
 }
 
 /// Where the panels of a block are.
@@ -190,6 +205,15 @@ enum Place {
     Kept(Range<usize>),
     /// Made from the intervals of a recording whenever they are looked at.
     Recorded { strip: usize, intervals: Range<usize> },
+}
+
+/// Panels or blocks in the order of time.
+#[derive(Clone, Debug, PartialEq)]
+enum Run {
+    /// Kept panels between two indices.
+    Kept(Range<usize>),
+    /// All blocks of a strip.
+    Recorded(usize),
 }
 
 /// Neighbouring nodes with their bounds and sums.
@@ -240,6 +264,8 @@ pub(crate) struct Trace {
     strips: Vec<Strip>,
     blocks: Vec<Block>,
     groups: Vec<Extent>,
+    runs: Vec<Run>,
+    lags: Arc<LagCache>,
     /// Sum of the weights \[s\].
     duration: f64,
     pub(crate) gram: Gram,
@@ -255,17 +281,20 @@ pub(crate) struct Trace {
 
 impl Trace {
     pub(crate) fn of(mechanism: &Mechanism, motion: &Motion, extras: &[Extra]) -> Self {
-        build::Builder::new(mechanism, motion, extras).trace()
+        build::Builder::new(mechanism, motion, extras, &[]).trace()
+    }
+
+    /// The same for another load or another pace of the same recordings, which need not be passed again where the load
+    /// is a sum of four parts with constant factors.
+    pub(crate) fn changed(&self, mechanism: &Mechanism, motion: &Motion, extras: &[Extra]) -> Self {
+        build::Builder::new(mechanism, motion, extras, &self.strips).trace()
     }
 
     /// The panels of a block in the order of time.
     pub(crate) fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
         match &block.place {
             Place::Kept(range) => {
-                for kept in self.panels.get(range.clone()).unwrap_or_default() {
-                    let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
-                    look(Panel { nodes, duration: kept.duration });
-                }
+                self.panels.get(range.clone()).unwrap_or_default().iter().for_each(|kept| look(self.panel(kept)));
             }
             Place::Recorded { strip, intervals } => {
                 if let Some(strip) = self.strips.get(*strip) {
@@ -273,6 +302,11 @@ impl Trace {
                 }
             }
         }
+    }
+
+    fn panel(&self, kept: &Kept) -> Panel<'_> {
+        let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
+        Panel { nodes, duration: kept.duration, bow: kept.bow }
     }
 
     /// The nodes of a block in the order of time.

@@ -335,10 +335,13 @@ fn the_envelope_of_a_recording_finds_what_a_plain_loop_finds_and_threads_change_
 
 /// The same blocks, one after the other.
 fn swing_blocks(motion: &Motion) -> Vec<Gram> {
-    let strip = Strip::new(motion.recordings()[0].clone(), direct(), Extra::none());
+    let strip = Strip::new(motion.recordings()[0].clone(), direct(), Extra::none(), &[]);
     let count = motion.recordings()[0].intervals();
     let most = strip.block_intervals();
-    (0..count).step_by(most).map(|from| strip.block(0, from..(from + most).min(count)).gram).collect()
+    let raw: Vec<Gram> =
+        (0..count).step_by(most).map(|from| strip.block(from..(from + most).min(count)).gram).collect();
+    assert_eq!(raw, strip.raw_blocks().iter().map(|block| block.gram).collect::<Vec<_>>());
+    strip.found(0).blocks.iter().map(|block| block.gram).collect()
 }
 
 /// Means over blocks leave the energy and move the rest by less than the block is long against what looks at it.

@@ -1,15 +1,17 @@
 //! The pass over the motion that makes the trace.
 
 use super::recording::Strip;
-use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Place, Share, Trace};
+use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Place, Run, Share, Trace};
 use mechanism::{Extra, Mechanism, Output};
 use motion::{Hold, Motion, Piece, Placed, lobatto};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 pub(super) struct Builder<'a> {
     mechanism: &'a Mechanism,
     motion: &'a Motion,
     extras: &'a [Extra],
+    /// Strips of a trace of the same recordings.
+    known: &'a [Strip],
     nodes: Vec<Node>,
     panels: Vec<Kept>,
     strips: Vec<Strip>,
@@ -43,11 +45,12 @@ const PANELS_MOST: f64 = 1_000.0;
 const KEPT: usize = 1 << 13;
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(mechanism: &'a Mechanism, motion: &'a Motion, extras: &'a [Extra]) -> Self {
+    pub(super) fn new(mechanism: &'a Mechanism, motion: &'a Motion, extras: &'a [Extra], known: &'a [Strip]) -> Self {
         Self {
             mechanism,
             motion,
             extras,
+            known,
             nodes: Vec::with_capacity(4 * motion.pieces().len()),
             panels: Vec::with_capacity(motion.pieces().len()),
             strips: Vec::new(),
@@ -86,6 +89,8 @@ impl<'a> Builder<'a> {
         };
         Trace {
             groups: self.blocks.chunks(GROUP).map(group).collect(),
+            lags: Arc::default(),
+            runs: runs(&self.blocks),
             duration: self.blocks.iter().map(|block| block.duration).sum(),
             nodes: self.nodes,
             panels: self.panels,
@@ -116,8 +121,8 @@ impl<'a> Builder<'a> {
         self.close_block();
         let none = Extra::none();
         let extra = self.extras.get(placed.segment).unwrap_or(&none);
-        let strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra);
-        let mut survey = strip.survey(self.strips.len());
+        let strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra, self.known);
+        let mut survey = strip.found(self.strips.len());
         if let Some(share) = self.shares.get_mut(placed.segment) {
             share.travelled += survey.blocks.iter().map(|block| block.gram.travelled()).sum::<f64>();
         }
@@ -167,7 +172,7 @@ impl<'a> Builder<'a> {
                 load,
             });
         }
-        self.panels.push(Kept { nodes: first..self.nodes.len(), duration });
+        self.panels.push(Kept { nodes: first..self.nodes.len(), duration, bow: [0.0; 4] });
         self.see(&output, extra);
     }
 
@@ -302,11 +307,25 @@ impl<'a> Builder<'a> {
             travelled += weight * (to - from) * output.speed_rad_s * direction;
             self.see(&output, extra);
         }
-        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from });
+        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow: [0.0; 4] });
         if let Some(share) = self.shares.get_mut(piece.segment) {
             share.travelled += travelled;
         }
     }
+}
+
+/// The blocks as runs of kept panels and whole recordings.
+fn runs(blocks: &[Block]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for block in blocks {
+        match (&block.place, runs.last_mut()) {
+            (Place::Kept(range), Some(Run::Kept(run))) => run.end = range.end,
+            (Place::Kept(range), _) => runs.push(Run::Kept(range.clone())),
+            (Place::Recorded { strip, .. }, Some(Run::Recorded(run))) if run == strip => {}
+            (Place::Recorded { strip, .. }, _) => runs.push(Run::Recorded(*strip)),
+        }
+    }
+    runs
 }
 
 /// An angle brought to ±180°, for kinks that repeat with each revolution; its own jump is no kink.
