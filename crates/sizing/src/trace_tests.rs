@@ -344,15 +344,3 @@ fn swing_blocks(motion: &Motion) -> Vec<Gram> {
     strip.found(0).blocks.iter().map(|block| block.gram).collect()
 }
 
-/// Means over blocks leave the energy and move the rest by less than the block is long against what looks at it.
-#[test]
-fn steps_of_blocks_and_of_nodes_hold_the_same_energy() {
-    let trace = Trace::of(&direct(), &swing(5_000), &[]);
-    let square = |node: &Node| node.load * node.load;
-    let whole = |block: &Block| block.extent.power_sign(0.0).map(|_| block.gram.square([0.0, 1.0, 0.0, 0.0]));
-    let energy = |steps: &[Step]| steps.iter().map(|step| step.duration * step.value).sum::<f64>();
-    let fine = trace.steps(0.0, whole, square);
-    let coarse = trace.steps(1.0, whole, square);
-    assert!(fine.len() > 50 * coarse.len());
-    assert!((energy(&fine) / energy(&coarse) - 1.0).abs() < 1e-12);
-}

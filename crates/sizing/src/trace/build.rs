@@ -1,7 +1,8 @@
 //! The pass over the motion that makes the trace.
 
 use super::recording::Strip;
-use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Place, Run, Share, Trace};
+use super::rule::{MOST, rule};
+use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Panel, Place, Run, Share, Trace};
 use mechanism::{Extra, Mechanism, Output};
 use motion::{Hold, Motion, Piece, Placed, lobatto};
 use std::sync::{Arc, OnceLock};
@@ -39,6 +40,9 @@ const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 /// Most panels of one piece; a piece that turns through more than eighty revolutions under a changing load is sampled
 /// more coarsely than [`PANEL_ANGLE`].
 const PANELS_MOST: f64 = 1_000.0;
+
+/// A panel of so many nodes holds signals that are straight over time.
+const STRAIGHT: usize = 4;
 
 /// The nodes of a recording of at most so many intervals are kept: they are looked at many times for every candidate, and
 /// a few megabytes hold them. Those of a longer one would cost more to store and load than to make.
@@ -82,10 +86,9 @@ impl<'a> Builder<'a> {
         let mut gram = Gram::default();
         self.blocks.iter().for_each(|block| gram.join(&block.gram));
         let group = |blocks: &[Block]| {
-            blocks.iter().fold(Extent::NONE, |mut all, block| {
-                all.join(&block.extent);
-                all
-            })
+            let mut all = Extent::NONE;
+            blocks.iter().for_each(|block| all.join(&block.extent));
+            (all, blocks.first().map_or(0.0, |block| block.from))
         };
         Trace {
             groups: self.blocks.chunks(GROUP).map(group).collect(),
@@ -113,7 +116,11 @@ impl<'a> Builder<'a> {
         }
         self.blocked = (self.nodes.len(), self.panels.len());
         let mut block = Block::empty(Place::Kept(panels..self.panels.len()));
-        self.nodes.get(nodes..).unwrap_or_default().iter().for_each(|node| block.add(node));
+        block.from = self.nodes.get(nodes).map_or(0.0, |node| node.time);
+        for kept in self.panels.get(panels..).unwrap_or_default() {
+            let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
+            block.add(&Panel { nodes, duration: kept.duration, bow: kept.bow });
+        }
         self.blocks.push(block);
     }
 
@@ -307,11 +314,41 @@ impl<'a> Builder<'a> {
             travelled += weight * (to - from) * output.speed_rad_s * direction;
             self.see(&output, extra);
         }
-        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow: [0.0; 4] });
+        let bow = bow(self.nodes.get(first..).unwrap_or_default());
+        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow });
         if let Some(share) = self.shares.get_mut(piece.segment) {
             share.travelled += travelled;
         }
     }
+}
+
+/// How far each signal may leave the straight line between two neighbouring nodes of a panel.
+///
+/// g²/8 Σ |a_j| P_j''(1), P_j''(1) = (j − 1) j (j + 1) (j + 2)/8
+///
+/// # Symbols  g widest gap on −1…1, a_j factors of the Legendre polynomials P_j, whose second derivative is largest at 1
+/// # Source   docs/theory/moments.md
+/// # Valid    with up to four nodes the signals of a law are straight
+fn bow(nodes: &[Node]) -> [f64; 4] {
+    let mut bow = [0.0; 4];
+    if nodes.len() <= STRAIGHT {
+        return bow;
+    }
+    let rule = rule(nodes.len());
+    let shares = rule.nodes();
+    let gap = shares.iter().zip(shares.iter().skip(1)).map(|(a, b)| 2.0 * (b - a)).fold(0.0, f64::max);
+    for (index, bow) in bow.iter_mut().enumerate() {
+        let mut values = [0.0; MOST];
+        let of = |node: &Node| node.signals().get(index).copied().unwrap_or(0.0);
+        values.iter_mut().zip(nodes).for_each(|(value, node)| *value = of(node));
+        let mut j = 0.0;
+        for a in rule.coefficients(&values) {
+            *bow += a.abs() * (j - 1.0) * j * (j + 1.0) * (j + 2.0) / 8.0;
+            j += 1.0;
+        }
+        *bow *= gap * gap / 8.0;
+    }
+    bow
 }
 
 /// The blocks as runs of kept panels and whole recordings.

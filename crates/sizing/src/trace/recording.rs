@@ -287,6 +287,7 @@ impl Strip {
             }
             Block {
                 place,
+                from: self.view.start + raw.from * self.view.stretch,
                 duration: raw.duration * self.view.stretch,
                 extent: self.view.extent(&raw.extent),
                 gram: raw.gram.seen(&rows, self.view.stretch),
@@ -349,6 +350,7 @@ impl Strip {
     pub(super) fn block(&self, intervals: Range<usize>) -> Block {
         let place = Place::Recorded { strip: 0, intervals: intervals.clone() };
         let mut block = Block::empty(place.clone());
+        block.from = self.surveyed.interval(intervals.start).map_or(0.0, |interval| interval.start_s);
         let mut from = intervals.start;
         while from < intervals.end {
             // Up to where the axis turns round, starts or stops; one interval at least.
@@ -359,7 +361,7 @@ impl Strip {
                 block.join(&part);
                 from = many;
             }
-            let mut add = |panel: Panel<'_>| panel.nodes.iter().for_each(|node| block.add(node));
+            let mut add = |panel: Panel<'_>| block.add(&panel);
             (from..to).for_each(|index| self.raw_interval(index, &mut add));
             from = to;
         }
@@ -457,6 +459,7 @@ impl Strip {
         let (l_low, l_high) = (l_low + constant, l_high + constant);
         Some(Block {
             place: place.clone(),
+            from: *time.first()?,
             duration,
             extent: Extent {
                 acceleration: wider((a_low, a_high)),
