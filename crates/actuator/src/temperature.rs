@@ -103,20 +103,6 @@ impl Thermal {
         }
     }
 
-    /// The rise of the winding as the sum of two first-order lags: their time constants \[s\] and gains \[K/W\].
-    #[must_use]
-    pub const fn winding_modes(&self) -> [(f64, f64); 2] {
-        let ([quick, slow], [a, b]) = (self.tau_s, self.gain_winding);
-        [(quick, a), (slow, b)]
-    }
-
-    /// The rise of the housing as the sum of two first-order lags: their time constants \[s\] and gains \[K/W\].
-    #[must_use]
-    pub const fn housing_modes(&self) -> [(f64, f64); 2] {
-        let ([quick, slow], [a, b]) = (self.tau_s, self.gain_housing);
-        [(quick, a), (slow, b)]
-    }
-
     /// The workings of [`Thermal::of`]: `P_0`, the loss that warms the winding by 40 K.
     pub fn explain(&self, actuator: &Parameters, work: &mut Workings) {
         let current = actuator.stall_current_motor.known().or_else(|| actuator.stall_current.known());

@@ -23,6 +23,7 @@ pub(crate) struct Currents {
     torque_constant: f64,
     starting: f64,
     cold: f64,
+    warm: f64,
     pub(crate) grade: Grade,
     errata: [&'static [&'static str]; 2],
 }
@@ -33,12 +34,14 @@ impl Currents {
         let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
         let starting = actuator.no_load_starting_current.require("I_NLS")?;
         let cold = actuator.no_load_current_constant_30.require("K_INL")?;
+        let warm = actuator.no_load_current_constant_80.known().unwrap_or(cold);
         let grades = [inertia.grade, torque_constant.grade, starting.grade, cold.grade];
         Ok(Self {
             inertia: inertia.value.si(),
             torque_constant: torque_constant.value.si(),
             starting: starting.value.si(),
             cold: cold.value.si(),
+            warm: warm.value.si(),
             grade: grades.into_iter().fold(Grade::Computed, Grade::worst),
             errata: [inertia.errata, torque_constant.errata],
         })
@@ -55,13 +58,22 @@ impl Currents {
 
     /// The current at an instant \[A\].
     pub(crate) fn at(&self, node: &Node) -> f64 {
-        let [acceleration, load, direction, speed] = self.weights();
-        acceleration * node.acceleration + load * node.load + direction * node.direction + speed * node.speed
+        let torque = self.inertia * node.acceleration + node.load;
+        self.with(node, torque * node.direction < 0.0)
     }
 
-    /// The current as a weighted sum of (α, T_L, σ, ω) \[A\].
-    pub(crate) fn weights(&self) -> [f64; 4] {
-        [self.inertia / self.torque_constant, 1.0 / self.torque_constant, self.starting, self.cold]
+    /// The current at an instant at the border of a time with one sign of T σ: friction as within that time \[A\].
+    pub(crate) fn with(&self, node: &Node, braking: bool) -> f64 {
+        let torque = self.inertia * node.acceleration + node.load;
+        let constant = if braking { self.warm } else { self.cold };
+        torque / self.torque_constant + node.direction * (self.starting + constant * node.speed.abs())
+    }
+
+    /// The current as a weighted sum of (α, T_L, σ, ω), where friction has one sign over all nodes: `power_sign` is that
+    /// of T σ.
+    pub(crate) fn weights(&self, power_sign: f64) -> [f64; 4] {
+        let constant = if power_sign < 0.0 { self.warm } else { self.cold };
+        [self.inertia / self.torque_constant, 1.0 / self.torque_constant, self.starting, constant]
     }
 
     /// The current of friction as such a sum \[A\], times σ.
@@ -74,18 +86,14 @@ impl Currents {
         node.direction.abs() * (self.starting + self.cold * node.speed.abs())
     }
 
-    /// All currents of a block lie between these.
-    fn range(&self, extent: &Extent) -> (f64, f64) {
-        extent.range(self.weights())
+    /// No current of a block of nodes is above this.
+    fn bound(&self, extent: &Extent) -> f64 {
+        extent.torque(self.inertia) / self.torque_constant + self.starting + self.cold.max(self.warm) * extent.speed
     }
 
     /// The largest magnitude and its instant.
     fn largest(&self, axis: &Axis) -> (f64, Node) {
-        let bound = |extent: &Extent| {
-            let (low, high) = self.range(extent);
-            high.max(-low)
-        };
-        axis.trace.largest(bound, |node| self.at(node).abs())
+        axis.trace.largest(|extent| self.bound(extent), |node| self.at(node).abs())
     }
 
     /// The workings of [`Self::at`]; the result is `I`.
@@ -128,26 +136,32 @@ pub(crate) fn voltage(
         Err(missing) => return not_checked(id, missing),
     };
     let typed = |node: &Node| (AngularVelocity::from_si(node.speed), ElectricCurrent::from_si(currents.at(node)));
-    // In current and in speed by themselves the voltage is convex: over a block it is largest at a corner.
+    // The voltage of a block is below the one at its largest current and speed together.
     let bound = |extent: &Extent| {
-        let (low, high) = currents.range(extent);
-        let at = |speed: f64, current: f64| {
-            motor.at(AngularVelocity::from_si(speed), ElectricCurrent::from_si(current)).si()
-        };
-        let (back, forth) = extent.speeds;
-        at(back, low).max(at(back, high)).max(at(forth, low)).max(at(forth, high))
+        motor.at(AngularVelocity::from_si(extent.speed), ElectricCurrent::from_si(currents.bound(extent))).si()
     };
-    let (worst, at) = axis.trace.largest_of_any(bound, |node| {
+    let (highest, at) = axis.trace.largest(bound, |node| {
         let (speed, current) = typed(node);
         motor.at(speed, current).si()
     });
+    // Between two instants the voltage may rise above both; speed and current are taken as straight.
     currents.explain(&at, actuator, work);
     let (speed, current) = typed(&at);
     motor.explain(actuator, speed, current, work);
+    let worst = axis.trace.largest_between(highest, bound, |a, b, found| {
+        let (a, b) = (typed(a), typed(b));
+        let together = motor.at(a.0.abs().max(b.0.abs()), a.1.abs().max(b.1.abs())).si();
+        if together <= found { together } else { motor.largest([a, b]).si() }
+    });
     let model = Source::Model { name: "voltage" };
     let limit = supply.si() / std::f64::consts::SQRT_2 * reserve;
     if work.is_on() {
-        work.formula("U", &VOLT, worst, "U_LL", &model);
+        if worst > highest {
+            let text = "upper bound of U_LL between this instant and the next";
+            work.found("U", &VOLT, worst, text, &model, Grade::Computed);
+        } else {
+            work.formula("U", &VOLT, worst, "U_LL", &model);
+        }
         work.value("U");
         let key = |key: &'static str| Source::Project { key: key.into() };
         work.figure("U_DC", &VOLT, supply.si(), &key("requirements.supply"), Grade::Printed);

@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::comparison::{Comparison, explained, not_checked};
 use crate::currents::Currents;
-use crate::trace::{Form, Lag, Node};
+use crate::trace::{Block, Node};
 use crate::workings;
 use actuator::{FRICTION_LOSS_SHARE, Parameters, Thermal, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT};
 use derivation::Workings;
@@ -22,6 +22,10 @@ const WINDING_SHUTDOWN: f64 = 363.15;
 
 /// The ambient temperature up to which the printed data hold, 40 °C, in kelvin: assumed where none is stated.
 pub(crate) const AMBIENT_REFERENCE: f64 = 313.15;
+
+/// A hundredth of τ_w \[s\]: over blocks not longer than this the mean loss stands for its course. What the temperature
+/// of the winding swings within a block is left out, at most a hundredth of what the peak loss would make it rise to.
+const SHORT_BLOCK: f64 = 0.01 * WINDING_TIME_CONSTANT;
 
 /// Picks ω out of (α, T_L, σ, ω).
 pub(crate) const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
@@ -91,7 +95,7 @@ fn torque_speed_trace(axis: &Axis, actuator: &Parameters, work: &mut Workings) -
             f64::MAX
         }
     };
-    let (_, worst) = axis.trace.largest_of_any(
+    let (_, worst) = axis.trace.largest(
         |extent| share(extent.torque(inertia), at_speed(extent.speed)),
         |node| {
             let torque = torque(node);
@@ -140,10 +144,12 @@ impl Losses<'_> {
         self.copper_ohm * current * current + self.friction_vs * self.currents.friction(node) * node.speed.abs()
     }
 
-    /// The same as a form of the signals.
-    pub(crate) fn form(&self) -> Form {
-        let friction = Form::product(self.currents.friction_weights(), SPEED);
-        Form::square(self.currents.weights()).scale(self.copper_ohm).add(&friction.scale(self.friction_vs))
+    /// Its integral over a block at once, where friction has one sign there.
+    fn whole(&self, block: &Block) -> Option<f64> {
+        let sign = block.extent.power_sign(self.currents.inertia)?;
+        let copper = self.copper_ohm * block.gram.square(self.currents.weights(sign));
+        // I_f |ω| = (I_NLS σ + K_INL ω) ω
+        Some(copper + self.friction_vs * block.gram.product(self.currents.friction_weights(), SPEED))
     }
 }
 
@@ -170,14 +176,14 @@ fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Miss
         Err(missing) => return not_checked(id, missing),
     };
     let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
-    let form = losses.form();
-    let peak = |modes: [(f64, f64); 2]| {
-        axis.trace.peak_of_lags(&modes.map(|(tau_s, gain)| Lag { tau_s, form: form.scale(gain) }))
-    };
-    let (winding, housing) = (peak(model.winding_modes()), peak(model.housing_modes()));
-    let mean = Power::from_si(axis.trace.mean(&form));
+    let steps = axis.trace.steps(SHORT_BLOCK, |block| losses.whole(block), |node| losses.at(node));
+    let pieces: Vec<(Time, Power)> =
+        steps.iter().map(|step| (Time::from_si(step.duration), Power::from_si(step.value))).collect();
+    let cycle = model.cycle(&pieces, ambient);
+    let energy: f64 = pieces.iter().map(|(time, power)| time.si() * power.si()).sum();
+    let mean = Power::from_si(energy / axis.moments.duration.si());
     let limit = ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_CONTINUOUS);
-    let hottest = ambient.si() + winding.value;
+    let hottest = cycle.winding_max.si();
     let verdict = if hottest <= limit.si() {
         Verdict::Pass
     } else if hottest <= WINDING_SHUTDOWN {
@@ -211,12 +217,12 @@ fn thermal(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Miss
         limit: Some(Figure { si: limit.si(), unit: &DEGREE_CELSIUS }),
         // Only beyond the shutdown threshold the estimate speaks against the actuator.
         utilisation: (room > 0.0).then(|| (hottest - ambient.si()) / room),
-        at: Some(Time::from_si(winding.at_s)),
+        at: Some(cycle.at),
         grade: Some(Thermal::GRADE),
         value_source: Some(Thermal::SOURCE),
         limit_source: Some(Source::Model { name: "thermal" }),
         missing: None,
-        notes: Cow::Owned(vec![Note::Housing(ThermodynamicTemperature::from_si(ambient.si() + housing.value)), Note::WarmUp(model.warm_up_time(mean, ambient, limit))]),
+        notes: Cow::Owned(vec![Note::Housing(cycle.housing), Note::WarmUp(model.warm_up_time(mean, ambient, limit))]),
         workings: Vec::new(),
     }
 }
@@ -230,9 +236,14 @@ fn overload(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Mis
         Err(missing) => return not_checked(id, missing),
     };
     let stalled = stall.value.si() * stall.value.si();
-    let square = Form::square(currents.weights()).scale(1.0 / stalled);
-    let found = axis.trace.peak_of_lags(&[Lag { tau_s: WINDING_TIME_CONSTANT, form: square }]);
-    let (peak, at) = (Ratio::from_si(found.value), Time::from_si(found.at_s));
+    let square = |block: &Block| {
+        let sign = block.extent.power_sign(currents.inertia)?;
+        Some(block.gram.square(currents.weights(sign)) / stalled)
+    };
+    let steps = axis.trace.steps(SHORT_BLOCK, square, |node| currents.at(node).powi(2) / stalled);
+    let pieces: Vec<(Time, Ratio)> =
+        steps.iter().map(|step| (Time::from_si(step.duration), Ratio::from_si(step.value))).collect();
+    let (peak, at) = actuator::overload_peak(&pieces, Time::from_si(WINDING_TIME_CONSTANT));
     let source = Source::Model { name: "overload" };
     work.given("I_0", &AMPERE, stall);
     work.figure("tau_w", &SECOND, WINDING_TIME_CONSTANT, &source, Grade::Estimated);

@@ -36,19 +36,34 @@ impl<'a> TerminalPower<'a> {
 
     /// Its integral over a block in which the load is only driven \[J\].
     fn driving(&self, block: &Block) -> f64 {
-        let weights = self.currents.weights();
+        let weights = self.currents.weights(1.0);
         self.copper_ohm * block.gram.square(weights) + self.constant_vs * block.gram.product(weights, SPEED)
     }
 
-    /// Over a gap between two instants: I and ω are straight there, so P is a parabola of time.
-    fn arc(&self, a: &Node, b: &Node) -> Arc {
-        let (i0, i1) = (self.currents.at(a), self.currents.at(b));
+    /// Over a gap between two instants, torque and speed taken as straight in it: cut where the torque passes zero,
+    /// since friction counts otherwise there.
+    fn gap(&self, a: &Node, b: &Node, take: &mut impl FnMut(&Arc)) {
+        let inertia = self.currents.inertia;
+        let [from, to] = [a, b].map(|node| inertia * node.acceleration + node.load);
+        if from * to < 0.0 {
+            let zero = a.towards(b, from / (from - to));
+            self.arc(a, &zero, from, take);
+            self.arc(&zero, b, to, take);
+        } else {
+            self.arc(a, b, from + to, take);
+        }
+    }
+
+    /// Over a part of a gap with one sign of the torque: I and ω are straight there, so P is a parabola of time.
+    fn arc(&self, a: &Node, b: &Node, torque: f64, take: &mut impl FnMut(&Arc)) {
+        let braking = torque * a.direction < 0.0;
+        let (i0, i1) = (self.currents.with(a, braking), self.currents.with(b, braking));
         let (w0, dw, di) = (a.speed, b.speed - a.speed, i1 - i0);
         let (r, k) = (self.copper_ohm, self.constant_vs);
-        Arc {
+        take(&Arc {
             duration: b.time - a.time,
             power: [(r * i0 + k * w0) * i0, 2.0 * r * i0 * di + k * (i0 * dw + w0 * di), (r * di + k * dw) * di],
-        }
+        });
     }
 }
 
@@ -151,7 +166,7 @@ impl Balance {
             axis.trace.within(block, &mut |node| {
                 balance.whole += node.weight * power.at(node);
                 if let Some(last) = last.as_ref().filter(|last| node.time > last.time) {
-                    balance.take(&power.arc(last, node));
+                    power.gap(last, node, &mut |arc| balance.take(arc));
                 }
                 last = Some(*node);
             });

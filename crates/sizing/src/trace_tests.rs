@@ -343,4 +343,3 @@ fn swing_blocks(motion: &Motion) -> Vec<Gram> {
     assert_eq!(raw, strip.raw_blocks().iter().map(|block| block.gram).collect::<Vec<_>>());
     strip.found(0).blocks.iter().map(|block| block.gram).collect()
 }
-

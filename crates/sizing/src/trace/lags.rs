@@ -45,34 +45,13 @@ struct Course {
     gain: f64,
 }
 
-/// The weights of a rule and a λ: neighbouring panels often share them.
-#[derive(Clone, Copy)]
-struct Weights {
-    lambda: f64,
-    count: usize,
-    decay: f64,
-    weights: Values,
-}
-
-impl Weights {
-    fn of(lambda: f64, count: usize) -> Self {
-        Self { lambda, count, decay: (-lambda).exp(), weights: rule(count).weights(lambda) }
-    }
-}
-
 impl Course {
-    fn of(lag: &Lag, panel: &Panel<'_>, known: &mut Weights) -> Self {
+    fn of(lag: &Lag, panel: &Panel<'_>) -> Self {
         let (lambda, count) = (panel.duration / lag.tau_s, panel.nodes.len());
-        if known.lambda != lambda || known.count != count {
-            *known = Weights::of(lambda, count);
-        }
         let mut input = [0.0; MOST];
-        let mut gain = 0.0;
-        for ((u, node), weight) in input.iter_mut().zip(panel.nodes).zip(known.weights) {
-            *u = lag.form.at(node);
-            gain += weight * *u;
-        }
-        Self { tau_s: lag.tau_s, lambda, decay: known.decay, count, input, gain }
+        input.iter_mut().zip(panel.nodes).for_each(|(u, node)| *u = lag.form.at(node));
+        let gain = dot(&rule(count).weights(lambda), &input);
+        Self { tau_s: lag.tau_s, lambda, decay: (-lambda).exp(), count, input, gain }
     }
 
     /// y at the end.
@@ -257,7 +236,7 @@ impl Search<'_> {
                     for (kept, swing) in kept.iter().zip(swings) {
                         if self.may_rise(number, index, kept.duration, [&most, swing]) {
                             let mut states = self.states.clone();
-                            self.inside(&self.trace.panel(kept), &mut states, &mut []);
+                            self.inside(&self.trace.panel(kept), &mut states);
                         }
                         self.step(index);
                         index += 1;
@@ -272,8 +251,7 @@ impl Search<'_> {
                         let duration = block.duration * stretch;
                         if self.may_rise(number, index, duration, [&most, &scaled(&lags.swing)]) {
                             let mut states = self.states.clone();
-                            let mut known = vec![Weights::of(0.0, 0); self.lags.len()];
-                            strip.panels(block, &mut |panel| self.inside(&panel, &mut states, &mut known));
+                            strip.panels(block, &mut |panel| self.inside_interval(&panel, &mut states));
                         }
                         self.step(index);
                         index += 1;
@@ -317,25 +295,83 @@ impl Search<'_> {
         })
     }
 
-    /// Through a panel from its start: the states become those at its end.
-    fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64], known: &mut [Weights]) {
-        let start = panel.nodes.first().map_or(0.0, |node| node.time);
-        let mut none = Weights::of(0.0, 0);
-        let mut known = known.iter_mut();
-        let mut course = |lag| Course::of(lag, panel, known.next().unwrap_or(&mut none));
-        let courses: Vec<Course> = self.lags.iter().map(&mut course).collect();
-        let best = &mut self.best;
-        let mut see = |s: f64, value: f64| {
-            if value > best.value + NEGLIGIBLE * best.value.abs() {
-                *best = Peak { value, at_s: start + s * panel.duration };
-            }
+    /// Through an interval of a recording, short against every time constant; only where the sum of the lags turns within
+    /// it, and may be higher there, it is looked at like any panel.
+    fn inside_interval(&mut self, panel: &Panel<'_>, states: &mut [f64]) {
+        let ([a, b, c], false) = (panel.nodes, self.is_long(panel)) else {
+            self.inside(panel, states);
+            return;
         };
-        turns(&courses, states, &mut see);
+        let (mut before, mut after, mut slopes) = (0.0, 0.0, [0.0; 3]);
+        let mut ends = [0.0; LAGS];
+        for ((state, lag), end) in states.iter().zip(self.lags).zip(&mut ends) {
+            let u = [a, b, c].map(|node| lag.form.at(node));
+            let (decay, weights) = short(panel.duration / lag.tau_s);
+            *end = state * decay + weights.iter().zip(u).map(|(w, u)| w * u).sum::<f64>();
+            before += state;
+            after += *end;
+            let y = [*state, 0.5 * (state + *end), *end];
+            for (slope, (u, y)) in slopes.iter_mut().zip(u.into_iter().zip(y)) {
+                *slope += (u - y) / lag.tau_s;
+            }
+        }
+        let [first, middle, last] = slopes;
+        let turns = (first > 0.0 && middle.min(last) < 0.0) || (middle > 0.0 && last < 0.0);
+        let steep = slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
+        if turns && before.max(after) + 0.75 * panel.duration * steep > self.enough() {
+            self.inside(panel, states);
+            return;
+        }
+        states.iter_mut().zip(ends).for_each(|(state, end)| *state = end);
+        if after > self.enough() {
+            self.best = Peak { value: after, at_s: c.time };
+        }
+    }
+
+    fn is_long(&self, panel: &Panel<'_>) -> bool {
+        self.lags.len() > LAGS || self.lags.iter().any(|lag| panel.duration > SHORT * lag.tau_s)
+    }
+
+    /// What a value must exceed to count.
+    fn enough(&self) -> f64 {
+        self.best.value + NEGLIGIBLE * self.best.value.abs()
+    }
+
+    /// Through a panel from its start: the states become those at its end.
+    fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64]) {
+        let courses: Vec<Course> = self.lags.iter().map(|lag| Course::of(lag, panel)).collect();
+        let start = panel.nodes.first().map_or(0.0, |node| node.time);
+        if let Some((s, value)) = turn(&courses, states, panel.duration, self.enough()) {
+            self.best = Peak { value, at_s: start + s * panel.duration };
+        }
         for (state, course) in states.iter_mut().zip(&courses) {
             *state = course.end(*state);
         }
-        see(1.0, states.iter().sum());
+        let value = states.iter().sum();
+        if value > self.enough() {
+            self.best = Peak { value, at_s: start + panel.duration };
+        }
     }
+}
+
+/// Most lags in one sum; further ones are looked at like any panel.
+const LAGS: usize = 4;
+
+/// Up to this λ an interval of a recording has a lag by a few terms.
+const SHORT: f64 = 0.01;
+
+/// e^(−λ) and the weights of the values at both ends and the middle in the lag of a parabola.
+///
+/// # Valid    λ ≤ 0.01, to the last digits
+fn short(lambda: f64) -> (f64, [f64; 3]) {
+    let x = 0.5 * lambda;
+    let square = x * x;
+    let decay = 1.0 - x * (1.0 - x / 2.0 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0))));
+    let even = lambda * decay * (1.0 + square / 6.0 * (1.0 + square / 20.0));
+    let odd = lambda * decay * x / 3.0 * (1.0 + square / 10.0);
+    let bend = lambda * decay * square / 15.0;
+    // a_0 = (u_0 + 4 u_m + u_1)/6, a_1 = (u_1 − u_0)/2, a_2 = (u_0 − 2 u_m + u_1)/3
+    (decay * decay, [even / 6.0 - odd / 2.0 + bend / 3.0, (even - bend) / 1.5, even / 6.0 + odd / 2.0 + bend / 3.0])
 }
 
 /// The largest of each.
@@ -346,31 +382,57 @@ fn largest<'a>(swings: impl Iterator<Item = &'a Products>) -> Products {
     })
 }
 
-/// Where within a panel the sum of lags turns from rising to falling.
-fn turns(courses: &[Course], states: &[f64], see: &mut impl FnMut(f64, f64)) {
-    let (mut lowest, mut highest) = (0.0, 0.0);
+/// Where within a panel the sum of lags turns from rising to falling, with the highest value, if that exceeds the least.
+fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64) -> Option<(f64, f64)> {
+    let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
     for (course, state) in courses.iter().zip(states) {
         let (low, high) = course.slopes(*state);
         lowest += low;
         highest += high;
+        start += state;
+        end += course.end(*state);
     }
-    if lowest >= 0.0 || highest <= 0.0 {
-        return;
+    // A slope between these two takes the sum no further above its ends than that.
+    if lowest >= 0.0 || highest <= 0.0 || f64::max(start, end) + 0.25 * duration * (highest - lowest) <= least {
+        return None;
     }
     let sum = |of: &dyn Fn(&Course, f64) -> f64| courses.iter().zip(states).map(|(c, y)| of(c, *y)).sum::<f64>();
     let slope = |s: f64| sum(&|course, start| course.slope(start, s));
     let mut last = (0.0, slope(0.0));
+    let mut best = None;
+    let mut most = least;
     for part in 1..=PARTS {
         let s = f64::from(part) / f64::from(PARTS);
         let here = (s, slope(s));
         if last.1 > 0.0 && here.1 < 0.0 {
             let (mut low, mut high) = (last.0, s);
-            for _ in 0..60 {
+            for _ in 0..50 {
                 let middle = 0.5 * (low + high);
                 if slope(middle) > 0.0 { low = middle } else { high = middle }
             }
-            see(low, sum(&|course, start| course.at(start, low)));
+            let value = sum(&|course, start| course.at(start, low));
+            if value > most {
+                most = value;
+                best = Some((low, value));
+            }
         }
         last = here;
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_weights_of_short_intervals_are_those_of_the_rule() {
+        for lambda in [1e-9, 1e-5, 1e-3, SHORT] {
+            let (decay, weights) = short(lambda);
+            assert!((decay / (-lambda).exp() - 1.0).abs() < 1e-14);
+            for (a, b) in weights.iter().zip(rule(3).weights(lambda)) {
+                assert!((a / b - 1.0).abs() < 1e-12, "{lambda}: {a} {b}");
+            }
+        }
     }
 }

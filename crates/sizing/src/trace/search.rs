@@ -39,9 +39,14 @@ impl Trace {
         let mut best = Best { value: f64::NEG_INFINITY, node: Node::default() };
         let group = |index: usize, best: &mut Best| {
             let blocks = self.blocks.chunks(GROUP).nth(index).unwrap_or_default();
-            in_order(blocks, |block: &Block| (bound(&block.extent), block.from), best, |block, _, best| {
-                self.panels(block, &mut |panel| best.look(&panel, bound, value, shape));
-            });
+            in_order(
+                blocks,
+                |block: &Block| (bound(&block.extent), block.from),
+                best,
+                |block, _, best| {
+                    self.panels(block, &mut |panel| best.look(&panel, bound, value, shape));
+                },
+            );
         };
         in_order(&self.groups, |(extent, from)| (bound(extent), *from), &mut best, |_, index, best| group(index, best));
         (best.value, best.node)
@@ -62,19 +67,24 @@ impl Best {
 
     /// Whether a bound of what begins at an instant leaves room for something better, or for the same at an earlier instant.
     fn may_be_within(&self, bound: f64, from: f64) -> bool {
-        if from < self.node.time {
-            bound >= self.value
-        } else {
-            bound > self.value + ROUNDING * self.value.abs()
-        }
+        if from < self.node.time { bound >= self.value } else { bound > self.value + ROUNDING * self.value.abs() }
     }
 
-    fn look(&mut self, panel: &Panel<'_>, bound: &impl Fn(&Extent) -> f64, value: &impl Fn(&Node) -> f64, shape: Shape) {
+    fn look(
+        &mut self,
+        panel: &Panel<'_>,
+        bound: &impl Fn(&Extent) -> f64,
+        value: &impl Fn(&Node) -> f64,
+        shape: Shape,
+    ) {
         for node in panel.nodes {
             self.see(node, value(node));
         }
         let bent = panel.bow != [0.0; 4];
-        if !bent && (shape == Shape::Convex || panel.nodes.first().map(Node::signals) == panel.nodes.last().map(Node::signals)) {
+        if !bent
+            && (shape == Shape::Convex
+                || panel.nodes.first().map(Node::signals) == panel.nodes.last().map(Node::signals))
+        {
             return;
         }
         let shares = super::rule::rule(panel.nodes.len()).nodes();
