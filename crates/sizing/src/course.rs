@@ -109,7 +109,7 @@ fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
             recorded(placed, look);
         }
         let hold = axis.motion.stretches().get(piece.segment).map_or(Hold::Motor, |stretch| stretch.hold);
-        let rests = piece.is_rest();
+        let (rests, runs) = (piece.is_rest(), piece.runs());
         let parts = if rests { 1 } else { PER_PIECE };
         let mut instants: Vec<f64> =
             (0..=parts).map(|part| piece.duration_s * f64::from(part) / f64::from(parts)).collect();
@@ -120,8 +120,7 @@ fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
             // On both sides of a reversal the direction is that of the neighbour away from it.
             let neighbour = |at: Option<usize>| at.and_then(|at| instants.get(at)).filter(|other| *other != t);
             let other = neighbour(index.checked_sub(1)).or_else(|| neighbour(Some(index + 1))).unwrap_or(t);
-            let speed = piece.at(0.5 * (t + other)).speed_rad_s;
-            let direction = if rests || speed == 0.0 { 0.0 } else { speed.signum() };
+            let direction = runs.direction(0.5 * (t + other));
             let output = Output {
                 position_rad: state.position_rad,
                 speed_rad_s: state.speed_rad_s,

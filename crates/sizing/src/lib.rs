@@ -20,6 +20,8 @@ mod gear_checks;
 mod joint_checks;
 mod rank;
 mod reserve;
+#[cfg(test)]
+mod reversal_tests;
 mod trace;
 mod workings;
 

@@ -3,7 +3,7 @@
 use super::recording::Strip;
 use super::{BLOCK, Block, Extent, GROUP, Gram, Node, Place, Share, Trace};
 use mechanism::{Extra, Mechanism, Output};
-use motion::{Hold, Motion, Piece, Placed, lobatto};
+use motion::{Hold, Motion, Piece, Placed, Runs, lobatto};
 use std::sync::OnceLock;
 
 pub(super) struct Builder<'a> {
@@ -135,11 +135,12 @@ impl<'a> Builder<'a> {
             self.rest(piece, extra, hold);
             return;
         }
-        let cuts = self.cuts(piece, extra);
+        let runs = piece.runs();
+        let cuts = self.cuts(piece, extra, &runs);
         let nodes = self.nodes_per_panel(piece);
         for pair in cuts.windows(2) {
             if let [from, to] = pair {
-                self.panel(piece, extra, (*from, *to), nodes);
+                self.panel(piece, extra, (*from, *to, runs.direction(0.5 * (from + to))), nodes);
                 if self.nodes.len() - self.blocked >= BLOCK {
                     self.close_block();
                 }
@@ -185,7 +186,7 @@ impl<'a> Builder<'a> {
 
     /// Panel borders: reversals, changes of sign of the torque and kinks of the load, and then as many equal parts as a
     /// smooth integrand needs.
-    fn cuts(&self, piece: &Piece, extra: &Extra) -> Vec<f64> {
+    fn cuts(&self, piece: &Piece, extra: &Extra, runs: &Runs) -> Vec<f64> {
         let mut cuts = vec![0.0];
         cuts.extend(piece.reversals());
         let ramp = piece.speed_degree().is_some_and(|degree| degree <= 1);
@@ -195,7 +196,6 @@ impl<'a> Builder<'a> {
             cuts.extend(motion::roots(|t| piece.jerk(t), piece.duration_s));
         }
         if !(ramp && self.mechanism.is_constant_over_ramps()) {
-            let sign = |t: f64| piece.at(t).speed_rad_s.signum();
             // So many spans that no two roots fall into one step of the search.
             let spans = (self.parts(piece) / PANELS_PER_SEARCH).ceil().max(1.0);
             let span = piece.duration_s / spans;
@@ -206,8 +206,8 @@ impl<'a> Builder<'a> {
                     k += 1.0;
                 }
             };
-            search(&|t| self.mechanism.useful_torque(&self.output(piece, t, sign(t)), extra), &mut cuts);
-            search(&|t| self.mechanism.torque(&self.output(piece, t, sign(t)), extra), &mut cuts);
+            search(&|t| self.mechanism.useful_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
+            search(&|t| self.mechanism.torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
             for kink in self.mechanism.kinks() {
                 search(&|t| wrapped(piece.at(t).position_rad - kink), &mut cuts);
             }
@@ -273,8 +273,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to): (f64, f64), nodes: usize) {
-        let direction = piece.at(0.5 * (from + to)).speed_rad_s.signum();
+    fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to, direction): (f64, f64, f64), nodes: usize) {
         let mut travelled = 0.0;
         let (kinked, beside) = (self.kinked, 1e-9 * (to - from));
         for (u, weight) in lobatto(nodes) {
