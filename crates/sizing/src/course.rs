@@ -1,6 +1,7 @@
 //! The cycle as time series, for pictures and tables: what is judged is the trace, this is how it looks.
 
 use crate::axis::Axis;
+use crate::brake_times::held_by_the_motor;
 use crate::currents::Currents;
 use crate::electric_checks::{AMBIENT_REFERENCE, losses};
 use crate::energy::TerminalPower;
@@ -114,6 +115,17 @@ fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
         let mut instants: Vec<f64> =
             (0..=parts).map(|part| piece.duration_s * f64::from(part) / f64::from(parts)).collect();
         instants.extend(piece.reversals().into_iter().flat_map(|t| [t, t]));
+        // Until the brake has closed and while it opens the motor holds.
+        let (closing, opening) = match hold {
+            Hold::Motor => (piece.duration_s, 0.0),
+            Hold::Brake => held_by_the_motor(&axis.motion, piece.segment),
+            Hold::Free => (0.0, 0.0),
+        };
+        let opens = piece.duration_s - opening;
+        if rests {
+            let inside = |t: &f64| *t > 0.0 && *t < piece.duration_s;
+            instants.extend([closing, opens].into_iter().filter(inside).flat_map(|t| [t, t]));
+        }
         instants.sort_by(f64::total_cmp);
         for (index, t) in instants.iter().enumerate() {
             let state = piece.at(*t);
@@ -127,7 +139,8 @@ fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
                 acceleration_rad_s2: state.acceleration_rad_s2,
                 direction,
             };
-            let held = rests && hold != Hold::Motor;
+            let middle = 0.5 * (t + other);
+            let held = rests && middle >= closing && middle <= opens && closing < opens;
             let load = if held { 0.0 } else { axis.mechanism.torque(&output, extra(piece.segment)) };
             look(
                 state.position_rad,

@@ -43,20 +43,42 @@ pub(crate) fn judge(
     checks.push(explained(explain, |work| overload(axis, actuator, currents, work)));
 }
 
-/// U_DC ≤ U_DCmax.
-pub(crate) fn dc_link(supply: ElectricPotential, actuator: &Parameters, work: &mut Workings) -> Check {
+/// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
+/// braking (glossary of the manual), nobody says how far and how long: with the rise that the project permits above
+/// U_DCmax the answer is advice.
+pub(crate) fn dc_link(
+    supply: ElectricPotential,
+    rise: Option<ElectricPotential>,
+    actuator: &Parameters,
+    work: &mut Workings,
+) -> Check {
     let id = CheckId::DcLink;
-    match actuator.dc_link_max.require("U_DCmax") {
-        Ok(limit) => {
-            let source = Source::Project { key: "requirements.supply".into() };
-            work.figure("U_DC", &VOLT, supply.si(), &source, Grade::Printed);
+    let limit = match actuator.dc_link_max.require("U_DCmax") {
+        Ok(limit) => limit,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let source = Source::Project { key: "requirements.supply".into() };
+    work.figure("U_DC", &VOLT, supply.si(), &source, Grade::Printed);
+    // A supply that is too high is the fault, whatever comes on top of it.
+    let top = rise.map(|rise| supply + rise).filter(|top| supply.si() <= limit.value.si() && top.si() > limit.value.si());
+    let check = match (top, rise) {
+        (Some(top), Some(rise)) => {
+            let asked = Source::Project { key: "requirements.dc_link_rise".into() };
+            work.figure("dU", &VOLT, rise.si(), &asked, Grade::Printed);
+            work.formula("U_top", &VOLT, top.si(), "U_DC + dU", &asked);
+            work.value("U_top");
+            let free = limit.value - supply;
+            let notes = Cow::Owned(vec![Note::DcLinkRises { to: top, free }]);
+            Comparison { notes, ..Comparison::with(id, &VOLT, top.si(), asked, limit) }.answer(Verdict::Advice)
+        }
+        _ => {
             work.value("U_DC");
-            work.given("U_DCmax", &VOLT, limit);
-            work.limit("U_DCmax");
             Comparison::with(id, &VOLT, supply.si(), source, limit).answer(Verdict::Fail)
         }
-        Err(missing) => not_checked(id, missing),
-    }
+    };
+    work.given("U_DCmax", &VOLT, limit);
+    work.limit("U_DCmax");
+    check
 }
 
 /// |T| ≤ short-time torque at the speed of every instant; while braking the voltage helps, and T_max is the limit.

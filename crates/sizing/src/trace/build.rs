@@ -2,6 +2,7 @@
 
 use super::recording::Strip;
 use super::{BLOCK, Block, Extent, GROUP, Gram, Node, Place, Share, Trace};
+use crate::brake_times::held_by_the_motor;
 use mechanism::{Extra, Mechanism, Output};
 use motion::{Hold, Motion, Piece, Placed, Runs, lobatto};
 use std::sync::OnceLock;
@@ -151,16 +152,24 @@ impl<'a> Builder<'a> {
     fn rest(&mut self, piece: &Piece, extra: &Extra, hold: Hold) {
         let output = self.output(piece, 0.0, 0.0);
         let holding = self.mechanism.torque(&output, extra);
-        let load = if hold == Hold::Motor { holding } else { 0.0 };
-        for share in [0.0, 1.0] {
-            self.nodes.push(Node {
-                time: piece.start_s + share * piece.duration_s,
-                weight: 0.5 * piece.duration_s,
-                acceleration: 0.0,
-                speed: 0.0,
-                direction: 0.0,
-                load,
-            });
+        // Until the brake has closed and while it opens the motor holds.
+        let (closing, opening) = match hold {
+            Hold::Motor => (piece.duration_s, 0.0),
+            Hold::Brake => held_by_the_motor(self.motion, piece.segment),
+            Hold::Free => (0.0, 0.0),
+        };
+        let opens = piece.duration_s - opening;
+        for (from, to, load) in [(0.0, closing, holding), (closing, opens, 0.0), (opens, piece.duration_s, holding)] {
+            for at in [from, to].into_iter().filter(|_| to > from) {
+                self.nodes.push(Node {
+                    time: piece.start_s + at,
+                    weight: 0.5 * (to - from),
+                    acceleration: 0.0,
+                    speed: 0.0,
+                    direction: 0.0,
+                    load,
+                });
+            }
         }
         self.see(&output, extra);
     }
