@@ -27,8 +27,8 @@ pub use brake::{
 pub use curve::{Curve, CurveFault, CurvePoint};
 pub use feedback::{Feedback, FeedbackSide};
 pub use gear::{
-    Gear, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, natural_frequency_free, resonance_speed, wave_generator_life,
-    wave_generator_life_l50, wave_generator_life_with,
+    Gear, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, natural_frequency_free, resonance_speed,
+    wave_generator_life, wave_generator_life_l50, wave_generator_life_with,
 };
 pub use motor::{
     ContinuousLimit, FRICTION_LOSS_SHARE, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT, continuous_torque,

@@ -2,7 +2,10 @@
 
 use derivation::Step;
 use provenance::{Grade, Source};
-use quantities::{Angle, AngularVelocity, ElectricPotential, Energy, Frequency, Length, Power, ThermodynamicTemperature, Time, Torque, Unit};
+use quantities::{
+    Angle, AngularVelocity, ElectricPotential, Energy, Frequency, Length, Power, ThermodynamicTemperature, Time,
+    Torque, Unit,
+};
 use std::borrow::Cow;
 
 /// Identifier of a check, part of the contract with scripts.

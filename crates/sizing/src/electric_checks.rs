@@ -60,7 +60,8 @@ pub(crate) fn dc_link(
     let source = Source::Project { key: "requirements.supply".into() };
     work.figure("U_DC", &VOLT, supply.si(), &source, Grade::Printed);
     // A supply that is too high is the fault, whatever comes on top of it.
-    let top = rise.map(|rise| supply + rise).filter(|top| supply.si() <= limit.value.si() && top.si() > limit.value.si());
+    let top =
+        rise.map(|rise| supply + rise).filter(|top| supply.si() <= limit.value.si() && top.si() > limit.value.si());
     let check = match (top, rise) {
         (Some(top), Some(rise)) => {
             let asked = Source::Project { key: "requirements.dc_link_rise".into() };

@@ -10,8 +10,8 @@ use actuator::{BudgetCase, ErrorBudget, ErrorKind, Feedback, FeedbackSide, Gear,
 use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{
-    ARCMINUTE, ARCSECOND, HOUR, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE,
-    NEWTON_METRE_PER_RADIAN, ONE, REVOLUTION_PER_MINUTE, SECOND,
+    ARCMINUTE, ARCSECOND, HOUR, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, NEWTON_METRE_PER_RADIAN, ONE,
+    REVOLUTION_PER_MINUTE, SECOND,
 };
 use quantities::{Angle, AngularVelocity, Measure, Ratio, Torque};
 use std::borrow::Cow;

@@ -8,9 +8,7 @@ use actuator::Parameters;
 use derivation::Workings;
 use mechanism::Extra;
 use provenance::{Grade, Missing, Source, Sourced};
-use quantities::unit::{
-    HERTZ, KILOGRAM_SQUARE_METRE, NEWTON_METRE_PER_RADIAN, PERCENT, REVOLUTION_PER_MINUTE, SECOND,
-};
+use quantities::unit::{HERTZ, KILOGRAM_SQUARE_METRE, NEWTON_METRE_PER_RADIAN, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{AngularVelocity, Frequency, Measure, MomentOfInertia, Time, TorsionalStiffness};
 use std::borrow::Cow;
 

@@ -4,8 +4,8 @@ use actuator::Gear;
 use mechanism::{Kind, Mechanism, SliderCrank};
 use motion::{Closing, Given, Law, Motion, SegmentSpec};
 use provenance::{CellRef, Datum};
-use quantities::{Angle, AngularVelocity, Length, Mass, MomentOfInertia, Time, Torque, TorsionalStiffness};
 use quantities::unit::REVOLUTION_PER_MINUTE as RPM;
+use quantities::{Angle, AngularVelocity, Length, Mass, MomentOfInertia, Time, Torque, TorsionalStiffness};
 
 fn known<T>(value: T) -> Datum<T> {
     const CELL: CellRef = CellRef::of_the_manual("54.1", "x", "");
@@ -81,7 +81,8 @@ fn a_changing_inertia_resonates_over_a_range() {
         angle: Angle::from_si(0.0),
     };
     let axis = |speed: f64| {
-        let motion = Motion::new(&[hold(speed, 120.0 / speed)], Some(Angle::from_si(0.3)), Closing::Revolutions).unwrap();
+        let motion =
+            Motion::new(&[hold(speed, 120.0 / speed)], Some(Angle::from_si(0.3)), Closing::Revolutions).unwrap();
         let load = Mechanism {
             kind: Kind::SliderCrank(crank),
             ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0))

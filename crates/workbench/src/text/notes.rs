@@ -3,7 +3,8 @@
 use super::either;
 use super::results::with_unit;
 use quantities::unit::{
-    ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, MILLIMETRE, MINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT, WATT, YEAR,
+    ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, MILLIMETRE, MINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE,
+    SECOND, VOLT, WATT, YEAR,
 };
 use quantities::{AngularVelocity, Language, Measure, Torque, format_number, format_significant};
 use sizing::Note;
@@ -170,7 +171,9 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
             let hours = with_unit(lasts.si(), &HOUR, 3, language);
             either(
                 language,
-                format!("the brake closes {times} times per cycle: the permitted number of brakings lasts {hours} of operation"),
+                format!(
+                    "the brake closes {times} times per cycle: the permitted number of brakings lasts {hours} of operation"
+                ),
                 format!(
                     "die Bremse schließt {times}-mal je Zyklus: die zulässige Zahl der Bremsungen reicht für {hours} Betrieb"
                 ),
@@ -238,9 +241,8 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
         }
         Note::ResonanceSpeeds { blocked, free } => {
             let shown = |speeds: &[(AngularVelocity, AngularVelocity); 3]| {
-                let number = |speed: AngularVelocity| {
-                    format_significant(REVOLUTION_PER_MINUTE.from_si(speed.si()), 3, language)
-                };
+                let number =
+                    |speed: AngularVelocity| format_significant(REVOLUTION_PER_MINUTE.from_si(speed.si()), 3, language);
                 let each = speeds.iter().map(|(low, high)| match (number(*low), number(*high)) {
                     (low, high) if low == high => low,
                     (low, high) => format!("{low}…{high}"),
@@ -288,7 +290,9 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
             let frequency = with_unit(frequency.si(), &HERTZ, 3, language);
             either(
                 language,
-                format!("that is with the rotor held; a free rotor and the load swing against each other at {frequency}"),
+                format!(
+                    "that is with the rotor held; a free rotor and the load swing against each other at {frequency}"
+                ),
                 format!(
                     "das gilt bei festgehaltenem Rotor; freier Rotor und Last schwingen mit {frequency} gegeneinander"
                 ),
