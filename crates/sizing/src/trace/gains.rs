@@ -161,17 +161,27 @@ type Entry = (u64, Arc<OnceLock<Vec<Gain>>>);
 /// So many time constants are kept: more than a catalogue has.
 const TABLES: usize = 32;
 
+/// A time constant without its last twelve bits, 10⁻¹²: equal ones of different actuators are rounded differently.
+pub(super) fn rounded(tau_s: f64) -> f64 {
+    f64::from_bits((tau_s.to_bits() + (1 << 11)) & !((1 << 12) - 1))
+}
+
 /// Gains for the time constants that were asked for.
 #[derive(Debug, Default)]
 pub(super) struct GainTables(Mutex<Vec<Entry>>);
 
 impl GainTables {
     /// The gains for a time constant, made if it is the first time.
-    pub(super) fn with<T>(&self, tau_s: f64, make: impl FnOnce() -> Vec<Gain>, then: impl FnOnce(&[Gain]) -> T) -> T {
+    pub(super) fn with<T>(
+        &self,
+        tau_s: f64,
+        make: impl FnOnce(f64) -> Vec<Gain>,
+        then: impl FnOnce(&[Gain]) -> T,
+    ) -> T {
         let entry = {
             // What another thread left behind when it failed is whole: entries are only added.
             let mut tables = self.0.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            let key = tau_s.to_bits();
+            let key = rounded(tau_s).to_bits();
             match tables.iter().find(|(known, _)| *known == key) {
                 Some((_, entry)) => Arc::clone(entry),
                 None => {
@@ -184,6 +194,6 @@ impl GainTables {
                 }
             }
         };
-        then(entry.get_or_init(make))
+        then(entry.get_or_init(|| make(rounded(tau_s))))
     }
 }

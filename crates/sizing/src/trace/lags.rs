@@ -103,6 +103,7 @@ struct Flow {
 
 impl Trace {
     /// Mean of a form over the cycle.
+    #[cfg(test)]
     pub(crate) fn mean(&self, form: &Form) -> f64 {
         let sum = self.gram.0.iter().flatten().zip(form.0.iter().flatten()).map(|(g, q)| g * q).sum::<f64>();
         sum / self.duration
@@ -152,7 +153,7 @@ impl Trace {
                     let q = lag.form.factors();
                     self.lags.gains.with(
                         lag.tau_s,
-                        || self.kept_gains(lag.tau_s),
+                        |tau_s| self.kept_gains(tau_s),
                         |gains| {
                             take(gains.get(range.clone()).unwrap_or_default(), &q);
                         },
@@ -162,7 +163,7 @@ impl Trace {
                 Run::Recorded(strip) => {
                     let Some(strip) = self.strips.get(*strip) else { continue };
                     let (q, tau_s) = (strip.view().form(&lag.form).factors(), lag.tau_s / strip.view().stretch());
-                    strip.survey().gains.with(tau_s, || strip.gains(tau_s), |gains| take(gains, &q));
+                    strip.survey().gains.with(tau_s, |tau_s| strip.gains(tau_s), |gains| take(gains, &q));
                     factors.push(q);
                 }
             }

@@ -143,6 +143,13 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
             "nicht bekannt: welche Drehzahlen die Aufzeichnung hält",
         );
     }
+    if symbol == "gear_load" {
+        return either(
+            language,
+            "no load: the gear carries no torque in motion, and nothing limits its life",
+            "keine Last: das Getriebe überträgt in Bewegung kein Moment, nichts begrenzt seine Lebensdauer",
+        );
+    }
     if symbol.starts_with("mechanism.") {
         return either(language, format!("not stated: {symbol}"), format!("nicht angegeben: {symbol}"));
     }
@@ -184,23 +191,6 @@ pub fn grade_word(grade: Grade, language: Language) -> &'static str {
 #[must_use]
 pub fn note_text(note: &Note, language: Language) -> String {
     match note {
-        Note::FrictionTemperatures => either(
-            language,
-            "friction that opposes the torque counts cold (K_INL at 30 °C), friction that helps counts warm (80 °C)",
-            "hemmende Reibung zählt kalt (K_INL bei 30 °C), helfende Reibung warm (80 °C)",
-        ),
-        Note::EstimatedUpTo(upper) => {
-            let upper = with_unit(upper.si(), &NEWTON_METRE, 3, language);
-            either(
-                language,
-                format!(
-                    "no continuous curve is published for this actuator: the limit is the lower edge of an estimate that reaches up to {upper}"
-                ),
-                format!(
-                    "für diesen Antrieb ist keine Dauerkennlinie veröffentlicht: die Grenze ist der untere Rand einer Schätzung, die bis {upper} reicht"
-                ),
-            )
-        }
         Note::CycleNotShort { cycle } => {
             let cycle = with_unit(cycle.si(), &SECOND, 3, language);
             either(
@@ -241,20 +231,34 @@ pub fn note_text(note: &Note, language: Language) -> String {
             "the permissible forces hold one at a time; for several together life and static safety decide",
             "die zulässigen Kräfte gelten je für sich; bei mehreren zugleich entscheiden Lebensdauer und statische Sicherheit",
         ),
-        note @ (Note::WarmUp(_) | Note::Housing(_) | Note::EnergyPerCycle { .. } | Note::Capacitor { .. }) => {
-            super::notes::heat(note, language)
-        }
+        note @ (Note::WarmUp(_)
+        | Note::Housing(_)
+        | Note::EnergyPerCycle { .. }
+        | Note::Capacitor { .. }
+        | Note::DcLinkRises { .. }) => super::notes::heat(note, language),
+        note @ (Note::FrictionTemperatures { .. }
+        | Note::FrictionExtrapolated { .. }
+        | Note::UntilWarm
+        | Note::EstimatedUpTo(_)
+        | Note::InsideBand
+        | Note::RiseAbove(_)) => super::notes::estimate(note, language),
         note @ (Note::HangingLoad
         | Note::Sag(_)
         | Note::BrakeStop { .. }
         | Note::BrakeDoesNotStop
         | Note::NoBrake
-        | Note::NothingHolds) => super::notes::brake(note, language),
-        note @ (Note::ReferenceLost
+        | Note::NothingHolds
+        | Note::NothingHoldsWithoutPower
+        | Note::DwellTooShortForBrake { .. }
+        | Note::BrakeTimesAssumed
+        | Note::BrakingsLast { .. }) => super::notes::brake(note, language),
+        note @ (Note::ReferenceLost { .. }
         | Note::NeedsReferencing
         | Note::BatteryExchange { .. }
         | Note::ApprovalNeeded
-        | Note::ResonanceSpeeds(_)
+        | Note::ResonanceSpeeds { .. }
+        | Note::FreeRotor(_)
+        | Note::Ratcheting { .. }
         | Note::CollisionsPermitted(_)
         | Note::Budget { .. }) => super::notes::rest(note, language),
         Note::Erratum(id) => {
