@@ -1,6 +1,7 @@
 //! The motion under its load as weighted instants, once per axis; every candidate is judged on it.
 
 mod build;
+mod cubes;
 mod form;
 mod gains;
 mod lags;
@@ -343,16 +344,6 @@ impl Trace {
     /// The nodes of a block in the order of time.
     pub(crate) fn within(&self, block: &Block, look: &mut impl FnMut(&Node)) {
         self.panels(block, &mut |panel| panel.nodes.iter().for_each(&mut *look));
-    }
-
-    /// ∫|T_L|³ |ω| dt; only gears with a rating ask for it.
-    pub(crate) fn cubes(&self) -> f64 {
-        *self.cubes.get_or_init(|| {
-            let mut sum = 0.0;
-            let mut look = |node: &Node| sum += node.weight * (node.load * node.load * node.load * node.speed).abs();
-            self.blocks.iter().for_each(|block| self.within(block, &mut look));
-            sum
-        })
     }
 
     pub(crate) fn blocks(&self) -> &[Block] {

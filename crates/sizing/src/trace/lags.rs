@@ -370,7 +370,7 @@ fn short(lambda: f64) -> (f64, [f64; 3]) {
     let decay = 1.0 - x * (1.0 - x / 2.0 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0))));
     let even = lambda * decay * (1.0 + square / 6.0 * (1.0 + square / 20.0));
     let odd = lambda * decay * x / 3.0 * (1.0 + square / 10.0);
-    let bend = lambda * decay * square / 15.0;
+    let bend = lambda * decay * square / 15.0 * (1.0 + square / 14.0);
     // a_0 = (u_0 + 4 u_m + u_1)/6, a_1 = (u_1 − u_0)/2, a_2 = (u_0 − 2 u_m + u_1)/3
     (decay * decay, [even / 6.0 - odd / 2.0 + bend / 3.0, (even - bend) / 1.5, even / 6.0 + odd / 2.0 + bend / 3.0])
 }

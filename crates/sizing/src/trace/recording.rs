@@ -1,6 +1,7 @@
 //! A recording under its load: bounds and sums of its blocks in one pass; the nodes of a long one are made when they are
 //! looked at.
 
+use super::cubes::{Moments, moments};
 use super::gains::{Gain, GainTables, LagBlock};
 use super::{Block, Extent, Form, Gram, Kept, Node, Panel, Place};
 use mechanism::{Extra, Mechanism, Output, Plain};
@@ -119,6 +120,7 @@ pub(super) struct Survey {
     /// Lowest and highest recorded position \[rad\].
     span: (f64, f64),
     lags: OnceLock<Vec<LagBlock>>,
+    cubes: OnceLock<Vec<Option<Moments>>>,
     pub(super) gains: GainTables,
 }
 
@@ -270,7 +272,14 @@ impl Strip {
             }
             (inertia, holding)
         });
-        Survey { blocks, by_position, span, lags: OnceLock::new(), gains: GainTables::default() }
+        Survey {
+            blocks,
+            by_position,
+            span,
+            lags: OnceLock::new(),
+            cubes: OnceLock::new(),
+            gains: GainTables::default(),
+        }
     }
 
     /// What the survey says under this load, with the blocks of the strip of this number.
@@ -320,6 +329,20 @@ impl Strip {
                 LagBlock::of(block.duration, |look| self.raw_panels(block, look))
             })
         })
+    }
+
+    /// The moments for the cube of the torque of the block that begins with an interval, and the parts of that torque in the
+    /// signals of the survey: constant, per α, per ω.
+    pub(super) fn cubic(&self, first: usize, direction: f64) -> Option<(Moments, [f64; 3])> {
+        self.plain.as_ref()?;
+        let all = self.survey.cubes.get_or_init(|| {
+            in_two(&self.survey.blocks, self.placed.intervals() >= SHARED_FROM, &|block| moments(self, block))
+        });
+        let index = first / self.block_intervals();
+        let (moments, raw) = ((*all.get(index)?)?, self.survey.blocks.get(index)?);
+        let slow = 1.0 / self.view.stretch;
+        let constant = raw.extent.load.0 + self.view.coulomb * direction;
+        Some((moments, [constant, self.view.inertia * slow * slow, self.view.viscous * slow]))
     }
 
     /// The panels of a block in the signals of the survey.
@@ -480,6 +503,7 @@ impl Survey {
             by_position: None,
             span: (0.0, 0.0),
             lags: OnceLock::new(),
+            cubes: OnceLock::new(),
             gains: GainTables::default(),
         }
     }
