@@ -211,6 +211,10 @@ impl Axis {
     #[must_use]
     pub fn new(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>) -> Self {
         let trace = Trace::of(&mechanism, &motion, &extras);
+        Self::with_trace(mechanism, motion, extras, trace)
+    }
+
+    pub(crate) fn with_trace(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>, trace: Trace) -> Self {
         let moments = Moments::of(&trace, &motion);
         let plain = plain_load(&mechanism, &extras);
         Self {

@@ -52,6 +52,38 @@ pub(crate) fn dc_link(
     check
 }
 
+/// A function of the speed on so many equal steps, each found when it is asked for.
+struct Steps {
+    width: f64,
+    known: [std::cell::Cell<Option<(f64, f64)>>; STEPS],
+}
+
+/// Steps between standstill and the largest speed.
+const STEPS: usize = 64;
+
+impl Steps {
+    fn of(most: f64) -> Self {
+        #[allow(clippy::cast_precision_loss, reason = "a small count")]
+        let width = most / STEPS as f64;
+        Self { width, known: [const { std::cell::Cell::new(None) }; STEPS] }
+    }
+
+    /// The values at the end of the step that holds a speed.
+    fn at(&self, speed: f64, of: impl Fn(f64) -> (f64, f64)) -> (f64, f64) {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped by the count of steps")]
+        let index = (speed / self.width) as usize;
+        match self.known.get(index) {
+            Some(known) => known.get().unwrap_or_else(|| {
+                #[allow(clippy::cast_precision_loss, reason = "a small count")]
+                let found = of((index + 1) as f64 * self.width);
+                known.set(Some(found));
+                found
+            }),
+            None => of(speed),
+        }
+    }
+}
+
 /// |T| ≤ short-time torque at the speed of every instant; while braking the voltage helps, and T_max is the limit.
 ///
 /// Where no short-time curve is published, what lies between the torque with a cold gear within I_max and the upper edge,
@@ -103,16 +135,30 @@ pub(crate) fn torque_speed_trace(
         }
     };
     let braking = |node: &Node| torque(node) * node.direction < 0.0;
-    let (found, worst) = axis.trace.largest(
-        |extent| share(extent.torque(inertia), at_speed(extent.speed).0),
-        |node| share(torque(node), if braking(node) { most } else { at_speed(node.speed).0 }),
-    );
-    let by_upper = || {
-        axis.trace.largest(
-            |extent| share(extent.torque(inertia), at_speed(extent.speed).1),
-            |node| share(torque(node), if braking(node) { most } else { at_speed(node.speed).1 }),
+    // The limits fall with the speed: those at the next higher of a few speeds are below them, and cost less.
+    let steps = (!axis.trace.is_short()).then(|| Steps::of(axis.moments.speed_peak.si()));
+    let below = |speed: f64| steps.as_ref().map_or_else(|| at_speed(speed), |steps| steps.at(speed, at_speed));
+    let largest_share = |edge: fn((f64, f64)) -> f64| {
+        let highest = std::cell::Cell::new(0.0_f64);
+        let seen = |share: f64| {
+            highest.set(highest.get().max(share));
+            share
+        };
+        axis.trace.largest_of_any(
+            |extent| share(extent.torque(inertia), edge(below(extent.speed))),
+            |node| {
+                let torque = torque(node);
+                if braking(node) {
+                    return seen(share(torque, most));
+                }
+                let above = share(torque, edge(below(node.speed.abs())));
+                // What is not the largest even so need not be exact.
+                if above < highest.get() { above } else { seen(share(torque, edge(at_speed(node.speed)))) }
+            },
         )
     };
+    let (found, worst) = largest_share(|(lower, _)| lower);
+    let by_upper = || largest_share(|(_, upper)| upper);
     if work.is_on() {
         workings::torque_at(&worst, actuator, work);
         work.formula("T_at", &NEWTON_METRE, torque(&worst).abs(), "abs(T)", &workings::DEMAND);

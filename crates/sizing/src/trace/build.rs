@@ -1,16 +1,19 @@
 //! The pass over the motion that makes the trace.
 
 use super::recording::Strip;
-use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Place, Share, Trace};
+use super::rule::{MOST, rule};
+use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Panel, Place, Run, Share, Trace};
 use crate::brake_times::held_by_the_motor;
 use mechanism::{Extra, Mechanism, Output};
 use motion::{Hold, Motion, Piece, Placed, Runs, lobatto};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 pub(super) struct Builder<'a> {
     mechanism: &'a Mechanism,
     motion: &'a Motion,
     extras: &'a [Extra],
+    /// Strips of a trace of the same recordings.
+    known: &'a [Strip],
     nodes: Vec<Node>,
     panels: Vec<Kept>,
     strips: Vec<Strip>,
@@ -39,16 +42,20 @@ const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 /// more coarsely than [`PANEL_ANGLE`].
 const PANELS_MOST: f64 = 1_000.0;
 
+/// A panel of so many nodes holds signals that are straight over time.
+const STRAIGHT: usize = 4;
+
 /// The nodes of a recording of at most so many intervals are kept: they are looked at many times for every candidate, and
 /// a few megabytes hold them. Those of a longer one would cost more to store and load than to make.
 const KEPT: usize = 1 << 13;
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(mechanism: &'a Mechanism, motion: &'a Motion, extras: &'a [Extra]) -> Self {
+    pub(super) fn new(mechanism: &'a Mechanism, motion: &'a Motion, extras: &'a [Extra], known: &'a [Strip]) -> Self {
         Self {
             mechanism,
             motion,
             extras,
+            known,
             nodes: Vec::with_capacity(4 * motion.pieces().len()),
             panels: Vec::with_capacity(motion.pieces().len()),
             strips: Vec::new(),
@@ -80,13 +87,14 @@ impl<'a> Builder<'a> {
         let mut gram = Gram::default();
         self.blocks.iter().for_each(|block| gram.join(&block.gram));
         let group = |blocks: &[Block]| {
-            blocks.iter().fold(Extent::NONE, |mut all, block| {
-                all.join(&block.extent);
-                all
-            })
+            let mut all = Extent::NONE;
+            blocks.iter().for_each(|block| all.join(&block.extent));
+            (all, blocks.first().map_or(0.0, |block| block.from))
         };
         Trace {
             groups: self.blocks.chunks(GROUP).map(group).collect(),
+            lags: Arc::default(),
+            runs: runs(&self.blocks),
             duration: self.blocks.iter().map(|block| block.duration).sum(),
             nodes: self.nodes,
             panels: self.panels,
@@ -109,7 +117,11 @@ impl<'a> Builder<'a> {
         }
         self.blocked = (self.nodes.len(), self.panels.len());
         let mut block = Block::empty(Place::Kept(panels..self.panels.len()));
-        self.nodes.get(nodes..).unwrap_or_default().iter().for_each(|node| block.add(node));
+        block.from = self.nodes.get(nodes).map_or(0.0, |node| node.time);
+        for kept in self.panels.get(panels..).unwrap_or_default() {
+            let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
+            block.add(&Panel { nodes, duration: kept.duration, bow: kept.bow });
+        }
         self.blocks.push(block);
     }
 
@@ -117,8 +129,8 @@ impl<'a> Builder<'a> {
         self.close_block();
         let none = Extra::none();
         let extra = self.extras.get(placed.segment).unwrap_or(&none);
-        let strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra);
-        let mut survey = strip.survey(self.strips.len());
+        let strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra, self.known);
+        let mut survey = strip.found(self.strips.len());
         if let Some(share) = self.shares.get_mut(placed.segment) {
             share.travelled += survey.blocks.iter().map(|block| block.gram.travelled()).sum::<f64>();
         }
@@ -179,7 +191,7 @@ impl<'a> Builder<'a> {
                     load,
                 });
             }
-            self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from });
+            self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow: [0.0; 4] });
         }
         self.see(&output, extra);
     }
@@ -313,11 +325,55 @@ impl<'a> Builder<'a> {
             travelled += weight * (to - from) * output.speed_rad_s * direction;
             self.see(&output, extra);
         }
-        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from });
+        let bow = bow(self.nodes.get(first..).unwrap_or_default());
+        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow });
         if let Some(share) = self.shares.get_mut(piece.segment) {
             share.travelled += travelled;
         }
     }
+}
+
+/// How far each signal may leave the straight line between two neighbouring nodes of a panel.
+///
+/// g²/8 Σ |a_j| P_j''(1), P_j''(1) = (j − 1) j (j + 1) (j + 2)/8
+///
+/// # Symbols  g widest gap on −1…1, a_j factors of the Legendre polynomials P_j, whose second derivative is largest at 1
+/// # Source   docs/theory/moments.md
+/// # Valid    with up to four nodes the signals of a law are straight
+fn bow(nodes: &[Node]) -> [f64; 4] {
+    let mut bow = [0.0; 4];
+    if nodes.len() <= STRAIGHT {
+        return bow;
+    }
+    let rule = rule(nodes.len());
+    let shares = rule.nodes();
+    let gap = shares.iter().zip(shares.iter().skip(1)).map(|(a, b)| 2.0 * (b - a)).fold(0.0, f64::max);
+    for (index, bow) in bow.iter_mut().enumerate() {
+        let mut values = [0.0; MOST];
+        let of = |node: &Node| node.signals().get(index).copied().unwrap_or(0.0);
+        values.iter_mut().zip(nodes).for_each(|(value, node)| *value = of(node));
+        let mut j = 0.0;
+        for a in rule.coefficients(&values) {
+            *bow += a.abs() * (j - 1.0) * j * (j + 1.0) * (j + 2.0) / 8.0;
+            j += 1.0;
+        }
+        *bow *= gap * gap / 8.0;
+    }
+    bow
+}
+
+/// The blocks as runs of kept panels and whole recordings.
+fn runs(blocks: &[Block]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for block in blocks {
+        match (&block.place, runs.last_mut()) {
+            (Place::Kept(range), Some(Run::Kept(run))) => run.end = range.end,
+            (Place::Kept(range), _) => runs.push(Run::Kept(range.clone())),
+            (Place::Recorded { strip, .. }, Some(Run::Recorded(run))) if run == strip => {}
+            (Place::Recorded { strip, .. }, _) => runs.push(Run::Recorded(*strip)),
+        }
+    }
+    runs
 }
 
 /// An angle brought to ±180°, for kinks that repeat with each revolution; its own jump is no kink.
