@@ -6,7 +6,7 @@ use actuator::CurveKind;
 use configurator::Unmet;
 use order_code::Brake;
 use provenance::{CellRef, Grade, MANUAL, Source};
-use quantities::unit::{DEGREE, KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND, VOLT};
+use quantities::unit::{DEGREE, KILOGRAM, MILLIMETRE, SECOND, VOLT};
 use quantities::{Language, Measure, Unit, format_number, format_significant};
 use sizing::{CheckId, Note, Verdict};
 
