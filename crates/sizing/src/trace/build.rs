@@ -1,7 +1,7 @@
 //! The pass over the motion that makes the trace.
 
 use super::recording::Strip;
-use super::{BLOCK, Block, Extent, GROUP, Gram, Node, Place, Share, Trace};
+use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Place, Share, Trace};
 use crate::brake_times::held_by_the_motor;
 use mechanism::{Extra, Mechanism, Output};
 use motion::{Hold, Motion, Piece, Placed, Runs, lobatto};
@@ -12,10 +12,11 @@ pub(super) struct Builder<'a> {
     motion: &'a Motion,
     extras: &'a [Extra],
     nodes: Vec<Node>,
+    panels: Vec<Kept>,
     strips: Vec<Strip>,
     blocks: Vec<Block>,
-    /// Nodes before this one are in a block.
-    blocked: usize,
+    /// Nodes and panels before these are in a block.
+    blocked: (usize, usize),
     shares: Vec<Share>,
     inertia: (f64, f64),
     span: (f64, f64),
@@ -49,9 +50,10 @@ impl<'a> Builder<'a> {
             motion,
             extras,
             nodes: Vec::with_capacity(4 * motion.pieces().len()),
+            panels: Vec::with_capacity(motion.pieces().len()),
             strips: Vec::new(),
             blocks: Vec::new(),
-            blocked: 0,
+            blocked: (0, 0),
             shares: vec![Share::default(); motion.stretches().len()],
             inertia: (0.0, f64::INFINITY),
             span: (f64::INFINITY, f64::NEG_INFINITY),
@@ -85,7 +87,9 @@ impl<'a> Builder<'a> {
         };
         Trace {
             groups: self.blocks.chunks(GROUP).map(group).collect(),
+            duration: self.blocks.iter().map(|block| block.duration).sum(),
             nodes: self.nodes,
+            panels: self.panels,
             strips: self.strips,
             blocks: self.blocks,
             gram,
@@ -99,13 +103,13 @@ impl<'a> Builder<'a> {
 
     /// Makes a block of the nodes since the last one.
     fn close_block(&mut self) {
-        let range = self.blocked..self.nodes.len();
-        if range.is_empty() {
+        let (nodes, panels) = self.blocked;
+        if panels == self.panels.len() {
             return;
         }
-        self.blocked = range.end;
-        let mut block = Block::empty(Place::Kept(range.clone()));
-        self.nodes.get(range).unwrap_or_default().iter().for_each(|node| block.add(node));
+        self.blocked = (self.nodes.len(), self.panels.len());
+        let mut block = Block::empty(Place::Kept(panels..self.panels.len()));
+        self.nodes.get(nodes..).unwrap_or_default().iter().for_each(|node| block.add(node));
         self.blocks.push(block);
     }
 
@@ -123,8 +127,9 @@ impl<'a> Builder<'a> {
         self.span = both(self.span, survey.span);
         self.holding = self.holding.max(survey.holding);
         if strip.intervals() <= KEPT {
-            survey.blocks.iter_mut().for_each(|block| strip.keep(block, &mut self.nodes));
-            self.blocked = self.nodes.len();
+            let (nodes, panels) = (&mut self.nodes, &mut self.panels);
+            survey.blocks.iter_mut().for_each(|block| strip.keep(block, nodes, panels));
+            self.blocked = (self.nodes.len(), self.panels.len());
         } else {
             self.strips.push(strip);
         }
@@ -142,7 +147,7 @@ impl<'a> Builder<'a> {
         for pair in cuts.windows(2) {
             if let [from, to] = pair {
                 self.panel(piece, extra, (*from, *to, runs.direction(0.5 * (from + to))), nodes);
-                if self.nodes.len() - self.blocked >= BLOCK {
+                if self.nodes.len() - self.blocked.0 >= BLOCK {
                     self.close_block();
                 }
             }
@@ -159,17 +164,20 @@ impl<'a> Builder<'a> {
             Hold::Free => (0.0, 0.0),
         };
         let opens = piece.duration_s - opening;
-        for (from, to, load) in [(0.0, closing, holding), (closing, opens, 0.0), (opens, piece.duration_s, holding)] {
-            for at in [from, to].into_iter().filter(|_| to > from) {
+        let parts = [(0.0, closing, holding), (closing, opens, 0.0), (opens, piece.duration_s, holding)];
+        for (from, to, load) in parts.into_iter().filter(|(from, to, _)| to > from) {
+            let (first, duration) = (self.nodes.len(), to - from);
+            for at in [from, to] {
                 self.nodes.push(Node {
                     time: piece.start_s + at,
-                    weight: 0.5 * (to - from),
+                    weight: 0.5 * duration,
                     acceleration: 0.0,
                     speed: 0.0,
                     direction: 0.0,
                     load,
                 });
             }
+            self.panels.push(Kept { nodes: first..self.nodes.len(), duration });
         }
         self.see(&output, extra);
     }
@@ -285,6 +293,7 @@ impl<'a> Builder<'a> {
     fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to, direction): (f64, f64, f64), nodes: usize) {
         let mut travelled = 0.0;
         let (kinked, beside) = (self.kinked, 1e-9 * (to - from));
+        let first = self.nodes.len();
         for (u, weight) in lobatto(nodes) {
             // The end is met to the last bit, so that time never runs back into the next panel.
             let t = if *u == 1.0 { to } else { from + u * (to - from) };
@@ -302,6 +311,7 @@ impl<'a> Builder<'a> {
             travelled += weight * (to - from) * output.speed_rad_s * direction;
             self.see(&output, extra);
         }
+        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from });
         if let Some(share) = self.shares.get_mut(piece.segment) {
             share.travelled += travelled;
         }
