@@ -252,13 +252,6 @@ impl Axis {
         self.held.get_or_init(|| resonance::held_speeds(self))
     }
 
-    /// Mean heat of the brake's coil, see [`actuator::coil_power`].
-    #[must_use]
-    pub fn brake_coil_loss(&self, actuator: &actuator::Parameters) -> Option<Power> {
-        let (voltage, current) = (actuator.brake.voltage.known()?, actuator.brake.holding_current.known()?);
-        Some(actuator::coil_power(voltage.value, current.value, self.brake_open_share()))
-    }
-
     /// Cubic mean of the torque of the load over the angle travelled: (∫|T|³|ω| dt / ∫|ω| dt)^(1/3).
     pub(crate) fn load_cubic_mean(&self) -> Torque {
         let travelled = self.trace.gram.travelled();

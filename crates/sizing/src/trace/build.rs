@@ -164,20 +164,22 @@ impl<'a> Builder<'a> {
             Hold::Free => (0.0, 0.0),
         };
         let opens = piece.duration_s - opening;
-        let parts = [(0.0, closing, holding), (closing, opens, 0.0), (opens, piece.duration_s, holding)];
-        for (from, to, load) in parts.into_iter().filter(|(from, to, _)| to > from) {
-            let (first, duration) = (self.nodes.len(), to - from);
+        for (from, to, load) in [(0.0, closing, holding), (closing, opens, 0.0), (opens, piece.duration_s, holding)] {
+            if to <= from {
+                continue;
+            }
+            let first = self.nodes.len();
             for at in [from, to] {
                 self.nodes.push(Node {
                     time: piece.start_s + at,
-                    weight: 0.5 * duration,
+                    weight: 0.5 * (to - from),
                     acceleration: 0.0,
                     speed: 0.0,
                     direction: 0.0,
                     load,
                 });
             }
-            self.panels.push(Kept { nodes: first..self.nodes.len(), duration });
+            self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from });
         }
         self.see(&output, extra);
     }
