@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test may fail")]
 
 mod cases;
+mod drive;
 mod invariance;
 
 use cases::{CASES, Case, Figures};
@@ -54,8 +55,14 @@ fn integrals_of_the_motion_and_the_torque_agree() {
 }
 
 #[test]
-fn peaks_of_the_motion_agree() {
-    hold(&[("n_peak", PEAK)], |_| true);
+fn integrals_of_recordings_agree() {
+    let keys = ["T_rms", "n_av", "ED", "gear_mean_torque"].map(|key| (key, INTEGRAL));
+    hold(&keys, |case| !case.files.is_empty());
+}
+
+#[test]
+fn peaks_of_the_motion_and_the_torque_agree() {
+    hold(&["T_peak", "n_peak", "torsion"].map(|key| (key, PEAK)), |_| true);
 }
 
 #[test]
