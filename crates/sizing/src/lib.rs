@@ -17,6 +17,7 @@ mod electric_checks;
 mod energy;
 mod feedback_checks;
 mod gear_checks;
+mod heat_checks;
 mod joint_checks;
 mod rank;
 mod reserve;
