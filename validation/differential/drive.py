@@ -10,36 +10,46 @@ COPPER = 3.93e-3  # per kelvin, from 20 degC
 RPM = 2 * pi / 60
 
 
-def friction_constant(actuator, housing):
-    """K_INL at the temperature of the housing in A per rad/s of the output."""
-    cold, warm = actuator["K_INL_30"] / RPM, actuator["K_INL_80"] / RPM
-    return cold * (warm / cold) ** ((min(housing, 80.0) - 30.0) / 50.0)
+class Friction:
+    """No-load friction at a temperature of the gear, as currents."""
+
+    def __init__(self, actuator, temperature):
+        at_30, at_80 = actuator["K_INL_30"] / RPM, actuator["K_INL_80"] / RPM
+        growth = np.log(at_30 / at_80) / 50.0
+        self.constant = at_80 * np.exp(growth * (80.0 - min(temperature, 80.0)))
+        # Below 20 degC what is printed there grows like the other part.
+        self.starting = actuator["I_NLS"] * np.exp(growth * max(20.0 - temperature, 0.0))
+        # The k_Tout of the 48 V windings holds it already.
+        self.counted = self.starting if actuator["stall_counts_I_NLS"] else 0.0
 
 
 class Drive:
-    """One actuator at one constant of friction."""
+    """One actuator with its gear at one temperature."""
 
-    def __init__(self, actuator, k_inl):
-        self.data, self.k_inl = actuator, k_inl
-        self.breakaway = actuator["I_NLS"] if actuator["stall_counts_I_NLS"] else 0.0
+    def __init__(self, actuator, temperature):
+        self.data, self.rubbing = actuator, Friction(actuator, temperature)
 
     def torque(self, speed, acc, load, sign):
         return self.data["J_out"] * acc + load
 
     def current(self, speed, acc, load, sign):
-        friction = self.breakaway + self.k_inl * np.abs(speed)
+        friction = self.rubbing.counted + self.rubbing.constant * np.abs(speed)
         return self.torque(speed, acc, load, sign) / self.data["k_Tout"] + sign * friction
 
     def power(self, speed, acc, load, sign):
-        """At the terminals, winding at 20 degC."""
-        current = self.current(speed, acc, load, sign)
-        return 1.5 * self.data["R_LL"] * current**2 + self.data["k_TM"] * current * self.data["i"] * speed
+        """At the terminals, winding at 20 degC. Driven by the load the gear loses the same share of the torque as driving."""
+        data, torque = self.data, self.torque(speed, acc, load, sign)
+        efficiency = min(data["k_Tout"] / (data["i"] * data["k_TM"]), 1.0)
+        passed = np.where(torque * sign < 0, max(2 - 1 / efficiency, 0.0), 1 / efficiency)
+        forward = torque / data["k_Tout"] * efficiency * passed
+        current = forward + sign * (self.rubbing.counted + self.rubbing.constant * np.abs(speed))
+        return 1.5 * data["R_LL"] * current**2 + data["k_TM"] * current * data["i"] * speed
 
     def copper(self, current):
         return 1.5 * self.data["R_LL"] * (1 + COPPER * 60) * current**2
 
     def friction(self, speed, sign):
-        lost = (self.data["I_NLS"] + self.k_inl * np.abs(speed)) * self.data["k_TM"] * self.data["i"]
+        lost = (self.rubbing.starting + self.rubbing.constant * np.abs(speed)) * self.data["k_TM"] * self.data["i"]
         return lost * np.abs(speed)
 
     def voltage(self, speed, current):
@@ -77,7 +87,7 @@ class Network:
     """Winding and housing: C_w x' = P_w - (x - y)/R_wh, C_h y' = P_h + (x - y)/R_wh - y/R_ha, above ambient."""
 
     def __init__(self, actuator):
-        stall = 1.5 * actuator["R_LL"] * (1 + COPPER * 60) * actuator["I_0m"] ** 2
+        stall = actuator["stall_loss_factor"] * 1.5 * actuator["R_LL"] * (1 + COPPER * 60) * actuator["I_0m"] ** 2
         whole = 40.0 / stall
         self.r_ha = actuator["w"] * whole
         self.r_wh = whole - self.r_ha
@@ -115,47 +125,55 @@ class Network:
         return most
 
 
+def coil(actuator, pieces, time):
+    """Mean heat of the brake's coil: the brake is open while it does not hold the load."""
+    held = sum(piece.time for piece in pieces if piece.rest == "brake")
+    return actuator.get("U_Br", 0.0) * actuator.get("I_HBr", 0.0) * (1 - held / time)
+
+
 def judge(actuator, pieces, load, time, ambient):
-    """Peak current, overload, temperatures and voltage, with friction at the temperature of the housing."""
+    """Peak current, overload, temperatures and voltage; the gear as warm as the housing, or as cold as the air."""
     network = Network(actuator)
     parts = stretches(pieces, load)
+    beside = coil(actuator, pieces, time)
 
-    def losses(k_inl):
-        drive = Drive(actuator, k_inl)
-        currents = [drive.current(p.speed, p.acc, p.load, p.sign) for p in parts]
+    def currents_of(drive):
+        # Held by the brake or by nothing the motor has no current.
         off = [p.sign == 0 and p.piece.rest != "motor" for p in parts]
-        currents = [0 * c if no else c for c, no in zip(currents, off)]
-        copper = [drive.copper(c) for c in currents]
-        friction = [drive.friction(p.speed, p.sign) for p in parts]
-        return drive, currents, copper, friction
+        currents = [drive.current(p.speed, p.acc, p.load, p.sign) for p in parts]
+        return [0 * c if no else c for c, no in zip(currents, off)]
+
+    def losses(drive):
+        return [drive.copper(c) for c in currents_of(drive)], [drive.friction(p.speed, p.sign) for p in parts]
 
     def mean(values):
         return sum(p.integral(v) for p, v in zip(parts, values)) / time
 
     def housing_with(temperature):
-        _, _, copper, friction = losses(friction_constant(actuator, temperature))
-        return ambient + network.r_ha * (mean(copper) + mean(friction))
+        copper, friction = losses(Drive(actuator, temperature))
+        return ambient + network.r_ha * (mean(copper) + mean(friction) + beside)
 
     # The housing found falls as the one assumed rises: one crossing.
     low, high = ambient, housing_with(ambient)
     for _ in range(60):
         middle = (low + high) / 2
         low, high = (middle, high) if housing_with(middle) > middle else (low, middle)
-    drive, currents, copper, friction = losses(friction_constant(actuator, (low + high) / 2))
-    winding, housing = network.cycle(parts, copper, friction)
-    squares = [(c / actuator["I_0"]) ** 2 for c in currents]
-    voltages = [drive.voltage(p.speed, c) for p, c in zip(parts, currents)]
-    return {
-        "housing_mean": (low + high) / 2,
-        "peak_current": max(float(np.max(np.abs(c))) for c in currents),
-        "current_rms": mean([c**2 for c in currents]) ** 0.5,
-        "copper_loss": mean(copper),
-        "friction_loss": mean(friction),
-        "thermal": ambient + winding,
-        "housing": ambient + housing,
+    housing = (low + high) / 2
+    warm, cold = Drive(actuator, housing), Drive(actuator, ambient)
+    copper, friction = losses(warm)
+    winding, _ = network.cycle(parts, copper, friction)
+    squares = [(c / actuator["I_0"]) ** 2 for c in currents_of(warm)]
+    both = [(p, c) for drive in (warm, cold) for p, c in zip(parts, currents_of(drive))]
+    found = {
+        "housing": housing,
+        "demagnetisation": max(float(np.max(np.abs(c))) for _, c in both),
         "overload_i2t": first_order(parts, squares, actuator["tau_w"]),
-        "voltage": max(float(np.max(v)) for v in voltages),
-    }, drive
+        "voltage": max(float(np.max(warm.voltage(p.speed, c))) for p, c in both),
+    }
+    if not actuator["curves_published"]:
+        # Published curves scale the temperature, and choose the instant at which the current is told.
+        found |= {"peak_current": found["demagnetisation"], "thermal": ambient + winding + beside * network.r_ha}
+    return found, warm
 
 
 def energy(drive, pieces, load, time):

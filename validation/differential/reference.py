@@ -110,7 +110,7 @@ def digits(value):
 
 
 def main():
-    actuators = json.loads((HERE / "actuators.json").read_text())["actuators"]
+    actuators = json.loads((HERE / "actuators.json").read_text())
     cases = []
 
     def quick(text, files, code):

@@ -27,8 +27,14 @@ pub(crate) struct Case {
     pub(crate) rotations: Vec<usize>,
     /// Whether every direction is given, so that it can be turned round.
     pub(crate) mirror: bool,
+    /// What the reference found.
     expect: Value,
+    /// Place among the cases.
+    index: usize,
 }
+
+/// What the engine finds for each case.
+static FOUND: LazyLock<Vec<Figures>> = LazyLock::new(|| CASES.iter().map(Case::figures).collect());
 
 /// Recordings kept in memory.
 struct Kept<'a>(&'a BTreeMap<String, String>);
@@ -45,12 +51,12 @@ static REFERENCE: LazyLock<Value> =
 
 /// Every case.
 pub(crate) static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
-    let cases: Vec<Case> = REFERENCE["cases"].as_array().unwrap().iter().map(case).collect();
+    let cases: Vec<Case> = REFERENCE["cases"].as_array().unwrap().iter().enumerate().map(case).collect();
     assert!(cases.len() > 60);
     cases
 });
 
-fn case(value: &Value) -> Case {
+fn case((index, value): (usize, &Value)) -> Case {
     let text = |key: &str| value[key].as_str().unwrap().to_owned();
     let files = value["files"].as_object().unwrap();
     let rotations = value["rotations"].as_array().unwrap();
@@ -62,6 +68,7 @@ fn case(value: &Value) -> Case {
         rotations: rotations.iter().map(|index| usize::try_from(index.as_u64().unwrap()).unwrap()).collect(),
         mirror: value["mirror"].as_bool().unwrap(),
         expect: value["expect"].clone(),
+        index,
     }
 }
 
@@ -90,6 +97,11 @@ impl Case {
         let courses = || moves.iter().filter_map(|one| one.course);
         let gone: f64 = courses().map(|[distance, ..]| distance).sum();
         gone.abs() > 1e-6 * courses().map(|[distance, ..]| distance.abs()).sum::<f64>()
+    }
+
+    /// What the engine finds for the case as the reference has it.
+    pub(crate) fn found(&self) -> &'static Figures {
+        &FOUND[self.index]
     }
 
     /// What the engine finds.
