@@ -57,7 +57,7 @@ impl Currents {
         let grades = [inertia.grade, torque_constant.grade];
         let (own, constant) = (inertia.value.si(), torque_constant.value.si());
         let heat = HeatModel::of(actuator).map(|model| {
-            let further = Power::from_si(axis.brake_coil_loss(actuator).map_or(0.0, Measure::si));
+            let further = coil_loss(axis, actuator);
             let settled = model.settle(&loss_means(axis, [own / constant, 1.0 / constant, 0.0, 0.0]), further, ambient);
             (model, settled)
         });
@@ -180,6 +180,14 @@ impl Currents {
         work.found("sigma", &ONE, node.direction, "direction at t", &workings::DEMAND, Grade::Computed);
         let text = "T/k_Tout + sigma*(I_s + K*abs(n))";
         work.formula("I", &AMPERE, self.extreme(node), text, &source);
+    }
+}
+
+/// Mean heat of the brake's coil; zero where there is no brake or its current is not known.
+pub(crate) fn coil_loss(axis: &Axis, actuator: &Parameters) -> Power {
+    match (actuator.brake.voltage.known(), actuator.brake.holding_current.known()) {
+        (Some(voltage), Some(current)) => actuator::coil_power(voltage.value, current.value, axis.brake_open_share()),
+        _ => Power::from_si(0.0),
     }
 }
 

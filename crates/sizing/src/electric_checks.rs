@@ -1,7 +1,7 @@
 //! The DC link, and every instant of the cycle against the torque-speed plane.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Verdict};
+use crate::check::{Check, CheckId, Note, Verdict};
 use crate::comparison::{Comparison, Edges, not_checked};
 use crate::currents::Currents;
 use crate::trace::Node;
@@ -11,21 +11,45 @@ use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{AngularVelocity, ElectricPotential, Measure, Time};
+use std::borrow::Cow;
 
-/// U_DC ≤ U_DCmax.
-pub(crate) fn dc_link(supply: ElectricPotential, actuator: &Parameters, work: &mut Workings) -> Check {
+/// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
+/// braking (glossary of the manual), nobody says how far and how long: with the rise that the project permits above
+/// U_DCmax the answer is advice.
+pub(crate) fn dc_link(
+    supply: ElectricPotential,
+    rise: Option<ElectricPotential>,
+    actuator: &Parameters,
+    work: &mut Workings,
+) -> Check {
     let id = CheckId::DcLink;
-    match actuator.dc_link_max.require("U_DCmax") {
-        Ok(limit) => {
-            let source = Source::Project { key: "requirements.supply".into() };
-            work.figure("U_DC", &VOLT, supply.si(), &source, Grade::Printed);
+    let limit = match actuator.dc_link_max.require("U_DCmax") {
+        Ok(limit) => limit,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let source = Source::Project { key: "requirements.supply".into() };
+    work.figure("U_DC", &VOLT, supply.si(), &source, Grade::Printed);
+    // A supply that is too high is the fault, whatever comes on top of it.
+    let top =
+        rise.map(|rise| supply + rise).filter(|top| supply.si() <= limit.value.si() && top.si() > limit.value.si());
+    let check = match (top, rise) {
+        (Some(top), Some(rise)) => {
+            let asked = Source::Project { key: "requirements.dc_link_rise".into() };
+            work.figure("dU", &VOLT, rise.si(), &asked, Grade::Printed);
+            work.formula("U_top", &VOLT, top.si(), "U_DC + dU", &asked);
+            work.value("U_top");
+            let free = limit.value - supply;
+            let notes = Cow::Owned(vec![Note::DcLinkRises { to: top, free }]);
+            Comparison { notes, ..Comparison::with(id, &VOLT, top.si(), asked, limit) }.answer(Verdict::Advice)
+        }
+        _ => {
             work.value("U_DC");
-            work.given("U_DCmax", &VOLT, limit);
-            work.limit("U_DCmax");
             Comparison::with(id, &VOLT, supply.si(), source, limit).answer(Verdict::Fail)
         }
-        Err(missing) => not_checked(id, missing),
-    }
+    };
+    work.given("U_DCmax", &VOLT, limit);
+    work.limit("U_DCmax");
+    check
 }
 
 /// |T| ≤ short-time torque at the speed of every instant; while braking the voltage helps, and T_max is the limit.

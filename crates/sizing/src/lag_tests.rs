@@ -100,8 +100,8 @@ fn dwell(seconds: f64, hold: Hold) -> SegmentSpec {
 fn cycles() -> Vec<(&'static str, Vec<SegmentSpec>)> {
     vec![
         ("manual", vec![manual(4.0, [0.1, 0.3, 0.25, 0.5]), manual(-2.5, [0.4, 0.0, 0.2, 0.05])]),
-        ("jerk", vec![jerk(2.0), dwell(0.3, Hold::Motor), jerk(-2.0), dwell(30.0, Hold::Brake)]),
-        ("long", vec![jerk(0.7), dwell(40.0, Hold::Motor), jerk(-0.7), dwell(200.0, Hold::Brake)]),
+        ("jerk", vec![jerk(2.0), dwell(0.3, Hold::Motor), jerk(-2.0), dwell(30.0, Hold::Free)]),
+        ("long", vec![jerk(0.7), dwell(40.0, Hold::Motor), jerk(-0.7), dwell(200.0, Hold::Free)]),
         ("quintic", vec![law(Law::Polynomial5, 1.4, 0.6), law(Law::Polynomial5, -1.4, 0.9)]),
         ("sine", vec![law(Law::ModifiedSine, 1.4, 0.6), law(Law::ModifiedTrapezoid, -1.4, 0.9)]),
         ("slow ramps", vec![manual(0.4, [20.0, 0.0, 30.0, 5.0]), manual(-0.4, [10.0, 0.0, 40.0, 0.0])]),

@@ -71,7 +71,8 @@ fn brute(mechanism: &Mechanism, motion: &Motion, own: f64) -> [f64; 5] {
         };
         let mut cuts = vec![0.0, piece.duration_s];
         cuts.extend(piece.reversals());
-        let sign = |t: f64| if piece.is_rest() { 0.0 } else { piece.at(t).speed_rad_s.signum() };
+        let runs = piece.runs();
+        let sign = |t: f64| runs.direction(t);
         cuts.extend(motion::roots(|t| torque(t, sign(t)).0, piece.duration_s));
         cuts.extend(motion::roots(|t| torque(t, sign(t)).1, piece.duration_s));
         cuts.sort_by(f64::total_cmp);

@@ -2,8 +2,9 @@
 
 use super::recording::Strip;
 use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Place, Share, Trace};
+use crate::brake_times::held_by_the_motor;
 use mechanism::{Extra, Mechanism, Output};
-use motion::{Hold, Motion, Piece, Placed, lobatto};
+use motion::{Hold, Motion, Piece, Placed, Runs, lobatto};
 use std::sync::OnceLock;
 
 pub(super) struct Builder<'a> {
@@ -140,11 +141,12 @@ impl<'a> Builder<'a> {
             self.rest(piece, extra, hold);
             return;
         }
-        let cuts = self.cuts(piece, extra);
+        let runs = piece.runs();
+        let cuts = self.cuts(piece, extra, &runs);
         let nodes = self.nodes_per_panel(piece);
         for pair in cuts.windows(2) {
             if let [from, to] = pair {
-                self.panel(piece, extra, (*from, *to), nodes);
+                self.panel(piece, extra, (*from, *to, runs.direction(0.5 * (from + to))), nodes);
                 if self.nodes.len() - self.blocked.0 >= BLOCK {
                     self.close_block();
                 }
@@ -154,20 +156,31 @@ impl<'a> Builder<'a> {
 
     fn rest(&mut self, piece: &Piece, extra: &Extra, hold: Hold) {
         let output = self.output(piece, 0.0, 0.0);
-        let (first, duration) = (self.nodes.len(), piece.duration_s);
         let holding = self.mechanism.torque(&output, extra);
-        let load = if hold == Hold::Motor { holding } else { 0.0 };
-        for share in [0.0, 1.0] {
-            self.nodes.push(Node {
-                time: piece.start_s + share * piece.duration_s,
-                weight: 0.5 * piece.duration_s,
-                acceleration: 0.0,
-                speed: 0.0,
-                direction: 0.0,
-                load,
-            });
+        // Until the brake has closed and while it opens the motor holds.
+        let (closing, opening) = match hold {
+            Hold::Motor => (piece.duration_s, 0.0),
+            Hold::Brake => held_by_the_motor(self.motion, piece.segment),
+            Hold::Free => (0.0, 0.0),
+        };
+        let opens = piece.duration_s - opening;
+        for (from, to, load) in [(0.0, closing, holding), (closing, opens, 0.0), (opens, piece.duration_s, holding)] {
+            if to <= from {
+                continue;
+            }
+            let first = self.nodes.len();
+            for at in [from, to] {
+                self.nodes.push(Node {
+                    time: piece.start_s + at,
+                    weight: 0.5 * (to - from),
+                    acceleration: 0.0,
+                    speed: 0.0,
+                    direction: 0.0,
+                    load,
+                });
+            }
+            self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from });
         }
-        self.panels.push(Kept { nodes: first..self.nodes.len(), duration });
         self.see(&output, extra);
     }
 
@@ -192,7 +205,7 @@ impl<'a> Builder<'a> {
 
     /// Panel borders: reversals, changes of sign of the torque and kinks of the load, and then as many equal parts as a
     /// smooth integrand needs.
-    fn cuts(&self, piece: &Piece, extra: &Extra) -> Vec<f64> {
+    fn cuts(&self, piece: &Piece, extra: &Extra, runs: &Runs) -> Vec<f64> {
         let mut cuts = vec![0.0];
         cuts.extend(piece.reversals());
         let ramp = piece.speed_degree().is_some_and(|degree| degree <= 1);
@@ -202,7 +215,6 @@ impl<'a> Builder<'a> {
             cuts.extend(motion::roots(|t| piece.jerk(t), piece.duration_s));
         }
         if !(ramp && self.mechanism.is_constant_over_ramps()) {
-            let sign = |t: f64| piece.at(t).speed_rad_s.signum();
             // So many spans that no two roots fall into one step of the search.
             let spans = (self.parts(piece) / PANELS_PER_SEARCH).ceil().max(1.0);
             let span = piece.duration_s / spans;
@@ -213,8 +225,8 @@ impl<'a> Builder<'a> {
                     k += 1.0;
                 }
             };
-            search(&|t| self.mechanism.useful_torque(&self.output(piece, t, sign(t)), extra), &mut cuts);
-            search(&|t| self.mechanism.torque(&self.output(piece, t, sign(t)), extra), &mut cuts);
+            search(&|t| self.mechanism.useful_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
+            search(&|t| self.mechanism.torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
             for kink in self.mechanism.kinks() {
                 search(&|t| wrapped(piece.at(t).position_rad - kink), &mut cuts);
             }
@@ -280,8 +292,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to): (f64, f64), nodes: usize) {
-        let direction = piece.at(0.5 * (from + to)).speed_rad_s.signum();
+    fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to, direction): (f64, f64, f64), nodes: usize) {
         let mut travelled = 0.0;
         let (kinked, beside) = (self.kinked, 1e-9 * (to - from));
         let first = self.nodes.len();
