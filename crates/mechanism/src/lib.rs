@@ -6,6 +6,7 @@
 //! [`SliderCrank`] does so with a changing lever, a [`Table`] is given point by point, the torque of a [`Joint`] is recorded.
 
 mod body;
+mod flange;
 mod friction;
 mod joint;
 mod linear;
@@ -14,6 +15,7 @@ mod slider_crank;
 mod table;
 
 pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Shape, inertia};
+pub use flange::{Aligned, Contact, FlangeForces, Mounting};
 pub use friction::Friction;
 pub use joint::Joint;
 pub use linear::{Linear, LinearKind};

@@ -1,5 +1,7 @@
 //! The axis: load and motion, prepared once for all candidates.
 
+use crate::flange::{DerivedLoads, Known};
+use crate::swings::SmallSwings;
 use crate::trace::Trace;
 use actuator::FlangeLoad;
 use mechanism::{Endless, Extra, Mechanism};
@@ -8,6 +10,7 @@ use quantities::{
     Angle, AngularVelocity, ElectricPotential, Frequency, Length, Measure, MomentOfInertia, Power,
     ThermodynamicTemperature, Time, Torque,
 };
+use std::sync::OnceLock;
 
 /// Operating condition of the output bearing (table 76.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,8 +40,10 @@ impl OperatingCondition {
 /// What the output bearing has to bear, and what is asked of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BearingDuty {
-    /// Forces on the flange in each segment of the motion.
+    /// Forces on the flange in each segment of the motion, as the user states them.
     pub loads: Vec<FlangeLoad>,
+    /// Those that follow from the mechanism besides.
+    pub derived: Option<DerivedLoads>,
     /// f_w: load factor of table 74.2.
     pub load_factor: Option<f64>,
     /// Operating condition, for the static safety.
@@ -197,6 +202,9 @@ pub struct Axis {
     pub(crate) trace: Trace,
     /// J_L and T_L where the manual's equations describe the load.
     pub(crate) plain: Option<(MomentOfInertia, Torque)>,
+    /// Loads on the flange that were worked out for some bearing.
+    pub(crate) flange_known: Known,
+    pub(crate) small_swings: OnceLock<SmallSwings>,
 }
 
 impl Axis {
@@ -217,7 +225,14 @@ impl Axis {
             asked: Asked::default(),
             moments,
             trace,
+            flange_known: Known::default(),
+            small_swings: OnceLock::new(),
         }
+    }
+
+    /// The swings below the manual's 5°; only the output bearing asks for them.
+    pub(crate) fn small_swings(&self) -> SmallSwings {
+        *self.small_swings.get_or_init(|| SmallSwings::of(self))
     }
 
     /// Whether so few instants make the cycle that judging an actuator costs microseconds.

@@ -259,9 +259,9 @@ fn explain_resonance(
 /// Sum of all angular errors at the output, and its deviation at the lever arm.
 fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::ErrorBudget;
-    let offset = actuator.output_bearing.offset.known();
-    let moment = axis.bearing.as_ref().zip(offset).map_or(0.0, |(duty, offset)| {
-        duty.loads.iter().map(|load| actuator::tilting_moment(load, offset.value).si()).fold(0.0, f64::max)
+    let bearing = &actuator.output_bearing;
+    let moment = axis.bearing.as_ref().map_or(0.0, |duty| {
+        bearing_checks::largest_tilting_moment(axis, duty, bearing).map_or(0.0, |moment| moment.value)
     });
     let case = BudgetCase {
         torque: axis.moments().load_peak,
@@ -357,8 +357,10 @@ fn explain_budget(
     match actuator.output_bearing.tilting_stiffness.known() {
         Some(stiffness) => {
             match (&axis.bearing, actuator.output_bearing.offset.known()) {
-                (Some(duty), Some(_)) => bearing_checks::largest_moment(duty, &actuator.output_bearing, work),
-                (Some(_), None) => missing(work, "M", &NEWTON_METRE),
+                (Some(duty), Some(_)) if duty.moment_known(axis).is_ok() => {
+                    bearing_checks::largest_moment(axis, duty, &actuator.output_bearing, work);
+                }
+                (Some(_), _) => missing(work, "M", &NEWTON_METRE),
                 (None, _) => {
                     let text = "no loads on the flange are given";
                     work.found("M", &NEWTON_METRE, 0.0, text, &source, Grade::Computed);
