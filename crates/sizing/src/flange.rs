@@ -149,6 +149,9 @@ const NODES: usize = 16;
 /// An interval of a recording over which the load turns by less takes three nodes: Simpson's rule errs by less than 10⁻⁷.
 const INTERVAL_ANGLE: f64 = 0.05;
 
+/// So many intervals of a recording are shown at most.
+const SAMPLES_SHOWN: usize = 20_000;
+
 /// Steps of the search between two nodes for a largest value.
 const GOLDEN: usize = 40;
 
@@ -383,7 +386,9 @@ impl<'a> Walk<'a> {
     }
 
     fn recording(&mut self, placed: &motion::Placed) {
-        for interval in (0..placed.intervals()).filter_map(|index| placed.interval(index)) {
+        // A picture of a long recording needs no more instants than that.
+        let stride = if self.samples.is_some() { placed.intervals().div_ceil(SAMPLES_SHOWN).max(1) } else { 1 };
+        for interval in (0..placed.intervals()).step_by(stride).filter_map(|index| placed.interval(index)) {
             let acceleration = interval.acceleration_rad_s2();
             let [first, last] = interval.speed_rad_s;
             let zero = if first * last < 0.0 { first / (first - last) } else { 1.0 };

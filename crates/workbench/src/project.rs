@@ -1,6 +1,7 @@
 //! The project file as typed data.
 
 mod curves;
+mod flange;
 mod inputs;
 mod load;
 mod read;
@@ -29,7 +30,7 @@ use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Language, Measure, Time};
 use read::Reader;
 use section::Section;
-use sizing::{Asked, Axis, BearingDuty, OperatingCondition, SpecialApplication};
+use sizing::{Asked, Axis, BearingDuty, SpecialApplication};
 use std::sync::Arc;
 
 /// Largest project file that is read, in bytes.
@@ -60,6 +61,22 @@ pub enum Assumption {
     FlangeLoadsConstant,
     /// The moments of radial and axial force point in the same direction.
     FlangeMomentsAligned,
+    /// The loads on the flange follow from the mechanism.
+    FlangeLoadsOfMechanism,
+    /// Stated loads add to them at their worst.
+    FlangeLoadsAddUp,
+    /// No share is given: the flange bears the loads of the mechanism alone.
+    FlangeBearsAll,
+    /// What turns on the flange has no products of inertia.
+    FlangeBodiesFlat,
+    /// No tilt of the axis is given: the flange looks upwards.
+    FlangeUpwards,
+    /// A payload given by its inertia loads the flange with no weight.
+    PayloadInertiaWeightless,
+    /// No mass of pulley, pinion or crank is given.
+    WheelWeightless,
+    /// No helix angle is given: spur teeth.
+    SpurTeeth,
     /// No efficiency of the mechanism is given: one is assumed.
     NoLosses,
     /// No efficiency for driving backwards is given: the losses do not help to brake.
@@ -222,14 +239,7 @@ fn assumptions(root: &Section, toleranced: bool) -> Vec<Assumption> {
     } else if !asks("modulation_reserve") {
         found.push(Assumption::ModulationReserve);
     }
-    let own = root.tables("motion").iter().any(|section| section.get("bearing").is_some());
-    if root.table("bearing").is_none() && !own {
-        found.push(Assumption::NoFlangeLoads);
-    } else if !own {
-        found.push(Assumption::FlangeLoadsConstant);
-    } else {
-        found.push(Assumption::FlangeMomentsAligned);
-    }
+    flange::assumptions(root, &mut found);
     if !asks("special_application") {
         found.push(Assumption::OrdinaryApplication);
     }
@@ -269,8 +279,9 @@ fn prepare(root: &Section, reader: &mut Reader<'_>, language: Language) -> Optio
         let span = start..start + usize::from(!root.span.is_empty());
         reader.fault(span, language.missing_key("", "motion", true), Some(hint));
     }
-    let bearing = bearing_duty(root, reader, language);
+    flange::stated(root, reader, language);
     let load = load::load(root, reader, language)?;
+    let bearing = flange::duty(root, &load.mechanism, reader, language);
     let (motion, extras) = load::motion(root, &load, reader, language)?;
     if let Some(asked) = root.table("requirements") {
         let storage = asked.quantity("storage").unwrap_or_else(|| Time::from_si(0.0));
@@ -332,27 +343,6 @@ fn asked_of(section: &Section) -> Asked {
             _ => None,
         }),
     }
-}
-
-/// The loads on the flange and what is asked of the bearing.
-fn bearing_duty(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<BearingDuty> {
-    let loads = load::flange_loads(root, reader, language)?;
-    let section = root.table("bearing");
-    let requirements = root.table("requirements");
-    Some(BearingDuty {
-        loads,
-        load_factor: section.and_then(|section| section.number("load_factor")),
-        operating_condition: section.and_then(|section| section.text("operating_condition")).and_then(
-            |word| match word {
-                "normal" => Some(OperatingCondition::Normal),
-                "shock" => Some(OperatingCondition::Shock),
-                "high_accuracy" => Some(OperatingCondition::HighAccuracy),
-                _ => None,
-            },
-        ),
-        life_min: requirements.and_then(|section| section.quantity("bearing_life_min")),
-        tilt_max: requirements.and_then(|section| section.quantity("tilt_angle_max")),
-    })
 }
 
 fn build_actuator(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<OwnActuator> {

@@ -2,6 +2,7 @@
 
 mod codes;
 mod derivation;
+pub(crate) mod flange;
 mod motion;
 mod notes;
 mod reading;

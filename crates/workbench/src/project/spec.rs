@@ -364,6 +364,15 @@ const BEARING: &[Key] = &[
     RADIAL_FORCE, RADIAL_DISTANCE, AXIAL_FORCE, AXIAL_DISTANCE,
     key("load_factor", Kind::Number(1.0, 3.0), false, "f_w, load factor of table 74.2", "f_w, Betriebsfaktor nach Tabelle 74.2"),
     key("operating_condition", Kind::OneOf(&["normal", "shock", "high_accuracy"]), false, "operating condition of table 76.3", "Betriebsbedingung nach Tabelle 76.3"),
+    key("mechanism", Kind::OneOf(&["add", "replace", "ignore"]), false, "loads that follow from the mechanism: they add to the stated ones, are replaced by those of a segment, or do not count; they do not count without it", "Lasten, die aus dem Mechanismus folgen: sie kommen zu den angegebenen hinzu, werden von denen eines Abschnitts ersetzt oder zählen nicht; ohne Angabe zählen sie nicht"),
+    quantity("overhang", Dimension::Length, Range::Any, "L, distance of the centre of mass, or of the middle of pulley, pinion or crank pin, from the flange face", "L, Abstand des Schwerpunkts oder der Mitte von Scheibe, Ritzel oder Kurbelzapfen von der Flanschfläche"),
+    quantity("payload_overhang", Dimension::Length, Range::Any, "distance of the payload of a segment from the flange face", "Abstand der Nutzlast eines Abschnitts von der Flanschfläche"),
+    key("flange_share", Kind::Number(0.0, 1.0), false, "share of the mechanism's forces that reaches the flange; other bearings carry the rest", "Anteil der Kräfte des Mechanismus, der den Flansch erreicht; den Rest tragen andere Lager"),
+    quantity("belt_tension", Dimension::Force, Range::NotNegative, "F_v, tension of each span of the belt at rest", "F_v, Trumkraft des Riemens im Stillstand, je Trum"),
+    quantity("pressure_angle", Dimension::Angle, Range::Positive, "pressure angle of pinion and rack in the normal section", "Eingriffswinkel von Ritzel und Zahnstange im Normalschnitt"),
+    quantity("helix_angle", Dimension::Angle, Range::NotNegative, "helix angle of the teeth; spur teeth without it", "Schrägungswinkel der Verzahnung; ohne Angabe Geradverzahnung"),
+    quantity("wheel_mass", Dimension::Mass, Range::NotNegative, "mass of pulley, pinion or crank on the flange", "Masse von Scheibe, Ritzel oder Kurbel am Flansch"),
+    quantity("axis_tilt", Dimension::Angle, Range::Any, "tilt of the rotation axis from the vertical, for the weight of the wheel", "Neigung der Drehachse gegen die Senkrechte, für das Gewicht des Rads"),
 ];
 
 #[rustfmt::skip] // one line per key

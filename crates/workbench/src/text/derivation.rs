@@ -40,6 +40,11 @@ const FOUND: &[(&str, &str)] = &[
     ),
     ("largest on the way", "größtes auf dem Weg"),
     (
+        "largest over the cycle, of the mechanism and of what is stated",
+        "größte im Zyklus, aus dem Mechanismus und dem, was angegeben ist",
+    ),
+    ("largest over the segments", "größte über die Abschnitte"),
+    (
         "largest rise of the winding above its mean, τ_w = 60 s, τ_h = 2400 s",
         "größte Erwärmung der Wicklung über ihr Mittel, τ_w = 60 s, τ_h = 2400 s",
     ),
@@ -52,7 +57,6 @@ const FOUND: &[(&str, &str)] = &[
     ("n is above n_end", "n liegt über n_end"),
     ("n_av is above n_N_out: no continuous duty", "n_av liegt über n_N_out: kein Dauerbetrieb"),
     ("in the segment of the largest M", "im Abschnitt mit dem größten M"),
-    ("in the segment of the least f_s", "im Abschnitt mit dem kleinsten f_s"),
     ("no loads on the flange are given", "keine Lasten am Flansch angegeben"),
     ("no speed is held", "keine Drehzahl wird gehalten"),
     ("over the cycle", "im Zyklus"),
@@ -108,6 +112,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("L_50", "life that half reach", "Lebensdauer, die die Hälfte erreicht"),
     ("M", "tilting moment", "Kippmoment"),
     ("M_a", "moment of the axial force", "Moment der Axialkraft"),
+    ("M_L", "mean tilting moment of the mechanism", "mittleres Kippmoment des Mechanismus"),
     ("M_r", "moment of the radial force", "Moment der Radialkraft"),
     ("n_end", "largest output speed", "größte Abtriebsdrehzahl"),
     ("n_in", "mean input speed", "mittlere Eingangsdrehzahl"),

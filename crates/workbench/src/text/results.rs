@@ -143,7 +143,8 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
             "nicht bekannt: welche Drehzahlen die Aufzeichnung hält",
         );
     }
-    if symbol.starts_with("mechanism.") {
+    let geometry = symbol.starts_with("bearing.") && symbol != "bearing.operating_condition";
+    if symbol.starts_with("mechanism.") || geometry {
         return either(language, format!("not stated: {symbol}"), format!("nicht angegeben: {symbol}"));
     }
     if symbol.contains('.') {
@@ -231,6 +232,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
                 format!("die Achse schwenkt nur um {swing}; unter 5° droht Reibkorrosion, beim Hersteller fragen"),
             )
         }
+        Note::SmallSwings { count, largest, share } => super::flange::small_swings(*count, *largest, *share, language),
         Note::RatingOfInterchangeableGear => either(
             language,
             "the gear's rating is that of another maker's interchangeable gear with the same T_R; the manual prints none",
@@ -389,6 +391,14 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "loads on the flange taken as constant over the cycle, radial and axial moment in the same direction",
             "Lasten am Flansch über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet",
         ),
+        Assumption::FlangeLoadsOfMechanism
+        | Assumption::FlangeLoadsAddUp
+        | Assumption::FlangeBearsAll
+        | Assumption::FlangeBodiesFlat
+        | Assumption::FlangeUpwards
+        | Assumption::PayloadInertiaWeightless
+        | Assumption::WheelWeightless
+        | Assumption::SpurTeeth => super::flange::assumed(assumption),
     };
     either(language, en, de)
 }
