@@ -159,7 +159,6 @@ fn load_moment(
 pub(crate) fn largest_moment(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) {
     let Some(offset) = bearing.offset.known().filter(|_| work.is_on()) else { return };
     if duty.derived.is_some() {
-        work.given("R", &METRE, offset);
         let moment = cycle_loads(axis, duty, bearing).moment.value;
         work.found("M", &NEWTON_METRE, moment, FROM_THE_MECHANISM, &DERIVED, Grade::Computed);
         return;
