@@ -1,7 +1,7 @@
 //! What the load does to the flange that carries it: forces across and along the axis, and the moment that tilts it.
 
-use crate::{Extra, Kind, Linear, LinearKind, Mechanism, Output, Rotor, SliderCrank, gravity_m_s2};
-use quantities::{Angle, Force, Length, Mass, Measure};
+use crate::{Extra, Kind, Linear, LinearKind, Mechanism, Output, Rotor, SliderCrank, StageKind, gravity_m_s2};
+use quantities::{Angle, Force, Length, Mass, Measure, Torque};
 
 /// How a wheel on the flange hands its force on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,6 +134,8 @@ impl Mechanism {
     #[must_use]
     pub const fn knows_flange_forces(&self, described: bool) -> bool {
         match &self.kind {
+            // Behind a stage the torque suffices.
+            _ if self.stage.is_some() => true,
             // A load given by its inertia alone has a weight and a centre of mass that nobody stated.
             Kind::Rotor(_) => described,
             Kind::Linear(_) | Kind::SliderCrank(_) => true,
@@ -143,7 +145,16 @@ impl Mechanism {
 
     /// The key of what is missing before the forces on the flange are known; `None` where nothing is.
     #[must_use]
-    pub const fn missing_for_forces(&self, mounting: &Mounting) -> Option<&'static str> {
+    pub fn missing_for_forces(&self, mounting: &Mounting) -> Option<&'static str> {
+        if let Some(stage) = &self.stage {
+            return match stage.kind {
+                StageKind::Coupling => None,
+                _ if stage.pitch_diameter.is_none() => Some("stage.pitch_diameter"),
+                StageKind::Belt if mounting.contact.is_none() => Some("bearing.belt_tension"),
+                StageKind::Gear if mounting.contact.is_none() => Some("bearing.pressure_angle"),
+                _ => None,
+            };
+        }
         match &self.kind {
             Kind::Linear(Linear { kind: LinearKind::Screw, .. }) if mounting.share.is_none() => {
                 Some("bearing.flange_share")
@@ -162,12 +173,16 @@ impl Mechanism {
     pub fn missing_for_moment(&self, mounting: &Mounting, payload: bool) -> Option<&'static str> {
         let weightless = mounting.wheel_mass.is_none_or(|mass| mass.si() == 0.0);
         let needs_overhang = match &self.kind {
+            // A coupling hands on no force across the axis.
+            _ if self.stage.is_some() => {
+                !self.stage.is_some_and(|stage| stage.kind == StageKind::Coupling) || !weightless
+            }
             Kind::Rotor(rotor) => rotor.mass.si() > 0.0,
             // The thrust of a screw runs along the axis.
             Kind::Linear(linear) => linear.kind != LinearKind::Screw || !weightless,
             _ => true,
         };
-        let carries = matches!(&self.kind, Kind::Rotor(_)) && payload;
+        let carries = matches!(&self.kind, Kind::Rotor(_)) && self.stage.is_none() && payload;
         match (mounting.overhang, mounting.payload_overhang) {
             (None, _) if needs_overhang => Some("bearing.overhang"),
             (_, None) if carries => Some("bearing.payload_overhang"),
@@ -187,6 +202,7 @@ impl Mechanism {
     #[must_use]
     pub fn flange_forces(&self, output: &Output, extra: &Extra, recorded_nm: f64, mounting: &Mounting) -> FlangeForces {
         let mut forces = match &self.kind {
+            _ if self.stage.is_some() => self.stage_forces(output, extra, recorded_nm, mounting),
             Kind::Rotor(rotor) => rotor_forces(rotor, output, extra, mounting),
             Kind::Linear(linear) => self.linear_forces(linear, output, extra, recorded_nm, mounting),
             Kind::SliderCrank(crank) => self.crank_forces(crank, output, extra, mounting),
@@ -209,6 +225,7 @@ impl Mechanism {
     #[must_use]
     pub fn flange_switches(&self, output: &Output, extra: &Extra, recorded_nm: f64) -> [f64; 2] {
         match &self.kind {
+            _ if self.stage.is_some() => [self.stage_hands_on(output, extra, recorded_nm), 0.0],
             Kind::Linear(linear) => line_forces(linear, output, extra, recorded_nm),
             Kind::SliderCrank(crank) => [rod_force(crank, output, extra).0, 0.0],
             _ => [0.0; 2],
@@ -219,6 +236,29 @@ impl Mechanism {
     /// counts in full, since where along the way its losses arise is not known.
     fn before_losses(&self, force: f64, direction: f64) -> f64 {
         if force * direction > 0.0 { force.abs() / self.efficiency_driving } else { force.abs() }
+    }
+
+    /// T_2 + J_2 α_2 of the stage, with a recorded torque \[Nm\].
+    fn stage_hands_on(&self, output: &Output, extra: &Extra, recorded_nm: f64) -> f64 {
+        let Some(stage) = &self.stage else { return 0.0 };
+        let behind = stage.behind(output);
+        let extra = Extra { torque: extra.torque + Torque::from_si(recorded_nm), ..*extra };
+        stage.handed_on(self.own_torque(&behind, &extra), &behind)
+    }
+
+    /// What the wheel on the flange bears of the stage; the mechanism itself rests on bearings of its own.
+    fn stage_forces(&self, output: &Output, extra: &Extra, recorded_nm: f64, mounting: &Mounting) -> FlangeForces {
+        let Some(stage) = self.stage.as_ref().filter(|stage| stage.kind != StageKind::Coupling) else {
+            return FlangeForces::default();
+        };
+        let radius = 0.5 * metres(stage.pitch_diameter);
+        if radius <= 0.0 {
+            return FlangeForces::default();
+        }
+        let handed_on = self.stage_hands_on(output, extra, recorded_nm);
+        // While the mechanism drives, where along the way the losses arise is not known: they count as no help.
+        let torque = stage.taken(handed_on, output.direction).abs().max((handed_on / stage.ratio).abs());
+        wheel_forces(torque / radius, radius, mounting)
     }
 
     fn linear_forces(

@@ -281,6 +281,7 @@ impl Axis {
 /// J_L and T_L of a load that is a constant inertia with a friction that does not depend on the speed, and nothing else.
 fn plain_load(mechanism: &Mechanism, extras: &[Extra]) -> Option<(MomentOfInertia, Torque)> {
     let plain = mechanism.is_constant_over_ramps()
+        && mechanism.stage.is_none_or(|stage| stage.changes_nothing())
         && mechanism.efficiency_driving == 1.0
         && mechanism.efficiency_driven == 1.0
         && extras.iter().all(|extra| *extra == Extra::none())

@@ -284,7 +284,7 @@ impl<'a> Walk<'a> {
 
     fn piece(&mut self, piece: &Piece) {
         let parts = self.parts(piece, piece.duration_s);
-        let turn = std::f64::consts::TAU / piece.speed_rad_s.abs();
+        let turn = std::f64::consts::TAU * self.axis.mechanism.stage_ratio() / piece.speed_rad_s.abs();
         if piece.speed_degree() == Some(0) && piece.duration_s > 2.0 * turn && self.samples.is_none() {
             // At constant speed every revolution is the first one.
             let whole = (piece.duration_s / turn).floor();
@@ -310,7 +310,7 @@ impl<'a> Walk<'a> {
         let [amplitude, frequency, _] = piece.harmonic;
         let phase = if amplitude == 0.0 { 0.0 } else { frequency * duration / PANEL_PHASE };
         let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s).speed_rad_s.abs());
-        let angle = speed.into_iter().fold(0.0, f64::max) * duration;
+        let angle = speed.into_iter().fold(0.0, f64::max) * duration / self.axis.mechanism.stage_ratio();
         let fine = angle / PANEL_ANGLE;
         let turning = if fine > PANELS_FINE { PANELS_FINE.max(angle / std::f64::consts::TAU) } else { fine };
         phase.max(turning).max(1.0).ceil()
@@ -392,7 +392,7 @@ impl<'a> Walk<'a> {
             let acceleration = interval.acceleration_rad_s2();
             let [first, last] = interval.speed_rad_s;
             let zero = if first * last < 0.0 { first / (first - last) } else { 1.0 };
-            let angle = first.abs().max(last.abs()) * interval.duration_s;
+            let angle = first.abs().max(last.abs()) * interval.duration_s / self.axis.mechanism.stage_ratio();
             let nodes = if angle < INTERVAL_ANGLE { 3 } else { NODES };
             let ends = [(0.0, zero, if first == 0.0 { last } else { first }), (zero, 1.0, last)];
             for (from, to, speed) in ends.into_iter().filter(|(from, to, _)| to > from) {

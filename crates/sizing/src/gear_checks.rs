@@ -4,6 +4,7 @@ use crate::axis::Axis;
 use crate::bearing_checks;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::comparison::{Asking, Comparison, at_least, equation, explained, not_checked, shown_or_at_most};
+use crate::stage;
 use crate::workings;
 use actuator::{BudgetCase, ErrorBudget, ErrorKind, Feedback, FeedbackSide, Gear, Parameters, PositionLoop};
 use derivation::Workings;
@@ -171,7 +172,10 @@ fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
             return Err(Missing { symbol: "J_L" });
         }
         let speed = |k: &provenance::Sourced<quantities::TorsionalStiffness>| {
-            actuator::resonance_speed(actuator::natural_frequency(k.value, inertia), ratio.value)
+            actuator::resonance_speed(
+                actuator::natural_frequency(axis.mechanism.in_series(k.value), inertia),
+                ratio.value,
+            )
         };
         let [k1, k2, k3] = stiffness;
         Ok([speed(k1), speed(k2), speed(k3)])
@@ -216,6 +220,22 @@ fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     }
 }
 
+/// The workings of a stiffness of the gear, with that of the stage in series where it has one.
+fn explain_stiffness(
+    axis: &Axis,
+    symbol: &'static str,
+    stiffness: &Sourced<quantities::TorsionalStiffness>,
+    work: &mut Workings,
+) {
+    let series = axis.mechanism.in_series(stiffness.value);
+    if series == stiffness.value {
+        work.given(symbol, &NEWTON_METRE_PER_RADIAN, stiffness);
+    } else {
+        let text = "1/(1/K + n²/K_s): gear and stage in series";
+        work.found(symbol, &NEWTON_METRE_PER_RADIAN, series.si(), text, &stage::MODEL, stiffness.grade);
+    }
+}
+
 /// The workings of the distance from the resonance speeds `n_r1` to `n_r3`, `d`; `held`: speed and start of what is held
 /// nearest to one of them.
 fn explain_resonance(
@@ -237,8 +257,9 @@ fn explain_resonance(
         let regions = actuator.gear.stiffness.iter().zip(speeds).zip(each);
         for ((stiffness, resonant), (k, f, frequency, n, text)) in regions {
             if let Some(stiffness) = stiffness.known() {
-                work.given(k, &NEWTON_METRE_PER_RADIAN, stiffness);
-                let natural = actuator::natural_frequency(stiffness.value, axis.moments().inertia_max);
+                explain_stiffness(axis, k, stiffness, work);
+                let stiffness = axis.mechanism.in_series(stiffness.value);
+                let natural = actuator::natural_frequency(stiffness, axis.moments().inertia_max);
                 work.formula(f, &HERTZ, natural.si(), frequency, &MODEL);
                 work.formula(n, &REVOLUTION_PER_MINUTE, resonant.si(), text, &MODEL);
             }
@@ -271,14 +292,20 @@ fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Chec
     if axis.asked.loop_at_output && matches!(actuator.feedback_out.accuracy, Datum::NotApplicable) {
         return not_checked(id, Missing { symbol: "EC" });
     }
-    let budget = actuator::error_budget(actuator, &case);
+    let mut budget = actuator::error_budget(actuator, &case);
     if budget.contributions.is_empty() {
         return not_checked(id, Missing { symbol: "transmission_accuracy" });
+    }
+    if let Some(stage) = &axis.mechanism.stage {
+        stage::behind(stage, &mut budget, case.torque);
     }
     let worst = budget.worst_case();
     let deviation = axis.asked.lever_arm.map(|lever| actuator::deviation_at(worst, lever));
     if work.is_on() {
         explain_budget(axis, actuator, (&case, &budget), work);
+        if let Some(stage) = &axis.mechanism.stage {
+            stage::explain_budget(stage, (worst, case.torque), work);
+        }
     }
     let source = Source::Model { name: "error-budget" };
     let mut check = match (deviation, axis.asked.deviation_max) {
@@ -354,6 +381,33 @@ fn explain_budget(
         let texts = ("resolution", "resolution_out", "resolution/i");
         explain_feedback(&feedback.resolution, feedback, &actuator.ratio, texts, work);
     }
+    if axis.mechanism.stage.is_some() {
+        let text = "a tilt of the flange does not turn what is behind the stage";
+        work.found("gamma", &ARCMINUTE, 0.0, text, &stage::MODEL, Grade::Computed);
+    } else {
+        explain_tilt(axis, actuator, case, work);
+    }
+    let text = if motor {
+        "transmission_accuracy + repeatability + hysteresis_loss + lost_motion + phi \
+         + (accuracy_out + resolution_out)/60 + gamma"
+    } else {
+        "(accuracy_out + resolution_out)/60 + gamma"
+    };
+    match &axis.mechanism.stage {
+        None => work.formula("phi_sum", &ARCMINUTE, budget.worst_case().si(), text, &source),
+        Some(stage) => {
+            let before = stage::before(stage, budget);
+            work.formula("phi_out", &ARCMINUTE, before.si(), text, &source);
+        }
+    }
+}
+
+/// The workings of the tilt of the flange, `gamma`.
+fn explain_tilt(axis: &Axis, actuator: &Parameters, case: &BudgetCase, work: &mut Workings) {
+    let source = Source::Model { name: "error-budget" };
+    let missing = |work: &mut Workings, symbol, unit| {
+        work.found(symbol, unit, 0.0, "not known: counted as 0", &source, Grade::Computed);
+    };
     match actuator.output_bearing.tilting_stiffness.known() {
         Some(stiffness) => {
             match (&axis.bearing, actuator.output_bearing.offset.known()) {
@@ -372,13 +426,6 @@ fn explain_budget(
         }
         None => missing(work, "gamma", &ARCMINUTE),
     }
-    let text = if motor {
-        "transmission_accuracy + repeatability + hysteresis_loss + lost_motion + phi \
-         + (accuracy_out + resolution_out)/60 + gamma"
-    } else {
-        "(accuracy_out + resolution_out)/60 + gamma"
-    };
-    work.formula("phi_sum", &ARCMINUTE, budget.worst_case().si(), text, &source);
 }
 
 /// The workings of an angle of the feedback at the output.
@@ -467,9 +514,13 @@ fn torsion(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let source = Source::Equation { number: "73.1" };
     let (limit, key) = (axis.asked.torsion_max.map(Measure::si), "requirements.torsion_max");
     explain_torsion(&actuator.gear, worst, work);
-    work.value("phi");
+    let (angle, symbol, source) = match &axis.mechanism.stage {
+        None => (curve.angle(worst), "phi", source),
+        Some(stage) => (stage::torsion(stage, curve.angle(worst), worst, work), "phi_L", stage::MODEL),
+    };
+    work.value(symbol);
     work.asked("phi_max", &ARCMINUTE, limit, key);
-    let mut check = shown_or_at_most(id, &ARCMINUTE, curve.angle(worst).si(), limit, key, source);
+    let mut check = shown_or_at_most(id, &ARCMINUTE, angle.si(), limit, key, source);
     check.at = Some(axis.moments().load_peak_at);
     check
 }
@@ -517,10 +568,10 @@ fn natural_frequency(axis: &Axis, actuator: &Parameters, work: &mut Workings) ->
         .and_then(|k| if axis.moments().inertia_max.si() > 0.0 { Ok(k) } else { Err(Missing { symbol: "J_L" }) });
     match found {
         Ok(k) => {
-            let frequency = actuator::natural_frequency(k.value, axis.moments().inertia_max);
+            let frequency = actuator::natural_frequency(axis.mechanism.in_series(k.value), axis.moments().inertia_max);
             let (asked, key) =
                 (axis.asked.natural_frequency_min.map(Measure::si), "requirements.natural_frequency_min");
-            work.given("K_1", &NEWTON_METRE_PER_RADIAN, k);
+            explain_stiffness(axis, "K_1", k, work);
             explain_inertia(axis, work);
             work.formula("f", &HERTZ, frequency.si(), "sqrt(K_1/J_L)/(2*pi)", &MODEL);
             work.value("f");

@@ -21,6 +21,7 @@ mod gear_checks;
 mod joint_checks;
 mod rank;
 mod reserve;
+mod stage;
 mod swings;
 mod trace;
 mod workings;

@@ -141,6 +141,7 @@ fn build(name: &str, section: &Section, reader: &mut Reader<'_>, language: Langu
         },
         efficiency_driving: section.number("efficiency").unwrap_or(1.0),
         efficiency_driven: section.number("efficiency_back").unwrap_or(1.0),
+        stage: None,
     };
     Some(Load { mechanism, start, force: section.quantity("process_force").unwrap_or_else(zero) })
 }

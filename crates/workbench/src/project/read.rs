@@ -546,6 +546,9 @@ pub(crate) fn example(key: &Key) -> Option<String> {
                 "tilt_angle_max" | "torsion_max" => "2 arcmin",
                 "natural_frequency_min" => "25 Hz",
                 "mass_max" => "10 kg",
+                "pressure_angle" => "20 deg",
+                "helix_angle" => "15 deg",
+                "wheel_mass" => "1.2 kg",
                 "length_max" => "200 mm",
                 _ => dimension.example(),
             };
