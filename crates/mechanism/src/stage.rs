@@ -15,11 +15,11 @@ pub enum StageKind {
 }
 
 /// A stage between the actuator and the mechanism. The motion is that of the mechanism; the output of the actuator turns
-/// n times as far.
+/// i_s times as far.
 ///
-/// q = n q_2, T = (T_2 + J_2 α_2)/(n η) + J_1 α
+/// q = i_s q_2, T = (T_2 + J_2 α_2)/(i_s η) + J_1 α
 ///
-/// # Symbols  index 2 at the mechanism; n ratio, J_1 and J_2 inertia on the side of the actuator and of the mechanism, η
+/// # Symbols  index 2 at the mechanism; i_s ratio, J_1 and J_2 inertia on the side of the actuator and of the mechanism, η
 /// efficiency
 /// # Source   docs/theory/stage.md
 /// # Valid    both sides turn the same way as far as signs go; elasticity and backlash change no torque of the cycle
@@ -27,7 +27,7 @@ pub enum StageKind {
 pub struct Stage {
     /// What it is.
     pub kind: StageKind,
-    /// n: turns of the actuator's output per turn of the mechanism, greater than zero.
+    /// i_s: turns of the actuator's output per turn of the mechanism, greater than zero.
     pub ratio: f64,
     /// η_1 while the actuator drives.
     pub efficiency_driving: f64,
@@ -90,7 +90,7 @@ impl Stage {
             + self.inertia_driving.si() * output.acceleration_rad_s2
     }
 
-    /// (J + J_2)/n² + J_1
+    /// (J + J_2)/i_s² + J_1
     pub(crate) fn inertia(&self, inertia: f64) -> f64 {
         (inertia + self.inertia_driven.si()) / (self.ratio * self.ratio) + self.inertia_driving.si()
     }
@@ -126,9 +126,9 @@ impl Mechanism {
     /// Stiffness between the motor and the mechanism, at the output of the actuator: that of the gear and of the stage in
     /// series.
     ///
-    /// 1/K' = 1/K + n²/K_s
+    /// 1/K' = 1/K + i_s²/K_s
     ///
-    /// # Symbols  K stiffness of the gear, K_s that of the stage on the side of the mechanism [Nm/rad], n ratio
+    /// # Symbols  K stiffness of the gear, K_s that of the stage on the side of the mechanism [Nm/rad], i_s ratio
     /// # Source   docs/theory/stage.md
     /// # Valid    K without a stage or with a rigid one
     #[must_use]

@@ -231,7 +231,7 @@ fn explain_stiffness(
     if series == stiffness.value {
         work.given(symbol, &NEWTON_METRE_PER_RADIAN, stiffness);
     } else {
-        let text = "1/(1/K + n²/K_s): gear and stage in series";
+        let text = "1/(1/K + i_s²/K_s): gear and stage in series";
         work.found(symbol, &NEWTON_METRE_PER_RADIAN, series.si(), text, &stage::MODEL, stiffness.grade);
     }
 }

@@ -40,7 +40,7 @@ pub use order_code::{Field, OrderCode};
 pub use plane::{Plane, plane, plane_of};
 pub use project::{
     ALL_CORNERS_MOST, Assumption, Files, Input, InputChange, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project,
-    RecordingRead, Tolerance, input_changes, inputs, schema,
+    RatioAnswer, RecordingRead, Tolerance, input_changes, inputs, schema,
 };
 pub use provenance::Grade;
 pub use quantities::{self, Language};

@@ -5,7 +5,7 @@ use super::read::Reader;
 use super::section::Section;
 use crate::text::{Speak, flange as words};
 use actuator::FlangeLoad;
-use mechanism::{Contact, Kind, LinearKind, Mechanism, Mounting};
+use mechanism::{Contact, Kind, LinearKind, Mechanism, Mounting, StageKind};
 use quantities::unit::DEGREE;
 use quantities::{Angle, Force, Language, Length, Mass, Measure};
 use sizing::{BearingDuty, DerivedLoads, OperatingCondition};
@@ -126,6 +126,15 @@ pub(super) fn stated(root: &Section, reader: &mut Reader<'_>, language: Language
 
 /// The keys that have an effect on the loads of a mechanism.
 fn effective(mechanism: &Mechanism) -> &'static [&'static str] {
+    if let Some(stage) = &mechanism.stage {
+        return match stage.kind {
+            StageKind::Belt => &["overhang", "flange_share", "belt_tension", "wheel_mass", "axis_tilt"],
+            StageKind::Gear => {
+                &["overhang", "flange_share", "pressure_angle", "helix_angle", "wheel_mass", "axis_tilt"]
+            }
+            StageKind::Coupling => &["overhang", "flange_share", "wheel_mass", "axis_tilt"],
+        };
+    }
     match &mechanism.kind {
         Kind::Rotor(_) => &["overhang", "payload_overhang", "flange_share"],
         Kind::Linear(linear) => match linear.kind {
@@ -223,6 +232,16 @@ pub(super) fn assumptions(root: &Section, found: &mut Vec<Assumption>) {
     if own || section.is_some_and(states) {
         found.push(Assumption::FlangeLoadsAddUp);
     }
+    if has("pressure_angle") && !has("helix_angle") {
+        found.push(Assumption::SpurTeeth);
+    }
+    if root.table("stage").is_some() {
+        found.push(Assumption::MechanismOnOwnBearings);
+        if !has("wheel_mass") {
+            found.push(Assumption::WheelWeightless);
+        }
+        return;
+    }
     let Some((name, mechanism)) = kind else { return };
     if !has("flange_share") && name != "screw" {
         found.push(Assumption::FlangeBearsAll);
@@ -237,9 +256,6 @@ pub(super) fn assumptions(root: &Section, found: &mut Vec<Assumption>) {
         }
     } else if !has("wheel_mass") {
         found.push(Assumption::WheelWeightless);
-    }
-    if has("pressure_angle") && !has("helix_angle") {
-        found.push(Assumption::SpurTeeth);
     }
 }
 

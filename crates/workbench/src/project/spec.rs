@@ -33,6 +33,8 @@ pub(crate) enum Kind {
     Along(Dimension, Dimension, Range),
     /// A plain number within bounds.
     Number(f64, f64),
+    /// A list of plain numbers within bounds, and how many at most.
+    Numbers(f64, f64, usize),
     /// A whole number within bounds.
     Integer(i64, i64),
     /// `true` or `false`.
@@ -120,6 +122,7 @@ pub(crate) const ROOT: &[Key] = &[
     key("axis", Kind::OneOrMany(AXIS, AXES), false, "the axis; or [[axis]], several axes with load, motion and all else inside", "die Achse; oder [[axis]], mehrere Achsen mit Last, Bewegung und allem anderen darin"),
     key("load", Kind::Table(LOAD), false, "what is moved, referred to the output; or [mechanism.…]", "was bewegt wird, auf den Abtrieb bezogen; oder [mechanism.…]"),
     key("mechanism", Kind::Table(MECHANISM), false, "what lies between output and load; one of its tables", "was zwischen Abtrieb und Last liegt; eine seiner Tabellen"),
+    key("stage", Kind::Table(STAGE), false, "belt, gear or coupling between actuator and mechanism", "Riemen, Getriebestufe oder Kupplung zwischen Antrieb und Mechanismus"),
     key("motion", Kind::Variants(&MOTIONS), false, "the moves of one cycle, in order", "die Bewegungen eines Zyklus, der Reihe nach"),
     key("bearing", Kind::Table(BEARING), false, "loads on the output flange", "Lasten am Abtriebsflansch"),
     key("requirements", Kind::Table(REQUIREMENTS), false, "what the actuator must have", "was der Antrieb haben muss"),
@@ -162,6 +165,7 @@ const AXES: &[Key] = &[
     key("single_move", Kind::Bool, false, "true: the motion is one move and need not come back", "true: die Bewegung ist einmalig und muss nicht zurückkehren"),
     key("load", Kind::Table(LOAD), false, "what is moved, referred to the output; or [mechanism.…]", "was bewegt wird, auf den Abtrieb bezogen; oder [mechanism.…]"),
     key("mechanism", Kind::Table(MECHANISM), false, "what lies between output and load; one of its tables", "was zwischen Abtrieb und Last liegt; eine seiner Tabellen"),
+    key("stage", Kind::Table(STAGE), false, "belt, gear or coupling between actuator and mechanism", "Riemen, Getriebestufe oder Kupplung zwischen Antrieb und Mechanismus"),
     key("motion", Kind::Variants(&MOTIONS), false, "the moves of one cycle, in order", "die Bewegungen eines Zyklus, der Reihe nach"),
     key("bearing", Kind::Table(BEARING), false, "loads on the output flange", "Lasten am Abtriebsflansch"),
     key("requirements", Kind::Table(REQUIREMENTS), false, "what the actuator must have", "was der Antrieb haben muss"),
@@ -211,6 +215,20 @@ const MECHANISM: &[Key] = &[
     key("slider_crank", Kind::Table(SLIDER_CRANK), false, "crank, rod and slider", "Schubkurbel"),
     key("joint", Kind::Table(JOINT), false, "joint of a robot, its torque recorded with the motion", "Robotergelenk, dessen Moment mit der Bewegung aufgezeichnet ist"),
     key("table", Kind::Table(TABLE), false, "inertia and torque over the position", "Massenträgheitsmoment und Moment über der Stellung"),
+];
+
+#[rustfmt::skip] // one line per key
+const STAGE: &[Key] = &[
+    key("kind", Kind::OneOf(&["belt", "gear", "coupling"]), true, "what the stage is", "Art der Stufe"),
+    key("ratio", Kind::Number(0.01, 1000.0), false, "i_s, turns of the actuator's output per turn of the mechanism", "i_s, Umdrehungen des Antriebs je Umdrehung des Mechanismus"),
+    key("ratios", Kind::Numbers(0.01, 1000.0, super::stage::RATIOS_MOST), false, "several ratios, of which the best is found", "mehrere Übersetzungen, aus denen die beste gesucht wird"),
+    key("efficiency", Kind::Number(0.01, 1.0), false, "efficiency while the actuator drives", "Wirkungsgrad, wenn der Antrieb treibt"),
+    key("efficiency_back", Kind::Number(0.0, 1.0), false, "efficiency while the mechanism drives", "Wirkungsgrad, wenn der Mechanismus treibt"),
+    quantity("inertia_driving", Dimension::MomentOfInertia, Range::NotNegative, "J_1, moment of inertia of what turns with the actuator", "J_1, Massenträgheitsmoment dessen, was sich mit dem Antrieb dreht"),
+    quantity("inertia_driven", Dimension::MomentOfInertia, Range::NotNegative, "J_2, moment of inertia of what turns with the mechanism", "J_2, Massenträgheitsmoment dessen, was sich mit dem Mechanismus dreht"),
+    quantity("stiffness", Dimension::TorsionalStiffness, Range::Positive, "K_s, torsional stiffness of the stage on the side of the mechanism", "K_s, Torsionssteifigkeit der Stufe auf der Seite des Mechanismus"),
+    quantity("backlash", Dimension::Angle, Range::NotNegative, "backlash on the side of the mechanism", "Spiel auf der Seite des Mechanismus"),
+    quantity("pitch_diameter", Dimension::Length, Range::Positive, "pitch diameter of pulley or wheel on the actuator", "Wirkdurchmesser von Scheibe oder Rad am Antrieb"),
 ];
 
 #[rustfmt::skip] // one line per key

@@ -144,7 +144,7 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
         );
     }
     let geometry = symbol.starts_with("bearing.") && symbol != "bearing.operating_condition";
-    if symbol.starts_with("mechanism.") || geometry {
+    if symbol.starts_with("mechanism.") || symbol.starts_with("stage.") || geometry {
         return either(language, format!("not stated: {symbol}"), format!("nicht angegeben: {symbol}"));
     }
     if symbol.contains('.') {
@@ -399,6 +399,13 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
         | Assumption::PayloadInertiaWeightless
         | Assumption::WheelWeightless
         | Assumption::SpurTeeth => super::flange::assumed(assumption),
+        Assumption::StageNoLosses
+        | Assumption::StageLossesDoNotHelp
+        | Assumption::StageWithoutInertia
+        | Assumption::StageRigid
+        | Assumption::StageNoBacklash
+        | Assumption::StageRatioChosen
+        | Assumption::MechanismOnOwnBearings => super::stage::assumed(assumption),
     };
     either(language, en, de)
 }
