@@ -71,6 +71,13 @@ impl Curve {
         }
         Torque::from_si(0.0)
     }
+
+    /// The limit at a speed; beyond the last speed that of the last one.
+    #[must_use]
+    pub fn at_most_to_its_end(&self, speed: AngularVelocity) -> Torque {
+        let end = self.points.last().map_or(0.0, |point| point.speed.si());
+        self.at(AngularVelocity::from_si(speed.si().abs().min(end)))
+    }
 }
 
 #[cfg(test)]
@@ -90,6 +97,7 @@ mod tests {
         assert!((at(47.5) - 25.5).abs() < 1e-12);
         assert_eq!(at(-70.0), 20.0);
         assert_eq!(at(70.1), 0.0);
+        assert_eq!(curve.at_most_to_its_end(AngularVelocity::from_si(70.1)).si(), 20.0);
     }
 
     #[test]

@@ -2,11 +2,14 @@
 //! the same code. Everything is referred to the output unless a name says `motor`.
 
 mod accuracy;
+mod agreement;
 mod battery;
 mod brake;
 mod curve;
 mod feedback;
+mod friction;
 mod gear;
+mod heat;
 mod motor;
 mod output_bearing;
 mod overload;
@@ -19,18 +22,23 @@ mod voltage;
 pub use accuracy::{
     Accuracy, BudgetCase, Contribution, ErrorBudget, ErrorKind, PositionLoop, deviation_at, error_budget,
 };
+pub use agreement::{PublishedDuty, published_duty};
 pub use battery::{BatteryFault, BatteryLife, battery_life};
 pub use brake::{Brake, EmergencyStop, StopOutcome, emergency_stop, sag_angle, sag_speed};
 pub use curve::{Curve, CurveFault, CurvePoint};
 pub use feedback::{Feedback, FeedbackSide};
+pub use friction::{COLD_START, FrictionAt, NoLoadFriction};
 pub use gear::{
     Gear, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, resonance_speed, wave_generator_life,
     wave_generator_life_l50, wave_generator_life_with,
 };
+pub use heat::{
+    AMBIENT_REFERENCE, Heat, HeatModel, LossMeans, Settled, WINDING_TEMPERATURE_CONTINUOUS, copper_ohm,
+};
 pub use motor::{
-    ContinuousLimit, FRICTION_LOSS_SHARE, WINDING_TEMPERATURE_CONTINUOUS, WINDING_TIME_CONSTANT, continuous_torque,
-    continuous_torque_with, copper_resistance, current, estimated_continuous_torque, friction_current, speed_max,
-    speed_max_with, speed_rated_out, speed_rated_out_with,
+    ContinuousLimit, continuous_torque, continuous_torque_with, copper_resistance, current, driven_share,
+    estimated_continuous_torque, explain_friction, explain_stall_loss, speed_max, speed_max_with, speed_rated_out,
+    speed_rated_out_with,
 };
 pub use output_bearing::{
     BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, dynamic_load_factors, mean_load,
@@ -42,8 +50,5 @@ pub use plane::{
     CurveKind, PerformanceCurve, intermittent_torque, performance_curves, short_time_torque, short_time_torque_with,
 };
 pub use screw_joint::{ScrewJoint, joint_friction_force, joint_utilisation};
-pub use temperature::{
-    CycleTemperatures, HOUSING_TIME_CONSTANT, HOUSING_TIME_CONSTANT_BAND, Temperatures, Thermal,
-    WINDING_RESISTANCE_SHARE, copper_loss,
-};
+pub use temperature::{Gains, Losses, Network, Temperatures};
 pub use voltage::MotorVoltage;

@@ -1,30 +1,17 @@
 //! Current, speed limits and continuous torque of the motor, seen from the output.
 
+use crate::heat::{HeatModel, Settled};
 use crate::parameters::Parameters;
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{
-    AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, OHM, ONE, REVOLUTION_PER_MINUTE,
-    WATT,
+    AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, OHM, ONE,
+    REVOLUTION_PER_MINUTE, WATT,
 };
 use quantities::{
-    AngularVelocity, ElectricCurrent, ElectricalResistance, Measure, NoLoadCurrentConstant, ThermodynamicTemperature,
-    Torque, TorqueConstant,
+    AngularVelocity, ElectricCurrent, ElectricalResistance, Measure, ThermodynamicTemperature, Time, Torque,
+    TorqueConstant,
 };
-
-/// w: share of the friction loss that heats the winding's limit in the estimate of the continuous curve.
-///
-/// Calibrated on the published corner points of CHA-20A (docs/theory/continuous-torque.md); a guess elsewhere.
-pub const FRICTION_LOSS_SHARE: f64 = 0.58;
-
-/// Winding temperature of continuous duty in the estimate: the warning threshold of table 62.3, 80 °C, in kelvin.
-pub const WINDING_TEMPERATURE_CONTINUOUS: f64 = 353.15;
-
-/// τ_w: time constant of the winding in seconds; estimated from the S3 points of CHA-20A (48 s to 70 s).
-pub const WINDING_TIME_CONSTANT: f64 = 60.0;
-
-/// Half width of the band of the estimated continuous curve at the rated speed; zero at standstill, where T_0 is printed.
-const BAND_AT_RATED_SPEED: f64 = 0.15;
 
 /// Temperature coefficient of copper at 20 °C \[1/K\] (IEC 60034-1 uses 1/(235+20) = 3.92e-3; 3.93e-3 is the handbook value).
 const COPPER_TEMPERATURE_COEFFICIENT: f64 = 3.93e-3;
@@ -43,28 +30,13 @@ pub fn copper_resistance(
     ElectricalResistance::from_si(resistance_20.si() * (1.0 + COPPER_TEMPERATURE_COEFFICIENT * rise))
 }
 
-/// Motor current that friction takes while the output turns.
-///
-/// I_f = I_NLS + K_INL |n|
-///
-/// # Symbols  I_NLS no-load starting current \[A\], K_INL no-load current constant [A/(1/min)] per **output** speed, n output speed [1/min]
-/// # Source   cha-manual section 6, rows I_NLS and K_INL; that K_INL counts output speed follows from its growth with i
-/// # Valid    while turning; at standstill friction gives at most I_NLS, and only against an outer torque
-#[must_use]
-pub fn friction_current(
-    starting: ElectricCurrent,
-    constant: NoLoadCurrentConstant,
-    speed: AngularVelocity,
-) -> ElectricCurrent {
-    ElectricCurrent::from_si(starting.si() + constant.si() * speed.si().abs())
-}
-
 /// Motor current for a torque at the output, signed like the torque.
 ///
 /// I = T/k_Tout + I_f σ
 ///
 /// Friction opposes the motion (direction σ): it adds to the current while driving and helps while braking.
 ///
+/// # Symbols  I_f friction current \[A\], see [`crate::FrictionAt::current`]
 /// # Source   docs/theory/current.md; T/k_Tout + I_NLS reproduces the printed I_0 of the 680 V windings
 #[must_use]
 pub fn current(
@@ -74,6 +46,19 @@ pub fn current(
     torque_constant_out: TorqueConstant,
 ) -> ElectricCurrent {
     ElectricCurrent::from_si(torque.si() / torque_constant_out.si() + friction.si() * direction)
+}
+
+/// Motor current per torque while the load drives, as a share of that while driving: η (2 − 1/η) = 2η − 1.
+///
+/// The gear loses the same share of the torque in either direction: driving T_mot i = T/η, driven T_mot i = T (2 − 1/η).
+///
+/// # Symbols  η = k_Tout/(i k_TM), at most one: a rounded k_TM may give more
+/// # Source   docs/theory/energy.md; loss proportional to the torque
+/// # Valid    η ≥ ½; below the gear locks itself and nothing comes back
+#[must_use]
+pub fn driven_share(out: TorqueConstant, motor: TorqueConstant, ratio: f64) -> f64 {
+    let efficiency = (out.si() / (ratio * motor.si())).min(1.0);
+    (2.0 * efficiency - 1.0).max(0.0)
 }
 
 /// Largest output speed: the exact quotient n_mot,max / i, or n_max where motor speed or ratio are not known.
@@ -143,34 +128,39 @@ pub fn speed_rated_out_with(actuator: &Parameters, work: &mut Workings) -> Resul
 /// The continuous torque at a speed, and what an estimate leaves open.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContinuousLimit {
-    /// The limit that checks use: the published curve, or the lower edge of the estimate's band.
+    /// Up to this torque the actuator bears it: the published curve, or the lower edge of the estimate's band.
     pub limit: Sourced<Torque>,
-    /// Upper edge of the band; equal to the limit where the curve is published.
+    /// Above this one it does not: upper edge of the band; equal to the limit where the curve is published.
     pub upper: Torque,
 }
 
 /// Continuous torque at a mean speed: the published or measured curve if there is one, else the estimate.
-/// Neither ever exceeds the printed T_0.
+/// Neither ever exceeds the printed T_0. Beyond n_N/i, where no mean speed is permitted, the value at n_N/i.
 ///
 /// # Errors
 /// [`Missing`] with the first datum that neither way can do without.
 pub fn continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
-    continuous_torque_with(actuator, speed, &mut Workings::off())
+    continuous_torque_with(actuator, None, speed, &mut Workings::off())
 }
 
-/// [`continuous_torque`] with its workings; they begin with the mean speed, `n_av`.
+/// [`continuous_torque`] with its workings; `model` is the heat model of the actuator, if it is at hand.
 ///
 /// # Errors
 /// As [`continuous_torque`].
 pub fn continuous_torque_with(
     actuator: &Parameters,
+    model: Option<&HeatModel>,
     speed: AngularVelocity,
     work: &mut Workings,
 ) -> Result<ContinuousLimit, Missing> {
     let Some(curve) = actuator.continuous_curve.known() else {
-        return estimated_continuous_torque_with(actuator, speed, work);
+        actuator.stall_torque.require("T_0")?;
+        return match model {
+            Some(model) => estimated_continuous_torque_with(actuator, model, speed, work),
+            None => estimated_continuous_torque_with(actuator, &HeatModel::of(actuator)?, speed, work),
+        };
     };
-    let mut torque = curve.value.at(speed);
+    let mut torque = curve.value.at_most_to_its_end(speed);
     work.found("T_curve", &NEWTON_METRE, torque.si(), "continuous curve at n_av", &curve.source, curve.grade);
     if let Some(stall) = actuator.stall_torque.known() {
         torque = Torque::from_si(torque.si().min(stall.value.si()));
@@ -187,114 +177,131 @@ pub fn continuous_torque_with(
 
 /// Estimated continuous torque at a mean speed, with its band.
 ///
-/// 1.5 R I² + w P_f = 1.5 R I_0², T = k_Tout (I − I_f), T ≤ T_0, for |n| ≤ n_N/i
+/// T at which P_cu + w P_f = b P_0, T ≤ T_0; b the edges of the band, see [`HeatModel::band`] and [`HeatModel::torque`]
 ///
-/// with P_f = I_f k_TM ω_mot and I_f from the 80 °C values. The loss at standstill is that of the motor
-/// (the largest I_0 over the ratios), because T_0 of some ratios is limited by the gear.
-/// The band is ±15 % at n_N/i and shrinks linearly to zero at standstill, where T_0 is printed; checks use its lower edge.
-///
-/// # Symbols  R = R_LL at 80 °C \[Ω\] (1.5 R_LL I² is the copper loss of a star winding), w = 0.58, k_TM \[Nm/A\], ω_mot [rad/s]
-/// # Source   docs/theory/continuous-torque.md; calibrated on curves-20A
-/// # Valid    |n| ≤ n_N/i; zero beyond
+/// # Symbols  P_cu copper loss, P_f friction loss, P_0 loss borne at standstill \[W\], w share of the housing
+/// # Source   docs/theory/continuous-torque.md; calibrated on curves-20A, held against fha-orientation
+/// # Valid    |n| ≤ n_N/i, 40 °C, on the plate of table 13.3; beyond n_N/i the value at n_N/i
 /// # Errors
 /// [`Missing`] with the first datum that is not known.
 pub fn estimated_continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
-    estimated_continuous_torque_with(actuator, speed, &mut Workings::off())
+    estimated_continuous_torque_with(actuator, &HeatModel::of(actuator)?, speed, &mut Workings::off())
 }
+
+/// Continuous duty as an intermittent one without rest: the cycle does not matter.
+const ALWAYS: (f64, f64) = (1.0, 60.0);
 
 fn estimated_continuous_torque_with(
     actuator: &Parameters,
+    model: &HeatModel,
     speed: AngularVelocity,
     work: &mut Workings,
 ) -> Result<ContinuousLimit, Missing> {
     let stall_torque = actuator.stall_torque.require("T_0")?;
-    let rated = speed_rated_out_with(actuator, work)?;
+    let rated = speed_rated_out_with(actuator, work)?.value.si();
+    let speed = AngularVelocity::from_si(speed.si().abs().min(rated));
+    let (low, high) = model.band(speed);
+    let (duty, cycle) = ALWAYS;
+    let torque = |edge: f64| model.torque(speed, duty, Time::from_si(cycle), edge);
     let source = Source::Model { name: "continuous-torque" };
-    let share = speed.si().abs() / rated.value.si();
-    let (mut unused, beyond) = (Workings::off(), share > 1.0);
-    let inside = if beyond { &mut unused } else { &mut *work };
-    let thermal = thermal_torque_with(actuator, speed, 1.0, FRICTION_LOSS_SHARE, inside)?.si();
-    let centre = if share > 1.0 { 0.0 } else { thermal.min(stall_torque.value.si()) };
-    let band = BAND_AT_RATED_SPEED * share.min(1.0);
-    let limit = centre * (1.0 - band);
-    if beyond {
-        let text = "n_av is above n_N_out: no continuous duty";
-        work.found("T_cont", &NEWTON_METRE, limit, text, &source, Grade::Estimated);
-    } else {
+    let (thermal, settled) = torque(low);
+    let limit = thermal.si().min(stall_torque.value.si());
+    if work.is_on() {
+        explain_continuous(actuator, model, (speed, low), &settled, work);
+        work.estimate("T_th", &NEWTON_METRE, thermal.si(), "max(k_Tout*(I_th - I_f), 0)", &source);
         work.given("T_0", &NEWTON_METRE, stall_torque);
-        work.formula("band", &ONE, band, "0.15*min(abs(n_av)/n_N_out, 1)", &source);
-        work.estimate("T_cont", &NEWTON_METRE, limit, "min(T_th, T_0)*(1 - band)", &source);
+        work.estimate("T_cont", &NEWTON_METRE, limit, "min(T_th, T_0)", &source);
     }
     Ok(ContinuousLimit {
         limit: Sourced { value: Torque::from_si(limit), source, grade: Grade::Estimated, errata: stall_torque.errata },
-        upper: Torque::from_si((centre * (1.0 + BAND_AT_RATED_SPEED)).min(stall_torque.value.si())),
+        upper: Torque::from_si(torque(high).0.si().min(stall_torque.value.si()).max(limit)),
     })
 }
 
-/// Torque at which the winding gives off a multiple of the loss of standstill; neither T_0 nor T_max counts here.
-///
-/// 1.5 R I² + w P_f = F · 1.5 R I_0², T = k_Tout (I − I_f), never negative; symbols and source as in
-/// [`estimated_continuous_torque`], F the multiple, w the share of the friction loss
-pub(crate) fn thermal_torque(
+/// The workings of the current that the heat permits at a speed, `I_th`, and of the friction current, `I_f`.
+fn explain_continuous(
     actuator: &Parameters,
-    speed: AngularVelocity,
-    loss_factor: f64,
-    friction_loss_share: f64,
-) -> Result<Torque, Missing> {
-    thermal_torque_with(actuator, speed, loss_factor, friction_loss_share, &mut Workings::off())
+    model: &HeatModel,
+    (speed, edge): (AngularVelocity, f64),
+    settled: &Settled,
+    work: &mut Workings,
+) {
+    let source = Source::Model { name: "continuous-torque" };
+    explain_stall_loss(actuator, work);
+    let heat = &actuator.heat;
+    if let (Some(share), Some(constant), Some(motor)) = (
+        heat.housing_share.known(),
+        actuator.torque_constant_out.known(),
+        actuator.torque_constant_motor.known(),
+    ) {
+        work.given_number("w", share);
+        work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, constant);
+        work.given("k_TM", &NEWTON_METRE_PER_AMPERE, motor);
+    }
+    if let Some(ratio) = actuator.ratio.known() {
+        work.given_number("i", ratio);
+    }
+    let text = "edge of the band at n";
+    work.found("b", &ONE, edge, text, &source, Grade::Estimated);
+    work.found("n", &REVOLUTION_PER_MINUTE, speed.si(), "n_av, at most n_N_out", &source, Grade::Computed);
+    explain_friction(actuator, settled, work);
+    let friction = settled.friction.current(speed).si();
+    let text = if actuator.stall_current_includes_friction { "I_NLS + K*abs(n)" } else { "K*abs(n)" };
+    work.formula("I_f", &AMPERE, friction, text, &source);
+    let text = "(I_NLS + K*abs(n))*k_TM*i*abs(n)*2*pi/60";
+    work.formula("P_f", &WATT, settled.losses.friction_w, text, &source);
+    let current = (settled.losses.copper_w / model.copper_ohm()).sqrt();
+    work.estimate("I_th", &AMPERE, current, "sqrt(max(b*P_0 - w*P_f, 0)/(1.5*R_hot))", &source);
 }
 
-fn thermal_torque_with(
-    actuator: &Parameters,
-    speed: AngularVelocity,
-    loss_factor: f64,
-    friction_loss_share: f64,
-    work: &mut Workings,
-) -> Result<Torque, Missing> {
-    let stall_current = match actuator.stall_current_motor.known() {
-        Some(motor) => motor,
-        None => actuator.stall_current.require("I_0")?,
+/// The workings of the loss that the winding bears at standstill, `P_0`.
+pub fn explain_stall_loss(actuator: &Parameters, work: &mut Workings) {
+    let current = actuator.stall_current_motor.known().or_else(|| actuator.stall_current.known());
+    let resistance = actuator.resistance_ll.known();
+    let factor = actuator.heat.stall_loss_factor.known();
+    let (Some(current), Some(resistance), Some(factor), true) = (current, resistance, factor, work.is_on()) else {
+        return;
     };
-    let starting = actuator.no_load_starting_current.require("I_NLS")?;
-    let constant = actuator.no_load_current_constant_80.require("K_INL")?;
-    let torque_constant_out = actuator.torque_constant_out.require("k_Tout")?;
-    let torque_constant_motor = actuator.torque_constant_motor.require("k_TM")?;
-    let resistance = actuator.resistance_ll.require("R_LL")?;
-    let ratio = actuator.ratio.require("i")?;
+    let source = Source::Model { name: "thermal" };
+    let hot =
+        copper_resistance(resistance.value, ThermodynamicTemperature::from_si(crate::WINDING_TEMPERATURE_CONTINUOUS));
+    work.given("I_0", &AMPERE, current);
+    work.given("R_LL", &OHM, resistance);
+    work.given_number("F", factor);
+    work.formula("R_hot", &OHM, hot.si(), "R_LL*(1 + 3.93e-3*(80 - 20))", &source);
+    let loss = factor.value * 1.5 * hot.si() * current.value.si().powi(2);
+    work.formula("P_0", &WATT, loss, "F*1.5*R_hot*I_0^2", &source);
+}
 
-    let hot = copper_resistance(resistance.value, ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_CONTINUOUS));
-    let friction = friction_current(starting.value, constant.value, speed).si();
-    let speed_motor_rad_s = speed.si().abs() * ratio.value;
-    let friction_loss_w = friction * torque_constant_motor.value.si() * speed_motor_rad_s;
-    let square =
-        loss_factor * stall_current.value.si().powi(2) - friction_loss_share * friction_loss_w / (1.5 * hot.si());
-    let counted = if actuator.stall_current_includes_friction { friction } else { friction - starting.value.si() };
-    let torque = (torque_constant_out.value.si() * (square.max(0.0).sqrt() - counted)).max(0.0);
-    if work.is_on() {
-        let source = Source::Model { name: "continuous-torque" };
-        let one = |work: &mut Workings, symbol, value| work.figure(symbol, &ONE, value, &source, Grade::Estimated);
-        work.given("I_0", &AMPERE, stall_current);
-        work.given("I_NLS", &AMPERE, starting);
-        work.given("K_INL", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant);
-        work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, torque_constant_out);
-        work.given("k_TM", &NEWTON_METRE_PER_AMPERE, torque_constant_motor);
-        work.given("R_LL", &OHM, resistance);
-        work.given_number("i", ratio);
-        one(work, "F", loss_factor);
-        one(work, "w", friction_loss_share);
-        work.formula("R_hot", &OHM, hot.si(), "R_LL*(1 + 3.93e-3*(80 - 20))", &source);
-        work.formula("I_f", &AMPERE, friction, "I_NLS + K_INL*abs(n_av)", &source);
-        work.formula("P_f", &WATT, friction_loss_w, "I_f*k_TM*i*abs(n_av)*2*pi/60", &source);
-        let current = square.max(0.0).sqrt();
-        work.estimate("I_th", &AMPERE, current, "sqrt(max(F*I_0^2 - w*P_f/(1.5*R_hot), 0))", &source);
-        let text = if actuator.stall_current_includes_friction {
-            "max(k_Tout*(I_th - I_f), 0)"
-        } else {
-            "max(k_Tout*(I_th - I_f + I_NLS), 0)"
-        };
-        work.estimate("T_th", &NEWTON_METRE, torque, text, &source);
+/// The workings of the friction at the temperature of the housing, `K`.
+pub fn explain_friction(actuator: &Parameters, settled: &Settled, work: &mut Workings) {
+    let source = Source::Model { name: "current" };
+    let data = (actuator.no_load_starting_current.known(), actuator.no_load_current_constant_30.known());
+    let (Some(starting), Some(cold), true) = (data.0, data.1, work.is_on()) else { return };
+    let friction = &settled.friction;
+    let celsius = friction.celsius();
+    let text = "temperature of the gear, that of the housing";
+    work.found("theta_h", &DEGREE_CELSIUS, friction.temperature.si(), text, &source, Grade::Estimated);
+    work.given("I_NLS", &AMPERE, starting);
+    work.given("K_30", &AMPERE_PER_REVOLUTION_PER_MINUTE, cold);
+    let constant = friction.constant.si();
+    match actuator.no_load_current_constant_80.known() {
+        Some(warm) if (20.0..=80.0).contains(&celsius) => {
+            work.given("K_80", &AMPERE_PER_REVOLUTION_PER_MINUTE, warm);
+            let text = "K_30*(K_80/K_30)^((theta_h - 30)/50)";
+            work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, text, &source);
+        }
+        Some(warm) if celsius > 80.0 => {
+            work.given("K_80", &AMPERE_PER_REVOLUTION_PER_MINUTE, warm);
+            work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, "K_80", &source);
+        }
+        Some(_) => {
+            let text = "extrapolated below 20 °C";
+            work.found("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, text, &source, Grade::Estimated);
+            work.found("I_NLS", &AMPERE, friction.starting.si(), text, &source, Grade::Estimated);
+        }
+        None => work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, "K_30", &source),
     }
-    Ok(Torque::from_si(torque))
 }
 
 #[cfg(test)]

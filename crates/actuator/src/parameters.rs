@@ -5,6 +5,7 @@ use crate::brake::Brake;
 use crate::curve::Curve;
 use crate::feedback::{Feedback, FeedbackSide};
 use crate::gear::Gear;
+use crate::heat::Heat;
 use crate::output_bearing::OutputBearing;
 use crate::screw_joint::ScrewJoint;
 use provenance::Datum;
@@ -76,6 +77,8 @@ pub struct Parameters {
     pub s3_curves: [Datum<Curve>; 2],
     /// Short-time curve (acceleration and braking), where one is published; holds from the printed terminal voltage on.
     pub short_time_curve: Datum<Curve>,
+    /// Calibration of the heat model.
+    pub heat: Heat,
     /// The gear.
     pub gear: Gear,
     /// The output bearing.
@@ -129,6 +132,7 @@ impl Parameters {
             continuous_curve: Datum::NotPrinted,
             s3_curves: [Datum::NotPrinted, Datum::NotPrinted],
             short_time_curve: Datum::NotPrinted,
+            heat: Heat::unknown(),
             gear: Gear::unknown(),
             output_bearing: OutputBearing::unknown(),
             brake: Brake::unknown(),

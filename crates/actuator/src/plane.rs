@@ -1,25 +1,18 @@
 //! The curves of the torque-speed plane: continuous duty, intermittent duty S3, short time.
 
 use crate::curve::{Curve, CurvePoint};
-use crate::motor::{
-    ContinuousLimit, FRICTION_LOSS_SHARE, WINDING_TIME_CONSTANT, continuous_torque, friction_current, speed_max,
-    speed_rated_out, thermal_torque,
-};
-use crate::overload::intermittent_loss_factor;
+use crate::friction::{COLD_START, FrictionAt, NoLoadFriction};
+use crate::heat::HeatModel;
+use crate::motor::{ContinuousLimit, continuous_torque_with, speed_max, speed_rated_out};
 use crate::parameters::Parameters;
 use crate::voltage::MotorVoltage;
 use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source, Sourced};
-use quantities::unit::{
-    AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, REVOLUTION_PER_MINUTE, VOLT,
-};
-use quantities::{AngularVelocity, ElectricPotential, Measure, Ratio, Time, Torque};
+use quantities::unit::{AMPERE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, REVOLUTION_PER_MINUTE, VOLT};
+use quantities::{AngularVelocity, ElectricPotential, Measure, Ratio, ThermodynamicTemperature, Time, Torque};
 
 /// The cycle of intermittent duty in the manual's curves: 1 min, in seconds.
 const S3_CYCLE: f64 = 60.0;
-
-/// Half width of the band of an estimated S3 curve, that of the continuous curve at the rated speed.
-const S3_BAND: f64 = 0.15;
 
 /// Half width of the band of the gear's limit under intermittent duty: the published points lie within.
 const S3_GEAR_BAND: f64 = 0.02;
@@ -92,10 +85,10 @@ pub fn performance_curves(
 
 /// Largest torque that the actuator can give at a speed for a short time, driving, at a terminal voltage if one is given.
 ///
-/// T = min(T_max, k_Tout (min(I_max, I_U) − I_f)) for |n| ≤ n_mot,max/i, never negative; zero beyond
+/// T = min(T_max, k_Tout (min(I_max, I_U) − I_f)) for |n| ≤ n_mot,max/i, never negative; zero beyond. The upper edge leaves
+/// out I_max, which has a check of its own, and the friction that grows with speed.
 ///
-/// # Symbols  I_U largest current of the voltage limit \[A\], see [`MotorVoltage::current_max`], I_f friction current at
-///   30 °C \[A\]
+/// # Symbols  I_U largest current of the voltage limit \[A\], see [`MotorVoltage::current_max`], I_f friction current \[A\]
 /// # Source   docs/theory/short-time-torque.md; where a short-time curve is published and the voltage is not below the
 ///   printed U_M, that curve
 /// # Valid    driving, i_d = 0; braking allows more
@@ -105,8 +98,9 @@ pub fn short_time_torque(
     actuator: &Parameters,
     speed: AngularVelocity,
     terminal_voltage: Option<ElectricPotential>,
-) -> Result<Sourced<Torque>, Missing> {
-    short_time_torque_with(actuator, speed, terminal_voltage, &mut Workings::off())
+    friction: &FrictionAt,
+) -> Result<ContinuousLimit, Missing> {
+    short_time_torque_with(actuator, speed, terminal_voltage, friction, &mut Workings::off())
 }
 
 /// [`short_time_torque`] with its workings; the caller has noted the speed `n`, the result is `T_short`.
@@ -117,25 +111,7 @@ pub fn short_time_torque_with(
     actuator: &Parameters,
     speed: AngularVelocity,
     terminal_voltage: Option<ElectricPotential>,
-    work: &mut Workings,
-) -> Result<Sourced<Torque>, Missing> {
-    Ok(short_time_limit_with(actuator, speed, terminal_voltage, work)?.limit)
-}
-
-/// The short-time torque with its band. The published curves of CHA-20A keep T_max up to n_max, more than I_max with cold
-/// friction gives: the upper edge leaves out I_max and the friction that grows with speed.
-fn short_time_limit(
-    actuator: &Parameters,
-    speed: AngularVelocity,
-    terminal_voltage: Option<ElectricPotential>,
-) -> Result<ContinuousLimit, Missing> {
-    short_time_limit_with(actuator, speed, terminal_voltage, &mut Workings::off())
-}
-
-fn short_time_limit_with(
-    actuator: &Parameters,
-    speed: AngularVelocity,
-    terminal_voltage: Option<ElectricPotential>,
+    friction: &FrictionAt,
     work: &mut Workings,
 ) -> Result<ContinuousLimit, Missing> {
     if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, terminal_voltage) {
@@ -151,12 +127,9 @@ fn short_time_limit_with(
     let torque_max = actuator.torque_max.require("T_max")?;
     let end = speed_max(actuator)?;
     let current_max = actuator.current_max.require("I_max")?;
-    let starting = actuator.no_load_starting_current.require("I_NLS")?;
-    let constant = actuator.no_load_current_constant_30.require("K_INL")?;
     let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
-    let mut grade = [torque_max.grade, current_max.grade, starting.grade, constant.grade, torque_constant.grade]
-        .into_iter()
-        .fold(Grade::Estimated, Grade::worst);
+    let mut grade =
+        [torque_max.grade, current_max.grade, torque_constant.grade].into_iter().fold(Grade::Estimated, Grade::worst);
     let current_voltage = match terminal_voltage {
         Some(voltage) => {
             let motor = MotorVoltage::of(actuator)?;
@@ -170,16 +143,15 @@ fn short_time_limit_with(
         let torque = (torque_constant.value.si() * current).clamp(0.0, torque_max.value.si());
         Torque::from_si(if inside { torque } else { 0.0 })
     };
-    let friction = friction_current(starting.value, constant.value, speed).si();
-    let limit = torque(current_voltage.min(current_max.value.si()) - friction);
+    let running = friction.current(speed).si();
+    let limit = torque(current_voltage.min(current_max.value.si()) - running);
+    let source = Source::Model { name: "short-time-torque" };
     if work.is_on() && inside {
-        let source = Source::Model { name: "short-time-torque" };
         work.given("I_max", &AMPERE, current_max);
-        work.given("I_NLS", &AMPERE, starting);
-        work.given("K_INL", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant);
         work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, torque_constant);
         work.given("T_max", &NEWTON_METRE, torque_max);
-        work.formula("I_f", &AMPERE, friction, "I_NLS + K_INL*abs(n)", &source);
+        let text = "I_s + K |n|, the gear as cold as the ambient air";
+        work.found("I_f", &AMPERE, running, text, &Source::Model { name: "current" }, Grade::Estimated);
         let text = if let Some(voltage) = terminal_voltage {
             let supply = Source::Project { key: "requirements.supply".into() };
             work.figure("U_M", &VOLT, voltage.si(), &supply, Grade::Computed);
@@ -191,18 +163,12 @@ fn short_time_limit_with(
         };
         work.estimate("T_short", &NEWTON_METRE, limit.si(), text, &source);
     } else if work.is_on() {
-        let source = Source::Model { name: "short-time-torque" };
         work.given("n_end", &REVOLUTION_PER_MINUTE, &end);
         work.found("T_short", &NEWTON_METRE, limit.si(), "n is above n_end", &source, grade);
     }
     Ok(ContinuousLimit {
-        limit: Sourced {
-            value: limit,
-            source: Source::Model { name: "short-time-torque" },
-            grade,
-            errata: torque_max.errata,
-        },
-        upper: torque(current_voltage - starting.value.si()),
+        limit: Sourced { value: limit, source, grade, errata: torque_max.errata },
+        upper: torque(current_voltage - friction.counted.si()),
     })
 }
 
@@ -306,7 +272,14 @@ fn continuous_curve(actuator: &Parameters) -> Result<PerformanceCurve, Missing> 
         return Ok(published(curve, &actuator.stall_torque, CurveKind::Continuous));
     }
     let end = speed_rated_out(actuator)?.value;
-    estimated(CurveKind::Continuous, None, end, |speed| continuous_torque(actuator, speed))
+    let model = HeatModel::of(actuator)?;
+    let at = |speed| continuous_torque_with(actuator, Some(&model), speed, &mut Workings::off());
+    estimated(CurveKind::Continuous, None, end, at)
+}
+
+/// Friction of a cold gear.
+fn cold_friction(actuator: &Parameters) -> Result<FrictionAt, Missing> {
+    Ok(NoLoadFriction::of(actuator)?.at(ThermodynamicTemperature::from_si(COLD_START)))
 }
 
 fn s3_curve(
@@ -328,12 +301,11 @@ fn s3_curve(
 
 /// Torque of intermittent duty S3 with a cycle of 1 min at a speed, with its band.
 ///
-/// 1.5 R I² + w P_f = F · 1.5 R I_0², T = k_Tout (I − I_f), F = (I_S3/I_S1)²;
-/// T ≤ T_A ED^(−1/3) (T_0 in place of T_A where that is not known), T ≤ the short-time torque
+/// T of [`HeatModel::torque`] with the duty factor; T ≤ T_A ED^(−1/3) (T_0 in place of T_A where that is not known),
+/// T ≤ the short-time torque
 ///
-/// # Symbols  ED duty factor, F see [`intermittent_loss_factor`] with τ_w, the others as in
-///   [`crate::estimated_continuous_torque`]
-/// # Source   docs/theory/short-time-torque.md; estimate, calibrated on curves-20A
+/// # Symbols  ED duty factor, T_A average torque of the gear \[Nm\]
+/// # Source   docs/theory/short-time-torque.md; estimate, held against curves-20A
 /// # Valid    |n| ≤ n_mot,max/i and ED |n| ≤ n_N/i, 0 < ED ≤ 1; rest without loss
 /// # Errors
 /// [`Missing`] with the first datum that is not known.
@@ -343,11 +315,11 @@ pub fn intermittent_torque(
     duty: Ratio,
     terminal_voltage: Option<ElectricPotential>,
 ) -> Result<ContinuousLimit, Missing> {
-    let factor = intermittent_loss_factor(duty, Time::from_si(S3_CYCLE), Time::from_si(WINDING_TIME_CONSTANT)).si();
-    let thermal = thermal_torque(actuator, speed, factor, FRICTION_LOSS_SHARE)?.si();
-    // Friction warms the gear first; in one minute little of it may reach the winding.
-    let without_friction_loss = thermal_torque(actuator, speed, factor, 0.0)?.si();
-    let short_time = short_time_limit(actuator, speed, terminal_voltage)?;
+    let model = HeatModel::of(actuator)?;
+    let (low, high) = model.band(AngularVelocity::from_si(duty.si() * speed.si()));
+    let high = actuator.heat.intermittent_band_high.known().map_or(high, |edge| edge.value.max(high));
+    let thermal = |edge: f64| model.torque(speed, duty.si(), Time::from_si(S3_CYCLE), edge).0.si();
+    let short_time = short_time_torque(actuator, speed, terminal_voltage, &cold_friction(actuator)?)?;
     let stall = actuator.stall_torque.require("T_0")?;
     let rated = speed_rated_out(actuator)?.value.si();
     let inside = duty.si() * speed.si().abs() <= rated * (1.0 + 1e-9);
@@ -358,15 +330,14 @@ pub fn intermittent_torque(
     let bounded = |torque: f64, gear: f64, short_time: Torque| {
         Torque::from_si(if inside { torque.min(gear).min(short_time.si()) } else { 0.0 })
     };
-    let upper = without_friction_loss * (1.0 + S3_BAND);
     Ok(ContinuousLimit {
         limit: Sourced {
-            value: bounded(thermal * (1.0 - S3_BAND), gear * (1.0 - S3_GEAR_BAND), short_time.limit.value),
+            value: bounded(thermal(low), gear * (1.0 - S3_GEAR_BAND), short_time.limit.value),
             source: Source::Model { name: "short-time-torque" },
             grade: short_time.limit.grade.worst(Grade::Estimated),
             errata: stall.errata,
         },
-        upper: bounded(upper, gear_upper, short_time.upper),
+        upper: bounded(thermal(high), gear_upper, short_time.upper),
     })
 }
 
@@ -376,7 +347,8 @@ fn short_time_curve(actuator: &Parameters, voltage: Option<ElectricPotential>) -
     }
     let end = speed_max(actuator)?.value;
     let kind = CurveKind::ShortTime;
-    let mut curve = estimated(kind, voltage, end, |speed| short_time_limit(actuator, speed, voltage))?;
+    let friction = cold_friction(actuator)?;
+    let mut curve = estimated(kind, voltage, end, |speed| short_time_torque(actuator, speed, voltage, &friction))?;
     let points = &mut curve.points;
     // The corner where another limit begins, between the last flat point and the next one.
     let corner = points.iter().zip(points.iter().skip(1)).position(|(a, b)| b.torque.si() < a.torque.si());
@@ -386,7 +358,8 @@ fn short_time_curve(actuator: &Parameters, voltage: Option<ElectricPotential>) -
         let (mut low, mut high) = (flat.speed.si(), fallen.speed.si());
         for _ in 0..60 {
             let middle = f64::midpoint(low, high);
-            let torque = short_time_torque(actuator, AngularVelocity::from_si(middle), voltage)?.value;
+            let at = AngularVelocity::from_si(middle);
+            let torque = short_time_torque(actuator, at, voltage, &friction)?.limit.value;
             if torque.si() < flat.torque.si() { high = middle } else { low = middle }
         }
         if low > flat.speed.si() {

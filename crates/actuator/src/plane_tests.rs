@@ -37,12 +37,26 @@ fn actuator() -> Parameters {
         resistance_ll: known(ElectricalResistance::from_si(6.0)),
         inductance_ll: known(Inductance::new_in(8.0, &MILLIHENRY)),
         pole_pairs: known(5.0),
+        heat: crate::Heat {
+            housing_share: known(0.45),
+            stall_loss_factor: known(1.0),
+            loss_band: known((0.85, 1.15)),
+            intermittent_band_high: Datum::NotPrinted,
+            winding_time_constant: known(Time::from_si(60.0)),
+            housing_time_constant: known(Time::from_si(2400.0)),
+        },
         ..Parameters::unknown()
     }
 }
 
+/// With a gear at 30 °C.
+fn limit(actuator: &Parameters, speed: AngularVelocity, voltage: Option<ElectricPotential>) -> f64 {
+    let friction = cold_friction(&self::actuator()).unwrap();
+    short_time_torque(actuator, speed, voltage, &friction).unwrap().limit.value.si()
+}
+
 fn torque(n: f64, volts: Option<f64>) -> f64 {
-    short_time_torque(&actuator(), rpm(n), volts.map(ElectricPotential::from_si)).unwrap().value.si()
+    limit(&actuator(), rpm(n), volts.map(ElectricPotential::from_si))
 }
 
 /// k_Tout (I_max − I_f): 16 (4 − 0.2) = 60.8 > 56; at 120 1/min 16 (4 − 0.68) = 53.12.
@@ -97,12 +111,22 @@ fn the_four_curves_are_drawn_in_order_and_nested() {
     assert!((end(3) - 120.0).abs() < 1e-9);
 }
 
-/// At rest: F = 1.6065, I = 2 √F = 2.535 A, 16 (2.535 − 0.2) = 37.36 Nm, lower edge 31.76 Nm, upper 42.96 Nm.
+/// By hand at rest, τ_w = 60 s and τ_h = 2400 s as two lags: half a minute on, half a minute off.
 #[test]
 fn intermittent_duty_by_hand() {
     let limit = intermittent_torque(&actuator(), rpm(0.0), Ratio::from_si(0.5), None).unwrap();
-    assert!((limit.limit.value.si() - 31.756).abs() < 0.001, "{}", limit.limit.value.si());
-    assert!((limit.upper.si() - 42.964).abs() < 0.001, "{}", limit.upper.si());
+    let model = HeatModel::of(&actuator()).unwrap();
+    let [quick, slow] = model.network().time_constants().map(Time::si);
+    let share = |tau: f64| 1.0 / (1.0 + (-30.0 / tau).exp());
+    let [g_quick, g_slow] = model.network().winding().copper;
+    let per_watt = g_quick * share(quick) + g_slow * share(slow);
+    let current = |edge: f64| (edge * 40.0 / per_watt / model.copper_ohm()).sqrt();
+    // T_0 is printed at rest, so the lower edge has no distance there; the upper one has.
+    assert!((limit.limit.value.si() - 16.0 * (current(1.0) - 0.2)).abs() < 1e-9, "{}", limit.limit.value.si());
+    assert!((limit.upper.si() - 16.0 * (current(1.15) - 0.2)).abs() < 1e-9, "{}", limit.upper.si());
+    // The slow housing sees the mean, the winding more: the loss lies between twice and once that of continuous duty.
+    let factor = current(1.0).powi(2) / 4.0;
+    assert!(factor > 1.6 && factor < 2.0, "{factor}");
     // A gear with T_A = 32 Nm bears 32 · 2^(1/3) = 40.32 Nm half of the time.
     let mut geared = actuator();
     geared.gear.average_torque_max = known(Torque::from_si(32.0));
@@ -137,7 +161,7 @@ fn published_curves_win_and_are_cut_at_the_printed_torque() {
     // 34 falls to 32 a fifth of the way from 20 to 70.
     assert_eq!(corners, [(0.0, 32.0), (20.0, 32.0), (30.0, 32.0), (70.0, 24.0), (70.0, 0.0)]);
     let at = |volts: f64| {
-        short_time_torque(&actuator, rpm(120.0), Some(ElectricPotential::from_si(volts))).unwrap().value.si()
+        limit(&actuator, rpm(120.0), Some(ElectricPotential::from_si(volts)))
     };
     assert!((at(220.0) - 50.0).abs() < 1e-9);
     assert!(at(160.0) < 40.0, "below the printed voltage the model answers");
@@ -152,7 +176,8 @@ fn published_curves_win_and_are_cut_at_the_printed_torque() {
 #[test]
 fn an_actuator_without_data_has_no_curves() {
     assert_eq!(performance_curves(&Parameters::unknown(), None).unwrap_err().symbol, "n_N");
-    assert_eq!(short_time_torque(&Parameters::unknown(), rpm(1.0), None).unwrap_err().symbol, "T_max");
+    let friction = cold_friction(&actuator()).unwrap();
+    assert_eq!(short_time_torque(&Parameters::unknown(), rpm(1.0), None, &friction).unwrap_err().symbol, "T_max");
     let published = Parameters { continuous_curve: curve(&[(0.0, 1.0), (1.0, 1.0)]), ..Parameters::unknown() };
     assert_eq!(performance_curves(&published, None).unwrap().len(), 1);
 }

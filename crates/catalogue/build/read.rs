@@ -175,7 +175,11 @@ fn table_paths(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
 pub(crate) fn read_all(root: &Path, faults: &mut Vec<String>) -> Data {
     let mut data = Data::default();
     for folder in ["cha/tables", "published"] {
-        for path in table_paths(&root.join(folder), faults) {
+        let mut paths = table_paths(&root.join(folder), faults);
+        if folder == "published" {
+            paths.insert(0, root.join("cha/family.toml"));
+        }
+        for path in paths {
             let Some(table) = read_file::<Table>(&path, faults) else { continue };
             if path.file_stem().is_none_or(|stem| stem.to_string_lossy() != table.table) {
                 faults.push(format!("{}: the file must be named after its table {}", path.display(), table.table));

@@ -1,12 +1,12 @@
 //! From an ordering code to the parameters of its actuator.
 
 use crate::parts;
-use actuator::{BearingType, Curve, CurvePoint, Gear, OutputBearing, Parameters};
+use actuator::{BearingType, Curve, CurvePoint, Gear, Heat, OutputBearing, Parameters};
 use catalogue::Drive;
 use order_code::{Brake, OrderCode, Ratio, Size, Winding};
 use provenance::{CellRef, Datum, Grade, Source, Sourced};
 use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use quantities::{AngularVelocity, ElectricCurrent, Measure, ThermodynamicTemperature, Torque};
+use quantities::{AngularVelocity, ElectricCurrent, Measure, ThermodynamicTemperature, Time, Torque};
 
 /// Where the ratios stand.
 const RATIOS: CellRef = CellRef::of_the_manual("12.1", "i", "");
@@ -60,6 +60,7 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
         output_bearing: output_bearing(code),
         s3_curves: [published_curve(code.size, ratio, "s3_50"), published_curve(code.size, ratio, "s3_25")],
         short_time_curve: published_curve(code.size, ratio, "maximum"),
+        heat: heat(drive),
         brake: parts::brake(drive, code),
         feedback: parts::feedback(code),
         feedback_out: parts::feedback_out(code),
@@ -82,6 +83,50 @@ fn largest_stall_current(drive: &Drive, code: &OrderCode) -> Datum<ElectricCurre
         }
     }
     largest
+}
+
+/// The calibration of the heat model for a drive: that of its winding, or of its size where all windings share it.
+fn heat(drive: &Drive) -> Heat {
+    let cells = catalogue::table("family").map(catalogue::Table::cells).unwrap_or_default();
+    let cell = |symbol: &str| {
+        let of = |drive: &str| cells.iter().find(|cell| cell.place.symbol == symbol && cell.place.drive == drive);
+        // Headed by the drive, by its size without the feedback, or once for all.
+        let size = drive.name.rsplit_once('-').map_or(drive.name, |(size, _)| size);
+        of(drive.name).or_else(|| of(size)).or_else(|| of(""))
+    };
+    let estimated = |datum: Datum<f64>| match datum {
+        Datum::Known(known) => Datum::Known(of_the_family(known)),
+        other => other,
+    };
+    let time = |symbol| match cell(symbol).map_or(Datum::NotPrinted, catalogue::datum_of::<Time>) {
+        Datum::Known(known) => Datum::Known(of_the_family(known)),
+        other => other,
+    };
+    let number = |symbol| estimated(parts::number_of(cell(symbol)));
+    let loss_band = match (number("loss_band_low"), number("loss_band_high")) {
+        (Datum::Known(low), Datum::Known(high)) => {
+            let high = high.value;
+            Datum::Known(low.map(|low| (low, high)))
+        }
+        _ => Datum::NotPrinted,
+    };
+    Heat {
+        housing_share: number("housing_share"),
+        stall_loss_factor: number("stall_loss_factor"),
+        loss_band,
+        intermittent_band_high: number("s3_band_high"),
+        winding_time_constant: time("tau_w"),
+        housing_time_constant: time("tau_h"),
+    }
+}
+
+/// A calibration is ours: an estimate, cited by its cell.
+fn of_the_family<T>(known: Sourced<T>) -> Sourced<T> {
+    let source = match known.source {
+        Source::Cell(cell) => Source::Published(cell),
+        other => other,
+    };
+    Sourced { source, grade: Grade::Estimated, ..known }
 }
 
 /// The lower end of the printed range of the terminal voltage: `220 ... 430`.

@@ -134,7 +134,7 @@ fn accuracy_and_joints_exist_for_every_code() {
             assert!(joint.count.known().is_some() && joint.size.known().is_some() && joint.grade.known().is_some());
         }
         assert!(p.feedback.accuracy.known().is_some() && p.feedback.resolution.known().is_some(), "{code}");
-        assert!(actuator::Thermal::of(&p).is_ok(), "{code}");
+        assert!(actuator::HeatModel::of(&p).is_ok(), "{code}");
     }
     let p = of("CHA-40A-100-H-C1024");
     close(value(&p.accuracy.transmission_accuracy, &ARCMINUTE), 0.5);
@@ -203,10 +203,13 @@ fn the_short_time_model_stays_below_the_published_curve() {
         let without = Parameters { short_time_curve: Datum::NotPrinted, ..with.clone() };
         let voltage = with.terminal_voltage_min.known().map(|known| known.value);
         for point in with.short_time_curve.known().expect("published").value.points() {
-            let model = actuator::short_time_torque(&without, point.speed, voltage).unwrap().value.si();
+            let cold = quantities::ThermodynamicTemperature::from_si(actuator::COLD_START);
+            let friction = actuator::NoLoadFriction::of(&with).unwrap().at(cold);
+            let model = actuator::short_time_torque(&without, point.speed, voltage, &friction).unwrap();
+            let model = model.limit.value.si();
             let share = model / point.torque.si();
             assert!((0.84..=1.001).contains(&share), "{ratio}: {share}");
-            let same = actuator::short_time_torque(&with, point.speed, voltage).unwrap();
+            let same = actuator::short_time_torque(&with, point.speed, voltage, &friction).unwrap().limit;
             assert!((same.value.si() - point.torque.si()).abs() < 1e-9);
             assert_eq!(same.grade, Grade::Published);
         }

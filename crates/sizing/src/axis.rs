@@ -254,6 +254,20 @@ impl Axis {
             .map(|(supply, reserve)| ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2 * reserve))
     }
 
+    /// Mean heat of the brake's coil: the brake is open all the time that it does not hold the load.
+    ///
+    /// P = U_Br I_HBr (1 − t_h/t_0)
+    ///
+    /// # Symbols  t_h time in dwells that the brake holds, t_0 duration of the cycle
+    #[must_use]
+    pub fn brake_coil_loss(&self, actuator: &actuator::Parameters) -> Option<Power> {
+        let (voltage, current) = (actuator.brake.voltage.known()?, actuator.brake.holding_current.known()?);
+        let held = self.motion.stretches().iter().filter(|stretch| stretch.hold == motion::Hold::Brake);
+        let held: f64 = held.map(|stretch| stretch.duration.si()).sum();
+        let open = 1.0 - held / self.moments.duration.si();
+        Some(Power::from_si(voltage.value.si() * current.value.si() * open.max(0.0)))
+    }
+
     /// Cubic mean of the torque of the load over the angle travelled: (∫|T|³|ω| dt / ∫|ω| dt)^(1/3).
     pub(crate) fn load_cubic_mean(&self) -> Torque {
         let travelled = self.trace.gram.travelled();

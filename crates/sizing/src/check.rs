@@ -2,7 +2,7 @@
 
 use derivation::Step;
 use provenance::{Grade, Source};
-use quantities::{Angle, AngularVelocity, Energy, Length, Power, ThermodynamicTemperature, Time, Torque, Unit};
+use quantities::{Angle, AngularVelocity, Energy, Length, Power, ThermodynamicTemperature, Time, Unit};
 use std::borrow::Cow;
 
 /// Identifier of a check, part of the contract with scripts.
@@ -201,7 +201,7 @@ impl Verdict {
 }
 
 /// A number with the unit that people read it in.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Figure {
     /// Value in SI.
     pub si: f64,
@@ -221,10 +221,29 @@ impl Figure {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Note {
-    /// Driving friction counts with the value at 30 °C, braking friction with that at 80 °C.
-    FrictionTemperatures,
-    /// The limit is the lower edge of an estimate; the upper edge is this torque.
-    EstimatedUpTo(Torque),
+    /// Friction counts with the gear as cold as the air and with the gear as warm as the cycle makes it, if that is known;
+    /// the larger current decides.
+    FrictionTemperatures {
+        /// Of the air.
+        cold: ThermodynamicTemperature,
+        /// Of the housing in the settled cycle.
+        settled: Option<ThermodynamicTemperature>,
+    },
+    /// Below 20 °C friction is extrapolated; it may be so many times smaller or larger.
+    FrictionExtrapolated {
+        /// Smallest factor.
+        low: f64,
+        /// Largest factor.
+        high: f64,
+    },
+    /// Only the cold gear asks for more than the limit.
+    UntilWarm,
+    /// The limit is the lower edge of an estimate; the upper edge is this figure.
+    EstimatedUpTo(Figure),
+    /// The value lies between the edges of an estimate.
+    InsideBand,
+    /// The utilisation is that of the rise above this temperature.
+    RiseAbove(ThermodynamicTemperature),
     /// The cycle is not short against the winding's time constant; the effective value alone is not safe.
     CycleNotShort {
         /// Duration of the cycle.

@@ -11,6 +11,7 @@ use crate::electric_checks;
 use crate::energy;
 use crate::feedback_checks;
 use crate::gear_checks;
+use crate::heat_checks;
 use crate::joint_checks;
 use crate::workings;
 use actuator::Parameters;
@@ -22,10 +23,6 @@ use std::borrow::Cow;
 
 /// J_L ≤ 3 J_out is recommended for highly dynamic duty (table 70.1).
 const INERTIA_RATIO_RECOMMENDED: f64 = 3.0;
-
-/// Above this share of the winding's time constant a cycle is no longer short: the winding's temperature swings by
-/// more than a tenth of its rise, so the effective value alone says too little.
-const SHORT_CYCLE_SHARE: f64 = 0.2;
 
 /// Room for the checks of an actuator that is rejected, and for all of one that is not, so that judging many does not
 /// grow one vector after the other.
@@ -117,9 +114,9 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
     checks.push(explained(explain, |work| peak_torque(axis, actuator, demands, work)));
     checks.push(explained(explain, |work| peak_speed(axis, actuator, work)));
     checks.push(explained(explain, |work| mean_speed(axis, actuator, work)));
-    checks.push(explained(explain, |work| continuous_torque(axis, actuator, demands, work)));
-    let currents = Currents::of(actuator);
+    let currents = Currents::of(axis, actuator);
     let currents = currents.as_ref();
+    checks.push(explained(explain, |work| heat_checks::continuous_torque(axis, actuator, currents, demands, work)));
     checks.extend(currents::current_checks(axis, actuator, currents, explain));
     if axis.supply.is_some() {
         checks.push(explained(explain, |work| currents::voltage(axis, actuator, currents, work)));
@@ -137,7 +134,9 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
     }
     if depth != Depth::Survivors || checks.iter().all(|check| check.verdict != Verdict::Fail) {
         checks.reserve_exact(all - checks.len().min(all));
-        electric_checks::judge(axis, actuator, currents, explain, &mut checks);
+        checks.push(explained(explain, |work| electric_checks::torque_speed_trace(axis, actuator, currents, work)));
+        checks.push(explained(explain, |work| heat_checks::thermal(axis, actuator, currents, work)));
+        checks.push(explained(explain, |work| heat_checks::overload(axis, actuator, currents, work)));
         if !bare || axis.asked.regeneration_power_max.is_some() {
             checks.push(explained(explain, |work| energy::regeneration(axis, actuator, currents, work)));
         }
@@ -155,12 +154,12 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
 }
 
 /// The errata of the own inertia, which is part of every torque.
-fn inertia_errata(actuator: &Parameters) -> &'static [&'static str] {
+pub(crate) fn inertia_errata(actuator: &Parameters) -> &'static [&'static str] {
     actuator.inertia_out.known().map_or(&[], |known| known.errata)
 }
 
 /// Says that eq. 69.2 takes the braking torque from the accelerating time, where it does.
-fn braking_note(manual: Option<&ManualDemand>) -> Notes {
+pub(crate) fn braking_note(manual: Option<&ManualDemand>) -> Notes {
     match manual {
         Some(manual) if manual.braking_assumed => Cow::Borrowed(&[Note::BrakingTorqueAssumed]),
         _ => Cow::Borrowed(&[]),
@@ -168,7 +167,7 @@ fn braking_note(manual: Option<&ManualDemand>) -> Notes {
 }
 
 /// The manual's equation where it describes the axis and sees every braking torque, else the exact integral.
-fn demand_source(manual: Option<&ManualDemand>, number: &'static str) -> Source {
+pub(crate) fn demand_source(manual: Option<&ManualDemand>, number: &'static str) -> Source {
     match manual {
         Some(manual) if !manual.braking_assumed => equation(number),
         _ => Source::Model { name: "demand" },
@@ -176,7 +175,7 @@ fn demand_source(manual: Option<&ManualDemand>, number: &'static str) -> Source 
 }
 
 /// The exact demand, and that of the manual.
-type Demands<'a> = (Option<&'a Demand>, Option<&'a ManualDemand>);
+pub(crate) type Demands<'a> = (Option<&'a Demand>, Option<&'a ManualDemand>);
 
 /// T_peak ≤ T_max (cha-manual 7.1: T_1 < T_max; glossary T_max: largest accelerating and braking torque).
 fn peak_torque(axis: &Axis, actuator: &Parameters, (demand, manual): Demands<'_>, work: &mut Workings) -> Check {
@@ -246,37 +245,6 @@ fn mean_speed(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check 
         }
         Err(missing) => not_checked(id, missing),
     }
-}
-
-/// T_rms ≤ continuous torque at n_av (cha-manual 7.1: the point (n_av, T_rms) inside the continuous zone).
-fn continuous_torque(axis: &Axis, actuator: &Parameters, (demand, manual): Demands<'_>, work: &mut Workings) -> Check {
-    let id = CheckId::ContinuousTorque;
-    let Some(demand) = demand else { return not_checked(id, Missing { symbol: "J_out" }) };
-    workings::mean_speed(axis, work);
-    let limit = match actuator::continuous_torque_with(actuator, demand.speed_mean, work) {
-        Ok(limit) => limit,
-        Err(missing) => return not_checked(id, missing),
-    };
-    work.limit("T_cont");
-    workings::effective_torque(axis, actuator, demand, manual, work);
-    work.value("T_rms");
-    let mut notes = braking_note(manual);
-    cite(&mut notes, inertia_errata(actuator));
-    if limit.limit.grade == Grade::Estimated {
-        for datum in [&actuator.stall_current, &actuator.stall_current_motor] {
-            cite(&mut notes, datum.known().map_or(&[], |known| known.errata));
-        }
-        cite(&mut notes, actuator.torque_constant_out.known().map_or(&[], |known| known.errata));
-        notes.to_mut().push(Note::EstimatedUpTo(limit.upper));
-    }
-    if axis.moments.duration.si() > SHORT_CYCLE_SHARE * actuator::WINDING_TIME_CONSTANT {
-        notes.to_mut().push(Note::CycleNotShort { cycle: axis.moments.duration });
-    }
-    Comparison {
-        notes,
-        ..Comparison::with(id, &NEWTON_METRE, demand.torque_rms.si(), demand_source(manual, "69.2"), &limit.limit)
-    }
-    .answer(Verdict::Fail)
 }
 
 /// J_L ≤ 3 J_out is recommended for highly dynamic duty (table 70.1).

@@ -43,6 +43,16 @@ pub(crate) struct Comparison<'a> {
     pub(crate) notes: Notes,
 }
 
+/// Edges of an estimate's band: up to the limit a value passes, above the upper edge it fails, between them it is advice.
+pub(crate) struct Edges {
+    pub(crate) limit: f64,
+    pub(crate) upper: f64,
+    pub(crate) unit: &'static Unit,
+}
+
+/// So much of its limit a value may lie above it and still be at it: the rounding of a unit or of a search.
+const AT_THE_LIMIT: f64 = 1e-9;
+
 impl<'a> Comparison<'a> {
     /// A value against a limit that is known with its source.
     pub(crate) fn with<Q: Measure>(
@@ -64,6 +74,25 @@ impl<'a> Comparison<'a> {
             errata: limit.errata,
             notes: Cow::Borrowed(&[]),
         }
+    }
+
+    /// Pass up to and including the lower edge of a band, fail above its upper edge, advice between them.
+    pub(crate) fn between(mut self, edges: Edges) -> Check {
+        let at_most = |edge: f64| self.value.abs() <= edge.abs() * (1.0 + AT_THE_LIMIT);
+        let (within, beyond) = (at_most(edges.limit), !at_most(edges.upper));
+        self.limit = edges.limit;
+        if edges.upper > edges.limit * (1.0 + AT_THE_LIMIT) {
+            let upper = Figure { si: edges.upper, unit: edges.unit };
+            self.notes.to_mut().push(Note::EstimatedUpTo(upper));
+            if !within && !beyond {
+                self.notes.to_mut().push(Note::InsideBand);
+            }
+        }
+        let mut check = self.answer(if beyond { Verdict::Fail } else { Verdict::Advice });
+        if within {
+            check.verdict = Verdict::Pass;
+        }
+        check
     }
 
     /// Pass up to and including the limit; `otherwise` beyond.

@@ -2,13 +2,12 @@
 
 use crate::axis::Axis;
 use crate::currents::Currents;
-use crate::electric_checks::{AMBIENT_REFERENCE, losses};
 use crate::energy::TerminalPower;
 use crate::trace::Node;
-use actuator::{Parameters, Thermal, WINDING_TIME_CONSTANT};
+use actuator::{AMBIENT_REFERENCE, Losses, Parameters};
 use mechanism::{Extra, Output};
 use motion::Hold;
-use quantities::{Measure, Power, Ratio, ThermodynamicTemperature, Time, Torque};
+use quantities::{Measure, Ratio, ThermodynamicTemperature, Time, Torque};
 
 /// Samples in one piece of a law.
 const PER_PIECE: u32 = 32;
@@ -54,11 +53,10 @@ impl Course {
     #[must_use]
     pub fn of(axis: &Axis, actuator: &Parameters) -> Self {
         let inertia = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
-        let currents = Currents::of(actuator);
-        let losses = losses(actuator, currents.as_ref());
+        let currents = Currents::of(axis, actuator);
         let power = TerminalPower::of(actuator, currents.as_ref());
         let mut samples = Vec::new();
-        let mut loss_w = Vec::new();
+        let mut losses = Vec::new();
         instants(axis, &mut |position_rad, node| {
             samples.push(Sample {
                 time_s: node.time,
@@ -70,10 +68,12 @@ impl Course {
                 power_w: power.as_ref().ok().map(|power| power.at(node)),
                 ..Sample::default()
             });
-            loss_w.extend(losses.as_ref().ok().map(|losses| losses.at(node)));
+            losses.extend(currents.as_ref().ok().and_then(|currents| currents.losses(node)));
         });
-        heat(&mut samples, &loss_w, axis, actuator);
-        overload(&mut samples, actuator);
+        if let Ok(currents) = &currents {
+            heat(&mut samples, &losses, axis, currents);
+            overload(&mut samples, actuator);
+        }
         Self {
             samples,
             borders_s: axis.motion.stretches().iter().map(|stretch| stretch.start.si()).collect(),
@@ -160,25 +160,28 @@ fn means(values: &[f64]) -> impl Iterator<Item = f64> {
     values.iter().zip(values.iter().skip(1).chain(values.last())).map(|(a, b)| 0.5 * (a + b))
 }
 
-fn heat(samples: &mut [Sample], loss_w: &[f64], axis: &Axis, actuator: &Parameters) {
-    let Ok(model) = Thermal::of(actuator) else { return };
-    if loss_w.len() != samples.len() {
+fn heat(samples: &mut [Sample], losses: &[Losses], axis: &Axis, currents: &Currents) {
+    let Ok((model, _)) = currents.heat() else { return };
+    if losses.len() != samples.len() {
         return;
     }
     let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
-    let pieces: Vec<(Time, Power)> = gaps(samples)
+    let copper: Vec<f64> = losses.iter().map(|losses| losses.copper_w).collect();
+    let friction: Vec<f64> = losses.iter().map(|losses| losses.friction_w).collect();
+    let pieces: Vec<(Time, Losses)> = gaps(samples)
         .into_iter()
-        .zip(means(loss_w))
-        .map(|(duration, loss)| (Time::from_si(duration), Power::from_si(loss)))
+        .zip(means(&copper).zip(means(&friction)))
+        .map(|(duration, (copper_w, friction_w))| (Time::from_si(duration), Losses { copper_w, friction_w }))
         .collect();
-    for (sample, found) in samples.iter_mut().zip(model.course(&pieces, ambient)) {
+    for (sample, found) in samples.iter_mut().zip(model.network().course(&pieces, ambient)) {
         sample.winding_k = Some(found.winding.si());
         sample.housing_k = Some(found.housing.si());
     }
 }
 
 fn overload(samples: &mut [Sample], actuator: &Parameters) {
-    let Some(stall) = actuator.stall_current.known().map(|stall| stall.value.si()) else { return };
+    let known = actuator.stall_current.known().zip(actuator.heat.winding_time_constant.known());
+    let Some((stall, tau)) = known.map(|(stall, tau)| (stall.value.si(), tau.value)) else { return };
     let squares: Vec<f64> = samples.iter().filter_map(|sample| Some((sample.current_a? / stall).powi(2))).collect();
     if squares.len() != samples.len() {
         return;
@@ -188,7 +191,7 @@ fn overload(samples: &mut [Sample], actuator: &Parameters) {
         .zip(means(&squares))
         .map(|(duration, square)| (Time::from_si(duration), Ratio::from_si(square)))
         .collect();
-    let course = actuator::overload_course(&pieces, Time::from_si(WINDING_TIME_CONSTANT));
+    let course = actuator::overload_course(&pieces, tau);
     for (sample, found) in samples.iter_mut().zip(course) {
         sample.overload = Some(found.si());
     }

@@ -3,120 +3,198 @@
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note, Notes, Verdict};
 use crate::comparison::{Comparison, cite, explained, not_checked};
-use crate::trace::{Extent, Node};
+use crate::trace::{Extent, Form, Node};
 use crate::workings;
-use actuator::{MotorVoltage, Parameters};
+use actuator::{
+    AMBIENT_REFERENCE, COLD_START, FrictionAt, HeatModel, LossMeans, Losses, MotorVoltage, NoLoadFriction, Parameters, Settled,
+};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{
-    AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, NEWTON_METRE_PER_AMPERE, ONE, REVOLUTION_PER_MINUTE, VOLT,
+    AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, NEWTON_METRE_PER_AMPERE, ONE, REVOLUTION_PER_MINUTE, VOLT,
 };
-use quantities::{AngularVelocity, ElectricCurrent, Measure, Time};
+use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, ThermodynamicTemperature, Time};
 use std::borrow::Cow;
 
-/// The motor current at every instant.
+/// The gear's temperature where no heat model tells it: the warmest for which friction is printed, 80 °C, in kelvin.
+const WARMEST: f64 = 353.15;
+
+/// Picks ω out of (α, T_L, σ, ω).
+pub(crate) const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
+
+/// The motor current at every instant, in the two states between which the gear lives: as cold as the air when the cycle
+/// begins, and settled to the temperature that the losses of the cycle themselves bring about.
 ///
-/// I = T/k_Tout + σ (I_NLS + K_INL |n|). Friction that opposes the torque counts with the 30 °C value of K_INL, friction
-/// that helps with the 80 °C value: either way the larger current.
+/// I = T/k_Tout + σ (I_s + K |n|), a weighted sum of (α, T_L, σ, ω) in either state
 pub(crate) struct Currents {
     pub(crate) inertia: f64,
     torque_constant: f64,
-    starting: f64,
-    cold: f64,
-    warm: f64,
+    /// Friction at the ambient temperature.
+    cold: FrictionAt,
+    /// Friction in the settled cycle.
+    pub(crate) warm: FrictionAt,
+    /// By which factors friction may lie beside `cold` where that is extrapolated.
+    cold_band: Option<(f64, f64)>,
+    /// The heat model and what it settles to; without one the warm state is the warmest that is printed.
+    heat: Result<(HeatModel, Settled), Missing>,
     pub(crate) grade: Grade,
     errata: [&'static [&'static str]; 2],
 }
 
+/// The current as a weighted sum of (α, T_L, σ, ω) for a friction.
+fn weights(inertia: f64, torque_constant: f64, friction: &FrictionAt) -> [f64; 4] {
+    [inertia / torque_constant, 1.0 / torque_constant, friction.counted.si(), friction.constant.si()]
+}
+
 impl Currents {
-    pub(crate) fn of(actuator: &Parameters) -> Result<Self, Missing> {
+    pub(crate) fn of(axis: &Axis, actuator: &Parameters) -> Result<Self, Missing> {
         let inertia = actuator.inertia_out.require("J_out")?;
         let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
-        let starting = actuator.no_load_starting_current.require("I_NLS")?;
-        let cold = actuator.no_load_current_constant_30.require("K_INL")?;
-        let warm = actuator.no_load_current_constant_80.known().unwrap_or(cold);
-        let grades = [inertia.grade, torque_constant.grade, starting.grade, cold.grade];
+        let law = NoLoadFriction::of(actuator)?;
+        let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
+        let cold = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(COLD_START));
+        let grades = [inertia.grade, torque_constant.grade];
+        let (own, constant) = (inertia.value.si(), torque_constant.value.si());
+        let heat = HeatModel::of(actuator).map(|model| {
+            let further = Power::from_si(axis.brake_coil_loss(actuator).map_or(0.0, Measure::si));
+            let settled = model.settle(&loss_means(axis, [own / constant, 1.0 / constant, 0.0, 0.0]), further, ambient);
+            (model, settled)
+        });
+        let warm = match &heat {
+            Ok((_, settled)) => settled.friction,
+            Err(_) => law.at(ThermodynamicTemperature::from_si(WARMEST)),
+        };
         Ok(Self {
-            inertia: inertia.value.si(),
-            torque_constant: torque_constant.value.si(),
-            starting: starting.value.si(),
-            cold: cold.value.si(),
-            warm: warm.value.si(),
+            inertia: own,
+            torque_constant: constant,
+            cold: law.at(cold),
+            warm,
+            cold_band: law.cold_band(cold),
+            heat,
             grade: grades.into_iter().fold(Grade::Computed, Grade::worst),
             errata: [inertia.errata, torque_constant.errata],
         })
     }
 
+    /// The heat model with the state that the cycle settles to.
+    pub(crate) const fn heat(&self) -> Result<&(HeatModel, Settled), Missing> {
+        match &self.heat {
+            Ok(found) => Ok(found),
+            Err(missing) => Err(*missing),
+        }
+    }
+
+    /// Friction of a gear as cold as the air.
+    pub(crate) const fn cold(&self) -> &FrictionAt {
+        &self.cold
+    }
+
     /// How friction counts, and the errata of the inputs.
     fn notes(&self) -> Notes {
-        let mut notes: Notes = Cow::Borrowed(&[Note::FrictionTemperatures]);
+        let mut notes: Notes = Cow::Owned(vec![Note::FrictionTemperatures {
+            cold: self.cold.temperature,
+            settled: self.heat.as_ref().ok().map(|(_, settled)| settled.housing),
+        }]);
+        notes.to_mut().extend(self.cold_band.map(|(low, high)| Note::FrictionExtrapolated { low, high }));
         for errata in self.errata {
             cite(&mut notes, errata);
         }
         notes
     }
 
-    /// The current at an instant \[A\].
+    /// The current in the settled cycle as a weighted sum of (α, T_L, σ, ω).
+    pub(crate) fn settled_weights(&self) -> [f64; 4] {
+        weights(self.inertia, self.torque_constant, &self.warm)
+    }
+
+    /// The current in the settled cycle at an instant \[A\].
     pub(crate) fn at(&self, node: &Node) -> f64 {
+        self.in_state(node, &self.warm)
+    }
+
+    fn in_state(&self, node: &Node, friction: &FrictionAt) -> f64 {
         let torque = self.inertia * node.acceleration + node.load;
-        self.with(node, torque * node.direction < 0.0)
+        torque / self.torque_constant
+            + node.direction * (friction.counted.si() + friction.constant.si() * node.speed.abs())
     }
 
-    /// The current at an instant at the border of a time with one sign of T σ: friction as within that time \[A\].
-    pub(crate) fn with(&self, node: &Node, braking: bool) -> f64 {
+    /// Of the two states the one with the larger current at an instant.
+    fn larger(&self, node: &Node) -> &FrictionAt {
         let torque = self.inertia * node.acceleration + node.load;
-        let constant = if braking { self.warm } else { self.cold };
-        torque / self.torque_constant + node.direction * (self.starting + constant * node.speed.abs())
+        // Friction helps while braking: less of it asks for more current.
+        let driving = self.in_state(node, &self.cold).abs() >= self.in_state(node, &self.warm).abs();
+        if driving || torque == 0.0 { &self.cold } else { &self.warm }
     }
 
-    /// The current as a weighted sum of (α, T_L, σ, ω), where friction has one sign over all nodes: `power_sign` is that
-    /// of T σ.
-    pub(crate) fn weights(&self, power_sign: f64) -> [f64; 4] {
-        let constant = if power_sign < 0.0 { self.warm } else { self.cold };
-        [self.inertia / self.torque_constant, 1.0 / self.torque_constant, self.starting, constant]
+    /// The larger current of the two states at an instant, signed \[A\].
+    fn extreme(&self, node: &Node) -> f64 {
+        self.in_state(node, self.larger(node))
     }
 
-    /// The current of friction as such a sum \[A\], times σ.
-    pub(crate) const fn friction_weights(&self) -> [f64; 4] {
-        [0.0, 0.0, self.starting, self.cold]
+    /// Both losses at an instant of the settled cycle, if there is a heat model.
+    pub(crate) fn losses(&self, node: &Node) -> Option<Losses> {
+        let (model, _) = self.heat().ok()?;
+        let (current, speed) = (self.at(node), node.speed.abs());
+        let friction = node.direction.abs() * self.warm.starting.si() + self.warm.constant.si() * speed;
+        Some(Losses {
+            copper_w: model.copper_ohm() * current * current,
+            friction_w: model.friction_v_s_per_rad() * friction * speed,
+        })
     }
 
-    /// The part of it that friction takes, by magnitude \[A\].
-    pub(crate) fn friction(&self, node: &Node) -> f64 {
-        node.direction.abs() * (self.starting + self.cold * node.speed.abs())
+    /// Friction loss as a form, for a voltage per friction current and output speed: k i (I_NLS σ + K ω) ω.
+    pub(crate) fn friction_form(&self, friction_vs: f64) -> Form {
+        Form::product([0.0, 0.0, self.warm.starting.si(), self.warm.constant.si()], SPEED).scale(friction_vs)
     }
 
-    /// No current of a block of nodes is above this.
+    /// No current of a block of nodes is above this, in either state.
     fn bound(&self, extent: &Extent) -> f64 {
-        extent.torque(self.inertia) / self.torque_constant + self.starting + self.cold.max(self.warm) * extent.speed
+        let constant = self.cold.constant.si().max(self.warm.constant.si());
+        let counted = self.cold.counted.si().max(self.warm.counted.si());
+        extent.torque(self.inertia) / self.torque_constant + counted + constant * extent.speed
     }
 
-    /// The largest magnitude and its instant.
-    fn largest(&self, axis: &Axis) -> (f64, Node) {
-        axis.trace.largest(|extent| self.bound(extent), |node| self.at(node).abs())
-    }
-
-    /// The workings of [`Self::at`]; the result is `I`.
+    /// The workings of the current at an instant in one of the states; the result is `I`.
     pub(crate) fn explain(&self, node: &Node, actuator: &Parameters, work: &mut Workings) {
         if !work.is_on() {
             return;
         }
         workings::torque_at(node, actuator, work);
-        let torque = self.inertia * node.acceleration + node.load;
-        let constant = &actuator.no_load_current_constant_80;
-        let warm = if torque * node.direction < 0.0 { constant.known() } else { None };
-        let data = (actuator.torque_constant_out.known(), actuator.no_load_starting_current.known());
-        if let (Some(torque_constant), Some(starting)) = data {
+        let friction = self.larger(node);
+        let source = Source::Model { name: "current" };
+        if let Some(torque_constant) = actuator.torque_constant_out.known() {
             work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, torque_constant);
-            work.given("I_NLS", &AMPERE, starting);
         }
-        if let Some(constant) = warm.or_else(|| actuator.no_load_current_constant_30.known()) {
-            work.given("K_INL", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant);
-        }
+        let text = if friction == &self.cold {
+            "gear as cold as the ambient air: friction opposes the torque"
+        } else {
+            "gear in the settled cycle: friction helps the torque"
+        };
+        work.found("theta_g", &DEGREE_CELSIUS, friction.temperature.si(), text, &source, Grade::Estimated);
+        let text = "law of friction at theta_g";
+        work.found("I_s", &AMPERE, friction.counted.si(), text, &source, Grade::Estimated);
+        let constant = friction.constant.si();
+        work.found("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, text, &source, Grade::Estimated);
         work.found("n", &REVOLUTION_PER_MINUTE, node.speed, "speed at t", &workings::DEMAND, Grade::Computed);
         work.found("sigma", &ONE, node.direction, "direction at t", &workings::DEMAND, Grade::Computed);
-        let text = "T/k_Tout + sigma*(I_NLS + K_INL*abs(n))";
-        work.formula("I", &AMPERE, self.at(node), text, &Source::Model { name: "current" });
+        let text = "T/k_Tout + sigma*(I_s + K*abs(n))";
+        work.formula("I", &AMPERE, self.extreme(node), text, &source);
+    }
+}
+
+/// The means of the products of torque current, direction and speed over the cycle.
+fn loss_means(axis: &Axis, torque_current: [f64; 4]) -> LossMeans {
+    let duration = axis.moments.duration.si();
+    let gram = &axis.trace.gram;
+    let direction = [0.0, 0.0, 1.0, 0.0];
+    let mean = |a, b| gram.product(a, b) / duration;
+    LossMeans {
+        torque_current_square: gram.square(torque_current) / duration,
+        torque_current_direction: mean(torque_current, direction),
+        torque_current_speed: mean(torque_current, SPEED),
+        moving: gram.moving() / duration,
+        speed_magnitude: gram.travelled() / duration,
+        speed_square: gram.square(SPEED) / duration,
     }
 }
 
@@ -135,7 +213,7 @@ pub(crate) fn voltage(
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let typed = |node: &Node| (AngularVelocity::from_si(node.speed), ElectricCurrent::from_si(currents.at(node)));
+    let typed = |node: &Node| (AngularVelocity::from_si(node.speed), ElectricCurrent::from_si(currents.extreme(node)));
     // The voltage of a block is below the one at its largest current and speed together.
     let bound = |extent: &Extent| {
         motor.at(AngularVelocity::from_si(extent.speed), ElectricCurrent::from_si(currents.bound(extent))).si()
@@ -185,43 +263,100 @@ pub(crate) fn voltage(
 }
 
 /// I_peak ≤ I_max, and I_peak ≤ I_E, at which demagnetisation begins.
+///
+/// Both states count: what only the cold gear asks beyond I_max is advice, for the drive limits the current until the gear
+/// is warm. Where a short-time curve is published, the current of that curve is permitted too: the printed I_max is not
+/// below it in the maker's reckoning.
 pub(crate) fn current_checks(
     axis: &Axis,
     actuator: &Parameters,
     currents: Result<&Currents, &Missing>,
     explain: bool,
 ) -> [Check; 2] {
-    let peak = currents.ok().map(|currents| currents.largest(axis));
     let limits = [
         (CheckId::PeakCurrent, "I_max", actuator.current_max.require("I_max")),
         (CheckId::Demagnetisation, "I_E", actuator.current_demagnetisation.require("I_E")),
     ];
-    let check = |id, symbol, limit: Result<&Sourced<ElectricCurrent>, Missing>, work: &mut Workings| {
-        let (limit, currents, (current, node)) = match (limit, currents, peak) {
-            (Ok(limit), Ok(currents), Some(peak)) => (limit, currents, peak),
-            (Err(missing), ..) => return not_checked(id, missing),
-            (_, Err(missing), _) => return not_checked(id, *missing),
-            _ => return not_checked(id, Missing { symbol: "J_out" }),
-        };
-        let source = Source::Model { name: "current" };
-        currents.explain(&node, actuator, work);
-        work.formula("I_peak", &AMPERE, current, "abs(I)", &source);
-        work.value("I_peak");
-        work.given(symbol, &AMPERE, limit);
-        work.limit(symbol);
-        Comparison {
-            id,
-            unit: &AMPERE,
-            value: current,
-            value_source: source,
-            at: Some(Time::from_si(node.time)),
-            limit: limit.value.si(),
-            limit_source: &limit.source,
-            grade: currents.grade.worst(limit.grade),
-            errata: limit.errata,
-            notes: currents.notes(),
-        }
-        .answer(Verdict::Fail)
+    limits.map(|(id, symbol, limit)| {
+        explained(explain, |work| current_check(axis, actuator, currents, (id, symbol, limit), work))
+    })
+}
+
+fn current_check(
+    axis: &Axis,
+    actuator: &Parameters,
+    currents: Result<&Currents, &Missing>,
+    (id, symbol, limit): (CheckId, &'static str, Result<&Sourced<ElectricCurrent>, Missing>),
+    work: &mut Workings,
+) -> Check {
+    let (limit, currents) = match limit.and_then(|limit| Ok((limit, currents.map_err(|missing| *missing)?))) {
+        Ok(found) => found,
+        Err(missing) => return not_checked(id, missing),
     };
-    limits.map(|(id, symbol, limit)| explained(explain, |work| check(id, symbol, limit, work)))
+    let curve = if id == CheckId::PeakCurrent { published_short_time(axis, actuator) } else { None };
+    let printed = limit.value.si();
+    // The current of the published curve at the speed of an instant, in the same state.
+    let permitted = |node: &Node, friction: &FrictionAt| {
+        let speed = AngularVelocity::from_si(node.speed);
+        let torque = curve.map_or(0.0, |curve| curve.value.at(speed).si());
+        printed.max(torque / currents.torque_constant + friction.current(speed).si())
+    };
+    let (_, node) = match curve {
+        None => axis.trace.largest(|extent| currents.bound(extent), |node| currents.extreme(node).abs()),
+        Some(_) => axis.trace.largest(
+            |extent| currents.bound(extent) / printed,
+            |node| currents.extreme(node).abs() / permitted(node, currents.larger(node)),
+        ),
+    };
+    let (current, most) = (currents.extreme(&node).abs(), permitted(&node, currents.larger(&node)));
+    // What the settled cycle asks beyond the limit no warm-up mends.
+    let settled = || {
+        let share = |node: &Node| currents.at(node).abs() / permitted(node, &currents.warm);
+        axis.trace.largest(|extent| currents.bound(extent) / printed, share).0
+    };
+    let by_cold_only = id == CheckId::PeakCurrent && current > most && currents.heat.is_ok() && settled() <= 1.0;
+    let source = Source::Model { name: "current" };
+    currents.explain(&node, actuator, work);
+    work.formula("I_peak", &AMPERE, current, "abs(I)", &source);
+    work.value("I_peak");
+    work.given(symbol, &AMPERE, limit);
+    let limit_source = match curve.filter(|_| most > printed) {
+        Some(curve) => {
+            let text = "current of the published short-time curve at n, at least I_max";
+            work.found("I_perm", &AMPERE, most, text, &curve.source, curve.grade);
+            work.limit("I_perm");
+            &curve.source
+        }
+        None => {
+            work.limit(symbol);
+            &limit.source
+        }
+    };
+    let mut notes = currents.notes();
+    if by_cold_only {
+        notes.to_mut().push(Note::UntilWarm);
+    }
+    Comparison {
+        id,
+        unit: &AMPERE,
+        value: current,
+        value_source: source,
+        at: Some(Time::from_si(node.time)),
+        limit: most,
+        limit_source,
+        grade: currents.grade.worst(limit.grade),
+        errata: limit.errata,
+        notes,
+    }
+    .answer(if by_cold_only { Verdict::Advice } else { Verdict::Fail })
+}
+
+/// The published short-time curve, where it holds at the terminal voltage of the axis.
+fn published_short_time<'a>(axis: &Axis, actuator: &'a Parameters) -> Option<&'a Sourced<actuator::Curve>> {
+    let curve = actuator.short_time_curve.known()?;
+    let enough = match (axis.terminal_voltage(), actuator.terminal_voltage_min.known()) {
+        (Some(voltage), Some(least)) => voltage.si() >= least.value.si(),
+        _ => true,
+    };
+    enough.then_some(curve)
 }

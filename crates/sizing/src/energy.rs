@@ -3,8 +3,7 @@
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note};
 use crate::comparison::{Asking, not_checked, shown_or_at_most};
-use crate::currents::Currents;
-use crate::electric_checks::SPEED;
+use crate::currents::{Currents, SPEED};
 use crate::trace::{Block, Node};
 use actuator::Parameters;
 use derivation::Workings;
@@ -12,11 +11,16 @@ use provenance::{Grade, Missing, Source};
 use quantities::unit::{JOULE, SECOND, WATT};
 use quantities::{Energy, Measure, Power};
 
-/// Power at the motor terminals, winding cold: P = 1.5 R I² + k_TM I ω_mot.
+/// Power at the motor terminals, winding cold: P = 1.5 R I² + k_TM I ω_mot, friction that of the settled cycle.
+///
+/// Driven by the load the gear passes on 2 − 1/η of its torque, driving it takes 1/η: its loss is the same share of the
+/// torque either way, η = k_Tout/(i k_TM) (docs/theory/energy.md).
 pub(crate) struct TerminalPower<'a> {
     currents: &'a Currents,
     copper_ohm: f64,
     constant_vs: f64,
+    /// η (2 − 1/η): current per torque while driven, over that while driving.
+    driven: f64,
 }
 
 impl<'a> TerminalPower<'a> {
@@ -25,18 +29,39 @@ impl<'a> TerminalPower<'a> {
         let resistance = actuator.resistance_ll.require("R_LL")?;
         let constant = actuator.torque_constant_motor.require("k_TM")?;
         let ratio = actuator.ratio.require("i")?;
-        Ok(Self { currents, copper_ohm: 1.5 * resistance.value.si(), constant_vs: constant.value.si() * ratio.value })
+        let constant_vs = constant.value.si() * ratio.value;
+        let out = actuator.torque_constant_out.require("k_Tout")?;
+        Ok(Self {
+            currents,
+            copper_ohm: 1.5 * resistance.value.si(),
+            constant_vs,
+            driven: actuator::driven_share(out.value, constant.value, ratio.value),
+        })
+    }
+
+    /// Current at an instant within a time in which the load drives, or does not \[A\].
+    fn current(&self, node: &Node, driven: bool) -> f64 {
+        let [inertia, load, direction, speed] = self.weights(if driven { -1.0 } else { 1.0 });
+        inertia * node.acceleration + load * node.load + direction * node.direction + speed * node.speed
+    }
+
+    /// The current as a weighted sum of (α, T_L, σ, ω) where T σ has one sign.
+    fn weights(&self, power_sign: f64) -> [f64; 4] {
+        let [inertia, load, direction, speed] = self.currents.settled_weights();
+        let passed = if power_sign < 0.0 { self.driven } else { 1.0 };
+        [passed * inertia, passed * load, direction, speed]
     }
 
     /// At an instant \[W\].
     pub(crate) fn at(&self, node: &Node) -> f64 {
-        let current = self.currents.at(node);
+        let torque = self.currents.inertia * node.acceleration + node.load;
+        let current = self.current(node, torque * node.direction < 0.0);
         (self.copper_ohm * current + self.constant_vs * node.speed) * current
     }
 
     /// Its integral over a block in which the load is only driven \[J\].
     fn driving(&self, block: &Block) -> f64 {
-        let weights = self.currents.weights(1.0);
+        let weights = self.weights(1.0);
         self.copper_ohm * block.gram.square(weights) + self.constant_vs * block.gram.product(weights, SPEED)
     }
 
@@ -57,7 +82,7 @@ impl<'a> TerminalPower<'a> {
     /// Over a part of a gap with one sign of the torque: I and ω are straight there, so P is a parabola of time.
     fn arc(&self, a: &Node, b: &Node, torque: f64, take: &mut impl FnMut(&Arc)) {
         let braking = torque * a.direction < 0.0;
-        let (i0, i1) = (self.currents.with(a, braking), self.currents.with(b, braking));
+        let (i0, i1) = (self.current(a, braking), self.current(b, braking));
         let (w0, dw, di) = (a.speed, b.speed - a.speed, i1 - i0);
         let (r, k) = (self.copper_ohm, self.constant_vs);
         take(&Arc {

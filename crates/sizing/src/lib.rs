@@ -18,6 +18,7 @@ mod energy;
 mod feedback_checks;
 mod flange;
 mod gear_checks;
+mod heat_checks;
 mod joint_checks;
 mod rank;
 mod reserve;

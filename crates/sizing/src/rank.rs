@@ -29,7 +29,8 @@ impl Standing {
     }
 }
 
-/// The stated rule: what fits before what does not; then the smaller frame size; then the lower utilisation, that is
+/// The stated rule: what fits before what does not; among what fits, what keeps within every limit before what lies inside
+/// the band of an estimate, whose utilisation is above one; then the smaller frame size; then the lower utilisation, that is
 /// the larger margin; then the lower mass. Among those that do not fit, the one that misses by least comes first, then
 /// the smaller frame size: what every check would pass misses by nothing.
 ///
@@ -39,10 +40,11 @@ pub fn rank(a: &Standing, b: &Standing) -> Ordering {
     let by_margin = || a.utilisation.total_cmp(&b.utilisation);
     let by_miss = || a.utilisation.max(1.0).total_cmp(&b.utilisation.max(1.0));
     let by_size = || a.size.cmp(&b.size);
+    let by_band = || (a.utilisation > 1.0).cmp(&(b.utilisation > 1.0));
     b.fits
         .cmp(&a.fits)
         .then_with(|| {
-            if a.fits { by_size().then_with(by_margin) } else { by_miss().then_with(by_size).then_with(by_margin) }
+            if a.fits { by_band().then_with(by_size).then_with(by_margin) } else { by_miss().then_with(by_size).then_with(by_margin) }
         })
         .then_with(|| a.mass_kg.total_cmp(&b.mass_kg))
 }
@@ -56,7 +58,7 @@ mod tests {
     }
 
     #[test]
-    fn fitting_first_then_smallest_then_widest_margin_then_lightest() {
+    fn fitting_first_then_certain_then_smallest_then_widest_margin_then_lightest() {
         let mut field = [
             standing(false, 14, 1.2, 1.0),
             standing(true, 25, 0.4, 5.0),
@@ -64,6 +66,7 @@ mod tests {
             standing(true, 20, 0.9, 3.2),
             standing(true, 20, 0.9, 3.1),
             standing(true, 20, 0.8, 4.2),
+            standing(true, 14, 1.05, 1.4),
         ];
         field.sort_by(rank);
         let order: Vec<(bool, u16, f64, f64)> =
@@ -75,6 +78,7 @@ mod tests {
                 (true, 20, 0.9, 3.1),
                 (true, 20, 0.9, 3.2),
                 (true, 25, 0.4, 5.0),
+                (true, 14, 1.05, 1.4),
                 (false, 14, 1.2, 1.0),
                 (false, 14, 3.0, 1.0),
             ]

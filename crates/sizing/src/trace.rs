@@ -1,7 +1,13 @@
 //! The motion under its load as weighted instants, once per axis; every candidate is judged on it.
 
 mod build;
+mod form;
+mod lags;
 mod recording;
+mod rule;
+
+pub(crate) use form::Form;
+pub(crate) use lags::{Lag, Peak};
 
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
@@ -27,6 +33,11 @@ pub(crate) struct Node {
 }
 
 impl Node {
+    /// x = (α, T_L, σ, ω)
+    pub(crate) const fn signals(&self) -> [f64; 4] {
+        [self.acceleration, self.load, self.direction, self.speed]
+    }
+
     /// The instant at a share of the way to the next one, everything taken as straight in between.
     pub(crate) fn towards(&self, next: &Self, share: f64) -> Self {
         let between = |a: f64, b: f64| a + share * (b - a);
@@ -110,7 +121,7 @@ pub(crate) struct Gram([[f64; 4]; 4]);
 
 impl Gram {
     fn add(&mut self, node: &Node) {
-        let x = [node.acceleration, node.load, node.direction, node.speed];
+        let x = node.signals();
         for (row, a) in self.0.iter_mut().zip(x) {
             let scaled = a * node.weight;
             for (sum, b) in row.iter_mut().zip(x) {
@@ -156,7 +167,23 @@ pub(crate) struct Share {
     pub(crate) travelled: f64,
 }
 
-/// Where the nodes of a block are.
+/// A smooth part of the cycle: between its nodes every signal is the polynomial through them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Panel<'a> {
+    /// The nodes of a Gauss-Lobatto rule, two to sixteen.
+    pub(crate) nodes: &'a [Node],
+    /// Duration \[s\].
+    pub(crate) duration: f64,
+}
+
+/// A panel whose nodes are kept.
+#[derive(Clone, Debug, PartialEq)]
+struct Kept {
+    nodes: Range<usize>,
+    duration: f64,
+}
+
+/// Where the panels of a block are.
 #[derive(Clone, Debug, PartialEq)]
 enum Place {
     /// Kept, between two indices.
@@ -209,9 +236,12 @@ pub(crate) struct Step {
 #[derive(Clone, Debug)]
 pub(crate) struct Trace {
     nodes: Vec<Node>,
+    panels: Vec<Kept>,
     strips: Vec<Strip>,
     blocks: Vec<Block>,
     groups: Vec<Extent>,
+    /// Sum of the weights \[s\].
+    duration: f64,
     pub(crate) gram: Gram,
     cubes: OnceLock<f64>,
     pub(crate) shares: Vec<Share>,
@@ -228,16 +258,26 @@ impl Trace {
         build::Builder::new(mechanism, motion, extras).trace()
     }
 
-    /// The nodes of a block in the order of time.
-    pub(crate) fn within(&self, block: &Block, look: &mut impl FnMut(&Node)) {
+    /// The panels of a block in the order of time.
+    pub(crate) fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
         match &block.place {
-            Place::Kept(range) => self.nodes.get(range.clone()).unwrap_or_default().iter().for_each(look),
+            Place::Kept(range) => {
+                for kept in self.panels.get(range.clone()).unwrap_or_default() {
+                    let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
+                    look(Panel { nodes, duration: kept.duration });
+                }
+            }
             Place::Recorded { strip, intervals } => {
                 if let Some(strip) = self.strips.get(*strip) {
                     intervals.clone().for_each(|index| strip.interval(index, look));
                 }
             }
         }
+    }
+
+    /// The nodes of a block in the order of time.
+    pub(crate) fn within(&self, block: &Block, look: &mut impl FnMut(&Node)) {
+        self.panels(block, &mut |panel| panel.nodes.iter().for_each(&mut *look));
     }
 
     /// ∫|T_L|³ |ω| dt; only gears with a rating ask for it.
@@ -369,3 +409,7 @@ fn in_order<T>(
 #[cfg(test)]
 #[path = "trace_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "lag_tests.rs"]
+mod lag_tests;

@@ -6,7 +6,7 @@ use quantities::{
     ViscousFriction,
 };
 
-fn manual(speed: f64, [t1, t2, t3, tp]: [f64; 4]) -> SegmentSpec {
+pub(super) fn manual(speed: f64, [t1, t2, t3, tp]: [f64; 4]) -> SegmentSpec {
     let s = Time::from_si;
     SegmentSpec::Manual(ManualMove {
         speed: AngularVelocity::from_si(speed),
@@ -17,12 +17,12 @@ fn manual(speed: f64, [t1, t2, t3, tp]: [f64; 4]) -> SegmentSpec {
     })
 }
 
-fn law(law: Law, distance: f64, time: f64) -> SegmentSpec {
+pub(super) fn law(law: Law, distance: f64, time: f64) -> SegmentSpec {
     let given = Given { distance: Some(Angle::from_si(distance)), time: Some(Time::from_si(time)), ..Given::default() };
     SegmentSpec::Move(law, given)
 }
 
-fn jerk(distance: f64) -> SegmentSpec {
+pub(super) fn jerk(distance: f64) -> SegmentSpec {
     SegmentSpec::Move(
         Law::Jerk,
         Given {
@@ -35,15 +35,15 @@ fn jerk(distance: f64) -> SegmentSpec {
     )
 }
 
-fn motion(segments: &[SegmentSpec]) -> Motion {
+pub(super) fn motion(segments: &[SegmentSpec]) -> Motion {
     Motion::new(segments, Some(Angle::from_si(0.0)), Closing::Speed).unwrap()
 }
 
-fn direct() -> Mechanism {
+pub(super) fn direct() -> Mechanism {
     Mechanism::direct(MomentOfInertia::from_si(1.3), Torque::from_si(5.0))
 }
 
-fn arm() -> Mechanism {
+pub(super) fn arm() -> Mechanism {
     let rotor = Rotor {
         mass: Mass::from_si(6.0),
         radius: Length::from_si(0.35),
@@ -213,7 +213,7 @@ fn law_constant(law: Law) -> f64 {
 }
 
 /// A swing of three harmonics with a torque of its own, sampled irregularly.
-fn swing(samples: u32) -> Motion {
+pub(super) fn swing(samples: u32) -> Motion {
     let step = |k: u32| f64::from(k) + 0.15 * f64::from(k % 5) - 0.3;
     let end = step(samples - 1) - step(0);
     let time_s: Vec<f64> = (0..samples).map(|k| 6.0 * (step(k) - step(0)) / end).collect();

@@ -1,7 +1,7 @@
 //! The pass over the motion that makes the trace.
 
 use super::recording::Strip;
-use super::{BLOCK, Block, Extent, GROUP, Gram, Node, Place, Share, Trace};
+use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Place, Share, Trace};
 use mechanism::{Extra, Mechanism, Output};
 use motion::{Hold, Motion, Piece, Placed, lobatto};
 use std::sync::OnceLock;
@@ -11,10 +11,11 @@ pub(super) struct Builder<'a> {
     motion: &'a Motion,
     extras: &'a [Extra],
     nodes: Vec<Node>,
+    panels: Vec<Kept>,
     strips: Vec<Strip>,
     blocks: Vec<Block>,
-    /// Nodes before this one are in a block.
-    blocked: usize,
+    /// Nodes and panels before these are in a block.
+    blocked: (usize, usize),
     shares: Vec<Share>,
     inertia: (f64, f64),
     span: (f64, f64),
@@ -48,9 +49,10 @@ impl<'a> Builder<'a> {
             motion,
             extras,
             nodes: Vec::with_capacity(4 * motion.pieces().len()),
+            panels: Vec::with_capacity(motion.pieces().len()),
             strips: Vec::new(),
             blocks: Vec::new(),
-            blocked: 0,
+            blocked: (0, 0),
             shares: vec![Share::default(); motion.stretches().len()],
             inertia: (0.0, f64::INFINITY),
             span: (f64::INFINITY, f64::NEG_INFINITY),
@@ -84,7 +86,9 @@ impl<'a> Builder<'a> {
         };
         Trace {
             groups: self.blocks.chunks(GROUP).map(group).collect(),
+            duration: self.blocks.iter().map(|block| block.duration).sum(),
             nodes: self.nodes,
+            panels: self.panels,
             strips: self.strips,
             blocks: self.blocks,
             gram,
@@ -98,13 +102,13 @@ impl<'a> Builder<'a> {
 
     /// Makes a block of the nodes since the last one.
     fn close_block(&mut self) {
-        let range = self.blocked..self.nodes.len();
-        if range.is_empty() {
+        let (nodes, panels) = self.blocked;
+        if panels == self.panels.len() {
             return;
         }
-        self.blocked = range.end;
-        let mut block = Block::empty(Place::Kept(range.clone()));
-        self.nodes.get(range).unwrap_or_default().iter().for_each(|node| block.add(node));
+        self.blocked = (self.nodes.len(), self.panels.len());
+        let mut block = Block::empty(Place::Kept(panels..self.panels.len()));
+        self.nodes.get(nodes..).unwrap_or_default().iter().for_each(|node| block.add(node));
         self.blocks.push(block);
     }
 
@@ -122,8 +126,9 @@ impl<'a> Builder<'a> {
         self.span = both(self.span, survey.span);
         self.holding = self.holding.max(survey.holding);
         if strip.intervals() <= KEPT {
-            survey.blocks.iter_mut().for_each(|block| strip.keep(block, &mut self.nodes));
-            self.blocked = self.nodes.len();
+            let (nodes, panels) = (&mut self.nodes, &mut self.panels);
+            survey.blocks.iter_mut().for_each(|block| strip.keep(block, nodes, panels));
+            self.blocked = (self.nodes.len(), self.panels.len());
         } else {
             self.strips.push(strip);
         }
@@ -140,7 +145,7 @@ impl<'a> Builder<'a> {
         for pair in cuts.windows(2) {
             if let [from, to] = pair {
                 self.panel(piece, extra, (*from, *to), nodes);
-                if self.nodes.len() - self.blocked >= BLOCK {
+                if self.nodes.len() - self.blocked.0 >= BLOCK {
                     self.close_block();
                 }
             }
@@ -149,6 +154,7 @@ impl<'a> Builder<'a> {
 
     fn rest(&mut self, piece: &Piece, extra: &Extra, hold: Hold) {
         let output = self.output(piece, 0.0, 0.0);
+        let (first, duration) = (self.nodes.len(), piece.duration_s);
         let holding = self.mechanism.torque(&output, extra);
         let load = if hold == Hold::Motor { holding } else { 0.0 };
         for share in [0.0, 1.0] {
@@ -161,6 +167,7 @@ impl<'a> Builder<'a> {
                 load,
             });
         }
+        self.panels.push(Kept { nodes: first..self.nodes.len(), duration });
         self.see(&output, extra);
     }
 
@@ -280,6 +287,7 @@ impl<'a> Builder<'a> {
         let direction = piece.at(0.5 * (from + to)).speed_rad_s.signum();
         let mut travelled = 0.0;
         let (kinked, beside) = (self.kinked, 1e-9 * (to - from));
+        let first = self.nodes.len();
         for (u, weight) in lobatto(nodes) {
             // The end is met to the last bit, so that time never runs back into the next panel.
             let t = if *u == 1.0 { to } else { from + u * (to - from) };
@@ -297,6 +305,7 @@ impl<'a> Builder<'a> {
             travelled += weight * (to - from) * output.speed_rad_s * direction;
             self.see(&output, extra);
         }
+        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from });
         if let Some(share) = self.shares.get_mut(piece.segment) {
             share.travelled += travelled;
         }

@@ -1,7 +1,7 @@
 //! A recording under its load: bounds and sums of its blocks in one pass; the nodes of a long one are made when they are
 //! looked at.
 
-use super::{Block, Extent, Gram, Node, Place};
+use super::{Block, Extent, Gram, Kept, Node, Panel, Place};
 use mechanism::{Extra, Mechanism, Output, Plain};
 use motion::{Interval, Placed};
 use quantities::{Measure, Torque};
@@ -50,25 +50,27 @@ impl Strip {
         Self { placed, mechanism, extra, plain }
     }
 
-    /// The nodes of an interval: both ends and the middle with the weights of Simpson's rule, once for each direction.
-    pub(super) fn interval(&self, index: usize, look: &mut impl FnMut(&Node)) {
+    /// The panels of an interval, one for each direction: both ends and the middle with the weights of Simpson's rule.
+    pub(super) fn interval(&self, index: usize, look: &mut impl FnMut(Panel<'_>)) {
         let Some(interval) = self.placed.interval(index) else { return };
         let acceleration = interval.acceleration_rad_s2();
         for (from, to, direction) in parts(&interval) {
-            for (share, weight) in [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)] {
+            let duration = (to - from) * interval.duration_s;
+            let nodes = [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)].map(|(share, weight)| {
                 let u = if share == 1.0 { to } else { from + share * (to - from) };
                 let (position, speed, torque) = interval.at(u);
                 let output =
                     Output { position_rad: position, speed_rad_s: speed, acceleration_rad_s2: acceleration, direction };
-                look(&Node {
+                Node {
                     time: interval.start_s + u * interval.duration_s,
-                    weight: weight * (to - from) * interval.duration_s,
+                    weight: weight * duration,
                     acceleration,
                     speed,
                     direction,
                     load: self.load(&output, torque),
-                });
-            }
+                }
+            });
+            look(Panel { nodes: &nodes, duration });
         }
     }
 
@@ -76,12 +78,18 @@ impl Strip {
         self.placed.intervals()
     }
 
-    /// Makes the nodes of a block once and for all.
-    pub(super) fn keep(&self, block: &mut Block, nodes: &mut Vec<Node>) {
+    /// Makes the panels of a block once and for all.
+    pub(super) fn keep(&self, block: &mut Block, nodes: &mut Vec<Node>, panels: &mut Vec<Kept>) {
         if let Place::Recorded { intervals, .. } = &block.place {
-            let from = nodes.len();
-            intervals.clone().for_each(|index| self.interval(index, &mut |node| nodes.push(*node)));
-            block.place = Place::Kept(from..nodes.len());
+            let from = panels.len();
+            for index in intervals.clone() {
+                self.interval(index, &mut |panel| {
+                    let first = nodes.len();
+                    nodes.extend_from_slice(panel.nodes);
+                    panels.push(Kept { nodes: first..nodes.len(), duration: panel.duration });
+                });
+            }
+            block.place = Place::Kept(from..panels.len());
         }
     }
 
@@ -172,7 +180,8 @@ impl Strip {
                 block.join(&part);
                 from = many;
             }
-            (from..to).for_each(|index| self.interval(index, &mut |node| block.add(node)));
+            let mut add = |panel: Panel<'_>| panel.nodes.iter().for_each(|node| block.add(node));
+            (from..to).for_each(|index| self.interval(index, &mut add));
             from = to;
         }
         block

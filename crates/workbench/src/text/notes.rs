@@ -65,6 +65,81 @@ pub(super) fn heat(note: &Note, language: Language) -> String {
     }
 }
 
+/// Estimates: friction at which temperature, edges of a band.
+pub(super) fn estimate(note: &Note, language: Language) -> String {
+    let celsius = |si| with_unit(si, &DEGREE_CELSIUS, 3, language);
+    match note {
+        Note::FrictionTemperatures { cold, settled: Some(settled) } => {
+            let (cold, settled) = (celsius(cold.si()), celsius(settled.si()));
+            either(
+                language,
+                format!(
+                    "friction counts with a cold gear ({cold}) and with one as warm as the cycle makes it ({settled}); the larger current decides"
+                ),
+                format!(
+                    "die Reibung zählt mit kaltem Getriebe ({cold}) und mit einem so warmen, wie der Zyklus es macht ({settled}); der größere Strom entscheidet"
+                ),
+            )
+        }
+        Note::FrictionTemperatures { cold, settled: None } => {
+            let cold = celsius(cold.si());
+            either(
+                language,
+                format!(
+                    "friction counts with a cold gear ({cold}) and with one of 80 °C, for want of a heat model; the larger current decides"
+                ),
+                format!(
+                    "die Reibung zählt mit kaltem Getriebe ({cold}) und, mangels Wärmemodell, mit einem von 80 °C; der größere Strom entscheidet"
+                ),
+            )
+        }
+        Note::FrictionExtrapolated { low, high } => {
+            let factor = |value: f64| format_significant(value, 2, language);
+            let (low, high) = (factor(*low), factor(*high));
+            either(
+                language,
+                format!(
+                    "below 20 °C no friction is printed: it is extrapolated and may be {low} to {high} times what is counted"
+                ),
+                format!(
+                    "unter 20 °C ist keine Reibung angegeben: sie ist extrapoliert und kann das {low}- bis {high}-Fache des Gerechneten sein"
+                ),
+            )
+        }
+        Note::UntilWarm => either(
+            language,
+            "only the cold gear asks for more than the limit: until it is warm the drive will limit the current",
+            "nur das kalte Getriebe verlangt mehr als die Grenze: bis es warm ist, wird der Regler den Strom begrenzen",
+        ),
+        Note::EstimatedUpTo(upper) => {
+            let upper = with_unit(upper.si, upper.unit, 3, language);
+            either(
+                language,
+                format!(
+                    "no curve is published for this actuator: the limit is the lower edge of an estimate that reaches up to {upper}"
+                ),
+                format!(
+                    "für diesen Antrieb ist keine Kennlinie veröffentlicht: die Grenze ist der untere Rand einer Schätzung, die bis {upper} reicht"
+                ),
+            )
+        }
+        Note::InsideBand => either(
+            language,
+            "the value lies inside the band of an estimate: ask the maker, or give a curve",
+            "der Wert liegt im Band einer Schätzung: beim Hersteller fragen oder eine Kennlinie angeben",
+        ),
+        Note::RiseAbove(ambient) => {
+            let ambient = celsius(ambient.si());
+            either(
+                language,
+                format!("the utilisation is that of the rise above {ambient}"),
+                format!("die Auslastung ist die der Erwärmung über {ambient}"),
+            )
+        }
+        _ => String::new(),
+    }
+}
+
 /// The brake.
 pub(super) fn brake(note: &Note, language: Language) -> String {
     match note {

@@ -185,23 +185,6 @@ pub fn grade_word(grade: Grade, language: Language) -> &'static str {
 #[must_use]
 pub fn note_text(note: &Note, language: Language) -> String {
     match note {
-        Note::FrictionTemperatures => either(
-            language,
-            "friction that opposes the torque counts cold (K_INL at 30 °C), friction that helps counts warm (80 °C)",
-            "hemmende Reibung zählt kalt (K_INL bei 30 °C), helfende Reibung warm (80 °C)",
-        ),
-        Note::EstimatedUpTo(upper) => {
-            let upper = with_unit(upper.si(), &NEWTON_METRE, 3, language);
-            either(
-                language,
-                format!(
-                    "no continuous curve is published for this actuator: the limit is the lower edge of an estimate that reaches up to {upper}"
-                ),
-                format!(
-                    "für diesen Antrieb ist keine Dauerkennlinie veröffentlicht: die Grenze ist der untere Rand einer Schätzung, die bis {upper} reicht"
-                ),
-            )
-        }
         Note::CycleNotShort { cycle } => {
             let cycle = with_unit(cycle.si(), &SECOND, 3, language);
             either(
@@ -246,6 +229,12 @@ pub fn note_text(note: &Note, language: Language) -> String {
         note @ (Note::WarmUp(_) | Note::Housing(_) | Note::EnergyPerCycle { .. } | Note::Capacitor { .. }) => {
             super::notes::heat(note, language)
         }
+        note @ (Note::FrictionTemperatures { .. }
+        | Note::FrictionExtrapolated { .. }
+        | Note::UntilWarm
+        | Note::EstimatedUpTo(_)
+        | Note::InsideBand
+        | Note::RiseAbove(_)) => super::notes::estimate(note, language),
         note @ (Note::HangingLoad
         | Note::Sag(_)
         | Note::BrakeStop { .. }

@@ -1,0 +1,91 @@
+//! Where the heat model must agree with published curves: what it says of a duty that the maker or the user permits.
+
+use crate::curve::Curve;
+use crate::heat::HeatModel;
+use crate::parameters::Parameters;
+use provenance::{Datum, Sourced};
+use quantities::{AngularVelocity, Measure, Ratio, Time, Torque};
+
+/// Cycle of the published intermittent duty: 1 min, in seconds.
+const CYCLE: f64 = 60.0;
+
+/// What the heat model says of the published duty next to a cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PublishedDuty {
+    /// Rise of the winding there as a share of the permitted one: what the estimate is divided by to agree.
+    pub rise_share: f64,
+    /// Largest filtered (I/I_0)² there; the overload supervision must let it pass.
+    pub overload: f64,
+}
+
+/// What the heat model says of the published curves at the duty factor and mean speed of a cycle; `None` where none is
+/// published there.
+///
+/// The continuous curve counts at the mean speed, those of S3 at the speed in motion, between them a straight line over the
+/// duty factor. Where a curve stays at T_0, or is one of S3, the gear may limit it instead of the heat: there it can only
+/// relax the estimate.
+///
+/// # Symbols  duty factor ED, mean speed n_av over the whole cycle
+/// # Source   docs/theory/thermal.md; curves of [`Parameters`]
+#[must_use]
+pub fn published_duty(
+    actuator: &Parameters,
+    model: &HeatModel,
+    duty: f64,
+    speed_mean: AngularVelocity,
+) -> Option<PublishedDuty> {
+    let in_motion = AngularVelocity::from_si(if duty > 0.0 { speed_mean.si() / duty } else { 0.0 });
+    let at = |curve: &Sourced<Curve>, factor: f64, speed: AngularVelocity, most: &Datum<Torque>| {
+        let curve = curve.value.clone();
+        let end = curve.points().last().map_or(0.0, |point| point.speed.si());
+        let speed = AngularVelocity::from_si(speed.si().abs().min(end));
+        let most = most.known().map_or(f64::INFINITY, |most| most.value.si());
+        let torque = Torque::from_si(curve.at(speed).si().min(most));
+        said(actuator, model, torque, speed, factor).map(|said| (said, torque.si() < most * (1.0 - 1e-9)))
+    };
+    let continuous = || {
+        let (found, by_heat) =
+            at(actuator.continuous_curve.known()?, 1.0, speed_mean, &actuator.stall_torque)?;
+        let rise_share = if by_heat { found.rise_share } else { found.rise_share.max(1.0) };
+        Some(PublishedDuty { rise_share, ..found })
+    };
+    let [half, quarter] = &actuator.s3_curves;
+    let intermittent = |curve: &Datum<Curve>, factor: f64| {
+        let (found, _) = at(curve.known()?, factor, in_motion, &actuator.torque_max)?;
+        Some(PublishedDuty { rise_share: found.rise_share.max(1.0), ..found })
+    };
+    let between = |slow: PublishedDuty, quick: PublishedDuty, share: f64| PublishedDuty {
+        rise_share: quick.rise_share + share * (slow.rise_share - quick.rise_share),
+        overload: quick.overload + share * (slow.overload - quick.overload),
+    };
+    if duty >= 1.0 - 1e-9 {
+        return continuous();
+    }
+    if duty > 0.5 {
+        return match (continuous(), intermittent(half, 0.5)) {
+            (Some(slow), Some(quick)) => Some(between(slow, quick, (duty - 0.5) / 0.5)),
+            (slow, _) => slow,
+        };
+    }
+    match (intermittent(half, 0.5), intermittent(quarter, 0.25)) {
+        (Some(slow), Some(quick)) => Some(between(slow, quick, ((duty - 0.25) / 0.25).max(0.0))),
+        (Some(slow), None) => Some(slow),
+        (None, _) => continuous(),
+    }
+}
+
+/// What the model says of a torque at a speed, on for a share of a minute and at rest for the remainder.
+fn said(
+    actuator: &Parameters,
+    model: &HeatModel,
+    torque: Torque,
+    speed: AngularVelocity,
+    duty: f64,
+) -> Option<PublishedDuty> {
+    let stall = actuator.stall_current.known()?.value.si();
+    let (rise_share, settled) = model.rise_share(torque, speed, duty, Time::from_si(CYCLE));
+    let current = model.current(torque, speed, &settled.friction).si() / stall;
+    let tau = model.winding_time_constant().si();
+    let filter = if duty < 1.0 { (-duty * CYCLE / tau).exp_m1() / (-CYCLE / tau).exp_m1() } else { 1.0 };
+    Some(PublishedDuty { rise_share, overload: Ratio::from_si(current * current * filter).si() })
+}

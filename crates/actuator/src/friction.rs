@@ -1,0 +1,162 @@
+//! No-load friction of motor and gear as a current, and how it changes with the temperature of the grease.
+
+use crate::parameters::Parameters;
+use provenance::Missing;
+use quantities::unit::DEGREE_CELSIUS;
+use quantities::{ElectricCurrent, Measure, NoLoadCurrentConstant, ThermodynamicTemperature};
+
+/// Temperatures at which K_INL is printed, 30 °C and 80 °C, in kelvin.
+const PRINTED_K: (f64, f64) = (303.15, 353.15);
+
+/// Temperature of a cold gear where no ambient temperature is stated, 30 °C in kelvin: the colder one of those for which
+/// friction is printed.
+pub const COLD_START: f64 = PRINTED_K.0;
+
+/// Below this temperature, 20 °C in kelvin, the law is an extrapolation: nothing is printed for the 680 V windings.
+const EXTRAPOLATED_BELOW_K: f64 = 293.15;
+
+/// Growth of the printed starting currents of the 48 V windings from +20 °C downwards, per kelvin: 1.9 % to 5.1 %.
+///
+/// # Source   cha-manual tables 14.1 and 20.1, rows I_NLS: ln(I_cold/I_20)/ΔT over all ratios
+const COLD_GROWTH_PER_K: (f64, f64) = (0.019, 0.052);
+
+/// The law of the no-load friction of one actuator.
+///
+/// I_f = I_NLS + K(ϑ) |n|, K(ϑ) = K_30 (K_80/K_30)^((ϑ − 30 °C)/50 K)
+///
+/// The viscosity of grease falls exponentially with the temperature over such a span, so the printed pair is joined by an
+/// exponential, not by a straight line. Above 80 °C K stays K_80. Below 20 °C the same factor holds for I_NLS too: the
+/// extrapolation *cold friction*, with the band of [`NoLoadFriction::cold_band`].
+///
+/// # Symbols  I_NLS no-load starting current \[A\], K no-load current constant [A/(1/min)] per output speed, n output speed
+///   [1/min], ϑ temperature of the gear, taken as that of the housing
+/// # Source   cha-manual section 6, rows I_NLS and K_INL; docs/theory/current.md
+/// # Valid    −20 °C to 80 °C; from 20 °C to 80 °C within the print, below by extrapolation
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoLoadFriction {
+    /// I_NLS \[A\]
+    starting_a: f64,
+    /// The part of it that adds to the current of a torque: all of it, or none in the 48 V windings, whose k_Tout is
+    /// T_0/I_0 and so holds it already.
+    counted: f64,
+    /// K_30 [A/(rad/s)]
+    constant_30: f64,
+    /// ln(K_30/K_80)/50 K [1/K]
+    decay_per_k: f64,
+}
+
+/// Friction at one temperature, as currents.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrictionAt {
+    /// Temperature of the gear.
+    pub temperature: ThermodynamicTemperature,
+    /// I_NLS at it.
+    pub starting: ElectricCurrent,
+    /// I_s: the part of it that adds to the current of a torque; zero for the 48 V windings, whose I_0 = T_0/k_Tout.
+    pub counted: ElectricCurrent,
+    /// K_INL at it.
+    pub constant: NoLoadCurrentConstant,
+}
+
+impl NoLoadFriction {
+    /// The law of an actuator; if K_INL is known at 30 °C only, it does not change with the temperature.
+    ///
+    /// # Errors
+    /// [`Missing`] with the first datum that is not known.
+    pub fn of(actuator: &Parameters) -> Result<Self, Missing> {
+        let starting = actuator.no_load_starting_current.require("I_NLS")?.value.si();
+        let cold = actuator.no_load_current_constant_30.require("K_INL")?.value.si();
+        let warm = actuator.no_load_current_constant_80.known().map_or(cold, |warm| warm.value.si());
+        let both = cold > 0.0 && warm > 0.0;
+        let decay_per_k = if both { (cold / warm).ln() / (PRINTED_K.1 - PRINTED_K.0) } else { 0.0 };
+        let counted = if actuator.stall_current_includes_friction { 1.0 } else { 0.0 };
+        Ok(Self { starting_a: starting, counted, constant_30: cold, decay_per_k })
+    }
+
+    /// The friction at a temperature of the gear.
+    #[must_use]
+    pub fn at(&self, temperature: ThermodynamicTemperature) -> FrictionAt {
+        let (starting, constant, _) = self.state(temperature.si());
+        FrictionAt {
+            temperature,
+            starting: ElectricCurrent::from_si(starting),
+            counted: ElectricCurrent::from_si(starting * self.counted),
+            constant: NoLoadCurrentConstant::from_si(constant),
+        }
+    }
+
+    /// I_s of an I_NLS \[A\].
+    pub(crate) fn counted(&self, starting: f64) -> f64 {
+        starting * self.counted
+    }
+
+    /// I_NLS \[A\], K [A/(rad/s)] and −dK/dϑ at a temperature \[K\].
+    pub(crate) fn state(&self, temperature_k: f64) -> (f64, f64, f64) {
+        if temperature_k >= PRINTED_K.1 {
+            let warm = self.constant_30 * (-self.decay_per_k * (PRINTED_K.1 - PRINTED_K.0)).exp();
+            return (self.starting_a, warm, 0.0);
+        }
+        let constant = self.constant_30 * (-self.decay_per_k * (temperature_k - PRINTED_K.0)).exp();
+        let cold = (EXTRAPOLATED_BELOW_K - temperature_k).max(0.0);
+        let starting = if cold > 0.0 { self.starting_a * (self.decay_per_k * cold).exp() } else { self.starting_a };
+        (starting, constant, self.decay_per_k * constant)
+    }
+
+    /// By which factors friction may lie beside the extrapolation below 20 °C; `None` from 20 °C on.
+    ///
+    /// The printed starting currents of the 48 V windings grow by 1.9 % to 5.2 % per kelvin towards the cold, the
+    /// extrapolation by ln(K_30/K_80)/50 K: the quotient over the span below 20 °C.
+    #[must_use]
+    pub fn cold_band(&self, temperature: ThermodynamicTemperature) -> Option<(f64, f64)> {
+        let cold = EXTRAPOLATED_BELOW_K - temperature.si();
+        let (low, high) = COLD_GROWTH_PER_K;
+        let beside = |growth: f64| ((growth - self.decay_per_k) * cold).exp();
+        // A difference of a nanokelvin is the rounding of a unit.
+        (cold > 1e-9).then(|| (beside(low).min(1.0), beside(high).max(1.0)))
+    }
+}
+
+impl FrictionAt {
+    /// I_f = I_s + K |n|: what friction adds to the current of a torque while turning, by magnitude.
+    #[must_use]
+    pub fn current(&self, speed: quantities::AngularVelocity) -> ElectricCurrent {
+        ElectricCurrent::from_si(self.counted.si() + self.constant.si() * speed.si().abs())
+    }
+
+    /// The temperature in degrees Celsius, for people.
+    #[must_use]
+    pub fn celsius(&self) -> f64 {
+        self.temperature.in_unit(&DEGREE_CELSIUS)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LAW: NoLoadFriction = NoLoadFriction { starting_a: 0.2, counted: 1.0, constant_30: 0.04, decay_per_k: 0.020_794_415_416_798_36 };
+
+    fn at(celsius: f64) -> FrictionAt {
+        LAW.at(ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS))
+    }
+
+    /// K_30/K_80 = e^(0.0207944·50) = 2.828: at the middle, 55 °C, the geometric mean.
+    #[test]
+    fn the_printed_pair_is_met_and_joined_by_an_exponential() {
+        assert!((at(30.0).constant.si() - 0.04).abs() < 1e-15);
+        assert!((at(80.0).constant.si() - 0.04 / 8.0_f64.sqrt()).abs() < 1e-12);
+        assert!((at(55.0).constant.si().powi(2) - at(30.0).constant.si() * at(80.0).constant.si()).abs() < 1e-15);
+        assert_eq!(at(95.0).constant, at(80.0).constant, "beyond the print it stays");
+        assert_eq!(at(20.0).starting.si(), 0.2);
+    }
+
+    #[test]
+    fn in_the_cold_both_grow_and_the_band_is_told() {
+        assert!((at(0.0).starting.si() / 0.2 - (0.020_794_4_f64 * 20.0).exp()).abs() < 1e-4);
+        let band = |celsius: f64| LAW.cold_band(ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS));
+        assert_eq!(band(20.0), None);
+        let (low, high) = band(0.0).unwrap();
+        assert!((low - ((0.019_f64 - 0.020_794_4) * 20.0).exp()).abs() < 1e-4);
+        assert!((high - ((0.052_f64 - 0.020_794_4) * 20.0).exp()).abs() < 1e-4);
+    }
+}

@@ -1,0 +1,339 @@
+//! Heat: which losses an actuator bears for ever, at which temperature, and with which current.
+//!
+//! One model serves the continuous curve, intermittent duty, the temperature of a cycle and the overload supervision.
+
+use crate::friction::{FrictionAt, NoLoadFriction};
+use crate::motor::copper_resistance;
+use crate::parameters::Parameters;
+use crate::temperature::{Losses, Network};
+use provenance::{Datum, Missing};
+use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, ThermodynamicTemperature, Time, Torque};
+
+/// Winding temperature of continuous duty: the warning threshold of table 62.3, 80 °C, in kelvin.
+pub const WINDING_TEMPERATURE_CONTINUOUS: f64 = 353.15;
+
+/// The ambient temperature up to which the printed data hold, 40 °C, in kelvin: assumed where none is stated.
+pub const AMBIENT_REFERENCE: f64 = 313.15;
+
+/// Rise of the winding in continuous duty, 40 K: from the reference ambient to the warning threshold. The maker gives the
+/// same rise as a guide for mounts other than the plate.
+///
+/// # Source   cha-manual table 62.3 and section 6.1; hma-manual
+const RISE_PERMITTED: f64 = WINDING_TEMPERATURE_CONTINUOUS - AMBIENT_REFERENCE;
+
+/// What the family's heat model is calibrated with; another maker's actuator has none of it unless its owner states it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Heat {
+    /// w = R_ha/(R_wh + R_ha): share of the thermal resistance that lies between housing and air.
+    pub housing_share: Datum<f64>,
+    /// F: loss that the winding bears at standstill, as a multiple of that at the largest I_0 of the drive; above one
+    /// where the gear limits T_0 at every ratio.
+    pub stall_loss_factor: Datum<f64>,
+    /// Edges of the band of the loss that is borne, as multiples of it.
+    pub loss_band: Datum<(f64, f64)>,
+    /// Upper edge of that band in intermittent duty of one minute.
+    pub intermittent_band_high: Datum<f64>,
+    /// τ_w = R_wh C_w.
+    pub winding_time_constant: Datum<Time>,
+    /// τ_h = R_ha C_h.
+    pub housing_time_constant: Datum<Time>,
+}
+
+impl Heat {
+    /// Nothing is known.
+    #[must_use]
+    pub const fn unknown() -> Self {
+        Self {
+            housing_share: Datum::NotPrinted,
+            stall_loss_factor: Datum::NotPrinted,
+            loss_band: Datum::NotPrinted,
+            intermittent_band_high: Datum::NotPrinted,
+            winding_time_constant: Datum::NotPrinted,
+            housing_time_constant: Datum::NotPrinted,
+        }
+    }
+}
+
+/// Means over a cycle from which both losses follow for any friction.
+///
+/// With I = I_T + I_s σ + K ω: the copper loss needs the six means of the products of I_T, σ and ω.
+///
+/// # Symbols  I_T = T/k_Tout current of the torque \[A\], σ direction, ω output speed [rad/s]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LossMeans {
+    /// Mean of I_T² \[A²\].
+    pub torque_current_square: f64,
+    /// Mean of I_T σ \[A\].
+    pub torque_current_direction: f64,
+    /// Mean of I_T ω [A rad/s].
+    pub torque_current_speed: f64,
+    /// Mean of σ²: share of time in motion.
+    pub moving: f64,
+    /// Mean of σ ω = |ω| [rad/s].
+    pub speed_magnitude: f64,
+    /// Mean of ω² [rad²/s²].
+    pub speed_square: f64,
+}
+
+impl LossMeans {
+    /// Those of a constant torque at a constant speed for a share of the time, at rest without torque for the remainder.
+    fn intermittent(torque_current: f64, speed: f64, duty: f64) -> Self {
+        let turning = if speed > 0.0 { duty } else { 0.0 };
+        Self {
+            torque_current_square: duty * torque_current * torque_current,
+            torque_current_direction: turning * torque_current,
+            torque_current_speed: duty * torque_current * speed,
+            moving: turning,
+            speed_magnitude: duty * speed,
+            speed_square: duty * speed * speed,
+        }
+    }
+}
+
+/// The steady state that a cycle settles to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settled {
+    /// Mean temperature of the housing, which the friction has too.
+    pub housing: ThermodynamicTemperature,
+    /// Friction at it.
+    pub friction: FrictionAt,
+    /// Mean losses.
+    pub losses: Losses,
+}
+
+/// The heat model of one actuator.
+///
+/// P_cu = 1.5 R I², P_f = (I_NLS + K(ϑ_h)|n|) k_TM ω_mot; R_wh + R_ha = 40 K/P_0, P_0 = F · 1.5 R I_0², R_ha = w (R_wh + R_ha)
+///
+/// # Symbols  R = R_LL at 80 °C \[Ω\] (1.5 R_LL I² is the copper loss of a star winding), I_0 largest stall current of the
+///   drive over its ratios \[A\], F and w see [`Heat`], ϑ_h temperature of the housing
+/// # Source   docs/theory/thermal.md
+/// # Valid    on the plate of table 13.3; resistance of 80 °C, the safe side as long as the winding is cooler
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeatModel {
+    friction: NoLoadFriction,
+    torque_constant: f64,
+    copper_ohm: f64,
+    /// k_TM i: friction loss per friction current and output speed [V/(rad/s)].
+    friction_vs: f64,
+    stall_loss_w: f64,
+    network: Network,
+    band: (f64, f64),
+    /// n_N/i [rad/s]
+    rated: f64,
+    winding_time_constant: Time,
+}
+
+impl HeatModel {
+    /// The model of an actuator.
+    ///
+    /// # Errors
+    /// [`Missing`] with the first datum that is not known.
+    pub fn of(actuator: &Parameters) -> Result<Self, Missing> {
+        let heat = &actuator.heat;
+        let current = match actuator.stall_current_motor.known() {
+            Some(motor) => motor,
+            None => actuator.stall_current.require("I_0")?,
+        };
+        let copper_ohm = copper_ohm(actuator)?;
+        let factor = heat.stall_loss_factor.require("stall_loss_factor")?.value;
+        let stall_loss_w = factor * copper_ohm * current.value.si() * current.value.si();
+        let share = heat.housing_share.require("housing_share")?.value;
+        let total = RISE_PERMITTED / stall_loss_w;
+        let winding_time_constant = heat.winding_time_constant.require("tau_w")?.value;
+        let tau = [winding_time_constant, heat.housing_time_constant.require("tau_h")?.value];
+        let ratio = actuator.ratio.require("i")?.value;
+        Ok(Self {
+            friction: NoLoadFriction::of(actuator)?,
+            torque_constant: actuator.torque_constant_out.require("k_Tout")?.value.si(),
+            copper_ohm,
+            friction_vs: actuator.torque_constant_motor.require("k_TM")?.value.si() * ratio,
+            stall_loss_w,
+            network: Network::new([(1.0 - share) * total, share * total], tau),
+            band: heat.loss_band.require("loss_band")?.value,
+            rated: actuator.speed_motor_rated.require("n_N")?.value.si() / ratio,
+            winding_time_constant,
+        })
+    }
+
+    /// P_0: loss of the winding at standstill that warms it by 40 K.
+    #[must_use]
+    pub fn stall_loss(&self) -> Power {
+        Power::from_si(self.stall_loss_w)
+    }
+
+    /// The law of the friction.
+    #[must_use]
+    pub const fn friction(&self) -> &NoLoadFriction {
+        &self.friction
+    }
+
+    /// The thermal network.
+    #[must_use]
+    pub const fn network(&self) -> &Network {
+        &self.network
+    }
+
+    /// τ_w.
+    #[must_use]
+    pub const fn winding_time_constant(&self) -> Time {
+        self.winding_time_constant
+    }
+
+    /// 1.5 R: copper loss per square of the current \[Ω\].
+    #[must_use]
+    pub const fn copper_ohm(&self) -> f64 {
+        self.copper_ohm
+    }
+
+    /// k_TM i: friction loss per friction current and output speed [V/(rad/s)].
+    #[must_use]
+    pub const fn friction_v_s_per_rad(&self) -> f64 {
+        self.friction_vs
+    }
+
+    /// Edges of the band of the permitted loss at a mean speed, as multiples of it.
+    ///
+    /// At standstill T_0 is printed, so the lower edge has no distance there and gains it linearly up to n_N/i.
+    #[must_use]
+    pub fn band(&self, speed_mean: AngularVelocity) -> (f64, f64) {
+        let (low, high) = self.band;
+        let share = (speed_mean.si().abs() / self.rated).min(1.0);
+        (1.0 - (1.0 - low) * share, high)
+    }
+
+    /// Both losses for a friction, as means over a cycle.
+    fn losses(&self, means: &LossMeans, starting: f64, constant: f64) -> Losses {
+        let counted = self.friction.counted(starting);
+        let square = means.torque_current_square
+            + counted * counted * means.moving
+            + constant * constant * means.speed_square
+            + 2.0 * counted * means.torque_current_direction
+            + 2.0 * constant * means.torque_current_speed
+            + 2.0 * counted * constant * means.speed_magnitude;
+        let friction = starting * means.speed_magnitude + constant * means.speed_square;
+        Losses { copper_w: self.copper_ohm * square.max(0.0), friction_w: self.friction_vs * friction }
+    }
+
+    /// The temperature of the housing that a cycle settles to, and the friction and losses that go with it.
+    ///
+    /// ϑ_h = ϑ_a + R_ha (P_cu(K) + P_f(K) + P_x) with K = K(ϑ_h): one equation for ϑ_h, whose right side falls with ϑ_h
+    ///
+    /// # Symbols  P_x further loss in the housing, such as the coil of an open brake
+    /// # Source   docs/theory/thermal.md
+    /// # Valid    cycles short against τ_h; of longer ones the mean is meant
+    #[must_use]
+    pub fn settle(&self, means: &LossMeans, further: Power, ambient: ThermodynamicTemperature) -> Settled {
+        let [_, r_ha] = self.network.resistances_k_per_w();
+        let housing = self.balance(ambient.si(), |starting, constant, slope| {
+            let losses = self.losses(means, starting, constant);
+            let counted = self.friction.counted(starting);
+            let by_constant = 2.0
+                * self.copper_ohm
+                * (means.torque_current_speed + counted * means.speed_magnitude + constant * means.speed_square)
+                + self.friction_vs * means.speed_square;
+            let rise = r_ha * (losses.copper_w + losses.friction_w + further.si());
+            (rise, -slope * by_constant * r_ha)
+        });
+        let (starting, constant, _) = self.friction.state(housing);
+        let losses = self.losses(means, starting, constant);
+        let housing = ThermodynamicTemperature::from_si(housing);
+        Settled {
+            housing,
+            friction: self.friction.at(housing),
+            losses: Losses { friction_w: losses.friction_w + further.si(), ..losses },
+        }
+    }
+
+    /// The root of ϑ = ϑ_a + rise(ϑ), by Newton's method kept within a bracket; `rise` gives the rise and its slope for
+    /// I_NLS, K and −dK/dϑ at ϑ.
+    fn balance(&self, ambient_k: f64, rise: impl Fn(f64, f64, f64) -> (f64, f64)) -> f64 {
+        let at = |temperature_k: f64| {
+            let (starting, constant, slope) = self.friction.state(temperature_k);
+            let (rise, rise_slope) = rise(starting, constant, slope);
+            (temperature_k - ambient_k - rise, 1.0 - rise_slope)
+        };
+        // Friction is largest at ambient temperature: the rise there is above the root.
+        let (mut low, mut high) = (ambient_k, ambient_k - at(ambient_k).0.min(0.0));
+        let mut here = f64::midpoint(low, high);
+        for _ in 0..64 {
+            let (excess, slope) = at(here);
+            if excess > 0.0 { high = here } else { low = here }
+            let newton = here - excess / slope;
+            let next = if newton > low && newton < high { newton } else { f64::midpoint(low, high) };
+            if (next - here).abs() <= 1e-13 * here {
+                return next;
+            }
+            here = next;
+        }
+        here
+    }
+
+    /// Torque at a constant speed at which the winding reaches a multiple of its permitted rise, at the reference ambient
+    /// temperature, while it runs for a share of each cycle and rests without loss for the remainder; not negative.
+    ///
+    /// A P_cu + B P_f = b · 40 K with A, B of [`Network::intermittent`]; T = k_Tout (√(P_cu/1.5R) − I_s − K n)
+    ///
+    /// # Symbols  b edge of the band; friction at the housing's mean temperature ϑ_a + R_ha ED (P_cu + P_f)
+    /// # Source   docs/theory/continuous-torque.md, docs/theory/short-time-torque.md
+    #[must_use]
+    pub fn torque(&self, speed: AngularVelocity, duty: f64, cycle: Time, edge: f64) -> (Torque, Settled) {
+        let n = speed.si().abs();
+        let [_, r_ha] = self.network.resistances_k_per_w();
+        let (a, b) = self.network.intermittent(duty, cycle);
+        let permitted = edge * RISE_PERMITTED;
+        let friction_loss = |starting: f64, constant: f64| self.friction_vs * (starting + constant * n) * n;
+        let copper = |friction: f64| ((permitted - b * friction) / a).max(0.0);
+        let housing = self.balance(AMBIENT_REFERENCE, |starting, constant, slope| {
+            let friction = friction_loss(starting, constant);
+            let copper_w = copper(friction);
+            let by_friction = if copper_w > 0.0 { 1.0 - b / a } else { 1.0 };
+            let rise = r_ha * duty * (copper_w + friction);
+            (rise, -slope * self.friction_vs * n * n * by_friction * r_ha * duty)
+        });
+        let (starting, constant, _) = self.friction.state(housing);
+        let friction_w = friction_loss(starting, constant);
+        let copper_w = copper(friction_w);
+        let counted = self.friction.counted(starting);
+        let current = (copper_w / self.copper_ohm).sqrt() - counted - constant * n;
+        let housing = ThermodynamicTemperature::from_si(housing);
+        let settled =
+            Settled { housing, friction: self.friction.at(housing), losses: Losses { copper_w, friction_w } };
+        (Torque::from_si((self.torque_constant * current).max(0.0)), settled)
+    }
+
+    /// Rise of the winding at the end of each operation of an intermittent duty at a constant torque and speed, at the
+    /// reference ambient temperature, as a share of the permitted 40 K, and what the duty settles to; duty one is
+    /// continuous duty.
+    ///
+    /// # Source   docs/theory/thermal.md
+    #[must_use]
+    pub fn rise_share(&self, torque: Torque, speed: AngularVelocity, duty: f64, cycle: Time) -> (f64, Settled) {
+        let (a, b) = self.network.intermittent(duty, cycle);
+        let means = LossMeans::intermittent(torque.si() / self.torque_constant, speed.si().abs(), duty);
+        let ambient = ThermodynamicTemperature::from_si(AMBIENT_REFERENCE);
+        let settled = self.settle(&means, Power::from_si(0.0), ambient);
+        let rise = (a * settled.losses.copper_w + b * settled.losses.friction_w) / duty;
+        (rise / RISE_PERMITTED, settled)
+    }
+
+    /// Current of a torque at a speed in steady state, friction at a temperature found before; driving.
+    #[must_use]
+    pub fn current(&self, torque: Torque, speed: AngularVelocity, friction: &FrictionAt) -> ElectricCurrent {
+        ElectricCurrent::from_si(torque.si() / self.torque_constant + friction.current(speed).si())
+    }
+}
+
+/// 1.5 R_LL at 80 °C: copper loss of a star winding per square of the current \[Ω\].
+///
+/// # Errors
+/// [`Missing`] if R_LL is not known.
+pub fn copper_ohm(actuator: &Parameters) -> Result<f64, Missing> {
+    let resistance = actuator.resistance_ll.require("R_LL")?.value;
+    let hot = ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_CONTINUOUS);
+    Ok(1.5 * copper_resistance(resistance, hot).si())
+}
+
+#[cfg(test)]
+#[path = "heat_tests.rs"]
+mod tests;

@@ -1,0 +1,168 @@
+//! Continuous points of sister series, published by the same maker, against the heat model of the CHA of the same gear size.
+//!
+//! The motors differ, so copper loss is that of the sister's own motor; gear, plate and thermal path are those of the CHA,
+//! whose calibration used CHA-20A alone. What the model says of these points is its cross-validation.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails loudly")]
+
+use actuator::{HeatModel, Parameters};
+use order_code::parse;
+use provenance::{Datum, Sourced};
+use quantities::{AngularVelocity, ElectricalResistance, Measure, Time, Torque, TorqueConstant};
+
+/// A cell of a published table in its printed unit.
+fn cell(table: &str, symbol: &str, drive: &str, ratio: &str) -> f64 {
+    let cells = catalogue::table(table).unwrap().cells();
+    let found = cells.iter().find(|cell| {
+        cell.place.symbol == symbol && cell.place.drive == drive && ["", ratio].contains(&cell.place.ratio)
+    });
+    found.unwrap_or_else(|| panic!("{table} {symbol} {drive} {ratio}")).value.number().unwrap()
+}
+
+fn with<T>(datum: &Datum<T>, value: T) -> Datum<T>
+where
+    T: Clone,
+{
+    let known = datum.known().unwrap();
+    Datum::Known(Sourced { value, ..known.clone() })
+}
+
+/// A sister with its own motor in the housing, on the gear and on the plate of a CHA.
+///
+/// Its k_TM follows from k_Tout with the efficiency of the gear, k_Tout/(i k_TM) of the CHA; its friction is the torque of
+/// the CHA's, so its friction currents are those times the quotient of both k_TM.
+fn sister(cha: &str, ratio: f64, constant_out: f64, resistance_phase: f64) -> Parameters {
+    let code = parse(cha).unwrap().code;
+    let own = configurator::parameters(&code).unwrap();
+    let k = |p: &Parameters| {
+        (p.torque_constant_out.known().unwrap().value.si(), p.torque_constant_motor.known().unwrap().value.si())
+    };
+    let ((cha_out, cha_motor), cha_ratio) = (k(&own), own.ratio.known().unwrap().value);
+    let efficiency = (cha_out / (cha_ratio * cha_motor)).min(1.0);
+    let motor = constant_out / (ratio * efficiency);
+    let current = cha_motor / motor;
+    // K_INL counts output speed: it grows with the ratio.
+    let constant = |datum: &Datum<quantities::NoLoadCurrentConstant>| {
+        let value = datum.known().unwrap().value.si() * current * ratio / cha_ratio;
+        with(datum, quantities::NoLoadCurrentConstant::from_si(value))
+    };
+    let stalled = own.stall_current_motor.known().unwrap();
+    let (hot, cold) = (HeatModel::of(&own).unwrap().copper_ohm(), own.resistance_ll.known().unwrap().value.si());
+    // The permitted loss is that of the CHA: 1.5 R I_0² as before, whatever the sister's motor.
+    let resistance_ll = 2.0 * resistance_phase;
+    let stall = stalled.value.si() * (cold / resistance_ll).sqrt();
+    assert!(hot > 0.0);
+    let starting = own.no_load_starting_current.known().unwrap().value.si() * current;
+    Parameters {
+        ratio: with(&own.ratio, ratio),
+        torque_constant_out: with(&own.torque_constant_out, TorqueConstant::from_si(constant_out)),
+        torque_constant_motor: with(&own.torque_constant_motor, TorqueConstant::from_si(motor)),
+        resistance_ll: with(&own.resistance_ll, ElectricalResistance::from_si(resistance_ll)),
+        no_load_starting_current: with(
+            &own.no_load_starting_current,
+            quantities::ElectricCurrent::from_si(starting),
+        ),
+        no_load_current_constant_30: constant(&own.no_load_current_constant_30),
+        no_load_current_constant_80: constant(&own.no_load_current_constant_80),
+        stall_current_motor: with(&own.stall_current_motor, quantities::ElectricCurrent::from_si(stall)),
+        ..own
+    }
+}
+
+fn share(actuator: &Parameters, torque: f64, rpm: f64) -> f64 {
+    let speed = AngularVelocity::from_si(rpm * std::f64::consts::TAU / 60.0);
+    let model = HeatModel::of(actuator).unwrap();
+    model.rise_share(Torque::from_si(torque), speed, 1.0, Time::from_si(60.0)).0
+}
+
+/// Points limited by heat: of 25C at ratio 160, 17C at 100 and 160 the torque is that of a smaller ratio, a limit of the gear.
+const FHA_C: [(&str, &str, &str, bool); 12] = [
+    ("FHA-17C", "50", "CHA-17A-50-H-RES", true),
+    ("FHA-17C", "100", "CHA-17A-100-H-RES", false),
+    ("FHA-17C", "160", "CHA-17A-120-H-RES", false),
+    ("FHA-25C", "50", "CHA-25A-50-H-C1024", true),
+    ("FHA-25C", "100", "CHA-25A-100-H-C1024", true),
+    ("FHA-25C", "160", "CHA-25A-160-H-C1024", false),
+    ("FHA-32C", "50", "CHA-32A-50-H-C1024", true),
+    ("FHA-32C", "100", "CHA-32A-100-H-C1024", true),
+    ("FHA-32C", "160", "CHA-32A-160-H-C1024", true),
+    ("FHA-40C", "50", "CHA-40A-50-H-C1024", true),
+    ("FHA-40C", "100", "CHA-40A-100-H-C1024", true),
+    ("FHA-40C", "160", "CHA-40A-160-H-C1024", true),
+];
+
+/// The calibration of 20A and the area of the plates tell what the maker permits for three other sizes within the band.
+#[test]
+fn the_model_of_20a_tells_the_points_of_other_sizes() {
+    let mut seen = Vec::new();
+    for (drive, ratio, cha, by_heat) in FHA_C {
+        let constant = cell("fha-c-motor", "k_Tout", drive, ratio);
+        let resistance = cell("fha-c-motor", "R_phase", drive, ratio);
+        let torque = cell("fha-orientation", "T_cont", drive, ratio);
+        let speed = cell("fha-orientation", "n_cont", drive, ratio);
+        let actuator = sister(cha, ratio.parse().unwrap(), constant, resistance);
+        let found = share(&actuator, torque, speed);
+        let (low, high) = actuator.heat.loss_band.known().unwrap().value;
+        seen.push((drive, ratio, found));
+        if by_heat {
+            assert!((low..=high).contains(&found), "{drive}-{ratio}: {found} outside {low}…{high}");
+        } else {
+            assert!(found <= high, "{drive}-{ratio}: the gear limits, yet the heat is {found}");
+        }
+    }
+    // The sizes that share no datum with the calibration lie closer together than the band.
+    let others: Vec<f64> = seen.iter().filter(|(d, r, _)| *d != "FHA-17C" && (*d, *r) != ("FHA-25C", "160")).map(|s| s.2).collect();
+    assert_eq!(others.len(), 8);
+    assert!(others.iter().all(|share| (0.9..=1.1).contains(share)), "{seen:?}");
+}
+
+/// The small sister prints its continuous current, friction included: copper and friction follow from the print alone.
+#[test]
+fn the_points_of_the_small_sister_lie_in_the_band_of_14a() {
+    for (ratio, cha) in [("30", "CHA-14A-30-H-RES"), ("50", "CHA-14A-50-H-RES"), ("100", "CHA-14A-100-H-RES")] {
+        let of = |symbol: &str| cell("fha-c-mini-continuous", symbol, "FHA-14C", ratio);
+        let constant = of("k_Tout");
+        let actuator = sister(cha, ratio.parse().unwrap(), constant, of("R_phase"));
+        let model = HeatModel::of(&actuator).unwrap();
+        // What is left of the printed current after the torque is friction, at the printed speed.
+        let friction_a = of("I_cont") - of("T_cont") / constant;
+        let speed = of("n_cont") * std::f64::consts::TAU / 60.0;
+        let copper = model.copper_ohm() * of("I_cont") * of("I_cont");
+        let friction = friction_a * model.friction_v_s_per_rad() * speed;
+        let share = actuator.heat.housing_share.known().unwrap().value;
+        let found = (copper + share * friction) / model.stall_loss().si();
+        let (low, high) = actuator.heat.loss_band.known().unwrap().value;
+        assert!((low..=high).contains(&found), "14C-{ratio}: {found} outside {low}…{high}");
+    }
+}
+
+/// The shares of the housing follow from that of 20A by the area of the plates of table 13.3 and the loss at standstill:
+/// R_ha ∝ 1/A, R_wh + R_ha = 40 K/P_0.
+#[test]
+fn the_housing_shares_follow_from_plate_and_loss() {
+    let area = |size: &str| {
+        let cells = catalogue::table("13.3").unwrap().cells();
+        let cell = cells.iter().find(|cell| cell.place.drive == format!("CHA-{size}")).expect(size);
+        let sides: Vec<f64> = cell.corrected.split('x').take(2).map(|side| side.trim().parse().unwrap()).collect();
+        sides.iter().product::<f64>()
+    };
+    let of = |code: &str| {
+        let p = configurator::parameters(&parse(code).unwrap().code).unwrap();
+        (p.heat.housing_share.known().unwrap().value, HeatModel::of(&p).unwrap().stall_loss().si())
+    };
+    let (share_20, loss_20) = of("CHA-20A-50-H-C1024");
+    for (code, size) in [
+        ("CHA-14A-50-E-RES", "14A"),
+        ("CHA-14A-50-H-RES", "14A"),
+        ("CHA-17A-50-E-RES", "17A"),
+        ("CHA-17A-50-N-RES", "17A"),
+        ("CHA-25A-50-H-C1024", "25A"),
+        ("CHA-32A-50-H-M512P", "32A"),
+        ("CHA-40A-50-H-C1024", "40A"),
+        ("CHA-50A-50-H-C1024", "50A"),
+        ("CHA-58A-50-H-M512P", "58A"),
+    ] {
+        let (share, loss) = of(code);
+        let expected = share_20 * (loss / loss_20) * (area("20A") / area(size));
+        assert!((share - expected).abs() <= 0.0075, "{code}: {share} {expected}");
+    }
+}

@@ -1,0 +1,223 @@
+//! The checks of heat: continuous torque, temperature of the winding, overload supervision.
+
+use crate::axis::Axis;
+use crate::check::{Check, CheckId, Note};
+use crate::checks::Demands;
+use crate::comparison::{Comparison, Edges, cite, not_checked};
+use crate::currents::Currents;
+use crate::trace::{Form, Lag};
+use crate::workings;
+use actuator::{AMBIENT_REFERENCE, ContinuousLimit, Gains, Parameters, PublishedDuty, WINDING_TEMPERATURE_CONTINUOUS};
+use derivation::Workings;
+use provenance::{CellRef, Grade, Missing, Source};
+use quantities::unit::{AMPERE, DEGREE_CELSIUS, KELVIN_DIFFERENCE, NEWTON_METRE, ONE, SECOND, WATT};
+use quantities::{Measure, ThermodynamicTemperature};
+use std::borrow::Cow;
+
+/// Above this share of the winding's time constant a cycle is no longer short: the winding's temperature swings by
+/// more than a tenth of its rise, so the effective value alone says too little.
+const SHORT_CYCLE_SHARE: f64 = 0.2;
+
+/// The model of temperatures.
+const THERMAL: Source = Source::Model { name: "thermal" };
+
+/// T_rms ≤ continuous torque at n_av (cha-manual 7.1: the point (n_av, T_rms) inside the continuous zone).
+pub(crate) fn continuous_torque(
+    axis: &Axis,
+    actuator: &Parameters,
+    currents: Result<&Currents, &Missing>,
+    (demand, manual): Demands<'_>,
+    work: &mut Workings,
+) -> Check {
+    let id = CheckId::ContinuousTorque;
+    let Some(demand) = demand else { return not_checked(id, Missing { symbol: "J_out" }) };
+    workings::mean_speed(axis, work);
+    let model = currents.ok().and_then(|currents| currents.heat().ok());
+    let limit = actuator::continuous_torque_with(actuator, model.map(|(model, _)| model), demand.speed_mean, work);
+    let limit = match limit {
+        Ok(limit) => limit,
+        Err(missing) => return not_checked(id, missing),
+    };
+    work.limit("T_cont");
+    workings::effective_torque(axis, actuator, demand, manual, work);
+    work.value("T_rms");
+    let mut notes = crate::checks::braking_note(manual);
+    cite(&mut notes, crate::checks::inertia_errata(actuator));
+    if limit.limit.grade == Grade::Estimated {
+        for datum in [&actuator.stall_current, &actuator.stall_current_motor] {
+            cite(&mut notes, datum.known().map_or(&[], |known| known.errata));
+        }
+        cite(&mut notes, actuator.torque_constant_out.known().map_or(&[], |known| known.errata));
+    }
+    let time_constant = actuator.heat.winding_time_constant.known();
+    if time_constant.is_some_and(|tau| axis.moments.duration.si() > SHORT_CYCLE_SHARE * tau.value.si()) {
+        notes.to_mut().push(Note::CycleNotShort { cycle: axis.moments.duration });
+    }
+    let edges = Edges { limit: limit.limit.value.si(), upper: limit.upper.si(), unit: &NEWTON_METRE };
+    let source = crate::checks::demand_source(manual, "69.2");
+    Comparison { notes, ..Comparison::with(id, &NEWTON_METRE, demand.torque_rms.si(), source, &limit.limit) }
+        .between(edges)
+}
+
+/// What the published curves permit at the duty of the cycle.
+fn published(axis: &Axis, actuator: &Parameters, currents: &Currents) -> Option<PublishedDuty> {
+    let (model, _) = currents.heat().ok()?;
+    actuator::published_duty(actuator, model, axis.moments.duty_factor(), axis.moments.speed_mean())
+}
+
+/// The two lags whose sum is a temperature above that of the air: each mode has its share of both losses.
+fn temperature_lags(currents: &Currents, gains: Gains) -> Result<[Lag; 2], Missing> {
+    let (model, _) = currents.heat()?;
+    let copper = Form::square(currents.settled_weights()).scale(model.copper_ohm());
+    let friction = currents.friction_form(model.friction_v_s_per_rad());
+    let [quick, slow] = model.network().time_constants();
+    let ([cu_quick, cu_slow], [f_quick, f_slow]) = (gains.copper, gains.friction);
+    let form = |of_copper: f64, of_friction: f64| copper.scale(of_copper).add(&friction.scale(of_friction));
+    Ok([
+        Lag { tau_s: quick.si(), form: form(cu_quick, f_quick) },
+        Lag { tau_s: slow.si(), form: form(cu_slow, f_slow) },
+    ])
+}
+
+/// The winding stays below its warning threshold of 80 °C in the steady cycle, as far as the model can tell.
+///
+/// ϑ_w − ϑ_a ≤ b (80 °C − ϑ_a) with b the lower edge of the band: pass; above the upper edge: fail; between them advice.
+/// Where curves are published the model is scaled to agree with them, and has no band.
+pub(crate) fn thermal(
+    axis: &Axis,
+    actuator: &Parameters,
+    currents: Result<&Currents, &Missing>,
+    work: &mut Workings,
+) -> Check {
+    let id = CheckId::Thermal;
+    let found = currents.map_err(|missing| *missing).and_then(|currents| {
+        let (model, settled) = currents.heat()?;
+        Ok((currents, model, settled, temperature_lags(currents, model.network().winding())?))
+    });
+    let (currents, model, settled, lags) = match found {
+        Ok(found) => found,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
+    // The coil of an open brake warms the housing; its mean counts.
+    let coil = axis.brake_coil_loss(actuator).map_or(0.0, Measure::si);
+    let [_, r_ha] = model.network().resistances_k_per_w();
+    let peak = axis.trace.peak_of_lags(&lags);
+    let published = published(axis, actuator, currents);
+    let scale = published.map_or(1.0, |published| 1.0 / published.rise_share);
+    let rise = (peak.value + coil * r_ha) * scale;
+    let (low, high) = if published.is_some() { (1.0, 1.0) } else { model.band(axis.moments.speed_mean()) };
+    let threshold = ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_CONTINUOUS);
+    let room = threshold.si() - ambient.si();
+    if work.is_on() {
+        let key = Source::Project { key: "requirements.ambient".into() };
+        let grade = if axis.ambient.is_some() { Grade::Printed } else { Grade::Assumed };
+        work.figure("theta_a", &DEGREE_CELSIUS, ambient.si(), &key, grade);
+        actuator::explain_stall_loss(actuator, work);
+        if let Some(share) = actuator.heat.housing_share.known() {
+            work.given_number("w", share);
+        }
+        actuator::explain_friction(actuator, settled, work);
+        let text = "mean of 1.5 R_hot I² over the cycle, I with K";
+        work.found("P_cu", &WATT, settled.losses.copper_w, text, &THERMAL, Grade::Estimated);
+        let text = "mean of (I_NLS + K |n|) k_TM ω_mot over the cycle, and the coil of an open brake";
+        work.found("P_f", &WATT, settled.losses.friction_w, text, &THERMAL, Grade::Estimated);
+        let steady = model.network().steady(settled.losses, ambient).winding.si();
+        work.estimate("theta_m", &DEGREE_CELSIUS, steady, "theta_a + 40*(P_cu + w*P_f)/P_0", &THERMAL);
+        let text = "largest rise of the winding above its mean in the steady cycle";
+        let swing = peak.value + coil * r_ha - (steady - ambient.si());
+        work.found("dtheta", &KELVIN_DIFFERENCE, swing, text, &THERMAL, Grade::Estimated);
+        let text = "published curves over the model at this duty; 1 where none is published";
+        work.found("c", &ONE, scale, text, &THERMAL, Grade::Estimated);
+        let text = "theta_a + c*(theta_m + dtheta - theta_a)";
+        work.estimate("theta_w", &DEGREE_CELSIUS, ambient.si() + rise, text, &THERMAL);
+        work.value("theta_w");
+        const THRESHOLD: CellRef = CellRef::of_the_manual("62.3", "T_KTY", "");
+        work.figure("theta_warn", &DEGREE_CELSIUS, threshold.si(), &Source::Cell(&THRESHOLD), Grade::Printed);
+        work.found("b", &ONE, low, "lower edge of the band at n_av", &THERMAL, Grade::Estimated);
+        let text = "theta_a + b*(theta_warn - theta_a)";
+        work.estimate("theta_perm", &DEGREE_CELSIUS, ambient.si() + low * room, text, &THERMAL);
+        work.limit("theta_perm");
+    }
+    let at = |share: f64| ambient.si() + share * room;
+    let warm_up = model.network().warm_up_time(settled.losses, ambient, threshold);
+    let notes = vec![Note::RiseAbove(ambient), Note::Housing(settled.housing), Note::WarmUp(warm_up)];
+    let mut check = Comparison {
+        id,
+        unit: &DEGREE_CELSIUS,
+        value: ambient.si() + rise,
+        value_source: THERMAL,
+        at: Some(quantities::Time::from_si(peak.at_s)),
+        limit: at(low),
+        limit_source: &THERMAL,
+        grade: Grade::Estimated,
+        errata: &[],
+        notes: Cow::Owned(notes),
+    }
+    .between(Edges { limit: at(low), upper: at(high), unit: &DEGREE_CELSIUS });
+    // A temperature has no share of a limit; its rise above the air has.
+    check.utilisation = (room > 0.0).then(|| rise / (low * room));
+    check
+}
+
+/// The first-order mean of (I/I_0)² with τ_w stays below one: what a drive's I²t supervision looks at.
+///
+/// What the continuous curve permits at the mean speed this check permits too, with the friction of the cycle; above what
+/// the winding's heat permits it fails, between the two it is advice.
+pub(crate) fn overload(
+    axis: &Axis,
+    actuator: &Parameters,
+    currents: Result<&Currents, &Missing>,
+    work: &mut Workings,
+) -> Check {
+    let id = CheckId::OverloadI2t;
+    let found = currents.map_err(|missing| *missing).and_then(|currents| {
+        let stall = actuator.stall_current.require("I_0")?;
+        let (model, _) = currents.heat()?;
+        let speed = axis.moments.speed_mean();
+        let mut off = Workings::off();
+        Ok((currents, model, stall, actuator::continuous_torque_with(actuator, Some(model), speed, &mut off)?))
+    });
+    let (currents, model, stall, continuous) = match found {
+        Ok(found) => found,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let stalled = stall.value.si() * stall.value.si();
+    let tau = model.winding_time_constant();
+    let form = Form::square(currents.settled_weights()).scale(1.0 / stalled);
+    let peak = axis.trace.peak_of_lags(&[Lag { tau_s: tau.si(), form }]);
+    let permitted = published(axis, actuator, currents);
+    let ContinuousLimit { limit, upper } = &continuous;
+    let filtered = |torque: quantities::Torque| {
+        let current = model.current(torque, axis.moments.speed_mean(), &currents.warm).si();
+        current * current / stalled
+    };
+    let low = filtered(limit.value).max(1.0).max(permitted.map_or(1.0, |published| published.overload));
+    let (_, band) = model.band(axis.moments.speed_mean());
+    let by_heat = band * model.stall_loss().si() / (model.copper_ohm() * stalled);
+    let high = if limit.grade == Grade::Estimated { low.max(filtered(*upper)).max(by_heat) } else { low };
+    let source = Source::Model { name: "overload" };
+    work.given("I_0", &AMPERE, stall);
+    if let Some(tau) = actuator.heat.winding_time_constant.known() {
+        work.given("tau_w", &SECOND, tau);
+    }
+    let text = "largest of the first-order lag of (I/I_0)² with tau_w in the steady cycle";
+    work.found("y", &ONE, peak.value, text, &source, Grade::Estimated);
+    work.value("y");
+    let text = "(I/I_0)² of what the continuous curve permits at n_av, at least 1";
+    work.found("y_perm", &ONE, low, text, &source, Grade::Estimated);
+    work.limit("y_perm");
+    Comparison {
+        id,
+        unit: &ONE,
+        value: peak.value,
+        value_source: Source::Model { name: "overload" },
+        at: Some(quantities::Time::from_si(peak.at_s)),
+        limit: low,
+        limit_source: &stall.source,
+        grade: Grade::Estimated,
+        errata: stall.errata,
+        notes: Cow::Borrowed(&[]),
+    }
+    .between(Edges { limit: low, upper: high, unit: &ONE })
+}
