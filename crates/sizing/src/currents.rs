@@ -6,7 +6,8 @@ use crate::comparison::{Comparison, cite, explained, not_checked};
 use crate::trace::{Extent, Form, Node};
 use crate::workings;
 use actuator::{
-    AMBIENT_REFERENCE, COLD_START, FrictionAt, HeatModel, LossMeans, Losses, MotorVoltage, NoLoadFriction, Parameters, Settled,
+    AMBIENT_REFERENCE, COLD_START, FrictionAt, HeatModel, LossMeans, Losses, MotorVoltage, NoLoadFriction, Parameters,
+    Settled,
 };
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};

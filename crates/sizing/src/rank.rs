@@ -44,7 +44,11 @@ pub fn rank(a: &Standing, b: &Standing) -> Ordering {
     b.fits
         .cmp(&a.fits)
         .then_with(|| {
-            if a.fits { by_band().then_with(by_size).then_with(by_margin) } else { by_miss().then_with(by_size).then_with(by_margin) }
+            if a.fits {
+                by_band().then_with(by_size).then_with(by_margin)
+            } else {
+                by_miss().then_with(by_size).then_with(by_margin)
+            }
         })
         .then_with(|| a.mass_kg.total_cmp(&b.mass_kg))
 }

@@ -32,10 +32,8 @@ fn axis(torque: f64, speed: AngularVelocity, duty: f64) -> Axis {
         viscous: ViscousFriction::from_si(0.0),
         external: Torque::from_si(external),
     };
-    let load = |friction| Mechanism {
-        friction,
-        ..Mechanism::direct(MomentOfInertia::from_si(1e-9), Torque::from_si(0.0))
-    };
+    let load =
+        |friction| Mechanism { friction, ..Mechanism::direct(MomentOfInertia::from_si(1e-9), Torque::from_si(0.0)) };
     let (specs, load, extras) = if speed.si() == 0.0 {
         // A process torque while it is on; nothing while it rests.
         let (on, off) = (duty * 60.0, (1.0 - duty) * 60.0);
@@ -51,7 +49,8 @@ fn axis(torque: f64, speed: AngularVelocity, duty: f64) -> Axis {
         (vec![SegmentSpec::Move(Law::Constant, given)], load(friction(torque, 0.0)), Vec::new())
     } else {
         let (edge, on) = (1e-4, duty * 60.0);
-        let only = ManualMove { speed, accelerate: s(edge), run: s(on - 2.0 * edge), brake: s(edge), pause: s(60.0 - on) };
+        let only =
+            ManualMove { speed, accelerate: s(edge), run: s(on - 2.0 * edge), brake: s(edge), pause: s(60.0 - on) };
         (vec![SegmentSpec::Manual(only)], load(friction(torque, 0.0)), Vec::new())
     };
     let motion = Motion::new(&specs, None, Closing::SingleMove).unwrap();
@@ -101,10 +100,8 @@ fn every_published_point_passes_and_a_tenth_more_does_not() {
     let mut seen = 0;
     for ratio in [30, 50, 80, 100, 120] {
         let actuator = massless(ratio);
-        let (stall, most) = (
-            actuator.stall_torque.known().unwrap().value.si(),
-            actuator.torque_max.known().unwrap().value.si(),
-        );
+        let (stall, most) =
+            (actuator.stall_torque.known().unwrap().value.si(), actuator.torque_max.known().unwrap().value.si());
         let [half, quarter] = &actuator.s3_curves;
         for (curve, duty, cap, name) in [
             (&actuator.continuous_curve, 1.0, stall, "continuous"),
