@@ -71,8 +71,8 @@ pub enum PositionLoop {
 pub struct BudgetCase {
     /// Torque at the output, whose torsion counts.
     pub torque: Torque,
-    /// Tilting moment at the flange.
-    pub tilting_moment: Torque,
+    /// Tilting moment at the flange; `None` where the loads on the flange are not known.
+    pub tilting_moment: Option<Torque>,
     /// Where the position loop is closed.
     pub position_loop: PositionLoop,
 }
@@ -186,8 +186,9 @@ fn torsion(actuator: &Parameters, torque: Torque) -> Datum<Angle> {
 }
 
 /// Tilt under a moment, as an amount.
-fn tilt(actuator: &Parameters, moment: Torque) -> Datum<Angle> {
-    actuator.output_bearing.tilting_stiffness.known().map_or(Datum::NotPrinted, |stiffness| {
+fn tilt(actuator: &Parameters, moment: Option<Torque>) -> Datum<Angle> {
+    let stiffness = actuator.output_bearing.tilting_stiffness.known();
+    moment.zip(stiffness).map_or(Datum::NotPrinted, |(moment, stiffness)| {
         Datum::Known(Sourced {
             value: Angle::from_si(tilt_angle(moment, stiffness.value).si().abs()),
             source: Source::Equation { number: "76.4" },
@@ -250,7 +251,8 @@ mod tests {
     }
 
     fn case(torque: f64, moment: f64, position_loop: PositionLoop) -> BudgetCase {
-        BudgetCase { torque: Torque::from_si(torque), tilting_moment: Torque::from_si(moment), position_loop }
+        let tilting_moment = Some(Torque::from_si(moment));
+        BudgetCase { torque: Torque::from_si(torque), tilting_moment, position_loop }
     }
 
     /// 0.8 + 0.1 + 1 + 1 + 0.01 + 1/600 arcmin without load.
@@ -284,6 +286,8 @@ mod tests {
         let budget = error_budget(&Parameters::unknown(), &case(1.0, 1.0, PositionLoop::Motor));
         assert_eq!(budget.missing.len(), 8);
         assert!(budget.worst_case().si().abs() < 1e-300);
+        let unloaded = BudgetCase { tilting_moment: None, ..case(1.0, 1.0, PositionLoop::Motor) };
+        assert_eq!(error_budget(&actuator(), &unloaded).missing, [ErrorKind::Tilt]);
     }
 
     #[test]

@@ -4,7 +4,8 @@
 
 use provenance::Datum;
 use quantities::{
-    Angle, AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Measure, MomentOfInertia, Time, Torque,
+    Angle, AngularVelocity, ElectricCurrent, ElectricPotential, Energy, Measure, MomentOfInertia, Power, Ratio, Time,
+    Torque,
 };
 
 /// What is known of the brake. Without a brake every datum is [`Datum::NotApplicable`].
@@ -58,6 +59,24 @@ impl Brake {
             emergency_max: Datum::NotApplicable,
         }
     }
+}
+
+/// t_c: time to close \[s\], the same for every brake of the series that it is printed for.
+pub const BRAKE_CLOSING_TIME: f64 = 0.07;
+
+/// t_o: time to open \[s\], the same for every brake of the series that it is printed for.
+pub const BRAKE_OPENING_TIME: f64 = 0.11;
+
+/// Mean heat of the coil over a cycle, at most.
+///
+/// P = U_Br I_HBr s
+///
+/// # Symbols  U_Br nominal voltage \[V\], I_HBr current that keeps open \[A\], s share of the cycle in which the brake is open
+/// # Source   docs/theory/brake.md
+/// # Valid    what the supply gives at full voltage; a drive that lowers the voltage to hold leaves less in the coil
+#[must_use]
+pub fn coil_power(voltage: ElectricPotential, holding_current: ElectricCurrent, share_open: Ratio) -> Power {
+    Power::from_si(voltage.si() * holding_current.si().abs() * share_open.si())
 }
 
 /// Angle that an axis at rest sags while its brake closes and nothing else holds it.
@@ -215,6 +234,16 @@ mod tests {
         // 0.7 rad/s against 25 Nm net: 0.49 / 25 rad more.
         assert!((found.angle.si() - sag - 0.49 / 25.0).abs() < 1e-12);
         assert_eq!(stops(2.0, 0.0, 45.0, 0.0, 0.07).energy.si(), 0.0);
+    }
+
+    /// 24 V and 0.3 A: 7.2 W as long as it is open.
+    #[test]
+    fn the_coil_heats_while_the_brake_is_open() {
+        let power = |share| {
+            let (voltage, current) = (ElectricPotential::from_si(24.0), ElectricCurrent::from_si(0.3));
+            coil_power(voltage, current, Ratio::from_si(share)).si()
+        };
+        assert!((power(1.0) - 7.2).abs() < 1e-12 && (power(0.25) - 1.8).abs() < 1e-12 && power(0.0) == 0.0);
     }
 
     #[test]

@@ -20,6 +20,10 @@ pub struct Gear {
     pub average_torque_max: Datum<Torque>,
     /// T_M: limit of the momentary peak torque, in a collision or an emergency stop.
     pub collision_torque_max: Datum<Torque>,
+    /// Torque at which the teeth of a cup-type gear of the same size jump; orientation only.
+    pub ratcheting_torque: Datum<Torque>,
+    /// Torque at which its flexspline buckles; orientation only.
+    pub buckling_torque: Datum<Torque>,
     /// n_in,max: largest input speed of the gear.
     pub input_speed_max: Datum<AngularVelocity>,
     /// n_in,av: limit of the mean input speed of the gear.
@@ -37,6 +41,8 @@ impl Gear {
             rated_torque: Datum::NotPrinted,
             average_torque_max: Datum::NotPrinted,
             collision_torque_max: Datum::NotPrinted,
+            ratcheting_torque: Datum::NotPrinted,
+            buckling_torque: Datum::NotPrinted,
             input_speed_max: Datum::NotPrinted,
             input_speed_mean_max: Datum::NotPrinted,
         }
@@ -101,6 +107,24 @@ impl Torsion {
 #[must_use]
 pub fn natural_frequency(stiffness: TorsionalStiffness, inertia: MomentOfInertia) -> Frequency {
     Frequency::from_si((stiffness.si() / inertia.si()).sqrt() / std::f64::consts::TAU)
+}
+
+/// First natural frequency of a load and a free rotor that swing against each other on the gear.
+///
+/// f = (1/2π) √(K (J_L + J_R)/(J_L J_R))
+///
+/// # Symbols  K torsional stiffness of a region [Nm/rad], J_L inertia of the load, J_R inertia of the rotor at the output,
+/// J_out of the tables \[kgm²\]
+/// # Source   docs/theory/gear.md, the oscillator of two masses and one spring
+/// # Valid    J_L > 0, J_R > 0; no damping; J_R → ∞ is the blocked rotor of [`natural_frequency`]
+#[must_use]
+pub fn natural_frequency_free(
+    stiffness: TorsionalStiffness,
+    load: MomentOfInertia,
+    rotor: MomentOfInertia,
+) -> Frequency {
+    let compliant = 1.0 / load.si() + 1.0 / rotor.si();
+    Frequency::from_si((stiffness.si() * compliant).sqrt() / std::f64::consts::TAU)
 }
 
 /// Cubic mean torque of a cycle: (Σ |T_j|³ |n_j| t_j / Σ |n_j| t_j)^(1/3), from the angle travelled under each torque.
@@ -261,6 +285,34 @@ mod tests {
         let f = |k, j| natural_frequency(TorsionalStiffness::from_si(k), MomentOfInertia::from_si(j)).si();
         assert!((f(4.0 * std::f64::consts::PI.powi(2), 1.0) - 1.0).abs() < 1e-12);
         assert!((f(4e4, 1.0) / f(1e4, 1.0) - 2.0).abs() < 1e-12);
+    }
+
+    /// Two equal masses swing about the middle of the spring, each on twice its stiffness: √2 times the blocked frequency.
+    /// A rotor of great inertia is a blocked one; the sums of motion hold: neither momentum nor frequency change when load
+    /// and rotor change places.
+    #[test]
+    fn a_free_rotor_swings_against_the_load() {
+        let free = |k, j, r| {
+            let inertia = MomentOfInertia::from_si;
+            natural_frequency_free(TorsionalStiffness::from_si(k), inertia(j), inertia(r)).si()
+        };
+        let blocked = |k, j| natural_frequency(TorsionalStiffness::from_si(k), MomentOfInertia::from_si(j)).si();
+        assert!((free(1e4, 1.3, 1.3) / blocked(1e4, 1.3) - 2.0_f64.sqrt()).abs() < 1e-14);
+        assert!((free(1e4, 1.3, 1e12) / blocked(1e4, 1.3) - 1.0).abs() < 1e-12);
+        assert!((free(1e4, 1.3, 0.4) - free(1e4, 0.4, 1.3)).abs() < 1e-12);
+        // Newton's equations, stepped: K = 4e4, J_L = 1, J_R = 0.25, let go with the spring twisted by 1 rad.
+        let (k, j, r, h) = (4e4_f64, 1.0, 0.25, 1e-7);
+        let (mut a, mut b, mut va, mut vb, mut t) = (0.2, -0.8, 0.0, 0.0, 0.0);
+        // A quarter of a period passes until the spring is straight.
+        while a - b > 0.0 {
+            let torque = k * (a - b);
+            va -= torque / j * h;
+            vb += torque / r * h;
+            a += va * h;
+            b += vb * h;
+            t += h;
+        }
+        assert!((4.0 * t * free(k, j, r) - 1.0).abs() < 1e-4, "{t}");
     }
 
     /// Selection example of the gear catalogues: 400 Nm at 7, 320 at 14, 200 at 7 1/min for 0.3, 3.0, 0.4 s:

@@ -277,28 +277,24 @@ pub fn explain_friction(actuator: &Parameters, settled: &Settled, work: &mut Wor
     let data = (actuator.no_load_starting_current.known(), actuator.no_load_current_constant_30.known());
     let (Some(starting), Some(cold), true) = (data.0, data.1, work.is_on()) else { return };
     let friction = &settled.friction;
-    let celsius = friction.celsius();
     let text = "temperature of the gear, that of the housing";
     work.found("theta_h", &DEGREE_CELSIUS, friction.temperature.si(), text, &source, Grade::Estimated);
-    work.given("I_NLS", &AMPERE, starting);
+    let warm = actuator.no_load_current_constant_80.known();
+    match warm.filter(|_| friction.celsius() < 20.0) {
+        Some(_) => work.given("I_20", &AMPERE, starting),
+        None => work.given("I_NLS", &AMPERE, starting),
+    }
     work.given("K_30", &AMPERE_PER_REVOLUTION_PER_MINUTE, cold);
     let constant = friction.constant.si();
-    match actuator.no_load_current_constant_80.known() {
-        Some(warm) if (20.0..=80.0).contains(&celsius) => {
-            work.given("K_80", &AMPERE_PER_REVOLUTION_PER_MINUTE, warm);
-            let text = "K_30*(K_80/K_30)^((theta_h - 30)/50)";
-            work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, text, &source);
-        }
-        Some(warm) if celsius > 80.0 => {
-            work.given("K_80", &AMPERE_PER_REVOLUTION_PER_MINUTE, warm);
-            work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, "K_80", &source);
-        }
-        Some(_) => {
-            let text = "extrapolated below 20 °C";
-            work.found("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, text, &source, Grade::Estimated);
-            work.found("I_NLS", &AMPERE, friction.starting.si(), text, &source, Grade::Estimated);
-        }
-        None => work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, "K_30", &source),
+    let Some(warm) = warm else {
+        return work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, "K_30", &source);
+    };
+    work.given("K_80", &AMPERE_PER_REVOLUTION_PER_MINUTE, warm);
+    let text = "K_30*(K_80/K_30)^((min(theta_h, 80) - 30)/50)";
+    work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, text, &source);
+    if friction.celsius() < 20.0 {
+        let text = "I_20*(K_30/K_80)^((20 - theta_h)/50)";
+        work.formula("I_NLS", &AMPERE, friction.starting.si(), text, &source);
     }
 }
 

@@ -8,7 +8,7 @@ use crate::subject::{axes_of, refuse, together};
 use crate::table::{Align, Table};
 use clap::ArgMatches;
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
-use workbench::quantities::{ElectricPotential, Measure, Time, format_significant};
+use workbench::quantities::{ElectricPotential, Measure, Time, Torque, format_significant};
 use workbench::text::{check_title, curve_title, grade_word, source_text, verdict_word};
 use workbench::{Language, Verdict, json};
 
@@ -55,13 +55,10 @@ pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> 
         let [speed, torque, upper] = heads;
         let mut table = Table::new([(speed, Align::Right), (torque, Align::Right), (upper, Align::Right)]);
         let shown = |value: f64| format_significant(value, 4, language);
-        for (index, point) in curve.points.iter().enumerate() {
-            let upper = curve.upper.as_ref().and_then(|points| points.get(index));
-            table.row([
-                shown(point.speed.in_unit(&REVOLUTION_PER_MINUTE)),
-                shown(point.torque.in_unit(&NEWTON_METRE)),
-                upper.map_or_else(|| "–".into(), |point| shown(point.torque.in_unit(&NEWTON_METRE))),
-            ]);
+        let newton_metres =
+            |torque: Option<Torque>| torque.map_or_else(|| "–".into(), |torque| shown(torque.in_unit(&NEWTON_METRE)));
+        for (speed, torque, upper) in workbench::curve_rows(curve) {
+            table.row([shown(speed.in_unit(&REVOLUTION_PER_MINUTE)), newton_metres(torque), newton_metres(upper)]);
         }
         out.push_str(&table.render());
     }

@@ -187,6 +187,8 @@ fn gear(code: &OrderCode) -> Gear {
         rated_torque: published_rating(code, "T_N"),
         average_torque_max: published_rating(code, "T_A"),
         collision_torque_max: published_rating(code, "T_M"),
+        ratcheting_torque: published("ratcheting-torque", "T_ratchet", code, code.ratio.as_str()),
+        buckling_torque: published("ratcheting-torque", "T_buckle", code, ""),
         input_speed_max: published_input_speed(code, "n_in_max"),
         input_speed_mean_max: published_input_speed(code, "n_in_av"),
     }

@@ -103,11 +103,13 @@ impl Motion {
                 SegmentSpec::Dwell(time, _) => chain.rest(time.si(), index),
                 SegmentSpec::Recorded(recorded) => chain.recorded(recorded, index),
                 SegmentSpec::Move(law, given) => match law.pieces(given, chain.speed) {
-                    Ok(pieces) => {
-                        pieces.into_iter().for_each(|piece| chain.push(piece, index));
+                    Ok(mut pieces) => {
                         // The law says where the move ends; rounding must not add up over the segments.
-                        let last = given.end_speed.map_or(0.0, Measure::si);
-                        chain.speed = if *law == Law::Constant { chain.speed } else { last };
+                        pieces.retain(|piece| piece.duration_s > 0.0);
+                        if let Some(piece) = pieces.last_mut().filter(|_| *law != Law::Constant) {
+                            *piece = piece.ending_with(given.end_speed.map_or(0.0, Measure::si));
+                        }
+                        pieces.into_iter().for_each(|piece| chain.push(piece, index));
                         Ok(())
                     }
                     Err(fault) => Err(fault),
@@ -129,7 +131,11 @@ impl Motion {
         if segments.is_empty() {
             faults.push(MotionFault { segment: None, fault: MoveFault::NoSegment });
         } else if faults.is_empty() {
-            faults.extend(closing_fault(&chain, initial, first, closing));
+            let error = match segments.first() {
+                Some(SegmentSpec::Recorded(recorded)) => recorded.end_errors_rad_s().0,
+                _ => 0.0,
+            };
+            faults.extend(closing_fault(&chain, (initial, error), first, closing));
         }
         if !faults.is_empty() {
             return Err(faults);
@@ -288,9 +294,20 @@ fn start_speed(segments: &[SegmentSpec]) -> f64 {
 /// nobody records an exact zero.
 const JOINT: f64 = 1e-3;
 
+/// Where the speed is a slope of positions its error at that end is allowed for too, but never more than this share of
+/// the largest speed: samples so far apart tell nothing of the end.
+const JOINT_MOST: f64 = 0.1;
+
+/// By how much a recorded speed may miss the one it joins, the error of its slope being known.
+fn joint(fastest: f64, slope_error: f64) -> f64 {
+    (JOINT * fastest + slope_error).min(JOINT_MOST * fastest)
+}
+
 struct Chain {
     position: f64,
     speed: f64,
+    /// What the speed may be wrong by, where it is a slope of recorded positions.
+    speed_error: f64,
     clock: f64,
     pieces: Vec<Piece>,
     recordings: Vec<Placed>,
@@ -305,6 +322,7 @@ impl Chain {
         Self {
             position: start.map_or(recorded, Measure::si),
             speed: start_speed(segments),
+            speed_error: 0.0,
             clock: 0.0,
             pieces: Vec::new(),
             recordings: Vec::new(),
@@ -316,8 +334,9 @@ impl Chain {
     fn recorded(&mut self, recorded: &Arc<Recorded>, segment: usize) -> Result<(), MoveFault> {
         let (first, last) = recorded.ends_rad();
         let (speed, end_speed) = recorded.end_speeds_rad_s();
-        let most = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-        if (speed - self.speed).abs() > JOINT * most(recorded.speed_rad_s()) {
+        let most = recorded.speed_rad_s().iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let (first_error, last_error) = recorded.end_errors_rad_s();
+        if (speed - self.speed).abs() > joint(most, first_error + self.speed_error) {
             return Err(MoveFault::RecordingSpeedJumps {
                 first: AngularVelocity::from_si(speed),
                 before: AngularVelocity::from_si(self.speed),
@@ -337,7 +356,10 @@ impl Chain {
             stretch: 1.0,
             segment,
         });
-        (self.position, self.speed) = (last + offset_rad, end_speed);
+        // What ends as near to rest as its samples can tell is at rest: a dwell or a law may follow.
+        let rests = end_speed.abs() <= joint(most, last_error);
+        (self.position, self.speed) = (last + offset_rad, if rests { 0.0 } else { end_speed });
+        self.speed_error = last_error;
         self.clock += recorded.duration_s();
         Ok(())
     }
@@ -350,7 +372,7 @@ impl Chain {
             Piece { start_s: self.clock, position_rad: self.position, speed_rad_s: self.speed, segment, ..piece };
         let end = piece.end();
         self.position = end.position_rad;
-        self.speed = end.speed_rad_s;
+        (self.speed, self.speed_error) = (end.speed_rad_s, 0.0);
         self.clock += piece.duration_s;
         self.pieces.push(piece);
     }
@@ -387,17 +409,21 @@ impl Chain {
         if t1 <= 0.0 || t3 <= 0.0 {
             return Err(MoveFault::NoTimeToChangeSpeed { braking: t1 > 0.0 });
         }
-        self.push(Piece::ramp(t1, speed / t1), segment);
-        self.speed = speed;
+        self.push(Piece::ramp(t1, speed / t1).ending_with(speed), segment);
         self.push(Piece::ramp(t2, 0.0), segment);
-        self.push(Piece::ramp(t3, -speed / t3), segment);
-        self.speed = 0.0;
+        self.push(Piece::ramp(t3, -speed / t3).ending_with(0.0), segment);
         self.push(Piece::ramp(tp, 0.0), segment);
         Ok(())
     }
 }
 
-fn closing_fault(chain: &Chain, initial: f64, start: f64, closing: Closing) -> Option<MotionFault> {
+/// `initial`: the speed at the beginning, and what it may be wrong by.
+fn closing_fault(
+    chain: &Chain,
+    (initial, first_error): (f64, f64),
+    start: f64,
+    closing: Closing,
+) -> Option<MotionFault> {
     let whole = |fault| Some(MotionFault { segment: None, fault });
     if chain.clock <= 0.0 {
         return whole(MoveFault::NoDuration);
@@ -409,7 +435,8 @@ fn closing_fault(chain: &Chain, initial: f64, start: f64, closing: Closing) -> O
     let fastest =
         chain.pieces.iter().map(|piece| &piece.speed_rad_s).chain(recorded).fold(0.0, |most: f64, w| most.max(w.abs()));
     let recorded = !chain.recordings.is_empty();
-    if (chain.speed - initial).abs() > if recorded { JOINT } else { 1e-9 } * fastest {
+    let permitted = if recorded { joint(fastest, chain.speed_error + first_error) } else { 1e-9 * fastest };
+    if (chain.speed - initial).abs() > permitted {
         return whole(MoveFault::SpeedNotClosed {
             end: AngularVelocity::from_si(chain.speed),
             start: AngularVelocity::from_si(initial),
@@ -464,3 +491,7 @@ fn solved(pieces: &[Piece]) -> Solved {
 #[cfg(test)]
 #[path = "chain_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "closing_tests.rs"]
+mod closing_tests;

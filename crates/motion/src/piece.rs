@@ -26,6 +26,8 @@ pub struct Piece {
     pub position_rad: f64,
     /// Speed at its beginning [rad/s].
     pub speed_rad_s: f64,
+    /// Speed at its end [rad/s], where the law states it: exactly zero at rest, free of the rounding of the integral.
+    pub end_speed_rad_s: Option<f64>,
     /// c_0 … c_3 [rad/s², rad/s³, …].
     pub polynomial: [f64; 4],
     /// A, Ω, φ of the harmonic [rad/s², rad/s, rad]; A = 0 without one.
@@ -46,6 +48,7 @@ impl Piece {
             duration_s,
             position_rad: 0.0,
             speed_rad_s: 0.0,
+            end_speed_rad_s: None,
             polynomial,
             harmonic: [0.0, 1.0, 0.0],
             segment: 0,
@@ -58,6 +61,11 @@ impl Piece {
         piece
     }
 
+    /// The same piece with the speed that its law states for its end.
+    pub(crate) const fn ending_with(self, speed: f64) -> Self {
+        Self { end_speed_rad_s: Some(speed), ..self }
+    }
+
     /// The same piece run through in `factor` times its duration.
     #[must_use]
     pub(crate) fn stretched(&self, factor: f64) -> Self {
@@ -68,6 +76,7 @@ impl Piece {
             start_s: self.start_s * factor,
             duration_s: self.duration_s * factor,
             speed_rad_s: self.speed_rad_s / factor,
+            end_speed_rad_s: self.end_speed_rad_s.map(|speed| speed / factor),
             polynomial: [c0 / square, c1 / (square * factor), c2 / (square * square), c3 / (square * square * factor)],
             harmonic: [amplitude / square, frequency / factor, phase],
             ..*self
@@ -113,10 +122,11 @@ impl Piece {
         c1 + t * (2.0 * c2 + t * 3.0 * c3) + amplitude * frequency * (frequency * t + phase).cos()
     }
 
-    /// The state at its end.
+    /// The state at its end, with the speed that the law states.
     #[must_use]
     pub fn end(&self) -> State {
-        self.at(self.duration_s)
+        let end = self.at(self.duration_s);
+        State { speed_rad_s: self.end_speed_rad_s.unwrap_or(end.speed_rad_s), ..end }
     }
 
     /// Whether nothing moves.
@@ -137,14 +147,79 @@ impl Piece {
     /// Times inside the piece at which it reverses.
     #[must_use]
     pub fn reversals(&self) -> Vec<f64> {
-        match self.speed_degree() {
-            Some(0) => Vec::new(),
-            Some(1) => {
-                let t = -self.speed_rad_s / self.polynomial[0];
-                if t > 0.0 && t < self.duration_s { vec![t] } else { Vec::new() }
-            }
-            _ => roots(|t| self.at(t).speed_rad_s, self.duration_s),
+        let runs = self.runs().0;
+        runs.iter().zip(runs.iter().skip(1)).map(|((end, _), _)| *end).collect()
+    }
+
+    /// Which way the piece goes, and until when.
+    ///
+    /// The speed is monotone between the roots of the acceleration, so its signs there and at both ends decide: one
+    /// reversal between two speeds of opposite sign, none else. The speeds at the ends are those that the law states;
+    /// a speed in between that is not above what rounding may leave of zero counts as zero.
+    ///
+    /// # Source   docs/theory/motion-laws.md
+    #[must_use]
+    pub fn runs(&self) -> Runs {
+        let (end, last) = (self.duration_s, self.end().speed_rad_s);
+        let mut marks = vec![(0.0, self.speed_rad_s)];
+        if self.speed_degree().is_none_or(|degree| degree > 1) {
+            let rounding = self.rounding();
+            let inner = roots(|t| self.at(t).acceleration_rad_s2, end);
+            marks.extend(inner.into_iter().map(|t| {
+                let speed = self.at(t).speed_rad_s;
+                (t, if speed.abs() <= rounding { 0.0 } else { speed })
+            }));
         }
+        marks.push((end, last));
+        let mut runs: Vec<(f64, f64)> = Vec::new();
+        let sign = |speed: f64| if speed == 0.0 { 0.0 } else { speed.signum() };
+        let mut go = |until: f64, direction: f64| match runs.last_mut() {
+            Some((end, before)) if *before == direction || direction == 0.0 || *before == 0.0 => {
+                *end = until;
+                *before = if direction == 0.0 { *before } else { direction };
+            }
+            _ => runs.push((until, direction)),
+        };
+        for ((from, before), (to, after)) in marks.iter().zip(marks.iter().skip(1)) {
+            let (first, second) = (sign(*before), sign(*after));
+            if first * second < 0.0 {
+                go(self.reversal(*from, *to, second > 0.0), first);
+            }
+            go(*to, if second == 0.0 { first } else { second });
+        }
+        Runs(runs)
+    }
+
+    /// Where the speed, monotone between two instants, passes zero.
+    fn reversal(&self, from: f64, to: f64, rising: bool) -> f64 {
+        if self.speed_degree() == Some(1) {
+            let [c0, ..] = self.polynomial;
+            return (-self.speed_rad_s / c0).clamp(from, to);
+        }
+        bisect(&|t| self.at(t).speed_rad_s, from, to, rising)
+    }
+
+    /// What rounding may leave of a speed that is zero: eight units in the last place of the sum of the magnitudes of its
+    /// terms.
+    fn rounding(&self) -> f64 {
+        let ([c0, c1, c2, c3], t) = (self.polynomial.map(f64::abs), self.duration_s);
+        let [amplitude, frequency, _] = self.harmonic;
+        let terms = t * (c0 + t * (c1 / 2.0 + t * (c2 / 3.0 + t * c3 / 4.0)));
+        let swing = if amplitude == 0.0 { 0.0 } else { 2.0 * (amplitude / frequency).abs() };
+        8.0 * f64::EPSILON * (self.speed_rad_s.abs() + terms + swing)
+    }
+}
+
+/// The directions of a piece, each with the instant at which it ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Runs(Vec<(f64, f64)>);
+
+impl Runs {
+    /// +1, −1, or 0 in a piece that rests, at a time from the beginning of the piece.
+    #[must_use]
+    pub fn direction(&self, t: f64) -> f64 {
+        let here = self.0.iter().find(|(end, _)| t <= *end).or(self.0.last());
+        here.map_or(0.0, |(_, direction)| *direction)
     }
 }
 
@@ -169,7 +244,7 @@ pub fn roots(f: impl Fn(f64) -> f64, end: f64) -> Vec<f64> {
         if let Some((before, from)) = last
             && before * here < 0.0
         {
-            let root = bisect(&f, from, at(step));
+            let root = bisect(&f, from, at(step), here > 0.0);
             if root > 0.0 && root < end {
                 found.push(root);
             }
@@ -179,8 +254,7 @@ pub fn roots(f: impl Fn(f64) -> f64, end: f64) -> Vec<f64> {
     found
 }
 
-fn bisect(f: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let rising = f(high) > 0.0;
+fn bisect(f: &impl Fn(f64) -> f64, mut low: f64, mut high: f64, rising: bool) -> f64 {
     for _ in 0..80 {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
@@ -268,5 +342,21 @@ mod tests {
         assert!(roots(|t| 1.0 + 1e-16 * (t * 1e3).sin(), 1.0).is_empty());
         let ramp = Piece { speed_rad_s: -1.0, ..Piece::ramp(3.0, 1.0) };
         assert_eq!(ramp.reversals(), vec![1.0]);
+        let runs = ramp.runs();
+        assert_eq!([0.0, 0.5, 1.0, 1.5, 3.0].map(|t| runs.direction(t)), [-1.0, -1.0, -1.0, 1.0, 1.0]);
+    }
+
+    /// A polynomial move between two speeds turns back at most once and forth again; where it only touches rest it goes on.
+    #[test]
+    fn a_touch_of_rest_is_no_reversal() {
+        // ω = (t − 1)²
+        let touching = Piece { speed_rad_s: 1.0, ..Piece::polynomial(2.0, [-2.0, 2.0, 0.0, 0.0]) };
+        assert!(touching.reversals().is_empty());
+        assert_eq!([0.0, 1.0, 2.0].map(|t| touching.runs().direction(t)), [1.0; 3]);
+        let turning = Piece { speed_rad_s: 0.75, ..touching };
+        let found = turning.reversals();
+        assert!((found[0] - 0.5).abs() < 1e-15 && (found[1] - 1.5).abs() < 1e-15, "{found:?}");
+        assert_eq!([0.2, 1.0, 1.8].map(|t| turning.runs().direction(t)), [1.0, -1.0, 1.0]);
+        assert_eq!(Piece::ramp(1.0, 0.0).runs().direction(0.5), 0.0);
     }
 }

@@ -44,6 +44,7 @@ pub struct Recorded {
     torque_nm: Option<Vec<f64>>,
     is_placed: bool,
     is_differentiated: bool,
+    end_errors_rad_s: (f64, f64),
 }
 
 impl Recorded {
@@ -61,14 +62,18 @@ impl Recorded {
         if let (Some(position), Some(speed)) = (&position_rad, &speed_rad_s) {
             agree(&time_s, position, speed)?;
         }
+        let mut end_errors = (0.0, 0.0);
         let (position, mut speed) = match (position_rad, speed_rad_s, window) {
             (None, None, _) => return Err(RecordedFault::NoCourse),
             (Some(position), None, None) => {
                 let speed = slopes(&time_s, &position);
+                end_errors = (slope_error(&time_s, &position, 0.0), slope_error_at_end(&time_s, &position, 0.0));
                 (Some(position), speed)
             }
             (Some(position), None, Some(window)) => {
                 let (position, speed) = smooth(&time_s, &position, window)?;
+                let half = 0.5 * window;
+                end_errors = (slope_error(&time_s, &position, half), slope_error_at_end(&time_s, &position, half));
                 (Some(position), speed)
             }
             (position, Some(speed), None) => (position, speed),
@@ -84,7 +89,15 @@ impl Recorded {
             (Some(torque), Some(window)) => Some(smooth(&time_s, &torque, window)?.0),
             (torque, _) => torque,
         };
-        Ok(Self { time_s, position_rad: position, speed_rad_s: speed, torque_nm, is_placed, is_differentiated })
+        Ok(Self {
+            time_s,
+            position_rad: position,
+            speed_rad_s: speed,
+            torque_nm,
+            is_placed,
+            is_differentiated,
+            end_errors_rad_s: end_errors,
+        })
     }
 
     /// The same samples in front of a stage that turns `ratio` times as far; the torque stays that of the mechanism.
@@ -145,6 +158,15 @@ impl Recorded {
     #[must_use]
     pub fn end_speeds_rad_s(&self) -> (f64, f64) {
         ends(&self.speed_rad_s)
+    }
+
+    /// By how much the speeds at the first and at the last sample may be wrong because they are slopes of positions
+    /// [rad/s]; nothing where the speed is recorded.
+    ///
+    /// h_0 (h_0 + h_1) |q'''|/3, equal steps: 2/3 h² |q'''|, twice the error of a cubic; q''' by the third difference of the four samples at the end
+    #[must_use]
+    pub const fn end_errors_rad_s(&self) -> (f64, f64) {
+        self.end_errors_rad_s
     }
 
     /// Number of samples.
@@ -274,10 +296,11 @@ fn check(time: &[f64], columns: [Option<&Vec<f64>>; 3]) -> Result<(), RecordedFa
     }
 }
 
-/// Slope of the parabola through each sample and its neighbours; at the ends that of the nearest parabola.
+/// Slope of the parabola through each sample and its neighbours; at the ends that of the nearest parabola, and rest where
+/// the two samples there are equal.
 ///
 /// ẏ_k = (h_1 d_0 + h_0 d_1)/(h_0 + h_1), d slopes of the secants, h distances of the instants; error h²/6 of the third
-/// derivative.
+/// derivative, h²/3 at the ends.
 fn slopes(time: &[f64], values: &[f64]) -> Vec<f64> {
     let secants: Vec<(f64, f64)> = time
         .iter()
@@ -287,14 +310,44 @@ fn slopes(time: &[f64], values: &[f64]) -> Vec<f64> {
         .collect();
     let mut slopes = Vec::with_capacity(time.len());
     if let [(h0, d0), (h1, d1), ..] = secants.as_slice() {
-        slopes.push(d0 + h0 * (d0 - d1) / (h0 + h1));
+        // A motion that stands from its first sample to the next sets out from rest, not backwards.
+        slopes.push(if *d0 == 0.0 { 0.0 } else { d0 + h0 * (d0 - d1) / (h0 + h1) });
     }
     slopes
         .extend(secants.iter().zip(secants.iter().skip(1)).map(|((h0, d0), (h1, d1))| (h1 * d0 + h0 * d1) / (h0 + h1)));
     if let [.., (h0, d0), (h1, d1)] = secants.as_slice() {
-        slopes.push(d1 + h1 * (d1 - d0) / (h0 + h1));
+        slopes.push(if *d1 == 0.0 { 0.0 } else { d1 + h1 * (d1 - d0) / (h0 + h1) });
     }
     slopes
+}
+
+/// Error of the slope at the first sample, from the third difference of four samples: the next ones, or with smoothing
+/// those that divide the window there into three.
+///
+/// The parabola through three samples misses the slope of a cubic by h_0 (h_0 + h_1) y'''/6; that of least squares over a
+/// half window W by W² y'''/10.
+fn slope_error(time: &[f64], values: &[f64], half_window: f64) -> f64 {
+    let first = time.first().copied().unwrap_or(0.0);
+    let later = |share: f64, least: usize| {
+        time.partition_point(|t| (t - first).abs() < share * half_window * (1.0 - 1e-9)).max(least)
+    };
+    let at = [0, later(1.0 / 3.0, 1), later(2.0 / 3.0, 2), later(1.0, 3)];
+    let point = |index: usize| time.get(index).copied().zip(values.get(index).copied());
+    let [Some((t0, y0)), Some((t1, y1)), Some((t2, y2)), Some((t3, y3))] = at.map(point) else { return 0.0 };
+    let (d01, d12, d23) = ((y1 - y0) / (t1 - t0), (y2 - y1) / (t2 - t1), (y3 - y2) / (t3 - t2));
+    let third = ((d23 - d12) / (t3 - t1) - (d12 - d01) / (t2 - t0)) / (t3 - t0);
+    // The third difference is a sixth of the third derivative, in the mean over samples between which it may change as the
+    // laws do: twice that.
+    (2.0 * third * if half_window > 0.0 { 0.6 * half_window * half_window } else { (t1 - t0) * (t2 - t0) }).abs()
+}
+
+/// [`slope_error`] at the last sample.
+fn slope_error_at_end(time: &[f64], values: &[f64], half_window: f64) -> f64 {
+    // Only what lies within the window or the last four samples is turned round.
+    let last = time.last().copied().unwrap_or(0.0);
+    let from = time.partition_point(|t| last - t > half_window).min(time.len().saturating_sub(4)).saturating_sub(1);
+    let turned = |values: &[f64]| values.get(from..).unwrap_or_default().iter().rev().copied().collect::<Vec<f64>>();
+    slope_error(&turned(time), &turned(values), half_window)
 }
 
 /// Trapezoidal integral: exact for a speed that is straight between the samples.

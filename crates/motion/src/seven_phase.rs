@@ -69,15 +69,17 @@ fn change(from: f64, to: f64, limits: &Limits) -> Vec<Piece> {
     let whole = ramp_time(step, limits);
     let edge = (limits.acceleration / limits.jerk).min(0.5 * whole);
     if edge == 0.0 {
-        return vec![Piece::ramp(whole, step / whole * sign)];
+        return vec![Piece::ramp(whole, step / whole * sign).ending_with(to)];
     }
     // The jerk follows from the times, so that the change of speed is met to the last bit.
     let jerk = step / (edge * (whole - edge)) * sign;
     let top = jerk * edge;
+    // The speeds between the phases lie between `from` and `to`, whatever rounding the integral would add.
+    let gained = (0.5 * top * edge).abs().min(0.5 * step) * sign;
     vec![
-        Piece::polynomial(edge, [0.0, jerk, 0.0, 0.0]),
-        Piece::polynomial(whole - 2.0 * edge, [top, 0.0, 0.0, 0.0]),
-        Piece::polynomial(edge, [top, -jerk, 0.0, 0.0]),
+        Piece::polynomial(edge, [0.0, jerk, 0.0, 0.0]).ending_with(from + gained),
+        Piece::polynomial(whole - 2.0 * edge, [top, 0.0, 0.0, 0.0]).ending_with(to - gained),
+        Piece::polynomial(edge, [top, -jerk, 0.0, 0.0]).ending_with(to),
     ]
 }
 

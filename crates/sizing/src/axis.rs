@@ -1,6 +1,7 @@
 //! The axis: load and motion, prepared once for all candidates.
 
 use crate::flange::{DerivedLoads, Known};
+use crate::resonance::{self, Held};
 use crate::swings::SmallSwings;
 use crate::trace::Trace;
 use actuator::FlangeLoad;
@@ -138,6 +139,10 @@ pub struct Asked {
     pub stop_angle_max: Option<Angle>,
     /// Number of stops by the brake alone over the life of the axis.
     pub emergency_stops: Option<f64>,
+    /// Factor by which the brake must hold more than the load asks.
+    pub holding_safety: Option<f64>,
+    /// Time that the axis is in operation over its life.
+    pub service_life: Option<Time>,
     /// Mean power that supply or brake resistor take back.
     pub regeneration_power_max: Option<Power>,
     /// Whether the position must be absolute over the whole travel.
@@ -200,6 +205,7 @@ pub struct Axis {
     pub asked: Asked,
     pub(crate) moments: Moments,
     pub(crate) trace: Trace,
+    pub(crate) held: OnceLock<Vec<Held>>,
     /// J_L and T_L where the manual's equations describe the load.
     pub(crate) plain: Option<(MomentOfInertia, Torque)>,
     /// Loads on the flange that were worked out for some bearing.
@@ -212,6 +218,10 @@ impl Axis {
     #[must_use]
     pub fn new(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>) -> Self {
         let trace = Trace::of(&mechanism, &motion, &extras);
+        Self::with_trace(mechanism, motion, extras, trace)
+    }
+
+    pub(crate) fn with_trace(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>, trace: Trace) -> Self {
         let moments = Moments::of(&trace, &motion);
         let plain = plain_load(&mechanism, &extras);
         Self {
@@ -227,6 +237,7 @@ impl Axis {
             trace,
             flange_known: Known::default(),
             small_swings: OnceLock::new(),
+            held: OnceLock::new(),
         }
     }
 
@@ -254,18 +265,9 @@ impl Axis {
             .map(|(supply, reserve)| ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2 * reserve))
     }
 
-    /// Mean heat of the brake's coil: the brake is open all the time that it does not hold the load.
-    ///
-    /// P = U_Br I_HBr (1 − t_h/t_0)
-    ///
-    /// # Symbols  t_h time in dwells that the brake holds, t_0 duration of the cycle
-    #[must_use]
-    pub fn brake_coil_loss(&self, actuator: &actuator::Parameters) -> Option<Power> {
-        let (voltage, current) = (actuator.brake.voltage.known()?, actuator.brake.holding_current.known()?);
-        let held = self.motion.stretches().iter().filter(|stretch| stretch.hold == motion::Hold::Brake);
-        let held: f64 = held.map(|stretch| stretch.duration.si()).sum();
-        let open = 1.0 - held / self.moments.duration.si();
-        Some(Power::from_si(voltage.value.si() * current.value.si() * open.max(0.0)))
+    /// The speeds that the cycle holds; only gears whose stiffness is known ask for them.
+    pub(crate) fn held_speeds(&self) -> &[Held] {
+        self.held.get_or_init(|| resonance::held_speeds(self))
     }
 
     /// Cubic mean of the torque of the load over the angle travelled: (∫|T|³|ω| dt / ∫|ω| dt)^(1/3).

@@ -1,6 +1,7 @@
 //! The checks of the holding brake.
 
 use crate::axis::Axis;
+use crate::brake_times::brakings;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::comparison::{Asking, Comparison, explained, not_checked, shown_or_at_most};
 use crate::workings;
@@ -11,7 +12,7 @@ use provenance::{Datum, Grade, Missing, Source};
 use quantities::unit::{
     DEGREE, KILOGRAM_SQUARE_METRE, NEWTON_METRE, ONE, RADIAN_PER_SECOND, REVOLUTION_PER_MINUTE, SECOND,
 };
-use quantities::{Measure, MomentOfInertia};
+use quantities::{Measure, MomentOfInertia, Time};
 use std::borrow::Cow;
 
 /// Below this share of the load's weight nothing hangs: rounding of an angle.
@@ -26,7 +27,13 @@ pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool) -> Vec<Ch
     let asked = axis.motion.stretches().iter().any(|stretch| stretch.hold == Hold::Brake);
     match brake.holding_torque {
         Datum::NotApplicable if asked => vec![explained(explain, |work| absent(axis, work))],
+        Datum::NotApplicable if hangs(axis) => vec![explained(explain, |work| unheld(axis, work))],
         Datum::NotApplicable => Vec::new(),
+        Datum::NotPrinted if hangs(axis) && !asked => {
+            let mut check = not_checked(CheckId::BrakeHolding, Missing { symbol: "T_Br" });
+            check.notes.to_mut().push(Note::HangingLoad);
+            vec![check]
+        }
         Datum::NotPrinted if !asked => Vec::new(),
         _ if !axis.mechanism.knows_holding_torque() => {
             let missing = Missing { symbol: "mechanism.joint.holding_torque" };
@@ -85,12 +92,31 @@ fn absent(axis: &Axis, work: &mut Workings) -> Check {
     }
 }
 
+/// The load hangs and there is no brake: in operation the motor holds it, without power nothing does. That is for the
+/// machine to solve, so it is advice.
+fn unheld(axis: &Axis, work: &mut Workings) -> Check {
+    let none = Source::Model { name: "brake" };
+    holding_torque(axis, work);
+    work.figure("T_Br", &NEWTON_METRE, 0.0, &none, Grade::Printed);
+    work.limit("T_Br");
+    Check {
+        verdict: Verdict::Advice,
+        limit_source: Some(none),
+        notes: Cow::Borrowed(&[Note::NothingHoldsWithoutPower]),
+        ..absent(axis, &mut Workings::off())
+    }
+}
+
 /// Notes the largest torque that holds the load, `T_hold`, as what the axis asks.
 fn holding_torque(axis: &Axis, work: &mut Workings) {
+    find_holding_torque(axis, work);
+    work.value("T_hold");
+}
+
+fn find_holding_torque(axis: &Axis, work: &mut Workings) {
     let text = "max |torque that holds the load without friction| over the cycle";
     let source = Source::Model { name: "brake" };
     work.found("T_hold", &NEWTON_METRE, axis.moments().holding_torque.si(), text, &source, Grade::Computed);
-    work.value("T_hold");
 }
 
 fn hangs(axis: &Axis) -> bool {
@@ -105,7 +131,8 @@ fn total_inertia(axis: &Axis, actuator: &Parameters) -> Result<MomentOfInertia, 
     Ok(actuator.inertia_out.require("J_out")?.value + least)
 }
 
-/// T_Br ≥ gravity, process and external torque at every instant, without the help of friction: the drive may fail at any.
+/// T_Br ≥ S times gravity, process and external torque at every instant, without the help of friction: the drive may fail
+/// at any. With a stated service life also the number of brakings; of torque and number the tighter one is told.
 fn holding(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Check {
     let id = CheckId::BrakeHolding;
     let limit = match brake.holding_torque.require("T_Br") {
@@ -113,21 +140,77 @@ fn holding(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Working
         Err(missing) => return not_checked(id, missing),
     };
     let torque = axis.moments().holding_torque;
-    holding_torque(axis, work);
-    work.given("T_Br", &NEWTON_METRE, limit);
-    work.limit("T_Br");
-    let mut notes = Vec::new();
+    let safety = axis.asked.holding_safety.unwrap_or(1.0);
+    let model = Source::Model { name: "brake" };
+    let needed = Comparison::with(id, &NEWTON_METRE, torque.si() * safety, model.clone(), limit).answer(Verdict::Fail);
+    let brakings = brakings(axis);
+    let mut check = match number_of_brakings(axis, brake, brakings.each_cycle) {
+        Some(number) if tighter(&number, &needed) => {
+            explain_brakings(axis, brake, brakings.each_cycle, work);
+            number
+        }
+        _ => {
+            find_holding_torque(axis, work);
+            if axis.asked.holding_safety.is_some() {
+                let key = Source::Project { key: "requirements.holding_safety".into() };
+                work.figure("S", &ONE, safety, &key, Grade::Printed);
+                work.formula("T_need", &NEWTON_METRE, torque.si() * safety, "S*T_hold", &model);
+                work.value("T_need");
+            } else {
+                work.value("T_hold");
+            }
+            work.given("T_Br", &NEWTON_METRE, limit);
+            work.limit("T_Br");
+            needed
+        }
+    };
+    let notes = check.notes.to_mut();
     if hangs(axis) {
         notes.push(Note::HangingLoad);
         if let (Ok(inertia), Some(closing)) = (total_inertia(axis, actuator), brake.closing_time.known()) {
             notes.push(Note::Sag(actuator::sag_angle(inertia, torque, closing.value)));
         }
     }
-    Comparison {
-        notes: notes.into(),
-        ..Comparison::with(id, &NEWTON_METRE, torque.si(), Source::Model { name: "brake" }, limit)
+    if brakings.each_cycle > 0.0 {
+        let cycle = axis.moments().duration;
+        let lasts = brake.brakings_max.known().map(|most| Time::from_si(most.value / brakings.each_cycle * cycle.si()));
+        notes.push(Note::BrakingsLast { each_cycle: brakings.each_cycle, lasts });
+        let unknown = brake.closing_time.known().is_none() || brake.opening_time.known().is_none();
+        notes.extend((unknown && hangs(axis)).then_some(Note::BrakeTimesAssumed));
     }
-    .answer(Verdict::Fail)
+    notes.extend(brakings.too_short.filter(|_| hangs(axis)).map(|shortest| Note::DwellTooShortForBrake {
+        shortest,
+        needed: Time::from_si(actuator::BRAKE_CLOSING_TIME + actuator::BRAKE_OPENING_TIME),
+    }));
+    check
+}
+
+/// Whether the first of two checks is nearer to its limit, or further beyond it.
+fn tighter(one: &Check, other: &Check) -> bool {
+    one.utilisation.unwrap_or(0.0) > other.utilisation.unwrap_or(0.0)
+}
+
+/// Applications of the brake over the stated service life ≤ N_brakings.
+fn number_of_brakings(axis: &Axis, brake: &Brake, each_cycle: f64) -> Option<Check> {
+    let (life, limit) = axis.asked.service_life.zip(brake.brakings_max.known()).filter(|_| each_cycle > 0.0)?;
+    let count = each_cycle * life.si() / axis.moments().duration.si();
+    let most = limit.clone().map(quantities::Ratio::from_si);
+    let model = Source::Model { name: "brake" };
+    Some(Comparison::with(CheckId::BrakeHolding, &ONE, count, model, &most).answer(Verdict::Fail))
+}
+
+/// The workings of the number of brakings, `N`.
+fn explain_brakings(axis: &Axis, brake: &Brake, each_cycle: f64, work: &mut Workings) {
+    let (Some(life), Some(limit)) = (axis.asked.service_life, brake.brakings_max.known()) else { return };
+    let (model, cycle) = (Source::Model { name: "brake" }, axis.moments().duration.si());
+    work.found("z", &ONE, each_cycle, "dwells of one cycle that the brake holds", &model, Grade::Computed);
+    let key = Source::Project { key: "requirements.service_life".into() };
+    work.figure("t_life", &SECOND, life.si(), &key, Grade::Printed);
+    work.figure("t_0", &SECOND, cycle, &workings::DEMAND, Grade::Computed);
+    work.formula("N_life", &ONE, each_cycle * life.si() / cycle, "z*t_life/t_0", &model);
+    work.value("N_life");
+    work.given_number("N_brakings", limit);
+    work.limit("N_brakings");
 }
 
 /// A stop from the peak speed by the brake alone, the load driving on: its angle, and how many of them.

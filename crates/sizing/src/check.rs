@@ -2,7 +2,10 @@
 
 use derivation::Step;
 use provenance::{Grade, Source};
-use quantities::{Angle, AngularVelocity, Energy, Length, Power, ThermodynamicTemperature, Time, Unit};
+use quantities::{
+    Angle, AngularVelocity, ElectricPotential, Energy, Frequency, Length, Power, ThermodynamicTemperature, Time,
+    Torque, Unit,
+};
 use std::borrow::Cow;
 
 /// Identifier of a check, part of the contract with scripts.
@@ -294,6 +297,38 @@ pub enum Note {
     BrakeDoesNotStop,
     /// In a dwell nothing holds the load but its friction.
     NothingHolds,
+    /// The load hangs and the actuator has no brake: without power nothing holds it.
+    NothingHoldsWithoutPower,
+    /// Some dwells held by the brake are shorter than it takes to close and to open: the motor holds all of them.
+    DwellTooShortForBrake {
+        /// The shortest of them.
+        shortest: Time,
+        /// t_c + t_o
+        needed: Time,
+    },
+    /// t_c and t_o of this brake are not printed: those printed for the larger sizes were taken.
+    BrakeTimesAssumed,
+    /// How long the permitted applications of the brake at standstill last.
+    BrakingsLast {
+        /// Applications in one cycle.
+        each_cycle: f64,
+        /// Operation until the permitted number is reached, if that is printed.
+        lasts: Option<Time>,
+    },
+    /// While energy comes back the DC link may rise above U_DCmax, for a short time only.
+    DcLinkRises {
+        /// Supply and rise together.
+        to: ElectricPotential,
+        /// The rise that stays below U_DCmax.
+        free: ElectricPotential,
+    },
+    /// Torques at which a cup-type gear of the same size ratchets and buckles, for orientation.
+    Ratcheting {
+        /// At this torque the teeth jump.
+        ratcheting: Torque,
+        /// At this torque the flexspline buckles, if published.
+        buckling: Option<Torque>,
+    },
     /// The motion asks for a brake that the actuator does not have.
     NoBrake,
     /// Electrical energy of one cycle at the motor terminals.
@@ -315,7 +350,10 @@ pub enum Note {
         capacitance_f: f64,
     },
     /// An axis that turns on and on loses its absolute reference where the count overflows.
-    ReferenceLost,
+    ReferenceLost {
+        /// Turns of the motor that the encoder tells apart.
+        turns: f64,
+    },
     /// The position is not absolute: it must be searched after each switching on.
     NeedsReferencing,
     /// The encoder with its battery should be exchanged after the first, must be after the second time.
@@ -327,8 +365,16 @@ pub enum Note {
     },
     /// The field of application needs a risk assessment and the maker's approval (section 2.4).
     ApprovalNeeded,
-    /// Output speeds at which the wave generator excites the load in the three regions of stiffness.
-    ResonanceSpeeds([AngularVelocity; 3]),
+    /// Output speeds at which the wave generator excites the load in the three regions of stiffness: each from that of
+    /// the largest to that of the least inertia of the cycle.
+    ResonanceSpeeds {
+        /// The load swings alone.
+        blocked: [(AngularVelocity, AngularVelocity); 3],
+        /// The rotor swings against it, if its inertia is known.
+        free: Option<[(AngularVelocity, AngularVelocity); 3]>,
+    },
+    /// First natural frequency of load and free rotor against each other.
+    FreeRotor(Frequency),
     /// The budget by root of squares, and at the lever arm if there is one.
     Budget {
         /// Root of the sum of squares.

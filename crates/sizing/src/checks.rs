@@ -130,7 +130,8 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
         checks.push(explained(explain, |work| ambient(stated, actuator, work)));
     }
     if let Some((supply, _)) = axis.supply {
-        checks.push(explained(explain, |work| electric_checks::dc_link(supply, actuator, work)));
+        checks
+            .push(explained(explain, |work| electric_checks::dc_link(supply, axis.asked.dc_link_rise, actuator, work)));
     }
     if depth != Depth::Survivors || checks.iter().all(|check| check.verdict != Verdict::Fail) {
         checks.reserve_exact(all - checks.len().min(all));
@@ -148,7 +149,7 @@ fn judge_with(axis: &Axis, actuator: &Parameters, depth: Depth, explain: bool) -
         if !bare || of_feedback {
             checks.extend(feedback_checks::judge(axis, actuator, explain));
         }
-        joint_checks::judge(axis, actuator, demand.as_ref(), explain, &mut checks);
+        joint_checks::judge(axis, actuator, explain, &mut checks);
     }
     Judgement { demand, manual, checks }
 }
@@ -309,3 +310,7 @@ fn ambient(stated: ThermodynamicTemperature, actuator: &Parameters, work: &mut W
         workings: Vec::new(),
     }
 }
+
+#[cfg(test)]
+#[path = "checks_tests.rs"]
+mod tests;

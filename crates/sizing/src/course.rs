@@ -1,6 +1,7 @@
 //! The cycle as time series, for pictures and tables: what is judged is the trace, this is how it looks.
 
 use crate::axis::Axis;
+use crate::brake_times::held_by_the_motor;
 use crate::currents::Currents;
 use crate::energy::TerminalPower;
 use crate::trace::Node;
@@ -109,26 +110,37 @@ fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
             recorded(placed, look);
         }
         let hold = axis.motion.stretches().get(piece.segment).map_or(Hold::Motor, |stretch| stretch.hold);
-        let rests = piece.is_rest();
+        let (rests, runs) = (piece.is_rest(), piece.runs());
         let parts = if rests { 1 } else { PER_PIECE };
         let mut instants: Vec<f64> =
             (0..=parts).map(|part| piece.duration_s * f64::from(part) / f64::from(parts)).collect();
         instants.extend(piece.reversals().into_iter().flat_map(|t| [t, t]));
+        // Until the brake has closed and while it opens the motor holds.
+        let (closing, opening) = match hold {
+            Hold::Motor => (piece.duration_s, 0.0),
+            Hold::Brake => held_by_the_motor(&axis.motion, piece.segment),
+            Hold::Free => (0.0, 0.0),
+        };
+        let opens = piece.duration_s - opening;
+        if rests {
+            let inside = |t: &f64| *t > 0.0 && *t < piece.duration_s;
+            instants.extend([closing, opens].into_iter().filter(inside).flat_map(|t| [t, t]));
+        }
         instants.sort_by(f64::total_cmp);
         for (index, t) in instants.iter().enumerate() {
             let state = piece.at(*t);
             // On both sides of a reversal the direction is that of the neighbour away from it.
             let neighbour = |at: Option<usize>| at.and_then(|at| instants.get(at)).filter(|other| *other != t);
             let other = neighbour(index.checked_sub(1)).or_else(|| neighbour(Some(index + 1))).unwrap_or(t);
-            let speed = piece.at(0.5 * (t + other)).speed_rad_s;
-            let direction = if rests || speed == 0.0 { 0.0 } else { speed.signum() };
+            let direction = runs.direction(0.5 * (t + other));
             let output = Output {
                 position_rad: state.position_rad,
                 speed_rad_s: state.speed_rad_s,
                 acceleration_rad_s2: state.acceleration_rad_s2,
                 direction,
             };
-            let held = rests && hold != Hold::Motor;
+            let middle = 0.5 * (t + other);
+            let held = rests && middle >= closing && middle <= opens && closing < opens;
             let load = if held { 0.0 } else { axis.mechanism.torque(&output, extra(piece.segment)) };
             look(
                 state.position_rad,

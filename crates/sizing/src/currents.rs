@@ -57,7 +57,7 @@ impl Currents {
         let grades = [inertia.grade, torque_constant.grade];
         let (own, constant) = (inertia.value.si(), torque_constant.value.si());
         let heat = HeatModel::of(actuator).map(|model| {
-            let further = Power::from_si(axis.brake_coil_loss(actuator).map_or(0.0, Measure::si));
+            let further = coil_loss(axis, actuator);
             let settled = model.settle(&loss_means(axis, [own / constant, 1.0 / constant, 0.0, 0.0]), further, ambient);
             (model, settled)
         });
@@ -148,6 +148,13 @@ impl Currents {
         Form::product([0.0, 0.0, self.warm.starting.si(), self.warm.constant.si()], SPEED).scale(friction_vs)
     }
 
+    /// All currents of a block lie between these, in either state.
+    fn range(&self, extent: &Extent) -> (f64, f64) {
+        let of = |friction| extent.range(weights(self.inertia, self.torque_constant, friction));
+        let (cold, warm) = (of(&self.cold), of(&self.warm));
+        (cold.0.min(warm.0), cold.1.max(warm.1))
+    }
+
     /// No current of a block of nodes is above this, in either state.
     fn bound(&self, extent: &Extent) -> f64 {
         let constant = self.cold.constant.si().max(self.warm.constant.si());
@@ -183,6 +190,14 @@ impl Currents {
     }
 }
 
+/// Mean heat of the brake's coil; zero where there is no brake or its current is not known.
+pub(crate) fn coil_loss(axis: &Axis, actuator: &Parameters) -> Power {
+    match (actuator.brake.voltage.known(), actuator.brake.holding_current.known()) {
+        (Some(voltage), Some(current)) => actuator::coil_power(voltage.value, current.value, axis.brake_open_share()),
+        _ => Power::from_si(0.0),
+    }
+}
+
 /// The means of the products of torque current, direction and speed over the cycle.
 fn loss_means(axis: &Axis, torque_current: [f64; 4]) -> LossMeans {
     let duration = axis.moments.duration.si();
@@ -215,32 +230,25 @@ pub(crate) fn voltage(
         Err(missing) => return not_checked(id, missing),
     };
     let typed = |node: &Node| (AngularVelocity::from_si(node.speed), ElectricCurrent::from_si(currents.extreme(node)));
-    // The voltage of a block is below the one at its largest current and speed together.
+    // In current and in speed by themselves the voltage is convex: over a block it is largest at a corner.
     let bound = |extent: &Extent| {
-        motor.at(AngularVelocity::from_si(extent.speed), ElectricCurrent::from_si(currents.bound(extent))).si()
+        let ((low, high), (back, forth)) = (currents.range(extent), extent.speeds);
+        let at = |speed: f64, current: f64| {
+            motor.at(AngularVelocity::from_si(speed), ElectricCurrent::from_si(current)).si()
+        };
+        at(back, low).max(at(back, high)).max(at(forth, low)).max(at(forth, high))
     };
-    let (highest, at) = axis.trace.largest(bound, |node| {
+    let (worst, at) = axis.trace.largest_of_any(bound, |node| {
         let (speed, current) = typed(node);
         motor.at(speed, current).si()
     });
-    // Between two instants the voltage may rise above both; speed and current are taken as straight.
     currents.explain(&at, actuator, work);
     let (speed, current) = typed(&at);
     motor.explain(actuator, speed, current, work);
-    let worst = axis.trace.largest_between(highest, bound, |a, b, found| {
-        let (a, b) = (typed(a), typed(b));
-        let together = motor.at(a.0.abs().max(b.0.abs()), a.1.abs().max(b.1.abs())).si();
-        if together <= found { together } else { motor.largest([a, b]).si() }
-    });
     let model = Source::Model { name: "voltage" };
     let limit = supply.si() / std::f64::consts::SQRT_2 * reserve;
     if work.is_on() {
-        if worst > highest {
-            let text = "upper bound of U_LL between this instant and the next";
-            work.found("U", &VOLT, worst, text, &model, Grade::Computed);
-        } else {
-            work.formula("U", &VOLT, worst, "U_LL", &model);
-        }
+        work.formula("U", &VOLT, worst, "U_LL", &model);
         work.value("U");
         let key = |key: &'static str| Source::Project { key: key.into() };
         work.figure("U_DC", &VOLT, supply.si(), &key("requirements.supply"), Grade::Printed);
@@ -304,7 +312,7 @@ fn current_check(
     };
     let (_, node) = match curve {
         None => axis.trace.largest(|extent| currents.bound(extent), |node| currents.extreme(node).abs()),
-        Some(_) => axis.trace.largest(
+        Some(_) => axis.trace.largest_of_any(
             |extent| currents.bound(extent) / printed,
             |node| currents.extreme(node).abs() / permitted(node, currents.larger(node)),
         ),
@@ -313,7 +321,7 @@ fn current_check(
     // What the settled cycle asks beyond the limit no warm-up mends.
     let settled = || {
         let share = |node: &Node| currents.at(node).abs() / permitted(node, &currents.warm);
-        axis.trace.largest(|extent| currents.bound(extent) / printed, share).0
+        axis.trace.largest_of_any(|extent| currents.bound(extent) / printed, share).0
     };
     let by_cold_only = id == CheckId::PeakCurrent && current > most && currents.heat.is_ok() && settled() <= 1.0;
     let source = Source::Model { name: "current" };

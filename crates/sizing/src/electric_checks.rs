@@ -1,7 +1,7 @@
 //! The DC link, and every instant of the cycle against the torque-speed plane.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Verdict};
+use crate::check::{Check, CheckId, Note, Verdict};
 use crate::comparison::{Comparison, Edges, not_checked};
 use crate::currents::Currents;
 use crate::trace::Node;
@@ -11,20 +11,76 @@ use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{AngularVelocity, ElectricPotential, Measure, Time};
+use std::borrow::Cow;
 
-/// U_DC ≤ U_DCmax.
-pub(crate) fn dc_link(supply: ElectricPotential, actuator: &Parameters, work: &mut Workings) -> Check {
+/// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
+/// braking (glossary of the manual), nobody says how far and how long: with the rise that the project permits above
+/// U_DCmax the answer is advice.
+pub(crate) fn dc_link(
+    supply: ElectricPotential,
+    rise: Option<ElectricPotential>,
+    actuator: &Parameters,
+    work: &mut Workings,
+) -> Check {
     let id = CheckId::DcLink;
-    match actuator.dc_link_max.require("U_DCmax") {
-        Ok(limit) => {
-            let source = Source::Project { key: "requirements.supply".into() };
-            work.figure("U_DC", &VOLT, supply.si(), &source, Grade::Printed);
+    let limit = match actuator.dc_link_max.require("U_DCmax") {
+        Ok(limit) => limit,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let source = Source::Project { key: "requirements.supply".into() };
+    work.figure("U_DC", &VOLT, supply.si(), &source, Grade::Printed);
+    // A supply that is too high is the fault, whatever comes on top of it.
+    let top =
+        rise.map(|rise| supply + rise).filter(|top| supply.si() <= limit.value.si() && top.si() > limit.value.si());
+    let check = match (top, rise) {
+        (Some(top), Some(rise)) => {
+            let asked = Source::Project { key: "requirements.dc_link_rise".into() };
+            work.figure("dU", &VOLT, rise.si(), &asked, Grade::Printed);
+            work.formula("U_top", &VOLT, top.si(), "U_DC + dU", &asked);
+            work.value("U_top");
+            let free = limit.value - supply;
+            let notes = Cow::Owned(vec![Note::DcLinkRises { to: top, free }]);
+            Comparison { notes, ..Comparison::with(id, &VOLT, top.si(), asked, limit) }.answer(Verdict::Advice)
+        }
+        _ => {
             work.value("U_DC");
-            work.given("U_DCmax", &VOLT, limit);
-            work.limit("U_DCmax");
             Comparison::with(id, &VOLT, supply.si(), source, limit).answer(Verdict::Fail)
         }
-        Err(missing) => not_checked(id, missing),
+    };
+    work.given("U_DCmax", &VOLT, limit);
+    work.limit("U_DCmax");
+    check
+}
+
+/// A function of the speed on so many equal steps, each found when it is asked for.
+struct Steps {
+    width: f64,
+    known: [std::cell::Cell<Option<(f64, f64)>>; STEPS],
+}
+
+/// Steps between standstill and the largest speed.
+const STEPS: usize = 64;
+
+impl Steps {
+    fn of(most: f64) -> Self {
+        #[allow(clippy::cast_precision_loss, reason = "a small count")]
+        let width = most / STEPS as f64;
+        Self { width, known: [const { std::cell::Cell::new(None) }; STEPS] }
+    }
+
+    /// The values at the end of the step that holds a speed.
+    fn at(&self, speed: f64, of: impl Fn(f64) -> (f64, f64)) -> (f64, f64) {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped by the count of steps")]
+        let index = (speed / self.width) as usize;
+        match self.known.get(index) {
+            Some(known) => known.get().unwrap_or_else(|| {
+                #[allow(clippy::cast_precision_loss, reason = "a small count")]
+                let found = of((index + 1) as f64 * self.width);
+                known.set(Some(found));
+                found
+            }),
+            None => of(speed),
+        }
     }
 }
 
@@ -79,16 +135,30 @@ pub(crate) fn torque_speed_trace(
         }
     };
     let braking = |node: &Node| torque(node) * node.direction < 0.0;
-    let (found, worst) = axis.trace.largest(
-        |extent| share(extent.torque(inertia), at_speed(extent.speed).0),
-        |node| share(torque(node), if braking(node) { most } else { at_speed(node.speed).0 }),
-    );
-    let by_upper = || {
-        axis.trace.largest(
-            |extent| share(extent.torque(inertia), at_speed(extent.speed).1),
-            |node| share(torque(node), if braking(node) { most } else { at_speed(node.speed).1 }),
+    // The limits fall with the speed: those at the next higher of a few speeds are below them, and cost less.
+    let steps = (!axis.trace.is_short()).then(|| Steps::of(axis.moments.speed_peak.si()));
+    let below = |speed: f64| steps.as_ref().map_or_else(|| at_speed(speed), |steps| steps.at(speed, at_speed));
+    let largest_share = |edge: fn((f64, f64)) -> f64| {
+        let highest = std::cell::Cell::new(0.0_f64);
+        let seen = |share: f64| {
+            highest.set(highest.get().max(share));
+            share
+        };
+        axis.trace.largest_of_any(
+            |extent| share(extent.torque(inertia), edge(below(extent.speed))),
+            |node| {
+                let torque = torque(node);
+                if braking(node) {
+                    return seen(share(torque, most));
+                }
+                let above = share(torque, edge(below(node.speed.abs())));
+                // What is not the largest even so need not be exact.
+                if above < highest.get() { above } else { seen(share(torque, edge(at_speed(node.speed)))) }
+            },
         )
     };
+    let (found, worst) = largest_share(|(lower, _)| lower);
+    let by_upper = || largest_share(|(_, upper)| upper);
     if work.is_on() {
         workings::torque_at(&worst, actuator, work);
         work.formula("T_at", &NEWTON_METRE, torque(&worst).abs(), "abs(T)", &workings::DEMAND);

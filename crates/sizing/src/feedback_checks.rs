@@ -82,7 +82,8 @@ fn range(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     check.limit = Some(Figure { si: limit, unit: &REVOLUTION });
     check.limit_source = Some(source);
     if lost {
-        check.notes.to_mut().push(Note::ReferenceLost);
+        let turns = feedback.turns_absolute.known().map_or(1.0, |turns| turns.value);
+        check.notes.to_mut().push(Note::ReferenceLost { turns });
     } else if !within {
         check.notes.to_mut().push(Note::NeedsReferencing);
     }

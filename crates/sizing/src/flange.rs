@@ -48,7 +48,10 @@ pub(crate) struct CycleLoads {
 
 /// What was worked out already, by R and B.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Known(Arc<Mutex<Vec<([u64; 2], CycleLoads)>>>);
+pub(crate) struct Known(Arc<Mutex<Vec<Entry>>>);
+
+/// R and B bit by bit, and the loads for them.
+type Entry = ([u64; 2], CycleLoads);
 
 impl Known {
     fn get(&self, key: [u64; 2], make: impl FnOnce() -> CycleLoads) -> CycleLoads {

@@ -2,18 +2,19 @@
 
 use crate::axis::Axis;
 use crate::bearing_checks;
-use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use crate::check::{Check, CheckId, Note, Verdict};
 use crate::comparison::{Asking, Comparison, at_least, equation, explained, not_checked, shown_or_at_most};
+use crate::resonance;
 use crate::stage;
 use crate::workings;
 use actuator::{BudgetCase, ErrorBudget, ErrorKind, Feedback, FeedbackSide, Gear, Parameters, PositionLoop};
 use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{
-    ARCMINUTE, ARCSECOND, HERTZ, HOUR, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE,
-    NEWTON_METRE_PER_RADIAN, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND,
+    ARCMINUTE, ARCSECOND, HOUR, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, NEWTON_METRE_PER_RADIAN, ONE,
+    REVOLUTION_PER_MINUTE, SECOND,
 };
-use quantities::{Angle, AngularVelocity, Measure, Ratio, Time, Torque};
+use quantities::{Angle, AngularVelocity, Measure, Ratio, Torque};
 use std::borrow::Cow;
 
 /// The model of torsion, natural frequency, mean torque, collisions and life.
@@ -31,7 +32,7 @@ pub(crate) fn judge(axis: &Axis, actuator: &Parameters, (bare, explain): (bool, 
         checks.push(explained(explain, |work| torsion(axis, actuator, work)));
     }
     if !bare || asked.natural_frequency_min.is_some() {
-        checks.push(explained(explain, |work| natural_frequency(axis, actuator, work)));
+        checks.push(explained(explain, |work| resonance::natural_frequency(axis, actuator, work)));
     }
 }
 
@@ -49,7 +50,7 @@ pub(crate) fn judge_further(
         checks.push(explained(explain, |work| collision(axis, torque, actuator, work)));
     }
     if !bare {
-        checks.push(explained(explain, |work| resonance(axis, actuator, work)));
+        checks.push(explained(explain, |work| resonance::resonance(axis, actuator, work)));
     }
     if !bare || asked.angle_error_max.is_some() || asked.deviation_max.is_some() {
         checks.push(explained(explain, |work| error_budget(axis, actuator, work)));
@@ -85,24 +86,33 @@ fn explain_input_speed(axis: &Axis, ratio: &Sourced<f64>, speed: f64, work: &mut
     work.formula("n_in", &REVOLUTION_PER_MINUTE, speed, "i*n_av", &MODEL);
 }
 
-/// The workings of the largest J_L.
-fn explain_inertia(axis: &Axis, work: &mut Workings) {
-    if work.is_on() {
-        let source = match axis.by_the_manual() {
-            Some(_) => Source::Project { key: "load.inertia".into() },
-            None => Source::Model { name: "mechanisms" },
-        };
-        let inertia = axis.moments().inertia_max.si();
-        work.found("J_L", &KILOGRAM_SQUARE_METRE, inertia, "largest on the way", &source, Grade::Computed);
-    }
-}
-
-/// T_k ≤ T_M, and the number of collisions; only where a rating of the gear is published.
+/// T_k ≤ T_M, and the number of collisions; only where a rating of the gear is published. Above the torque at which a
+/// cup-type gear of the same size ratchets it is against advice in any case.
 fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::CollisionTorque;
-    let limit = match actuator.gear.collision_torque_max.require("T_M") {
+    let gear = &actuator.gear;
+    let ratchets = gear.ratcheting_torque.known();
+    let told = ratchets.map(|ratcheting| Note::Ratcheting {
+        ratcheting: ratcheting.value,
+        buckling: gear.buckling_torque.known().map(|known| known.value),
+    });
+    let limit = match gear.collision_torque_max.require("T_M") {
         Ok(limit) => limit,
-        Err(missing) => return not_checked(id, missing),
+        Err(missing) => {
+            let mut check = match ratchets.filter(|ratcheting| torque.si() > ratcheting.value.si()) {
+                Some(ratcheting) => {
+                    let key = Source::Project { key: "requirements.collision_torque".into() };
+                    work.figure("T_k", &NEWTON_METRE, torque.si(), &key, Grade::Printed);
+                    work.value("T_k");
+                    work.given("T_ratchet", &NEWTON_METRE, ratcheting);
+                    work.limit("T_ratchet");
+                    Comparison::with(id, &NEWTON_METRE, torque.si(), key, ratcheting).answer(Verdict::Advice)
+                }
+                None => not_checked(id, missing),
+            };
+            check.notes.to_mut().extend(told);
+            return check;
+        }
     };
     let key = |key: &'static str| Source::Project { key: key.into() };
     let mut check = Comparison::with(id, &NEWTON_METRE, torque.si(), key("requirements.collision_torque"), limit)
@@ -113,7 +123,7 @@ fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Work
         .collision_time
         .zip(actuator.ratio.known())
         .map(|(time, ratio)| actuator::collision_count_max(axis.moments().speed_peak, ratio.value, time));
-    let mut told = false;
+    let mut by_number = false;
     if let (Some(count), Some(permitted)) = (axis.asked.collisions, permitted) {
         let most = Sourced { value: Ratio::from_si(permitted), source: MODEL, grade: limit.grade, errata: &[] };
         let number = Comparison::with(id, &ONE, count, key("requirements.collisions"), &most).answer(Verdict::Fail);
@@ -121,10 +131,10 @@ fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Work
         if number.utilisation > check.utilisation {
             check = number;
             explain_collisions(axis, actuator, (count, permitted), work);
-            told = true;
+            by_number = true;
         }
     }
-    if work.is_on() && !told {
+    if work.is_on() && !by_number {
         work.figure("T_k", &NEWTON_METRE, torque.si(), &key("requirements.collision_torque"), Grade::Printed);
         work.value("T_k");
         work.given("T_M", &NEWTON_METRE, limit);
@@ -132,6 +142,7 @@ fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Work
     }
     check.notes.to_mut().push(Note::RatingOfInterchangeableGear);
     check.notes.to_mut().extend(permitted.map(Note::CollisionsPermitted));
+    check.notes.to_mut().extend(told);
     check
 }
 
@@ -152,141 +163,17 @@ fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f
     work.limit("N_k");
 }
 
-/// Half width of the band around a resonance speed in which nothing should run for long: a tenth of the speed. Assumed;
-/// the model has no damping and knows no amplitude.
-const RESONANCE_BAND: f64 = 0.1;
-
-/// The distance that is told where no speed is held, or every resonance lies further off.
-const FAR_FROM_RESONANCE: f64 = 1.0;
-
-/// Distance of the speeds that the cycle holds from those at which the wave generator excites the load (2 i n/60 = f on
-/// each region of stiffness), relative to the latter. To hold such a speed is against advice; to pass through is not.
-fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
-    let id = CheckId::ResonanceSpeed;
-    let inertia = axis.moments().inertia_max;
-    let found = (|| {
-        let ratio = actuator.ratio.require("i")?;
-        let [k1, k2, k3] = &actuator.gear.stiffness;
-        let stiffness = [k1.require("K_1")?, k2.require("K_2")?, k3.require("K_3")?];
-        if inertia.si() <= 0.0 {
-            return Err(Missing { symbol: "J_L" });
-        }
-        let speed = |k: &provenance::Sourced<quantities::TorsionalStiffness>| {
-            actuator::resonance_speed(
-                actuator::natural_frequency(axis.mechanism.in_series(k.value), inertia),
-                ratio.value,
-            )
-        };
-        let [k1, k2, k3] = stiffness;
-        Ok([speed(k1), speed(k2), speed(k3)])
-    })();
-    match found {
-        Ok(speeds) => {
-            let distance = |speed: f64| {
-                speeds.iter().map(|n| (speed.abs() / n.si() - 1.0).abs()).fold(FAR_FROM_RESONANCE, f64::min)
-            };
-            let held = axis.motion.pieces().iter().filter(|piece| piece.speed_degree() == Some(0) && !piece.is_rest());
-            let nearest = held.map(|piece| (distance(piece.speed_rad_s), piece)).min_by(|a, b| a.0.total_cmp(&b.0));
-            let (value, at) = nearest
-                .map_or((FAR_FROM_RESONANCE, None), |(value, piece)| (value, Some(Time::from_si(piece.start_s))));
-            if work.is_on() {
-                let held = nearest.map(|(_, piece)| (piece.speed_rad_s, piece.start_s));
-                explain_resonance(axis, actuator, (&speeds, held, value), work);
-            }
-            let source = MODEL;
-            // Nobody says which speeds a recording holds.
-            let open = value >= RESONANCE_BAND && !axis.motion.recordings().is_empty();
-            let verdict = match value >= RESONANCE_BAND {
-                _ if open => Verdict::NotChecked,
-                true => Verdict::Pass,
-                false => Verdict::Advice,
-            };
-            Check {
-                id,
-                verdict,
-                value: Some(Figure { si: value, unit: &PERCENT }),
-                limit: Some(Figure { si: RESONANCE_BAND, unit: &PERCENT }),
-                utilisation: (value > 0.0).then(|| RESONANCE_BAND / value),
-                at,
-                grade: Some(Grade::Assumed),
-                value_source: Some(source.clone()),
-                limit_source: Some(source),
-                missing: open.then_some("recorded_speed"),
-                notes: Cow::Owned(vec![Note::ResonanceSpeeds(speeds)]),
-                workings: Vec::new(),
-            }
-        }
-        Err(missing) => not_checked(id, missing),
-    }
-}
-
-/// The workings of a stiffness of the gear, with that of the stage in series where it has one.
-fn explain_stiffness(
-    axis: &Axis,
-    symbol: &'static str,
-    stiffness: &Sourced<quantities::TorsionalStiffness>,
-    work: &mut Workings,
-) {
-    let series = axis.mechanism.in_series(stiffness.value);
-    if series == stiffness.value {
-        work.given(symbol, &NEWTON_METRE_PER_RADIAN, stiffness);
-    } else {
-        let text = "1/(1/K + i_s²/K_s): gear and stage in series";
-        work.found(symbol, &NEWTON_METRE_PER_RADIAN, series.si(), text, &stage::MODEL, stiffness.grade);
-    }
-}
-
-/// The workings of the distance from the resonance speeds `n_r1` to `n_r3`, `d`; `held`: speed and start of what is held
-/// nearest to one of them.
-fn explain_resonance(
-    axis: &Axis,
-    actuator: &Parameters,
-    (speeds, held, value): (&[AngularVelocity; 3], Option<(f64, f64)>, f64),
-    work: &mut Workings,
-) {
-    if let Some((speed, start)) = held {
-        let each = [
-            ("K_1", "f_1", "sqrt(K_1/J_L)/(2*pi)", "n_r1", "60*f_1/(2*i)"),
-            ("K_2", "f_2", "sqrt(K_2/J_L)/(2*pi)", "n_r2", "60*f_2/(2*i)"),
-            ("K_3", "f_3", "sqrt(K_3/J_L)/(2*pi)", "n_r3", "60*f_3/(2*i)"),
-        ];
-        explain_inertia(axis, work);
-        if let Some(ratio) = actuator.ratio.known() {
-            work.given_number("i", ratio);
-        }
-        let regions = actuator.gear.stiffness.iter().zip(speeds).zip(each);
-        for ((stiffness, resonant), (k, f, frequency, n, text)) in regions {
-            if let Some(stiffness) = stiffness.known() {
-                explain_stiffness(axis, k, stiffness, work);
-                let stiffness = axis.mechanism.in_series(stiffness.value);
-                let natural = actuator::natural_frequency(stiffness, axis.moments().inertia_max);
-                work.formula(f, &HERTZ, natural.si(), frequency, &MODEL);
-                work.formula(n, &REVOLUTION_PER_MINUTE, resonant.si(), text, &MODEL);
-            }
-        }
-        work.figure("t", &SECOND, start, &workings::DEMAND, Grade::Computed);
-        let text = "speed held from t on, the nearest to a resonance";
-        work.found("n", &REVOLUTION_PER_MINUTE, speed, text, &workings::DEMAND, Grade::Computed);
-        let text = "100*min(abs(abs(n)/n_r1 - 1), abs(abs(n)/n_r2 - 1), abs(abs(n)/n_r3 - 1), 1)";
-        work.formula("d", &PERCENT, value, text, &MODEL);
-    } else {
-        work.found("d", &PERCENT, value, "no speed is held", &MODEL, Grade::Computed);
-    }
-    work.value("d");
-    work.figure("d_min", &PERCENT, RESONANCE_BAND, &MODEL, Grade::Assumed);
-    work.limit("d_min");
-}
-
 /// Sum of all angular errors at the output, and its deviation at the lever arm.
 fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::ErrorBudget;
     let bearing = &actuator.output_bearing;
-    let moment = axis.bearing.as_ref().map_or(0.0, |duty| {
-        bearing_checks::largest_tilting_moment(axis, duty, bearing).map_or(0.0, |moment| moment.value)
-    });
+    let moment = axis
+        .bearing
+        .as_ref()
+        .and_then(|duty| Some(bearing_checks::largest_tilting_moment(axis, duty, bearing).ok()?.value));
     let case = BudgetCase {
         torque: axis.moments().load_peak,
-        tilting_moment: Torque::from_si(moment),
+        tilting_moment: moment.map(Torque::from_si),
         position_loop: if axis.asked.loop_at_output { PositionLoop::Output } else { PositionLoop::Motor },
     };
     if axis.asked.loop_at_output && matches!(actuator.feedback_out.accuracy, Datum::NotApplicable) {
@@ -408,23 +295,14 @@ fn explain_tilt(axis: &Axis, actuator: &Parameters, case: &BudgetCase, work: &mu
     let missing = |work: &mut Workings, symbol, unit| {
         work.found(symbol, unit, 0.0, "not known: counted as 0", &source, Grade::Computed);
     };
-    match actuator.output_bearing.tilting_stiffness.known() {
-        Some(stiffness) => {
-            match (&axis.bearing, actuator.output_bearing.offset.known()) {
-                (Some(duty), Some(_)) if duty.moment_known(axis).is_ok() => {
-                    bearing_checks::largest_moment(axis, duty, &actuator.output_bearing, work);
-                }
-                (Some(_), _) => missing(work, "M", &NEWTON_METRE),
-                (None, _) => {
-                    let text = "no loads on the flange are given";
-                    work.found("M", &NEWTON_METRE, 0.0, text, &source, Grade::Computed);
-                }
-            }
+    match (case.tilting_moment, actuator.output_bearing.tilting_stiffness.known(), &axis.bearing) {
+        (Some(moment), Some(stiffness), Some(duty)) => {
+            bearing_checks::largest_moment(axis, duty, &actuator.output_bearing, work);
             work.given("K_B", &NEWTON_METRE_PER_ARCMINUTE, stiffness);
-            let tilt = actuator::tilt_angle(case.tilting_moment, stiffness.value);
+            let tilt = actuator::tilt_angle(moment, stiffness.value);
             work.formula("gamma", &ARCMINUTE, tilt.si(), "M/K_B", &equation("76.4"));
         }
-        None => missing(work, "gamma", &ARCMINUTE),
+        _ => missing(work, "gamma", &ARCMINUTE),
     }
 }
 
@@ -483,7 +361,7 @@ fn life(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
         let mean = axis.load_cubic_mean();
         let speed = AngularVelocity::from_si(axis.moments().speed_mean().si() * ratio.value);
         if speed.si() <= 0.0 || mean.si() <= 0.0 {
-            return Err(Missing { symbol: "n_av" });
+            return Err(Missing { symbol: "gear_load" });
         }
         if work.is_on() {
             explain_input_speed(axis, ratio, speed.si(), work);
@@ -557,27 +435,4 @@ fn explain_torsion(gear: &Gear, torque: Torque, work: &mut Workings) {
     stiff(work, "K_3", k3);
     let text = "(T_1/K_1 + (T_2 - T_1)/K_2 + (T - T_2)/K_3)*10800/pi";
     work.formula("phi", &ARCMINUTE, angle, text, &equation("73.3"));
-}
-
-/// First natural frequency of the load on the softest region of the gear, against the least that is asked.
-fn natural_frequency(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
-    let id = CheckId::NaturalFrequency;
-    let [softest, _, _] = &actuator.gear.stiffness;
-    let found = softest
-        .require("K_1")
-        .and_then(|k| if axis.moments().inertia_max.si() > 0.0 { Ok(k) } else { Err(Missing { symbol: "J_L" }) });
-    match found {
-        Ok(k) => {
-            let frequency = actuator::natural_frequency(axis.mechanism.in_series(k.value), axis.moments().inertia_max);
-            let (asked, key) =
-                (axis.asked.natural_frequency_min.map(Measure::si), "requirements.natural_frequency_min");
-            explain_stiffness(axis, "K_1", k, work);
-            explain_inertia(axis, work);
-            work.formula("f", &HERTZ, frequency.si(), "sqrt(K_1/J_L)/(2*pi)", &MODEL);
-            work.value("f");
-            work.asked("f_min", &HERTZ, asked, key);
-            at_least(id, &HERTZ, frequency.si(), asked, key, MODEL)
-        }
-        Err(missing) => not_checked(id, missing),
-    }
 }

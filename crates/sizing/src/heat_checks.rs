@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note};
 use crate::checks::Demands;
 use crate::comparison::{Comparison, Edges, cite, not_checked};
-use crate::currents::Currents;
+use crate::currents::{Currents, coil_loss};
 use crate::trace::{Form, Lag};
 use crate::workings;
 use actuator::{AMBIENT_REFERENCE, ContinuousLimit, Gains, Parameters, PublishedDuty, WINDING_TEMPERATURE_CONTINUOUS};
@@ -100,7 +100,7 @@ pub(crate) fn thermal(
     };
     let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
     // The coil of an open brake warms the housing; its mean counts.
-    let coil = axis.brake_coil_loss(actuator).map_or(0.0, Measure::si);
+    let coil = coil_loss(axis, actuator).si();
     let [_, r_ha] = model.network().resistances_k_per_w();
     let peak = axis.trace.peak_of_lags(&lags);
     let published = published(axis, actuator, currents);

@@ -3,46 +3,21 @@
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::comparison::{Comparison, explained, not_checked};
-use crate::demand::Demand;
 use crate::workings;
 use actuator::{Parameters, ScrewJoint};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
-use quantities::unit::{NEWTON_METRE, ONE};
-use quantities::{Measure, Torque};
+use quantities::unit::{NEWTON_METRE, ONE, RADIAN_PER_SECOND_SQUARED, SECOND};
+use quantities::{Measure, Time, Torque};
 
 /// Both joints, and the field of application where a special one is stated.
-pub(crate) fn judge(
-    axis: &Axis,
-    actuator: &Parameters,
-    demand: Option<&Demand>,
-    explain: bool,
-    checks: &mut Vec<Check>,
-) {
-    // In a collision the joints carry its torque.
-    let peak = |work: &mut Workings| {
-        let demand = demand?;
-        match axis.asked.collision_torque {
-            Some(collision) if collision.si() > demand.torque_peak.si() => {
-                let key = Source::Project { key: "requirements.collision_torque".into() };
-                work.figure("T_peak", &NEWTON_METRE, collision.si(), &key, Grade::Printed);
-                Some(collision)
-            }
-            _ => {
-                workings::peak_torque(axis, actuator, demand, work);
-                Some(demand.torque_peak)
-            }
-        }
-    };
-    for (id, screws, symbol) in [
-        (CheckId::ScrewJointLoad, &actuator.screw_joint_load, "transmissible_torque_load"),
-        (CheckId::ScrewJointHousing, &actuator.screw_joint_housing, "transmissible_torque_housing"),
-    ] {
-        checks.push(explained(explain, |work| {
-            let peak = peak(work);
-            joint(id, screws, symbol, peak, work)
-        }));
-    }
+pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool, checks: &mut Vec<Check>) {
+    let load = (&actuator.screw_joint_load, "transmissible_torque_load");
+    let housing = (&actuator.screw_joint_housing, "transmissible_torque_housing");
+    checks.push(explained(explain, |work| joint(CheckId::ScrewJointLoad, load, load_torque(axis, work), work)));
+    checks.push(explained(explain, |work| {
+        joint(CheckId::ScrewJointHousing, housing, housing_torque(axis, actuator, work), work)
+    }));
     if axis.asked.special_application.is_some() {
         let mut work = if explain { Workings::on() } else { Workings::off() };
         let mut check = not_checked(CheckId::Application, Missing { symbol: "approval" });
@@ -64,16 +39,96 @@ pub(crate) fn judge(
     }
 }
 
-/// T_peak ≤ the torque that the screws transmit by friction (table 79.1).
-fn joint(id: CheckId, joint: &ScrewJoint, symbol: &'static str, peak: Option<Torque>, work: &mut Workings) -> Check {
-    let Some(peak) = peak else { return not_checked(id, Missing { symbol: "J_out" }) };
-    work.value("T_peak");
+/// Torque through a joint, the instant of it, and its symbol in the workings.
+type Through = (Torque, Option<Time>, &'static str);
+
+/// The torque of a collision where it is above that of the cycle: both joints carry it.
+fn collision(axis: &Axis, cycle: f64, work: &mut Workings) -> Option<Through> {
+    let torque = axis.asked.collision_torque.filter(|torque| torque.si() > cycle)?;
+    let key = Source::Project { key: "requirements.collision_torque".into() };
+    work.figure("T_k", &NEWTON_METRE, torque.si(), &key, Grade::Printed);
+    Some((torque, None, "T_k"))
+}
+
+/// What passes through the joint of the load: the torque of the load. The rotor turns on the other side of it.
+fn load_torque(axis: &Axis, work: &mut Workings) -> Result<Through, Missing> {
+    let moments = axis.moments();
+    if let Some(collision) = collision(axis, moments.load_peak.si(), work) {
+        return Ok(collision);
+    }
+    let text = "max |T_L| over the cycle";
+    work.found("T_j", &NEWTON_METRE, moments.load_peak.si(), text, &workings::DEMAND, Grade::Computed);
+    Ok((moments.load_peak, Some(moments.load_peak_at), "T_j"))
+}
+
+/// What passes through the joint of the housing.
+///
+/// T_j = |T_L| + (J_out/i) |α|
+///
+/// The angular momentum of what turns inside is that of the rotor, J_out/i² times i ω, forwards or backwards with the
+/// output according to the build of the gear: the housing takes T_L and what changes it, in the worst case with the same
+/// sign.
+///
+/// # Source   docs/theory/gear.md
+fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Result<Through, Missing> {
+    let own = actuator.inertia_out.require("J_out")?.value.si();
+    // Of an own actuator the ratio may not be known: without a gear the whole of J_out acts on the housing, the most.
+    let ratio = actuator.ratio.known();
+    let inertia = own / ratio.map_or(1.0, |ratio| ratio.value);
+    let worst = |inertia: f64| {
+        axis.trace.largest(|extent| extent.torque(inertia), |node| (inertia * node.acceleration + node.load).abs())
+    };
+    let (forward, backward) = (worst(inertia), worst(-inertia));
+    let (torque, node) = if backward.0 > forward.0 { backward } else { forward };
+    if let Some(collision) = collision(axis, torque, work) {
+        return Ok(collision);
+    }
+    if work.is_on() {
+        let demand = &workings::DEMAND;
+        workings::own_inertia(actuator, work);
+        work.figure("t", &SECOND, node.time, demand, Grade::Computed);
+        work.found(
+            "alpha",
+            &RADIAN_PER_SECOND_SQUARED,
+            node.acceleration,
+            "acceleration at t",
+            demand,
+            Grade::Computed,
+        );
+        work.found("T_L", &NEWTON_METRE, node.load, "torque of the load at t", demand, Grade::Computed);
+        let text = match ratio {
+            Some(ratio) => {
+                work.given_number("i", ratio);
+                "abs(T_L) + J_out/i*abs(alpha)"
+            }
+            None => "abs(T_L) + J_out*abs(alpha)",
+        };
+        work.formula("T_j", &NEWTON_METRE, torque, text, &Source::Model { name: "gear" });
+    }
+    Ok((Torque::from_si(torque), Some(Time::from_si(node.time)), "T_j"))
+}
+
+/// The torque through a joint ≤ what its screws transmit by friction (table 79.1).
+fn joint(
+    id: CheckId,
+    (joint, symbol): (&ScrewJoint, &'static str),
+    through: Result<Through, Missing>,
+    work: &mut Workings,
+) -> Check {
+    let (torque, at, name) = match through {
+        Ok(through) => through,
+        Err(missing) => return not_checked(id, missing),
+    };
+    work.value(name);
     match joint.transmissible_torque.require(symbol) {
         Ok(limit) => {
             work.given("T_trans", &NEWTON_METRE, limit);
             work.limit("T_trans");
-            Comparison::with(id, &NEWTON_METRE, peak.si(), Source::Model { name: "demand" }, limit)
-                .answer(Verdict::Fail)
+            let source = match name {
+                "T_k" => Source::Project { key: "requirements.collision_torque".into() },
+                _ => Source::Model { name: "demand" },
+            };
+            Comparison { at, ..Comparison::with(id, &NEWTON_METRE, torque.si(), source, limit) }.answer(Verdict::Fail)
         }
         Err(missing) => not_checked(id, missing),
     }

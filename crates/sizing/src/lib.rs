@@ -7,6 +7,7 @@
 mod axis;
 mod bearing_checks;
 mod brake_checks;
+mod brake_times;
 mod check;
 mod checks;
 mod comparison;
@@ -22,6 +23,9 @@ mod heat_checks;
 mod joint_checks;
 mod rank;
 mod reserve;
+mod resonance;
+#[cfg(test)]
+mod reversal_tests;
 mod stage;
 mod swings;
 mod trace;

@@ -162,16 +162,18 @@ impl Axis {
                 ..*extra
             })
             .collect();
-        self.changed(Self::new(self.mechanism.with_masses(load), self.motion.clone(), extras))
+        self.changed(self.mechanism.with_masses(load), self.motion.clone(), extras)
     }
 
     /// The same axis with its motion run through in another time.
     fn with_time(&self, factor: f64) -> Self {
-        self.changed(Self::new(self.mechanism.clone(), self.motion.stretched(factor), self.extras.clone()))
+        self.changed(self.mechanism.clone(), self.motion.stretched(factor), self.extras.clone())
     }
 
     /// What is asked stays.
-    fn changed(&self, prepared: Self) -> Self {
+    fn changed(&self, mechanism: mechanism::Mechanism, motion: motion::Motion, extras: Vec<mechanism::Extra>) -> Self {
+        let trace = self.trace.changed(&mechanism, &motion, &extras);
+        let prepared = Self::with_trace(mechanism, motion, extras, trace);
         Self {
             ambient: self.ambient,
             bearing: self.bearing.clone(),

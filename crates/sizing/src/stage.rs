@@ -2,13 +2,26 @@
 
 use actuator::{Contribution, ErrorBudget, ErrorKind};
 use derivation::Workings;
-use mechanism::Stage;
+use mechanism::{Mechanism, Stage};
 use provenance::{Grade, Source, Sourced};
 use quantities::unit::{ARCMINUTE, NEWTON_METRE, NEWTON_METRE_PER_RADIAN, ONE};
-use quantities::{Angle, Measure, Torque};
+use quantities::{Angle, Measure, Torque, TorsionalStiffness};
+use std::borrow::Cow;
 
 /// The model of the stage.
 pub(crate) const MODEL: Source = Source::Model { name: "stage" };
+
+/// A stiffness of the gear with that of the stage in series, at the output of the actuator.
+pub(crate) fn in_series<'k>(
+    mechanism: &Mechanism,
+    gear: &'k Sourced<TorsionalStiffness>,
+) -> Cow<'k, Sourced<TorsionalStiffness>> {
+    let series = mechanism.in_series(gear.value);
+    if series == gear.value {
+        return Cow::Borrowed(gear);
+    }
+    Cow::Owned(Sourced { value: series, source: MODEL, grade: gear.grade.worst(Grade::Computed), errata: gear.errata })
+}
 
 /// Torsion of the stage itself, at the mechanism.
 ///

@@ -1,19 +1,23 @@
 //! The motion under its load as weighted instants, once per axis; every candidate is judged on it.
 
 mod build;
+mod cubes;
 mod form;
+mod gains;
 mod lags;
 mod recording;
 mod rule;
+mod search;
 
 pub(crate) use form::Form;
-pub(crate) use lags::{Lag, Peak};
+pub(crate) use lags::Lag;
 
+use lags::LagCache;
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
 use recording::Strip;
 use std::ops::Range;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// One instant with its share of the cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -58,6 +62,8 @@ pub(crate) struct Extent {
     pub(crate) acceleration: (f64, f64),
     pub(crate) load: (f64, f64),
     pub(crate) direction: (f64, f64),
+    /// ω
+    pub(crate) speeds: (f64, f64),
     /// Largest |ω|.
     pub(crate) speed: f64,
 }
@@ -67,6 +73,7 @@ impl Extent {
         acceleration: (f64::INFINITY, f64::NEG_INFINITY),
         load: (f64::INFINITY, f64::NEG_INFINITY),
         direction: (f64::INFINITY, f64::NEG_INFINITY),
+        speeds: (f64::INFINITY, f64::NEG_INFINITY),
         speed: 0.0,
     };
 
@@ -75,7 +82,29 @@ impl Extent {
         self.acceleration = wider(self.acceleration, node.acceleration);
         self.load = wider(self.load, node.load);
         self.direction = wider(self.direction, node.direction);
+        self.speeds = wider(self.speeds, node.speed);
         self.speed = self.speed.max(node.speed.abs());
+    }
+
+    /// Of what lies between two neighbouring nodes of a panel.
+    fn between(a: &Node, b: &Node, bow: &[f64; 4]) -> Self {
+        let mut extent = Self::NONE;
+        extent.widen(a);
+        extent.widen(b);
+        extent.bend(bow);
+        extent
+    }
+
+    /// Wider by how far the signals bend beyond their nodes.
+    fn bend(&mut self, [acceleration, load, _, speed]: &[f64; 4]) {
+        for ((low, high), bow) in
+            [(&mut self.acceleration, acceleration), (&mut self.load, load), (&mut self.speeds, speed)]
+                .map(|((low, high), bow)| ((low, high), bow))
+        {
+            *low -= bow;
+            *high += bow;
+        }
+        self.speed += speed;
     }
 
     fn join(&mut self, other: &Self) {
@@ -83,7 +112,16 @@ impl Extent {
         self.acceleration = both(self.acceleration, other.acceleration);
         self.load = both(self.load, other.load);
         self.direction = both(self.direction, other.direction);
+        self.speeds = both(self.speeds, other.speeds);
         self.speed = self.speed.max(other.speed);
+    }
+
+    /// All c·x lie between these.
+    pub(crate) fn range(&self, c: [f64; 4]) -> (f64, f64) {
+        let ranges = [self.acceleration, self.load, self.direction, self.speeds];
+        c.into_iter().zip(ranges).fold((0.0, 0.0), |(low, high), (c, (from, to))| {
+            (low + (c * from).min(c * to), high + (c * from).max(c * to))
+        })
     }
 
     /// No |J α + T_L| of the nodes is above this.
@@ -138,6 +176,11 @@ impl Gram {
         }
     }
 
+    /// A G Aᵀ over a time that is longer by a factor.
+    fn seen(&self, rows: &[[f64; 4]; 4], stretch: f64) -> Self {
+        Self(rows.map(|a| rows.map(|b| stretch * self.product(a, b))))
+    }
+
     /// cᵀ G c
     pub(crate) fn square(&self, c: [f64; 4]) -> f64 {
         // Rounding may leave a tiny negative sum where the signal vanishes.
@@ -174,6 +217,8 @@ pub(crate) struct Panel<'a> {
     pub(crate) nodes: &'a [Node],
     /// Duration \[s\].
     pub(crate) duration: f64,
+    /// Between two neighbouring nodes no signal leaves the straight line by more than this.
+    pub(crate) bow: [f64; 4],
 }
 
 /// A panel whose nodes are kept.
@@ -181,6 +226,7 @@ pub(crate) struct Panel<'a> {
 struct Kept {
     nodes: Range<usize>,
     duration: f64,
+    bow: [f64; 4],
 }
 
 /// Where the panels of a block are.
@@ -192,10 +238,21 @@ enum Place {
     Recorded { strip: usize, intervals: Range<usize> },
 }
 
+/// Panels or blocks in the order of time.
+#[derive(Clone, Debug, PartialEq)]
+enum Run {
+    /// Kept panels between two indices.
+    Kept(Range<usize>),
+    /// All blocks of a strip.
+    Recorded(usize),
+}
+
 /// Neighbouring nodes with their bounds and sums.
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
     place: Place,
+    /// Instant at which it begins \[s\].
+    pub(crate) from: f64,
     pub(crate) duration: f64,
     pub(crate) extent: Extent,
     pub(crate) gram: Gram,
@@ -203,7 +260,7 @@ pub(crate) struct Block {
 
 impl Block {
     const fn empty(place: Place) -> Self {
-        Self { place, duration: 0.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
+        Self { place, from: 0.0, duration: 0.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
     }
 
     fn join(&mut self, other: &Self) {
@@ -212,10 +269,15 @@ impl Block {
         self.gram.join(&other.gram);
     }
 
-    fn add(&mut self, node: &Node) {
-        self.duration += node.weight;
-        self.extent.widen(node);
-        self.gram.add(node);
+    fn add(&mut self, panel: &Panel<'_>) {
+        self.duration += panel.duration;
+        let mut extent = Extent::NONE;
+        for node in panel.nodes {
+            extent.widen(node);
+            self.gram.add(node);
+        }
+        extent.bend(&panel.bow);
+        self.extent.join(&extent);
     }
 }
 
@@ -225,13 +287,6 @@ const BLOCK: usize = 128;
 /// So many blocks share one extent.
 const GROUP: usize = 64;
 
-/// A signal over the cycle as steps.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Step {
-    pub(crate) duration: f64,
-    pub(crate) value: f64,
-}
-
 /// The motion under its load.
 #[derive(Clone, Debug)]
 pub(crate) struct Trace {
@@ -239,7 +294,10 @@ pub(crate) struct Trace {
     panels: Vec<Kept>,
     strips: Vec<Strip>,
     blocks: Vec<Block>,
-    groups: Vec<Extent>,
+    /// Bounds of the groups and the instants at which they begin.
+    groups: Vec<(Extent, f64)>,
+    runs: Vec<Run>,
+    lags: Arc<LagCache>,
     /// Sum of the weights \[s\].
     duration: f64,
     pub(crate) gram: Gram,
@@ -255,17 +313,20 @@ pub(crate) struct Trace {
 
 impl Trace {
     pub(crate) fn of(mechanism: &Mechanism, motion: &Motion, extras: &[Extra]) -> Self {
-        build::Builder::new(mechanism, motion, extras).trace()
+        build::Builder::new(mechanism, motion, extras, &[]).trace()
+    }
+
+    /// The same for another load or another pace of the same recordings, which need not be passed again where the load
+    /// is a sum of four parts with constant factors.
+    pub(crate) fn changed(&self, mechanism: &Mechanism, motion: &Motion, extras: &[Extra]) -> Self {
+        build::Builder::new(mechanism, motion, extras, &self.strips).trace()
     }
 
     /// The panels of a block in the order of time.
     pub(crate) fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
         match &block.place {
             Place::Kept(range) => {
-                for kept in self.panels.get(range.clone()).unwrap_or_default() {
-                    let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
-                    look(Panel { nodes, duration: kept.duration });
-                }
+                self.panels.get(range.clone()).unwrap_or_default().iter().for_each(|kept| look(self.panel(kept)));
             }
             Place::Recorded { strip, intervals } => {
                 if let Some(strip) = self.strips.get(*strip) {
@@ -275,19 +336,14 @@ impl Trace {
         }
     }
 
+    fn panel(&self, kept: &Kept) -> Panel<'_> {
+        let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
+        Panel { nodes, duration: kept.duration, bow: kept.bow }
+    }
+
     /// The nodes of a block in the order of time.
     pub(crate) fn within(&self, block: &Block, look: &mut impl FnMut(&Node)) {
         self.panels(block, &mut |panel| panel.nodes.iter().for_each(&mut *look));
-    }
-
-    /// ∫|T_L|³ |ω| dt; only gears with a rating ask for it.
-    pub(crate) fn cubes(&self) -> f64 {
-        *self.cubes.get_or_init(|| {
-            let mut sum = 0.0;
-            let mut look = |node: &Node| sum += node.weight * (node.load * node.load * node.load * node.speed).abs();
-            self.blocks.iter().for_each(|block| self.within(block, &mut look));
-            sum
-        })
     }
 
     pub(crate) fn blocks(&self) -> &[Block] {
@@ -299,110 +355,11 @@ impl Trace {
         self.strips.is_empty() && self.nodes.len() <= 2 * BLOCK
     }
 
-    /// The largest value over the nodes and the first node that has it. `bound` is above every value of its block, so
-    /// that a block whose bound is below what is found already is left out: exact, and near O(√blocks).
-    pub(crate) fn largest(&self, bound: impl Fn(&Extent) -> f64, value: impl Fn(&Node) -> f64) -> (f64, Node) {
-        let mut best = (f64::NEG_INFINITY, Node::default());
-        self.search(bound, &mut best, |block, best| {
-            self.within(block, &mut |node| {
-                let here = value(node);
-                if here > best.0 || (here == best.0 && node.time < best.1.time) {
-                    *best = (here, *node);
-                }
-            });
-        });
-        best
-    }
-
-    /// The largest value between neighbouring nodes of different instants, `least` if none is above it; bounds as in
-    /// [`Self::largest`]. `value` is told what is found so far and need not be exact below it.
-    pub(crate) fn largest_between(
-        &self,
-        least: f64,
-        bound: impl Fn(&Extent) -> f64,
-        value: impl Fn(&Node, &Node, f64) -> f64,
-    ) -> f64 {
-        let mut best = (least, Node::default());
-        self.search(bound, &mut best, |block, best| {
-            let mut last: Option<Node> = None;
-            self.within(block, &mut |node| {
-                if let Some(last) = last.as_ref().filter(|last| node.time > last.time && last.direction != 0.0) {
-                    best.0 = best.0.max(value(last, node, best.0));
-                }
-                last = Some(*node);
-            });
-        });
-        best.0
-    }
-
-    /// Looks into the blocks whose bound is not below what is found so far, the most promising first.
-    fn search(
-        &self,
-        bound: impl Fn(&Extent) -> f64,
-        best: &mut (f64, Node),
-        mut look: impl FnMut(&Block, &mut (f64, Node)),
-    ) {
-        let mut group = |index: usize, best: &mut (f64, Node)| {
-            let blocks = self.blocks.chunks(GROUP).nth(index).unwrap_or_default();
-            in_order(blocks, |block| bound(&block.extent), best, |block, _, best| look(block, best));
-        };
-        in_order(&self.groups, &bound, best, |_, index, best| group(index, best));
-    }
-
-    /// A signal over the cycle as steps: the mean over each block that is not longer than `longest`, of the others each
-    /// node by itself. `whole` gives the integral over a block at once, where it can.
-    pub(crate) fn steps(
-        &self,
-        longest: f64,
-        whole: impl Fn(&Block) -> Option<f64>,
-        value: impl Fn(&Node) -> f64,
-    ) -> Vec<Step> {
-        let mut steps = Vec::with_capacity(self.blocks.len());
-        for block in &self.blocks {
-            if block.duration > longest || self.is_short() {
-                self.within(block, &mut |node| steps.push(Step { duration: node.weight, value: value(node) }));
-                continue;
-            }
-            let integral = whole(block).unwrap_or_else(|| {
-                let mut sum = 0.0;
-                self.within(block, &mut |node| sum += node.weight * value(node));
-                sum
-            });
-            if block.duration > 0.0 {
-                steps.push(Step { duration: block.duration, value: integral / block.duration });
-            }
-        }
-        steps
-    }
-
     #[cfg(test)]
     pub(crate) fn nodes(&self) -> Vec<Node> {
         let mut nodes = Vec::new();
         self.blocks.iter().for_each(|block| self.within(block, &mut |node| nodes.push(*node)));
         nodes
-    }
-}
-
-/// Visits what may hold something better than the best: the one with the largest bound, then the others in their order.
-fn in_order<T>(
-    items: &[T],
-    bound: impl Fn(&T) -> f64,
-    best: &mut (f64, Node),
-    mut visit: impl FnMut(&T, usize, &mut (f64, Node)),
-) {
-    if let [only] = items {
-        visit(only, 0, best);
-        return;
-    }
-    let first = items.iter().enumerate().map(|(index, item)| (index, bound(item))).max_by(|a, b| a.1.total_cmp(&b.1));
-    let Some((first, _)) = first else { return };
-    if let Some(item) = items.get(first) {
-        visit(item, first, best);
-    }
-    for (index, item) in items.iter().enumerate() {
-        if index != first && bound(item) >= best.0 {
-            visit(item, index, best);
-        }
     }
 }
 

@@ -71,7 +71,8 @@ fn brute(mechanism: &Mechanism, motion: &Motion, own: f64) -> [f64; 5] {
         };
         let mut cuts = vec![0.0, piece.duration_s];
         cuts.extend(piece.reversals());
-        let sign = |t: f64| if piece.is_rest() { 0.0 } else { piece.at(t).speed_rad_s.signum() };
+        let runs = piece.runs();
+        let sign = |t: f64| runs.direction(t);
         cuts.extend(motion::roots(|t| torque(t, sign(t)).0, piece.duration_s));
         cuts.extend(motion::roots(|t| torque(t, sign(t)).1, piece.duration_s));
         cuts.sort_by(f64::total_cmp);
@@ -335,21 +336,11 @@ fn the_envelope_of_a_recording_finds_what_a_plain_loop_finds_and_threads_change_
 
 /// The same blocks, one after the other.
 fn swing_blocks(motion: &Motion) -> Vec<Gram> {
-    let strip = Strip::new(motion.recordings()[0].clone(), direct(), Extra::none());
+    let strip = Strip::new(motion.recordings()[0].clone(), direct(), Extra::none(), &[]);
     let count = motion.recordings()[0].intervals();
     let most = strip.block_intervals();
-    (0..count).step_by(most).map(|from| strip.block(0, from..(from + most).min(count)).gram).collect()
-}
-
-/// Means over blocks leave the energy and move the rest by less than the block is long against what looks at it.
-#[test]
-fn steps_of_blocks_and_of_nodes_hold_the_same_energy() {
-    let trace = Trace::of(&direct(), &swing(5_000), &[]);
-    let square = |node: &Node| node.load * node.load;
-    let whole = |block: &Block| block.extent.power_sign(0.0).map(|_| block.gram.square([0.0, 1.0, 0.0, 0.0]));
-    let energy = |steps: &[Step]| steps.iter().map(|step| step.duration * step.value).sum::<f64>();
-    let fine = trace.steps(0.0, whole, square);
-    let coarse = trace.steps(1.0, whole, square);
-    assert!(fine.len() > 50 * coarse.len());
-    assert!((energy(&fine) / energy(&coarse) - 1.0).abs() < 1e-12);
+    let raw: Vec<Gram> =
+        (0..count).step_by(most).map(|from| strip.block(from..(from + most).min(count)).gram).collect();
+    assert_eq!(raw, strip.raw_blocks().iter().map(|block| block.gram).collect::<Vec<_>>());
+    strip.found(0).blocks.iter().map(|block| block.gram).collect()
 }

@@ -37,7 +37,7 @@ pub use inertia::{BODY_SHAPES, BodyAnswer, BodyShape, InertiaAnswer, inertia};
 pub use limits::{NeededLimit, limits_needed};
 pub use moves::{Move, Moves, SegmentLaw, moves};
 pub use order_code::{Field, OrderCode};
-pub use plane::{Plane, plane, plane_of};
+pub use plane::{Plane, curve_rows, plane, plane_of};
 pub use project::{
     ALL_CORNERS_MOST, Assumption, Files, Input, InputChange, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project,
     RatioAnswer, RecordingRead, Tolerance, input_changes, inputs, schema,

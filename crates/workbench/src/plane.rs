@@ -2,7 +2,7 @@
 
 use crate::project::Project;
 use crate::sizing_use::Candidate;
-use actuator::{CurveKind, Parameters, PerformanceCurve};
+use actuator::{CurveKind, CurvePoint, Parameters, PerformanceCurve};
 use order_code::OrderCode;
 use provenance::Missing;
 use quantities::{AngularVelocity, ElectricPotential, Measure, Torque};
@@ -55,4 +55,74 @@ pub fn plane(project: &Project, candidate: &Candidate<'_>) -> Result<Plane, Miss
 /// The first datum that is missing if no curve can be drawn.
 pub fn plane_of(code: &OrderCode, terminal: Option<ElectricPotential>) -> Option<Result<Plane, Missing>> {
     Some(Plane::of(&configurator::parameters(code)?, terminal))
+}
+
+/// Both edges of a curve at every speed of either, straight between their points: they need not share their speeds.
+#[must_use]
+pub fn curve_rows(curve: &PerformanceCurve) -> Vec<(AngularVelocity, Option<Torque>, Option<Torque>)> {
+    rows(&curve.points, curve.upper.as_deref().unwrap_or_default())
+}
+
+fn rows(lower: &[CurvePoint], upper: &[CurvePoint]) -> Vec<(AngularVelocity, Option<Torque>, Option<Torque>)> {
+    let mut speeds: Vec<AngularVelocity> = lower.iter().map(|point| point.speed).collect();
+    let has = |speeds: &[AngularVelocity], speed: AngularVelocity| {
+        speeds.iter().any(|known| (known.si() - speed.si()).abs() <= 1e-9 * speed.si().abs())
+    };
+    for point in upper {
+        if !has(&speeds, point.speed) {
+            speeds.push(point.speed);
+        }
+    }
+    speeds.sort_by(|a, b| a.si().total_cmp(&b.si()));
+    let mut rows = Vec::with_capacity(speeds.len());
+    let mut last: Option<AngularVelocity> = None;
+    for speed in speeds {
+        // Where a curve drops, two of its points stand at one speed: both are told.
+        let again = last.is_some_and(|last| last.si() == speed.si());
+        rows.push((speed, at_speed(lower, speed, again), at_speed(upper, speed, again)));
+        last = Some(speed);
+    }
+    rows
+}
+
+/// The torque at a speed; of two points at one speed the first, or the last where it comes `again`. None beyond the last.
+fn at_speed(points: &[CurvePoint], speed: AngularVelocity, again: bool) -> Option<Torque> {
+    let near = |point: &&CurvePoint| (point.speed.si() - speed.si()).abs() <= 1e-9 * speed.si().abs();
+    let found = if again { points.iter().rfind(near) } else { points.iter().find(near) };
+    let between = || {
+        let (low, high) = points
+            .iter()
+            .zip(points.iter().skip(1))
+            .find(|(a, b)| a.speed.si() < speed.si() && speed.si() < b.speed.si())?;
+        let share = (speed.si() - low.speed.si()) / (high.speed.si() - low.speed.si());
+        Some(low.torque + (high.torque - low.torque) * share)
+    };
+    found.map(|point| point.torque).or_else(between)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_edges_of_a_band_are_told_at_the_same_speed() {
+        let point = |(speed, torque): &(f64, f64)| CurvePoint {
+            speed: AngularVelocity::from_si(*speed),
+            torque: Torque::from_si(*torque),
+        };
+        let lower: Vec<CurvePoint> = [(0.0, 80.0), (10.0, 70.0), (10.0, 0.0)].iter().map(point).collect();
+        let upper: Vec<CurvePoint> = [(0.0, 90.0), (4.0, 88.0), (8.0, 84.0), (10.0, 80.0)].iter().map(point).collect();
+        let told: Vec<(f64, Option<f64>, Option<f64>)> = rows(&lower, &upper)
+            .into_iter()
+            .map(|(speed, a, b)| (speed.si(), a.map(Measure::si), b.map(Measure::si)))
+            .collect();
+        let expected = [
+            (0.0, Some(80.0), Some(90.0)),
+            (4.0, Some(76.0), Some(88.0)),
+            (8.0, Some(72.0), Some(84.0)),
+            (10.0, Some(70.0), Some(80.0)),
+            (10.0, Some(0.0), Some(80.0)),
+        ];
+        assert_eq!(told, expected);
+    }
 }

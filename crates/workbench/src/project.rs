@@ -346,6 +346,8 @@ fn asked_of(section: &Section) -> Asked {
         deviation_max: section.quantity("deviation_max"),
         stop_angle_max: section.quantity("stop_angle_max"),
         emergency_stops: section.number("emergency_stops"),
+        holding_safety: section.number("holding_safety"),
+        service_life: section.quantity("service_life"),
         regeneration_power_max: section.quantity("regeneration_power_max"),
         absolute: section.bool("absolute"),
         resolution_max: section.quantity("resolution_max"),

@@ -73,3 +73,18 @@ fn constants_of_the_gear_life() {
     let expected = number("gear-life", "L_n", "CPU") / number("gear-life", "life_ratio_50_10", "");
     assert!((life - expected).abs() < 1e-6, "{life} {expected}");
 }
+
+/// Every brake whose times are printed closes in 70 ms and opens in 110 ms, and has its number of brakings.
+#[test]
+fn times_of_the_brake() {
+    let mut printed = 0;
+    for (symbol, expected) in [("t_c", actuator::BRAKE_CLOSING_TIME), ("t_o", actuator::BRAKE_OPENING_TIME)] {
+        let tables = catalogue::tables().iter().flat_map(catalogue::Table::cells);
+        for cell in tables.filter(|cell| cell.place.symbol == symbol) {
+            let Some(value) = cell.value.number() else { continue };
+            assert!((value / 1000.0 - expected).abs() < 1e-12, "{:?}", cell.place);
+            printed += 1;
+        }
+    }
+    assert!(printed >= 22, "{printed}");
+}

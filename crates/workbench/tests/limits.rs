@@ -38,9 +38,9 @@ fn limits_that_are_met_let_a_candidate_in() {
 fn where_more_than_a_limit_of_the_project_fails_none_is_named() {
     let fits = check(&table(""), &code("CHA-32A-50-H-C1024")).unwrap().fits();
     assert!(fits && limits_needed(&check(&table(""), &code("CHA-32A-50-H-C1024")).unwrap()).is_none());
-    // Its peak current is too small as well.
+    // Its peak torque is too small as well.
     let project = table("torsion_max = \"1 arcmin\"");
-    assert!(limits_needed(&check(&project, &code("CHA-25A-50-H-C1024")).unwrap()).is_none());
+    assert!(limits_needed(&check(&project, &code("CHA-20A-50-H-C1024")).unwrap()).is_none());
     // A brake is no limit.
     let project = table("brake = true\nmass_max = \"4 kg\"");
     assert!(limits_needed(&check(&project, &code("CHA-32A-50-H-C1024")).unwrap()).is_none());

@@ -37,10 +37,21 @@ fn projects() -> Vec<Project> {
          battery_life_min = \"5 a\"\ncollision_torque = \"40 N m\"\ncollision_time = \"0.1 s\"\ncollisions = 20\n\
          gear_life_min = \"20000 h\"\nbearing_life_min = \"20000 h\"\ntorsion_max = \"5 arcmin\"\n\
          natural_frequency_min = \"3 Hz\"\ntilt_angle_max = \"1 arcmin\"\nstop_angle_max = \"90 deg\"\n\
-         emergency_stops = 20\nregeneration_power_max = \"50 W\"\ndc_link_rise = \"60 V\"\n\
+         emergency_stops = 20\nholding_safety = 1.5\nregeneration_power_max = \"50 W\"\ndc_link_rise = \"60 V\"\n\
          special_application = \"medical\"\n"
     );
     found.push(Project::read(&everything, Language::En).unwrap());
+    // The brake holds often and over a long life, the link rises above its limit, nothing is carried.
+    let often = "format = 1\n[mechanism.arm]\ninertia = \"1 kg m^2\"\nmass = \"10 kg\"\ncentre_distance = \"0.1 m\"\n\
+        axis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\n\
+        [[motion]]\nlaw = \"jerk\"\ndistance = \"360 deg\"\nspeed = \"20 1/min\"\nacceleration = \"20 rad/s^2\"\njerk = \"400 rad/s^3\"\n\
+        [[motion]]\nlaw = \"dwell\"\ntime = \"50 ms\"\nhold = \"brake\"\n\
+        [requirements]\nbrake = true\nsupply = \"560 V\"\ndc_link_rise = \"200 V\"\nservice_life = \"90000 h\"\n\
+        collision_torque = \"900 N m\"\n";
+    found.push(Project::read(often, Language::En).unwrap());
+    let idle = "format = 1\n[load]\ninertia = \"1 kg m^2\"\n\
+        [[motion]]\nlaw = \"constant\"\nspeed = \"10 1/min\"\ntime = \"1 s\"\n";
+    found.push(Project::read(idle, Language::En).unwrap());
     found
 }
 

@@ -1,15 +1,19 @@
 //! The pass over the motion that makes the trace.
 
 use super::recording::Strip;
-use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Place, Share, Trace};
+use super::rule::{MOST, rule};
+use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Panel, Place, Run, Share, Trace};
+use crate::brake_times::held_by_the_motor;
 use mechanism::{Extra, Mechanism, Output};
-use motion::{Hold, Motion, Piece, Placed, lobatto};
-use std::sync::OnceLock;
+use motion::{Hold, Motion, Piece, Placed, Runs, lobatto};
+use std::sync::{Arc, OnceLock};
 
 pub(super) struct Builder<'a> {
     mechanism: &'a Mechanism,
     motion: &'a Motion,
     extras: &'a [Extra],
+    /// Strips of a trace of the same recordings.
+    known: &'a [Strip],
     nodes: Vec<Node>,
     panels: Vec<Kept>,
     strips: Vec<Strip>,
@@ -38,16 +42,20 @@ const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 /// more coarsely than [`PANEL_ANGLE`].
 const PANELS_MOST: f64 = 1_000.0;
 
+/// A panel of so many nodes holds signals that are straight over time.
+const STRAIGHT: usize = 4;
+
 /// The nodes of a recording of at most so many intervals are kept: they are looked at many times for every candidate, and
 /// a few megabytes hold them. Those of a longer one would cost more to store and load than to make.
 const KEPT: usize = 1 << 13;
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(mechanism: &'a Mechanism, motion: &'a Motion, extras: &'a [Extra]) -> Self {
+    pub(super) fn new(mechanism: &'a Mechanism, motion: &'a Motion, extras: &'a [Extra], known: &'a [Strip]) -> Self {
         Self {
             mechanism,
             motion,
             extras,
+            known,
             nodes: Vec::with_capacity(4 * motion.pieces().len()),
             panels: Vec::with_capacity(motion.pieces().len()),
             strips: Vec::new(),
@@ -79,13 +87,14 @@ impl<'a> Builder<'a> {
         let mut gram = Gram::default();
         self.blocks.iter().for_each(|block| gram.join(&block.gram));
         let group = |blocks: &[Block]| {
-            blocks.iter().fold(Extent::NONE, |mut all, block| {
-                all.join(&block.extent);
-                all
-            })
+            let mut all = Extent::NONE;
+            blocks.iter().for_each(|block| all.join(&block.extent));
+            (all, blocks.first().map_or(0.0, |block| block.from))
         };
         Trace {
             groups: self.blocks.chunks(GROUP).map(group).collect(),
+            lags: Arc::default(),
+            runs: runs(&self.blocks),
             duration: self.blocks.iter().map(|block| block.duration).sum(),
             nodes: self.nodes,
             panels: self.panels,
@@ -108,7 +117,11 @@ impl<'a> Builder<'a> {
         }
         self.blocked = (self.nodes.len(), self.panels.len());
         let mut block = Block::empty(Place::Kept(panels..self.panels.len()));
-        self.nodes.get(nodes..).unwrap_or_default().iter().for_each(|node| block.add(node));
+        block.from = self.nodes.get(nodes).map_or(0.0, |node| node.time);
+        for kept in self.panels.get(panels..).unwrap_or_default() {
+            let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
+            block.add(&Panel { nodes, duration: kept.duration, bow: kept.bow });
+        }
         self.blocks.push(block);
     }
 
@@ -116,8 +129,8 @@ impl<'a> Builder<'a> {
         self.close_block();
         let none = Extra::none();
         let extra = self.extras.get(placed.segment).unwrap_or(&none);
-        let strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra);
-        let mut survey = strip.survey(self.strips.len());
+        let strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra, self.known);
+        let mut survey = strip.found(self.strips.len());
         if let Some(share) = self.shares.get_mut(placed.segment) {
             share.travelled += survey.blocks.iter().map(|block| block.gram.travelled()).sum::<f64>();
         }
@@ -140,11 +153,12 @@ impl<'a> Builder<'a> {
             self.rest(piece, extra, hold);
             return;
         }
-        let cuts = self.cuts(piece, extra);
+        let runs = piece.runs();
+        let cuts = self.cuts(piece, extra, &runs);
         let nodes = self.nodes_per_panel(piece);
         for pair in cuts.windows(2) {
             if let [from, to] = pair {
-                self.panel(piece, extra, (*from, *to), nodes);
+                self.panel(piece, extra, (*from, *to, runs.direction(0.5 * (from + to))), nodes);
                 if self.nodes.len() - self.blocked.0 >= BLOCK {
                     self.close_block();
                 }
@@ -154,20 +168,31 @@ impl<'a> Builder<'a> {
 
     fn rest(&mut self, piece: &Piece, extra: &Extra, hold: Hold) {
         let output = self.output(piece, 0.0, 0.0);
-        let (first, duration) = (self.nodes.len(), piece.duration_s);
         let holding = self.mechanism.torque(&output, extra);
-        let load = if hold == Hold::Motor { holding } else { 0.0 };
-        for share in [0.0, 1.0] {
-            self.nodes.push(Node {
-                time: piece.start_s + share * piece.duration_s,
-                weight: 0.5 * piece.duration_s,
-                acceleration: 0.0,
-                speed: 0.0,
-                direction: 0.0,
-                load,
-            });
+        // Until the brake has closed and while it opens the motor holds.
+        let (closing, opening) = match hold {
+            Hold::Motor => (piece.duration_s, 0.0),
+            Hold::Brake => held_by_the_motor(self.motion, piece.segment),
+            Hold::Free => (0.0, 0.0),
+        };
+        let opens = piece.duration_s - opening;
+        for (from, to, load) in [(0.0, closing, holding), (closing, opens, 0.0), (opens, piece.duration_s, holding)] {
+            if to <= from {
+                continue;
+            }
+            let first = self.nodes.len();
+            for at in [from, to] {
+                self.nodes.push(Node {
+                    time: piece.start_s + at,
+                    weight: 0.5 * (to - from),
+                    acceleration: 0.0,
+                    speed: 0.0,
+                    direction: 0.0,
+                    load,
+                });
+            }
+            self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow: [0.0; 4] });
         }
-        self.panels.push(Kept { nodes: first..self.nodes.len(), duration });
         self.see(&output, extra);
     }
 
@@ -192,7 +217,7 @@ impl<'a> Builder<'a> {
 
     /// Panel borders: reversals, changes of sign of the torque and kinks of the load, and then as many equal parts as a
     /// smooth integrand needs.
-    fn cuts(&self, piece: &Piece, extra: &Extra) -> Vec<f64> {
+    fn cuts(&self, piece: &Piece, extra: &Extra, runs: &Runs) -> Vec<f64> {
         let mut cuts = vec![0.0];
         cuts.extend(piece.reversals());
         let ramp = piece.speed_degree().is_some_and(|degree| degree <= 1);
@@ -202,7 +227,6 @@ impl<'a> Builder<'a> {
             cuts.extend(motion::roots(|t| piece.jerk(t), piece.duration_s));
         }
         if !(ramp && self.mechanism.is_constant_over_ramps()) {
-            let sign = |t: f64| piece.at(t).speed_rad_s.signum();
             // So many spans that no two roots fall into one step of the search.
             let spans = (self.parts(piece) / PANELS_PER_SEARCH).ceil().max(1.0);
             let span = piece.duration_s / spans;
@@ -213,10 +237,10 @@ impl<'a> Builder<'a> {
                     k += 1.0;
                 }
             };
-            search(&|t| self.mechanism.useful_torque(&self.output(piece, t, sign(t)), extra), &mut cuts);
-            search(&|t| self.mechanism.torque(&self.output(piece, t, sign(t)), extra), &mut cuts);
+            search(&|t| self.mechanism.useful_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
+            search(&|t| self.mechanism.torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
             if self.mechanism.stage.is_some() {
-                search(&|t| self.mechanism.stage_torque(&self.output(piece, t, sign(t)), extra), &mut cuts);
+                search(&|t| self.mechanism.stage_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
             }
             for kink in self.mechanism.kinks() {
                 search(&|t| wrapped(piece.at(t).position_rad / self.mechanism.stage_ratio() - kink), &mut cuts);
@@ -283,8 +307,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to): (f64, f64), nodes: usize) {
-        let direction = piece.at(0.5 * (from + to)).speed_rad_s.signum();
+    fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to, direction): (f64, f64, f64), nodes: usize) {
         let mut travelled = 0.0;
         let (kinked, beside) = (self.kinked, 1e-9 * (to - from));
         let first = self.nodes.len();
@@ -305,11 +328,55 @@ impl<'a> Builder<'a> {
             travelled += weight * (to - from) * output.speed_rad_s * direction;
             self.see(&output, extra);
         }
-        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from });
+        let bow = bow(self.nodes.get(first..).unwrap_or_default());
+        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow });
         if let Some(share) = self.shares.get_mut(piece.segment) {
             share.travelled += travelled;
         }
     }
+}
+
+/// How far each signal may leave the straight line between two neighbouring nodes of a panel.
+///
+/// g²/8 Σ |a_j| P_j''(1), P_j''(1) = (j − 1) j (j + 1) (j + 2)/8
+///
+/// # Symbols  g widest gap on −1…1, a_j factors of the Legendre polynomials P_j, whose second derivative is largest at 1
+/// # Source   docs/theory/moments.md
+/// # Valid    with up to four nodes the signals of a law are straight
+fn bow(nodes: &[Node]) -> [f64; 4] {
+    let mut bow = [0.0; 4];
+    if nodes.len() <= STRAIGHT {
+        return bow;
+    }
+    let rule = rule(nodes.len());
+    let shares = rule.nodes();
+    let gap = shares.iter().zip(shares.iter().skip(1)).map(|(a, b)| 2.0 * (b - a)).fold(0.0, f64::max);
+    for (index, bow) in bow.iter_mut().enumerate() {
+        let mut values = [0.0; MOST];
+        let of = |node: &Node| node.signals().get(index).copied().unwrap_or(0.0);
+        values.iter_mut().zip(nodes).for_each(|(value, node)| *value = of(node));
+        let mut j = 0.0;
+        for a in rule.coefficients(&values) {
+            *bow += a.abs() * (j - 1.0) * j * (j + 1.0) * (j + 2.0) / 8.0;
+            j += 1.0;
+        }
+        *bow *= gap * gap / 8.0;
+    }
+    bow
+}
+
+/// The blocks as runs of kept panels and whole recordings.
+fn runs(blocks: &[Block]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for block in blocks {
+        match (&block.place, runs.last_mut()) {
+            (Place::Kept(range), Some(Run::Kept(run))) => run.end = range.end,
+            (Place::Kept(range), _) => runs.push(Run::Kept(range.clone())),
+            (Place::Recorded { strip, .. }, Some(Run::Recorded(run))) if run == strip => {}
+            (Place::Recorded { strip, .. }, _) => runs.push(Run::Recorded(*strip)),
+        }
+    }
+    runs
 }
 
 /// An angle brought to ±180°, for kinks that repeat with each revolution; its own jump is no kink.

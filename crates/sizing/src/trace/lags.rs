@@ -1,7 +1,9 @@
 //! First-order lags of quadratic forms over a cycle that repeats for ever.
 
+use super::gains::{Gain, GainTables, Products, sum, sum_of_magnitudes, swing};
 use super::rule::{MOST, Values, dot, lagged, rule};
-use super::{Form, Node, Trace};
+use super::{Form, Node, Panel, Run, Trace};
+use std::sync::OnceLock;
 
 /// One first-order lag y' = (u − y)/τ of a form, in the steady periodic state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +23,13 @@ pub(crate) struct Peak {
     pub(crate) at_s: f64,
 }
 
+/// What lags need of the panels that are kept.
+#[derive(Debug, Default)]
+pub(super) struct LagCache {
+    swings: OnceLock<Vec<Products>>,
+    gains: GainTables,
+}
+
 /// A lag over one panel.
 struct Course {
     tau_s: f64,
@@ -37,11 +46,11 @@ struct Course {
 }
 
 impl Course {
-    fn of(lag: &Lag, nodes: &[Node], duration: f64) -> Self {
+    fn of(lag: &Lag, panel: &Panel<'_>) -> Self {
+        let (lambda, count) = (panel.duration / lag.tau_s, panel.nodes.len());
         let mut input = [0.0; MOST];
-        input.iter_mut().zip(nodes).for_each(|(u, node)| *u = lag.form.at(node));
-        let (lambda, count) = (duration / lag.tau_s, nodes.len());
-        let gain = lambda * dot(&lagged(lambda, count), &rule(count).coefficients(&input));
+        input.iter_mut().zip(panel.nodes).for_each(|(u, node)| *u = lag.form.at(node));
+        let gain = dot(&rule(count).weights(lambda), &input);
         Self { tau_s: lag.tau_s, lambda, decay: (-lambda).exp(), count, input, gain }
     }
 
@@ -61,13 +70,40 @@ impl Course {
     fn slope(&self, start: f64, s: f64) -> f64 {
         (dot(&rule(self.count).shares(s), &self.input) - self.at(start, s)) / self.tau_s
     }
+
+    /// Between these lies y' all through the panel.
+    fn slopes(&self, start: f64) -> (f64, f64) {
+        let inputs = self.input.iter().take(self.count);
+        let (low, high) = inputs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(*u), b.max(*u)));
+        let room = 0.125 * (high - low);
+        let (low, high) = (low - room, high + room);
+        let end = self.end(start);
+        // y strays from the straight line by less than λ/4 of what drives it.
+        let stray = 0.25 * self.lambda * (high - low + (end - start).abs());
+        ((low - start.max(end) - stray) / self.tau_s, (high - start.min(end) + stray) / self.tau_s)
+    }
 }
 
 /// Into so many parts a panel is cut to see whether the sum of the lags turns within it.
 const PARTS: u32 = 16;
 
+/// What is not higher by more than this share is not looked for: far below what any reader sees, above what rounding makes.
+const NEGLIGIBLE: f64 = 1e-10;
+
+/// One lag through the stretches of a run.
+struct Flow {
+    tau_s: f64,
+    /// e^(−λ) and what is added, of each stretch.
+    stretches: Vec<(f64, f64)>,
+    /// The factors of the products in the signals of each run.
+    factors: Vec<Products>,
+    /// y at the start of the cycle.
+    start: f64,
+}
+
 impl Trace {
     /// Mean of a form over the cycle.
+    #[cfg(test)]
     pub(crate) fn mean(&self, form: &Form) -> f64 {
         let sum = self.gram.0.iter().flatten().zip(form.0.iter().flatten()).map(|(g, q)| g * q).sum::<f64>();
         sum / self.duration
@@ -80,52 +116,324 @@ impl Trace {
     ///
     /// # Source   docs/theory/moments.md
     pub(crate) fn peak_of_lags(&self, lags: &[Lag]) -> Peak {
-        let mut states: Vec<f64> = lags.iter().map(|lag| self.start_of_lag(lag)).collect();
+        let flows: Vec<Flow> = lags.iter().map(|lag| self.flow(lag)).collect();
+        let count = flows.first().map_or(0, |flow| flow.stretches.len());
+        let mut states: Vec<f64> = flows.iter().map(|flow| flow.start).collect();
         let mut best = Peak { value: states.iter().sum(), at_s: 0.0 };
-        for block in &self.blocks {
-            self.panels(block, &mut |panel| {
-                let courses: Vec<Course> =
-                    lags.iter().map(|lag| Course::of(lag, panel.nodes, panel.duration)).collect();
-                let start = panel.nodes.first().map_or(0.0, |node| node.time);
-                within(&courses, &states, &mut |s, value| {
-                    if value > best.value {
-                        best = Peak { value, at_s: start + s * panel.duration };
-                    }
-                });
-                for (state, course) in states.iter_mut().zip(&courses) {
-                    *state = course.end(*state);
+        let mut highest = None;
+        for index in 0..count {
+            for (state, flow) in states.iter_mut().zip(&flows) {
+                if let Some((decay, gain)) = flow.stretches.get(index) {
+                    *state = *state * decay + gain;
                 }
-            });
+            }
+            let here = states.iter().sum();
+            if here > best.value {
+                best.value = here;
+                highest = Some(index);
+            }
         }
-        best
+        if let Some(index) = highest {
+            best.at_s = self.end_of_stretch(index);
+        }
+        let starts = flows.iter().map(|flow| flow.start).collect();
+        Search { trace: self, lags, flows: &flows, states: starts, best }.search()
     }
 
-    fn start_of_lag(&self, lag: &Lag) -> f64 {
-        let mut state = 0.0;
-        for block in &self.blocks {
-            self.panels(block, &mut |panel| state = Course::of(lag, panel.nodes, panel.duration).end(state));
+    /// The lag through all stretches: panels that are kept, blocks of recordings.
+    fn flow(&self, lag: &Lag) -> Flow {
+        let mut stretches = Vec::with_capacity(self.panels.len());
+        let mut factors = Vec::with_capacity(self.runs.len());
+        for run in &self.runs {
+            let mut take = |gains: &[Gain], factors: &Products| {
+                stretches.extend(gains.iter().map(|gain| (gain.decay, sum(factors, &gain.gain))));
+            };
+            match run {
+                Run::Kept(range) => {
+                    let q = lag.form.factors();
+                    self.lags.gains.with(
+                        lag.tau_s,
+                        |tau_s| self.kept_gains(tau_s),
+                        |gains| {
+                            take(gains.get(range.clone()).unwrap_or_default(), &q);
+                        },
+                    );
+                    factors.push(q);
+                }
+                Run::Recorded(strip) => {
+                    let Some(strip) = self.strips.get(*strip) else { continue };
+                    let (q, tau_s) = (strip.view().form(&lag.form).factors(), lag.tau_s / strip.view().stretch());
+                    strip.survey().gains.with(tau_s, |tau_s| strip.gains(tau_s), |gains| take(gains, &q));
+                    factors.push(q);
+                }
+            }
         }
-        state / -(-self.duration / lag.tau_s).exp_m1()
+        let gathered = stretches.iter().fold(0.0, |state, (decay, gain)| state * decay + gain);
+        Flow { tau_s: lag.tau_s, stretches, factors, start: gathered / -(-self.duration / lag.tau_s).exp_m1() }
+    }
+
+    fn kept_gains(&self, tau_s: f64) -> Vec<Gain> {
+        let gain = |kept| {
+            let mut gain = Gain::NONE;
+            gain.pass(&self.panel(kept), tau_s);
+            gain
+        };
+        self.panels.iter().map(gain).collect()
+    }
+
+    fn kept_swings(&self) -> &[Products] {
+        self.lags.swings.get_or_init(|| self.panels.iter().map(|kept| swing(&self.panel(kept))).collect())
+    }
+
+    /// Instant at which a stretch of the lags ends \[s\].
+    fn end_of_stretch(&self, index: usize) -> f64 {
+        let mut before = 0;
+        for run in &self.runs {
+            let within = index - before;
+            match run {
+                Run::Kept(range) => {
+                    if within < range.len() {
+                        return self.panels.get(range.start + within).map_or(0.0, |kept| {
+                            self.nodes.get(kept.nodes.clone()).and_then(<[Node]>::last).map_or(0.0, |node| node.time)
+                        });
+                    }
+                    before += range.len();
+                }
+                Run::Recorded(strip) => {
+                    let blocks = self.strips.get(*strip).map_or(&[][..], |strip| strip.raw_blocks());
+                    if within < blocks.len() {
+                        let mut last = 0.0;
+                        if let (Some(block), Some(strip)) = (blocks.get(within), self.strips.get(*strip)) {
+                            strip.panels(block, &mut |panel| last = panel.nodes.last().map_or(last, |node| node.time));
+                        }
+                        return last;
+                    }
+                    before += blocks.len();
+                }
+            }
+        }
+        self.duration
     }
 }
 
-/// The end of a panel, and where within it the sum of lags turns from rising to falling.
-fn within(courses: &[Course], states: &[f64], see: &mut impl FnMut(f64, f64)) {
+/// The search within the stretches whose bound lies above what is found.
+struct Search<'a> {
+    trace: &'a Trace,
+    lags: &'a [Lag],
+    flows: &'a [Flow],
+    states: Vec<f64>,
+    best: Peak,
+}
+
+impl Search<'_> {
+    fn search(mut self) -> Peak {
+        let mut index = 0;
+        for (number, run) in self.trace.runs.iter().enumerate() {
+            match run {
+                Run::Kept(range) => {
+                    let swings = self.trace.kept_swings().get(range.clone()).unwrap_or_default();
+                    let kept = self.trace.panels.get(range.clone()).unwrap_or_default();
+                    let most = largest(swings.iter());
+                    for (kept, swing) in kept.iter().zip(swings) {
+                        if self.may_rise(number, index, kept.duration, [&most, swing]) {
+                            let mut states = self.states.clone();
+                            self.inside(&self.trace.panel(kept), &mut states);
+                        }
+                        self.step(index);
+                        index += 1;
+                    }
+                }
+                Run::Recorded(strip) => {
+                    let Some(strip) = self.trace.strips.get(*strip) else { continue };
+                    let stretch = strip.view().stretch();
+                    let scaled = |swing: &Products| swing.map(|swing| swing * stretch);
+                    let most = scaled(&largest(strip.lag_blocks().iter().map(|block| &block.swing)));
+                    for (block, lags) in strip.raw_blocks().iter().zip(strip.lag_blocks()) {
+                        let duration = block.duration * stretch;
+                        if self.may_rise(number, index, duration, [&most, &scaled(&lags.swing)]) {
+                            let mut states = self.states.clone();
+                            strip.panels(block, &mut |panel| self.inside_interval(&panel, &mut states));
+                        }
+                        self.step(index);
+                        index += 1;
+                    }
+                }
+            }
+        }
+        self.best
+    }
+
+    fn step(&mut self, index: usize) {
+        for (state, flow) in self.states.iter_mut().zip(self.flows) {
+            if let Some((decay, gain)) = flow.stretches.get(index) {
+                *state = *state * decay + gain;
+            }
+        }
+    }
+
+    /// Whether the sum of the lags may be higher within a stretch than what is found: its higher end, and what the inputs
+    /// and the lags themselves may swing on the way.
+    fn may_rise(&self, run: usize, index: usize, duration: f64, swings: [&Products; 2]) -> bool {
+        let least = self.best.value + NEGLIGIBLE * self.best.value.abs();
+        let (mut start, mut end, mut moved) = (0.0, 0.0, 0.0);
+        for (state, flow) in self.states.iter().zip(self.flows) {
+            let (decay, gain) = flow.stretches.get(index).copied().unwrap_or((1.0, 0.0));
+            let next = state * decay + gain;
+            start += state;
+            end += next;
+            moved += 0.25 * duration / flow.tau_s * (next - state).abs();
+        }
+        let higher = f64::max(start, end);
+        // First with the largest swings of the run, which costs less.
+        swings.into_iter().all(|swing| {
+            let mut bound = higher + moved;
+            for flow in self.flows {
+                let Some(factors) = flow.factors.get(run) else { return true };
+                let rise = sum_of_magnitudes(factors, swing) / flow.tau_s;
+                bound += rise * (1.0 + 0.5 * duration / flow.tau_s);
+            }
+            bound > least
+        })
+    }
+
+    /// Through an interval of a recording, short against every time constant; only where the sum of the lags turns within
+    /// it, and may be higher there, it is looked at like any panel.
+    fn inside_interval(&mut self, panel: &Panel<'_>, states: &mut [f64]) {
+        let ([a, b, c], false) = (panel.nodes, self.is_long(panel)) else {
+            self.inside(panel, states);
+            return;
+        };
+        let (mut before, mut after, mut slopes) = (0.0, 0.0, [0.0; 3]);
+        let mut ends = [0.0; LAGS];
+        for ((state, lag), end) in states.iter().zip(self.lags).zip(&mut ends) {
+            let u = [a, b, c].map(|node| lag.form.at(node));
+            let (decay, weights) = short(panel.duration / lag.tau_s);
+            *end = state * decay + weights.iter().zip(u).map(|(w, u)| w * u).sum::<f64>();
+            before += state;
+            after += *end;
+            let y = [*state, 0.5 * (state + *end), *end];
+            for (slope, (u, y)) in slopes.iter_mut().zip(u.into_iter().zip(y)) {
+                *slope += (u - y) / lag.tau_s;
+            }
+        }
+        let [first, middle, last] = slopes;
+        let turns = (first > 0.0 && middle.min(last) < 0.0) || (middle > 0.0 && last < 0.0);
+        let steep = slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
+        if turns && before.max(after) + 0.75 * panel.duration * steep > self.enough() {
+            self.inside(panel, states);
+            return;
+        }
+        states.iter_mut().zip(ends).for_each(|(state, end)| *state = end);
+        if after > self.enough() {
+            self.best = Peak { value: after, at_s: c.time };
+        }
+    }
+
+    fn is_long(&self, panel: &Panel<'_>) -> bool {
+        self.lags.len() > LAGS || self.lags.iter().any(|lag| panel.duration > SHORT * lag.tau_s)
+    }
+
+    /// What a value must exceed to count.
+    fn enough(&self) -> f64 {
+        self.best.value + NEGLIGIBLE * self.best.value.abs()
+    }
+
+    /// Through a panel from its start: the states become those at its end.
+    fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64]) {
+        let courses: Vec<Course> = self.lags.iter().map(|lag| Course::of(lag, panel)).collect();
+        let start = panel.nodes.first().map_or(0.0, |node| node.time);
+        if let Some((s, value)) = turn(&courses, states, panel.duration, self.enough()) {
+            self.best = Peak { value, at_s: start + s * panel.duration };
+        }
+        for (state, course) in states.iter_mut().zip(&courses) {
+            *state = course.end(*state);
+        }
+        let value = states.iter().sum();
+        if value > self.enough() {
+            self.best = Peak { value, at_s: start + panel.duration };
+        }
+    }
+}
+
+/// Most lags in one sum; further ones are looked at like any panel.
+const LAGS: usize = 4;
+
+/// Up to this λ an interval of a recording has a lag by a few terms.
+const SHORT: f64 = 0.01;
+
+/// e^(−λ) and the weights of the values at both ends and the middle in the lag of a parabola.
+///
+/// # Valid    λ ≤ 0.01, to the last digits
+fn short(lambda: f64) -> (f64, [f64; 3]) {
+    let x = 0.5 * lambda;
+    let square = x * x;
+    let decay = 1.0 - x * (1.0 - x / 2.0 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0))));
+    let even = lambda * decay * (1.0 + square / 6.0 * (1.0 + square / 20.0));
+    let odd = lambda * decay * x / 3.0 * (1.0 + square / 10.0);
+    let bend = lambda * decay * square / 15.0 * (1.0 + square / 14.0);
+    // a_0 = (u_0 + 4 u_m + u_1)/6, a_1 = (u_1 − u_0)/2, a_2 = (u_0 − 2 u_m + u_1)/3
+    (decay * decay, [even / 6.0 - odd / 2.0 + bend / 3.0, (even - bend) / 1.5, even / 6.0 + odd / 2.0 + bend / 3.0])
+}
+
+/// The largest of each.
+fn largest<'a>(swings: impl Iterator<Item = &'a Products>) -> Products {
+    swings.fold([0.0; 10], |mut most, swing| {
+        most.iter_mut().zip(swing).for_each(|(most, swing)| *most = most.max(*swing));
+        most
+    })
+}
+
+/// Where within a panel the sum of lags turns from rising to falling, with the highest value, if that exceeds the least.
+fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64) -> Option<(f64, f64)> {
+    let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
+    for (course, state) in courses.iter().zip(states) {
+        let (low, high) = course.slopes(*state);
+        lowest += low;
+        highest += high;
+        start += state;
+        end += course.end(*state);
+    }
+    // A slope between these two takes the sum no further above its ends than that.
+    if lowest >= 0.0 || highest <= 0.0 || f64::max(start, end) + 0.25 * duration * (highest - lowest) <= least {
+        return None;
+    }
     let sum = |of: &dyn Fn(&Course, f64) -> f64| courses.iter().zip(states).map(|(c, y)| of(c, *y)).sum::<f64>();
     let slope = |s: f64| sum(&|course, start| course.slope(start, s));
     let mut last = (0.0, slope(0.0));
+    let mut best = None;
+    let mut most = least;
     for part in 1..=PARTS {
         let s = f64::from(part) / f64::from(PARTS);
         let here = (s, slope(s));
         if last.1 > 0.0 && here.1 < 0.0 {
             let (mut low, mut high) = (last.0, s);
-            for _ in 0..60 {
+            for _ in 0..50 {
                 let middle = 0.5 * (low + high);
                 if slope(middle) > 0.0 { low = middle } else { high = middle }
             }
-            see(low, sum(&|course, start| course.at(start, low)));
+            let value = sum(&|course, start| course.at(start, low));
+            if value > most {
+                most = value;
+                best = Some((low, value));
+            }
         }
         last = here;
     }
-    see(1.0, sum(&|course, start| course.end(start)));
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_weights_of_short_intervals_are_those_of_the_rule() {
+        for lambda in [1e-9, 1e-5, 1e-3, SHORT] {
+            let (decay, weights) = short(lambda);
+            assert!((decay / (-lambda).exp() - 1.0).abs() < 1e-14);
+            for (a, b) in weights.iter().zip(rule(3).weights(lambda)) {
+                assert!((a / b - 1.0).abs() < 1e-12, "{lambda}: {a} {b}");
+            }
+        }
+    }
 }

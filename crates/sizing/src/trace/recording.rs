@@ -1,11 +1,14 @@
 //! A recording under its load: bounds and sums of its blocks in one pass; the nodes of a long one are made when they are
 //! looked at.
 
-use super::{Block, Extent, Gram, Kept, Node, Panel, Place};
+use super::cubes::{Moments, moments};
+use super::gains::{Gain, GainTables, LagBlock};
+use super::{Block, Extent, Form, Gram, Kept, Node, Panel, Place};
 use mechanism::{Extra, Mechanism, Output, Plain};
 use motion::{Interval, Placed};
 use quantities::{Measure, Torque};
 use std::ops::Range;
+use std::sync::{Arc, OnceLock};
 use wide::f64x4;
 
 /// From so many intervals two threads share the pass; the sums are those of one thread to the last bit.
@@ -25,13 +28,104 @@ const INTERVALS_LEAST: usize = 16;
 #[derive(Clone, Debug)]
 pub(super) struct Strip {
     placed: Placed,
+    /// What the survey looks at: of a plain mechanism the recording by itself.
+    surveyed: Placed,
     mechanism: Mechanism,
     extra: Extra,
     plain: Option<Plain>,
+    view: View,
+    survey: Arc<Survey>,
 }
 
-/// What one pass over a recording finds.
+/// How the signals of a strip follow from those that its survey holds.
+///
+/// α = α_0/f², ω = ω_0/f, T_L = R + J α + T_c σ + b ω, t = t_0 + f t'
+///
+/// # Symbols  f stretch of the time; R recorded torque and what does not change over the motion \[Nm\]
+/// # Source   docs/theory/moments.md
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct View {
+    inertia: f64,
+    coulomb: f64,
+    viscous: f64,
+    stretch: f64,
+    start: f64,
+}
+
+impl View {
+    fn node(&self, raw: &Node) -> Node {
+        let (acceleration, speed) = (raw.acceleration / (self.stretch * self.stretch), raw.speed / self.stretch);
+        Node {
+            time: self.start + self.stretch * raw.time,
+            weight: self.stretch * raw.weight,
+            acceleration,
+            speed,
+            direction: raw.direction,
+            load: raw.load + self.inertia * acceleration + self.coulomb * raw.direction + self.viscous * speed,
+        }
+    }
+
+    /// Row i gives signal i from those of the survey.
+    fn rows(&self) -> [[f64; 4]; 4] {
+        let slow = 1.0 / self.stretch;
+        let slower = slow * slow;
+        [
+            [slower, 0.0, 0.0, 0.0],
+            [self.inertia * slower, 1.0, self.coulomb, self.viscous * slow],
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, slow],
+        ]
+    }
+
+    fn extent(&self, raw: &Extent) -> Extent {
+        let times = |(low, high): (f64, f64), factor: f64| (low * factor, high * factor);
+        let slow = 1.0 / self.stretch;
+        let (acceleration, speeds) = (times(raw.acceleration, slow * slow), times(raw.speeds, slow));
+        let parts = [
+            raw.load,
+            times(acceleration, self.inertia),
+            times(raw.direction, self.coulomb),
+            times(speeds, self.viscous),
+        ];
+        let load = parts.iter().fold((0.0, 0.0), |(low, high), part| (low + part.0, high + part.1));
+        // The nodes are rounded otherwise than the sums here; the bounds must hold for them too.
+        let room = 8.0 * f64::EPSILON * parts.iter().map(|part| part.0.abs().max(part.1.abs())).sum::<f64>();
+        let load = (load.0 - room, load.1 + room);
+        Extent { acceleration, load, speeds, speed: raw.speed * slow, direction: raw.direction }
+    }
+
+    /// Qʹ = Aᵀ Q A: the same form of the signals of the survey.
+    pub(super) fn form(&self, form: &Form) -> Form {
+        let rows = self.rows();
+        let mut raw = Form::default();
+        for (q, a) in form.0.iter().zip(&rows) {
+            for (q, b) in q.iter().zip(&rows) {
+                raw = raw.add(&Form::product(*a, *b).scale(*q));
+            }
+        }
+        raw
+    }
+
+    pub(super) const fn stretch(&self) -> f64 {
+        self.stretch
+    }
+}
+
+/// What one pass over a recording finds, in the signals before the view.
+#[derive(Debug)]
 pub(super) struct Survey {
+    blocks: Vec<Block>,
+    /// Smallest and largest J_L \[kgm²\] and holding torque \[Nm\] over the positions; of a plain mechanism not needed.
+    by_position: Option<((f64, f64), f64)>,
+    /// Lowest and highest recorded position \[rad\].
+    span: (f64, f64),
+    lags: OnceLock<Vec<LagBlock>>,
+    cubes: OnceLock<Vec<Option<Moments>>>,
+    pub(super) gains: GainTables,
+}
+
+/// What a recording contributes to a trace.
+pub(super) struct Found {
     pub(super) blocks: Vec<Block>,
     /// Smallest and largest J_L \[kgm²\].
     pub(super) inertia: (f64, f64),
@@ -45,32 +139,85 @@ pub(super) struct Survey {
 type Part = (f64, f64, f64);
 
 impl Strip {
-    pub(super) fn new(placed: Placed, mechanism: Mechanism, extra: Extra) -> Self {
+    /// A recording under a load; the survey of one of the known strips serves if only the view differs.
+    pub(super) fn new(placed: Placed, mechanism: Mechanism, extra: Extra, known: &[Self]) -> Self {
         let plain = mechanism.plain(&extra);
-        Self { placed, mechanism, extra, plain }
+        let view = match &plain {
+            Some(plain) => View {
+                inertia: plain.inertia_kgm2,
+                coulomb: plain.coulomb_nm,
+                viscous: plain.viscous_nms,
+                stretch: placed.stretch,
+                start: placed.start_s,
+            },
+            None => View { inertia: 0.0, coulomb: 0.0, viscous: 0.0, stretch: 1.0, start: 0.0 },
+        };
+        let same = |other: &&Self| {
+            let constant = |plain: &Option<Plain>| plain.map(|plain| plain.constant_nm);
+            plain.is_some()
+                && constant(&other.plain) == constant(&plain)
+                && Arc::ptr_eq(&other.placed.recorded, &placed.recorded)
+        };
+        let known = known.iter().find(same).map(|other| Arc::clone(&other.survey));
+        let surveyed = match &plain {
+            Some(_) => Placed { start_s: 0.0, offset_rad: 0.0, stretch: 1.0, ..placed.clone() },
+            None => placed.clone(),
+        };
+        let mut strip = Self { placed, surveyed, mechanism, extra, plain, view, survey: Arc::new(Survey::empty()) };
+        strip.survey = known.unwrap_or_else(|| Arc::new(strip.look()));
+        strip
     }
 
     /// The panels of an interval, one for each direction: both ends and the middle with the weights of Simpson's rule.
     pub(super) fn interval(&self, index: usize, look: &mut impl FnMut(Panel<'_>)) {
-        let Some(interval) = self.placed.interval(index) else { return };
+        if self.plain.is_none() {
+            self.raw_interval(index, look);
+            return;
+        }
+        self.raw_interval(index, &mut |panel| {
+            if let [a, b, c] = panel.nodes {
+                let nodes = [a, b, c].map(|node| self.view.node(node));
+                look(Panel { nodes: &nodes, duration: panel.duration * self.view.stretch, bow: panel.bow });
+            }
+        });
+    }
+
+    /// The same in the signals of the survey: of a plain mechanism those of the recording by itself.
+    fn raw_interval(&self, index: usize, look: &mut impl FnMut(Panel<'_>)) {
+        let Some(interval) = self.surveyed.interval(index) else { return };
         let acceleration = interval.acceleration_rad_s2();
         for (from, to, direction) in parts(&interval) {
             let duration = (to - from) * interval.duration_s;
             let nodes = [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)].map(|(share, weight)| {
                 let u = if share == 1.0 { to } else { from + share * (to - from) };
                 let (position, speed, torque) = interval.at(u);
-                let output =
-                    Output { position_rad: position, speed_rad_s: speed, acceleration_rad_s2: acceleration, direction };
+                let load = match &self.plain {
+                    Some(plain) => torque + plain.constant_nm,
+                    None => {
+                        let output = Output {
+                            position_rad: position,
+                            speed_rad_s: speed,
+                            acceleration_rad_s2: acceleration,
+                            direction,
+                        };
+                        let extra = Extra { torque: self.extra.torque + Torque::from_si(torque), ..self.extra };
+                        self.mechanism.torque(&output, &extra)
+                    }
+                };
                 Node {
                     time: interval.start_s + u * interval.duration_s,
                     weight: weight * duration,
                     acceleration,
                     speed,
                     direction,
-                    load: self.load(&output, torque),
+                    load,
                 }
             });
-            look(Panel { nodes: &nodes, duration });
+            let [a, b, c] = &nodes;
+            // A parabola rises above the chord of half its span by an eighth of its second difference.
+            let bow = 0.125 * (a.load - 2.0 * b.load + c.load).abs();
+            let bow = if self.plain.is_some() { [0.0; 4] } else { [0.0, bow, 0.0, 0.0] };
+            look(Panel { nodes: &nodes, duration, bow });
         }
     }
 
@@ -86,34 +233,17 @@ impl Strip {
                 self.interval(index, &mut |panel| {
                     let first = nodes.len();
                     nodes.extend_from_slice(panel.nodes);
-                    panels.push(Kept { nodes: first..nodes.len(), duration: panel.duration });
+                    panels.push(Kept { nodes: first..nodes.len(), duration: panel.duration, bow: panel.bow });
                 });
             }
             block.place = Place::Kept(from..panels.len());
         }
     }
 
-    /// Torque of the mechanism and the recorded one.
-    fn load(&self, output: &Output, recorded: f64) -> f64 {
-        match &self.plain {
-            Some(plain) => {
-                plain.inertia_kgm2 * output.acceleration_rad_s2
-                    + plain.constant_nm
-                    + recorded
-                    + plain.coulomb_nm * output.direction
-                    + plain.viscous_nms * output.speed_rad_s
-            }
-            None => {
-                let extra = Extra { torque: self.extra.torque + Torque::from_si(recorded), ..self.extra };
-                self.mechanism.torque(output, &extra)
-            }
-        }
-    }
-
     /// So many intervals make a block.
     pub(super) fn block_intervals(&self) -> usize {
         let time = self.placed.recorded.time_s();
-        let whole = time.last().zip(time.first()).map_or(0.0, |(last, first)| last - first) * self.placed.stretch;
+        let whole = time.last().zip(time.first()).map_or(0.0, |(last, first)| last - first);
         #[allow(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -125,51 +255,125 @@ impl Strip {
     }
 
     /// One pass over all samples.
-    pub(super) fn survey(&self, own: usize) -> Survey {
+    fn look(&self) -> Survey {
         let (intervals, most) = (self.placed.intervals(), self.block_intervals());
         let ranges: Vec<Range<usize>> =
             (0..intervals).step_by(most).map(|from| from..(from + most).min(intervals)).collect();
-        let work = |ranges: &[Range<usize>]| -> Vec<Block> {
-            ranges.iter().map(|range| self.block(own, range.clone())).collect()
-        };
-        let blocks = if intervals >= SHARED_FROM {
-            let (first, second) = ranges.split_at(ranges.len() / 2);
-            std::thread::scope(|scope| {
-                let other = scope.spawn(|| work(second));
-                let mut blocks = work(first);
-                // A thread that could not finish leaves its part to this one.
-                blocks.extend(other.join().unwrap_or_else(|_| work(second)));
-                blocks
-            })
-        } else {
-            work(&ranges)
-        };
-        let wider = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
-        let none = (f64::INFINITY, f64::NEG_INFINITY);
+        let blocks = in_two(&ranges, intervals >= SHARED_FROM, &|range| self.block(range.clone()));
         let positions = self.placed.recorded.position_rad();
-        let (low, high) = range(positions);
-        let span = (low + self.placed.offset_rad, high + self.placed.offset_rad);
-        let at = |q: f64| {
-            let inertia = self.mechanism.inertia(q, &self.extra).si();
-            (inertia, self.mechanism.holding_torque(q, &self.extra).si())
-        };
-        let (mut inertia, mut holding) = (none, 0.0_f64);
-        let mut see = |q: f64| {
-            let (here, held) = at(q);
-            inertia = wider(inertia, here);
-            holding = holding.max(held.abs());
-        };
-        if self.mechanism.depends_on_position() {
-            positions.iter().for_each(|q| see(q + self.placed.offset_rad));
-        } else {
-            see(0.0);
+        let span = range(positions);
+        let by_position = self.mechanism.depends_on_position().then(|| {
+            let (mut inertia, mut holding) = ((f64::INFINITY, f64::NEG_INFINITY), 0.0_f64);
+            for q in positions {
+                let q = q + self.placed.offset_rad;
+                let here = self.mechanism.inertia(q, &self.extra).si();
+                inertia = (inertia.0.min(here), inertia.1.max(here));
+                holding = holding.max(self.mechanism.holding_torque(q, &self.extra).si().abs());
+            }
+            (inertia, holding)
+        });
+        Survey {
+            blocks,
+            by_position,
+            span,
+            lags: OnceLock::new(),
+            cubes: OnceLock::new(),
+            gains: GainTables::default(),
         }
-        Survey { blocks, inertia, span, holding }
     }
 
-    pub(super) fn block(&self, strip: usize, intervals: Range<usize>) -> Block {
-        let place = Place::Recorded { strip, intervals: intervals.clone() };
+    /// What the survey says under this load, with the blocks of the strip of this number.
+    pub(super) fn found(&self, own: usize) -> Found {
+        let rows = self.view.rows();
+        let offset = self.placed.offset_rad;
+        let block = |raw: &Block| {
+            let place = match &raw.place {
+                Place::Recorded { intervals, .. } => Place::Recorded { strip: own, intervals: intervals.clone() },
+                kept @ Place::Kept(_) => kept.clone(),
+            };
+            if self.plain.is_none() {
+                return Block { place, ..raw.clone() };
+            }
+            Block {
+                place,
+                from: self.view.start + raw.from * self.view.stretch,
+                duration: raw.duration * self.view.stretch,
+                extent: self.view.extent(&raw.extent),
+                gram: raw.gram.seen(&rows, self.view.stretch),
+            }
+        };
+        let (inertia, holding) = self.survey.by_position.unwrap_or_else(|| {
+            let inertia = self.mechanism.inertia(0.0, &self.extra).si();
+            ((inertia, inertia), self.mechanism.holding_torque(0.0, &self.extra).si().abs())
+        });
+        Found {
+            blocks: self.survey.blocks.iter().map(block).collect(),
+            inertia,
+            span: (self.survey.span.0 + offset, self.survey.span.1 + offset),
+            holding,
+        }
+    }
+
+    pub(super) const fn view(&self) -> &View {
+        &self.view
+    }
+
+    pub(super) fn survey(&self) -> &Survey {
+        &self.survey
+    }
+
+    /// What lags need of each block, found when the first lag is asked for.
+    pub(super) fn lag_blocks(&self) -> &[LagBlock] {
+        self.survey.lags.get_or_init(|| {
+            in_two(&self.survey.blocks, self.placed.intervals() >= SHARED_FROM, &|block| {
+                LagBlock::of(block.duration, |look| self.raw_panels(block, look))
+            })
+        })
+    }
+
+    /// The moments for the cube of the torque of the block that begins with an interval, and the parts of that torque in the
+    /// signals of the survey: constant, per α, per ω.
+    pub(super) fn cubic(&self, first: usize, direction: f64) -> Option<(Moments, [f64; 3])> {
+        self.plain.as_ref()?;
+        let all = self.survey.cubes.get_or_init(|| {
+            in_two(&self.survey.blocks, self.placed.intervals() >= SHARED_FROM, &|block| moments(self, block))
+        });
+        let index = first / self.block_intervals();
+        let (moments, raw) = ((*all.get(index)?)?, self.survey.blocks.get(index)?);
+        let slow = 1.0 / self.view.stretch;
+        let constant = raw.extent.load.0 + self.view.coulomb * direction;
+        Some((moments, [constant, self.view.inertia * slow * slow, self.view.viscous * slow]))
+    }
+
+    /// The panels of a block in the signals of the survey.
+    pub(super) fn raw_panels(&self, block: &Block, look: &mut dyn FnMut(Panel<'_>)) {
+        if let Place::Recorded { intervals, .. } = &block.place {
+            intervals.clone().for_each(|index| self.raw_interval(index, &mut |panel| look(panel)));
+        }
+    }
+
+    /// The panels of a block under the load.
+    pub(super) fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
+        if let Place::Recorded { intervals, .. } = &block.place {
+            intervals.clone().for_each(|index| self.interval(index, look));
+        }
+    }
+
+    /// What the blocks do to a lag of the signals of the survey.
+    pub(super) fn gains(&self, tau_s: f64) -> Vec<Gain> {
+        let gain = |(block, lag): (&Block, &LagBlock)| lag.gain(tau_s, |look| self.raw_panels(block, look));
+        self.survey.blocks.iter().zip(self.lag_blocks()).map(gain).collect()
+    }
+
+    /// The blocks in the signals of the survey.
+    pub(super) fn raw_blocks(&self) -> &[Block] {
+        &self.survey.blocks
+    }
+
+    pub(super) fn block(&self, intervals: Range<usize>) -> Block {
+        let place = Place::Recorded { strip: 0, intervals: intervals.clone() };
         let mut block = Block::empty(place.clone());
+        block.from = self.surveyed.interval(intervals.start).map_or(0.0, |interval| interval.start_s);
         let mut from = intervals.start;
         while from < intervals.end {
             // Up to where the axis turns round, starts or stops; one interval at least.
@@ -180,8 +384,8 @@ impl Strip {
                 block.join(&part);
                 from = many;
             }
-            let mut add = |panel: Panel<'_>| panel.nodes.iter().for_each(|node| block.add(node));
-            (from..to).for_each(|index| self.interval(index, &mut add));
+            let mut add = |panel: Panel<'_>| block.add(&panel);
+            (from..to).for_each(|index| self.raw_interval(index, &mut add));
             from = to;
         }
         block
@@ -206,7 +410,7 @@ impl Strip {
     ///
     /// With α constant, ω and τ straight over an interval of length h the products of the four signals integrate to
     /// ∫α² = α Δω, ∫ω² = h (s² − ω_0 ω_1)/3, ∫ω = h s/2 with s = ω_0 + ω_1, and alike for τ; those of α with ω and with a
-    /// constant add up to what lies between the ends of the block. T_L = J α + c + τ + b ω mixes them.
+    /// constant add up to what lies between the ends of the block. R = τ + T_h mixes them.
     fn quick(&self, plain: &Plain, place: &Place, intervals: Range<usize>) -> Option<Block> {
         let recorded = &*self.placed.recorded;
         let samples = intervals.start..intervals.end + 1;
@@ -227,8 +431,6 @@ impl Strip {
             return None;
         };
         let all = f64x4::splat;
-        let (stretch, slow) = (all(self.placed.stretch), all(1.0 / self.placed.stretch));
-        let (inertia, viscous) = (all(plain.inertia_kgm2), all(plain.viscous_nms));
         let [mut aa, mut ww, mut w, mut tt, mut ta, mut tw, mut t] = [f64x4::ZERO; 7];
         let [mut a_low, mut l_low] = [all(f64::INFINITY); 2];
         let [mut a_high, mut l_high] = [all(f64::NEG_INFINITY); 2];
@@ -245,7 +447,7 @@ impl Strip {
                 Some(torque) => ends(torque)?,
                 None => (f64x4::ZERO, f64x4::ZERO),
             };
-            let (h, w0, w1) = ((next - at) * stretch, w0 * slow, w1 * slow);
+            let h = next - at;
             let (dw, s, p) = (w1 - w0, w0 + w1, t0 + t1);
             let a = dw / h;
             aa += a * dw;
@@ -255,30 +457,22 @@ impl Strip {
             ta += dw * p;
             tw += h * (s * p + t0 * w0 + t1 * w1);
             t += h * p;
-            let inert = inertia * a;
-            let (l0, l1) = (inert + t0 + viscous * w0, inert + t1 + viscous * w1);
             (a_low, a_high) = (a_low.fast_min(a), a_high.fast_max(a));
-            (l_low, l_high) = (l_low.fast_min(l0).fast_min(l1), l_high.fast_max(l0).fast_max(l1));
+            (l_low, l_high) = (l_low.fast_min(t0).fast_min(t1), l_high.fast_max(t0).fast_max(t1));
             from += LANES;
         }
-        let (stretch, slow) = (self.placed.stretch, 1.0 / self.placed.stretch);
         let (a_low, a_high) = (range(a_low.as_array()).0, range(a_high.as_array()).1);
         let (l_low, l_high) = (range(l_low.as_array()).0, range(l_high.as_array()).1);
         let sum = |lanes: f64x4| lanes.as_array().iter().sum::<f64>();
-        let duration = (time.last()? - time.first()?) * stretch;
-        let (first, last) = (speed.first()? * slow, speed.last()? * slow);
-        let constant = plain.constant_nm + plain.coulomb_nm * direction;
+        let duration = time.last()? - time.first()?;
+        let (first, last) = (speed.first()?, speed.last()?);
+        let constant = plain.constant_nm;
         // The basis (α, τ, 1, ω); σ is constant here.
         let (aa, ww, w) = (sum(aa), sum(ww) / 3.0, sum(w) / 2.0);
         let (tt, ta, tw, t) = (sum(tt) / 3.0, sum(ta) / 2.0, sum(tw) / 6.0, sum(t) / 2.0);
         let (a1, aw) = (last - first, 0.5 * (last * last - first * first));
         let basis = [[aa, ta, a1, aw], [ta, tt, t, tw], [a1, t, duration, w], [aw, tw, w, ww]];
-        let rows = [
-            [1.0, 0.0, 0.0, 0.0],
-            [plain.inertia_kgm2, 1.0, constant, plain.viscous_nms],
-            [0.0, 0.0, direction, 0.0],
-            [0.0, 0.0, 0.0, 1.0],
-        ];
+        let rows = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, constant, 0.0], [0.0, 0.0, direction, 0.0], [0.0, 0.0, 0.0, 1.0]];
         let basis = Gram(basis);
         // The nodes are rounded otherwise than the sums here; the bounds must hold for them too.
         let wider = |(low, high): (f64, f64)| {
@@ -288,16 +482,47 @@ impl Strip {
         let (l_low, l_high) = (l_low + constant, l_high + constant);
         Some(Block {
             place: place.clone(),
+            from: *time.first()?,
             duration,
             extent: Extent {
                 acceleration: wider((a_low, a_high)),
                 load: wider((l_low, l_high)),
                 direction: (direction, direction),
-                speed: fastest.max(-slowest) * slow,
+                speeds: (slowest, fastest),
+                speed: fastest.max(-slowest),
             },
             gram: Gram(rows.map(|a| rows.map(|b| basis.product(a, b)))),
         })
     }
+}
+
+impl Survey {
+    fn empty() -> Self {
+        Self {
+            blocks: Vec::new(),
+            by_position: None,
+            span: (0.0, 0.0),
+            lags: OnceLock::new(),
+            cubes: OnceLock::new(),
+            gains: GainTables::default(),
+        }
+    }
+}
+
+/// The answers for all items in their order, the second half by another thread where that is worth it.
+fn in_two<I: Sync, O: Send>(items: &[I], shared: bool, of: &(impl Fn(&I) -> O + Sync)) -> Vec<O> {
+    let work = |items: &[I]| -> Vec<O> { items.iter().map(of).collect() };
+    if !shared {
+        return work(items);
+    }
+    let (first, second) = items.split_at(items.len() / 2);
+    std::thread::scope(|scope| {
+        let other = scope.spawn(|| work(second));
+        let mut all = work(first);
+        // A thread that could not finish leaves its part to this one.
+        all.extend(other.join().unwrap_or_else(|_| work(second)));
+        all
+    })
 }
 
 /// So many intervals run side by side.

@@ -73,6 +73,17 @@ impl Rule {
         coefficients
     }
 
+    /// The weights of the values at the nodes in the lag at the end of the panel, for its duration over the time constant.
+    pub(super) fn weights(&self, lambda: f64) -> Values {
+        let mut weights = [0.0; MOST];
+        for (row, c) in self.legendre.iter().zip(lagged(lambda, self.nodes.len())) {
+            for (weight, l) in weights.iter_mut().zip(row) {
+                *weight += lambda * c * l;
+            }
+        }
+        weights
+    }
+
     /// The values at the nodes of the same rule on 0…s.
     pub(super) fn first_part(&self, values: &Values, s: f64) -> Values {
         let mut part = [0.0; MOST];

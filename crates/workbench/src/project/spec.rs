@@ -415,6 +415,8 @@ const REQUIREMENTS: &[Key] = &[
     key("absolute", Kind::Bool, false, "whether the position must be absolute over the whole travel", "ob die Lage über den ganzen Weg absolut sein muss"),
     quantity("stop_angle_max", Dimension::Angle, Range::Positive, "angle permitted for a stop by the brake alone", "zulässiger Winkel eines Halts allein durch die Bremse"),
     key("emergency_stops", Kind::Integer(0, 1_000_000), false, "number of stops by the brake alone", "Zahl der Nothalte allein durch die Bremse"),
+    key("holding_safety", Kind::Number(1.0, 100.0), false, "factor by which the brake must hold more than the load asks; 1 without it", "Faktor, um den die Bremse mehr halten muss, als die Last verlangt; ohne Angabe 1"),
+    quantity("service_life", Dimension::Time, Range::Positive, "operating time over the life of the axis, for the number of brakings", "Betriebszeit über die Lebensdauer der Achse, für die Zahl der Bremsungen"),
     quantity("regeneration_power_max", Dimension::Power, Range::Positive, "mean power that supply or brake resistor take back", "mittlere Leistung, die Netz oder Bremswiderstand aufnehmen"),
     quantity("operation_per_day", Dimension::Time, Range::NotNegative, "operation per day, for the battery of M128S", "Betrieb je Tag, für die Batterie von M128S"),
     quantity("storage", Dimension::Time, Range::NotNegative, "storage before operation, for the battery of M128S", "Lagerung vor dem Betrieb, für die Batterie von M128S"),

@@ -3,9 +3,10 @@
 use super::either;
 use super::results::with_unit;
 use quantities::unit::{
-    ARCMINUTE, DEGREE, DEGREE_CELSIUS, JOULE, MILLIMETRE, MINUTE, REVOLUTION_PER_MINUTE, SECOND, WATT, YEAR,
+    ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, MILLIMETRE, MINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE,
+    SECOND, VOLT, WATT, YEAR,
 };
-use quantities::{Language, Measure, format_number, format_significant};
+use quantities::{AngularVelocity, Language, Measure, Torque, format_number, format_significant};
 use sizing::Note;
 
 /// Heat and energy.
@@ -58,6 +59,19 @@ pub(super) fn heat(note: &Note, language: Language) -> String {
                 ),
                 format!(
                     "am Stück kommen {energy} zurück: statt eines Bremswiderstands nimmt sie eine Kondensatorbatterie von {millifarad} mF im angegebenen Anstieg der Zwischenkreisspannung auf"
+                ),
+            )
+        }
+        Note::DcLinkRises { to, free } => {
+            let volt = |si| with_unit(si, &VOLT, 3, language);
+            let (to, free) = (volt(to.si()), volt(free.si()));
+            either(
+                language,
+                format!(
+                    "with the stated rise the DC link reaches {to}. U_DCmax is the largest stationary voltage and may be exceeded for a short time while braking; by how much is not printed: ask the maker, or permit a rise of {free} at most"
+                ),
+                format!(
+                    "mit dem angegebenen Anstieg erreicht der Zwischenkreis {to}. U_DCmax ist die größte stationäre Spannung und darf im Bremsbetrieb kurzfristig überschritten werden; um wie viel, ist nicht angegeben: beim Hersteller fragen oder höchstens {free} Anstieg zulassen"
                 ),
             )
         }
@@ -197,6 +211,54 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
             "in a dwell with hold = \"free\" the load stays only where friction is at least what moves it",
             "im Stillstand mit hold = \"free\" bleibt die Last nur, wo die Reibung mindestens so groß ist wie das, was sie bewegt",
         ),
+        Note::NothingHoldsWithoutPower => either(
+            language,
+            "the load hangs and this actuator has no brake: without power nothing holds the load. Choose one with brake, or hold the load by other means",
+            "hängende Last, und dieser Antrieb hat keine Bremse: stromlos hält nichts die Last. Einen Antrieb mit Bremse wählen oder die Last anders halten",
+        ),
+        Note::DwellTooShortForBrake { shortest, needed } => {
+            let second = |si| with_unit(si, &SECOND, 3, language);
+            let (shortest, needed) = (second(shortest.si()), second(needed.si()));
+            either(
+                language,
+                format!(
+                    "a dwell of {shortest} is too short for the brake, which takes {needed} to close and to open: the motor holds the load for all of it"
+                ),
+                format!(
+                    "ein Stillstand von {shortest} ist zu kurz für die Bremse, die zum Schließen und Öffnen {needed} braucht: der Motor hält die Last die ganze Zeit"
+                ),
+            )
+        }
+        Note::BrakeTimesAssumed => either(
+            language,
+            "opening and closing time of this brake are not printed: while it closes and opens the motor holds the load for 70 ms and 110 ms, as printed for the larger sizes",
+            "Öffnungs- und Schließzeit dieser Bremse sind nicht angegeben: beim Schließen und Öffnen hält der Motor die Last 70 ms und 110 ms lang, wie für die größeren Baugrößen angegeben",
+        ),
+        Note::BrakingsLast { each_cycle, lasts } => {
+            let times = match (format_number(*each_cycle, 0, language), language) {
+                (count, Language::En) if count == "1" => "once".to_owned(),
+                (count, Language::En) => format!("{count} times"),
+                (count, Language::De) if count == "1" => "einmal".to_owned(),
+                (count, Language::De) => format!("{count}-mal"),
+            };
+            let Some(lasts) = lasts else {
+                return either(
+                    language,
+                    format!("the brake closes {times} per cycle; how often it may is not printed"),
+                    format!("die Bremse schließt {times} je Zyklus; wie oft sie es darf, ist nicht angegeben"),
+                );
+            };
+            let hours = with_unit(lasts.si(), &HOUR, 3, language);
+            either(
+                language,
+                format!(
+                    "the brake closes {times} per cycle: the permitted number of brakings lasts {hours} of operation"
+                ),
+                format!(
+                    "die Bremse schließt {times} je Zyklus: die zulässige Zahl der Bremsungen reicht für {hours} Betrieb"
+                ),
+            )
+        }
         Note::NoBrake => either(
             language,
             "the motion is held by a brake, which this actuator does not have",
@@ -209,11 +271,23 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
 /// Feedback, accuracy, application.
 pub(super) fn rest(note: &Note, language: Language) -> String {
     match note {
-        Note::ReferenceLost => either(
+        Note::ReferenceLost { turns } if *turns <= 1.0 => either(
             language,
-            "the axis turns on and on: where the encoder's turns overflow its absolute reference is lost, since 4096/i is no whole number",
-            "die Achse dreht endlos: beim Überlauf der Geberumdrehungen geht der absolute Bezug verloren, da 4096/i keine ganze Zahl ist",
+            "the axis turns on and on: the encoder tells the angle within one turn of the motor only, and its absolute reference is lost, since 1/i is no whole number",
+            "die Achse dreht endlos: der Geber kennt nur den Winkel innerhalb einer Motorumdrehung, der absolute Bezug geht verloren, da 1/i keine ganze Zahl ist",
         ),
+        Note::ReferenceLost { turns } => {
+            let turns = format_number(*turns, 0, language);
+            either(
+                language,
+                format!(
+                    "the axis turns on and on: where the encoder's turns overflow its absolute reference is lost, since {turns}/i is no whole number"
+                ),
+                format!(
+                    "die Achse dreht endlos: beim Überlauf der Geberumdrehungen geht der absolute Bezug verloren, da {turns}/i keine ganze Zahl ist"
+                ),
+            )
+        }
         Note::NeedsReferencing => either(
             language,
             "the position is not absolute over the travel: it must be searched after switching on",
@@ -245,17 +319,62 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
                 format!("bei Spitzendrehzahl sind {count} Kollisionen dieser Dauer zulässig"),
             )
         }
-        Note::ResonanceSpeeds(speeds) => {
-            let shown: Vec<String> =
-                speeds.iter().map(|speed| with_unit(speed.si(), &REVOLUTION_PER_MINUTE, 3, language)).collect();
-            let shown = shown.join(", ");
+        Note::ResonanceSpeeds { blocked, free } => {
+            let shown = |speeds: &[(AngularVelocity, AngularVelocity); 3]| {
+                let number =
+                    |speed: AngularVelocity| format_significant(REVOLUTION_PER_MINUTE.from_si(speed.si()), 3, language);
+                let each = speeds.iter().map(|(low, high)| match (number(*low), number(*high)) {
+                    (low, high) if low == high => low,
+                    (low, high) => format!("{low}…{high}"),
+                });
+                let each = each.collect::<Vec<_>>().join(either(language, ", ", "; ").as_str());
+                format!("{each} {}", REVOLUTION_PER_MINUTE.symbol)
+            };
+            let held = shown(blocked);
+            let free = free.as_ref().map_or_else(String::new, |free| {
+                let free = shown(free);
+                either(language, format!(", with a free rotor at {free}"), format!(", bei freiem Rotor bei {free}"))
+            });
             either(
                 language,
                 format!(
-                    "the wave generator excites the load at {shown} (three regions of stiffness); do not dwell there"
+                    "the wave generator excites the load at {held} with the rotor held{free} (three regions of stiffness); do not dwell there"
                 ),
                 format!(
-                    "der Wave Generator regt die Last bei {shown} an (drei Steifigkeitsbereiche); dort nicht verweilen"
+                    "der Wave Generator regt die Last bei festgehaltenem Rotor bei {held} an{free} (drei Steifigkeitsbereiche); dort nicht verweilen"
+                ),
+            )
+        }
+        Note::Ratcheting { ratcheting, buckling } => {
+            let torque = |torque: &Torque| with_unit(torque.si(), &NEWTON_METRE, 3, language);
+            let ratchets = torque(ratcheting);
+            let buckles = buckling.as_ref().map_or_else(String::new, |buckling| {
+                let buckles = torque(buckling);
+                either(
+                    language,
+                    format!(", its flexspline buckles at {buckles}"),
+                    format!(", sein Flexspline beult bei {buckles}"),
+                )
+            });
+            either(
+                language,
+                format!(
+                    "a cup-type gear of this size ratchets at {ratchets}{buckles}; for orientation, the hollow-shaft gear has another flexspline"
+                ),
+                format!(
+                    "ein Topfgetriebe dieser Baugröße ratscht bei {ratchets}{buckles}; nur zur Orientierung, das Hohlwellengetriebe hat einen anderen Flexspline"
+                ),
+            )
+        }
+        Note::FreeRotor(frequency) => {
+            let frequency = with_unit(frequency.si(), &HERTZ, 3, language);
+            either(
+                language,
+                format!(
+                    "that is with the rotor held; a free rotor and the load swing against each other at {frequency}"
+                ),
+                format!(
+                    "das gilt bei festgehaltenem Rotor; freier Rotor und Last schwingen mit {frequency} gegeneinander"
                 ),
             )
         }
@@ -267,6 +386,7 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
             });
             let open = match missing {
                 0 => String::new(),
+                1 => either(language, "; one contribution is not known", "; ein Beitrag ist nicht bekannt"),
                 count => either(
                     language,
                     format!("; {count} contributions are not known"),

@@ -6,7 +6,7 @@ use actuator::CurveKind;
 use configurator::Unmet;
 use order_code::Brake;
 use provenance::{CellRef, Grade, MANUAL, Source};
-use quantities::unit::{DEGREE, KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND, VOLT};
+use quantities::unit::{DEGREE, KILOGRAM, MILLIMETRE, SECOND, VOLT};
 use quantities::{Language, Measure, Unit, format_number, format_significant};
 use sizing::{CheckId, Note, Verdict};
 
@@ -144,6 +144,13 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
         );
     }
     let geometry = symbol.starts_with("bearing.") && symbol != "bearing.operating_condition";
+    if symbol == "gear_load" {
+        return either(
+            language,
+            "no load: the gear carries no torque in motion, and nothing limits its life",
+            "keine Last: das Getriebe überträgt in Bewegung kein Moment, nichts begrenzt seine Lebensdauer",
+        );
+    }
     if symbol.starts_with("mechanism.") || symbol.starts_with("stage.") || geometry {
         return either(language, format!("not stated: {symbol}"), format!("nicht angegeben: {symbol}"));
     }
@@ -226,9 +233,11 @@ pub fn note_text(note: &Note, language: Language) -> String {
             "the permissible forces hold one at a time; for several together life and static safety decide",
             "die zulässigen Kräfte gelten je für sich; bei mehreren zugleich entscheiden Lebensdauer und statische Sicherheit",
         ),
-        note @ (Note::WarmUp(_) | Note::Housing(_) | Note::EnergyPerCycle { .. } | Note::Capacitor { .. }) => {
-            super::notes::heat(note, language)
-        }
+        note @ (Note::WarmUp(_)
+        | Note::Housing(_)
+        | Note::EnergyPerCycle { .. }
+        | Note::Capacitor { .. }
+        | Note::DcLinkRises { .. }) => super::notes::heat(note, language),
         note @ (Note::FrictionTemperatures { .. }
         | Note::FrictionExtrapolated { .. }
         | Note::UntilWarm
@@ -240,12 +249,18 @@ pub fn note_text(note: &Note, language: Language) -> String {
         | Note::BrakeStop { .. }
         | Note::BrakeDoesNotStop
         | Note::NoBrake
-        | Note::NothingHolds) => super::notes::brake(note, language),
-        note @ (Note::ReferenceLost
+        | Note::NothingHolds
+        | Note::NothingHoldsWithoutPower
+        | Note::DwellTooShortForBrake { .. }
+        | Note::BrakeTimesAssumed
+        | Note::BrakingsLast { .. }) => super::notes::brake(note, language),
+        note @ (Note::ReferenceLost { .. }
         | Note::NeedsReferencing
         | Note::BatteryExchange { .. }
         | Note::ApprovalNeeded
-        | Note::ResonanceSpeeds(_)
+        | Note::ResonanceSpeeds { .. }
+        | Note::FreeRotor(_)
+        | Note::Ratcheting { .. }
         | Note::CollisionsPermitted(_)
         | Note::Budget { .. }) => super::notes::rest(note, language),
         Note::Erratum(id) => {

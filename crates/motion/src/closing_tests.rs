@@ -1,0 +1,119 @@
+use super::*;
+use crate::{Recorded, Samples, Treatment};
+
+/// Uniform numbers, the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn within(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        low + (high - low) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+}
+
+const LAWS: [Law; 7] = [
+    Law::Trapezoid,
+    Law::Triangle,
+    Law::Polynomial5,
+    Law::ModifiedSine,
+    Law::ModifiedTrapezoid,
+    Law::SimpleSine,
+    Law::InclinedSine,
+];
+
+/// Some moves there and one back to where they began, with rests between some of them; no rest at either end.
+fn there_and_back(random: &mut Random, case: usize) -> Motion {
+    let moves = 1 + case % 3;
+    let mut segments = Vec::new();
+    let mut away = 0.0;
+    for index in 0..=moves {
+        let distance = if index == moves { -away } else { random.within(0.1, 2.0) };
+        away += distance;
+        let given = Given {
+            distance: Some(Angle::from_si(distance)),
+            time: Some(Time::from_si(distance.abs() * random.within(0.8, 1.2))),
+            ..Given::default()
+        };
+        segments.push(SegmentSpec::Move(LAWS[(random.within(0.0, 7.0)) as usize], given));
+        if index < moves && random.within(0.0, 1.0) < 0.5 {
+            segments.push(SegmentSpec::Dwell(Time::from_si(random.within(0.1, 1.0)), Hold::Motor));
+        }
+    }
+    Motion::new(&segments, Some(Angle::from_si(0.4)), Closing::Position).unwrap()
+}
+
+fn state(motion: &Motion, t: f64) -> crate::State {
+    let piece = motion.pieces().iter().rfind(|piece| piece.start_s <= t).unwrap();
+    piece.at((t - piece.start_s).min(piece.duration_s))
+}
+
+/// The exact positions from one instant to another, in even steps.
+fn sample(motion: &Motion, (from, to): (f64, f64), steps: u32, smoothing: Option<f64>) -> SegmentSpec {
+    let time_s: Vec<f64> = (0..=steps).map(|k| (to - from) * f64::from(k) / f64::from(steps)).collect();
+    let position_rad = Some(time_s.iter().map(|t| state(motion, from + t).position_rad).collect());
+    let samples = Samples { time_s, position_rad, ..Samples::default() };
+    let treatment = Treatment { smoothing: smoothing.map(Time::from_si), ..Treatment::default() };
+    SegmentSpec::Recorded(Arc::new(Recorded::new(samples, treatment).unwrap()))
+}
+
+#[test]
+fn exact_recordings_from_rest_to_rest_close() {
+    let mut random = Random(3);
+    for case in 0..1_500 {
+        let motion = there_and_back(&mut random, case);
+        let whole = (0.0, motion.duration().si());
+        // From fifty samples a cycle to five thousand, a move being at least twenty of them.
+        let shortest = motion.stretches().iter().filter(|each| each.law.is_some());
+        let shortest = shortest.map(|each| each.duration.si()).fold(f64::INFINITY, f64::min);
+        // A window of seven samples leaves of a move of twenty what no longer begins at rest.
+        let smooth = case % 5 == 0;
+        let least = (if smooth { 80.0 } else { 20.0 } * whole.1 / shortest).max(50.0);
+        let steps = least * (5000.0_f64.max(least) / least).powf(random.within(0.0, 1.0));
+        let steps = steps.round() as u32;
+        let smoothing = smooth.then(|| 6.5 * whole.1 / f64::from(steps));
+        let recorded = sample(&motion, whole, steps, smoothing);
+        let closed = Motion::new(std::slice::from_ref(&recorded), None, Closing::Position);
+        assert!(closed.is_ok(), "{case}: {steps} samples: {:?} {:?}", closed.unwrap_err(), motion.stretches());
+        let dwell = SegmentSpec::Dwell(Time::from_si(0.5), Hold::Motor);
+        let between = Motion::new(&[dwell.clone(), recorded, dwell], Some(Angle::from_si(0.4)), Closing::Position);
+        assert!(between.is_ok(), "{case}: {steps} samples between rests: {:?}", between.unwrap_err());
+    }
+}
+
+/// What is cut out of a cycle somewhere ends with another speed than it began with, or elsewhere.
+#[test]
+fn recordings_that_do_not_close_are_refused() {
+    let mut random = Random(5);
+    let mut refused = 0;
+    for case in 0..3_000 {
+        let motion = there_and_back(&mut random, case);
+        let duration = motion.duration().si();
+        let (from, to) = (random.within(0.0, 0.4) * duration, random.within(0.6, 1.0) * duration);
+        let steps = random.within(50.0, 2000.0) as u32;
+        let recorded = sample(&motion, (from, to), steps, None);
+        let SegmentSpec::Recorded(samples) = &recorded else { return };
+        let fastest = samples.speed_rad_s().iter().fold(0.0_f64, |most, w| most.max(w.abs()));
+        let apart = (state(&motion, from).speed_rad_s - state(&motion, to).speed_rad_s).abs();
+        // With few samples the slope of the recording is not that of the motion where a move begins.
+        if fastest == 0.0 || apart < 0.2 * fastest {
+            continue;
+        }
+        refused += 1;
+        let fault = Motion::new(&[recorded], None, Closing::Speed).err().map(|faults| faults[0].fault);
+        assert!(
+            matches!(fault, Some(MoveFault::SpeedNotClosed { .. })),
+            "{case}: {apart} of {fastest}, {steps} samples"
+        );
+    }
+    assert!(refused > 1_000, "{refused}");
+}
+
+/// Where the samples stand still at an end the motion is at rest there, not on its way back.
+#[test]
+fn equal_samples_at_an_end_are_rest() {
+    let time_s: Vec<f64> = (0..8).map(f64::from).collect();
+    let position_rad = Some(vec![0.0, 0.0, 1.0, 3.0, 5.0, 6.0, 7.0, 7.0]);
+    let recorded = Recorded::new(Samples { time_s, position_rad, ..Samples::default() }, Treatment::default()).unwrap();
+    assert_eq!(recorded.end_speeds_rad_s(), (0.0, 0.0));
+    assert_eq!(recorded.speed_rad_s()[1], 0.5);
+}

@@ -1,0 +1,73 @@
+//! Dwells that the brake holds: what the motor must hold of them, how often the brake closes, how long it is open.
+
+use crate::axis::Axis;
+use actuator::{BRAKE_CLOSING_TIME, BRAKE_OPENING_TIME};
+use motion::{Hold, Motion};
+use quantities::{Measure, Ratio, Time};
+
+/// Times at the beginning and at the end of a dwell in which the motor holds the load though the brake is to do so.
+///
+/// t_c at the beginning, until the brake has closed, and t_o at the end, while it opens; the whole dwell if it is shorter
+/// than both together. Where the segment before or after is held by the brake too, the brake stays closed between them.
+///
+/// # Source   docs/theory/brake.md
+pub(crate) fn held_by_the_motor(motion: &Motion, segment: usize) -> (f64, f64) {
+    let stretches = motion.stretches();
+    let is_held = |index: usize| stretches.get(index).is_some_and(|stretch| stretch.hold == Hold::Brake);
+    let last = stretches.len().saturating_sub(1);
+    // The cycle repeats: before its first segment comes its last.
+    let before = segment.checked_sub(1).unwrap_or(last);
+    let after = if segment == last { 0 } else { segment + 1 };
+    let alone = |neighbour: usize| neighbour == segment || !is_held(neighbour);
+    let duration = stretches.get(segment).map_or(0.0, |stretch| stretch.duration.si());
+    let closing = if alone(before) { BRAKE_CLOSING_TIME } else { 0.0 };
+    let opening = if alone(after) { BRAKE_OPENING_TIME } else { 0.0 };
+    if closing + opening >= duration { (duration, 0.0) } else { (closing, opening) }
+}
+
+/// What the cycle asks of the brake.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Brakings {
+    /// Times that the brake closes in one cycle.
+    pub(crate) each_cycle: f64,
+    /// The shortest dwell that is too short for the brake to close and to open again.
+    pub(crate) too_short: Option<Time>,
+}
+
+/// The brake closes once in each row of dwells that it holds, unless they are too short.
+pub(crate) fn brakings(axis: &Axis) -> Brakings {
+    let stretches = axis.motion.stretches();
+    let mut found = Brakings { each_cycle: 0.0, too_short: None };
+    for (index, stretch) in stretches.iter().enumerate().filter(|(_, stretch)| stretch.hold == Hold::Brake) {
+        let (closing, opening) = held_by_the_motor(&axis.motion, index);
+        if closing + opening >= stretch.duration.si() {
+            let shorter = found.too_short.is_none_or(|shortest| stretch.duration.si() < shortest.si());
+            found.too_short = if shorter { Some(stretch.duration) } else { found.too_short };
+        }
+        // A brake that is switched off counts, however soon it is switched on again.
+        if closing > 0.0 {
+            found.each_cycle += 1.0;
+        }
+    }
+    found
+}
+
+impl Axis {
+    /// Share of the cycle in which the brake is kept open and its coil draws current.
+    ///
+    /// s = 1 − Σ (t_d − t_o)/t_0 over the dwells t_d that the brake holds: the coil is without current from the beginning
+    /// of such a dwell until the brake begins to open
+    #[must_use]
+    pub fn brake_open_share(&self) -> Ratio {
+        let stretches = self.motion.stretches().iter().enumerate();
+        let closed: f64 = stretches
+            .filter(|(_, stretch)| stretch.hold == Hold::Brake)
+            .map(|(index, stretch)| match held_by_the_motor(&self.motion, index) {
+                // Too short to close: the coil had better stay on.
+                (closing, opening) if closing + opening >= stretch.duration.si() => 0.0,
+                (_, opening) => stretch.duration.si() - opening,
+            })
+            .sum();
+        Ratio::from_si((1.0 - closed / self.moments().duration.si()).clamp(0.0, 1.0))
+    }
+}

@@ -1,0 +1,304 @@
+//! The checks of oscillation: first natural frequency of the load on the gear, and the speeds that excite it.
+
+use crate::axis::Axis;
+use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use crate::comparison::{Asking, at_least, not_checked};
+use crate::stage;
+use crate::workings;
+use actuator::Parameters;
+use derivation::Workings;
+use mechanism::Extra;
+use provenance::{Grade, Missing, Source, Sourced};
+use quantities::unit::{HERTZ, KILOGRAM_SQUARE_METRE, NEWTON_METRE_PER_RADIAN, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
+use quantities::{AngularVelocity, Frequency, Measure, MomentOfInertia, Time, TorsionalStiffness};
+use std::borrow::Cow;
+
+const MODEL: Source = Source::Model { name: "gear" };
+
+/// A speed that the cycle holds, with what the load's inertia is meanwhile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Held {
+    /// Instant from which it is held \[s\].
+    start: f64,
+    /// |ω| [rad/s]
+    speed: f64,
+    /// Least and largest J_L \[kgm²\].
+    inertia: (f64, f64),
+}
+
+/// Steps over one revolution in which J(q) is looked at: what lies between two of them differs by at most
+/// (2π/720)² |J''|/8, a hundred-thousandth of what J changes over a revolution.
+const STEPS: f64 = 720.0;
+
+/// The speeds that the cycle holds, each with the inertia of its own payload and positions.
+pub(crate) fn held_speeds(axis: &Axis) -> Vec<Held> {
+    let none = Extra::none();
+    let held = axis.motion.pieces().iter().filter(|piece| piece.speed_degree() == Some(0) && !piece.is_rest());
+    held.map(|piece| {
+        let extra = axis.extras.get(piece.segment).unwrap_or(&none);
+        let inertia = |q: f64| axis.mechanism.inertia(q, extra).si();
+        let (from, to) = (piece.position_rad, piece.end().position_rad);
+        let (low, high) = (from.min(to), from.max(to));
+        let mut range = (inertia(low).min(inertia(high)), inertia(low).max(inertia(high)));
+        if axis.mechanism.depends_on_position() {
+            let mut see = |q: f64| {
+                let here = inertia(q);
+                range = (range.0.min(here), range.1.max(here));
+            };
+            // A load that depends on the position repeats after a turn or ends before a second one begins to matter.
+            let periodic = axis.mechanism.endless() == mechanism::Endless::EachRevolution;
+            // A stage lies between the output and what repeats.
+            let behind = axis.mechanism.stage_ratio();
+            let turn = std::f64::consts::TAU * behind;
+            let span = if periodic { (high - low).min(turn) } else { high - low };
+            let steps = (span / turn * STEPS).ceil().clamp(1.0, 100.0 * STEPS);
+            let mut step = 1.0;
+            while step < steps {
+                see(low + span * step / steps);
+                step += 1.0;
+            }
+            let inside = |q: f64| (periodic && span >= turn) || (low..=high).contains(&q);
+            axis.mechanism.kinks().into_iter().map(|q| q * behind).filter(|q| inside(*q)).for_each(&mut see);
+        }
+        Held { start: piece.start_s, speed: piece.speed_rad_s.abs(), inertia: range }
+    })
+    .collect()
+}
+
+/// How the rotor behaves while the load swings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Rotor {
+    /// Held by a stiff position loop: the load swings alone.
+    Blocked,
+    /// Swings against the load, with this inertia \[kgm²\].
+    Free(f64),
+}
+
+fn frequency(stiffness: TorsionalStiffness, load: f64, rotor: Rotor) -> Frequency {
+    let load = MomentOfInertia::from_si(load);
+    match rotor {
+        Rotor::Blocked => actuator::natural_frequency(stiffness, load),
+        Rotor::Free(own) => actuator::natural_frequency_free(stiffness, load, MomentOfInertia::from_si(own)),
+    }
+}
+
+/// First natural frequency of the load on the softest region of the gear, against the least that is asked.
+pub(crate) fn natural_frequency(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+    let id = CheckId::NaturalFrequency;
+    let [softest, _, _] = &actuator.gear.stiffness;
+    let found = softest
+        .require("K_1")
+        .and_then(|k| if axis.moments().inertia_max.si() > 0.0 { Ok(k) } else { Err(Missing { symbol: "J_L" }) })
+        .map(|k| stage::in_series(&axis.mechanism, k));
+    match found {
+        Ok(k) => {
+            let load = axis.moments().inertia_max.si();
+            let blocked = frequency(k.value, load, Rotor::Blocked);
+            let (asked, key) =
+                (axis.asked.natural_frequency_min.map(Measure::si), "requirements.natural_frequency_min");
+            work.given("K_1", &NEWTON_METRE_PER_RADIAN, &k);
+            if work.is_on() {
+                let source = match axis.by_the_manual() {
+                    Some(_) => Source::Project { key: "load.inertia".into() },
+                    None => Source::Model { name: "mechanisms" },
+                };
+                work.found("J_L", &KILOGRAM_SQUARE_METRE, load, "largest on the way", &source, Grade::Computed);
+            }
+            work.formula("f", &HERTZ, blocked.si(), "sqrt(K_1/J_L)/(2*pi)", &MODEL);
+            work.value("f");
+            work.asked("f_min", &HERTZ, asked, key);
+            let mut check = at_least(id, &HERTZ, blocked.si(), asked, key, MODEL);
+            if let Some(own) = own_inertia(actuator) {
+                check.notes.to_mut().push(Note::FreeRotor(frequency(k.value, load, Rotor::Free(own))));
+            }
+            check
+        }
+        Err(missing) => not_checked(id, missing),
+    }
+}
+
+/// J_out, where it is known and not zero.
+fn own_inertia(actuator: &Parameters) -> Option<f64> {
+    actuator.inertia_out.known().map(|own| own.value.si()).filter(|own| *own > 0.0)
+}
+
+/// Half width of the band around a resonance speed in which nothing should run for long: a tenth of the speed. Assumed;
+/// the model has no damping and knows no amplitude.
+const RESONANCE_BAND: f64 = 0.1;
+
+/// The distance that is told where no speed is held, or every resonance lies further off.
+const FAR_FROM_RESONANCE: f64 = 1.0;
+
+/// A region of stiffness with the rotor blocked or free, and the speeds it resonates at for one range of J_L.
+#[derive(Clone, Copy)]
+struct Line {
+    region: usize,
+    rotor: Rotor,
+    /// Lowest speed, of the largest J_L, and highest, of the least [rad/s].
+    speeds: (f64, f64),
+}
+
+impl Line {
+    /// Distance of a speed from the range, relative to its nearer end.
+    fn distance(&self, speed: f64) -> f64 {
+        (1.0 - speed / self.speeds.0).max(speed / self.speeds.1 - 1.0).clamp(0.0, FAR_FROM_RESONANCE)
+    }
+}
+
+/// The resonances of a range of J_L in the three regions.
+fn lines(
+    stiffness: &[&Sourced<TorsionalStiffness>; 3],
+    ratio: f64,
+    rotor: Rotor,
+    (least, largest): (f64, f64),
+) -> [Line; 3] {
+    let [k1, k2, k3] = stiffness;
+    [(0, k1), (1, k2), (2, k3)].map(|(region, k)| {
+        let speed = |load| actuator::resonance_speed(frequency(k.value, load, rotor), ratio).si();
+        Line { region, rotor, speeds: (speed(largest), speed(least)) }
+    })
+}
+
+/// Distance of the speeds that the cycle holds from those at which the wave generator excites the load (2 i n/60 = f on
+/// each region of stiffness, with blocked and with free rotor), relative to the latter, each with the inertia that the
+/// load has meanwhile. To hold such a speed is against advice; to pass through is not.
+pub(crate) fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+    let id = CheckId::ResonanceSpeed;
+    let found = (|| {
+        let ratio = actuator.ratio.require("i")?;
+        let [k1, k2, k3] = &actuator.gear.stiffness;
+        let stiffness = [k1.require("K_1")?, k2.require("K_2")?, k3.require("K_3")?];
+        if axis.moments().inertia_max.si() <= 0.0 {
+            return Err(Missing { symbol: "J_L" });
+        }
+        Ok((ratio, stiffness))
+    })();
+    let (ratio, stiffness) = match found {
+        Ok(found) => found,
+        Err(missing) => return not_checked(id, missing),
+    };
+    let stiffness = stiffness.map(|k| stage::in_series(&axis.mechanism, k));
+    let stiffness = stiffness.each_ref().map(|k| &**k);
+    let own = own_inertia(actuator);
+    let of = |held: &Held| {
+        let rotors = [Some(Rotor::Blocked), own.map(Rotor::Free)].into_iter().flatten();
+        let each = rotors.flat_map(|rotor| lines(&stiffness, ratio.value, rotor, held.inertia));
+        each.map(|line| (line.distance(held.speed), line)).min_by(|a, b| a.0.total_cmp(&b.0))
+    };
+    let held = axis.held_speeds().iter().filter(|held| held.inertia.1 > 0.0);
+    let nearest = held.filter_map(|held| Some((of(held)?, held))).min_by(|a, b| a.0.0.total_cmp(&b.0.0));
+    let value = nearest.as_ref().map_or(FAR_FROM_RESONANCE, |((distance, _), _)| *distance);
+    if work.is_on() {
+        explain_resonance(actuator, (ratio, &stiffness), nearest.map(|((_, line), held)| (line, held)), value, work);
+    }
+    // Nobody says which speeds a recording holds.
+    let open = value >= RESONANCE_BAND && !axis.motion.recordings().is_empty();
+    let verdict = match value >= RESONANCE_BAND {
+        _ if open => Verdict::NotChecked,
+        true => Verdict::Pass,
+        false => Verdict::Advice,
+    };
+    Check {
+        id,
+        verdict,
+        value: Some(Figure { si: value, unit: &PERCENT }),
+        limit: Some(Figure { si: RESONANCE_BAND, unit: &PERCENT }),
+        utilisation: (value > 0.0).then(|| RESONANCE_BAND / value),
+        at: nearest.map(|(_, held)| Time::from_si(held.start)),
+        grade: Some(Grade::Assumed),
+        value_source: Some(MODEL),
+        limit_source: Some(MODEL),
+        missing: open.then_some("recorded_speed"),
+        notes: Cow::Owned(vec![speeds_note(axis, &stiffness, ratio.value, own)]),
+        workings: Vec::new(),
+    }
+}
+
+/// The resonance speeds over every inertia of the cycle.
+fn speeds_note(axis: &Axis, stiffness: &[&Sourced<TorsionalStiffness>; 3], ratio: f64, own: Option<f64>) -> Note {
+    let (largest, least) = axis.trace.inertia;
+    // Without inertia there is no resonance; that of a joint is stated once for all positions.
+    let least = if least.is_finite() && least > 0.0 { least.min(largest) } else { largest };
+    let speeds = |rotor| {
+        lines(stiffness, ratio, rotor, (least, largest))
+            .map(|line| (AngularVelocity::from_si(line.speeds.0), AngularVelocity::from_si(line.speeds.1)))
+    };
+    Note::ResonanceSpeeds { blocked: speeds(Rotor::Blocked), free: own.map(|own| speeds(Rotor::Free(own))) }
+}
+
+/// The workings of the distance `d` from the resonance of a region that is nearest to what is held.
+fn explain_resonance(
+    actuator: &Parameters,
+    (ratio, stiffness): (&Sourced<f64>, &[&Sourced<TorsionalStiffness>; 3]),
+    nearest: Option<(Line, &Held)>,
+    value: f64,
+    work: &mut Workings,
+) {
+    if let Some((line, held)) = nearest {
+        let [first, second, third] = &FORMULAS;
+        let formulas = [first, second, third].into_iter().nth(line.region).unwrap_or(third);
+        let (k, [blocked, free], [blocked_least, free_least]) = *formulas;
+        let (least, largest) = held.inertia;
+        let demand = &workings::DEMAND;
+        if let Some(stiffness) = stiffness.get(line.region) {
+            work.given(k, &NEWTON_METRE_PER_RADIAN, stiffness);
+        }
+        work.given_number("i", ratio);
+        let is_free = line.rotor != Rotor::Blocked;
+        if is_free {
+            workings::own_inertia(actuator, work);
+        }
+        let hertz = |speed: f64| speed * ratio.value / std::f64::consts::PI;
+        work.figure("t", &SECOND, held.start, demand, Grade::Computed);
+        let text = "largest while the speed is held from t on";
+        work.found("J_L", &KILOGRAM_SQUARE_METRE, largest, text, demand, Grade::Computed);
+        let text = if is_free { free } else { blocked };
+        work.formula("f", &HERTZ, hertz(line.speeds.0), text, &MODEL);
+        work.formula("n_r", &REVOLUTION_PER_MINUTE, line.speeds.0, "60*f/(2*i)", &MODEL);
+        let mut distance = "100*max(1 - n/n_r, 0)";
+        if line.speeds.1.is_finite() && least != largest {
+            let text = "least while the speed is held from t on";
+            work.found("J_L_min", &KILOGRAM_SQUARE_METRE, least, text, demand, Grade::Computed);
+            let text = if is_free { free_least } else { blocked_least };
+            work.formula("f_high", &HERTZ, hertz(line.speeds.1), text, &MODEL);
+            work.formula("n_r_high", &REVOLUTION_PER_MINUTE, line.speeds.1, "60*f_high/(2*i)", &MODEL);
+            distance = "100*min(max(1 - n/n_r, n/n_r_high - 1, 0), 1)";
+        } else if line.speeds.1.is_finite() {
+            distance = "100*min(abs(n/n_r - 1), 1)";
+        }
+        let text = "speed held from t on, the nearest to a resonance";
+        work.found("n", &REVOLUTION_PER_MINUTE, held.speed, text, demand, Grade::Computed);
+        work.formula("d", &PERCENT, value, distance, &MODEL);
+    } else {
+        work.found("d", &PERCENT, value, "no speed is held", &MODEL, Grade::Computed);
+    }
+    work.value("d");
+    work.figure("d_min", &PERCENT, RESONANCE_BAND, &MODEL, Grade::Assumed);
+    work.limit("d_min");
+}
+
+/// Of each region its symbol, and the formulas of the frequency with blocked and free rotor, for the largest and for the
+/// least J_L.
+type Formulas = (&'static str, [&'static str; 2], [&'static str; 2]);
+
+const FORMULAS: [Formulas; 3] = [
+    (
+        "K_1",
+        ["sqrt(K_1/J_L)/(2*pi)", "sqrt(K_1*(J_L + J_out)/(J_L*J_out))/(2*pi)"],
+        ["sqrt(K_1/J_L_min)/(2*pi)", "sqrt(K_1*(J_L_min + J_out)/(J_L_min*J_out))/(2*pi)"],
+    ),
+    (
+        "K_2",
+        ["sqrt(K_2/J_L)/(2*pi)", "sqrt(K_2*(J_L + J_out)/(J_L*J_out))/(2*pi)"],
+        ["sqrt(K_2/J_L_min)/(2*pi)", "sqrt(K_2*(J_L_min + J_out)/(J_L_min*J_out))/(2*pi)"],
+    ),
+    (
+        "K_3",
+        ["sqrt(K_3/J_L)/(2*pi)", "sqrt(K_3*(J_L + J_out)/(J_L*J_out))/(2*pi)"],
+        ["sqrt(K_3/J_L_min)/(2*pi)", "sqrt(K_3*(J_L_min + J_out)/(J_L_min*J_out))/(2*pi)"],
+    ),
+];
+
+#[cfg(test)]
+#[path = "resonance_tests.rs"]
+mod tests;

@@ -1,0 +1,199 @@
+//! What a stretch of the cycle adds to the lag of each product of two signals, once per time constant for all candidates.
+
+use super::rule::{lagged, rule};
+use super::{Form, Node, Panel};
+use std::sync::{Arc, Mutex, OnceLock};
+
+/// One number for each product x_i x_j, i ≤ j.
+pub(super) type Products = [f64; 10];
+
+/// The products of the signals at an instant.
+pub(super) fn products(node: &Node) -> Products {
+    let [a, t, s, w] = node.signals();
+    [a * a, a * t, a * s, a * w, t * t, t * s, t * w, s * s, s * w, w * w]
+}
+
+impl Form {
+    /// The factors of the products: u = Σ q_m p_m.
+    pub(super) const fn factors(&self) -> Products {
+        let [[aa, at, as_, aw], [_, tt, ts, tw], [_, _, ss, sw], [_, _, _, ww]] = self.0;
+        [aa, 2.0 * at, 2.0 * as_, 2.0 * aw, tt, 2.0 * ts, 2.0 * tw, ss, 2.0 * sw, ww]
+    }
+}
+
+/// Σ a_m b_m
+pub(super) fn sum(a: &Products, b: &Products) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Σ |a_m| b_m
+pub(super) fn sum_of_magnitudes(a: &Products, b: &Products) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.abs() * b).sum()
+}
+
+/// Over a stretch of the cycle y becomes y e^(−λ) + Σ q_m g_m.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Gain {
+    /// e^(−λ)
+    pub(super) decay: f64,
+    /// g_m
+    pub(super) gain: Products,
+}
+
+impl Gain {
+    /// Nothing yet.
+    pub(super) const NONE: Self = Self { decay: 1.0, gain: [0.0; 10] };
+
+    /// A panel later.
+    pub(super) fn pass(&mut self, panel: &Panel<'_>, tau_s: f64) {
+        let lambda = panel.duration / tau_s;
+        let decay = (-lambda).exp();
+        let weights = rule(panel.nodes.len()).weights(lambda);
+        self.decay *= decay;
+        self.gain.iter_mut().for_each(|g| *g *= decay);
+        for (node, weight) in panel.nodes.iter().zip(weights) {
+            for (g, p) in self.gain.iter_mut().zip(products(node)) {
+                *g += weight * p;
+            }
+        }
+    }
+}
+
+/// How far ∫(p − p̄) dt may lie from zero on the way through a panel, between its ends: a quarter of the duration times
+/// the range. A parabola leaves the range of its three nodes by an eighth of it.
+pub(super) fn swing(panel: &Panel<'_>) -> Products {
+    let (mut low, mut high) = ([f64::INFINITY; 10], [f64::NEG_INFINITY; 10]);
+    for node in panel.nodes {
+        for ((low, high), p) in low.iter_mut().zip(&mut high).zip(products(node)) {
+            *low = low.min(p);
+            *high = high.max(p);
+        }
+    }
+    let mut swing = [0.0; 10];
+    for ((swing, low), high) in swing.iter_mut().zip(low).zip(high) {
+        *swing = 0.25 * panel.duration * 1.25 * (high - low);
+    }
+    swing
+}
+
+/// Legendre moments kept of each block.
+const MOMENTS: usize = 4;
+
+/// Up to this λ the moments of a block serve: what the next one would add is (λ/2)⁴/105 of a gain, 10⁻¹⁰.
+const SHORT: f64 = 0.02;
+
+/// What any lag needs of a block of a recording.
+#[derive(Clone, Debug)]
+pub(super) struct LagBlock {
+    duration: f64,
+    /// ∫ P̃_k(s) p_m dt, s the share of the block.
+    moments: [Products; MOMENTS],
+    /// Largest |∫(p_m − p̄_m) dt| on the way.
+    pub(super) swing: Products,
+}
+
+impl LagBlock {
+    pub(super) fn of(duration: f64, panels: impl Fn(&mut dyn FnMut(Panel<'_>))) -> Self {
+        let mut moments = [[0.0; 10]; MOMENTS];
+        // What is gathered until the end of each panel, and how far it may swing within.
+        let mut course: Vec<(f64, Products, Products)> = Vec::with_capacity(264);
+        let mut elapsed = 0.0;
+        let mut gathered = [0.0; 10];
+        panels(&mut |panel| {
+            for ((node, share), p) in
+                panel.nodes.iter().zip(rule(panel.nodes.len()).nodes()).zip(panel.nodes.iter().map(products))
+            {
+                let x = 2.0 * (elapsed + share * panel.duration) / duration - 1.0;
+                let square = x * x;
+                let legendre = [1.0, x, 1.5 * square - 0.5, (2.5 * square - 1.5) * x];
+                for (moment, legendre) in moments.iter_mut().zip(legendre) {
+                    let weight = node.weight * legendre;
+                    for (sum, p) in moment.iter_mut().zip(p) {
+                        *sum += weight * p;
+                    }
+                }
+            }
+            elapsed += panel.duration;
+            if let Some(whole) = moments.first() {
+                gathered = *whole;
+            }
+            course.push((elapsed, gathered, swing(&panel)));
+        });
+        let mut most = [0.0_f64; 10];
+        let mut before = [0.0_f64; 10];
+        for (until, sums, swings) in &course {
+            for ((((most, before), whole), sum), swing) in
+                most.iter_mut().zip(&mut before).zip(gathered).zip(sums).zip(swings)
+            {
+                let away = (sum - whole * until / duration).abs();
+                *most = most.max(away.max(*before) + swing);
+                *before = away;
+            }
+        }
+        Self { duration, moments, swing: most }
+    }
+
+    /// What the block does to a lag, from its moments or, where it is not short, from its panels.
+    ///
+    /// g_m = (λ/h) Σ_k (2k + 1) c_k(λ) ∫ P̃_k p_m dt
+    pub(super) fn gain(&self, tau_s: f64, panels: impl Fn(&mut dyn FnMut(Panel<'_>))) -> Gain {
+        let lambda = self.duration / tau_s;
+        if lambda > SHORT {
+            let mut gain = Gain::NONE;
+            panels(&mut |panel| gain.pass(&panel, tau_s));
+            return gain;
+        }
+        let mut gain = Gain { decay: (-lambda).exp(), gain: [0.0; 10] };
+        let mut odd = 1.0;
+        for (moment, c) in self.moments.iter().zip(lagged(lambda, MOMENTS)) {
+            for (g, m) in gain.gain.iter_mut().zip(moment) {
+                *g += odd * c / tau_s * m;
+            }
+            odd += 2.0;
+        }
+        gain
+    }
+}
+
+/// The gains of consecutive stretches for a time constant, by its bits.
+type Entry = (u64, Arc<OnceLock<Vec<Gain>>>);
+
+/// So many time constants are kept: more than a catalogue has.
+const TABLES: usize = 32;
+
+/// A time constant without its last twelve bits, 10⁻¹²: equal ones of different actuators are rounded differently.
+pub(super) fn rounded(tau_s: f64) -> f64 {
+    f64::from_bits((tau_s.to_bits() + (1 << 11)) & !((1 << 12) - 1))
+}
+
+/// Gains for the time constants that were asked for.
+#[derive(Debug, Default)]
+pub(super) struct GainTables(Mutex<Vec<Entry>>);
+
+impl GainTables {
+    /// The gains for a time constant, made if it is the first time.
+    pub(super) fn with<T>(
+        &self,
+        tau_s: f64,
+        make: impl FnOnce(f64) -> Vec<Gain>,
+        then: impl FnOnce(&[Gain]) -> T,
+    ) -> T {
+        let entry = {
+            // What another thread left behind when it failed is whole: entries are only added.
+            let mut tables = self.0.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+            let key = rounded(tau_s).to_bits();
+            match tables.iter().find(|(known, _)| *known == key) {
+                Some((_, entry)) => Arc::clone(entry),
+                None => {
+                    if tables.len() == TABLES {
+                        tables.clear();
+                    }
+                    let entry = Arc::new(OnceLock::new());
+                    tables.push((key, Arc::clone(&entry)));
+                    entry
+                }
+            }
+        };
+        then(entry.get_or_init(|| make(rounded(tau_s))))
+    }
+}

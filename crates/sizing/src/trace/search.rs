@@ -1,0 +1,150 @@
+//! The largest value of a signal over the cycle: bounds of blocks first, then nodes, then what lies between them.
+
+use super::rule::between;
+use super::{Block, Extent, GROUP, Node, Panel, Trace};
+
+/// What is not higher by more than this share of the highest is not looked for: rounding makes as much.
+const ROUNDING: f64 = 1e-12;
+
+/// What lies between two nodes is looked for where it may be higher by more than this share.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// So often the place of a largest value between two nodes is halved: what is left is 10⁻¹² of the smooth bend there.
+const HALVINGS: u32 = 20;
+
+/// Whether a value on the straight line between two instants may be above both its ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shape {
+    /// Never, as of the magnitude of a weighted sum.
+    Convex,
+    /// It may.
+    Any,
+}
+
+impl Trace {
+    /// The largest value over the cycle and the first instant that has it. `bound` is above every value of its instants, so
+    /// that a block whose bound is not above what is found already is left out.
+    ///
+    /// # Valid    values that are convex over (α, T_L, σ, ω), as the magnitude of a weighted sum is
+    pub(crate) fn largest(&self, bound: impl Fn(&Extent) -> f64, value: impl Fn(&Node) -> f64) -> (f64, Node) {
+        self.search(&bound, &value, Shape::Convex)
+    }
+
+    /// The same for any value: looked for between straight neighbours too.
+    pub(crate) fn largest_of_any(&self, bound: impl Fn(&Extent) -> f64, value: impl Fn(&Node) -> f64) -> (f64, Node) {
+        self.search(&bound, &value, Shape::Any)
+    }
+
+    fn search(&self, bound: &impl Fn(&Extent) -> f64, value: &impl Fn(&Node) -> f64, shape: Shape) -> (f64, Node) {
+        let mut best = Best { value: f64::NEG_INFINITY, node: Node::default() };
+        let group = |index: usize, best: &mut Best| {
+            let blocks = self.blocks.chunks(GROUP).nth(index).unwrap_or_default();
+            in_order(
+                blocks,
+                |block: &Block| (bound(&block.extent), block.from),
+                best,
+                |block, _, best| {
+                    self.panels(block, &mut |panel| best.look(&panel, bound, value, shape));
+                },
+            );
+        };
+        in_order(&self.groups, |(extent, from)| (bound(extent), *from), &mut best, |_, index, best| group(index, best));
+        (best.value, best.node)
+    }
+}
+
+struct Best {
+    value: f64,
+    node: Node,
+}
+
+impl Best {
+    fn see(&mut self, node: &Node, value: f64) {
+        if value > self.value || (value == self.value && node.time < self.node.time) {
+            *self = Self { value, node: *node };
+        }
+    }
+
+    /// Whether a bound of what begins at an instant leaves room for something better, or for the same at an earlier instant.
+    fn may_be_within(&self, bound: f64, from: f64) -> bool {
+        if from < self.node.time { bound >= self.value } else { bound > self.value + ROUNDING * self.value.abs() }
+    }
+
+    fn look(
+        &mut self,
+        panel: &Panel<'_>,
+        bound: &impl Fn(&Extent) -> f64,
+        value: &impl Fn(&Node) -> f64,
+        shape: Shape,
+    ) {
+        for node in panel.nodes {
+            self.see(node, value(node));
+        }
+        let bent = panel.bow != [0.0; 4];
+        if !bent
+            && (shape == Shape::Convex
+                || panel.nodes.first().map(Node::signals) == panel.nodes.last().map(Node::signals))
+        {
+            return;
+        }
+        let shares = super::rule::rule(panel.nodes.len()).nodes();
+        let pairs = panel.nodes.iter().zip(panel.nodes.iter().skip(1)).zip(shares.iter().zip(shares.iter().skip(1)));
+        for ((a, b), (from, to)) in pairs {
+            let extent = Extent::between(a, b, &panel.bow);
+            if bound(&extent) > self.value + NEGLIGIBLE * self.value.abs() {
+                self.narrow(panel.nodes, (*from, *to), value);
+            }
+        }
+    }
+
+    /// The largest value between two shares of a panel, by halving about the best of five instants.
+    fn narrow(&mut self, nodes: &[Node], (from, to): (f64, f64), value: &impl Fn(&Node) -> f64) {
+        let mut at = |s: f64| {
+            let node = between(nodes, s);
+            let found = value(&node);
+            self.see(&node, found);
+            found
+        };
+        let mut quarter = 0.25 * (to - from);
+        let mut middle = (from + 2.0 * quarter, at(from + 2.0 * quarter));
+        for _ in 0..HALVINGS {
+            for s in [middle.0 - quarter, middle.0 + quarter] {
+                let found = at(s);
+                if found > middle.1 {
+                    middle = (s, found);
+                }
+            }
+            quarter *= 0.5;
+        }
+    }
+}
+
+/// Visits what may hold something better than the best: the one with the largest bound, then the others in their order.
+fn in_order<T>(
+    items: &[T],
+    bound: impl Fn(&T) -> (f64, f64),
+    best: &mut Best,
+    mut visit: impl FnMut(&T, usize, &mut Best),
+) {
+    if let [only] = items {
+        visit(only, 0, best);
+        return;
+    }
+    let mut first: Option<(usize, f64)> = None;
+    for (index, item) in items.iter().enumerate() {
+        let here = bound(item).0;
+        if first.is_none_or(|(_, largest)| here > largest) {
+            first = Some((index, here));
+        }
+    }
+    let Some((first, _)) = first else { return };
+    if let Some(item) = items.get(first) {
+        visit(item, first, best);
+    }
+    for (index, item) in items.iter().enumerate() {
+        let (above, from) = bound(item);
+        if index != first && best.may_be_within(above, from) {
+            visit(item, index, best);
+        }
+    }
+}
