@@ -126,8 +126,8 @@ class Network:
 
 
 def coil(actuator, pieces, time):
-    """Mean heat of the brake's coil: the brake is open while it does not hold the load."""
-    held = sum(piece.time for piece in pieces if piece.rest == "brake")
+    """Mean heat of the brake's coil: without current from the beginning of a dwell that the brake holds until it opens."""
+    held = sum(piece.time for piece in pieces if piece.rest == "brake" or piece.closing)
     return actuator.get("U_Br", 0.0) * actuator.get("I_HBr", 0.0) * (1 - held / time)
 
 

@@ -59,7 +59,13 @@ class Load:
         self.eta = self.key.get("efficiency", 1.0)
         self.eta_back = self.key.get("efficiency_back", 1.0)
         self.turns_with_position = self.kind in ("turntable", "arm", "slider_crank")
+        self.arm, self.mass, self.phase = 0.0, 0.0, 0.0
         getattr(self, f"prepare_{self.kind}", lambda: None)()
+        stage = project.get("stage", {})
+        self.ratio = stage.get("ratio", 1.0)
+        self.stage_eta, self.stage_back = stage.get("efficiency", 1.0), stage.get("efficiency_back", 1.0)
+        self.driving = si(stage.get("inertia_driving", "0 kg m^2"))
+        self.driven = si(stage.get("inertia_driven", "0 kg m^2"))
 
     def get(self, key, default=0.0):
         return si(self.key[key]) if key in self.key else default
@@ -145,8 +151,18 @@ class Load:
         return torque + inertia * a
 
     def holding_torque(self, rest, useful):
-        """At rest the motor holds, or the brake does, or nothing."""
-        return useful if rest == "motor" else 0.0 * useful
+        """At rest the motor holds, or the brake does, or nothing; losses do not help."""
+        return useful / self.ratio if rest == "motor" else 0.0 * useful
+
+    def handed_on(self, useful, w, a, sign):
+        """What the stage hands on to the mechanism; speeds and accelerations are those of the mechanism."""
+        return self.moving(useful, w, sign) + self.driven * a
+
+    def at_output(self, handed_on, a, sign):
+        """Torque at the output of the actuator: what the stage takes, and its wheel there."""
+        back = handed_on * sign < 0
+        taken = np.where(back, handed_on * self.stage_back, handed_on / self.stage_eta) / self.ratio
+        return taken + self.driving * self.ratio * a
 
     def moving(self, useful, w, sign):
         """Torque at the output in motion, with the efficiency by the direction of the power and friction."""

@@ -14,6 +14,10 @@ from scipy.optimize import brentq
 from quantity import dimension, si
 
 
+# Closing and opening time of a brake, table 38.3 and its like.
+CLOSING, OPENING = 0.07, 0.11
+
+
 class Poly:
     """Acceleration as a polynomial of time."""
 
@@ -107,6 +111,7 @@ class Piece:
     torque: tuple = (0.0, 0.0)
     bend: float | None = None
     sampled: bool = False
+    closing: bool = False
 
     def state(self, t):
         """Position, speed, acceleration and recorded torque after `t` from the beginning of the piece."""
@@ -217,6 +222,38 @@ def slopes(t, q):
     return np.concatenate([[0.0], inner, [0.0]])
 
 
+def holders(segments, index):
+    """Who holds during a dwell: the motor until the brake has closed (`closing`) and from when it begins to open.
+
+    Between two dwells that the brake holds it stays closed, over the end of the cycle too.
+    """
+    time, hold = si(segments[index]["time"]), segments[index].get("hold", "motor")
+    if hold != "brake":
+        return [(time, hold)]
+
+    def braked(place):
+        return segments[place % len(segments)].get("hold") == "brake"
+
+    row, first = [index], index
+    while braked(row[0] - 1) and len(row) < len(segments):
+        row.insert(0, row[0] - 1)
+    while braked(row[-1] + 1) and len(row) < len(segments):
+        row.append(row[-1] + 1)
+    times = [si(segments[place % len(segments)]["time"]) for place in row]
+    whole, begin = sum(times), sum(times[: row.index(first)])
+    if len(row) == len(segments):
+        return [(time, "brake")]
+    if whole <= CLOSING + OPENING:
+        return [(time, "motor")]
+    marks = [begin] + [t for t in (CLOSING, whole - OPENING) if begin < t < begin + time] + [begin + time]
+    parts = list(zip(marks[:-1], marks[1:]))
+
+    def holder(middle):
+        return "closing" if middle < CLOSING else "brake" if middle <= whole - OPENING else "motor"
+
+    return [(b - a, holder((a + b) / 2)) for a, b in parts]
+
+
 def pieces(project, files, travel, start):
     """The cycle as pieces; `travel` is the way along the line per angle, None where there is no line."""
     result, now, angle, speed, index = [], 0.0, start, 0.0, 0
@@ -247,7 +284,8 @@ def pieces(project, files, travel, start):
             speed = 0.0
             add(given["pause"], Poly(0), rest="motor")
         elif law == "dwell":
-            add(given["time"], Poly(0), rest=segment.get("hold", "motor"))
+            for time, holder in holders(project["motion"], index):
+                add(time, Poly(0), rest="motor" if holder == "closing" else holder, closing=holder == "closing")
         elif law == "constant":
             if not result:
                 speed = given["speed"]

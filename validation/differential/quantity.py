@@ -20,6 +20,7 @@ UNITS = {
     "deg": TURN / 360, "rad": 1,
     "V": 1, "A": 1, "ohm": 1, "mH": 1e-3, "W": 1,
     "N m/A": 1,
+    "N m/rad": 1,
     "V/1000 1/min": 60 / (1000 * TURN),
     "A/(1/min)": 60 / TURN,
 }  # fmt: skip

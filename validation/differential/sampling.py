@@ -26,6 +26,7 @@ class Stretch:
     acc: np.ndarray
     load: np.ndarray
     useful: np.ndarray
+    mechanism: tuple
 
     def integral(self, value):
         return float(np.sum(value[:, 1:-1] * WEIGHTS) * self.width / 2)
@@ -59,8 +60,12 @@ def split(intervals, cuts_of):
     return result
 
 
-def stretches(pieces, load, signals=(), rates=(GRID, PANELS)):
-    """Every stretch of the cycle in order of time; `signals`: functions of (speed, acc, load, sign) to be cut at zeros."""
+def stretches(pieces, load, signals=(), rates=(GRID, PANELS), switches=None):
+    """Every stretch of the cycle in order of time.
+
+    `signals`: functions of (speed, acc, load, sign) at the output, to be cut at zeros. `switches`: a function of
+    (segment, angle, speed, acc, sign, recorded) at the mechanism that gives several such signals.
+    """
     result = []
     for piece in pieces:
         # Intervals of a recording are many and short.
@@ -94,18 +99,31 @@ def stretches(pieces, load, signals=(), rates=(GRID, PANELS)):
                 q, w, a, recorded = piece.state(t)
                 return load.useful(piece.segment, q, w, a, sign, recorded)
 
-            def torque(t, piece=piece, sign=sign, useful=useful):
-                return load.moving(useful(t), piece.state(t)[1], sign)
+            def handed_on(t, piece=piece, sign=sign, useful=useful):
+                _, w, a, _ = piece.state(t)
+                return load.handed_on(useful(t), w, a, sign)
+
+            def torque(t, piece=piece, sign=sign, handed_on=handed_on):
+                return load.at_output(handed_on(t), piece.state(t)[2], sign)
 
             cut = [(begin, end)]
             if not rest:
                 cut = split(cut, lambda a, b: crossings(useful, a, b, share(201, grid, a, b)))
+                cut = split(cut, lambda a, b: crossings(handed_on, a, b, share(201, grid, a, b)))
                 cut = split(cut, lambda a, b: crossings(torque, a, b, share(201, grid, a, b)))
+                count = 0 if switches is None else len(switches(piece.segment, *piece.state(np.zeros(1))[:3], sign, 0.0))
+                for which in range(count):
+
+                    def switch(t, piece=piece, sign=sign, which=which):
+                        q, w, a, recorded = piece.state(t)
+                        return switches(piece.segment, q, w, a, sign, recorded)[which] + 0 * t
+
+                    cut = split(cut, lambda a, b, switch=switch: crossings(switch, a, b, share(201, grid, a, b)))
                 for signal in signals:
 
                     def value(t, piece=piece, sign=sign, torque=torque, signal=signal):
                         _, w, a, _ = piece.state(t)
-                        return signal(w, a, torque(t), sign)
+                        return signal(load.ratio * w, load.ratio * a, torque(t), sign)
 
                     cut = split(cut, lambda a, b, value=value: crossings(value, a, b, share(201, grid, a, b)))
             for a, b in cut:
@@ -115,11 +133,14 @@ def stretches(pieces, load, signals=(), rates=(GRID, PANELS)):
                 inner = middle[:, None] + half * POINTS
                 t = np.concatenate([edges[:-1, None], inner, edges[1:, None]], axis=1)
                 # The ends are looked at from inside, where the table's slope is that of this stretch.
-                _, w, acc, _ = piece.state(t)
+                q, w, acc, recorded = piece.state(t)
                 ask = useful(t.ravel()).reshape(t.shape)
                 if rest:
                     acc, w, given = 0 * acc, 0 * w, load.holding_torque(piece.rest, ask)
                 else:
-                    given = load.moving(ask, w, sign)
-                result.append(Stretch(piece, piece.begin + a, (b - a) / count, sign, w, acc, given, ask))
+                    ask = load.handed_on(ask, w, acc, sign)
+                    given = load.at_output(ask, acc, sign)
+                speed, acceleration, here = load.ratio * w, load.ratio * acc, (q, w, acc, recorded)
+                width = (b - a) / count
+                result.append(Stretch(piece, piece.begin + a, width, sign, speed, acceleration, given, ask, here))
     return result

@@ -239,8 +239,11 @@ impl<'a> Builder<'a> {
             };
             search(&|t| self.mechanism.useful_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
             search(&|t| self.mechanism.torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
+            if self.mechanism.stage.is_some() {
+                search(&|t| self.mechanism.stage_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
+            }
             for kink in self.mechanism.kinks() {
-                search(&|t| wrapped(piece.at(t).position_rad - kink), &mut cuts);
+                search(&|t| wrapped(piece.at(t).position_rad / self.mechanism.stage_ratio() - kink), &mut cuts);
             }
         }
         cuts.push(piece.duration_s);
@@ -272,7 +275,7 @@ impl<'a> Builder<'a> {
         let angle = if self.mechanism.depends_on_position() {
             // The travel is at most the largest speed times the duration; the ends and the middle bound it closely.
             let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s).speed_rad_s.abs());
-            speed.into_iter().fold(0.0, f64::max) * piece.duration_s / PANEL_ANGLE
+            speed.into_iter().fold(0.0, f64::max) * piece.duration_s / self.mechanism.stage_ratio() / PANEL_ANGLE
         } else {
             0.0
         };
