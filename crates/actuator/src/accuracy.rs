@@ -51,6 +51,10 @@ pub enum ErrorKind {
     Torsion,
     /// Tilt of the flange under a moment.
     Tilt,
+    /// Backlash of a stage behind the actuator.
+    StageBacklash,
+    /// Torsion of a stage behind the actuator.
+    StageTorsion,
 }
 
 /// Where the position loop takes its position from.

@@ -44,8 +44,7 @@ pub fn published_duty(
         said(actuator, model, torque, speed, factor).map(|said| (said, torque.si() < most * (1.0 - 1e-9)))
     };
     let continuous = || {
-        let (found, by_heat) =
-            at(actuator.continuous_curve.known()?, 1.0, speed_mean, &actuator.stall_torque)?;
+        let (found, by_heat) = at(actuator.continuous_curve.known()?, 1.0, speed_mean, &actuator.stall_torque)?;
         let rise_share = if by_heat { found.rise_share } else { found.rise_share.max(1.0) };
         Some(PublishedDuty { rise_share, ..found })
     };

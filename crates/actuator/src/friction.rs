@@ -134,7 +134,8 @@ impl FrictionAt {
 mod tests {
     use super::*;
 
-    const LAW: NoLoadFriction = NoLoadFriction { starting_a: 0.2, counted: 1.0, constant_30: 0.04, decay_per_k: 0.020_794_415_416_798_36 };
+    const LAW: NoLoadFriction =
+        NoLoadFriction { starting_a: 0.2, counted: 1.0, constant_30: 0.04, decay_per_k: 0.020_794_415_416_798_36 };
 
     fn at(celsius: f64) -> FrictionAt {
         LAW.at(ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS))

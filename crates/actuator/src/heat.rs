@@ -258,7 +258,11 @@ impl HeatModel {
         let mut here = f64::midpoint(low, high);
         for _ in 0..64 {
             let (excess, slope) = at(here);
-            if excess > 0.0 { high = here } else { low = here }
+            if excess > 0.0 {
+                high = here
+            } else {
+                low = here
+            }
             let newton = here - excess / slope;
             let next = if newton > low && newton < high { newton } else { f64::midpoint(low, high) };
             if (next - here).abs() <= 1e-13 * here {
@@ -297,8 +301,7 @@ impl HeatModel {
         let counted = self.friction.counted(starting);
         let current = (copper_w / self.copper_ohm).sqrt() - counted - constant * n;
         let housing = ThermodynamicTemperature::from_si(housing);
-        let settled =
-            Settled { housing, friction: self.friction.at(housing), losses: Losses { copper_w, friction_w } };
+        let settled = Settled { housing, friction: self.friction.at(housing), losses: Losses { copper_w, friction_w } };
         (Torque::from_si((self.torque_constant * current).max(0.0)), settled)
     }
 

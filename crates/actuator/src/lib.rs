@@ -35,9 +35,7 @@ pub use gear::{
     Gear, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, natural_frequency_free, resonance_speed,
     wave_generator_life, wave_generator_life_l50, wave_generator_life_with,
 };
-pub use heat::{
-    AMBIENT_REFERENCE, Heat, HeatModel, LossMeans, Settled, WINDING_TEMPERATURE_CONTINUOUS, copper_ohm,
-};
+pub use heat::{AMBIENT_REFERENCE, Heat, HeatModel, LossMeans, Settled, WINDING_TEMPERATURE_CONTINUOUS, copper_ohm};
 pub use motor::{
     ContinuousLimit, continuous_torque, continuous_torque_with, copper_resistance, current, driven_share,
     estimated_continuous_torque, explain_friction, explain_stall_loss, speed_max, speed_max_with, speed_rated_out,

@@ -229,11 +229,9 @@ fn explain_continuous(
     let source = Source::Model { name: "continuous-torque" };
     explain_stall_loss(actuator, work);
     let heat = &actuator.heat;
-    if let (Some(share), Some(constant), Some(motor)) = (
-        heat.housing_share.known(),
-        actuator.torque_constant_out.known(),
-        actuator.torque_constant_motor.known(),
-    ) {
+    if let (Some(share), Some(constant), Some(motor)) =
+        (heat.housing_share.known(), actuator.torque_constant_out.known(), actuator.torque_constant_motor.known())
+    {
         work.given_number("w", share);
         work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, constant);
         work.given("k_TM", &NEWTON_METRE_PER_AMPERE, motor);

@@ -1,7 +1,7 @@
 use super::*;
 use crate::{Curve, CurvePoint};
-use quantities::NoLoadCurrentConstant;
 use provenance::{CellRef, Datum};
+use quantities::NoLoadCurrentConstant;
 use quantities::unit::{
     AMPERE, MILLIAMPERE_PER_REVOLUTION_PER_MINUTE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, OHM, REVOLUTION_PER_MINUTE,
 };
@@ -16,7 +16,7 @@ fn heat() -> crate::Heat {
         housing_share: known(0.45),
         stall_loss_factor: known(1.0),
         loss_band: known((0.85, 1.15)),
-            intermittent_band_high: Datum::NotPrinted,
+        intermittent_band_high: Datum::NotPrinted,
         winding_time_constant: known(Time::from_si(60.0)),
         housing_time_constant: known(Time::from_si(2400.0)),
     }

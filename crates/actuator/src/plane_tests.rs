@@ -160,9 +160,7 @@ fn published_curves_win_and_are_cut_at_the_printed_torque() {
         .collect();
     // 34 falls to 32 a fifth of the way from 20 to 70.
     assert_eq!(corners, [(0.0, 32.0), (20.0, 32.0), (30.0, 32.0), (70.0, 24.0), (70.0, 0.0)]);
-    let at = |volts: f64| {
-        limit(&actuator, rpm(120.0), Some(ElectricPotential::from_si(volts)))
-    };
+    let at = |volts: f64| limit(&actuator, rpm(120.0), Some(ElectricPotential::from_si(volts)));
     assert!((at(220.0) - 50.0).abs() < 1e-9);
     assert!(at(160.0) < 40.0, "below the printed voltage the model answers");
     let actuator = Parameters { s3_curves: [curve(&[(0.0, 42.0), (120.0, 30.0)]), Datum::NotPrinted], ..actuator };

@@ -61,9 +61,8 @@ impl Network {
         let slow = a * d / quick;
         let tau_s = [-1.0 / quick, -1.0 / slow];
         let [tau_quick, tau_slow] = tau_s;
-        let gains = |residue: &dyn Fn(f64, f64) -> f64| {
-            [residue(quick, slow) * tau_quick, residue(slow, quick) * tau_slow]
-        };
+        let gains =
+            |residue: &dyn Fn(f64, f64) -> f64| [residue(quick, slow) * tau_quick, residue(slow, quick) * tau_slow];
         // What warms the housing reaches the winding as what warms the winding reaches the housing: the network is reciprocal.
         let across = gains(&|own, other| c / (c_w * (own - other)));
         Self {

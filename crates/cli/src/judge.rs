@@ -16,8 +16,8 @@ use std::path::PathBuf;
 use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
 use workbench::quantities::{Measure, format_number, format_significant};
 use workbench::text::{
-    check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, source_text, unmet_text,
-    verdict_word,
+    check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, ratios_text, source_text,
+    unmet_text, verdict_word,
 };
 use workbench::{
     Assessment, Candidate, CandidateId, Check, Demand, Language, Objection, Project, Sizing, Verdict, json,
@@ -94,6 +94,11 @@ fn sizing_text(
         Language::De => format!("{total} Antriebe beurteilt, {fitting} passen"),
     };
     let _ = writeln!(out, "{judged}\n");
+    if !project.ratios.is_empty() {
+        let head = t(language, "ratio of the stage: ", "Übersetzung der Stufe: ");
+        out.push_str(&paragraph(&head, &ratios_text(&project.ratios, language)));
+        out.push('\n');
+    }
     out.push_str(&moves::text(&workbench::moves(project), language));
     out.push('\n');
     if let Some(best) = sizing.answer() {

@@ -7,12 +7,14 @@ use run::{root, run, run_with};
 use serde_json::Value;
 use testkit::agrees;
 
-const EXAMPLES: [&str; 10] = [
+const EXAMPLES: [&str; 12] = [
     "examples/belt-axis.toml",
     "examples/indexing-table.toml",
     "examples/manual-example.toml",
     "examples/robot-joint.toml",
     "examples/screw-axis.toml",
+    "examples/slewing-arm.toml",
+    "examples/stage-axis.toml",
     "examples/tilting-arm.toml",
     "examples/tolerances.toml",
     "examples/turntable.toml",

@@ -57,10 +57,7 @@ fn sister(cha: &str, ratio: f64, constant_out: f64, resistance_phase: f64) -> Pa
         torque_constant_out: with(&own.torque_constant_out, TorqueConstant::from_si(constant_out)),
         torque_constant_motor: with(&own.torque_constant_motor, TorqueConstant::from_si(motor)),
         resistance_ll: with(&own.resistance_ll, ElectricalResistance::from_si(resistance_ll)),
-        no_load_starting_current: with(
-            &own.no_load_starting_current,
-            quantities::ElectricCurrent::from_si(starting),
-        ),
+        no_load_starting_current: with(&own.no_load_starting_current, quantities::ElectricCurrent::from_si(starting)),
         no_load_current_constant_30: constant(&own.no_load_current_constant_30),
         no_load_current_constant_80: constant(&own.no_load_current_constant_80),
         stall_current_motor: with(&own.stall_current_motor, quantities::ElectricCurrent::from_si(stall)),
@@ -110,7 +107,8 @@ fn the_model_of_20a_tells_the_points_of_other_sizes() {
         }
     }
     // The sizes that share no datum with the calibration lie closer together than the band.
-    let others: Vec<f64> = seen.iter().filter(|(d, r, _)| *d != "FHA-17C" && (*d, *r) != ("FHA-25C", "160")).map(|s| s.2).collect();
+    let others: Vec<f64> =
+        seen.iter().filter(|(d, r, _)| *d != "FHA-17C" && (*d, *r) != ("FHA-25C", "160")).map(|s| s.2).collect();
     assert_eq!(others.len(), 8);
     assert!(others.iter().all(|share| (0.9..=1.1).contains(share)), "{seen:?}");
 }

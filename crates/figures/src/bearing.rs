@@ -7,11 +7,11 @@ use crate::words::{amount, listed, say, subject};
 use plot::{Axis, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
 use workbench::quantities::unit::{NEWTON, NEWTON_METRE, SECOND};
 use workbench::quantities::{Language, Measure, Unit};
-use workbench::{Candidate, CheckId, FlangeSegment, Project};
+use workbench::{Candidate, CheckId, FlangeSample, Project};
 
-type Load = fn(&FlangeSegment) -> Option<f64>;
+type Load = fn(&FlangeSample) -> Option<f64>;
 
-/// Radial force, axial force and tilting moment on the output bearing, segment by segment.
+/// Radial force, axial force and tilting moment on the output bearing over the cycle.
 ///
 /// # Errors
 /// [`NoFigure::NoFlangeLoads`]
@@ -24,7 +24,7 @@ pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Lang
             &NEWTON,
             CheckId::BearingRadial,
             "F_R,dyn(max)",
-            |load| Some(load.radial_force.si()),
+            |load| Some(load.radial.si()),
             t("the radial force", "die Radialkraft"),
         ),
         (
@@ -32,7 +32,7 @@ pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Lang
             &NEWTON,
             CheckId::BearingAxial,
             "F_A,dyn(max)",
-            |load| Some(load.axial_force.si()),
+            |load| Some(load.axial.si()),
             t("the axial force", "die Axialkraft"),
         ),
         (
@@ -40,7 +40,7 @@ pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Lang
             &NEWTON_METRE,
             CheckId::BearingTiltingMoment,
             "M_dyn(max)",
-            |load| Some(load.tilting_moment?.si()),
+            |load| Some(load.moment?.si()),
             t("the tilting moment", "das Kippmoment"),
         ),
     ];
@@ -50,11 +50,8 @@ pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Lang
     }
     let mut told = Vec::new();
     for (axis, unit, id, symbol, of, name) in kinds {
-        let steps = course.iter().filter_map(|load| {
-            let (from, value) = (load.start.si(), unit.from_si(of(load)?));
-            Some([(from, value), (from + load.duration.si(), value)])
-        });
-        let steps: Vec<(f64, f64)> = steps.flatten().collect();
+        let steps = course.iter().filter_map(|load| Some((load.time.si(), unit.from_si(of(load)?))));
+        let steps: Vec<(f64, f64)> = steps.collect();
         if steps.is_empty() {
             continue;
         }
@@ -94,8 +91,8 @@ pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Lang
     }
     let description = format!("{}.", crate::words::sentence(&listed(&told, language)));
     let caption = t(
-        "Loads as the project states them, constant within a segment; the tilting moment is about the middle of the bearing. The limits hold one at a time; one far above the load is named and not drawn.",
-        "Lasten, wie das Projekt sie angibt, konstant in einem Abschnitt; das Kippmoment gilt für die Mitte des Lagers. Die Grenzen gelten je für sich; eine weit über der Last ist genannt und nicht gezeichnet.",
+        "Loads as the project states them, or as they follow from the mechanism; the tilting moment is about the middle of the bearing. The limits hold one at a time; one far above the load is named and not drawn.",
+        "Lasten, wie das Projekt sie angibt oder wie sie aus dem Mechanismus folgen; das Kippmoment gilt für die Mitte des Lagers. Die Grenzen gelten je für sich; eine weit über der Last ist genannt und nicht gezeichnet.",
     );
     Ok(Drawing::new(Figure::BearingLoad, &subject(candidate, &project.name), (165.0, 115.0), language).stacked(
         caption.to_owned(),

@@ -4,21 +4,26 @@
 //! give to the load, split into the part that does useful work and friction. The kinds differ only in how inertia and
 //! position-dependent torque arise: a [`Rotor`] turns with the output, a [`Linear`] drive moves a mass along a line, a
 //! [`SliderCrank`] does so with a changing lever, a [`Table`] is given point by point, the torque of a [`Joint`] is recorded.
+//! Between actuator and mechanism there may be a [`Stage`]; states and torques are those at the actuator's output all the same.
 
 mod body;
+mod flange;
 mod friction;
 mod joint;
 mod linear;
 mod rotor;
 mod slider_crank;
+mod stage;
 mod table;
 
 pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Shape, inertia};
+pub use flange::{Aligned, Contact, FlangeForces, Mounting};
 pub use friction::Friction;
 pub use joint::Joint;
 pub use linear::{Linear, LinearKind};
 pub use rotor::Rotor;
 pub use slider_crank::SliderCrank;
+pub use stage::{Stage, StageKind};
 pub use table::{Table, TableFault, TablePoint};
 
 use quantities::unit::STANDARD_GRAVITY;
@@ -109,6 +114,8 @@ pub struct Mechanism {
     pub efficiency_driving: f64,
     /// η while the load drives the actuator.
     pub efficiency_driven: f64,
+    /// What lies between the actuator and the mechanism; all of the above is on its far side.
+    pub stage: Option<Stage>,
 }
 
 /// The factors of a torque J α + T_h + T_c σ + b ω.
@@ -144,6 +151,7 @@ impl Mechanism {
             friction: Friction { coulomb: friction_torque, ..Friction::none() },
             efficiency_driving: 1.0,
             efficiency_driven: 1.0,
+            stage: None,
         }
     }
 
@@ -191,8 +199,9 @@ impl Mechanism {
     /// # Source   docs/theory/mechanisms.md, Lagrange's equation of one degree of freedom; cha-manual eq. 70.3, 70.5
     #[must_use]
     pub fn useful_torque(&self, output: &Output, extra: &Extra) -> f64 {
-        let reduced = self.reduced(output.position_rad, extra);
-        self.useful(&reduced, output)
+        let behind = self.behind(output);
+        let reduced = self.reduced(behind.position_rad, extra);
+        self.useful(&reduced, &behind)
     }
 
     fn useful(&self, reduced: &Reduced, output: &Output) -> f64 {
@@ -212,6 +221,17 @@ impl Mechanism {
     /// # Valid    at rest (σ = 0) neither friction nor efficiency counts: the torque that holds without their help
     #[must_use]
     pub fn torque(&self, output: &Output, extra: &Extra) -> f64 {
+        match self.gearing() {
+            None => self.own_torque(output, extra),
+            Some(stage) => {
+                let behind = stage.behind(output);
+                stage.torque(self.own_torque(&behind, extra), &behind, output)
+            }
+        }
+    }
+
+    /// The torque that the mechanism takes, behind the stage \[Nm\].
+    pub(crate) fn own_torque(&self, output: &Output, extra: &Extra) -> f64 {
         let reduced = self.reduced(output.position_rad, extra);
         let useful = self.useful(&reduced, output);
         let power = useful * output.direction;
@@ -225,22 +245,26 @@ impl Mechanism {
         passed + self.friction.coulomb.si() * output.direction + self.friction.viscous.si() * output.speed_rad_s
     }
 
-    /// J_L at a position.
+    /// J_L at a position of the actuator's output, referred to it.
     #[must_use]
     pub fn inertia(&self, position_rad: f64, extra: &Extra) -> MomentOfInertia {
-        match &self.kind {
-            Kind::Joint(joint) => joint.inertia,
-            _ => MomentOfInertia::from_si(self.reduced(position_rad, extra).inertia),
-        }
+        let inertia = match &self.kind {
+            // What is not stated does not become known by a stage.
+            Kind::Joint(joint) if joint.inertia.si() == 0.0 => return joint.inertia,
+            Kind::Joint(joint) => joint.inertia.si(),
+            _ => self.reduced(position_rad / self.stage_ratio(), extra).inertia,
+        };
+        MomentOfInertia::from_si(self.gearing().map_or(inertia, |stage| stage.inertia(inertia)))
     }
 
     /// Torque that holds the load at rest at a position without the help of friction.
     #[must_use]
     pub fn holding_torque(&self, position_rad: f64, extra: &Extra) -> Torque {
         if let Kind::Joint(joint) = &self.kind {
-            return joint.holding_torque.unwrap_or_else(|| Torque::from_si(0.0));
+            return Torque::from_si(self.before_stage(joint.holding_torque.map_or(0.0, Measure::si)));
         }
-        Torque::from_si(self.reduced(position_rad, extra).holding + self.friction.external.si())
+        let reduced = self.reduced(position_rad / self.stage_ratio(), extra);
+        Torque::from_si(self.before_stage(reduced.holding + self.friction.external.si()))
     }
 
     /// Whether torque or inertia depend on the position.
@@ -270,10 +294,12 @@ impl Mechanism {
     ///
     /// T = J α + T_h + T_c σ + b ω
     ///
-    /// # Valid    no dependence on the position and no efficiency, so that nothing switches with the sign of a torque
+    /// # Valid    no dependence on the position, no efficiency and no stage, so that nothing switches with the sign of a
+    /// torque and recorded torque counts as it is
     #[must_use]
     pub fn plain(&self, extra: &Extra) -> Option<Plain> {
-        if self.depends_on_position() || self.efficiency_driving != 1.0 || self.efficiency_driven != 1.0 {
+        let losses = self.efficiency_driving != 1.0 || self.efficiency_driven != 1.0;
+        if self.depends_on_position() || losses || self.gearing().is_some() {
             return None;
         }
         let reduced = self.reduced(0.0, extra);
@@ -299,16 +325,16 @@ impl Mechanism {
         }
     }
 
-    /// Travel along the line per angle of the output [m/rad], where it is constant.
+    /// Travel along the line per angle of the actuator's output [m/rad], where it is constant.
     #[must_use]
     pub fn travel_m_per_rad(&self) -> Option<f64> {
         match &self.kind {
-            Kind::Linear(linear) => Some(linear.travel_m_per_rad),
+            Kind::Linear(linear) => Some(linear.travel_m_per_rad / self.stage_ratio()),
             _ => None,
         }
     }
 
-    /// Positions within 0…2π (or the table's span) at which the reduced quantities have a kink.
+    /// Positions of the mechanism, behind a stage, within 0…2π (or the table's span) at which the reduced quantities have a kink.
     #[must_use]
     pub fn kinks(&self) -> Vec<f64> {
         match &self.kind {

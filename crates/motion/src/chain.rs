@@ -200,6 +200,50 @@ impl Motion {
         }
     }
 
+    /// The same motion in front of a stage that turns `ratio` times as far, at the same instants.
+    ///
+    /// q' = n q, ω' = n ω, α' = n α
+    #[must_use]
+    pub fn geared(&self, ratio: f64) -> Self {
+        if ratio == 1.0 {
+            return self.clone();
+        }
+        Self {
+            pieces: self.pieces.iter().map(|piece| piece.geared(ratio)).collect(),
+            recordings: self
+                .recordings
+                .iter()
+                .map(|placed| Placed {
+                    recorded: Arc::new(placed.recorded.geared(ratio)),
+                    offset_rad: placed.offset_rad * ratio,
+                    ..placed.clone()
+                })
+                .collect(),
+            net: Angle::from_si(self.net.si() * ratio),
+            stretches: self
+                .stretches
+                .iter()
+                .map(|stretch| Stretch {
+                    solved: stretch.solved.map(|solved| Solved {
+                        distance: Angle::from_si(solved.distance.si() * ratio),
+                        time: solved.time,
+                        speed: AngularVelocity::from_si(solved.speed.si() * ratio),
+                        acceleration: AngularAcceleration::from_si(solved.acceleration.si() * ratio),
+                    }),
+                    ..*stretch
+                })
+                .collect(),
+            manual: self.manual.as_ref().map(|moves| {
+                let geared = |each: &ManualMove| ManualMove {
+                    speed: AngularVelocity::from_si(each.speed.si() * ratio),
+                    ..*each
+                };
+                moves.iter().map(geared).collect()
+            }),
+            ..self.clone()
+        }
+    }
+
     /// The pieces of the laws, in order, each of positive duration.
     #[must_use]
     pub fn pieces(&self) -> &[Piece] {

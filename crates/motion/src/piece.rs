@@ -83,6 +83,19 @@ impl Piece {
         }
     }
 
+    /// The same piece with everything times a factor.
+    #[must_use]
+    pub(crate) fn geared(&self, ratio: f64) -> Self {
+        let [amplitude, frequency, phase] = self.harmonic;
+        Self {
+            position_rad: self.position_rad * ratio,
+            speed_rad_s: self.speed_rad_s * ratio,
+            polynomial: self.polynomial.map(|c| c * ratio),
+            harmonic: [amplitude * ratio, frequency, phase],
+            ..*self
+        }
+    }
+
     /// The state at a time from the beginning of the piece.
     #[must_use]
     pub fn at(&self, t: f64) -> State {
@@ -299,6 +312,24 @@ mod tests {
             assert!((a.position_rad - b.position_rad).abs() < 1e-12);
             assert!((a.speed_rad_s / 2.5 - b.speed_rad_s).abs() < 1e-12);
             assert!((a.acceleration_rad_s2 / 6.25 - b.acceleration_rad_s2).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_geared_piece_turns_as_much_further() {
+        let piece = Piece {
+            position_rad: 0.3,
+            speed_rad_s: -1.2,
+            harmonic: [4.0, 7.0, 0.4],
+            ..Piece::polynomial(1.3, [2.0, -3.0, 1.5, 0.7])
+        };
+        let geared = piece.geared(2.5);
+        for step in 0..=20 {
+            let t = 1.3 * f64::from(step) / 20.0;
+            let (a, b) = (piece.at(t), geared.at(t));
+            assert!((2.5 * a.position_rad - b.position_rad).abs() < 1e-12);
+            assert!((2.5 * a.speed_rad_s - b.speed_rad_s).abs() < 1e-12);
+            assert!((2.5 * a.acceleration_rad_s2 - b.acceleration_rad_s2).abs() < 1e-12);
         }
     }
 

@@ -100,6 +100,12 @@ impl Recorded {
         })
     }
 
+    /// The same samples in front of a stage that turns `ratio` times as far; the torque stays that of the mechanism.
+    pub(crate) fn geared(&self, ratio: f64) -> Self {
+        let times = |values: &[f64]| values.iter().map(|value| value * ratio).collect();
+        Self { position_rad: times(&self.position_rad), speed_rad_s: times(&self.speed_rad_s), ..self.clone() }
+    }
+
     /// Instants from the first sample \[s\].
     #[must_use]
     pub fn time_s(&self) -> &[f64] {

@@ -1,6 +1,8 @@
 //! The axis: load and motion, prepared once for all candidates.
 
+use crate::flange::{DerivedLoads, Known};
 use crate::resonance::{self, Held};
+use crate::swings::SmallSwings;
 use crate::trace::Trace;
 use actuator::FlangeLoad;
 use mechanism::{Endless, Extra, Mechanism};
@@ -39,8 +41,10 @@ impl OperatingCondition {
 /// What the output bearing has to bear, and what is asked of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BearingDuty {
-    /// Forces on the flange in each segment of the motion.
+    /// Forces on the flange in each segment of the motion, as the user states them.
     pub loads: Vec<FlangeLoad>,
+    /// Those that follow from the mechanism besides.
+    pub derived: Option<DerivedLoads>,
     /// f_w: load factor of table 74.2.
     pub load_factor: Option<f64>,
     /// Operating condition, for the static safety.
@@ -215,6 +219,9 @@ pub struct Axis {
     pub(crate) held: OnceLock<Vec<Held>>,
     /// J_L and T_L where the manual's equations describe the load.
     pub(crate) plain: Option<(MomentOfInertia, Torque)>,
+    /// Loads on the flange that were worked out for some bearing.
+    pub(crate) flange_known: Known,
+    pub(crate) small_swings: OnceLock<SmallSwings>,
 }
 
 impl Axis {
@@ -239,6 +246,8 @@ impl Axis {
             asked: Asked::default(),
             moments,
             trace,
+            flange_known: Known::default(),
+            small_swings: OnceLock::new(),
             held: OnceLock::new(),
         }
     }
@@ -252,6 +261,11 @@ impl Axis {
         let (segment, _) = found.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
         let most = crate::trace::build::REVOLUTIONS_MOST;
         (revolutions > most).then_some(TooManyRevolutions { segment: *segment, revolutions, most })
+    }
+
+    /// The swings below the manual's 5°; only the output bearing asks for them.
+    pub(crate) fn small_swings(&self) -> SmallSwings {
+        *self.small_swings.get_or_init(|| SmallSwings::of(self))
     }
 
     /// Whether so few instants make the cycle that judging an actuator costs microseconds.
@@ -305,6 +319,7 @@ impl Axis {
 /// J_L and T_L of a load that is a constant inertia with a friction that does not depend on the speed, and nothing else.
 fn plain_load(mechanism: &Mechanism, extras: &[Extra]) -> Option<(MomentOfInertia, Torque)> {
     let plain = mechanism.is_constant_over_ramps()
+        && mechanism.stage.is_none_or(|stage| stage.changes_nothing())
         && mechanism.efficiency_driving == 1.0
         && mechanism.efficiency_driven == 1.0
         && extras.iter().all(|extra| *extra == Extra::none())

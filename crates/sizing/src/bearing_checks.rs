@@ -3,60 +3,88 @@
 use crate::axis::{Axis, BearingDuty};
 use crate::check::{Check, CheckId, Note, Verdict};
 use crate::comparison::{Asking, Comparison, at_least, equation, explained, not_checked, shown_or_at_most};
+use crate::flange::{CycleLoads, Peak};
+use crate::swings::SWING_MIN_DEG;
 use crate::workings;
 use actuator::{BearingType, FlangeLoad, OutputBearing};
 use derivation::Workings;
 use provenance::{CellRef, Grade, Missing, Source, Sourced};
 use quantities::unit::{ARCMINUTE, DEGREE, HOUR, METRE, NEWTON, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, ONE};
-use quantities::{Angle, Force, Length, Measure, Torque};
+use quantities::{Angle, Force, Length, Measure, Time, Torque};
 use std::borrow::Cow;
-
-/// Below this swing the manual warns of fretting (section 7.3.2).
-const SWING_MIN_DEG: f64 = 5.0;
 
 /// The model of tilting moment, life, safety and tilt.
 const MODEL: Source = Source::Model { name: "output-bearing" };
 
-/// Every check of the output bearing; none where the user gave no loads.
+/// The model of the loads that follow from the mechanism.
+const DERIVED: Source = Source::Model { name: "flange-loads" };
+
+/// Every check of the output bearing; none where no loads are known.
 pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing, explain: bool, checks: &mut Vec<Check>) {
     let Some(duty) = &axis.bearing else { return };
     checks.push(explained(explain, |work| {
         let limit = bearing.axial_max.require("F_A_dyn_max");
-        let value = largest(duty, |load| load.axial_force.si());
-        if limit.is_ok() {
-            largest_force(duty, ("F_a", "max F_a over the segments"), value, "bearing.axial_force", work);
-        }
-        force(CheckId::BearingAxial, value, "bearing.axial_force", ("F_A_dyn_max", limit), work)
+        let names = ("F_a", "max F_a over the segments", "bearing.axial_force");
+        force(CheckId::BearingAxial, axis, duty, (names, |loads| loads.axial), ("F_A_dyn_max", limit, bearing), work)
     }));
     checks.push(explained(explain, |work| {
         let limit = bearing.radial_max.require("F_R_dyn_max");
-        let value = largest(duty, |load| load.radial_force.si());
-        if limit.is_ok() {
-            largest_force(duty, ("F_r", "max F_r over the segments"), value, "bearing.radial_force", work);
-        }
-        force(CheckId::BearingRadial, value, "bearing.radial_force", ("F_R_dyn_max", limit), work)
+        let names = ("F_r", "max F_r over the segments", "bearing.radial_force");
+        force(CheckId::BearingRadial, axis, duty, (names, |loads| loads.radial), ("F_R_dyn_max", limit, bearing), work)
     }));
-    checks.push(explained(explain, |work| tilting_moment(duty, bearing, work)));
+    checks.push(explained(explain, |work| tilting_moment(axis, duty, bearing, work)));
     checks.push(explained(explain, |work| life(axis, duty, bearing, work)));
-    checks.push(explained(explain, |work| static_safety(duty, bearing, work)));
-    checks.push(explained(explain, |work| tilt_angle(duty, bearing, work)));
+    checks.push(explained(explain, |work| static_safety(axis, duty, bearing, work)));
+    checks.push(explained(explain, |work| tilt_angle(axis, duty, bearing, work)));
 }
+
+/// The loads over the cycle; averages only where loads follow from the mechanism.
+fn cycle_loads(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> CycleLoads {
+    let offset = bearing.offset.known().map_or_else(|| Length::from_si(0.0), |offset| offset.value);
+    let exponent = bearing.kind.known().map_or(3.0, |kind| kind.value.life_exponent());
+    axis.cycle_loads(offset, exponent).unwrap_or_else(|| {
+        let peak = |value: &dyn Fn(&FlangeLoad) -> f64| {
+            let starts = axis.motion.stretches().iter().map(|stretch| stretch.start.si());
+            let all = duty.loads.iter().zip(starts).map(|(load, at)| Peak { value: value(load), at });
+            all.fold(Peak::default(), |best, here| if here.value > best.value { here } else { best })
+        };
+        CycleLoads {
+            radial: peak(&|load| load.radial_force.si()),
+            axial: peak(&|load| load.axial_force.si()),
+            moment: peak(&|load| actuator::tilting_moment(load, offset).si()),
+            ..CycleLoads::default()
+        }
+    })
+}
+
+/// The instant of a peak, where loads change within a segment.
+fn instant(duty: &BearingDuty, peak: Peak) -> Option<Time> {
+    duty.derived.as_ref().map(|_| Time::from_si(peak.at))
+}
+
+/// Symbol, text of the largest over the segments, and key of a force that the user states.
+type Names = (&'static str, &'static str, &'static str);
 
 /// F_a ≤ F_A,dyn(max) and F_r ≤ F_R,dyn(max), each alone (table 55.1, footnote 4).
 fn force<Q: Measure>(
     id: CheckId,
-    value: f64,
-    key: &'static str,
-    (symbol, limit): (&'static str, Result<&Sourced<Q>, Missing>),
+    axis: &Axis,
+    duty: &BearingDuty,
+    (names, of): (Names, fn(&CycleLoads) -> Peak),
+    (symbol, limit, bearing): (&'static str, Result<&Sourced<Q>, Missing>, &OutputBearing),
     work: &mut Workings,
 ) -> Check {
-    match limit {
+    match limit.and_then(|limit| duty.forces_known(axis).map(|()| limit)) {
         Ok(limit) => {
+            let peak = of(&cycle_loads(axis, duty, bearing));
+            let source = if duty.derived.is_some() { DERIVED } else { Source::Project { key: names.2.into() } };
+            largest_force(duty, names, peak.value, work);
             work.given(symbol, &NEWTON, limit);
             work.limit(symbol);
             Comparison {
+                at: instant(duty, peak),
                 notes: Cow::Borrowed(&[Note::LoadsOneAtATime]),
-                ..Comparison::with(id, &NEWTON, value, Source::Project { key: key.into() }, limit)
+                ..Comparison::with(id, &NEWTON, peak.value, source, limit)
             }
             .answer(Verdict::Fail)
         }
@@ -64,15 +92,15 @@ fn force<Q: Measure>(
     }
 }
 
-/// The largest value over the segments, at rest as well as in motion.
-fn largest(duty: &BearingDuty, value: impl Fn(&FlangeLoad) -> f64) -> f64 {
-    duty.loads.iter().map(value).fold(0.0, f64::max)
-}
-
 /// The largest tilting moment of the cycle.
-fn moment_of(duty: &BearingDuty, bearing: &OutputBearing) -> Result<Torque, Missing> {
-    let offset = bearing.offset.require("R")?;
-    Ok(Torque::from_si(largest(duty, |load| actuator::tilting_moment(load, offset.value).si())))
+pub(crate) fn largest_tilting_moment(
+    axis: &Axis,
+    duty: &BearingDuty,
+    bearing: &OutputBearing,
+) -> Result<Peak, Missing> {
+    bearing.offset.require("R")?;
+    duty.moment_known(axis)?;
+    Ok(cycle_loads(axis, duty, bearing).moment)
 }
 
 /// Whether every segment carries the same.
@@ -81,24 +109,23 @@ fn is_constant(duty: &BearingDuty) -> bool {
 }
 
 /// The workings of the largest force.
-fn largest_force(
-    duty: &BearingDuty,
-    (symbol, text): (&'static str, &'static str),
-    value: f64,
-    key: &'static str,
-    work: &mut Workings,
-) {
+fn largest_force(duty: &BearingDuty, (symbol, text, key): Names, value: f64, work: &mut Workings) {
     if !work.is_on() {
         return;
     }
     let source = Source::Project { key: key.into() };
-    if is_constant(duty) {
+    if duty.derived.is_some() {
+        work.found(symbol, &NEWTON, value, FROM_THE_MECHANISM, &DERIVED, Grade::Computed);
+    } else if is_constant(duty) {
         work.figure(symbol, &NEWTON, value, &source, Grade::Printed);
     } else {
         work.found(symbol, &NEWTON, value, text, &source, Grade::Printed);
     }
     work.value(symbol);
 }
+
+/// Where a largest load is from that follows from the mechanism.
+const FROM_THE_MECHANISM: &str = "largest over the cycle, of the mechanism and of what is stated";
 
 /// The workings of the tilting moment under one load, `M`: what the user gave, from the segment that `text` names where
 /// there are several.
@@ -129,8 +156,13 @@ fn load_moment(
 }
 
 /// The workings of the largest tilting moment, `M`.
-pub(crate) fn largest_moment(duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) {
+pub(crate) fn largest_moment(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) {
     let Some(offset) = bearing.offset.known().filter(|_| work.is_on()) else { return };
+    if duty.derived.is_some() {
+        let moment = cycle_loads(axis, duty, bearing).moment.value;
+        work.found("M", &NEWTON_METRE, moment, FROM_THE_MECHANISM, &DERIVED, Grade::Computed);
+        return;
+    }
     let moment = |load: &FlangeLoad| actuator::tilting_moment(load, offset.value).si();
     let largest = duty.loads.iter().max_by(|a, b| moment(a).total_cmp(&moment(b)));
     if let Some(load) = largest {
@@ -138,18 +170,31 @@ pub(crate) fn largest_moment(duty: &BearingDuty, bearing: &OutputBearing, work: 
     }
 }
 
-/// The averages of eq. 75.2 and 75.3 over the segments.
+/// The averages of eq. 75.2 and 75.3 over the cycle.
 struct MeanLoad {
     /// F_rav and F_aav; no distances.
     load: FlangeLoad,
     /// The averages of F_r (L_r + R) and of F_a L_a.
     moments: [f64; 2],
+    /// That of the moment of the mechanism.
+    of_mechanism: f64,
 }
 
 impl MeanLoad {
     /// F_r (L_r + R) and F_a L_a are averaged like the forces, so that with distances that do not change the moment is
     /// F_rav (L_r + R) + F_aav L_a.
     fn of(axis: &Axis, duty: &BearingDuty, offset: Length, exponent: f64) -> Self {
+        if let Some(found) = axis.cycle_loads(offset, exponent) {
+            let ([radial, axial], [of_mechanism, by_radial, by_axial]) = (found.means, found.mean_moments);
+            let none = Length::from_si(0.0);
+            let load = FlangeLoad {
+                radial_force: Force::from_si(radial),
+                radial_distance: none,
+                axial_force: Force::from_si(axial),
+                axial_distance: none,
+            };
+            return Self { load, moments: [by_radial, by_axial], of_mechanism };
+        }
         // Segments one after the other often carry the same.
         let mut parts: Vec<(&FlangeLoad, f64)> = Vec::new();
         for (load, share) in duty.loads.iter().zip(&axis.trace.shares) {
@@ -166,7 +211,7 @@ impl MeanLoad {
         {
             // The mean of one load is that load.
             let moments = [by_radial(load), by_axial(load)];
-            return Self { load: FlangeLoad { radial_distance, axial_distance, ..**load }, moments };
+            return Self { load: FlangeLoad { radial_distance, axial_distance, ..**load }, moments, of_mechanism: 0.0 };
         }
         let mean = |value: &dyn Fn(&FlangeLoad) -> f64| {
             let parts = parts.iter().map(|(load, travelled)| (value(load), Angle::from_si(*travelled)));
@@ -178,34 +223,39 @@ impl MeanLoad {
             axial_force: Force::from_si(mean(&|load| load.axial_force.si())),
             axial_distance,
         };
-        Self { load, moments: [mean(&by_radial), mean(&by_axial)] }
+        Self { load, moments: [mean(&by_radial), mean(&by_axial)], of_mechanism: 0.0 }
     }
 
     /// The tilting moment of the averages.
     fn moment(&self) -> Torque {
         let [radial, axial] = self.moments;
-        Torque::from_si(radial + axial)
+        Torque::from_si(self.of_mechanism + radial + axial)
     }
 }
 
 /// The load of all segments in motion, where it is one.
 fn only_load<'a>(axis: &Axis, duty: &'a BearingDuty) -> Option<&'a FlangeLoad> {
+    if duty.derived.is_some() {
+        return None;
+    }
     let shares = duty.loads.iter().zip(&axis.trace.shares);
     let mut moving = shares.filter(|(_, share)| share.travelled != 0.0).map(|(load, _)| load);
     moving.next().filter(|first| moving.all(|load| load == *first))
 }
 
 /// M ≤ M_dyn(max): from the tilt that the gear allows, so it holds even where the life would allow more.
-fn tilting_moment(duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
+fn tilting_moment(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
     let id = CheckId::BearingTiltingMoment;
-    let found = moment_of(duty, bearing).and_then(|m| Ok((m, bearing.tilting_moment_max.require("M_dyn_max")?)));
+    let found = largest_tilting_moment(axis, duty, bearing)
+        .and_then(|m| Ok((m, bearing.tilting_moment_max.require("M_dyn_max")?)));
     match found {
         Ok((moment, limit)) => {
-            largest_moment(duty, bearing, work);
+            largest_moment(axis, duty, bearing, work);
             work.value("M");
             work.given("M_dyn_max", &NEWTON_METRE, limit);
             work.limit("M_dyn_max");
-            Comparison::with(id, &NEWTON_METRE, moment.si(), MODEL, limit).answer(Verdict::Fail)
+            let at = instant(duty, moment);
+            Comparison { at, ..Comparison::with(id, &NEWTON_METRE, moment.value, MODEL, limit) }.answer(Verdict::Fail)
         }
         Err(missing) => not_checked(id, missing),
     }
@@ -220,6 +270,7 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Wor
         let rating = bearing.dynamic_rating.require("C")?;
         let kind = bearing.kind.require("bearing_type")?;
         let load_factor = duty.load_factor.ok_or(Missing { symbol: "f_w" })?;
+        duty.moment_known(axis)?;
         let mean = MeanLoad::of(axis, duty, offset.value, kind.value.life_exponent());
         let equivalent = actuator::dynamic_equivalent_load(&mean.load, mean.moment(), pitch.value);
         if equivalent.si() <= 0.0 {
@@ -235,7 +286,7 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Wor
             let only = only_load(axis, duty);
             match only {
                 Some(load) => load_moment(duty, load, offset, "in every segment in motion", work),
-                None => explain_mean_load(&mean, offset, work),
+                None => explain_mean_load(&mean, offset, duty.derived.is_some(), work),
             }
             explain_equivalent_load(&mean, only.is_some(), (pitch, equivalent), work);
             let factor = Source::Project { key: "bearing.load_factor".into() };
@@ -249,22 +300,36 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Wor
         }
         Ok(life)
     })();
-    let life = match found {
-        Ok(life) => life,
-        Err(missing) => return not_checked(id, missing),
-    };
     let number = if axis.moments().is_swing() { "74.3" } else { "74.1" };
-    let (asked, key) = (duty.life_min.map(Measure::si), "requirements.bearing_life_min");
-    work.asked("L_10_min", &HOUR, asked, key);
-    let mut check = at_least(id, &HOUR, life.si(), asked, key, equation(number));
-    let swing = axis.moments().angle_swing;
-    if axis.moments().is_swing() && swing.in_unit(&DEGREE) < SWING_MIN_DEG {
-        check.notes.to_mut().push(Note::SwingTooSmall { swing });
-        if check.verdict == Verdict::Pass {
-            check.verdict = Verdict::Advice;
+    let mut check = match found {
+        Ok(life) => {
+            let (asked, key) = (duty.life_min.map(Measure::si), "requirements.bearing_life_min");
+            work.asked("L_10_min", &HOUR, asked, key);
+            at_least(id, &HOUR, life.si(), asked, key, equation(number))
         }
-    }
+        Err(missing) => not_checked(id, missing),
+    };
+    fretting(axis, &mut check);
     check
+}
+
+/// Small swings may fret the bearing, whatever its life by rolling is: a remark, and advice where a life is told that does
+/// not fail by itself.
+fn fretting(axis: &Axis, check: &mut Check) {
+    let (moments, small) = (axis.moments(), axis.small_swings());
+    if !small.are_told() {
+        return;
+    }
+    let swing = moments.angle_swing;
+    check.notes.to_mut().push(if moments.is_swing() && swing.in_unit(&DEGREE) < SWING_MIN_DEG {
+        Note::SwingTooSmall { swing }
+    } else {
+        Note::SmallSwings { count: small.count, largest: small.largest, share: small.share }
+    });
+    if check.value.is_some() && check.verdict != Verdict::Fail {
+        check.verdict = Verdict::Advice;
+        check.missing = None;
+    }
 }
 
 /// Columns of table 74.5: exponent B of the life by the type of the bearing.
@@ -292,19 +357,33 @@ fn explain_exponent(kind: &Sourced<BearingType>, work: &mut Workings) {
 }
 
 /// The workings of the averages, where the load changes: `F_rav`, `F_aav` and `M`.
-fn explain_mean_load(mean: &MeanLoad, offset: &Sourced<Length>, work: &mut Workings) {
+fn explain_mean_load(mean: &MeanLoad, offset: &Sourced<Length>, derived: bool, work: &mut Workings) {
     let [radial, axial] = mean.moments;
     let (by_radial, by_axial) = (equation("75.2"), equation("75.3"));
-    let text = "(Σ |n_k| t_k F_rk^B / Σ |n_k| t_k)^(1/B) over the segments";
-    work.found("F_rav", &NEWTON, mean.load.radial_force.si(), text, &by_radial, Grade::Computed);
-    let text = "(Σ |n_k| t_k F_ak^B / Σ |n_k| t_k)^(1/B) over the segments";
-    work.found("F_aav", &NEWTON, mean.load.axial_force.si(), text, &by_axial, Grade::Computed);
-    work.given("R", &METRE, offset);
+    if derived {
+        let text = "(∫|ω| F_r^B dt / ∫|ω| dt)^(1/B) over the cycle";
+        work.found("F_rav", &NEWTON, mean.load.radial_force.si(), text, &by_radial, Grade::Computed);
+        let text = "(∫|ω| F_a^B dt / ∫|ω| dt)^(1/B) over the cycle";
+        work.found("F_aav", &NEWTON, mean.load.axial_force.si(), text, &by_axial, Grade::Computed);
+        work.given("R", &METRE, offset);
+        let text = "(∫|ω| M_L^B dt / ∫|ω| dt)^(1/B) over the cycle";
+        work.found("M_L", &NEWTON_METRE, mean.of_mechanism, text, &DERIVED, Grade::Computed);
+    }
+    if !derived {
+        let text = "(Σ |n_k| t_k F_rk^B / Σ |n_k| t_k)^(1/B) over the segments";
+        work.found("F_rav", &NEWTON, mean.load.radial_force.si(), text, &by_radial, Grade::Computed);
+        let text = "(Σ |n_k| t_k F_ak^B / Σ |n_k| t_k)^(1/B) over the segments";
+        work.found("F_aav", &NEWTON, mean.load.axial_force.si(), text, &by_axial, Grade::Computed);
+    }
+    if !derived {
+        work.given("R", &METRE, offset);
+    }
     let text = "(Σ |n_k| t_k (F_rk (L_rk + R))^B / Σ |n_k| t_k)^(1/B) over the segments";
     work.found("M_r", &NEWTON_METRE, radial, text, &MODEL, Grade::Computed);
     let text = "(Σ |n_k| t_k (F_ak L_ak)^B / Σ |n_k| t_k)^(1/B) over the segments";
     work.found("M_a", &NEWTON_METRE, axial, text, &MODEL, Grade::Computed);
-    work.formula("M", &NEWTON_METRE, radial + axial, "M_r + M_a", &MODEL);
+    let (moment, text) = (mean.moment().si(), if derived { "M_L + M_r + M_a" } else { "M_r + M_a" });
+    work.formula("M", &NEWTON_METRE, moment, text, &MODEL);
 }
 
 /// The workings of the dynamic equivalent load, `P_c`; `constant`: of the loads themselves, not of averages.
@@ -324,24 +403,32 @@ fn explain_equivalent_load(
     work.formula("P_c", &NEWTON, equivalent.si(), text, &equation("75.1"));
 }
 
-/// f_s = C_0/P_0 ≥ the least of the operating condition (eq. 76.1, table 76.3).
-fn static_safety(duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
+/// f_s = C_0/P_0 ≥ the least of the operating condition (eq. 76.1, table 76.3), of the largest F_r, F_a and M of the cycle
+/// taken together, as the maker's sister series does (docs/theory/output-bearing.md).
+fn static_safety(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
     let id = CheckId::BearingStatic;
     let found = (|| {
         let offset = bearing.offset.require("R")?;
         let pitch = bearing.pitch_diameter.require("d_p")?;
         let rating = bearing.static_rating.require("C_0")?;
-        let of = |load: &FlangeLoad| {
-            let moment = actuator::tilting_moment(load, offset.value);
-            actuator::static_safety(rating.value, load, moment, pitch.value)
+        duty.moment_known(axis)?;
+        let largest = cycle_loads(axis, duty, bearing);
+        let load = FlangeLoad {
+            radial_force: Force::from_si(largest.radial.value),
+            radial_distance: Length::from_si(0.0),
+            axial_force: Force::from_si(largest.axial.value),
+            axial_distance: Length::from_si(0.0),
         };
-        let safety = duty.loads.iter().map(of).fold(f64::INFINITY, f64::min);
+        let moment = Torque::from_si(largest.moment.value);
+        let safety = actuator::static_safety(rating.value, &load, moment, pitch.value);
         if !safety.is_finite() {
             return Err(Missing { symbol: "F_r" });
         }
-        let governing = duty.loads.iter().filter(|_| work.is_on()).find(|load| of(load) == safety);
-        if let Some(load) = governing {
-            load_moment(duty, load, offset, "in the segment of the least f_s", work);
+        if work.is_on() {
+            match duty.loads.first().filter(|_| duty.derived.is_none() && is_constant(duty)) {
+                Some(load) => load_moment(duty, load, offset, "", work),
+                None => explain_largest(&largest, duty, work),
+            }
             work.given("d_p", &METRE, pitch);
             work.given("C_0", &NEWTON, rating);
             let equivalent = rating.value.si() / safety;
@@ -361,16 +448,28 @@ fn static_safety(duty: &BearingDuty, bearing: &OutputBearing, work: &mut Working
     }
 }
 
+/// The workings of the largest loads of the cycle, each by itself: `F_r`, `F_a` and `M`.
+fn explain_largest(largest: &CycleLoads, duty: &BearingDuty, work: &mut Workings) {
+    let source = if duty.derived.is_some() { DERIVED } else { MODEL };
+    let text = if duty.derived.is_some() { FROM_THE_MECHANISM } else { "largest over the segments" };
+    for (symbol, unit, peak) in
+        [("F_r", &NEWTON, largest.radial), ("F_a", &NEWTON, largest.axial), ("M", &NEWTON_METRE, largest.moment)]
+    {
+        work.found(symbol, unit, peak.value, text, &source, Grade::Computed);
+    }
+}
+
 /// γ = M/K_B ≤ the tilt permitted (eq. 76.4).
-fn tilt_angle(duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
+fn tilt_angle(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
     let id = CheckId::TiltAngle;
-    let found = moment_of(duty, bearing).and_then(|m| Ok((m, bearing.tilting_stiffness.require("K_B")?)));
+    let found = largest_tilting_moment(axis, duty, bearing)
+        .and_then(|m| Ok((Torque::from_si(m.value), bearing.tilting_stiffness.require("K_B")?)));
     let (moment, stiffness) = match found {
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
     let tilt = actuator::tilt_angle(moment, stiffness.value).si();
-    largest_moment(duty, bearing, work);
+    largest_moment(axis, duty, bearing, work);
     work.given("K_B", &NEWTON_METRE_PER_ARCMINUTE, stiffness);
     work.formula("gamma", &ARCMINUTE, tilt, "M/K_B", &equation("76.4"));
     work.value("gamma");

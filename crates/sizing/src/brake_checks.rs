@@ -49,7 +49,7 @@ pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool) -> Vec<Ch
 /// Nothing holds: the load stays only where friction at the output is at least what moves it.
 fn free(axis: &Axis, work: &mut Workings) -> Check {
     let friction = provenance::Sourced {
-        value: axis.mechanism.friction.coulomb,
+        value: axis.mechanism.coulomb_torque(),
         source: Source::Project { key: "friction_torque".into() },
         grade: Grade::Computed,
         errata: &[],

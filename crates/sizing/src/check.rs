@@ -261,6 +261,15 @@ pub enum Note {
         /// Swing of the axis.
         swing: Angle,
     },
+    /// Swings below 5° among larger ones: the bearing may fret for want of lubrication.
+    SmallSwings {
+        /// How many happen in one cycle.
+        count: usize,
+        /// The largest of them.
+        largest: Angle,
+        /// Their share of the angle travelled.
+        share: f64,
+    },
     /// The gear's rating is that of an interchangeable gear of another maker with the same T_R.
     RatingOfInterchangeableGear,
     /// The permissible loads hold one at a time; together the life and the static safety decide.

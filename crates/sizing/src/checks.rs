@@ -310,3 +310,7 @@ fn ambient(stated: ThermodynamicTemperature, actuator: &Parameters, work: &mut W
         workings: Vec::new(),
     }
 }
+
+#[cfg(test)]
+#[path = "checks_tests.rs"]
+mod tests;

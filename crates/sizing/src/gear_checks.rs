@@ -5,6 +5,7 @@ use crate::bearing_checks;
 use crate::check::{Check, CheckId, Note, Verdict};
 use crate::comparison::{Asking, Comparison, at_least, equation, explained, not_checked, shown_or_at_most};
 use crate::resonance;
+use crate::stage;
 use crate::workings;
 use actuator::{BudgetCase, ErrorBudget, ErrorKind, Feedback, FeedbackSide, Gear, Parameters, PositionLoop};
 use derivation::Workings;
@@ -165,10 +166,11 @@ fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f
 /// Sum of all angular errors at the output, and its deviation at the lever arm.
 fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::ErrorBudget;
-    let offset = actuator.output_bearing.offset.known();
-    let moment = axis.bearing.as_ref().zip(offset).map(|(duty, offset)| {
-        duty.loads.iter().map(|load| actuator::tilting_moment(load, offset.value).si()).fold(0.0, f64::max)
-    });
+    let bearing = &actuator.output_bearing;
+    let moment = axis
+        .bearing
+        .as_ref()
+        .and_then(|duty| Some(bearing_checks::largest_tilting_moment(axis, duty, bearing).ok()?.value));
     let case = BudgetCase {
         torque: axis.moments().load_peak,
         tilting_moment: moment.map(Torque::from_si),
@@ -177,14 +179,20 @@ fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Chec
     if axis.asked.loop_at_output && matches!(actuator.feedback_out.accuracy, Datum::NotApplicable) {
         return not_checked(id, Missing { symbol: "EC" });
     }
-    let budget = actuator::error_budget(actuator, &case);
+    let mut budget = actuator::error_budget(actuator, &case);
     if budget.contributions.is_empty() {
         return not_checked(id, Missing { symbol: "transmission_accuracy" });
+    }
+    if let Some(stage) = &axis.mechanism.stage {
+        stage::behind(stage, &mut budget, case.torque);
     }
     let worst = budget.worst_case();
     let deviation = axis.asked.lever_arm.map(|lever| actuator::deviation_at(worst, lever));
     if work.is_on() {
         explain_budget(axis, actuator, (&case, &budget), work);
+        if let Some(stage) = &axis.mechanism.stage {
+            stage::explain_budget(stage, (worst, case.torque), work);
+        }
     }
     let source = Source::Model { name: "error-budget" };
     let mut check = match (deviation, axis.asked.deviation_max) {
@@ -260,14 +268,11 @@ fn explain_budget(
         let texts = ("resolution", "resolution_out", "resolution/i");
         explain_feedback(&feedback.resolution, feedback, &actuator.ratio, texts, work);
     }
-    match (case.tilting_moment, actuator.output_bearing.tilting_stiffness.known(), &axis.bearing) {
-        (Some(moment), Some(stiffness), Some(duty)) => {
-            bearing_checks::largest_moment(duty, &actuator.output_bearing, work);
-            work.given("K_B", &NEWTON_METRE_PER_ARCMINUTE, stiffness);
-            let tilt = actuator::tilt_angle(moment, stiffness.value);
-            work.formula("gamma", &ARCMINUTE, tilt.si(), "M/K_B", &equation("76.4"));
-        }
-        _ => missing(work, "gamma", &ARCMINUTE),
+    if axis.mechanism.stage.is_some() {
+        let text = "a tilt of the flange does not turn what is behind the stage";
+        work.found("gamma", &ARCMINUTE, 0.0, text, &stage::MODEL, Grade::Computed);
+    } else {
+        explain_tilt(axis, actuator, case, work);
     }
     let text = if motor {
         "transmission_accuracy + repeatability + hysteresis_loss + lost_motion + phi \
@@ -275,7 +280,30 @@ fn explain_budget(
     } else {
         "(accuracy_out + resolution_out)/60 + gamma"
     };
-    work.formula("phi_sum", &ARCMINUTE, budget.worst_case().si(), text, &source);
+    match &axis.mechanism.stage {
+        None => work.formula("phi_sum", &ARCMINUTE, budget.worst_case().si(), text, &source),
+        Some(stage) => {
+            let before = stage::before(stage, budget);
+            work.formula("phi_out", &ARCMINUTE, before.si(), text, &source);
+        }
+    }
+}
+
+/// The workings of the tilt of the flange, `gamma`.
+fn explain_tilt(axis: &Axis, actuator: &Parameters, case: &BudgetCase, work: &mut Workings) {
+    let source = Source::Model { name: "error-budget" };
+    let missing = |work: &mut Workings, symbol, unit| {
+        work.found(symbol, unit, 0.0, "not known: counted as 0", &source, Grade::Computed);
+    };
+    match (case.tilting_moment, actuator.output_bearing.tilting_stiffness.known(), &axis.bearing) {
+        (Some(moment), Some(stiffness), Some(duty)) => {
+            bearing_checks::largest_moment(axis, duty, &actuator.output_bearing, work);
+            work.given("K_B", &NEWTON_METRE_PER_ARCMINUTE, stiffness);
+            let tilt = actuator::tilt_angle(moment, stiffness.value);
+            work.formula("gamma", &ARCMINUTE, tilt.si(), "M/K_B", &equation("76.4"));
+        }
+        _ => missing(work, "gamma", &ARCMINUTE),
+    }
 }
 
 /// The workings of an angle of the feedback at the output.
@@ -364,9 +392,13 @@ fn torsion(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let source = Source::Equation { number: "73.1" };
     let (limit, key) = (axis.asked.torsion_max.map(Measure::si), "requirements.torsion_max");
     explain_torsion(&actuator.gear, worst, work);
-    work.value("phi");
+    let (angle, symbol, source) = match &axis.mechanism.stage {
+        None => (curve.angle(worst), "phi", source),
+        Some(stage) => (stage::torsion(stage, curve.angle(worst), worst, work), "phi_L", stage::MODEL),
+    };
+    work.value(symbol);
     work.asked("phi_max", &ARCMINUTE, limit, key);
-    let mut check = shown_or_at_most(id, &ARCMINUTE, curve.angle(worst).si(), limit, key, source);
+    let mut check = shown_or_at_most(id, &ARCMINUTE, angle.si(), limit, key, source);
     check.at = Some(axis.moments().load_peak_at);
     check
 }

@@ -14,7 +14,13 @@ fn losses() -> [Form; 2] {
 }
 
 /// x at an instant of a piece, straight from motion and mechanism.
-fn signals(mechanism: &Mechanism, motion: &Motion, piece: &motion::Piece, t: f64, direction: f64) -> [f64; 4] {
+fn signals(
+    mechanism: &Mechanism,
+    motion: &Motion,
+    piece: &motion::Piece,
+    t: f64,
+    (direction, middle): (f64, f64),
+) -> [f64; 4] {
     let state = piece.at(t);
     let output = Output {
         position_rad: state.position_rad,
@@ -22,7 +28,14 @@ fn signals(mechanism: &Mechanism, motion: &Motion, piece: &motion::Piece, t: f64
         acceleration_rad_s2: state.acceleration_rad_s2,
         direction,
     };
-    let held = piece.is_rest() && motion.stretches()[piece.segment].hold != Hold::Motor;
+    // The motor holds until the brake has closed, 70 ms, and while it opens, 110 ms.
+    let closed = middle > 0.07 && middle < piece.duration_s - 0.11;
+    let held = piece.is_rest()
+        && match motion.stretches()[piece.segment].hold {
+            Hold::Motor => false,
+            Hold::Brake => closed,
+            Hold::Free => true,
+        };
     let load = if held { 0.0 } else { mechanism.torque(&output, &Extra::none()) };
     [state.acceleration_rad_s2, load, direction, state.speed_rad_s]
 }
@@ -36,7 +49,9 @@ fn brute(mechanism: &Mechanism, motion: &Motion, lags: &[Lag], steps: u32) -> f6
         let sign = |t: f64| if rest { 0.0 } else { piece.at(t).speed_rad_s.signum() };
         let mut cuts = vec![0.0, piece.duration_s];
         cuts.extend(piece.reversals());
-        if !rest {
+        if rest {
+            cuts.extend([0.07, piece.duration_s - 0.11].iter().filter(|t| (0.0..piece.duration_s).contains(*t)));
+        } else {
             for useful in [false, true] {
                 let torque = |t: f64| {
                     let state = piece.at(t);
@@ -54,12 +69,13 @@ fn brute(mechanism: &Mechanism, motion: &Motion, lags: &[Lag], steps: u32) -> f6
         }
         cuts.sort_by(f64::total_cmp);
         for pair in cuts.windows(2).filter(|pair| pair[1] > pair[0]) {
-            let direction = sign(0.5 * (pair[0] + pair[1]));
+            let middle = 0.5 * (pair[0] + pair[1]);
+            let direction = sign(middle);
             // A step is short against every time constant too.
             let steps = lags.iter().map(|lag| (20.0 * (pair[1] - pair[0]) / lag.tau_s) as u32).fold(steps, u32::max);
             let h = (pair[1] - pair[0]) / f64::from(steps);
             let at = |t: f64| {
-                let x = signals(mechanism, motion, piece, t, direction);
+                let x = signals(mechanism, motion, piece, t, (direction, middle));
                 let form = |lag: &Lag| -> f64 {
                     (0..4).map(|i| (0..4).map(|j| lag.form.0[i][j] * x[i] * x[j]).sum::<f64>()).sum()
                 };
@@ -101,7 +117,7 @@ fn cycles() -> Vec<(&'static str, Vec<SegmentSpec>)> {
     vec![
         ("manual", vec![manual(4.0, [0.1, 0.3, 0.25, 0.5]), manual(-2.5, [0.4, 0.0, 0.2, 0.05])]),
         ("jerk", vec![jerk(2.0), dwell(0.3, Hold::Motor), jerk(-2.0), dwell(30.0, Hold::Free)]),
-        ("long", vec![jerk(0.7), dwell(40.0, Hold::Motor), jerk(-0.7), dwell(200.0, Hold::Free)]),
+        ("long", vec![jerk(0.7), dwell(40.0, Hold::Motor), jerk(-0.7), dwell(200.0, Hold::Brake)]),
         ("quintic", vec![law(Law::Polynomial5, 1.4, 0.6), law(Law::Polynomial5, -1.4, 0.9)]),
         ("sine", vec![law(Law::ModifiedSine, 1.4, 0.6), law(Law::ModifiedTrapezoid, -1.4, 0.9)]),
         ("slow ramps", vec![manual(0.4, [20.0, 0.0, 30.0, 5.0]), manual(-0.4, [10.0, 0.0, 40.0, 0.0])]),

@@ -17,6 +17,7 @@ mod demand;
 mod electric_checks;
 mod energy;
 mod feedback_checks;
+mod flange;
 mod gear_checks;
 mod heat_checks;
 mod joint_checks;
@@ -25,6 +26,8 @@ mod reserve;
 mod resonance;
 #[cfg(test)]
 mod reversal_tests;
+mod stage;
+mod swings;
 mod trace;
 mod workings;
 
@@ -34,5 +37,6 @@ pub use checks::{Depth, Judgement, explain, judge};
 pub use course::{Course, Sample};
 pub use demand::{Demand, ManualDemand, MoveTorques};
 pub use derivation;
+pub use flange::{DerivedLoads, FlangeSample};
 pub use rank::{Standing, rank};
 pub use reserve::{Reserve, reserve};

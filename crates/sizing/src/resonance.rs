@@ -3,6 +3,7 @@
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::comparison::{Asking, at_least, not_checked};
+use crate::stage;
 use crate::workings;
 use actuator::Parameters;
 use derivation::Workings;
@@ -46,15 +47,18 @@ pub(crate) fn held_speeds(axis: &Axis) -> Vec<Held> {
             };
             // A load that depends on the position repeats after a turn or ends before a second one begins to matter.
             let periodic = axis.mechanism.endless() == mechanism::Endless::EachRevolution;
-            let span = if periodic { (high - low).min(std::f64::consts::TAU) } else { high - low };
-            let steps = (span / std::f64::consts::TAU * STEPS).ceil().clamp(1.0, 100.0 * STEPS);
+            // A stage lies between the output and what repeats.
+            let behind = axis.mechanism.stage_ratio();
+            let turn = std::f64::consts::TAU * behind;
+            let span = if periodic { (high - low).min(turn) } else { high - low };
+            let steps = (span / turn * STEPS).ceil().clamp(1.0, 100.0 * STEPS);
             let mut step = 1.0;
             while step < steps {
                 see(low + span * step / steps);
                 step += 1.0;
             }
-            let inside = |q: f64| (periodic && span >= std::f64::consts::TAU) || (low..=high).contains(&q);
-            axis.mechanism.kinks().into_iter().filter(|q| inside(*q)).for_each(&mut see);
+            let inside = |q: f64| (periodic && span >= turn) || (low..=high).contains(&q);
+            axis.mechanism.kinks().into_iter().map(|q| q * behind).filter(|q| inside(*q)).for_each(&mut see);
         }
         Held { start: piece.start_s, speed: piece.speed_rad_s.abs(), inertia: range }
     })
@@ -84,14 +88,15 @@ pub(crate) fn natural_frequency(axis: &Axis, actuator: &Parameters, work: &mut W
     let [softest, _, _] = &actuator.gear.stiffness;
     let found = softest
         .require("K_1")
-        .and_then(|k| if axis.moments().inertia_max.si() > 0.0 { Ok(k) } else { Err(Missing { symbol: "J_L" }) });
+        .and_then(|k| if axis.moments().inertia_max.si() > 0.0 { Ok(k) } else { Err(Missing { symbol: "J_L" }) })
+        .map(|k| stage::in_series(&axis.mechanism, k));
     match found {
         Ok(k) => {
             let load = axis.moments().inertia_max.si();
             let blocked = frequency(k.value, load, Rotor::Blocked);
             let (asked, key) =
                 (axis.asked.natural_frequency_min.map(Measure::si), "requirements.natural_frequency_min");
-            work.given("K_1", &NEWTON_METRE_PER_RADIAN, k);
+            work.given("K_1", &NEWTON_METRE_PER_RADIAN, &k);
             if work.is_on() {
                 let source = match axis.by_the_manual() {
                     Some(_) => Source::Project { key: "load.inertia".into() },
@@ -172,6 +177,8 @@ pub(crate) fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings)
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
+    let stiffness = stiffness.map(|k| stage::in_series(&axis.mechanism, k));
+    let stiffness = stiffness.each_ref().map(|k| &**k);
     let own = own_inertia(actuator);
     let of = |held: &Held| {
         let rotors = [Some(Rotor::Blocked), own.map(Rotor::Free)].into_iter().flatten();

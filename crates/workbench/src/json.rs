@@ -224,7 +224,7 @@ pub fn sizing(
         .collect();
     let rejected: Vec<Value> =
         sizing.candidates.iter().filter(|each| !each.fits()).map(|each| rejection(each, language)).collect();
-    json!({
+    let mut value = json!({
         "axis": sizing.name,
         "verdict": if sizing.fits() { "fits" } else { "does_not_fit" },
         "answer": sizing.answer().map(|answer| answer.id.to_string()),
@@ -235,7 +235,29 @@ pub fn sizing(
         "rejected": rejected,
         "own": sizing.own.as_ref().map(judged),
         "assumptions": assumptions(sizing.assumptions, language),
-    })
+    });
+    if let (Value::Object(map), Some(stage)) = (&mut value, stage(project)) {
+        map.insert("stage".into(), stage);
+    }
+    value
+}
+
+/// The ratio of the stage between actuator and mechanism, and what others of the project would give.
+fn stage(project: &Project) -> Option<Value> {
+    let stage = project.axis.mechanism.stage.as_ref()?;
+    let ratios: Vec<Value> = project
+        .ratios
+        .iter()
+        .map(|each| {
+            json!({
+                "ratio": number(each.ratio),
+                "answer": each.answer,
+                "utilisation": number(each.utilisation),
+                "fitting": each.fitting,
+            })
+        })
+        .collect();
+    Some(json!({ "ratio": number(stage.ratio), "ratios": ratios }))
 }
 
 /// The assumptions in words.

@@ -32,7 +32,7 @@ pub use diagnostic::{Diagnostic, place};
 pub use explain::{Explanation, Node, explanation, trust};
 pub use export::{EXPORT_COLUMNS, export_rows};
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
-pub use flange::{FlangeSegment, flange_course};
+pub use flange::flange_course;
 pub use inertia::{BODY_SHAPES, BodyAnswer, BodyShape, InertiaAnswer, inertia};
 pub use limits::{NeededLimit, limits_needed};
 pub use moves::{Move, Moves, SegmentLaw, moves};
@@ -40,13 +40,13 @@ pub use order_code::{Field, OrderCode};
 pub use plane::{Plane, curve_rows, plane, plane_of};
 pub use project::{
     ALL_CORNERS_MOST, Assumption, Files, Input, InputChange, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project,
-    RecordingRead, Tolerance, input_changes, inputs, schema,
+    RatioAnswer, RecordingRead, Tolerance, input_changes, inputs, schema,
 };
 pub use provenance::Grade;
 pub use quantities::{self, Language};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
 pub use sizing::derivation;
-pub use sizing::{Check, CheckId, Course, Demand, Figure, Reserve, Sample, Verdict};
+pub use sizing::{Check, CheckId, Course, Demand, Figure, FlangeSample, Reserve, Sample, Verdict};
 pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, course, explain,
     explain_own, reserve_of, size,

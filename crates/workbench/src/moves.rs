@@ -67,7 +67,8 @@ pub fn moves(project: &Project) -> Moves<'_> {
         Some(_) => [&MILLIMETRE, &METRE_PER_SECOND, &METRE_PER_SECOND_SQUARED],
         None => [&DEGREE, &REVOLUTION_PER_MINUTE, &RADIAN_PER_SECOND_SQUARED],
     };
-    let factor = travel.unwrap_or(1.0);
+    // The file states the motion of the mechanism, behind a stage.
+    let factor = travel.unwrap_or_else(|| 1.0 / project.axis.mechanism.stage_ratio());
     let motion = &project.axis.motion;
     let mut recordings = project.recordings.iter();
     let course = |index: usize| {

@@ -1,6 +1,7 @@
 //! The project file as typed data.
 
 mod curves;
+mod flange;
 mod inputs;
 mod load;
 mod read;
@@ -8,6 +9,7 @@ mod recorded;
 mod schema;
 mod section;
 mod spec;
+mod stage;
 mod tolerance;
 
 pub(crate) use curves::OwnCatalogue;
@@ -15,6 +17,7 @@ pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use recorded::{Files, NoFiles, RecordingRead};
 pub use schema::schema;
 pub(crate) use spec::{Kind, Range};
+pub use stage::RatioAnswer;
 pub use tolerance::{ALL_CORNERS_MOST, Tolerance};
 pub(crate) use tolerance::{Variant, Varied, sign};
 
@@ -29,7 +32,7 @@ use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Language, Measure, Time};
 use read::Reader;
 use section::Section;
-use sizing::{Asked, Axis, BearingDuty, OperatingCondition, SpecialApplication};
+use sizing::{Asked, Axis, BearingDuty, SpecialApplication};
 use std::sync::Arc;
 
 /// Largest project file that is read, in bytes.
@@ -60,6 +63,36 @@ pub enum Assumption {
     FlangeLoadsConstant,
     /// The moments of radial and axial force point in the same direction.
     FlangeMomentsAligned,
+    /// The loads on the flange follow from the mechanism.
+    FlangeLoadsOfMechanism,
+    /// Stated loads add to them at their worst.
+    FlangeLoadsAddUp,
+    /// No share is given: the flange bears the loads of the mechanism alone.
+    FlangeBearsAll,
+    /// What turns on the flange has no products of inertia.
+    FlangeBodiesFlat,
+    /// No tilt of the axis is given: the flange looks upwards.
+    FlangeUpwards,
+    /// A payload given by its inertia loads the flange with no weight.
+    PayloadInertiaWeightless,
+    /// No mass of pulley, pinion or crank is given.
+    WheelWeightless,
+    /// No helix angle is given: spur teeth.
+    SpurTeeth,
+    /// With a stage the mechanism does not load the flange.
+    MechanismOnOwnBearings,
+    /// No efficiency of the stage is given.
+    StageNoLosses,
+    /// No efficiency of the stage for driving backwards is given.
+    StageLossesDoNotHelp,
+    /// No inertia of the stage is given.
+    StageWithoutInertia,
+    /// No stiffness of the stage is given.
+    StageRigid,
+    /// No backlash of the stage is given.
+    StageNoBacklash,
+    /// Of several ratios the best was chosen.
+    StageRatioChosen,
     /// No efficiency of the mechanism is given: one is assumed.
     NoLosses,
     /// No efficiency for driving backwards is given: the losses do not help to brake.
@@ -106,6 +139,8 @@ pub struct Project {
     pub actuator: Option<OwnActuator>,
     /// The catalogue with the user's curves, where there are any.
     pub(crate) own_catalogue: Option<Arc<OwnCatalogue>>,
+    /// What each of several ratios of the stage gives; empty for one ratio or no stage.
+    pub ratios: Vec<RatioAnswer>,
     /// Recordings that the motion consists of.
     pub recordings: Vec<RecordingRead>,
     /// Defaults that were taken.
@@ -145,7 +180,7 @@ impl Project {
         let axes: Vec<Option<Self>> = if several.is_empty() {
             vec![Self::build(root, None, (files, own.as_ref()), &mut reader, language)]
         } else {
-            for key in ["load", "mechanism", "motion", "bearing", "requirements", "actuator"] {
+            for key in ["load", "mechanism", "stage", "motion", "bearing", "requirements", "actuator"] {
                 if root.has(key) {
                     reader.fault(root.span_of(key), language.outside_the_axes(key), None);
                 }
@@ -181,7 +216,8 @@ impl Project {
         if reader.fault_count() == 0 && axis.is_some() {
             tolerance::hold(root, &tolerances, reader, language);
         }
-        Some(Self {
+        let project = Self {
+            ratios: Vec::new(),
             name: root.table("axis").and_then(|axis| axis.text("name")).unwrap_or_default().to_owned(),
             own_catalogue: own_catalogue.cloned(),
             recordings: recorded::all(root),
@@ -198,7 +234,10 @@ impl Project {
             actuator,
             root: (!tolerances.is_empty()).then(|| root.clone()),
             tolerances,
-        })
+        };
+        let several = root.table("stage").is_some_and(|section| !section.numbers("ratios").is_empty());
+        let choose = several && reader.fault_count() == 0;
+        Some(if choose { stage::with_best_ratio(project, root, language) } else { project })
     }
 }
 
@@ -222,14 +261,8 @@ fn assumptions(root: &Section, toleranced: bool) -> Vec<Assumption> {
     } else if !asks("modulation_reserve") {
         found.push(Assumption::ModulationReserve);
     }
-    let own = root.tables("motion").iter().any(|section| section.get("bearing").is_some());
-    if root.table("bearing").is_none() && !own {
-        found.push(Assumption::NoFlangeLoads);
-    } else if !own {
-        found.push(Assumption::FlangeLoadsConstant);
-    } else {
-        found.push(Assumption::FlangeMomentsAligned);
-    }
+    stage::assumptions(root, &mut found);
+    flange::assumptions(root, &mut found);
     if !asks("special_application") {
         found.push(Assumption::OrdinaryApplication);
     }
@@ -269,9 +302,14 @@ fn prepare(root: &Section, reader: &mut Reader<'_>, language: Language) -> Optio
         let span = start..start + usize::from(!root.span.is_empty());
         reader.fault(span, language.missing_key("", "motion", true), Some(hint));
     }
-    let bearing = bearing_duty(root, reader, language);
+    flange::stated(root, reader, language);
+    let stage = stage::read(root, reader, language);
     let load = load::load(root, reader, language)?;
+    // The file states the motion of the mechanism; from here on everything is that of the actuator's output.
+    let mechanism = Mechanism { stage, ..load.mechanism.clone() };
+    let bearing = flange::duty(root, &mechanism, reader, language);
     let (motion, extras) = load::motion(root, &load, reader, language)?;
+    let motion = motion.geared(mechanism.stage_ratio());
     if let Some(asked) = root.table("requirements") {
         let storage = asked.quantity("storage").unwrap_or_else(|| Time::from_si(0.0));
         let operation = asked.quantity("operation_per_day");
@@ -281,7 +319,7 @@ fn prepare(root: &Section, reader: &mut Reader<'_>, language: Language) -> Optio
             reader.fault(asked.span_of(key), language.battery_fault(&fault), None);
         }
     }
-    Some(Draft { mechanism: load.mechanism, motion, extras, bearing })
+    Some(Draft { mechanism, motion, extras, bearing })
 }
 
 /// Load and motion laid over each other, with what is asked.
@@ -334,27 +372,6 @@ fn asked_of(section: &Section) -> Asked {
             _ => None,
         }),
     }
-}
-
-/// The loads on the flange and what is asked of the bearing.
-fn bearing_duty(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<BearingDuty> {
-    let loads = load::flange_loads(root, reader, language)?;
-    let section = root.table("bearing");
-    let requirements = root.table("requirements");
-    Some(BearingDuty {
-        loads,
-        load_factor: section.and_then(|section| section.number("load_factor")),
-        operating_condition: section.and_then(|section| section.text("operating_condition")).and_then(
-            |word| match word {
-                "normal" => Some(OperatingCondition::Normal),
-                "shock" => Some(OperatingCondition::Shock),
-                "high_accuracy" => Some(OperatingCondition::HighAccuracy),
-                _ => None,
-            },
-        ),
-        life_min: requirements.and_then(|section| section.quantity("bearing_life_min")),
-        tilt_max: requirements.and_then(|section| section.quantity("tilt_angle_max")),
-    })
 }
 
 fn build_actuator(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<OwnActuator> {

@@ -2,11 +2,13 @@
 
 mod codes;
 mod derivation;
+pub(crate) mod flange;
 mod motion;
 mod notes;
 mod reading;
 mod recording;
 mod results;
+pub(crate) mod stage;
 pub(crate) mod tolerance;
 
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token};
@@ -19,6 +21,8 @@ pub use results::{
     assumption_text, check_missing, check_title, condition_text, curve_title, evidence_text, figure_term, grade_about,
     grade_word, note_text, ranking_rule, source_text, symbol_term, unmet_text, verdict_word,
 };
+
+pub use stage::ratios_text;
 
 use quantities::Language;
 

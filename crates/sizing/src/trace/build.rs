@@ -171,14 +171,16 @@ impl<'a> Builder<'a> {
     /// left over follows.
     fn revolutions(&mut self, piece: &Piece, extra: &Extra, times: f64) {
         self.close_block();
-        let period = TAU / piece.speed_rad_s.abs();
+        // Of the load; the stage between it and the actuator turns the output farther.
+        let angle = TAU * self.mechanism.stage_ratio().abs();
+        let period = angle / piece.speed_rad_s.abs();
         self.times = times;
         self.turning(&Piece { duration_s: period, ..*piece }, extra);
         self.close_block();
         self.times = 1.0;
         let left = piece.duration_s - times * period;
         if left > 1e-12 * piece.duration_s {
-            let position_rad = piece.position_rad + times * TAU * piece.speed_rad_s.signum();
+            let position_rad = piece.position_rad + times * angle * piece.speed_rad_s.signum();
             let start_s = piece.start_s + times * period;
             self.turning(&Piece { start_s, duration_s: left, position_rad, ..*piece }, extra);
         } else {
@@ -280,8 +282,11 @@ impl<'a> Builder<'a> {
             };
             search(&|t| self.mechanism.useful_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
             search(&|t| self.mechanism.torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
+            if self.mechanism.stage.is_some() {
+                search(&|t| self.mechanism.stage_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
+            }
             for kink in self.mechanism.kinks() {
-                search(&|t| wrapped(piece.at(t).position_rad - kink), &mut cuts);
+                search(&|t| wrapped(piece.at(t).position_rad / self.mechanism.stage_ratio() - kink), &mut cuts);
             }
         }
         cuts.push(piece.duration_s);
@@ -311,7 +316,7 @@ impl<'a> Builder<'a> {
         let [amplitude, frequency, _] = piece.harmonic;
         let phase = if amplitude == 0.0 { 0.0 } else { frequency * piece.duration_s / PANEL_PHASE };
         let angle =
-            if self.mechanism.depends_on_position() { fastest(piece) * piece.duration_s / PANEL_ANGLE } else { 0.0 };
+            if self.mechanism.depends_on_position() { turned(self.mechanism, piece) * TAU / PANEL_ANGLE } else { 0.0 };
         phase.max(angle).min(PANELS_MOST).ceil()
     }
 
@@ -398,14 +403,21 @@ fn bow(nodes: &[Node]) -> [f64; 4] {
     bow
 }
 
-/// How many whole revolutions a piece makes at constant speed under a load that repeats with each, if several.
+/// How many whole revolutions of the load a piece makes at constant speed, if it repeats with each and there are several.
 fn whole_revolutions(mechanism: &Mechanism, piece: &Piece) -> Option<f64> {
     let repeats = mechanism.depends_on_position()
         && mechanism.endless() == Endless::EachRevolution
         && piece.speed_degree() == Some(0)
         && piece.speed_rad_s != 0.0;
-    let times = (piece.speed_rad_s.abs() * piece.duration_s / TAU * (1.0 + 1e-14)).floor();
+    let times = (turned(mechanism, piece) * (1.0 + 1e-14)).floor();
     (repeats && times >= 2.0).then_some(times)
+}
+
+/// Revolutions of the load in a piece. They are at most those at the largest speed; the ends and the quarters of the piece
+/// bound it closely.
+fn turned(mechanism: &Mechanism, piece: &Piece) -> f64 {
+    let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s).speed_rad_s.abs());
+    speed.into_iter().fold(0.0, f64::max) * piece.duration_s / (TAU * mechanism.stage_ratio().abs())
 }
 
 /// Revolutions that each piece makes where the load must be looked at along all of them, by segment.
@@ -415,13 +427,7 @@ pub(crate) fn revolutions(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize,
     }
     let pieces = motion.pieces().iter();
     let counted = pieces.filter(|piece| !piece.is_rest() && whole_revolutions(mechanism, piece).is_none());
-    counted.map(|piece| (piece.segment, fastest(piece) * piece.duration_s / TAU)).collect()
-}
-
-/// The largest speed of a piece; the ends and the quarters bound it closely.
-fn fastest(piece: &Piece) -> f64 {
-    let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s).speed_rad_s.abs());
-    speed.into_iter().fold(0.0, f64::max)
+    counted.map(|piece| (piece.segment, turned(mechanism, piece))).collect()
 }
 
 /// The blocks as runs of kept panels and whole recordings.

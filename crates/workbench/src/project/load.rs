@@ -4,7 +4,6 @@ use super::Assumption;
 use super::read::Reader;
 use super::section::{Entry, Section};
 use crate::text::Speak;
-use actuator::FlangeLoad;
 use mechanism::{Extra, Friction, Joint, Kind, Linear, LinearKind, Mechanism, Rotor, SliderCrank, Table, TablePoint};
 use motion::{Closing, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, SegmentSpec};
 use quantities::{Angle, Dimension, Force, Language, Length, Mass, Measure, MomentOfInertia, Torque, ViscousFriction};
@@ -142,6 +141,7 @@ fn build(name: &str, section: &Section, reader: &mut Reader<'_>, language: Langu
         },
         efficiency_driving: section.number("efficiency").unwrap_or(1.0),
         efficiency_driven: section.number("efficiency_back").unwrap_or(1.0),
+        stage: None,
     };
     Some(Load { mechanism, start, force: section.quantity("process_force").unwrap_or_else(zero) })
 }
@@ -305,37 +305,6 @@ impl Turning<'_> {
         // A value that was refused has been told; without it the move would only seem undetermined.
         section.is_whole().then_some(SegmentSpec::Move(law, given))
     }
-}
-
-/// The loads on the flange in each segment: its own, or those of `[bearing]`. A force needs the distance at which it
-/// acts; a force that is not given does not act.
-pub(super) fn flange_loads(root: &Section, reader: &mut Reader<'_>, language: Language) -> Option<Vec<FlangeLoad>> {
-    let segments = root.tables("motion");
-    let common = root.table("bearing");
-    let own: Vec<Option<&Section>> = segments.iter().map(|section| section.table("bearing")).collect();
-    if common.is_none() && own.iter().all(Option::is_none) {
-        return None;
-    }
-    let numbered = own
-        .iter()
-        .enumerate()
-        .filter_map(|(index, section)| section.map(|section| (format!("motion[{}].bearing", index + 1), section)));
-    for (path, section) in common.map(|section| ("bearing".to_owned(), section)).into_iter().chain(numbered) {
-        for (force, distance) in [("radial_force", "radial_distance"), ("axial_force", "axial_distance")] {
-            for (given, needed) in [(force, distance), (distance, force)] {
-                if section.get(given).is_some() && !section.has(needed) {
-                    reader.fault(section.span_of(given), language.missing_key(&path, needed, false), None);
-                }
-            }
-        }
-    }
-    let load = |section: Option<&Section>| FlangeLoad {
-        radial_force: section.and_then(|section| section.quantity("radial_force")).unwrap_or_else(zero),
-        radial_distance: section.and_then(|section| section.quantity("radial_distance")).unwrap_or_else(zero),
-        axial_force: section.and_then(|section| section.quantity("axial_force")).unwrap_or_else(zero),
-        axial_distance: section.and_then(|section| section.quantity("axial_distance")).unwrap_or_else(zero),
-    };
-    Some(own.into_iter().map(|own| load(own.or(common))).collect())
 }
 
 /// Defaults about load and motion that the file leaves open.

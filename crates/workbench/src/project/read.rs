@@ -5,7 +5,7 @@ use super::section::{Entry, Section};
 use super::spec::{Key, Kind, ROOT, Range, Variants};
 use super::tolerance::{TOLERANCES_MOST, Tolerance};
 use crate::diagnostic::Diagnostic;
-use crate::text::{Speak, tolerance as words};
+use crate::text::{Speak, stage, tolerance as words};
 use quantities::unit::ONE;
 use quantities::{Dimension, HalfWidth, Language, Reading};
 use std::ops::Range as Span;
@@ -184,6 +184,9 @@ impl<'t> Reader<'t> {
                     None => self.refuse(span, self.language.number_out_of_range(path, *low, *high)),
                 }
             }
+            (Kind::Numbers(low, high, most), DeValue::Array(items)) => {
+                self.numbers(items, (*low, *high, *most), span, path)
+            }
             (Kind::Integer(low, high), DeValue::Integer(number)) => {
                 let number = i64::from_str_radix(number.as_str(), number.radix()).ok();
                 match number.filter(|number| number >= low && number <= high) {
@@ -223,6 +226,32 @@ impl<'t> Reader<'t> {
                 None
             }
         }
+    }
+
+    /// Plain numbers within bounds.
+    fn numbers(
+        &mut self,
+        items: &DeArray<'_>,
+        (low, high, most): (f64, f64, usize),
+        span: Span<usize>,
+        path: &str,
+    ) -> Option<Entry> {
+        if items.is_empty() || items.len() > most {
+            return self.refuse(span, stage::too_many_ratios(most, self.language));
+        }
+        let mut found = Vec::with_capacity(items.len());
+        for item in items {
+            let written = match item.get_ref() {
+                DeValue::Integer(_) | DeValue::Float(_) => self.text.get(item.span()),
+                _ => None,
+            };
+            let number: Option<f64> = written.and_then(|text| text.replace('_', "").parse().ok());
+            match number.filter(|number| number.is_finite() && (low..=high).contains(number)) {
+                Some(number) => found.push(number),
+                None => self.fault(item.span(), self.language.number_out_of_range(path, low, high), None),
+            }
+        }
+        (found.len() == items.len()).then_some(Entry::Numbers(found))
     }
 
     fn refuse(&mut self, span: Span<usize>, message: String) -> Option<Entry> {
@@ -546,6 +575,9 @@ pub(crate) fn example(key: &Key) -> Option<String> {
                 "tilt_angle_max" | "torsion_max" => "2 arcmin",
                 "natural_frequency_min" => "25 Hz",
                 "mass_max" => "10 kg",
+                "pressure_angle" => "20 deg",
+                "helix_angle" => "15 deg",
+                "wheel_mass" => "1.2 kg",
                 "length_max" => "200 mm",
                 _ => dimension.example(),
             };
@@ -553,6 +585,7 @@ pub(crate) fn example(key: &Key) -> Option<String> {
         }
         Kind::Integer(low, _) => Some(format!("{name} = {low}")),
         Kind::Number(low, _) => Some(format!("{name} = {low:.1}")),
+        Kind::Numbers(..) => Some(format!("{name} = [1.0, 2.5]")),
         Kind::Bool => Some(format!("{name} = true")),
         Kind::Text => Some(format!("{name} = \"…\"")),
         Kind::OneOf(words) => words.first().map(|word| format!("{name} = \"{word}\"")),

@@ -84,6 +84,10 @@ fn kind(key: &Key, language: Language) -> Value {
     match key.kind {
         Kind::Quantity(dimension, _) => reference(dimension),
         Kind::Number(low, high) => json!({ "type": "number", "minimum": low, "maximum": high }),
+        Kind::Numbers(low, high, most) => json!({
+            "type": "array", "minItems": 1, "maxItems": most,
+            "items": { "type": "number", "minimum": low, "maximum": high },
+        }),
         Kind::Integer(low, high) if low == high => json!({ "const": low }),
         Kind::Integer(low, high) => json!({ "type": "integer", "minimum": low, "maximum": high }),
         Kind::Bool => json!({ "type": "boolean" }),

@@ -17,6 +17,7 @@ pub(crate) enum Entry {
     Bool(bool),
     Text(String),
     List(Vec<String>),
+    Numbers(Vec<f64>),
     /// Rows of SI values.
     Rows(Vec<Vec<f64>>),
     /// Solid bodies.
@@ -34,7 +35,7 @@ impl Entry {
             Self::Number(number) => Some(Some(*number)),
             #[allow(clippy::cast_precision_loss, reason = "bounded by its description")]
             Self::Integer(number) => Some(Some(*number as f64)),
-            Self::Bool(_) | Self::Text(_) | Self::List(_) => Some(None),
+            Self::Bool(_) | Self::Text(_) | Self::List(_) | Self::Numbers(_) => Some(None),
             _ => None,
         }
     }
@@ -159,6 +160,13 @@ impl Section {
     pub(crate) fn list(&self, name: &str) -> &[String] {
         match self.get(name) {
             Some(Entry::List(list)) => list,
+            _ => &[],
+        }
+    }
+
+    pub(crate) fn numbers(&self, name: &str) -> &[f64] {
+        match self.get(name) {
+            Some(Entry::Numbers(numbers)) => numbers,
             _ => &[],
         }
     }

@@ -33,6 +33,8 @@ pub(crate) enum Kind {
     Along(Dimension, Dimension, Range),
     /// A plain number within bounds.
     Number(f64, f64),
+    /// A list of plain numbers within bounds, and how many at most.
+    Numbers(f64, f64, usize),
     /// A whole number within bounds.
     Integer(i64, i64),
     /// `true` or `false`.
@@ -120,6 +122,7 @@ pub(crate) const ROOT: &[Key] = &[
     key("axis", Kind::OneOrMany(AXIS, AXES), false, "the axis; or [[axis]], several axes with load, motion and all else inside", "die Achse; oder [[axis]], mehrere Achsen mit Last, Bewegung und allem anderen darin"),
     key("load", Kind::Table(LOAD), false, "what is moved, referred to the output; or [mechanism.…]", "was bewegt wird, auf den Abtrieb bezogen; oder [mechanism.…]"),
     key("mechanism", Kind::Table(MECHANISM), false, "what lies between output and load; one of its tables", "was zwischen Abtrieb und Last liegt; eine seiner Tabellen"),
+    key("stage", Kind::Table(STAGE), false, "belt, gear or coupling between actuator and mechanism", "Riemen, Getriebestufe oder Kupplung zwischen Antrieb und Mechanismus"),
     key("motion", Kind::Variants(&MOTIONS), false, "the moves of one cycle, in order", "die Bewegungen eines Zyklus, der Reihe nach"),
     key("bearing", Kind::Table(BEARING), false, "loads on the output flange", "Lasten am Abtriebsflansch"),
     key("requirements", Kind::Table(REQUIREMENTS), false, "what the actuator must have", "was der Antrieb haben muss"),
@@ -162,6 +165,7 @@ const AXES: &[Key] = &[
     key("single_move", Kind::Bool, false, "true: the motion is one move and need not come back", "true: die Bewegung ist einmalig und muss nicht zurückkehren"),
     key("load", Kind::Table(LOAD), false, "what is moved, referred to the output; or [mechanism.…]", "was bewegt wird, auf den Abtrieb bezogen; oder [mechanism.…]"),
     key("mechanism", Kind::Table(MECHANISM), false, "what lies between output and load; one of its tables", "was zwischen Abtrieb und Last liegt; eine seiner Tabellen"),
+    key("stage", Kind::Table(STAGE), false, "belt, gear or coupling between actuator and mechanism", "Riemen, Getriebestufe oder Kupplung zwischen Antrieb und Mechanismus"),
     key("motion", Kind::Variants(&MOTIONS), false, "the moves of one cycle, in order", "die Bewegungen eines Zyklus, der Reihe nach"),
     key("bearing", Kind::Table(BEARING), false, "loads on the output flange", "Lasten am Abtriebsflansch"),
     key("requirements", Kind::Table(REQUIREMENTS), false, "what the actuator must have", "was der Antrieb haben muss"),
@@ -211,6 +215,20 @@ const MECHANISM: &[Key] = &[
     key("slider_crank", Kind::Table(SLIDER_CRANK), false, "crank, rod and slider", "Schubkurbel"),
     key("joint", Kind::Table(JOINT), false, "joint of a robot, its torque recorded with the motion", "Robotergelenk, dessen Moment mit der Bewegung aufgezeichnet ist"),
     key("table", Kind::Table(TABLE), false, "inertia and torque over the position", "Massenträgheitsmoment und Moment über der Stellung"),
+];
+
+#[rustfmt::skip] // one line per key
+const STAGE: &[Key] = &[
+    key("kind", Kind::OneOf(&["belt", "gear", "coupling"]), true, "what the stage is", "Art der Stufe"),
+    key("ratio", Kind::Number(0.01, 1000.0), false, "i_s, turns of the actuator's output per turn of the mechanism", "i_s, Umdrehungen des Antriebs je Umdrehung des Mechanismus"),
+    key("ratios", Kind::Numbers(0.01, 1000.0, super::stage::RATIOS_MOST), false, "several ratios, of which the best is found", "mehrere Übersetzungen, aus denen die beste gesucht wird"),
+    key("efficiency", Kind::Number(0.01, 1.0), false, "efficiency while the actuator drives", "Wirkungsgrad, wenn der Antrieb treibt"),
+    key("efficiency_back", Kind::Number(0.0, 1.0), false, "efficiency while the mechanism drives", "Wirkungsgrad, wenn der Mechanismus treibt"),
+    quantity("inertia_driving", Dimension::MomentOfInertia, Range::NotNegative, "J_1, moment of inertia of what turns with the actuator", "J_1, Massenträgheitsmoment dessen, was sich mit dem Antrieb dreht"),
+    quantity("inertia_driven", Dimension::MomentOfInertia, Range::NotNegative, "J_2, moment of inertia of what turns with the mechanism", "J_2, Massenträgheitsmoment dessen, was sich mit dem Mechanismus dreht"),
+    quantity("stiffness", Dimension::TorsionalStiffness, Range::Positive, "K_s, torsional stiffness of the stage on the side of the mechanism", "K_s, Torsionssteifigkeit der Stufe auf der Seite des Mechanismus"),
+    quantity("backlash", Dimension::Angle, Range::NotNegative, "backlash on the side of the mechanism", "Spiel auf der Seite des Mechanismus"),
+    quantity("pitch_diameter", Dimension::Length, Range::Positive, "pitch diameter of pulley or wheel on the actuator", "Wirkdurchmesser von Scheibe oder Rad am Antrieb"),
 ];
 
 #[rustfmt::skip] // one line per key
@@ -364,6 +382,15 @@ const BEARING: &[Key] = &[
     RADIAL_FORCE, RADIAL_DISTANCE, AXIAL_FORCE, AXIAL_DISTANCE,
     key("load_factor", Kind::Number(1.0, 3.0), false, "f_w, load factor of table 74.2", "f_w, Betriebsfaktor nach Tabelle 74.2"),
     key("operating_condition", Kind::OneOf(&["normal", "shock", "high_accuracy"]), false, "operating condition of table 76.3", "Betriebsbedingung nach Tabelle 76.3"),
+    key("mechanism", Kind::OneOf(&["add", "replace", "ignore"]), false, "loads that follow from the mechanism: they add to the stated ones, are replaced by those of a segment, or do not count; they do not count without it", "Lasten, die aus dem Mechanismus folgen: sie kommen zu den angegebenen hinzu, werden von denen eines Abschnitts ersetzt oder zählen nicht; ohne Angabe zählen sie nicht"),
+    quantity("overhang", Dimension::Length, Range::Any, "L, distance of the centre of mass, or of the middle of pulley, pinion or crank pin, from the flange face", "L, Abstand des Schwerpunkts oder der Mitte von Scheibe, Ritzel oder Kurbelzapfen von der Flanschfläche"),
+    quantity("payload_overhang", Dimension::Length, Range::Any, "distance of the payload of a segment from the flange face", "Abstand der Nutzlast eines Abschnitts von der Flanschfläche"),
+    key("flange_share", Kind::Number(0.0, 1.0), false, "share of the mechanism's forces that reaches the flange; other bearings carry the rest", "Anteil der Kräfte des Mechanismus, der den Flansch erreicht; den Rest tragen andere Lager"),
+    quantity("belt_tension", Dimension::Force, Range::NotNegative, "F_v, tension of each span of the belt at rest", "F_v, Trumkraft des Riemens im Stillstand, je Trum"),
+    quantity("pressure_angle", Dimension::Angle, Range::Positive, "pressure angle of pinion and rack in the normal section", "Eingriffswinkel von Ritzel und Zahnstange im Normalschnitt"),
+    quantity("helix_angle", Dimension::Angle, Range::NotNegative, "helix angle of the teeth; spur teeth without it", "Schrägungswinkel der Verzahnung; ohne Angabe Geradverzahnung"),
+    quantity("wheel_mass", Dimension::Mass, Range::NotNegative, "mass of pulley, pinion or crank on the flange", "Masse von Scheibe, Ritzel oder Kurbel am Flansch"),
+    quantity("axis_tilt", Dimension::Angle, Range::Any, "tilt of the rotation axis from the vertical, for the weight of the wheel", "Neigung der Drehachse gegen die Senkrechte, für das Gewicht des Rads"),
 ];
 
 #[rustfmt::skip] // one line per key

@@ -235,22 +235,27 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
             "Öffnungs- und Schließzeit dieser Bremse sind nicht angegeben: beim Schließen und Öffnen hält der Motor die Last 70 ms und 110 ms lang, wie für die größeren Baugrößen angegeben",
         ),
         Note::BrakingsLast { each_cycle, lasts } => {
-            let times = format_number(*each_cycle, 0, language);
+            let times = match (format_number(*each_cycle, 0, language), language) {
+                (count, Language::En) if count == "1" => "once".to_owned(),
+                (count, Language::En) => format!("{count} times"),
+                (count, Language::De) if count == "1" => "einmal".to_owned(),
+                (count, Language::De) => format!("{count}-mal"),
+            };
             let Some(lasts) = lasts else {
                 return either(
                     language,
-                    format!("the brake closes {times} times per cycle; how often it may is not printed"),
-                    format!("die Bremse schließt {times}-mal je Zyklus; wie oft sie es darf, ist nicht angegeben"),
+                    format!("the brake closes {times} per cycle; how often it may is not printed"),
+                    format!("die Bremse schließt {times} je Zyklus; wie oft sie es darf, ist nicht angegeben"),
                 );
             };
             let hours = with_unit(lasts.si(), &HOUR, 3, language);
             either(
                 language,
                 format!(
-                    "the brake closes {times} times per cycle: the permitted number of brakings lasts {hours} of operation"
+                    "the brake closes {times} per cycle: the permitted number of brakings lasts {hours} of operation"
                 ),
                 format!(
-                    "die Bremse schließt {times}-mal je Zyklus: die zulässige Zahl der Bremsungen reicht für {hours} Betrieb"
+                    "die Bremse schließt {times} je Zyklus: die zulässige Zahl der Bremsungen reicht für {hours} Betrieb"
                 ),
             )
         }
@@ -381,6 +386,7 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
             });
             let open = match missing {
                 0 => String::new(),
+                1 => either(language, "; one contribution is not known", "; ein Beitrag ist nicht bekannt"),
                 count => either(
                     language,
                     format!("; {count} contributions are not known"),

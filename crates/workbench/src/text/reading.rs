@@ -380,6 +380,7 @@ impl Speak for Language {
                 )
             }
             Kind::Number(..) => either(self, "a number", "Zahl"),
+            Kind::Numbers(..) => either(self, "a list of numbers", "Liste von Zahlen"),
             Kind::Integer(..) => either(self, "a whole number", "ganze Zahl"),
             Kind::Bool => either(self, "true or false", "true oder false"),
             Kind::Text => self.a_text(),

@@ -6,7 +6,7 @@ use actuator::CurveKind;
 use configurator::Unmet;
 use order_code::Brake;
 use provenance::{CellRef, Grade, MANUAL, Source};
-use quantities::unit::{DEGREE, KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND, VOLT};
+use quantities::unit::{DEGREE, KILOGRAM, MILLIMETRE, SECOND, VOLT};
 use quantities::{Language, Measure, Unit, format_number, format_significant};
 use sizing::{CheckId, Note, Verdict};
 
@@ -143,6 +143,7 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
             "nicht bekannt: welche Drehzahlen die Aufzeichnung hält",
         );
     }
+    let geometry = symbol.starts_with("bearing.") && symbol != "bearing.operating_condition";
     if symbol == "gear_load" {
         return either(
             language,
@@ -150,7 +151,7 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
             "keine Last: das Getriebe überträgt in Bewegung kein Moment, nichts begrenzt seine Lebensdauer",
         );
     }
-    if symbol.starts_with("mechanism.") {
+    if symbol.starts_with("mechanism.") || symbol.starts_with("stage.") || geometry {
         return either(language, format!("not stated: {symbol}"), format!("nicht angegeben: {symbol}"));
     }
     if symbol.contains('.') {
@@ -221,6 +222,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
                 format!("die Achse schwenkt nur um {swing}; unter 5° droht Reibkorrosion, beim Hersteller fragen"),
             )
         }
+        Note::SmallSwings { count, largest, share } => super::flange::small_swings(*count, *largest, *share, language),
         Note::RatingOfInterchangeableGear => either(
             language,
             "the gear's rating is that of another maker's interchangeable gear with the same T_R; the manual prints none",
@@ -393,6 +395,21 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "loads on the flange taken as constant over the cycle, radial and axial moment in the same direction",
             "Lasten am Flansch über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet",
         ),
+        Assumption::FlangeLoadsOfMechanism
+        | Assumption::FlangeLoadsAddUp
+        | Assumption::FlangeBearsAll
+        | Assumption::FlangeBodiesFlat
+        | Assumption::FlangeUpwards
+        | Assumption::PayloadInertiaWeightless
+        | Assumption::WheelWeightless
+        | Assumption::SpurTeeth => super::flange::assumed(assumption),
+        Assumption::StageNoLosses
+        | Assumption::StageLossesDoNotHelp
+        | Assumption::StageWithoutInertia
+        | Assumption::StageRigid
+        | Assumption::StageNoBacklash
+        | Assumption::StageRatioChosen
+        | Assumption::MechanismOnOwnBearings => super::stage::assumed(assumption),
     };
     either(language, en, de)
 }

@@ -1,0 +1,109 @@
+//! The pictures of docs/theory on heat: our curves beside every published point.
+//!
+//! `cargo run -p configurator --example heat_pictures -- docs/theory/pictures`
+
+use actuator::{HeatModel, Parameters};
+use order_code::parse;
+use plot::{Area, Axis, Label, Line, Markers, Note, Reference, Shape, Size, Style, Theme, Tone, XyChart};
+use quantities::unit::REVOLUTION_PER_MINUTE;
+use quantities::{AngularVelocity, Language, Measure, Time};
+use std::path::Path;
+
+type Fault = Box<dyn std::error::Error>;
+
+fn main() -> Result<(), Fault> {
+    let folder = std::env::args().nth(1).ok_or("a folder is missing")?;
+    let folder = Path::new(&folder);
+    std::fs::create_dir_all(folder)?;
+    let draw = |name: &str, height: f64, chart: XyChart| {
+        let style = Style::new(Size::millimetres(165.0, height)).theme(Theme::Light).language(Language::En).id(name);
+        std::fs::write(folder.join(format!("{name}.svg")), chart.render(&style).svg())
+    };
+    draw("continuous-20A", 110.0, continuous()?)?;
+    draw("heat-shares", 95.0, shares()?)?;
+    Ok(())
+}
+
+fn parameters(code: &str) -> Result<Parameters, Fault> {
+    let code = parse(code).map_err(|_| "no code")?.code;
+    configurator::parameters(&code).ok_or_else(|| "no data".into())
+}
+
+const RATIOS: [u16; 4] = [30, 50, 80, 120];
+
+/// Band of the estimate and the published curve of every ratio.
+fn continuous() -> Result<XyChart, Fault> {
+    let mut chart = XyChart::new(
+        Axis::new("n", "min⁻¹").name("Output speed").minor_ticks(),
+        Axis::new("T", "Nm").name("Continuous torque").minor_ticks(),
+    )
+    .description("Estimated band of the continuous torque of CHA-20A for four ratios, with the published corner points");
+    for (index, ratio) in RATIOS.into_iter().enumerate() {
+        let p = parameters(&format!("CHA-20A-{ratio}-H-C1024"))?;
+        let end = actuator::speed_rated_out(&p).map_err(|_| "n_N")?.value.si();
+        let stall = p.stall_torque.known().map_or(f64::INFINITY, |stall| stall.value.si());
+        let (mut low, mut high) = (Vec::new(), Vec::new());
+        for part in 0..=60 {
+            let speed = AngularVelocity::from_si(end * f64::from(part) / 60.0);
+            let limit = actuator::estimated_continuous_torque(&p, speed).map_err(|_| "estimate")?;
+            let n = speed.in_unit(&REVOLUTION_PER_MINUTE);
+            low.push((n, limit.limit.value.si()));
+            high.push((n, limit.upper.si()));
+        }
+        let curve = p.continuous_curve.known().ok_or("curve")?;
+        let points: Vec<(f64, f64)> = curve
+            .value
+            .points()
+            .iter()
+            .map(|point| (point.speed.in_unit(&REVOLUTION_PER_MINUTE), point.torque.si().min(stall)))
+            .collect();
+        let (mut area, mut line) = (Area::between(low.clone(), high.clone()), Line::new(points.clone()));
+        let mut markers = Markers::new(points.clone()).shape(Shape::Circle);
+        if index == 0 {
+            area = area.label("band of the estimate");
+            line = line.label("published");
+            markers = markers.label("corner points, at most T₀");
+        }
+        chart = chart.with(area.tone(Tone::Continuous)).with(line.tone(Tone::Trace)).with(markers);
+        if let Some(last) = points.last() {
+            chart = chart.with(Note::new(last.0, last.1, Label::from(format!("i = {ratio}").as_str())));
+        }
+    }
+    Ok(chart)
+}
+
+/// What the model says of each published point, by frame size; those of the sisters as the reference test has them.
+fn shares() -> Result<XyChart, Fault> {
+    let mut own = Vec::new();
+    for (offset, ratio) in [-0.9, -0.3, 0.3, 0.9].into_iter().zip(RATIOS) {
+        let p = parameters(&format!("CHA-20A-{ratio}-H-C1024"))?;
+        let model = HeatModel::of(&p).map_err(|_| "heat")?;
+        let stall = p.stall_torque.known().map_or(f64::INFINITY, |stall| stall.value.si());
+        let end = actuator::speed_rated_out(&p).map_err(|_| "n_N")?.value.si();
+        for point in p.continuous_curve.known().ok_or("curve")?.value.points() {
+            let (speed, torque) = (point.speed.si().min(end), point.torque.si().min(stall));
+            if speed > 0.0 {
+                let (speed, torque) = (AngularVelocity::from_si(speed), quantities::Torque::from_si(torque));
+                own.push((20.0 + offset, model.rise_share(torque, speed, 1.0, Time::from_si(60.0)).0));
+            }
+        }
+    }
+    // docs/theory/thermal.md, table of the cross-validation; held by reference_sister_series.
+    let sisters = [
+        (13.4, 1.20), (14.0, 0.94), (14.6, 0.71), (17.0, 1.27), (24.7, 1.06), (25.3, 1.03),
+        (31.4, 1.00), (32.0, 0.98), (32.6, 0.94), (39.4, 1.08), (40.0, 1.01), (40.6, 1.03),
+    ];
+    let gear = [(17.6, 0.91), (18.2, 0.55), (25.9, 0.83)];
+    let chart = XyChart::new(
+        Axis::new("s", "").name("Frame size").range(12.0, 42.0),
+        Axis::new("x", "").name("Rise of the winding over 40 K").range(0.4, 1.4).minor_ticks(),
+    )
+    .description("Share of the permitted rise that the model finds at every published continuous point, by frame size")
+    .with(Markers::new(own).shape(Shape::Circle).tone(Tone::Continuous).label("CHA-20A, calibrated here"))
+    .with(Markers::new(sisters).shape(Shape::Diamond).tone(Tone::Trace).label("FHA-C and FHA-C mini, not used in the fit"))
+    .with(Markers::new(gear).shape(Shape::Cross).tone(Tone::Muted).label("limited by the gear"))
+    .with(Reference::horizontal(1.0).label("just permitted"))
+    .with(Reference::horizontal(0.85).label("lower edge"))
+    .with(Reference::horizontal(1.15).label("upper edge of 20A to 40A"));
+    Ok(chart)
+}

@@ -1,0 +1,156 @@
+//! A stage between the actuator and the mechanism: belt, gear or coupling.
+
+use crate::{Extra, Mechanism, Output};
+use quantities::{Angle, Length, Measure, MomentOfInertia, Torque, TorsionalStiffness};
+
+/// What the stage is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StageKind {
+    /// Two pulleys and a belt.
+    Belt,
+    /// A pair of wheels.
+    Gear,
+    /// A coupling, ratio 1.
+    Coupling,
+}
+
+/// A stage between the actuator and the mechanism. The motion is that of the mechanism; the output of the actuator turns
+/// i_s times as far.
+///
+/// q = i_s q_2, T = (T_2 + J_2 α_2)/(i_s η) + J_1 α
+///
+/// # Symbols  index 2 at the mechanism; i_s ratio, J_1 and J_2 inertia on the side of the actuator and of the mechanism, η
+/// efficiency
+/// # Source   docs/theory/stage.md
+/// # Valid    both sides turn the same way as far as signs go; elasticity and backlash change no torque of the cycle
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stage {
+    /// What it is.
+    pub kind: StageKind,
+    /// i_s: turns of the actuator's output per turn of the mechanism, greater than zero.
+    pub ratio: f64,
+    /// η_1 while the actuator drives.
+    pub efficiency_driving: f64,
+    /// η_2 while the mechanism drives.
+    pub efficiency_driven: f64,
+    /// J_1: inertia of what turns with the actuator.
+    pub inertia_driving: MomentOfInertia,
+    /// J_2: inertia of what turns with the mechanism.
+    pub inertia_driven: MomentOfInertia,
+    /// K_s: torsional stiffness on the side of the mechanism; rigid without it.
+    pub stiffness: Option<TorsionalStiffness>,
+    /// Backlash on the side of the mechanism; none without it.
+    pub backlash: Option<Angle>,
+    /// d_1: pitch diameter of the wheel on the actuator, for the force on the flange.
+    pub pitch_diameter: Option<Length>,
+}
+
+impl Stage {
+    /// Whether it leaves every torque and speed as it is.
+    #[must_use]
+    pub fn changes_nothing(&self) -> bool {
+        self.ratio == 1.0
+            && self.efficiency_driving == 1.0
+            && self.efficiency_driven == 1.0
+            && self.inertia_driving.si() == 0.0
+            && self.inertia_driven.si() == 0.0
+    }
+
+    /// The state of the mechanism behind the stage.
+    pub(crate) fn behind(&self, output: &Output) -> Output {
+        Output {
+            position_rad: output.position_rad / self.ratio,
+            speed_rad_s: output.speed_rad_s / self.ratio,
+            acceleration_rad_s2: output.acceleration_rad_s2 / self.ratio,
+            direction: output.direction,
+        }
+    }
+
+    /// T_2 + J_2 α_2: what the stage hands on \[Nm\].
+    pub(crate) fn handed_on(&self, torque: f64, behind: &Output) -> f64 {
+        torque + self.inertia_driven.si() * behind.acceleration_rad_s2
+    }
+
+    /// What the near side of the stage takes for what it hands on, without its own inertia \[Nm\].
+    pub(crate) fn taken(&self, handed_on: f64, direction: f64) -> f64 {
+        let power = handed_on * direction;
+        let passed = if power > 0.0 {
+            handed_on / self.efficiency_driving
+        } else if power < 0.0 {
+            handed_on * self.efficiency_driven
+        } else {
+            handed_on
+        };
+        passed / self.ratio
+    }
+
+    /// Torque at the output of the actuator \[Nm\].
+    pub(crate) fn torque(&self, torque: f64, behind: &Output, output: &Output) -> f64 {
+        self.taken(self.handed_on(torque, behind), output.direction)
+            + self.inertia_driving.si() * output.acceleration_rad_s2
+    }
+
+    /// (J + J_2)/i_s² + J_1
+    pub(crate) fn inertia(&self, inertia: f64) -> f64 {
+        (inertia + self.inertia_driven.si()) / (self.ratio * self.ratio) + self.inertia_driving.si()
+    }
+}
+
+impl Mechanism {
+    /// The stage, where it changes torque or speed.
+    pub(crate) fn gearing(&self) -> Option<&Stage> {
+        self.stage.as_ref().filter(|stage| !stage.changes_nothing())
+    }
+
+    /// The state of the mechanism while the output of the actuator is in a state.
+    pub(crate) fn behind(&self, output: &Output) -> Output {
+        self.gearing().map_or(*output, |stage| stage.behind(output))
+    }
+
+    /// Turns of the actuator's output per turn of the mechanism; 1 without a stage.
+    #[must_use]
+    pub fn stage_ratio(&self) -> f64 {
+        self.stage.as_ref().map_or(1.0, |stage| stage.ratio)
+    }
+
+    /// Torque that the stage hands on to the mechanism \[Nm\]; where its sign changes the losses change sides. Zero without
+    /// a stage.
+    #[must_use]
+    pub fn stage_torque(&self, output: &Output, extra: &Extra) -> f64 {
+        self.gearing().map_or(0.0, |stage| {
+            let behind = stage.behind(output);
+            stage.handed_on(self.own_torque(&behind, extra), &behind)
+        })
+    }
+
+    /// Stiffness between the motor and the mechanism, at the output of the actuator: that of the gear and of the stage in
+    /// series.
+    ///
+    /// 1/K' = 1/K + i_s²/K_s
+    ///
+    /// # Symbols  K stiffness of the gear, K_s that of the stage on the side of the mechanism [Nm/rad], i_s ratio
+    /// # Source   docs/theory/stage.md
+    /// # Valid    K without a stage or with a rigid one
+    #[must_use]
+    pub fn in_series(&self, gear: TorsionalStiffness) -> TorsionalStiffness {
+        match self.stage.as_ref().and_then(|stage| Some((stage.ratio, stage.stiffness?.si()))) {
+            Some((n, stage)) => TorsionalStiffness::from_si(gear.si() / (1.0 + gear.si() * n * n / stage)),
+            None => gear,
+        }
+    }
+
+    /// Torque of the Coulomb friction at the output of the actuator.
+    #[must_use]
+    pub fn coulomb_torque(&self) -> Torque {
+        Torque::from_si(self.before_stage(self.friction.coulomb.si()))
+    }
+
+    /// A torque at rest, at the output of the actuator: losses are no help.
+    pub(crate) fn before_stage(&self, torque: f64) -> f64 {
+        torque / self.gearing().map_or(1.0, |stage| stage.ratio)
+    }
+}
+
+#[cfg(test)]
+#[path = "stage_tests.rs"]
+mod tests;

@@ -1,0 +1,247 @@
+use super::*;
+use actuator::{Brake, Feedback, FeedbackSide, Gear, ScrewJoint};
+use mechanism::{Extra, Mechanism};
+use motion::{Closing, Given, Hold, Law, ManualMove, Motion, SegmentSpec};
+use provenance::{CellRef, Datum, Sourced};
+use quantities::{
+    Angle, AngularAcceleration, AngularVelocity, ElectricPotential, Measure, MomentOfInertia, Time, Torque,
+};
+
+fn known<T>(value: T) -> Datum<T> {
+    const CELL: CellRef = CellRef::of_the_manual("54.1", "x", "");
+    Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] })
+}
+
+/// An actuator with i = 100, J_out = 2 kgm² and a brake of 60 Nm.
+fn actuator() -> Parameters {
+    let joint = || ScrewJoint { transmissible_torque: known(Torque::from_si(500.0)), ..ScrewJoint::unknown() };
+    Parameters {
+        ratio: known(100.0),
+        inertia_out: known(MomentOfInertia::from_si(2.0)),
+        dc_link_max: known(ElectricPotential::from_si(680.0)),
+        brake: Brake {
+            holding_torque: known(Torque::from_si(60.0)),
+            closing_time: known(Time::from_si(0.07)),
+            opening_time: known(Time::from_si(0.11)),
+            brakings_max: known(1e7),
+            ..Brake::unknown()
+        },
+        screw_joint_load: joint(),
+        screw_joint_housing: joint(),
+        ..Parameters::unknown()
+    }
+}
+
+fn unbraked() -> Parameters {
+    Parameters { brake: Brake::absent(), ..actuator() }
+}
+
+fn swing(acceleration: f64) -> SegmentSpec {
+    let given = Given {
+        distance: Some(Angle::from_si(1.0)),
+        acceleration: Some(AngularAcceleration::from_si(acceleration)),
+        ..Given::default()
+    };
+    SegmentSpec::Move(Law::Triangle, given)
+}
+
+fn dwell(time: f64, hold: Hold) -> SegmentSpec {
+    SegmentSpec::Dwell(Time::from_si(time), hold)
+}
+
+/// A load of 1 kgm² with friction 3 Nm that pulls with 39 Nm.
+fn axis(segments: &[SegmentSpec]) -> Axis {
+    let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(3.0));
+    let mut pull = Extra::none();
+    pull.torque = Torque::from_si(39.0);
+    Axis::new(load, Motion::new(segments, None, Closing::Speed).unwrap(), vec![pull; segments.len()])
+}
+
+fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Check {
+    judge(axis, actuator, Depth::Full).checks.into_iter().find(|check| check.id == id).unwrap()
+}
+
+/// ∫T² over the dwells: 39² Nm² for as long as the motor holds.
+#[test]
+fn the_motor_holds_until_the_brake_has_closed_and_while_it_opens() {
+    let moving = [swing(4.0)];
+    let square = |segments: &[SegmentSpec]| {
+        let axis = axis(segments);
+        let demand = axis.demand(MomentOfInertia::from_si(2.0));
+        demand.torque_rms.si().powi(2) * axis.moments().duration.si()
+    };
+    let move_alone = square(&moving);
+    let held = |dwells: &[SegmentSpec]| {
+        let all: Vec<SegmentSpec> = moving.iter().chain(dwells).cloned().collect();
+        (square(&all) - move_alone) / (39.0 * 39.0)
+    };
+    let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-9, "{a} {b}");
+    near(held(&[dwell(1.0, Hold::Motor)]), 1.0);
+    near(held(&[dwell(1.0, Hold::Brake)]), 0.18);
+    near(held(&[dwell(0.05, Hold::Brake)]), 0.05);
+    near(held(&[dwell(0.18, Hold::Brake)]), 0.18);
+    // Between two dwells that it holds the brake stays closed.
+    near(held(&[dwell(0.6, Hold::Brake), dwell(0.4, Hold::Brake)]), 0.18);
+    near(held(&[dwell(0.6, Hold::Brake), dwell(0.4, Hold::Motor)]), 0.58);
+    // And over the seam of the cycle.
+    let around = [dwell(0.5, Hold::Brake), swing(4.0), dwell(0.5, Hold::Brake)];
+    near((square(&around) - move_alone) / (39.0 * 39.0), 0.18);
+    let course = crate::Course::of(&axis(&[swing(4.0), dwell(1.0, Hold::Brake)]), &actuator());
+    let held: f64 = course
+        .samples
+        .windows(2)
+        .map(|pair| {
+            let rests = pair[0].acceleration_rad_s2 == 0.0 && pair[1].acceleration_rad_s2 == 0.0;
+            let both = pair[0].torque_nm.min(pair[1].torque_nm);
+            if rests && both > 38.0 { pair[1].time_s - pair[0].time_s } else { 0.0 }
+        })
+        .sum();
+    near(held, 0.18);
+}
+
+/// Once a cycle of the move of 1 s and a dwell of 1 s: 2·10⁷ s.
+#[test]
+fn brakings_are_counted() {
+    let mut axis = axis(&[swing(4.0), dwell(1.0, Hold::Brake)]);
+    let of = |axis: &Axis| check(axis, &actuator(), CheckId::BrakeHolding);
+    let lasting = of(&axis).notes.iter().find_map(|note| match note {
+        Note::BrakingsLast { each_cycle, lasts } => Some((*each_cycle, lasts.unwrap().si())),
+        _ => None,
+    });
+    let (each, lasts) = lasting.unwrap();
+    assert!(each == 1.0 && (lasts / 2e7 - 1.0).abs() < 1e-12, "{lasts}");
+    for (life, verdict) in [(1.99e7, Verdict::Pass), (2.01e7, Verdict::Fail)] {
+        axis.asked.service_life = Some(Time::from_si(life));
+        let found = of(&axis);
+        assert_eq!(found.verdict, verdict);
+        assert!((found.value.unwrap().si - life / 2.0).abs() < 1e-3 && found.limit.unwrap().si == 1e7);
+    }
+    let short = self::axis(&[swing(4.0), dwell(0.05, Hold::Brake)]);
+    let told = |note: &Note| matches!(note, Note::DwellTooShortForBrake { shortest, .. } if (shortest.si() - 0.05).abs() < 1e-12);
+    assert!(of(&short).notes.iter().any(told));
+    let small = Parameters { brake: Brake { closing_time: Datum::NotPrinted, ..actuator().brake }, ..actuator() };
+    assert!(check(&short, &small, CheckId::BrakeHolding).notes.contains(&Note::BrakeTimesAssumed));
+    // Kept open for the move and the last 0.11 s of the dwell.
+    assert!((axis.brake_open_share().si() - 1.11 / 2.0).abs() < 1e-12);
+    assert_eq!(short.brake_open_share().si(), 1.0);
+}
+
+/// 60 Nm hold 39 Nm 1.538 times.
+#[test]
+fn the_brake_holds_with_the_safety_that_is_asked() {
+    let mut axis = axis(&[swing(4.0), dwell(1.0, Hold::Motor)]);
+    for (safety, verdict) in [(None, Verdict::Pass), (Some(1.53), Verdict::Pass), (Some(1.54), Verdict::Fail)] {
+        axis.asked.holding_safety = safety;
+        let found = check(&axis, &actuator(), CheckId::BrakeHolding);
+        assert_eq!(found.verdict, verdict, "{safety:?}");
+        assert!((found.utilisation.unwrap() - 39.0 / 60.0 * safety.unwrap_or(1.0)).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_hanging_load_without_a_brake_is_told_and_not_rejected() {
+    let hanging = axis(&[swing(4.0), dwell(1.0, Hold::Motor)]);
+    let found = check(&hanging, &unbraked(), CheckId::BrakeHolding);
+    assert_eq!(found.verdict, Verdict::Advice);
+    assert_eq!(found.notes.as_ref(), [Note::NothingHoldsWithoutPower]);
+    assert!(judge(&hanging, &unbraked(), Depth::Full).fits());
+    let unknown = Parameters { brake: Brake::unknown(), ..actuator() };
+    let found = check(&hanging, &unknown, CheckId::BrakeHolding);
+    assert_eq!((found.verdict, found.missing), (Verdict::NotChecked, Some("T_Br")));
+    let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(3.0));
+    let level = Axis::new(load, Motion::new(&[swing(4.0)], None, Closing::Speed).unwrap(), Vec::new());
+    assert!(judge(&level, &unbraked(), Depth::Full).checks.iter().all(|check| check.id != CheckId::BrakeHolding));
+}
+
+#[test]
+fn the_dc_link_may_rise_above_its_stationary_limit_for_a_while() {
+    let mut axis = axis(&[swing(4.0)]);
+    let of = |axis: &Axis| check(axis, &unbraked(), CheckId::DcLink);
+    let volt = ElectricPotential::from_si;
+    for (supply, rise, verdict, value) in [
+        (560.0, None, Verdict::Pass, 560.0),
+        (560.0, Some(120.0), Verdict::Pass, 560.0),
+        (560.0, Some(200.0), Verdict::Advice, 760.0),
+        (700.0, Some(200.0), Verdict::Fail, 700.0),
+    ] {
+        axis.supply = Some((volt(supply), 0.9));
+        axis.asked.dc_link_rise = rise.map(volt);
+        let found = of(&axis);
+        assert_eq!((found.verdict, found.value.unwrap().si), (verdict, value));
+    }
+}
+
+/// J_out α = 80 Nm turns the rotor and passes neither joint: the load takes 1·40 + 39 + 3 Nm, and the housing the
+/// angular momentum of the rotor besides, 2/100·40 Nm. The reaction by the momenta of rotor and load, one by one.
+#[test]
+fn the_joints_carry_what_passes_them() {
+    let axis = axis(&[swing(40.0)]);
+    let load = check(&axis, &actuator(), CheckId::ScrewJointLoad).value.unwrap().si;
+    let housing = check(&axis, &actuator(), CheckId::ScrewJointHousing).value.unwrap().si;
+    assert!((load - 82.0).abs() < 1e-9, "{load}");
+    let rotor = 2.0 / (100.0 * 100.0);
+    for sense in [1.0, -1.0] {
+        // d/dt of the angular momentum inside the actuator; on it act the load and the housing.
+        let inside: f64 = sense * rotor * 100.0 * 40.0;
+        assert!((82.0 + inside) <= housing + 1e-9);
+    }
+    assert!((housing - 82.8).abs() < 1e-9, "{housing}");
+}
+
+#[test]
+fn a_collision_above_the_ratcheting_torque_is_against_advice() {
+    let mut axis = axis(&[swing(4.0)]);
+    let gear = |rated: Datum<Torque>| Parameters {
+        gear: Gear {
+            collision_torque_max: rated,
+            ratcheting_torque: known(Torque::from_si(200.0)),
+            buckling_torque: known(Torque::from_si(330.0)),
+            ..Gear::unknown()
+        },
+        ..actuator()
+    };
+    let told = Note::Ratcheting { ratcheting: Torque::from_si(200.0), buckling: Some(Torque::from_si(330.0)) };
+    let rated = known(Torque::from_si(110.0));
+    for (torque, of, verdict) in [
+        (190.0, Datum::NotPrinted, Verdict::NotChecked),
+        (210.0, Datum::NotPrinted, Verdict::Advice),
+        (100.0, rated.clone(), Verdict::Pass),
+        (210.0, rated, Verdict::Fail),
+    ] {
+        axis.asked.collision_torque = Some(Torque::from_si(torque));
+        let found = check(&axis, &gear(of), CheckId::CollisionTorque);
+        assert_eq!(found.verdict, verdict, "{torque}");
+        assert!(found.notes.contains(&told));
+    }
+}
+
+/// A resolver tells one turn of the motor; its reference is lost for 1/i, not for 4096/i.
+#[test]
+fn an_endless_axis_names_the_turns_of_its_encoder() {
+    let run = ManualMove {
+        speed: AngularVelocity::from_si(1.0),
+        accelerate: Time::from_si(0.1),
+        run: Time::from_si(1.0),
+        brake: Time::from_si(0.1),
+        pause: Time::from_si(0.1),
+    };
+    let axis = axis(&[SegmentSpec::Manual(run)]);
+    let of = |turns: Datum<f64>| {
+        let feedback = Feedback { single_turn_absolute: true, turns_absolute: turns, ..Feedback::unknown() };
+        let actuator = Parameters { feedback, feedback_out: Feedback::absent(FeedbackSide::Output), ..unbraked() };
+        check(&axis, &actuator, CheckId::FeedbackRange).notes[0]
+    };
+    assert_eq!(of(Datum::NotApplicable), Note::ReferenceLost { turns: 1.0 });
+    assert_eq!(of(known(4096.0)), Note::ReferenceLost { turns: 4096.0 });
+}
+
+#[test]
+fn without_torque_the_gear_has_no_life_to_tell() {
+    let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(0.0));
+    let given =
+        Given { speed: Some(AngularVelocity::from_si(1.0)), time: Some(Time::from_si(1.0)), ..Given::default() };
+    let motion = Motion::new(&[SegmentSpec::Move(Law::Constant, given)], None, Closing::Speed).unwrap();
+    let gear = Gear { rated_torque: known(Torque::from_si(25.0)), ..Gear::unknown() };
+    let found = check(&Axis::new(load, motion, Vec::new()), &Parameters { gear, ..unbraked() }, CheckId::GearLife);
+    assert_eq!((found.verdict, found.missing), (Verdict::NotChecked, Some("gear_load")));
+}
