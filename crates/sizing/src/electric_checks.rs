@@ -58,6 +58,9 @@ struct Steps {
     known: [std::cell::Cell<Option<(f64, f64)>>; STEPS],
 }
 
+/// Speeds that differ by so little of the largest lie between two samples.
+const CLOSE: f64 = 1e-4;
+
 /// Steps between standstill and the largest speed.
 const STEPS: usize = 64;
 
@@ -145,7 +148,13 @@ pub(crate) fn torque_speed_trace(
             share
         };
         axis.trace.largest_of_any(
-            |extent| share(extent.torque(inertia), edge(below(extent.speed))),
+            |extent| {
+                // Between two instants the exact limit decides sooner.
+                let (low, high) = extent.speeds;
+                let close = high - low <= CLOSE * axis.moments.speed_peak.si();
+                let limits = if close { at_speed(extent.speed) } else { below(extent.speed) };
+                share(extent.torque(inertia), edge(limits))
+            },
             |node| {
                 let torque = torque(node);
                 if braking(node) {

@@ -64,13 +64,14 @@ pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
     }
 }
 
-/// How near to its limits an actuator is: above zero it does not fit.
+/// How near to its limits an actuator is: above zero it does not pass with certainty.
 ///
-/// The largest utilisation less one, as far as it agrees with the verdict: advice beyond a limit still fits.
+/// The largest utilisation less one, as far as it agrees with the verdict; what lies inside the band of an estimate has
+/// more than one and counts as beyond.
 fn excess(axis: &Axis, actuator: &Parameters) -> f64 {
     let judgement = judge(axis, actuator, Depth::Margins);
     let excess = judgement.utilisation() - 1.0;
-    if judgement.fits() { excess.min(-f64::EPSILON) } else { excess.max(f64::EPSILON) }
+    if judgement.fits() { excess } else { excess.max(f64::EPSILON) }
 }
 
 /// The largest factor from which nothing fits any more, walking up from what fits or down from what does not;

@@ -97,25 +97,32 @@ impl Best {
         }
     }
 
-    /// The largest value between two shares of a panel, by halving about the best of five instants.
+    /// The largest value between two shares of a panel, by halving about the best of three instants. What bends by less
+    /// between them than it lies below the highest is left alone.
     fn narrow(&mut self, nodes: &[Node], (from, to): (f64, f64), value: &impl Fn(&Node) -> f64) {
-        let mut at = |s: f64| {
-            let node = between(nodes, s);
-            let found = value(&node);
-            self.see(&node, found);
-            found
-        };
         let mut quarter = 0.25 * (to - from);
-        let mut middle = (from + 2.0 * quarter, at(from + 2.0 * quarter));
+        let mut middle = self.at(nodes, from + 2.0 * quarter, value);
         for _ in 0..HALVINGS {
-            for s in [middle.0 - quarter, middle.0 + quarter] {
-                let found = at(s);
-                if found > middle.1 {
-                    middle = (s, found);
+            let sides = [middle.0 - quarter, middle.0 + quarter].map(|s| self.at(nodes, s, value));
+            let [before, after] = sides;
+            let bend = (before.1 - 2.0 * middle.1 + after.1).abs();
+            for side in sides {
+                if side.1 > middle.1 {
+                    middle = side;
                 }
+            }
+            if middle.1 + bend < self.value {
+                return;
             }
             quarter *= 0.5;
         }
+    }
+
+    fn at(&mut self, nodes: &[Node], s: f64, value: &impl Fn(&Node) -> f64) -> (f64, f64) {
+        let node = between(nodes, s);
+        let found = value(&node);
+        self.see(&node, found);
+        (s, found)
     }
 }
 
