@@ -53,12 +53,12 @@ const FOUND: &[(&str, &str)] = &[
     ("n_av, at most n_N_out", "n_av, höchstens n_N_out"),
     ("I_s + K |n|, the gear as cold as the ambient air", "I_s + K |n|, Getriebe so kalt wie die Umgebungsluft"),
     (
-        "gear as cold as the ambient air: friction opposes the torque",
-        "Getriebe so kalt wie die Umgebungsluft: die Reibung wirkt gegen das Moment",
+        "gear as cold as the ambient air: the worse of both states",
+        "Getriebe so kalt wie die Umgebungsluft: der ungünstigere der beiden Zustände",
     ),
     (
-        "gear in the settled cycle: friction helps the torque",
-        "Getriebe im Beharrungszustand: die Reibung hilft dem Moment",
+        "gear in the settled cycle: the worse of both states",
+        "Getriebe im Beharrungszustand: der ungünstigere der beiden Zustände",
     ),
     ("law of friction at theta_g", "Reibgesetz bei theta_g"),
     (
