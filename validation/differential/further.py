@@ -59,7 +59,8 @@ class Further(Author):
         moved = {"payload_distance": ""} if "payload_distance" in text else {}
         keys = self.mounting(moved)
         if self.stage != "coupling" and (self.kind, self.stage) != ("table", None):
-            stated = self.forces() if found and self.chance(0.6) else {}
+            adds = keys["mechanism"] == "add"
+            stated = self.forces() if found and adds and self.chance(0.6) else {}
             more = {"load_factor": float(short(self.between(1, 2), 3)), "operating_condition": "shock"}
             head += table("[bearing]", keys | stated | more)
         if self.stage:

@@ -225,7 +225,11 @@ impl Mechanism {
     #[must_use]
     pub fn flange_switches(&self, output: &Output, extra: &Extra, recorded_nm: f64) -> [f64; 2] {
         match &self.kind {
-            _ if self.stage.is_some() => [self.stage_hands_on(output, extra, recorded_nm), 0.0],
+            // Behind the stage the losses of the mechanism itself switch with its power.
+            _ if self.stage.is_some() => {
+                let extra = Extra { torque: extra.torque + Torque::from_si(recorded_nm), ..*extra };
+                [self.stage_hands_on(output, &extra, 0.0), self.useful_torque(output, &extra)]
+            }
             Kind::Linear(linear) => line_forces(linear, output, extra, recorded_nm),
             Kind::SliderCrank(crank) => [rod_force(crank, output, extra).0, 0.0],
             _ => [0.0; 2],

@@ -163,20 +163,19 @@ impl Currents {
     }
 
     /// The workings of the current at an instant in one of the states; the result is `I`.
-    pub(crate) fn explain(&self, node: &Node, actuator: &Parameters, work: &mut Workings) {
+    fn explain(&self, node: &Node, friction: &FrictionAt, actuator: &Parameters, work: &mut Workings) {
         if !work.is_on() {
             return;
         }
         workings::torque_at(node, actuator, work);
-        let friction = self.larger(node);
         let source = Source::Model { name: "current" };
         if let Some(torque_constant) = actuator.torque_constant_out.known() {
             work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, torque_constant);
         }
         let text = if friction == &self.cold {
-            "gear as cold as the ambient air: friction opposes the torque"
+            "gear as cold as the ambient air: the worse of both states"
         } else {
-            "gear in the settled cycle: friction helps the torque"
+            "gear in the settled cycle: the worse of both states"
         };
         work.found("theta_g", &DEGREE_CELSIUS, friction.temperature.si(), text, &source, Grade::Estimated);
         let text = "law of friction at theta_g";
@@ -186,7 +185,7 @@ impl Currents {
         work.found("n", &REVOLUTION_PER_MINUTE, node.speed, "speed at t", &workings::DEMAND, Grade::Computed);
         work.found("sigma", &ONE, node.direction, "direction at t", &workings::DEMAND, Grade::Computed);
         let text = "T/k_Tout + sigma*(I_s + K*abs(n))";
-        work.formula("I", &AMPERE, self.extreme(node), text, &source);
+        work.formula("I", &AMPERE, self.in_state(node, friction), text, &source);
     }
 }
 
@@ -229,7 +228,10 @@ pub(crate) fn voltage(
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let typed = |node: &Node| (AngularVelocity::from_si(node.speed), ElectricCurrent::from_si(currents.extreme(node)));
+    let in_state = |node: &Node, friction: &FrictionAt| {
+        let current = ElectricCurrent::from_si(currents.in_state(node, friction));
+        motor.at(AngularVelocity::from_si(node.speed), current).si()
+    };
     // In current and in speed by themselves the voltage is convex: over a block it is largest at a corner.
     let bound = |extent: &Extent| {
         let ((low, high), (back, forth)) = (currents.range(extent), extent.speeds);
@@ -238,13 +240,13 @@ pub(crate) fn voltage(
         };
         at(back, low).max(at(back, high)).max(at(forth, low)).max(at(forth, high))
     };
-    let (worst, at) = axis.trace.largest_of_any(bound, |node| {
-        let (speed, current) = typed(node);
-        motor.at(speed, current).si()
-    });
-    currents.explain(&at, actuator, work);
-    let (speed, current) = typed(&at);
-    motor.explain(actuator, speed, current, work);
+    // While braking the larger current does not mean the larger voltage: it lessens what the induced one needs.
+    let (cold, warm) = (&currents.cold, &currents.warm);
+    let (worst, at) = axis.trace.largest_of_any(bound, |node| in_state(node, cold).max(in_state(node, warm)));
+    let friction = if in_state(&at, cold) >= in_state(&at, warm) { cold } else { warm };
+    currents.explain(&at, friction, actuator, work);
+    let current = ElectricCurrent::from_si(currents.in_state(&at, friction));
+    motor.explain(actuator, AngularVelocity::from_si(at.speed), current, work);
     let model = Source::Model { name: "voltage" };
     let limit = supply.si() / std::f64::consts::SQRT_2 * reserve;
     if work.is_on() {
@@ -325,7 +327,7 @@ fn current_check(
     };
     let by_cold_only = id == CheckId::PeakCurrent && current > most && currents.heat.is_ok() && settled() <= 1.0;
     let source = Source::Model { name: "current" };
-    currents.explain(&node, actuator, work);
+    currents.explain(&node, currents.larger(&node), actuator, work);
     work.formula("I_peak", &AMPERE, current, "abs(I)", &source);
     work.value("I_peak");
     work.given(symbol, &AMPERE, limit);

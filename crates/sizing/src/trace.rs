@@ -132,7 +132,9 @@ impl Extent {
 
     /// All J α + T_L of the nodes lie between these.
     fn torques(&self, inertia: f64) -> (f64, f64) {
-        (inertia * self.acceleration.0 + self.load.0, inertia * self.acceleration.1 + self.load.1)
+        // A joint that takes T_L − J α asks with a negative inertia.
+        let (a, b) = (inertia * self.acceleration.0, inertia * self.acceleration.1);
+        (a.min(b) + self.load.0, a.max(b) + self.load.1)
     }
 
     /// Whether (J α + T_L) σ has one sign over all nodes: +1 if nowhere negative, −1 if nowhere positive.

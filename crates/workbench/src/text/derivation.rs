@@ -53,12 +53,12 @@ const FOUND: &[(&str, &str)] = &[
     ("n_av, at most n_N_out", "n_av, höchstens n_N_out"),
     ("I_s + K |n|, the gear as cold as the ambient air", "I_s + K |n|, Getriebe so kalt wie die Umgebungsluft"),
     (
-        "gear as cold as the ambient air: friction opposes the torque",
-        "Getriebe so kalt wie die Umgebungsluft: die Reibung wirkt gegen das Moment",
+        "gear as cold as the ambient air: the worse of both states",
+        "Getriebe so kalt wie die Umgebungsluft: der ungünstigere der beiden Zustände",
     ),
     (
-        "gear in the settled cycle: friction helps the torque",
-        "Getriebe im Beharrungszustand: die Reibung hilft dem Moment",
+        "gear in the settled cycle: the worse of both states",
+        "Getriebe im Beharrungszustand: der ungünstigere der beiden Zustände",
     ),
     ("law of friction at theta_g", "Reibgesetz bei theta_g"),
     (
@@ -143,6 +143,9 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("gamma", "tilt of the flange", "Kippwinkel des Flansches"),
     ("gamma_max", "tilt permitted", "zulässiger Kippwinkel"),
     ("i_s", "ratio of the stage", "Übersetzung der Stufe"),
+    ("K_1", "torsional stiffness below T_1", "Torsionssteifigkeit unter T_1"),
+    ("K_2", "torsional stiffness between T_1 and T_2", "Torsionssteifigkeit zwischen T_1 und T_2"),
+    ("K_3", "torsional stiffness above T_2", "Torsionssteifigkeit über T_2"),
     ("K_s", "torsional stiffness of the stage", "Torsionssteifigkeit der Stufe"),
     ("L_10", "life that 90 % reach", "Lebensdauer, die 90 % erreichen"),
     ("L_10_min", "life asked for", "geforderte Lebensdauer"),
