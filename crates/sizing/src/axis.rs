@@ -186,6 +186,17 @@ pub enum SpecialApplication {
     Amusement,
 }
 
+/// A motion with more revolutions at changing speed than a load that depends on the position can be looked at along.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TooManyRevolutions {
+    /// Index of the segment with most of them.
+    pub segment: usize,
+    /// Revolutions in the whole cycle.
+    pub revolutions: f64,
+    /// So many are permitted.
+    pub most: f64,
+}
+
 /// Load and motion of one axis, with the moments of its cycle.
 #[derive(Clone, Debug)]
 pub struct Axis {
@@ -239,6 +250,17 @@ impl Axis {
             small_swings: OnceLock::new(),
             held: OnceLock::new(),
         }
+    }
+
+    /// Revolutions that a motion makes at changing speed under a load that depends on the position, and the segment with most
+    /// of them, where they are more than can be looked at: an axis is not made of such a motion.
+    #[must_use]
+    pub fn too_many_revolutions(mechanism: &Mechanism, motion: &Motion) -> Option<TooManyRevolutions> {
+        let found = crate::trace::build::revolutions(mechanism, motion);
+        let revolutions = found.iter().map(|(_, count)| count).sum::<f64>();
+        let (segment, _) = found.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let most = crate::trace::build::REVOLUTIONS_MOST;
+        (revolutions > most).then_some(TooManyRevolutions { segment: *segment, revolutions, most })
     }
 
     /// The swings below the manual's 5°; only the output bearing asks for them.

@@ -187,16 +187,38 @@ impl Balance {
                 balance.bank.pass(taken);
                 continue;
             }
-            let mut last: Option<Node> = None;
-            axis.trace.within(block, &mut |node| {
-                balance.whole += node.weight * power.at(node);
-                if let Some(last) = last.as_ref().filter(|last| node.time > last.time) {
-                    power.gap(last, node, &mut |arc| balance.take(arc));
-                }
-                last = Some(*node);
-            });
+            axis.trace.within(block, &mut |node| balance.whole += node.weight * power.at(node));
+            let before = balance.back;
+            balance.pass(axis, power, block);
+            if block.times > 1.0 {
+                balance.back = before + block.times * (balance.back - before);
+                balance.repeat(axis, power, block);
+            }
         }
         balance
+    }
+
+    /// Through the nodes of a block, once.
+    fn pass(&mut self, axis: &Axis, power: &TerminalPower<'_>, block: &Block) {
+        let mut last: Option<Node> = None;
+        axis.trace.within(block, &mut |node| {
+            if let Some(last) = last.as_ref().filter(|last| node.time > last.time) {
+                power.gap(last, node, &mut |arc| self.take(arc));
+            }
+            last = Some(*node);
+        });
+    }
+
+    /// What the further periods of a block do to the bank: from the second on each adds as much as the one before.
+    fn repeat(&mut self, axis: &Axis, power: &TerminalPower<'_>, block: &Block) {
+        let back = self.back;
+        let first = self.bank.held;
+        self.pass(axis, power, block);
+        self.bank.held += (block.times - 3.0).max(0.0) * (self.bank.held - first).max(0.0);
+        if block.times > 2.0 {
+            self.pass(axis, power, block);
+        }
+        self.back = back;
     }
 
     fn take(&mut self, arc: &Arc) {

@@ -246,3 +246,53 @@ fn lags_of_a_recording_agree_with_sums_over_its_intervals() {
         }
     }
 }
+
+/// An arm that turns for long: one revolution stands for all. Sixty of them sampled one by one must say the same, as must a
+/// chain of shorter runs.
+#[test]
+fn revolutions_at_constant_speed_stand_for_each_other() {
+    let run = |revolutions: f64, speed: f64| {
+        let given = motion::Given {
+            distance: Some(Angle::from_si(revolutions * std::f64::consts::TAU)),
+            speed: Some(quantities::AngularVelocity::from_si(speed)),
+            ..motion::Given::default()
+        };
+        SegmentSpec::Move(Law::Constant, given)
+    };
+    // Runs of one revolution and a half are not taken together.
+    let apart: Vec<SegmentSpec> = (0..40).map(|_| run(1.5, 9.0)).collect();
+    let of = |segments: &[SegmentSpec]| Trace::of(&arm(), &motion(segments), &[]);
+    let (once, each) = (of(&[run(60.0, 9.0)]), of(&apart));
+    assert!(each.nodes().len() > 30 * once.nodes().len());
+    for c in [[0.0, 1.0, 0.0, 0.0], [0.3, 0.9, 1.1, 0.4]] {
+        same(once.gram.square(c), each.gram.square(c), "sum");
+    }
+    same(once.cubes(), each.cubes(), "cubes");
+    for taus in [[8.0, 0.6], [60.0, 2400.0], [0.05, 3.0]] {
+        let (a, b) = (once.peak_of_lags(&two(taus)), each.peak_of_lags(&two(taus)));
+        same(a.value, b.value, &format!("lags {taus:?}"));
+    }
+    // Within a cycle that also rests: the lags rise from one revolution to the next.
+    for taus in [[8.0, 0.6], [60.0, 2400.0], [0.05, 3.0]] {
+        let ramp = |distance: f64, end: f64| {
+            let given = motion::Given {
+                distance: Some(Angle::from_si(distance)),
+                speed: Some(quantities::AngularVelocity::from_si(9.0)),
+                acceleration: Some(quantities::AngularAcceleration::from_si(40.0)),
+                end_speed: Some(quantities::AngularVelocity::from_si(end)),
+                ..motion::Given::default()
+            };
+            SegmentSpec::Move(Law::Trapezoid, given)
+        };
+        let turn = std::f64::consts::TAU;
+        let cycle = |middle: Vec<SegmentSpec>| {
+            let mut all = vec![ramp(turn, 9.0)];
+            all.extend(middle);
+            all.extend([ramp(turn, 0.0), dwell(30.0, Hold::Brake)]);
+            of(&all).peak_of_lags(&two(taus)).value
+        };
+        same(cycle(vec![run(60.0, 9.0)]), cycle(apart.clone()), &format!("with rest, {taus:?}"));
+    }
+    // A million revolutions cost no more.
+    assert!(of(&[run(1e6, 9.0)]).nodes().len() <= once.nodes().len() + 300);
+}

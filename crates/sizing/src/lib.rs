@@ -31,7 +31,7 @@ mod swings;
 mod trace;
 mod workings;
 
-pub use axis::{Asked, Axis, BearingDuty, Moments, OperatingCondition, SpecialApplication};
+pub use axis::{Asked, Axis, BearingDuty, Moments, OperatingCondition, SpecialApplication, TooManyRevolutions};
 pub use check::{Check, CheckId, Figure, Note, Notes, Verdict};
 pub use checks::{Depth, Judgement, explain, judge};
 pub use course::{Course, Sample};

@@ -1,6 +1,6 @@
 //! The motion under its load as weighted instants, once per axis; every candidate is judged on it.
 
-mod build;
+pub(crate) mod build;
 mod cubes;
 mod form;
 mod gains;
@@ -245,6 +245,8 @@ enum Place {
 enum Run {
     /// Kept panels between two indices.
     Kept(Range<usize>),
+    /// Kept panels that follow upon each other several times: the revolutions at constant speed.
+    Repeated(Range<usize>, f64),
     /// All blocks of a strip.
     Recorded(usize),
 }
@@ -256,13 +258,15 @@ pub(crate) struct Block {
     /// Instant at which it begins \[s\].
     pub(crate) from: f64,
     pub(crate) duration: f64,
+    /// How often its panels follow upon each other; their nodes bear the weight of all.
+    pub(crate) times: f64,
     pub(crate) extent: Extent,
     pub(crate) gram: Gram,
 }
 
 impl Block {
     const fn empty(place: Place) -> Self {
-        Self { place, from: 0.0, duration: 0.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
+        Self { place, from: 0.0, duration: 0.0, times: 1.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
     }
 
     fn join(&mut self, other: &Self) {
@@ -272,7 +276,7 @@ impl Block {
     }
 
     fn add(&mut self, panel: &Panel<'_>) {
-        self.duration += panel.duration;
+        self.duration += self.times * panel.duration;
         let mut extent = Extent::NONE;
         for node in panel.nodes {
             extent.widen(node);

@@ -4,8 +4,9 @@ use super::recording::Strip;
 use super::rule::{MOST, rule};
 use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Panel, Place, Run, Share, Trace};
 use crate::brake_times::held_by_the_motor;
-use mechanism::{Extra, Mechanism, Output};
+use mechanism::{Endless, Extra, Mechanism, Output};
 use motion::{Hold, Motion, Piece, Placed, Runs, lobatto};
+use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
 
 pub(super) struct Builder<'a> {
@@ -20,6 +21,8 @@ pub(super) struct Builder<'a> {
     blocks: Vec<Block>,
     /// Nodes and panels before these are in a block.
     blocked: (usize, usize),
+    /// How often what is being added follows upon itself.
+    times: f64,
     shares: Vec<Share>,
     inertia: (f64, f64),
     span: (f64, f64),
@@ -38,9 +41,11 @@ const PANELS_PER_SEARCH: f64 = 12.0;
 /// A panel covers at most this phase of the harmonic of its law.
 const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Most panels of one piece; a piece that turns through more than eighty revolutions under a changing load is sampled
-/// more coarsely than [`PANEL_ANGLE`].
-const PANELS_MOST: f64 = 1_000.0;
+/// Revolutions of one cycle at changing speed under a load that depends on the position: beyond, the cycle is refused.
+pub(crate) const REVOLUTIONS_MOST: f64 = 2_000.0;
+
+/// Most panels of one piece, those of so many revolutions.
+const PANELS_MOST: f64 = REVOLUTIONS_MOST * TAU / PANEL_ANGLE;
 
 /// A panel of so many nodes holds signals that are straight over time.
 const STRAIGHT: usize = 4;
@@ -61,6 +66,7 @@ impl<'a> Builder<'a> {
             strips: Vec::new(),
             blocks: Vec::new(),
             blocked: (0, 0),
+            times: 1.0,
             shares: vec![Share::default(); motion.stretches().len()],
             inertia: (0.0, f64::INFINITY),
             span: (f64::INFINITY, f64::NEG_INFINITY),
@@ -117,6 +123,7 @@ impl<'a> Builder<'a> {
         }
         self.blocked = (self.nodes.len(), self.panels.len());
         let mut block = Block::empty(Place::Kept(panels..self.panels.len()));
+        block.times = self.times;
         block.from = self.nodes.get(nodes).map_or(0.0, |node| node.time);
         for kept in self.panels.get(panels..).unwrap_or_default() {
             let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
@@ -153,13 +160,43 @@ impl<'a> Builder<'a> {
             self.rest(piece, extra, hold);
             return;
         }
+        if let Some(revolutions) = whole_revolutions(self.mechanism, piece) {
+            self.revolutions(piece, extra, revolutions);
+            return;
+        }
+        self.turning(piece, extra);
+    }
+
+    /// Whole revolutions at constant speed under a load that repeats with each: one of them stands for all, and what is
+    /// left over follows.
+    fn revolutions(&mut self, piece: &Piece, extra: &Extra, times: f64) {
+        self.close_block();
+        // Of the load; the stage between it and the actuator turns the output farther.
+        let angle = TAU * self.mechanism.stage_ratio().abs();
+        let period = angle / piece.speed_rad_s.abs();
+        self.times = times;
+        self.turning(&Piece { duration_s: period, ..*piece }, extra);
+        self.close_block();
+        self.times = 1.0;
+        let left = piece.duration_s - times * period;
+        if left > 1e-12 * piece.duration_s {
+            let position_rad = piece.position_rad + times * angle * piece.speed_rad_s.signum();
+            let start_s = piece.start_s + times * period;
+            self.turning(&Piece { start_s, duration_s: left, position_rad, ..*piece }, extra);
+        } else {
+            self.see(&self.output(piece, piece.duration_s, piece.speed_rad_s.signum()), extra);
+        }
+    }
+
+    fn turning(&mut self, piece: &Piece, extra: &Extra) {
         let runs = piece.runs();
         let cuts = self.cuts(piece, extra, &runs);
         let nodes = self.nodes_per_panel(piece);
         for pair in cuts.windows(2) {
             if let [from, to] = pair {
                 self.panel(piece, extra, (*from, *to, runs.direction(0.5 * (from + to))), nodes);
-                if self.nodes.len() - self.blocked.0 >= BLOCK {
+                // What repeats is one block.
+                if self.times == 1.0 && self.nodes.len() - self.blocked.0 >= BLOCK {
                     self.close_block();
                 }
             }
@@ -230,6 +267,12 @@ impl<'a> Builder<'a> {
             // So many spans that no two roots fall into one step of the search.
             let spans = (self.parts(piece) / PANELS_PER_SEARCH).ceil().max(1.0);
             let span = piece.duration_s / spans;
+            // A root on the border of two spans lies inside neither.
+            let mut border = 1.0;
+            while border < spans {
+                cuts.push(border * span);
+                border += 1.0;
+            }
             let search = |f: &dyn Fn(f64) -> f64, cuts: &mut Vec<f64>| {
                 let mut k = 0.0;
                 while k < spans {
@@ -272,13 +315,8 @@ impl<'a> Builder<'a> {
     fn parts(&self, piece: &Piece) -> f64 {
         let [amplitude, frequency, _] = piece.harmonic;
         let phase = if amplitude == 0.0 { 0.0 } else { frequency * piece.duration_s / PANEL_PHASE };
-        let angle = if self.mechanism.depends_on_position() {
-            // The travel is at most the largest speed times the duration; the ends and the middle bound it closely.
-            let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s).speed_rad_s.abs());
-            speed.into_iter().fold(0.0, f64::max) * piece.duration_s / self.mechanism.stage_ratio() / PANEL_ANGLE
-        } else {
-            0.0
-        };
+        let angle =
+            if self.mechanism.depends_on_position() { turned(self.mechanism, piece) * TAU / PANEL_ANGLE } else { 0.0 };
         phase.max(angle).min(PANELS_MOST).ceil()
     }
 
@@ -319,13 +357,13 @@ impl<'a> Builder<'a> {
             let output = self.output(piece, beside, direction);
             self.nodes.push(Node {
                 time: piece.start_s + t,
-                weight: weight * (to - from),
+                weight: weight * (to - from) * self.times,
                 acceleration: output.acceleration_rad_s2,
                 speed: output.speed_rad_s,
                 direction,
                 load: self.mechanism.torque(&output, extra),
             });
-            travelled += weight * (to - from) * output.speed_rad_s * direction;
+            travelled += self.times * weight * (to - from) * output.speed_rad_s * direction;
             self.see(&output, extra);
         }
         let bow = bow(self.nodes.get(first..).unwrap_or_default());
@@ -365,11 +403,39 @@ fn bow(nodes: &[Node]) -> [f64; 4] {
     bow
 }
 
+/// How many whole revolutions of the load a piece makes at constant speed, if it repeats with each and there are several.
+fn whole_revolutions(mechanism: &Mechanism, piece: &Piece) -> Option<f64> {
+    let repeats = mechanism.depends_on_position()
+        && mechanism.endless() == Endless::EachRevolution
+        && piece.speed_degree() == Some(0)
+        && piece.speed_rad_s != 0.0;
+    let times = (turned(mechanism, piece) * (1.0 + 1e-14)).floor();
+    (repeats && times >= 2.0).then_some(times)
+}
+
+/// Revolutions of the load in a piece. They are at most those at the largest speed; the ends and the quarters of the piece
+/// bound it closely.
+fn turned(mechanism: &Mechanism, piece: &Piece) -> f64 {
+    let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s).speed_rad_s.abs());
+    speed.into_iter().fold(0.0, f64::max) * piece.duration_s / (TAU * mechanism.stage_ratio().abs())
+}
+
+/// Revolutions that each piece makes where the load must be looked at along all of them, by segment.
+pub(crate) fn revolutions(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
+    if !mechanism.depends_on_position() {
+        return Vec::new();
+    }
+    let pieces = motion.pieces().iter();
+    let counted = pieces.filter(|piece| !piece.is_rest() && whole_revolutions(mechanism, piece).is_none());
+    counted.map(|piece| (piece.segment, turned(mechanism, piece))).collect()
+}
+
 /// The blocks as runs of kept panels and whole recordings.
 fn runs(blocks: &[Block]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     for block in blocks {
         match (&block.place, runs.last_mut()) {
+            (Place::Kept(range), _) if block.times > 1.0 => runs.push(Run::Repeated(range.clone(), block.times)),
             (Place::Kept(range), Some(Run::Kept(run))) => run.end = range.end,
             (Place::Kept(range), _) => runs.push(Run::Kept(range.clone())),
             (Place::Recorded { strip, .. }, Some(Run::Recorded(run))) if run == strip => {}

@@ -90,6 +90,35 @@ const PARTS: u32 = 16;
 /// What is not higher by more than this share is not looked for: far below what any reader sees, above what rounding makes.
 const NEGLIGIBLE: f64 = 1e-10;
 
+/// What one period of a stretch that repeats does to a lag.
+struct Period {
+    /// Duration over τ.
+    lambda: f64,
+    gain: f64,
+}
+
+impl Period {
+    fn of(gains: &[Gain], factors: &Products, tau_s: f64, duration: f64) -> Self {
+        let gain = gains.iter().fold(0.0, |state, gain| state * gain.decay + sum(factors, &gain.gain));
+        Self { lambda: duration / tau_s, gain }
+    }
+
+    /// The state that each period brings back.
+    fn steady(&self) -> f64 {
+        self.gain / -(-self.lambda).exp_m1()
+    }
+
+    /// What is left of the state after some periods.
+    fn decay(&self, times: f64) -> f64 {
+        (-times * self.lambda).exp()
+    }
+
+    /// What some periods add: the geometric sum of their gains.
+    fn added(&self, times: f64) -> f64 {
+        self.steady() * -(-times * self.lambda).exp_m1()
+    }
+}
+
 /// One lag through the stretches of a run.
 struct Flow {
     tau_s: f64,
@@ -145,7 +174,7 @@ impl Trace {
         let mut stretches = Vec::with_capacity(self.panels.len());
         let mut factors = Vec::with_capacity(self.runs.len());
         for run in &self.runs {
-            let mut take = |gains: &[Gain], factors: &Products| {
+            let take = |gains: &[Gain], factors: &Products, stretches: &mut Vec<(f64, f64)>| {
                 stretches.extend(gains.iter().map(|gain| (gain.decay, sum(factors, &gain.gain))));
             };
             match run {
@@ -155,21 +184,44 @@ impl Trace {
                         lag.tau_s,
                         |tau_s| self.kept_gains(tau_s),
                         |gains| {
-                            take(gains.get(range.clone()).unwrap_or_default(), &q);
+                            take(gains.get(range.clone()).unwrap_or_default(), &q, &mut stretches);
                         },
                     );
+                    factors.push(q);
+                }
+                Run::Repeated(range, times) => {
+                    let q = lag.form.factors();
+                    let make = |tau_s| self.kept_gains(tau_s);
+                    self.lags.gains.with(lag.tau_s, make, |gains| {
+                        let period = Period::of(
+                            gains.get(range.clone()).unwrap_or_default(),
+                            &q,
+                            lag.tau_s,
+                            self.duration_of(range),
+                        );
+                        stretches.push((period.decay(*times), period.added(*times)));
+                    });
                     factors.push(q);
                 }
                 Run::Recorded(strip) => {
                     let Some(strip) = self.strips.get(*strip) else { continue };
                     let (q, tau_s) = (strip.view().form(&lag.form).factors(), lag.tau_s / strip.view().stretch());
-                    strip.survey().gains.with(tau_s, |tau_s| strip.gains(tau_s), |gains| take(gains, &q));
+                    strip.survey().gains.with(
+                        tau_s,
+                        |tau_s| strip.gains(tau_s),
+                        |gains| take(gains, &q, &mut stretches),
+                    );
                     factors.push(q);
                 }
             }
         }
         let gathered = stretches.iter().fold(0.0, |state, (decay, gain)| state * decay + gain);
         Flow { tau_s: lag.tau_s, stretches, factors, start: gathered / -(-self.duration / lag.tau_s).exp_m1() }
+    }
+
+    /// Duration of some kept panels, once \[s\].
+    fn duration_of(&self, range: &std::ops::Range<usize>) -> f64 {
+        self.panels.get(range.clone()).unwrap_or_default().iter().map(|kept| kept.duration).sum()
     }
 
     fn kept_gains(&self, tau_s: f64) -> Vec<Gain> {
@@ -198,6 +250,13 @@ impl Trace {
                         });
                     }
                     before += range.len();
+                }
+                Run::Repeated(range, times) => {
+                    if within == 0 {
+                        let first = self.panels.get(range.start).and_then(|kept| self.nodes.get(kept.nodes.start));
+                        return first.map_or(0.0, |node| node.time) + times * self.duration_of(range);
+                    }
+                    before += 1;
                 }
                 Run::Recorded(strip) => {
                     let blocks = self.strips.get(*strip).map_or(&[][..], |strip| strip.raw_blocks());
@@ -242,6 +301,11 @@ impl Search<'_> {
                         self.step(index);
                         index += 1;
                     }
+                }
+                Run::Repeated(range, times) => {
+                    self.inside_repeated(number, range, *times);
+                    self.step(index);
+                    index += 1;
                 }
                 Run::Recorded(strip) => {
                     let Some(strip) = self.trace.strips.get(*strip) else { continue };
@@ -331,6 +395,47 @@ impl Search<'_> {
 
     fn is_long(&self, panel: &Panel<'_>) -> bool {
         self.lags.len() > LAGS || self.lags.iter().any(|lag| panel.duration > SHORT * lag.tau_s)
+    }
+
+    /// Through the periods in which the sum of the lags may be largest. From one period to the next each lag comes nearer to
+    /// the state that repeats itself, y = y_∞ + (y_0 − y_∞) e^(−jT/τ): the sum of two has its largest value in the first or the
+    /// last period or about the one where its derivative to j is zero.
+    fn inside_repeated(&mut self, run: usize, range: &std::ops::Range<usize>, times: f64) {
+        let trace = self.trace;
+        let once = trace.duration_of(range);
+        let mut periods = Vec::with_capacity(self.lags.len());
+        for (flow, lag) in self.flows.iter().zip(self.lags) {
+            let Some(factors) = flow.factors.get(run) else { return };
+            let make = |tau_s| trace.kept_gains(tau_s);
+            let period =
+                |gains: &[Gain]| Period::of(gains.get(range.clone()).unwrap_or_default(), factors, lag.tau_s, once);
+            periods.push(trace.lags.gains.with(lag.tau_s, make, period));
+        }
+        let last = times - 1.0;
+        let mut looked = vec![0.0, 1.0, last];
+        let away: Vec<(f64, f64)> =
+            periods.iter().zip(&self.states).map(|(period, state)| (state - period.steady(), period.lambda)).collect();
+        if let [(a, quick), (b, slow)] = away.as_slice() {
+            let turn = (-(a * quick) / (b * slow)).ln() / (quick - slow);
+            if turn.is_finite() {
+                looked.extend([-1.0, 0.0, 1.0].map(|beside| turn.floor() + beside));
+            }
+        }
+        looked.retain(|j| (0.0..=last).contains(j));
+        looked.sort_by(f64::total_cmp);
+        looked.dedup();
+        for j in looked {
+            let states = periods.iter().zip(&self.states);
+            let mut states: Vec<f64> =
+                states.map(|(period, state)| state * period.decay(j) + period.added(j)).collect();
+            let before = self.best;
+            for kept in trace.panels.get(range.clone()).unwrap_or_default() {
+                self.inside(&trace.panel(kept), &mut states);
+            }
+            if self.best != before {
+                self.best.at_s += j * once;
+            }
+        }
     }
 
     /// What a value must exceed to count.

@@ -121,6 +121,8 @@ pub(super) struct Survey {
     span: (f64, f64),
     lags: OnceLock<Vec<LagBlock>>,
     cubes: OnceLock<Vec<Option<Moments>>>,
+    /// Bounds of the parts of each block, found when it is first looked into.
+    parts: Vec<OnceLock<Vec<Extent>>>,
     pub(super) gains: GainTables,
 }
 
@@ -273,6 +275,7 @@ impl Strip {
             (inertia, holding)
         });
         Survey {
+            parts: blocks.iter().map(|_| OnceLock::new()).collect(),
             blocks,
             by_position,
             span,
@@ -296,6 +299,7 @@ impl Strip {
             }
             Block {
                 place,
+                times: 1.0,
                 from: self.view.start + raw.from * self.view.stretch,
                 duration: raw.duration * self.view.stretch,
                 extent: self.view.extent(&raw.extent),
@@ -349,6 +353,30 @@ impl Strip {
     pub(super) fn raw_panels(&self, block: &Block, look: &mut dyn FnMut(Panel<'_>)) {
         if let Place::Recorded { intervals, .. } = &block.place {
             intervals.clone().for_each(|index| self.raw_interval(index, &mut |panel| look(panel)));
+        }
+    }
+
+    /// The parts of the block that begins with an interval: the intervals of each, its bounds
+    /// under the load and the instant at which it begins.
+    pub(super) fn parts(&self, intervals: &Range<usize>, look: &mut impl FnMut(Range<usize>, &Extent, f64)) {
+        let Some(known) = self.survey.parts.get(intervals.start / self.block_intervals()) else { return };
+        let ranges = || intervals.clone().step_by(PART).map(|from| from..(from + PART).min(intervals.end));
+        let extent = |range: Range<usize>| {
+            let mut extent = Extent::NONE;
+            for index in range {
+                self.raw_interval(index, &mut |panel| {
+                    let mut own = Extent::NONE;
+                    panel.nodes.iter().for_each(|node| own.widen(node));
+                    own.bend(&panel.bow);
+                    extent.join(&own);
+                });
+            }
+            extent
+        };
+        for (range, raw) in ranges().zip(known.get_or_init(|| ranges().map(extent).collect())) {
+            let from = self.placed.recorded.time_s().get(range.start).copied().unwrap_or(0.0);
+            let from = self.placed.start_s + from * self.placed.stretch;
+            if self.plain.is_some() { look(range, &self.view.extent(raw), from) } else { look(range, raw, from) }
         }
     }
 
@@ -482,6 +510,7 @@ impl Strip {
         let (l_low, l_high) = (l_low + constant, l_high + constant);
         Some(Block {
             place: place.clone(),
+            times: 1.0,
             from: *time.first()?,
             duration,
             extent: Extent {
@@ -504,6 +533,7 @@ impl Survey {
             span: (0.0, 0.0),
             lags: OnceLock::new(),
             cubes: OnceLock::new(),
+            parts: Vec::new(),
             gains: GainTables::default(),
         }
     }
@@ -524,6 +554,9 @@ fn in_two<I: Sync, O: Send>(items: &[I], shared: bool, of: &(impl Fn(&I) -> O + 
         all
     })
 }
+
+/// A part of a block has so many intervals.
+const PART: usize = 16;
 
 /// So many intervals run side by side.
 const LANES: usize = 4;

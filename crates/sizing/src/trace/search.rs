@@ -1,7 +1,7 @@
 //! The largest value of a signal over the cycle: bounds of blocks first, then nodes, then what lies between them.
 
 use super::rule::between;
-use super::{Block, Extent, GROUP, Node, Panel, Trace};
+use super::{Block, Extent, GROUP, Node, Panel, Place, Trace};
 
 /// What is not higher by more than this share of the highest is not looked for: rounding makes as much.
 const ROUNDING: f64 = 1e-12;
@@ -44,7 +44,18 @@ impl Trace {
                 |block: &Block| (bound(&block.extent), block.from),
                 best,
                 |block, _, best| {
-                    self.panels(block, &mut |panel| best.look(&panel, bound, value, shape));
+                    let Place::Recorded { strip, intervals } = &block.place else {
+                        self.panels(block, &mut |panel| best.look(&panel, bound, value, shape));
+                        return;
+                    };
+                    let Some(strip) = self.strips.get(*strip) else { return };
+                    strip.parts(intervals, &mut |range, extent, from| {
+                        if best.may_be_within(bound(extent), from) {
+                            range.for_each(|index| {
+                                strip.interval(index, &mut |panel| best.look(&panel, bound, value, shape))
+                            });
+                        }
+                    });
                 },
             );
         };
@@ -67,7 +78,11 @@ impl Best {
 
     /// Whether a bound of what begins at an instant leaves room for something better, or for the same at an earlier instant.
     fn may_be_within(&self, bound: f64, from: f64) -> bool {
-        if from < self.node.time { bound >= self.value } else { bound > self.value + ROUNDING * self.value.abs() }
+        if self.value == f64::NEG_INFINITY || from < self.node.time {
+            bound >= self.value
+        } else {
+            bound > self.value + ROUNDING * self.value.abs()
+        }
     }
 
     fn look(

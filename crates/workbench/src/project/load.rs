@@ -168,7 +168,16 @@ pub(super) fn motion(
     let single = root.table("axis").and_then(|axis| axis.bool("single_move")).unwrap_or(false);
     let closing = if single { Closing::SingleMove } else { Axis::closing(&load.mechanism) };
     match Motion::new(&specs, load.start, closing) {
-        Ok(motion) => Some((motion, sections.iter().map(|section| extra(section, load)).collect())),
+        Ok(motion) => {
+            if let Some(found) = Axis::too_many_revolutions(&load.mechanism, &motion) {
+                let (message, hint) = language.too_many_revolutions(&found);
+                let section = sections.get(found.segment);
+                let span = section.map_or_else(|| root.span_of("motion"), |section| section.span_of("law"));
+                reader.fault(span, message, Some(hint));
+                return None;
+            }
+            Some((motion, sections.iter().map(|section| extra(section, load)).collect()))
+        }
         Err(faults) => {
             for MotionFault { segment, fault } in faults {
                 let (message, mut hint) = language.motion_fault(&fault);

@@ -37,6 +37,7 @@ pub(crate) trait Speak: Copy {
     fn unknown_unit(self, written: &str) -> String;
     fn joint_without_torque(self) -> String;
     fn recording_not_closed(self) -> String;
+    fn too_many_revolutions(self, found: &sizing::TooManyRevolutions) -> (String, String);
     fn no_tolerance(self) -> String;
     fn no_such_code(self, written: &str) -> String;
     fn battery_fault(self, fault: &BatteryFault) -> String;
@@ -242,6 +243,26 @@ impl Speak for Language {
             self,
             format!("no actuator of the catalogue has a code like `{written}`"),
             format!("kein Antrieb des Katalogs hat einen Code wie `{written}`"),
+        )
+    }
+
+    fn too_many_revolutions(self, found: &sizing::TooManyRevolutions) -> (String, String) {
+        let [found, most] = [found.revolutions, found.most].map(|count| quantities::format_significant(count, 5, self));
+        (
+            either(
+                self,
+                format!(
+                    "the cycle turns {found} times at changing speed under a load that depends on the position; at most {most} are calculated"
+                ),
+                format!(
+                    "der Zyklus dreht sich {found}-mal mit veränderlicher Drehzahl unter einer Last, die von der Lage abhängt; höchstens {most} Umdrehungen werden gerechnet"
+                ),
+            ),
+            either(
+                self,
+                "change speed in fewer revolutions and run at constant speed between, or describe a shorter cycle",
+                "die Drehzahl in weniger Umdrehungen ändern und dazwischen konstant fahren, oder einen kürzeren Zyklus beschreiben",
+            ),
         )
     }
 
