@@ -360,6 +360,7 @@ impl Trace {
     }
 
     /// The nodes of a block in the order of time.
+    #[cfg(test)]
     pub(crate) fn within(&self, block: &Block, look: &mut impl FnMut(&Node)) {
         self.panels(block, &mut |panel| panel.nodes.iter().for_each(&mut *look));
     }

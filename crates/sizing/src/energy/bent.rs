@@ -32,6 +32,9 @@ impl<'a, 'p> Walk<'a, 'p> {
         if plain {
             let taken: f64 = rule.iter().zip(panel.nodes).map(|((_, w), node)| w * power.with(node, walk.driven)).sum();
             walk.balance.part(taken * walk.duration());
+            if walk.driven {
+                walk.peak(|| rule.iter().map(|(s, _)| *s));
+            }
         } else {
             let gaps = panel.nodes.iter().zip(panel.nodes.iter().skip(1)).zip(rule.iter().zip(rule.iter().skip(1)));
             for ((a, b), ((from, _), (to, _))) in gaps {
@@ -39,7 +42,6 @@ impl<'a, 'p> Walk<'a, 'p> {
             }
             walk.close(1.0);
         }
-        walk.peak();
     }
 
     fn duration(&self) -> f64 {
@@ -96,26 +98,24 @@ impl<'a, 'p> Walk<'a, 'p> {
             let at = |s: f64| self.power.with(&self.panel.at(self.from + s * length), self.driven);
             let taken: f64 = lobatto(NODES).iter().map(|(s, w)| w * at(*s)).sum();
             self.balance.part(taken * length * self.duration());
+            if taken < 0.0 {
+                let from = self.from;
+                self.peak(|| lobatto(NODES).iter().map(move |(s, _)| from + s * length));
+            }
         }
         self.from = to;
     }
 
-    /// The largest power given back: at a node, or where a parabola through it and its neighbours is highest, found anew
-    /// from the instants that are there.
-    fn peak(&mut self) {
-        let back = |node: &Node| -self.power.at(node);
-        let points = || {
-            let shares = lobatto(self.panel.nodes.len()).iter().map(|(s, _)| *s);
-            shares.zip(self.panel.nodes.iter().map(back))
-        };
+    /// The largest power given back in a part: at one of the instants named, or where a parabola through it and its
+    /// neighbours is highest, found anew from the instants that are there.
+    fn peak<I: Iterator<Item = f64>>(&mut self, shares: impl Fn() -> I) {
+        let back = |s: f64| -self.power.with(&self.panel.at(s), self.driven);
+        let points = || shares().map(|s| (s, back(s)));
         let mut peak = points().fold(self.balance.peak, |peak, (_, value)| peak.max(value));
         for ((mut a, mut b), mut c) in points().zip(points().skip(1)).zip(points().skip(2)) {
-            if b.1 <= 0.0 || b.1 < a.1 || b.1 < c.1 {
-                continue;
-            }
             for _ in 0..4 {
                 let Some((s, height)) = vertex(a, b, c).filter(|(_, height)| *height > peak) else { break };
-                let found = (s, back(&self.panel.at(s)));
+                let found = (s, back(s));
                 peak = peak.max(found.1);
                 (a, b, c) = match (found.1 > b.1, s > b.0) {
                     (true, true) => (b, found, c),
