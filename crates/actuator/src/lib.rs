@@ -37,7 +37,7 @@ pub use gear::{
 };
 pub use heat::{AMBIENT_REFERENCE, Heat, HeatModel, LossMeans, Settled, WINDING_TEMPERATURE_CONTINUOUS, copper_ohm};
 pub use motor::{
-    ContinuousLimit, continuous_torque, continuous_torque_with, copper_resistance, current, driven_share,
+    ContinuousLimit, continuous_torque, continuous_torque_with, copper_resistance, driven_share,
     estimated_continuous_torque, explain_friction, explain_stall_loss, speed_max, speed_max_with, speed_rated_out,
     speed_rated_out_with,
 };
@@ -45,7 +45,7 @@ pub use output_bearing::{
     BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, dynamic_load_factors, mean_load,
     static_safety, tilt_angle, tilting_moment,
 };
-pub use overload::{intermittent_loss_factor, overload_course, overload_peak, overload_trip_time};
+pub use overload::overload_course;
 pub use parameters::Parameters;
 pub use plane::{
     CurveKind, PerformanceCurve, intermittent_torque, performance_curves, short_time_torque, short_time_torque_with,

@@ -9,8 +9,7 @@ use quantities::unit::{
     REVOLUTION_PER_MINUTE, WATT,
 };
 use quantities::{
-    AngularVelocity, ElectricCurrent, ElectricalResistance, Measure, ThermodynamicTemperature, Time, Torque,
-    TorqueConstant,
+    AngularVelocity, ElectricalResistance, Measure, ThermodynamicTemperature, Time, Torque, TorqueConstant,
 };
 
 /// Temperature coefficient of copper at 20 °C \[1/K\] (IEC 60034-1 uses 1/(235+20) = 3.92e-3; 3.93e-3 is the handbook value).
@@ -28,24 +27,6 @@ pub fn copper_resistance(
 ) -> ElectricalResistance {
     let rise = temperature.si() - 293.15;
     ElectricalResistance::from_si(resistance_20.si() * (1.0 + COPPER_TEMPERATURE_COEFFICIENT * rise))
-}
-
-/// Motor current for a torque at the output, signed like the torque.
-///
-/// I = T/k_Tout + I_f σ
-///
-/// Friction opposes the motion (direction σ): it adds to the current while driving and helps while braking.
-///
-/// # Symbols  I_f friction current \[A\], see [`crate::FrictionAt::current`]
-/// # Source   docs/theory/current.md; T/k_Tout + I_NLS reproduces the printed I_0 of the 680 V windings
-#[must_use]
-pub fn current(
-    torque: Torque,
-    direction: f64,
-    friction: ElectricCurrent,
-    torque_constant_out: TorqueConstant,
-) -> ElectricCurrent {
-    ElectricCurrent::from_si(torque.si() / torque_constant_out.si() + friction.si() * direction)
 }
 
 /// Motor current per torque while the load drives, as a share of that while driving: η (2 − 1/η) = 2η − 1.

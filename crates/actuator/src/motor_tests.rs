@@ -1,10 +1,10 @@
 use super::*;
 use crate::{Curve, CurvePoint};
 use provenance::{CellRef, Datum};
-use quantities::NoLoadCurrentConstant;
 use quantities::unit::{
     AMPERE, MILLIAMPERE_PER_REVOLUTION_PER_MINUTE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, OHM, REVOLUTION_PER_MINUTE,
 };
+use quantities::{ElectricCurrent, NoLoadCurrentConstant};
 
 fn known<T>(value: T) -> Datum<T> {
     const CELL: CellRef = CellRef::of_the_manual("26.1", "x", "");
@@ -45,25 +45,6 @@ fn actuator_20a_50() -> Parameters {
 
 fn rpm(n: f64) -> AngularVelocity {
     AngularVelocity::new_in(n, &REVOLUTION_PER_MINUTE)
-}
-
-#[test]
-fn friction_adds_while_driving_and_helps_while_braking() {
-    let friction = ElectricCurrent::from_si(0.33);
-    let k = TorqueConstant::from_si(16.5);
-    let at = |torque, direction| current(Torque::from_si(torque), direction, friction, k).si();
-    assert!((at(33.0, 1.0) - 2.33).abs() < 1e-12);
-    assert!((at(-33.0, 1.0) - -1.67).abs() < 1e-12);
-    assert!((at(-33.0, -1.0) - -2.33).abs() < 1e-12);
-    assert!((at(0.0, 0.0)).abs() < 1e-12);
-}
-
-/// I_0 = T_0/k_Tout + I_NLS of the 680 V windings: 32/16.5 + 0.17 = 2.11, printed 2,1.
-#[test]
-fn the_standstill_current_of_the_680_v_winding_is_reproduced() {
-    let friction = ElectricCurrent::from_si(0.17);
-    let stall = current(Torque::from_si(32.0), 1.0, friction, TorqueConstant::from_si(16.5));
-    assert!((stall.si() - 2.1).abs() < 0.05);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Overload of the winding as a first-order lag of (I/I_0)²: trip time, peak of a cycle, intermittent duty.
+//! Overload of the winding as a first-order lag of (I/I_0)² in a cycle repeated for ever.
 
 use quantities::{Measure, Ratio, Time};
 
@@ -26,93 +26,35 @@ pub(crate) fn periodic_lag(pieces: &[(f64, f64)], tau_s: f64) -> Vec<f64> {
     decays
 }
 
-/// Time until an overload trips.
+/// The lag of (I/I_0)² at the start of every piece of a cycle repeated for ever.
 ///
-/// t = τ ln((k² − k_0²) / (k² − 1)); `None` for k ≤ 1, which never trips; zero where the preload is at the limit already
-///
-/// # Symbols  k = I/I_0 overload factor, k_0 preload factor, τ time constant of the winding \[s\]
-/// # Source   docs/theory/overload.md, first-order lag of the loss
-/// # Valid    k, k_0 ≥ 0, τ > 0
-#[must_use]
-pub fn overload_trip_time(overload: Ratio, preload: Ratio, time_constant: Time) -> Option<Time> {
-    let (square, before) = (overload.si().powi(2), preload.si().powi(2));
-    (square > 1.0).then(|| {
-        let seconds = time_constant.si() * ((square - before.min(1.0)) / (square - 1.0)).ln();
-        Time::from_si(seconds.max(0.0))
-    })
-}
-
-/// Largest value that the lag of (I/I_0)² reaches in a cycle repeated for ever, and when in the cycle.
-///
-/// y' = ((I/I_0)² − y)/τ; above one the overload protection trips
+/// y' = ((I/I_0)² − y)/τ; above one the overload protection trips. Every piece is monotonic and the cycle closes, so the
+/// starts hold every extreme.
 ///
 /// # Symbols  pieces: duration and (I/I_0)², constant on each piece; τ time constant of the winding \[s\]
 /// # Source   docs/theory/overload.md; steady periodic state in closed form
-/// # Valid    durations ≥ 0, τ > 0; zero for an empty cycle
-#[must_use]
-pub fn overload_peak(pieces: &[(Time, Ratio)], time_constant: Time) -> (Ratio, Time) {
-    let plain: Vec<(f64, f64)> =
-        pieces.iter().map(|(duration, square)| (duration.si(), square.si())).filter(|(s, _)| *s > 0.0).collect();
-    let (mut peak, mut at_s, mut clock_s) = (0.0, 0.0, 0.0);
-    for (value, (duration_s, _)) in periodic_lag(&plain, time_constant.si()).into_iter().zip(&plain) {
-        // Every piece is monotonic, and the cycle closes: the starts hold every extreme.
-        if value > peak {
-            (peak, at_s) = (value, clock_s);
-        }
-        clock_s += duration_s;
-    }
-    // The start of the cycle is its end; the moment of a peak there is the end of the last piece.
-    if at_s <= 0.0 && peak > 0.0 {
-        at_s = clock_s;
-    }
-    (Ratio::from_si(peak), Time::from_si(at_s))
-}
-
-/// The lag of (I/I_0)² at the start of every piece of a cycle repeated for ever; as [`overload_peak`].
+/// # Valid    durations ≥ 0, τ > 0
 #[must_use]
 pub fn overload_course(pieces: &[(Time, Ratio)], time_constant: Time) -> Vec<Ratio> {
     let plain: Vec<(f64, f64)> = pieces.iter().map(|(duration, square)| (duration.si(), square.si())).collect();
     periodic_lag(&plain, time_constant.si()).into_iter().map(Ratio::from_si).collect()
 }
 
-/// Loss of intermittent duty S3 relative to the loss of continuous duty, during operation.
-///
-/// (I_S3/I_S1)² = (1 − e^(−T_c/τ)) / (1 − e^(−ED T_c/τ))
-///
-/// # Symbols  ED duty factor, T_c cycle \[s\], τ time constant of the winding \[s\]
-/// # Source   docs/theory/overload.md; a first-order lag that reaches its continuous value at the end of each operation
-/// # Valid    0 < ED ≤ 1, T_c > 0, τ > 0; 1/ED for short cycles, 1 for long ones
-#[must_use]
-pub fn intermittent_loss_factor(duty: Ratio, cycle: Time, time_constant: Time) -> Ratio {
-    let share = cycle.si() / time_constant.si();
-    Ratio::from_si((-share).exp_m1() / (-duty.si() * share).exp_m1())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn trip(k: f64, k0: f64) -> Option<f64> {
-        overload_trip_time(Ratio::from_si(k), Ratio::from_si(k0), Time::from_si(60.0)).map(Time::si)
-    }
-
-    /// 60 ln(2.25/1.25) = 35.3 s, 60 ln(4/3) = 17.3 s, 60 ln(9/8) = 7.1 s from cold.
-    #[test]
-    fn trip_times_by_hand() {
-        for (k, seconds) in [(1.5, 35.27), (2.0, 17.26), (3.0, 7.07)] {
-            assert!((trip(k, 0.0).unwrap() - seconds).abs() < 0.005, "{k}");
-        }
-        assert!((trip(2.0, 0.5).unwrap() - 60.0 * (3.75_f64 / 3.0).ln()).abs() < 1e-12);
-        assert_eq!(trip(1.0, 0.0), None);
-        assert_eq!(trip(0.5, 0.0), None);
-        assert_eq!(trip(2.0, 1.0), Some(0.0));
-        assert_eq!(trip(2.0, 3.0), Some(0.0));
-    }
-
+    /// Largest value of the lag, and when in the cycle; a peak at the start is told at the end of the last piece.
     fn peak(pieces: &[(f64, f64)]) -> (f64, f64) {
         let typed: Vec<_> = pieces.iter().map(|&(t, u)| (Time::from_si(t), Ratio::from_si(u))).collect();
-        let (value, at) = overload_peak(&typed, Time::from_si(60.0));
-        (value.si(), at.si())
+        let (mut largest, mut at, mut clock) = (0.0, 0.0, 0.0);
+        for (value, (duration, _)) in overload_course(&typed, Time::from_si(60.0)).into_iter().zip(pieces) {
+            if value.si() > largest {
+                (largest, at) = (value.si(), clock);
+            }
+            clock += duration;
+        }
+        (largest, if at > 0.0 || largest <= 0.0 { at } else { clock })
     }
 
     /// Half a minute at twice the loss, half a minute of rest: 2 (1 − e^(−1/2)) / (1 − e^(−1)) = 1.2449, at 30 s.
@@ -151,21 +93,5 @@ mod tests {
             }
         }
         assert!((peak(&pieces).0 - largest).abs() < 1e-10);
-    }
-
-    /// The peak of a cycle at the intermittent loss is exactly the limit.
-    #[test]
-    fn intermittent_duty_reaches_the_limit_and_not_more() {
-        for duty in [0.1, 0.25, 0.5, 0.9] {
-            let factor = intermittent_loss_factor(Ratio::from_si(duty), Time::from_si(60.0), Time::from_si(60.0)).si();
-            assert!((peak(&[(60.0 * duty, factor), (60.0 * (1.0 - duty), 0.0)]).0 - 1.0).abs() < 1e-12);
-        }
-        let factor = |duty, cycle| {
-            intermittent_loss_factor(Ratio::from_si(duty), Time::from_si(cycle), Time::from_si(60.0)).si()
-        };
-        assert!((factor(0.5, 60.0) - 1.606_530_66).abs() < 1e-8);
-        assert!((factor(0.25, 1e-3) - 4.0).abs() < 1e-4);
-        assert!((factor(0.25, 1e5) - 1.0).abs() < 1e-12);
-        assert!((factor(1.0, 60.0) - 1.0).abs() < 1e-15);
     }
 }

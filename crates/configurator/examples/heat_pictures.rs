@@ -37,7 +37,9 @@ fn continuous() -> Result<XyChart, Fault> {
         Axis::new("n", "min⁻¹").name("Output speed").minor_ticks(),
         Axis::new("T", "Nm").name("Continuous torque").minor_ticks(),
     )
-    .description("Estimated band of the continuous torque of CHA-20A for four ratios, with the published corner points");
+    .description(
+        "Estimated band of the continuous torque of CHA-20A for four ratios, with the published corner points",
+    );
     for (index, ratio) in RATIOS.into_iter().enumerate() {
         let p = parameters(&format!("CHA-20A-{ratio}-H-C1024"))?;
         let end = actuator::speed_rated_out(&p).map_err(|_| "n_N")?.value.si();
@@ -90,8 +92,18 @@ fn shares() -> Result<XyChart, Fault> {
     }
     // docs/theory/thermal.md, table of the cross-validation; held by reference_sister_series.
     let sisters = [
-        (13.4, 1.20), (14.0, 0.94), (14.6, 0.71), (17.0, 1.27), (24.7, 1.06), (25.3, 1.03),
-        (31.4, 1.00), (32.0, 0.98), (32.6, 0.94), (39.4, 1.08), (40.0, 1.01), (40.6, 1.03),
+        (13.4, 1.20),
+        (14.0, 0.94),
+        (14.6, 0.71),
+        (17.0, 1.27),
+        (24.7, 1.06),
+        (25.3, 1.03),
+        (31.4, 1.00),
+        (32.0, 0.98),
+        (32.6, 0.94),
+        (39.4, 1.08),
+        (40.0, 1.01),
+        (40.6, 1.03),
     ];
     let gear = [(17.6, 0.91), (18.2, 0.55), (25.9, 0.83)];
     let chart = XyChart::new(
@@ -100,7 +112,12 @@ fn shares() -> Result<XyChart, Fault> {
     )
     .description("Share of the permitted rise that the model finds at every published continuous point, by frame size")
     .with(Markers::new(own).shape(Shape::Circle).tone(Tone::Continuous).label("CHA-20A, calibrated here"))
-    .with(Markers::new(sisters).shape(Shape::Diamond).tone(Tone::Trace).label("FHA-C and FHA-C mini, not used in the fit"))
+    .with(
+        Markers::new(sisters)
+            .shape(Shape::Diamond)
+            .tone(Tone::Trace)
+            .label("FHA-C and FHA-C mini, not used in the fit"),
+    )
     .with(Markers::new(gear).shape(Shape::Cross).tone(Tone::Muted).label("limited by the gear"))
     .with(Reference::horizontal(1.0).label("just permitted"))
     .with(Reference::horizontal(0.85).label("lower edge"))

@@ -4,6 +4,7 @@ mod curves;
 mod flange;
 mod inputs;
 mod load;
+mod numbers;
 mod read;
 mod recorded;
 mod schema;

@@ -45,3 +45,21 @@ fn where_more_than_a_limit_of_the_project_fails_none_is_named() {
     let project = table("brake = true\nmass_max = \"4 kg\"");
     assert!(limits_needed(&check(&project, &code("CHA-32A-50-H-C1024")).unwrap()).is_none());
 }
+
+/// An arm that changes its speed over thousands of revolutions: refused in both languages with number and limit; at constant
+/// speed it is calculated.
+#[test]
+fn too_many_revolutions_at_changing_speed_are_refused() {
+    let arm = |motion: &str| {
+        format!(
+            "format = 1\n[axis]\nname = \"arm\"\nsingle_move = true\n[mechanism.arm]\ninertia = \"1 kg m^2\"\nmass = \"5 kg\"\n\
+             centre_distance = \"100 mm\"\naxis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\n[[motion]]\n{motion}\n"
+        )
+    };
+    let slow = arm("law = \"trapezoid\"\ndistance = \"2000000 deg\"\ntime = \"20000 s\"");
+    for (language, words) in [(Language::En, "at most 2000 are"), (Language::De, "höchstens 2000 Umdrehungen")] {
+        let faults = Project::read(&slow, language).unwrap_err();
+        assert!(faults.iter().any(|fault| fault.message.contains(words)), "{faults:?}");
+    }
+    assert!(Project::read(&arm("law = \"constant\"\nspeed = \"20 1/min\"\ntime = \"100000 s\""), Language::En).is_ok());
+}

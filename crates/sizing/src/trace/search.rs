@@ -113,9 +113,11 @@ impl Best {
     }
 
     /// The largest value between two shares of a panel, by halving about the best of three instants. What bends by less
-    /// between them than it lies below the highest is left alone.
+    /// between them than it and both ends lie below the highest is left alone.
     fn narrow(&mut self, nodes: &[Node], (from, to): (f64, f64), value: &impl Fn(&Node) -> f64) {
         let mut quarter = 0.25 * (to - from);
+        let ends = [from, to].map(|s| value(&between(nodes, s)));
+        let highest_end = ends[0].max(ends[1]);
         let mut middle = self.at(nodes, from + 2.0 * quarter, value);
         for _ in 0..HALVINGS {
             let sides = [middle.0 - quarter, middle.0 + quarter].map(|s| self.at(nodes, s, value));
@@ -126,7 +128,7 @@ impl Best {
                     middle = side;
                 }
             }
-            if middle.1 + bend < self.value {
+            if middle.1.max(highest_end) + bend < self.value {
                 return;
             }
             quarter *= 0.5;

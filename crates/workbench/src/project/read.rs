@@ -5,7 +5,7 @@ use super::section::{Entry, Section};
 use super::spec::{Key, Kind, ROOT, Range, Variants};
 use super::tolerance::{TOLERANCES_MOST, Tolerance};
 use crate::diagnostic::Diagnostic;
-use crate::text::{Speak, stage, tolerance as words};
+use crate::text::{Speak, tolerance as words};
 use quantities::unit::ONE;
 use quantities::{Dimension, HalfWidth, Language, Reading};
 use std::ops::Range as Span;
@@ -23,7 +23,7 @@ const LIST_MAX: usize = 10_000;
 
 pub(crate) struct Reader<'t> {
     pub(super) text: &'t str,
-    language: Language,
+    pub(super) language: Language,
     pub(crate) faults: Vec<Diagnostic>,
     /// The tolerances in the order in which they were read, each under its path in the file.
     pub(crate) tolerances: Vec<Tolerance>,
@@ -228,33 +228,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Plain numbers within bounds.
-    fn numbers(
-        &mut self,
-        items: &DeArray<'_>,
-        (low, high, most): (f64, f64, usize),
-        span: Span<usize>,
-        path: &str,
-    ) -> Option<Entry> {
-        if items.is_empty() || items.len() > most {
-            return self.refuse(span, stage::too_many_ratios(most, self.language));
-        }
-        let mut found = Vec::with_capacity(items.len());
-        for item in items {
-            let written = match item.get_ref() {
-                DeValue::Integer(_) | DeValue::Float(_) => self.text.get(item.span()),
-                _ => None,
-            };
-            let number: Option<f64> = written.and_then(|text| text.replace('_', "").parse().ok());
-            match number.filter(|number| number.is_finite() && (low..=high).contains(number)) {
-                Some(number) => found.push(number),
-                None => self.fault(item.span(), self.language.number_out_of_range(path, low, high), None),
-            }
-        }
-        (found.len() == items.len()).then_some(Entry::Numbers(found))
-    }
-
-    fn refuse(&mut self, span: Span<usize>, message: String) -> Option<Entry> {
+    pub(super) fn refuse(&mut self, span: Span<usize>, message: String) -> Option<Entry> {
         self.fault(span, message, None);
         None
     }

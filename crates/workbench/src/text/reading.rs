@@ -247,7 +247,7 @@ impl Speak for Language {
     }
 
     fn too_many_revolutions(self, found: &sizing::TooManyRevolutions) -> (String, String) {
-        let [found, most] = [found.revolutions, found.most].map(|count| quantities::format_significant(count, 5, self));
+        let [found, most] = [found.revolutions, found.most].map(|count| format!("{count:.0}"));
         (
             either(
                 self,
