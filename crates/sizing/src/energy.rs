@@ -1,5 +1,7 @@
 //! Power at the motor terminals over the cycle: what is taken, what is given back.
 
+mod bent;
+
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note};
 use crate::comparison::{Asking, not_checked, shown_or_at_most};
@@ -54,9 +56,18 @@ impl<'a> TerminalPower<'a> {
 
     /// At an instant \[W\].
     pub(crate) fn at(&self, node: &Node) -> f64 {
-        let torque = self.currents.inertia * node.acceleration + node.load;
-        let current = self.current(node, torque * node.direction < 0.0);
+        self.with(node, self.torque(node) * node.direction < 0.0)
+    }
+
+    /// At an instant within a time in which the load drives, or does not \[W\].
+    fn with(&self, node: &Node, driven: bool) -> f64 {
+        let current = self.current(node, driven);
         (self.copper_ohm * current + self.constant_vs * node.speed) * current
+    }
+
+    /// J_out α + T_L \[Nm\]
+    fn torque(&self, node: &Node) -> f64 {
+        self.currents.inertia * node.acceleration + node.load
     }
 
     /// Its integral over a block in which the load is only driven \[J\].
@@ -187,46 +198,52 @@ impl Balance {
                 balance.bank.pass(taken);
                 continue;
             }
-            axis.trace.within(block, &mut |node| balance.whole += node.weight * power.at(node));
-            let before = balance.back;
+            let before = balance;
             balance.pass(axis, power, block);
             if block.times > 1.0 {
-                balance.back = before + block.times * (balance.back - before);
+                balance.whole = before.whole + block.times * (balance.whole - before.whole);
+                balance.back = before.back + block.times * (balance.back - before.back);
                 balance.repeat(axis, power, block);
             }
         }
         balance
     }
 
-    /// Through the nodes of a block, once.
+    /// Through the panels of a block, once.
     fn pass(&mut self, axis: &Axis, power: &TerminalPower<'_>, block: &Block) {
-        let mut last: Option<Node> = None;
-        axis.trace.within(block, &mut |node| {
-            if let Some(last) = last.as_ref().filter(|last| node.time > last.time) {
-                power.gap(last, node, &mut |arc| self.take(arc));
+        axis.trace.panels(block, &mut |panel| {
+            if panel.is_straight() {
+                for (a, b) in panel.nodes.iter().zip(panel.nodes.iter().skip(1)).filter(|(a, b)| b.time > a.time) {
+                    power.gap(a, b, &mut |arc| self.take(arc));
+                }
+            } else {
+                bent::Walk::through(&panel, power, self);
             }
-            last = Some(*node);
         });
     }
 
     /// What the further periods of a block do to the bank: from the second on each adds as much as the one before.
     fn repeat(&mut self, axis: &Axis, power: &TerminalPower<'_>, block: &Block) {
-        let back = self.back;
+        let (whole, back) = (self.whole, self.back);
         let first = self.bank.held;
         self.pass(axis, power, block);
         self.bank.held += (block.times - 3.0).max(0.0) * (self.bank.held - first).max(0.0);
         if block.times > 2.0 {
             self.pass(axis, power, block);
         }
-        self.back = back;
+        (self.whole, self.back) = (whole, back);
     }
 
     fn take(&mut self, arc: &Arc) {
         self.peak = self.peak.max(-arc.least());
-        arc.parts(|taken| {
-            self.back -= taken.min(0.0);
-            self.bank.pass(taken);
-        });
+        arc.parts(|taken| self.part(taken));
+    }
+
+    /// Energy of a part in which the power has one sign.
+    fn part(&mut self, taken: f64) {
+        self.whole += taken;
+        self.back -= taken.min(0.0);
+        self.bank.pass(taken);
     }
 }
 

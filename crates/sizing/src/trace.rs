@@ -223,6 +223,18 @@ pub(crate) struct Panel<'a> {
     pub(crate) bow: [f64; 4],
 }
 
+impl Panel<'_> {
+    /// The instant at a share of the panel.
+    pub(crate) fn at(&self, share: f64) -> Node {
+        rule::between(self.nodes, share)
+    }
+
+    /// Whether every signal is straight.
+    pub(crate) fn is_straight(&self) -> bool {
+        self.bow == [0.0; 4]
+    }
+}
+
 /// A panel whose nodes are kept.
 #[derive(Clone, Debug, PartialEq)]
 struct Kept {
@@ -348,6 +360,7 @@ impl Trace {
     }
 
     /// The nodes of a block in the order of time.
+    #[cfg(test)]
     pub(crate) fn within(&self, block: &Block, look: &mut impl FnMut(&Node)) {
         self.panels(block, &mut |panel| panel.nodes.iter().for_each(&mut *look));
     }

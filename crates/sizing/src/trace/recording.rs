@@ -1,12 +1,14 @@
 //! A recording under its load: bounds and sums of its blocks in one pass; the nodes of a long one are made when they are
 //! looked at.
 
+mod bent;
+
 use super::cubes::{Moments, moments};
 use super::gains::{Gain, GainTables, LagBlock};
 use super::{Block, Extent, Form, Gram, Kept, Node, Panel, Place};
-use mechanism::{Extra, Mechanism, Output, Plain};
+use mechanism::{Extra, Mechanism, Plain};
 use motion::{Interval, Placed};
-use quantities::{Measure, Torque};
+use quantities::Measure;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 use wide::f64x4;
@@ -33,6 +35,8 @@ pub(super) struct Strip {
     mechanism: Mechanism,
     extra: Extra,
     plain: Option<Plain>,
+    /// Positions at which the load has a corner.
+    kinks: Vec<f64>,
     view: View,
     survey: Arc<Survey>,
 }
@@ -165,12 +169,15 @@ impl Strip {
             Some(_) => Placed { start_s: 0.0, offset_rad: 0.0, stretch: 1.0, ..placed.clone() },
             None => placed.clone(),
         };
-        let mut strip = Self { placed, surveyed, mechanism, extra, plain, view, survey: Arc::new(Survey::empty()) };
+        let kinks = mechanism.kinks();
+        let mut strip =
+            Self { placed, surveyed, mechanism, extra, plain, kinks, view, survey: Arc::new(Survey::empty()) };
         strip.survey = known.unwrap_or_else(|| Arc::new(strip.look()));
         strip
     }
 
-    /// The panels of an interval, one for each direction: both ends and the middle with the weights of Simpson's rule.
+    /// The panels of an interval, one for each direction: both ends and the middle with the weights of Simpson's rule. Where
+    /// the load depends on the position or has losses there are more, see [`Self::bent_interval`].
     pub(super) fn interval(&self, index: usize, look: &mut impl FnMut(Panel<'_>)) {
         if self.plain.is_none() {
             self.raw_interval(index, look);
@@ -187,39 +194,26 @@ impl Strip {
     /// The same in the signals of the survey: of a plain mechanism those of the recording by itself.
     fn raw_interval(&self, index: usize, look: &mut impl FnMut(Panel<'_>)) {
         let Some(interval) = self.surveyed.interval(index) else { return };
+        let Some(plain) = &self.plain else {
+            self.bent_interval(&interval, look);
+            return;
+        };
         let acceleration = interval.acceleration_rad_s2();
         for (from, to, direction) in parts(&interval) {
             let duration = (to - from) * interval.duration_s;
             let nodes = [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)].map(|(share, weight)| {
                 let u = if share == 1.0 { to } else { from + share * (to - from) };
-                let (position, speed, torque) = interval.at(u);
-                let load = match &self.plain {
-                    Some(plain) => torque + plain.constant_nm,
-                    None => {
-                        let output = Output {
-                            position_rad: position,
-                            speed_rad_s: speed,
-                            acceleration_rad_s2: acceleration,
-                            direction,
-                        };
-                        let extra = Extra { torque: self.extra.torque + Torque::from_si(torque), ..self.extra };
-                        self.mechanism.torque(&output, &extra)
-                    }
-                };
+                let (_, speed, torque) = interval.at(u);
                 Node {
                     time: interval.start_s + u * interval.duration_s,
                     weight: weight * duration,
                     acceleration,
                     speed,
                     direction,
-                    load,
+                    load: torque + plain.constant_nm,
                 }
             });
-            let [a, b, c] = &nodes;
-            // A parabola rises above the chord of half its span by an eighth of its second difference.
-            let bow = 0.125 * (a.load - 2.0 * b.load + c.load).abs();
-            let bow = if self.plain.is_some() { [0.0; 4] } else { [0.0, bow, 0.0, 0.0] };
-            look(Panel { nodes: &nodes, duration, bow });
+            look(Panel { nodes: &nodes, duration, bow: [0.0; 4] });
         }
     }
 
