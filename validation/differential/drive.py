@@ -132,7 +132,7 @@ def coil(actuator, pieces, time):
 
 
 def judge(actuator, pieces, load, time, ambient):
-    """Peak current, overload, temperatures and voltage; the gear as warm as the housing, or as cold as the air."""
+    """Peak current, overload, temperatures and voltage; the gear as warm as the housing, or as cold as the air, at most 30 degC."""
     network = Network(actuator)
     parts = stretches(pieces, load)
     beside = coil(actuator, pieces, time)
@@ -159,7 +159,7 @@ def judge(actuator, pieces, load, time, ambient):
         middle = (low + high) / 2
         low, high = (middle, high) if housing_with(middle) > middle else (low, middle)
     housing = (low + high) / 2
-    warm, cold = Drive(actuator, housing), Drive(actuator, ambient)
+    warm, cold = Drive(actuator, housing), Drive(actuator, min(ambient, 30.0))
     copper, friction = losses(warm)
     winding, _ = network.cycle(parts, copper, friction)
     squares = [(c / actuator["I_0"]) ** 2 for c in currents_of(warm)]
