@@ -104,10 +104,10 @@ fn of_two_axes_one_is_named() {
 
 #[test]
 fn the_verdict_of_the_chosen_one_is_the_exit_code() {
-    let misfit = run(&["export", PROJECT, "--code", "CHA-25A-50-H-C1024", "--table", "checks", "--top", "1"]);
+    let misfit = run(&["export", PROJECT, "--code", "CHA-25A-100-H-C1024", "--table", "checks", "--top", "1"]);
     assert_eq!(misfit.code, 1);
     let second = misfit.out.lines().nth(1).unwrap();
-    assert!(second.starts_with("CHA-25A-50-H-C1024,"), "the code asked for stands first: {second}");
+    assert!(second.starts_with("CHA-25A-100-H-C1024,"), "the code asked for stands first: {second}");
     let own = run(&["export", "examples/manual-example.toml", "--table", "checks", "--top", "1"]);
     assert!(own.out.lines().nth(1).unwrap().starts_with("CanisDrive-25A-50,"));
 }
@@ -129,7 +129,7 @@ fn a_comparison_in_json_marks_the_better_one() {
     for check in value["checks"].as_array().unwrap() {
         assert_eq!(check["answers"].as_array().unwrap().len(), 2);
     }
-    let misfit = ["--code", "CHA-25A-50-H-C1024", "--code", "CHA-25A-80-H-C1024"];
+    let misfit = ["--code", "CHA-25A-100-H-C1024", "--code", "CHA-25A-80-H-C1024"];
     assert_eq!(run(&[&["compare", PROJECT][..], &misfit].concat()).code, 1);
     assert_eq!(run(&["compare", PROJECT, "--code", "CHA-25A-50-H-C1024"]).code, 2, "one is no comparison");
     assert_eq!(
