@@ -8,8 +8,8 @@ use quantities::{ElectricCurrent, Measure, NoLoadCurrentConstant, ThermodynamicT
 /// Temperatures at which K_INL is printed, 30 °C and 80 °C, in kelvin.
 const PRINTED_K: (f64, f64) = (303.15, 353.15);
 
-/// Temperature of a cold gear where no ambient temperature is stated, 30 °C in kelvin: the colder one of those for which
-/// friction is printed.
+/// Temperature of a cold gear, 30 °C in kelvin: the colder one of those for which friction is printed. It holds where no
+/// ambient temperature is stated or a higher one; in colder air the gear is as cold as the air.
 pub const COLD_START: f64 = PRINTED_K.0;
 
 /// Below this temperature, 20 °C in kelvin, the law is an extrapolation: nothing is printed for the 680 V windings.

@@ -53,7 +53,8 @@ impl Currents {
         let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
         let law = NoLoadFriction::of(actuator)?;
         let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
-        let cold = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(COLD_START));
+        // The temperature stated is that of the hottest day; a gear starts no warmer than the print has it.
+        let cold = ThermodynamicTemperature::from_si(axis.ambient.map_or(COLD_START, |air| air.si().min(COLD_START)));
         let grades = [inertia.grade, torque_constant.grade];
         let (own, constant) = (inertia.value.si(), torque_constant.value.si());
         let heat = HeatModel::of(actuator).map(|model| {

@@ -163,7 +163,8 @@ pub fn check_missing(symbol: &str, language: Language) -> String {
 }
 
 pub(super) fn with_unit(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
-    format!("{} {}", format_significant(unit.from_si(si), digits, language), unit.symbol)
+    let number = format_significant(unit.from_si(si), digits, language);
+    if unit.symbol == "1" { number } else { format!("{number} {}", unit.symbol) }
 }
 
 /// Why an erratum says what it says.
