@@ -19,10 +19,17 @@ const BESIDE: f64 = 1e-9;
 impl Strip {
     /// The panels of such an interval.
     pub(super) fn bent_interval(&self, interval: &Interval, look: &mut impl FnMut(Panel<'_>)) {
+        let lossless = |driving: f64, driven: f64| driving == 1.0 && driven == 1.0;
+        let lossy = !lossless(self.mechanism.efficiency_driving, self.mechanism.efficiency_driven);
+        let plain = !lossy && self.mechanism.stage.is_none() && self.kinks.is_empty();
         for (from, to, direction) in parts(interval) {
+            if plain {
+                self.bent_panel(interval, (from, to, direction), look);
+                continue;
+            }
             let mut cuts = vec![from];
             if direction != 0.0 {
-                self.switches(interval, (from, to, direction), &mut cuts);
+                self.switches(interval, (from, to, direction), lossy, &mut cuts);
             }
             self.corners(interval, (from, to), &mut cuts);
             cuts.push(to);
@@ -43,13 +50,12 @@ impl Strip {
     }
 
     /// Where the power before the losses changes its sign.
-    fn switches(&self, interval: &Interval, (from, to, direction): (f64, f64, f64), cuts: &mut Vec<f64>) {
+    fn switches(&self, interval: &Interval, (from, to, direction): (f64, f64, f64), lossy: bool, cuts: &mut Vec<f64>) {
         let useful = |u: f64| {
             let (output, torque) = Self::output(interval, u, direction);
             self.mechanism.useful_torque(&output, &self.with_recorded(torque))
         };
-        let lossless = |driving: f64, driven: f64| driving == 1.0 && driven == 1.0;
-        if !lossless(self.mechanism.efficiency_driving, self.mechanism.efficiency_driven) {
+        if lossy {
             crossings(&useful, from, to, cuts);
         }
         if self.mechanism.stage.is_some() {
