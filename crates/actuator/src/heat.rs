@@ -253,9 +253,10 @@ impl HeatModel {
             let (rise, rise_slope) = rise(starting, constant, slope);
             (temperature_k - ambient_k - rise, 1.0 - rise_slope)
         };
-        // Friction is largest at ambient temperature: the rise there is above the root.
-        let (mut low, mut high) = (ambient_k, ambient_k - at(ambient_k).0.min(0.0));
-        let mut here = f64::midpoint(low, high);
+        // Friction is largest at ambient temperature: the rise there is above the root, and its tangent below.
+        let (excess, slope) = at(ambient_k);
+        let (mut low, mut high) = (ambient_k, ambient_k - excess.min(0.0));
+        let mut here = (ambient_k - excess / slope).clamp(low, high);
         for _ in 0..64 {
             let (excess, slope) = at(here);
             if excess > 0.0 {
@@ -264,11 +265,11 @@ impl HeatModel {
                 low = here
             }
             let newton = here - excess / slope;
-            let next = if newton > low && newton < high { newton } else { f64::midpoint(low, high) };
-            if (next - here).abs() <= 1e-13 * here {
-                return next;
+            // So near, the next step would be the square of this one.
+            if (newton - here).abs() <= 1e-10 * here {
+                return newton;
             }
-            here = next;
+            here = if newton > low && newton < high { newton } else { f64::midpoint(low, high) };
         }
         here
     }

@@ -195,7 +195,11 @@ fn estimated_continuous_torque_with(
     }
     Ok(ContinuousLimit {
         limit: Sourced { value: Torque::from_si(limit), source, grade: Grade::Estimated, errata: stall_torque.errata },
-        upper: Torque::from_si(torque(high).0.si().min(stall_torque.value.si()).max(limit)),
+        upper: if limit < stall_torque.value.si() {
+            Torque::from_si(torque(high).0.si().min(stall_torque.value.si()).max(limit))
+        } else {
+            stall_torque.value
+        },
     })
 }
 

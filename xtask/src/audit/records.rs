@@ -5,7 +5,7 @@ use super::view::View;
 use std::collections::BTreeSet;
 
 /// Sources that no table names, each with what it is kept for. A source that comes into use leaves this list.
-const SOURCES_WITHOUT_TABLE: [(&str, &str); 21] = [
+const SOURCES_WITHOUT_TABLE: [(&str, &str); 22] = [
     ("cha-manual-en-v03", "evidence of errata"),
     ("cha-manual-en-v01", "evidence of errata"),
     ("cha-page-57", "evidence of errata of table 57.1"),
@@ -17,6 +17,7 @@ const SOURCES_WITHOUT_TABLE: [(&str, &str); 21] = [
     ("bha-assembly-instructions", "8-pin motor connector with PTC; shielding"),
     ("shg-shf-2uh-lw-catalogue", "ratings of the hollow-shaft gear, for comparison"),
     ("hfus-2sh-manual", "running without a heat sink"),
+    ("hma-manual", "40 K as the guide of the permissible rise, see the heat model"),
     ("nxp-kty84", "closed form of the sensor, see the check of kty84-130"),
     ("din-44081", "standard behind ptc-din44081"),
     ("din-44082", "standard behind ptc-din44081"),

@@ -107,39 +107,58 @@ impl Best {
         for ((a, b), (from, to)) in pairs {
             let extent = Extent::between(a, b, &panel.bow);
             if bound(&extent) > self.value + NEGLIGIBLE * self.value.abs() {
-                self.narrow(panel.nodes, (*from, *to), value);
+                let highest_end = value(a).max(value(b));
+                if bent {
+                    self.narrow((*from, *to), highest_end, value, |s| between(panel.nodes, s));
+                } else {
+                    self.narrow((0.0, 1.0), highest_end, value, |s| on_line(a, b, s));
+                }
             }
         }
     }
 
     /// The largest value between two shares of a panel, by halving about the best of three instants. What bends by less
     /// between them than it and both ends lie below the highest is left alone.
-    fn narrow(&mut self, nodes: &[Node], (from, to): (f64, f64), value: &impl Fn(&Node) -> f64) {
+    fn narrow(
+        &mut self,
+        (from, to): (f64, f64),
+        highest_end: f64,
+        value: &impl Fn(&Node) -> f64,
+        place: impl Fn(f64) -> Node,
+    ) {
+        let mut at = |s: f64| {
+            let node = place(s);
+            let found = value(&node);
+            self.see(&node, found);
+            ((s, found), self.value)
+        };
         let mut quarter = 0.25 * (to - from);
-        let ends = [from, to].map(|s| value(&between(nodes, s)));
-        let highest_end = ends[0].max(ends[1]);
-        let mut middle = self.at(nodes, from + 2.0 * quarter, value);
+        let (mut middle, _) = at(from + 2.0 * quarter);
         for _ in 0..HALVINGS {
-            let sides = [middle.0 - quarter, middle.0 + quarter].map(|s| self.at(nodes, s, value));
-            let [before, after] = sides;
+            let [(before, _), (after, highest)] = [middle.0 - quarter, middle.0 + quarter].map(&mut at);
             let bend = (before.1 - 2.0 * middle.1 + after.1).abs();
-            for side in sides {
+            for side in [before, after] {
                 if side.1 > middle.1 {
                     middle = side;
                 }
             }
-            if middle.1.max(highest_end) + bend < self.value {
+            if middle.1.max(highest_end) + bend < highest {
                 return;
             }
             quarter *= 0.5;
         }
     }
+}
 
-    fn at(&mut self, nodes: &[Node], s: f64, value: &impl Fn(&Node) -> f64) -> (f64, f64) {
-        let node = between(nodes, s);
-        let found = value(&node);
-        self.see(&node, found);
-        (s, found)
+/// The instant at a share of the straight line between two.
+fn on_line(a: &Node, b: &Node, s: f64) -> Node {
+    let blend = |a: f64, b: f64| a + s * (b - a);
+    Node {
+        acceleration: blend(a.acceleration, b.acceleration),
+        speed: blend(a.speed, b.speed),
+        load: blend(a.load, b.load),
+        time: blend(a.time, b.time),
+        ..*a
     }
 }
 
