@@ -43,6 +43,6 @@ fn main() -> ExitCode {
     });
     let name = ("the judgements alone, in full", baseline);
     let what = format!("{SAMPLES_USUAL} samples over the {} best codes", best.len());
-    gates.hold(&what, whole, Duration::from_millis(200), name);
+    gates.hold(&what, whole, Duration::from_millis(400), name);
     gates.close()
 }
