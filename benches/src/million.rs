@@ -2,15 +2,23 @@
 //! of a load so light and slow that four fifths of the catalogue survive. The catalogue judged on it, and the reserves of
 //! the best of it searched.
 //!
-//! Baseline: reading the same file.
-#![allow(clippy::expect_used, reason = "a bench fails loudly")]
+//! Baselines: reading the same file; for the whole process `numpy.loadtxt` of it.
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "a bench fails loudly and prints what it measured"
+)]
 
-use benches::{Gates, measure};
+use benches::{Against, Gates, binary, run, timed};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::hint::black_box;
-use std::process::ExitCode;
-use workbench::{Files, Language, Project, reserve_of, size};
+use std::path::Path;
+use std::process::{Command, ExitCode, Stdio};
+use std::sync::Arc;
+use std::time::Duration;
+use workbench::{CandidateId, Files, Language, Project, check, reserve_of, size};
 
 const SAMPLES: usize = 1_000_000;
 
@@ -40,30 +48,117 @@ fn recording() -> String {
     text
 }
 
-struct Given(String);
+struct Given(Arc<String>);
 
 impl Files for Given {
     fn open(&self, _: &str) -> std::io::Result<Box<dyn std::io::Read>> {
-        Ok(Box::new(std::io::Cursor::new(self.0.clone())))
+        Ok(Box::new(Text(Arc::clone(&self.0), 0)))
+    }
+}
+
+/// The recording without a copy of it.
+struct Text(Arc<String>, usize);
+
+impl std::io::Read for Text {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let mut rest = self.0.as_bytes().get(self.1..).unwrap_or_default();
+        let read = rest.read(buffer)?;
+        self.1 += read;
+        Ok(read)
     }
 }
 
 fn main() -> ExitCode {
     let mut gates = Gates::default();
-    let files = Given(recording());
+    let text = Arc::new(recording());
+    let files = Given(Arc::clone(&text));
     let read = || Project::read_all(PROJECT, &files, Language::En).expect("the project is valid");
-    let reading = measure(1, || drop(black_box(read())));
-    let projects = read();
-    let project = projects.first().expect("one axis");
-    let sizing = size(project);
-    let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits()).count();
-    assert!(fitting > 200, "the hard case is one that most survive: {fitting}");
-    let best = sizing.candidates.first().expect("the catalogue is judged");
-    let judged = measure(1, || drop(black_box(size(project))));
-    gates.at_most_times("size on a million positions, against reading them", judged, reading, 20.0);
-    let reserves = measure(1, || {
-        black_box(reserve_of(project, best));
-    });
-    gates.at_most_times("reserves of one code on them, against reading them", reserves, reading, 8.0);
+    // Each time anew, since what is known of a recording serves every later question.
+    let mut reserves = Vec::new();
+    let sized: Vec<_> = (0..ROUNDS)
+        .map(|_| {
+            let mut projects = Vec::new();
+            let reading = timed(|| projects = read());
+            let project = projects.first().expect("one axis");
+            let mut fitting = 0;
+            let sizing = timed(|| {
+                let sizing = size(project);
+                fitting = sizing.candidates.iter().filter(|candidate| candidate.fits()).count();
+                black_box(&sizing);
+            });
+            assert!(fitting > 200, "the hard case is one that most survive: {fitting}");
+            (sizing, reading)
+        })
+        .collect();
+    gates.at_most("size on a million positions", &Against::of(&sized), ("reading them", 3.0));
+    let best = size(read().first().expect("one axis")).candidates.first().map(|best| best.id.clone());
+    let Some(CandidateId::Code(code)) = best else { panic!("no code") };
+    for _ in 0..ROUNDS {
+        let mut projects = Vec::new();
+        let reading = timed(|| projects = read());
+        let project = projects.first().expect("one axis");
+        let checking = timed(|| {
+            let candidate = check(project, &code).expect("the code is in the catalogue");
+            black_box(reserve_of(project, &candidate));
+        });
+        reserves.push((checking, reading));
+    }
+    gates.at_most("check of one code with its reserves", &Against::of(&reserves), ("reading them", 3.0));
+    whole_process(&text, &mut gates);
     gates.close()
+}
+
+const ROUNDS: usize = 5;
+
+/// The process from its start against `numpy.loadtxt` of the same file, and the most memory that it held.
+fn whole_process(text: &str, gates: &mut Gates) {
+    let binary = binary().expect("the release binary is built");
+    let folder = std::env::temp_dir().join(format!("antrieb-bench-{}", std::process::id()));
+    let (project, file) = (folder.join("sine.toml"), folder.join("sine.csv"));
+    std::fs::create_dir_all(&folder).expect("a folder for the recording");
+    std::fs::write(&project, PROJECT).expect("the project is written");
+    std::fs::write(&file, text).expect("the recording is written");
+    let path = |path: &Path| path.to_str().expect("a folder with a name").to_owned();
+    let (project, file) = (path(&project), path(&file));
+    match loadtxt(&file) {
+        Some(_) => {
+            let pairs: Vec<_> = (0..ROUNDS)
+                .filter_map(|_| Some((timed(|| run(&binary, &["size", &project])), loadtxt(&file)?)))
+                .collect();
+            gates.at_most("the whole process", &Against::of(&pairs), ("numpy.loadtxt of the same file", 5.0));
+        }
+        None => println!("  no Python with NumPy here: the ratio to numpy.loadtxt is not measured"),
+    }
+    match memory(&binary, &["size", &project]) {
+        Some(bytes) => {
+            let arrays = 3 * 8 * SAMPLES;
+            let ratio = bytes as f64 / arrays as f64;
+            println!("  memory: {} MB, {ratio:.2} × the arrays of time, position and speed", bytes / 1_000_000);
+        }
+        None => println!("  this system does not tell how much memory a process held"),
+    }
+    let _ = std::fs::remove_dir_all(&folder);
+}
+
+/// How long `numpy.loadtxt` takes; `None` where there is no Python with NumPy.
+fn loadtxt(file: &str) -> Option<Duration> {
+    let script = "import sys, time, numpy\nt = time.perf_counter()\nnumpy.loadtxt(sys.argv[1], delimiter=',', skiprows=1)\nprint(time.perf_counter() - t)";
+    let answer = Command::new("python3").args(["-c", script, file]).stderr(Stdio::null()).output().ok()?;
+    let seconds = String::from_utf8(answer.stdout).ok()?.trim().parse().ok()?;
+    Some(Duration::from_secs_f64(seconds))
+}
+
+/// The most memory that a process held, where the system tells it while the process runs.
+fn memory(binary: &Path, arguments: &[&str]) -> Option<usize> {
+    let mut child = Command::new(binary).args(arguments).stdout(Stdio::null()).spawn().ok()?;
+    let status = format!("/proc/{}/status", child.id());
+    let mut most = None;
+    while child.try_wait().ok()?.is_none() {
+        let text = std::fs::read_to_string(&status).unwrap_or_default();
+        let kilobytes =
+            text.lines().find_map(|line| line.strip_prefix("VmHWM:")?.trim().strip_suffix(" kB")?.parse().ok());
+        most = kilobytes.map(|kilobytes: usize| kilobytes * 1024).max(most);
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    most
 }

@@ -1,12 +1,11 @@
 //! Tolerances judged for the ten best codes, inside the process.
 //!
-//! Baseline: as many judgements of the nominal axis, without building it anew, on one thread.
+//! Baseline: a tenth as many judgements of the nominal axis, without building it anew, on one thread.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
-use benches::{Gates, measure};
+use benches::{Gates, against};
 use std::hint::black_box;
 use std::process::ExitCode;
-use std::time::Duration;
 use workbench::{Candidate, CandidateId, Language, Project, SAMPLES_USUAL, Sampling, assess, check, size};
 
 /// The worked example with three toleranced quantities.
@@ -31,18 +30,17 @@ fn main() -> ExitCode {
             CandidateId::Own(_) => None,
         })
         .collect();
-    let baseline = measure(3, || {
-        for _ in 0..SAMPLES_USUAL {
+    let judgements = || {
+        for _ in 0..SAMPLES_USUAL / 10 {
             for code in &codes {
                 let _ = black_box(check(black_box(&project), code));
             }
         }
-    });
-    let whole = measure(5, || {
+    };
+    let whole = against(7, judgements, || {
         black_box(assess(black_box(&project), &best, Sampling::default()));
     });
-    let name = ("the judgements alone, in full", baseline);
     let what = format!("{SAMPLES_USUAL} samples over the {} best codes", best.len());
-    gates.hold(&what, whole, Duration::from_millis(400), name);
+    gates.at_most(&what, &whole, ("a tenth as many judgements, in full", 10.0));
     gates.close()
 }

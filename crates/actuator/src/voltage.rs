@@ -141,28 +141,26 @@ impl MotorVoltage {
         })
     }
 
-    /// The largest terminal voltage over a ramp on which speed and current change linearly from one end to the other.
+    /// A bound of the terminal voltage over a ramp on which speed and current change linearly from one end to the other;
+    /// where both grow or both are constant it is that of the larger end.
     ///
-    /// Where both grow or both are constant the maximum lies at an end and is exact. Where the current falls while the
-    /// speed grows, u_d may peak inside the ramp; the largest u_d and the largest u_q are then taken together, an
-    /// upper bound.
+    /// U² is a polynomial of the fourth degree there, nowhere above the largest of its coefficients in Bernstein's basis:
+    /// u_d has (d_0, d_1, d_2) with d_1 = −ω_e L i_q of crosswise ends, u_q has (q_0, q_1).
+    ///
+    /// # Source   docs/theory/voltage.md
     #[must_use]
-    pub fn largest(&self, ends: [(AngularVelocity, ElectricCurrent); 2]) -> ElectricPotential {
+    pub fn bound_on_line(&self, ends: [(AngularVelocity, ElectricCurrent); 2]) -> ElectricPotential {
         let [(n0, i0), (n1, i1)] = ends;
-        let at_ends = self.at(n0, i0).si().max(self.at(n1, i1).si());
-        // u_d is proportional to n·I, a parabola over the ramp with its vertex at s.
-        let (dn, di) = (n1.si() - n0.si(), i1.si() - i0.si());
-        let curvature = 2.0 * dn * di;
-        let s = if curvature == 0.0 { -1.0 } else { -(n0.si() * di + i0.si() * dn) / curvature };
-        if !(0.0..=1.0).contains(&s) {
-            return ElectricPotential::from_si(at_ends);
-        }
-        let vertex = (AngularVelocity::from_si(n0.si() + s * dn), ElectricCurrent::from_si(i0.si() + s * di));
-        let parts = [ends[0], ends[1], vertex].map(|(n, i)| self.components(n, i));
-        let largest = |pick: fn(&(f64, f64)) -> f64| parts.iter().map(pick).fold(0.0_f64, |a, b| a.max(b.abs()));
-        let (u_d, u_q) = (largest(|part| part.0), largest(|part| part.1));
-        let bound = (1.5 * (u_d * u_d + u_q * u_q)).sqrt();
-        ElectricPotential::from_si(bound.max(at_ends))
+        let [(d0, q0), (d2, q1)] = ends.map(|(n, i)| self.components(n, i));
+        let d1 = 0.5 * (self.components(n0, i1).0 + self.components(n1, i0).0);
+        let square = [
+            d0 * d0 + q0 * q0,
+            d0 * d1 + 0.5 * q0 * (q0 + q1),
+            (d0 * d2 + 2.0 * d1 * d1) / 3.0 + (q0 * q0 + 4.0 * q0 * q1 + q1 * q1) / 6.0,
+            d1 * d2 + 0.5 * q1 * (q0 + q1),
+            d2 * d2 + q1 * q1,
+        ];
+        ElectricPotential::from_si((1.5 * square.into_iter().fold(0.0, f64::max)).sqrt())
     }
 }
 
@@ -224,7 +222,7 @@ mod tests {
             [(0.0, 4.0, 120.0, 4.2), (120.0, -1.0, 0.0, -4.0), (0.0, 5.0, 120.0, -1.0), (50.0, 2.0, 50.0, 2.0)]
         {
             let (a, b) = ((rpm(n0), ElectricCurrent::from_si(i0)), (rpm(n1), ElectricCurrent::from_si(i1)));
-            let bound = motor.largest([a, b]).si();
+            let bound = motor.bound_on_line([a, b]).si();
             for step in 0..=100 {
                 let s = f64::from(step) / 100.0;
                 let here = motor.at(rpm(n0 + s * (n1 - n0)), ElectricCurrent::from_si(i0 + s * (i1 - i0))).si();

@@ -3,7 +3,7 @@
 use crate::flange::{DerivedLoads, Known};
 use crate::resonance::{self, Held};
 use crate::swings::SmallSwings;
-use crate::trace::Trace;
+use crate::trace::{Convex, Extent, Node, TorqueWith, Trace};
 use actuator::FlangeLoad;
 use mechanism::{Endless, Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion};
@@ -84,8 +84,9 @@ pub struct Moments {
 
 impl Moments {
     fn of(trace: &Trace, motion: &Motion) -> Self {
-        let (speed, speed_at) = trace.largest(|extent| extent.speed, |node| node.speed.abs());
-        let (load, load_at) = trace.largest(|extent| extent.torque(0.0), |node| node.load.abs());
+        let (speed, speed_at) =
+            trace.largest_once(&Convex(|extent: &Extent| extent.speed, |node: &Node| node.speed.abs()));
+        let (load, load_at) = trace.largest_once(&TorqueWith { inertia: 0.0 });
         Self {
             duration: motion.duration(),
             moving: Time::from_si(trace.gram.moving()),

@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note, Notes, Verdict};
 use crate::comparison::{Comparison, cite, explained, not_checked};
-use crate::trace::{Extent, Form, Node};
+use crate::trace::{Convex, Extent, Form, Node, Sought};
 use crate::workings;
 use actuator::{
     AMBIENT_REFERENCE, COLD_START, FrictionAt, HeatModel, LossMeans, Losses, MotorVoltage, NoLoadFriction, Parameters,
@@ -40,11 +40,6 @@ pub(crate) struct Currents {
     heat: Result<(HeatModel, Settled), Missing>,
     pub(crate) grade: Grade,
     errata: [&'static [&'static str]; 2],
-}
-
-/// The current as a weighted sum of (α, T_L, σ, ω) for a friction.
-fn weights(inertia: f64, torque_constant: f64, friction: &FrictionAt) -> [f64; 4] {
-    [inertia / torque_constant, 1.0 / torque_constant, friction.counted.si(), friction.constant.si()]
 }
 
 impl Currents {
@@ -104,9 +99,15 @@ impl Currents {
         notes
     }
 
+    /// The current as a weighted sum of (α, T_L, σ, ω) for a friction.
+    fn weights(&self, friction: &FrictionAt) -> [f64; 4] {
+        let per_torque = 1.0 / self.torque_constant;
+        [self.inertia * per_torque, per_torque, friction.counted.si(), friction.constant.si()]
+    }
+
     /// The current in the settled cycle as a weighted sum of (α, T_L, σ, ω).
     pub(crate) fn settled_weights(&self) -> [f64; 4] {
-        weights(self.inertia, self.torque_constant, &self.warm)
+        self.weights(&self.warm)
     }
 
     /// The current in the settled cycle at an instant \[A\].
@@ -151,7 +152,7 @@ impl Currents {
 
     /// All currents of a block lie between these, in either state.
     fn range(&self, extent: &Extent) -> (f64, f64) {
-        let of = |friction| extent.range(weights(self.inertia, self.torque_constant, friction));
+        let of = |friction| extent.range(self.weights(friction));
         let (cold, warm) = (of(&self.cold), of(&self.warm));
         (cold.0.min(warm.0), cold.1.max(warm.1))
     }
@@ -214,6 +215,145 @@ fn loss_means(axis: &Axis, torque_current: [f64; 4]) -> LossMeans {
     }
 }
 
+/// The motor's terminal voltage \[V\], the larger one of both states: while braking the larger current does not mean the
+/// larger voltage, for it lessens what the induced one needs.
+struct Terminal<'a> {
+    motor: &'a MotorVoltage,
+    currents: &'a Currents,
+}
+
+impl Terminal<'_> {
+    fn at(&self, node: &Node, friction: &FrictionAt) -> f64 {
+        let current = ElectricCurrent::from_si(self.currents.in_state(node, friction));
+        self.motor.at(AngularVelocity::from_si(node.speed), current).si()
+    }
+
+    fn states(&self) -> [&FrictionAt; 2] {
+        [&self.currents.cold, &self.currents.warm]
+    }
+}
+
+impl Sought for Terminal<'_> {
+    /// In current and in speed by themselves the voltage is convex: within bounds it is largest at a corner.
+    fn bound(&self, extent: &Extent) -> f64 {
+        let ((low, high), (back, forth)) = (self.currents.range(extent), extent.speeds);
+        let at = |speed: f64, current: f64| {
+            self.motor.at(AngularVelocity::from_si(speed), ElectricCurrent::from_si(current)).si()
+        };
+        at(back, low).max(at(back, high)).max(at(forth, low)).max(at(forth, high))
+    }
+
+    fn value(&self, node: &Node) -> f64 {
+        let [cold, warm] = self.states().map(|friction| self.at(node, friction));
+        cold.max(warm)
+    }
+
+    fn on_line(&self, a: &Node, b: &Node) -> f64 {
+        let bound = |friction: &FrictionAt| {
+            let end = |node: &Node| {
+                let current = ElectricCurrent::from_si(self.currents.in_state(node, friction));
+                (AngularVelocity::from_si(node.speed), current)
+            };
+            self.motor.bound_on_line([end(a), end(b)]).si()
+        };
+        let [cold, warm] = self.states().map(bound);
+        cold.max(warm)
+    }
+}
+
+/// |I| over what is permitted at an instant: the printed limit or, where a curve is published, the current of its torque at
+/// that speed if that is larger.
+///
+/// While the direction keeps, |I| is convex along a straight line and the current of a straight piece of the curve is
+/// straight: over it the ratio has its largest value at an end.
+struct Overcurrent<'a> {
+    currents: &'a Currents,
+    printed: f64,
+    curve: Option<&'a actuator::Curve>,
+    /// The states that count.
+    states: &'a [&'a FrictionAt],
+    /// Speeds at which what is permitted has a corner.
+    corners: Vec<f64>,
+}
+
+impl<'a> Overcurrent<'a> {
+    fn of(
+        currents: &'a Currents,
+        printed: f64,
+        curve: Option<&'a actuator::Curve>,
+        states: &'a [&'a FrictionAt],
+    ) -> Self {
+        let mut corners = Vec::new();
+        let points = curve.map_or(&[][..], actuator::Curve::points);
+        for (a, b) in points.iter().zip(points.iter().skip(1)) {
+            corners.extend([a.speed.si(), b.speed.si()]);
+            // Where the curve's current falls below the printed limit.
+            for friction in states {
+                let [from, to] =
+                    [a, b].map(|p| p.torque.si() / currents.torque_constant + friction.current(p.speed).si() - printed);
+                if from * to < 0.0 {
+                    corners.push(a.speed.si() + from / (from - to) * (b.speed.si() - a.speed.si()));
+                }
+            }
+        }
+        // Beyond its end the curve permits nothing.
+        corners.extend(points.last().map(|end| end.speed.si().next_up()));
+        Self { currents, printed, curve, states, corners }
+    }
+
+    /// What is permitted at the speed of an instant \[A\].
+    fn permitted(&self, node: &Node, friction: &FrictionAt) -> f64 {
+        self.permitted_at(node.speed, friction)
+    }
+
+    fn permitted_at(&self, speed: f64, friction: &FrictionAt) -> f64 {
+        let Some(curve) = self.curve else { return self.printed };
+        let speed = AngularVelocity::from_si(speed);
+        self.printed.max(curve.at(speed).si() / self.currents.torque_constant + friction.current(speed).si())
+    }
+
+    /// Of the states the one that asks for more at an instant.
+    fn state(&self, node: &Node) -> &'a FrictionAt {
+        match *self.states {
+            [only] => only,
+            _ => self.currents.larger(node),
+        }
+    }
+
+    fn ratio(&self, node: &Node, friction: &FrictionAt) -> f64 {
+        self.currents.in_state(node, friction).abs() / self.permitted(node, friction)
+    }
+}
+
+impl Sought for Overcurrent<'_> {
+    /// What is permitted is straight between its corners: least at one of them or at the slowest or fastest instant.
+    fn bound(&self, extent: &Extent) -> f64 {
+        let (back, forth) = extent.speeds;
+        let slowest = back.max(-forth).max(0.0);
+        let within = self.corners.iter().copied().filter(|corner| *corner > slowest && *corner < extent.speed);
+        let speeds = || within.clone().chain([slowest, extent.speed]);
+        let of = |friction: &&FrictionAt| {
+            let (low, high) = extent.range(self.currents.weights(friction));
+            let least = speeds().map(|speed| self.permitted_at(speed, friction)).fold(f64::INFINITY, f64::min);
+            high.max(-low) / least
+        };
+        self.states.iter().map(of).fold(0.0, f64::max)
+    }
+
+    fn value(&self, node: &Node) -> f64 {
+        self.ratio(node, self.state(node))
+    }
+
+    fn on_line(&self, a: &Node, b: &Node) -> f64 {
+        let ends = |friction: &&FrictionAt| self.ratio(a, friction).max(self.ratio(b, friction));
+        self.states.iter().map(ends).fold(0.0, f64::max)
+    }
+
+    fn corners(&self) -> &[f64] {
+        &self.corners
+    }
+}
+
 /// U ≤ (U_DC/√2) · reserve: the motor's terminal voltage at every instant of the cycle, winding hot.
 pub(crate) fn voltage(
     axis: &Axis,
@@ -229,22 +369,10 @@ pub(crate) fn voltage(
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let in_state = |node: &Node, friction: &FrictionAt| {
-        let current = ElectricCurrent::from_si(currents.in_state(node, friction));
-        motor.at(AngularVelocity::from_si(node.speed), current).si()
-    };
-    // In current and in speed by themselves the voltage is convex: over a block it is largest at a corner.
-    let bound = |extent: &Extent| {
-        let ((low, high), (back, forth)) = (currents.range(extent), extent.speeds);
-        let at = |speed: f64, current: f64| {
-            motor.at(AngularVelocity::from_si(speed), ElectricCurrent::from_si(current)).si()
-        };
-        at(back, low).max(at(back, high)).max(at(forth, low)).max(at(forth, high))
-    };
-    // While braking the larger current does not mean the larger voltage: it lessens what the induced one needs.
+    let terminal = Terminal { motor: &motor, currents };
+    let (worst, at) = axis.trace.largest(&terminal);
     let (cold, warm) = (&currents.cold, &currents.warm);
-    let (worst, at) = axis.trace.largest_of_any(bound, |node| in_state(node, cold).max(in_state(node, warm)));
-    let friction = if in_state(&at, cold) >= in_state(&at, warm) { cold } else { warm };
+    let friction = if terminal.at(&at, cold) >= terminal.at(&at, warm) { cold } else { warm };
     currents.explain(&at, friction, actuator, work);
     let current = ElectricCurrent::from_si(currents.in_state(&at, friction));
     motor.explain(actuator, AngularVelocity::from_si(at.speed), current, work);
@@ -307,25 +435,18 @@ fn current_check(
     };
     let curve = if id == CheckId::PeakCurrent { published_short_time(axis, actuator) } else { None };
     let printed = limit.value.si();
-    // The current of the published curve at the speed of an instant, in the same state.
-    let permitted = |node: &Node, friction: &FrictionAt| {
-        let speed = AngularVelocity::from_si(node.speed);
-        let torque = curve.map_or(0.0, |curve| curve.value.at(speed).si());
-        printed.max(torque / currents.torque_constant + friction.current(speed).si())
-    };
+    let published = curve.map(|curve| &curve.value);
+    let both = [&currents.cold, &currents.warm];
+    let over = Overcurrent::of(currents, printed, published, &both);
     let (_, node) = match curve {
-        None => axis.trace.largest(|extent| currents.bound(extent), |node| currents.extreme(node).abs()),
-        Some(_) => axis.trace.largest_of_any(
-            |extent| currents.bound(extent) / printed,
-            |node| currents.extreme(node).abs() / permitted(node, currents.larger(node)),
-        ),
+        None => axis
+            .trace
+            .largest(&Convex(|extent: &Extent| currents.bound(extent), |node: &Node| currents.extreme(node).abs())),
+        Some(_) => axis.trace.largest(&over),
     };
-    let (current, most) = (currents.extreme(&node).abs(), permitted(&node, currents.larger(&node)));
+    let (current, most) = (currents.extreme(&node).abs(), over.permitted(&node, currents.larger(&node)));
     // What the settled cycle asks beyond the limit no warm-up mends.
-    let settled = || {
-        let share = |node: &Node| currents.at(node).abs() / permitted(node, &currents.warm);
-        axis.trace.largest_of_any(|extent| currents.bound(extent) / printed, share).0
-    };
+    let settled = || axis.trace.largest(&Overcurrent::of(currents, printed, published, &[&currents.warm])).0;
     let by_cold_only = id == CheckId::PeakCurrent && current > most && currents.heat.is_ok() && settled() <= 1.0;
     let source = Source::Model { name: "current" };
     currents.explain(&node, currents.larger(&node), actuator, work);

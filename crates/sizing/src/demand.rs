@@ -1,6 +1,7 @@
 //! What an axis asks of an actuator: the manual's procedure and the exact integrals.
 
 use crate::axis::Axis;
+use crate::trace::TorqueWith;
 use quantities::{AngularVelocity, Measure, MomentOfInertia, Time, Torque};
 
 /// What an axis asks of one actuator, whose own inertia is part of it.
@@ -59,8 +60,7 @@ impl Axis {
         let moments = &self.moments;
         let inertia = inertia_out.si();
         let square = self.trace.gram.square([inertia, 1.0, 0.0, 0.0]) / moments.duration.si();
-        let (peak, at) =
-            self.trace.largest(|extent| extent.torque(inertia), |node| (inertia * node.acceleration + node.load).abs());
+        let (peak, at) = self.trace.largest(&TorqueWith { inertia });
         Demand {
             torque_rms: Torque::from_si(square.sqrt()),
             torque_peak: Torque::from_si(peak),

@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note, Verdict};
 use crate::comparison::{Comparison, Edges, not_checked};
 use crate::currents::Currents;
-use crate::trace::Node;
+use crate::trace::{Any, Extent, Node};
 use crate::workings;
 use actuator::Parameters;
 use derivation::Workings;
@@ -147,15 +147,15 @@ pub(crate) fn torque_speed_trace(
             highest.set(highest.get().max(share));
             share
         };
-        axis.trace.largest_of_any(
-            |extent| {
+        axis.trace.largest(&Any(
+            |extent: &Extent| {
                 // Between two instants the exact limit decides sooner.
                 let (low, high) = extent.speeds;
                 let close = high - low <= CLOSE * axis.moments.speed_peak.si();
                 let limits = if close { at_speed(extent.speed) } else { below(extent.speed) };
                 share(extent.torque(inertia), edge(limits))
             },
-            |node| {
+            |node: &Node| {
                 let torque = torque(node);
                 if braking(node) {
                     return seen(share(torque, most));
@@ -164,7 +164,7 @@ pub(crate) fn torque_speed_trace(
                 // What is not the largest even so need not be exact.
                 if above < highest.get() { above } else { seen(share(torque, edge(at_speed(node.speed)))) }
             },
-        )
+        ))
     };
     let (found, worst) = largest_share(|(lower, _)| lower);
     let by_upper = || largest_share(|(_, upper)| upper);

@@ -6,7 +6,7 @@ use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note};
 use crate::comparison::{Asking, not_checked, shown_or_at_most};
 use crate::currents::{Currents, SPEED};
-use crate::trace::{Block, Node};
+use crate::trace::{Block, Cell, Extent, Inside, Node, Panel, Sought, Strip};
 use actuator::Parameters;
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
@@ -188,9 +188,18 @@ struct Balance {
 }
 
 impl Balance {
-    fn of(axis: &Axis, power: &TerminalPower<'_>) -> Self {
+    /// Over a cycle, with what a bank must hold or without: only that asks for the order in time of what is recorded.
+    fn of(axis: &Axis, power: &TerminalPower<'_>, with_bank: bool) -> Self {
         let mut balance = Self::default();
-        for block in axis.trace.blocks() {
+        if !with_bank {
+            for strip in axis.trace.strips() {
+                if let Some(root) = strip.root() {
+                    CellPower::of(strip, power).add(root, &mut balance);
+                }
+            }
+            balance.peak = axis.trace.largest_recorded(&Returned(power), balance.peak);
+        }
+        for block in axis.trace.blocks().iter().filter(|block| with_bank || !block.is_recorded()) {
             // Where the load is only driven the power has one sign, and the block is taken as a whole.
             if !axis.trace.is_short() && block.extent.power_sign(power.currents.inertia) == Some(1.0) {
                 let taken = power.driving(block);
@@ -211,15 +220,18 @@ impl Balance {
 
     /// Through the panels of a block, once.
     fn pass(&mut self, axis: &Axis, power: &TerminalPower<'_>, block: &Block) {
-        axis.trace.panels(block, &mut |panel| {
-            if panel.is_straight() {
-                for (a, b) in panel.nodes.iter().zip(panel.nodes.iter().skip(1)).filter(|(a, b)| b.time > a.time) {
+        axis.trace.panels(block, &mut |panel| self.panel(&panel, power));
+    }
+
+    fn panel(&mut self, panel: &Panel<'_>, power: &TerminalPower<'_>) {
+        match panel.nodes {
+            [a, .., b] if panel.is_straight() => {
+                if b.time > a.time {
                     power.gap(a, b, &mut |arc| self.take(arc));
                 }
-            } else {
-                bent::Walk::through(&panel, power, self);
             }
-        });
+            _ => bent::Walk::through(panel, power, self),
+        }
     }
 
     /// What the further periods of a block do to the bank: from the second on each adds as much as the one before.
@@ -247,6 +259,97 @@ impl Balance {
     }
 }
 
+/// Power of the cells of a recording: where torque and power keep their sign all through a cell its sums serve.
+struct CellPower<'a> {
+    power: &'a TerminalPower<'a>,
+    strip: &'a Strip,
+    /// Weights of torque, current driving, current driven and speed, in the signals of the cells.
+    torque: [f64; 4],
+    driving: [f64; 4],
+    driven: [f64; 4],
+    speed: [f64; 4],
+}
+
+impl<'a> CellPower<'a> {
+    fn of(strip: &'a Strip, power: &'a TerminalPower<'a>) -> Self {
+        Self {
+            power,
+            strip,
+            torque: strip.weights([power.currents.inertia, 1.0, 0.0, 0.0]),
+            driving: strip.weights(power.weights(1.0)),
+            driven: strip.weights(power.weights(-1.0)),
+            speed: strip.weights(SPEED),
+        }
+    }
+
+    fn add(&self, cell: &Cell, balance: &mut Balance) {
+        let (low, high) = cell.extent.range(self.torque);
+        let (back, forth) = cell.extent.direction;
+        let driving = (low >= 0.0 && back >= 0.0) || (high <= 0.0 && forth <= 0.0) || (back == 0.0 && forth == 0.0);
+        if driving {
+            return balance.part(self.energy(cell, self.driving));
+        }
+        if (low >= 0.0 && forth <= 0.0) || (high <= 0.0 && back >= 0.0) {
+            let current = cell.extent.range(self.driven);
+            let volt = std::array::from_fn(|k| {
+                self.power.copper_ohm * self.driven.get(k).unwrap_or(&0.0)
+                    + self.power.constant_vs * self.speed.get(k).unwrap_or(&0.0)
+            });
+            let volt = cell.extent.range(volt);
+            let (plus, minus) = (|range: (f64, f64)| range.0 >= 0.0, |range: (f64, f64)| range.1 <= 0.0);
+            let one_sign = (plus(current) || minus(current)) && (plus(volt) || minus(volt));
+            if one_sign {
+                return balance.part(self.energy(cell, self.driven));
+            }
+        }
+        match cell.inside {
+            Inside::Intervals(from, to) => {
+                self.strip.panels_within((from, to), &mut |panel| balance.panel(&panel, self.power));
+            }
+            Inside::Halves(halves) => {
+                self.strip.halves(halves).into_iter().flatten().for_each(|half| self.add(half, balance));
+            }
+        }
+    }
+
+    /// ∫P dt with one sign of the torque \[J\]
+    fn energy(&self, cell: &Cell, current: [f64; 4]) -> f64 {
+        let (r, k) = (self.power.copper_ohm, self.power.constant_vs);
+        self.strip.stretch() * (r * cell.gram.square(current) + k * cell.gram.product(current, self.speed))
+    }
+}
+
+/// −P: what the motor gives back at an instant \[W\].
+struct Returned<'a>(&'a TerminalPower<'a>);
+
+impl Sought for Returned<'_> {
+    /// −P = −R I² − k ω I: the second largest at a corner, the first where |I| is least. While driving nothing comes back.
+    fn bound(&self, extent: &Extent) -> f64 {
+        let (low, high) = extent.range(self.0.weights(-1.0));
+        let (back, forth) = extent.speeds;
+        let corners = [back * low, back * high, forth * low, forth * high];
+        let least = if low > 0.0 {
+            low
+        } else if high < 0.0 {
+            high
+        } else {
+            0.0
+        };
+        let returned = -self.0.constant_vs * corners.into_iter().fold(f64::INFINITY, f64::min);
+        (returned - self.0.copper_ohm * least * least).max(0.0)
+    }
+
+    fn value(&self, node: &Node) -> f64 {
+        -self.0.at(node)
+    }
+
+    fn on_line(&self, a: &Node, b: &Node) -> f64 {
+        let mut most = f64::NEG_INFINITY;
+        self.0.gap(a, b, &mut |arc| most = most.max(-arc.least()));
+        most
+    }
+}
+
 /// Mean power that the motor gives back over the cycle, winding cold.
 ///
 /// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
@@ -262,7 +365,7 @@ pub(crate) fn regeneration(
         Ok(power) => power,
         Err(missing) => return not_checked(id, missing),
     };
-    let balance = Balance::of(axis, &power);
+    let balance = Balance::of(axis, &power, axis.asked.dc_link_rise.is_some());
     let grade = power.currents.grade.worst(Grade::Computed);
     let mean = balance.back / axis.moments.duration.si();
     let permitted = axis.asked.regeneration_power_max.map(Measure::si);

@@ -3,6 +3,7 @@
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::comparison::{Comparison, explained, not_checked};
+use crate::trace::TorqueWith;
 use crate::workings;
 use actuator::{Parameters, ScrewJoint};
 use derivation::Workings;
@@ -75,9 +76,7 @@ fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Re
     // Of an own actuator the ratio may not be known: without a gear the whole of J_out acts on the housing, the most.
     let ratio = actuator.ratio.known();
     let inertia = own / ratio.map_or(1.0, |ratio| ratio.value);
-    let worst = |inertia: f64| {
-        axis.trace.largest(|extent| extent.torque(inertia), |node| (inertia * node.acceleration + node.load).abs())
-    };
+    let worst = |inertia: f64| axis.trace.largest(&TorqueWith { inertia });
     let (forward, backward) = (worst(inertia), worst(-inertia));
     let (torque, node) = if backward.0 > forward.0 { backward } else { forward };
     if let Some(collision) = collision(axis, torque, work) {

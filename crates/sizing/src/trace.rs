@@ -11,11 +11,12 @@ mod search;
 
 pub(crate) use form::Form;
 pub(crate) use lags::Lag;
+pub(crate) use recording::{Cell, Inside, Strip};
+pub(crate) use search::{Any, Convex, Sought, TorqueWith};
 
 use lags::LagCache;
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
-use recording::Strip;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -281,6 +282,11 @@ impl Block {
         Self { place, from: 0.0, duration: 0.0, times: 1.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
     }
 
+    /// Whether its nodes are made from a recording whenever they are looked at.
+    pub(crate) const fn is_recorded(&self) -> bool {
+        matches!(self.place, Place::Recorded { .. })
+    }
+
     fn join(&mut self, other: &Self) {
         self.duration += other.duration;
         self.extent.join(&other.extent);
@@ -305,6 +311,17 @@ const BLOCK: usize = 128;
 /// So many blocks share one extent.
 const GROUP: usize = 64;
 
+/// Neighbouring blocks with what bounds them all.
+#[derive(Clone, Debug)]
+struct Group {
+    blocks: Range<usize>,
+    extent: Extent,
+    /// Instant at which it begins \[s\].
+    from: f64,
+    /// Whether its blocks are those of a recording.
+    recorded: bool,
+}
+
 /// The motion under its load.
 #[derive(Clone, Debug)]
 pub(crate) struct Trace {
@@ -312,8 +329,9 @@ pub(crate) struct Trace {
     panels: Vec<Kept>,
     strips: Vec<Strip>,
     blocks: Vec<Block>,
-    /// Bounds of the groups and the instants at which they begin.
-    groups: Vec<(Extent, f64)>,
+    groups: Vec<Group>,
+    /// Whether it is made from another one of the same recordings, whose cells serve it.
+    is_changed: bool,
     runs: Vec<Run>,
     lags: Arc<LagCache>,
     /// Sum of the weights \[s\].
@@ -337,7 +355,7 @@ impl Trace {
     /// The same for another load or another pace of the same recordings, which need not be passed again where the load
     /// is a sum of four parts with constant factors.
     pub(crate) fn changed(&self, mechanism: &Mechanism, motion: &Motion, extras: &[Extra]) -> Self {
-        build::Builder::new(mechanism, motion, extras, &self.strips).trace()
+        Self { is_changed: true, ..build::Builder::new(mechanism, motion, extras, &self.strips).trace() }
     }
 
     /// The panels of a block in the order of time.
@@ -367,6 +385,11 @@ impl Trace {
 
     pub(crate) fn blocks(&self) -> &[Block] {
         &self.blocks
+    }
+
+    /// The recordings whose nodes are not kept.
+    pub(crate) fn strips(&self) -> &[Strip] {
+        &self.strips
     }
 
     /// Whether so few nodes make the cycle that each may be looked at for every candidate.

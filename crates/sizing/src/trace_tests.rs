@@ -169,7 +169,7 @@ fn the_envelope_finds_what_a_plain_loop_finds() {
     assert!(trace.nodes().len() > 4 * BLOCK);
     for own in [0.0, 0.01, 0.5, 8.0] {
         let value = |node: &Node| (own * node.acceleration + node.load).abs();
-        let (largest, node) = trace.largest(|extent| extent.torque(own), value);
+        let (largest, node) = trace.largest(&TorqueWith { inertia: own });
         let at = node.time;
         let mut plain = (f64::NEG_INFINITY, 0.0);
         for node in &trace.nodes() {
@@ -203,7 +203,7 @@ fn the_peak_of_every_law_is_a_node() {
         (Law::InclinedSine, std::f64::consts::TAU),
     ] {
         let trace = Trace::of(&load, &motion(&[law(law_name, s, t)]), &[]);
-        let (peak, _) = trace.largest(|extent| extent.torque(0.8), |node| (0.8 * node.acceleration + node.load).abs());
+        let (peak, _) = trace.largest(&TorqueWith { inertia: 0.8 });
         let expected = 1.8 * c_a * s / (t * t);
         assert!((peak / expected - 1.0).abs() < 1e-12, "{law_name:?}: {peak} against {expected}");
     }
@@ -326,7 +326,7 @@ fn the_envelope_of_a_recording_finds_what_a_plain_loop_finds_and_threads_change_
     assert_eq!(trace.blocks().iter().map(|block| block.gram).collect::<Vec<_>>(), single);
     for own in [0.0, 0.5, 8.0] {
         let value = |node: &Node| (own * node.acceleration + node.load).abs();
-        let (largest, node) = trace.largest(|extent| extent.torque(own), value);
+        let (largest, node) = trace.largest(&TorqueWith { inertia: own });
         let plain = trace.nodes().iter().fold((f64::NEG_INFINITY, 0.0), |best, node| {
             if value(node) > best.0 { (value(node), node.time) } else { best }
         });
@@ -368,8 +368,7 @@ fn the_peak_between_nodes_is_found() {
     };
     let trace = Trace::of(&load, &motion, &[]);
     for own in [0.0, 0.28, 0.6, 3.0] {
-        let (peak, node) =
-            trace.largest(|extent| extent.torque(own), |node| (own * node.acceleration + node.load).abs());
+        let (peak, node) = trace.largest(&TorqueWith { inertia: own });
         let expected = dense(own);
         assert!((peak / expected - 1.0).abs() < 1e-8, "{own}: {peak} against {expected}");
         assert!(((own * node.acceleration + node.load).abs() - peak).abs() < 1e-12);

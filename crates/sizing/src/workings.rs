@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::demand::{Demand, ManualDemand};
-use crate::trace::Node;
+use crate::trace::{Node, TorqueWith};
 use actuator::Parameters;
 use derivation::Workings;
 use provenance::{Grade, Source};
@@ -44,8 +44,7 @@ pub(crate) fn peak_torque(axis: &Axis, actuator: &Parameters, demand: &Demand, w
         return;
     }
     let inertia = actuator.inertia_out.known().map_or(0.0, |inertia| inertia.value.si());
-    let (_, node) =
-        axis.trace.largest(|extent| extent.torque(inertia), |node| (inertia * node.acceleration + node.load).abs());
+    let (_, node) = axis.trace.largest(&TorqueWith { inertia });
     torque_at(&node, actuator, work);
     work.formula("T_peak", &NEWTON_METRE, demand.torque_peak.si(), "abs(T)", &DEMAND);
 }

@@ -2,7 +2,7 @@
 
 use super::recording::Strip;
 use super::rule::{MOST, rule};
-use super::{BLOCK, Block, Extent, GROUP, Gram, Kept, Node, Panel, Place, Run, Share, Trace};
+use super::{BLOCK, Block, Extent, GROUP, Gram, Group, Kept, Node, Panel, Place, Run, Share, Trace};
 use crate::brake_times::held_by_the_motor;
 use mechanism::{Endless, Extra, Mechanism, Output};
 use motion::{Hold, Motion, Piece, Placed, Runs, lobatto};
@@ -92,13 +92,9 @@ impl<'a> Builder<'a> {
         self.close_block();
         let mut gram = Gram::default();
         self.blocks.iter().for_each(|block| gram.join(&block.gram));
-        let group = |blocks: &[Block]| {
-            let mut all = Extent::NONE;
-            blocks.iter().for_each(|block| all.join(&block.extent));
-            (all, blocks.first().map_or(0.0, |block| block.from))
-        };
         Trace {
-            groups: self.blocks.chunks(GROUP).map(group).collect(),
+            groups: groups(&self.blocks),
+            is_changed: false,
             lags: Arc::default(),
             runs: runs(&self.blocks),
             duration: self.blocks.iter().map(|block| block.duration).sum(),
@@ -443,6 +439,23 @@ fn runs(blocks: &[Block]) -> Vec<Run> {
         }
     }
     runs
+}
+
+/// The blocks in groups, those of recordings by themselves.
+fn groups(blocks: &[Block]) -> Vec<Group> {
+    let mut groups = Vec::with_capacity(blocks.len() / GROUP + 1);
+    let mut from = 0;
+    for alike in blocks.chunk_by(|a, b| a.is_recorded() == b.is_recorded()) {
+        for part in alike.chunks(GROUP) {
+            let mut extent = Extent::NONE;
+            part.iter().for_each(|block| extent.join(&block.extent));
+            let blocks = from..from + part.len();
+            from = blocks.end;
+            let (start, recorded) = part.first().map_or((0.0, false), |block| (block.from, block.is_recorded()));
+            groups.push(Group { blocks, extent, from: start, recorded });
+        }
+    }
+    groups
 }
 
 /// An angle brought to ±180°, for kinks that repeat with each revolution; its own jump is no kink.

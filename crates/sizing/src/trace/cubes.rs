@@ -1,74 +1,165 @@
 //! ∫|T_L|³ |ω| dt for the cubic mean torque of a gear.
 
-use super::recording::Strip;
-use super::{Block, Node, Panel, Place, Trace};
+use super::recording::{Cell, Inside, Strip};
+use super::{Block, Node, Panel, Trace};
 use motion::lobatto;
 
-/// The moments ∫ α^i ω^j |ω| dt of a block that turns one way, i + j ≤ 3, in the order of [`POWERS`].
-pub(super) type Moments = [f64; 10];
+/// The moments ∫ α^i R^j ω^k |ω| dt of a cell, i + j + k ≤ 3, in the order of [`POWERS`], in the signals of the cells.
+pub(super) type Moments = [f64; 20];
 
-/// i, j and 3!/(i! j! (3 − i − j)!)
-const POWERS: [(i32, i32, f64); 10] = [
-    (0, 0, 1.0),
-    (1, 0, 3.0),
-    (0, 1, 3.0),
-    (2, 0, 3.0),
-    (1, 1, 6.0),
-    (0, 2, 3.0),
-    (3, 0, 1.0),
-    (2, 1, 3.0),
-    (1, 2, 3.0),
-    (0, 3, 1.0),
+/// i, j, k and 3!/(i! j! k! (3 − i − j − k)!)
+const POWERS: [(i32, i32, i32, f64); 20] = [
+    (0, 0, 0, 1.0),
+    (1, 0, 0, 3.0),
+    (0, 1, 0, 3.0),
+    (0, 0, 1, 3.0),
+    (2, 0, 0, 3.0),
+    (0, 2, 0, 3.0),
+    (0, 0, 2, 3.0),
+    (1, 1, 0, 6.0),
+    (1, 0, 1, 6.0),
+    (0, 1, 1, 6.0),
+    (3, 0, 0, 1.0),
+    (0, 3, 0, 1.0),
+    (0, 0, 3, 1.0),
+    (2, 1, 0, 3.0),
+    (2, 0, 1, 3.0),
+    (1, 2, 0, 3.0),
+    (0, 2, 1, 3.0),
+    (1, 0, 2, 3.0),
+    (0, 1, 2, 3.0),
+    (1, 1, 1, 6.0),
 ];
 
-/// The moments of a block in the signals of the survey, where it turns one way under a recorded torque that does not change.
-pub(super) fn moments(strip: &Strip, block: &Block) -> Option<Moments> {
-    let (load, direction) = (block.extent.load, block.extent.direction);
-    if load.1 - load.0 > 1e-12 * load.1.abs().max(load.0.abs()) || direction.0 != direction.1 {
-        return None;
+/// Adds what a panel of a cell contributes. Its three nodes integrate polynomials of the third degree; T³ω of straight lines
+/// has the fourth, so five nodes are taken.
+pub(super) fn add(moments: &mut Moments, panel: &Panel<'_>) {
+    let ([first, .., last], true) = (panel.nodes, panel.is_straight()) else { return };
+    if first.load == last.load {
+        return add_constant(moments, first, last, panel.duration);
     }
-    let mut moments = [0.0; 10];
-    strip.raw_panels(block, &mut |panel: Panel<'_>| {
-        for node in panel.nodes {
-            let (a, w) = (node.acceleration, node.speed);
-            let weight = node.weight * w.abs();
-            let (aa, ww) = (a * a, w * w);
-            let powers = [1.0, a, w, aa, a * w, ww, aa * a, aa * w, a * ww, ww * w];
-            moments.iter_mut().zip(powers).for_each(|(sum, power)| *sum += weight * power);
-        }
-    });
-    Some(moments)
+    for (s, weight) in lobatto(5) {
+        let node = first.towards(last, *s);
+        let (a, r, w) = (node.acceleration, node.load, node.speed);
+        let weight = weight * panel.duration * w.abs();
+        let (aa, rr, ww) = (a * a, r * r, w * w);
+        let powers = [
+            1.0,
+            a,
+            r,
+            w,
+            aa,
+            rr,
+            ww,
+            a * r,
+            a * w,
+            r * w,
+            aa * a,
+            rr * r,
+            ww * w,
+            aa * r,
+            aa * w,
+            a * rr,
+            rr * w,
+            a * ww,
+            r * ww,
+            a * r * w,
+        ];
+        moments.iter_mut().zip(powers).for_each(|(sum, power)| *sum += weight * power);
+    }
 }
 
-/// ∫|k + p α + q ω|³ |ω| dt of a block in which that torque has one sign.
-fn cube(moments: &Moments, [k, p, q]: [f64; 3]) -> f64 {
-    let term =
-        |(moment, (i, j, count)): (&f64, (i32, i32, f64))| count * k.powi(3 - i - j) * p.powi(i) * q.powi(j) * moment;
+/// The same where R is constant: ∫|ω|^n dt in closed form.
+fn add_constant(moments: &mut Moments, first: &Node, last: &Node, duration: f64) {
+    let (a, r, w0, w1) = (first.acceleration, first.load, first.speed, last.speed);
+    let (sign, p, s, q) = (if w0 + w1 < 0.0 { -duration } else { duration }, w0 + w1, w0 * w0 + w1 * w1, w0 * w1);
+    // ∫ω |ω|^… dt: σ h Σ ω_0^(n−k) ω_1^k/(n + 1)
+    let (one, two) = (sign * p / 2.0, sign * (s + q) / 3.0);
+    let (three, four) = (sign * p * s / 4.0, sign * (s * s + q * (s - q)) / 5.0);
+    let (aa, rr) = (a * a, r * r);
+    let powers = [
+        one,
+        a * one,
+        r * one,
+        two,
+        aa * one,
+        rr * one,
+        three,
+        a * r * one,
+        a * two,
+        r * two,
+        aa * a * one,
+        rr * r * one,
+        four,
+        aa * r * one,
+        aa * two,
+        a * rr * one,
+        rr * two,
+        a * three,
+        r * three,
+        a * r * two,
+    ];
+    moments.iter_mut().zip(powers).for_each(|(sum, power)| *sum += power);
+}
+
+/// ∫|s + p α + r R + q ω|³ |ω| dt of a cell in which that torque has one sign.
+fn cube(moments: &Moments, [p, r, s, q]: [f64; 4]) -> f64 {
+    let powers = |x: f64| [1.0, x, x * x, x * x * x];
+    let (of_p, of_r, of_s, of_q) = (powers(p), powers(r), powers(s), powers(q));
+    let at = |of: &[f64; 4], n: i32| usize::try_from(n).ok().and_then(|n| of.get(n).copied()).unwrap_or(0.0);
+    let term = |(moment, (i, j, k, count)): (&f64, (i32, i32, i32, f64))| {
+        count * at(&of_p, i) * at(&of_r, j) * at(&of_q, k) * at(&of_s, 3 - i - j - k) * moment
+    };
     moments.iter().zip(POWERS).map(term).sum::<f64>().abs()
 }
 
 impl Trace {
     /// ∫|T_L|³ |ω| dt; only gears with a rating ask for it.
     pub(crate) fn cubes(&self) -> f64 {
-        *self.cubes.get_or_init(|| self.blocks.iter().map(|block| self.cubes_of(block)).sum())
+        *self.cubes.get_or_init(|| {
+            let kept = self.blocks.iter().filter(|block| !block.is_recorded());
+            let recorded = self.strips.iter().filter_map(|strip| Some(cubes_of_cell(strip, strip.root()?)));
+            kept.map(|block| self.cubes_of(block)).chain(recorded).sum()
+        })
     }
 
     fn cubes_of(&self, block: &Block) -> f64 {
-        let (low, high) = block.extent.load;
-        if let (Place::Recorded { strip, intervals }, true) = (&block.place, low >= 0.0 || high <= 0.0)
-            && let Some(strip) = self.strips.get(*strip)
-            && let Some((moments, factors)) = strip.cubic(intervals.start, block.extent.direction.0)
-        {
-            return cube(&moments, factors);
-        }
         let mut sum = 0.0;
-        self.panels(block, &mut |panel| {
-            sum += match panel.nodes {
-                [_, _, _] => few(&panel),
-                nodes => nodes.iter().map(|node| node.weight * cubed(node)).sum(),
-            };
-        });
+        self.panels(block, &mut |panel| sum += cubes_of_panel(&panel));
         sum
+    }
+}
+
+/// By its moments where the torque keeps its sign all through a cell that turns one way.
+fn cubes_of_cell(strip: &Strip, cell: &Cell) -> f64 {
+    let (back, forth) = cell.extent.direction;
+    if back == forth {
+        let weights = strip.weights([0.0, 1.0, 0.0, 0.0]);
+        let (low, high) = cell.extent.range(weights);
+        let [p, r, s, q] = weights;
+        if (low >= 0.0 || high <= 0.0)
+            && let Some(moments) = strip.cubic(cell)
+        {
+            // The angle travelled, by which the cube is weighted, is the same however fast the recording is run through.
+            return cube(moments, [p, r, s * back, q]);
+        }
+    }
+    match cell.inside {
+        Inside::Intervals(from, to) => {
+            let mut sum = 0.0;
+            strip.panels_within((from, to), &mut |panel| sum += cubes_of_panel(&panel));
+            sum
+        }
+        Inside::Halves(halves) => {
+            strip.halves(halves).into_iter().flatten().map(|half| cubes_of_cell(strip, half)).sum()
+        }
+    }
+}
+
+fn cubes_of_panel(panel: &Panel<'_>) -> f64 {
+    match panel.nodes {
+        [_, _, _] => few(panel),
+        nodes => nodes.iter().map(|node| node.weight * cubed(node)).sum(),
     }
 }
 

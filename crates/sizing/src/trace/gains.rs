@@ -83,9 +83,9 @@ const MOMENTS: usize = 4;
 const SHORT: f64 = 0.02;
 
 /// What any lag needs of a block of a recording.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct LagBlock {
-    duration: f64,
+    pub(super) duration: f64,
     /// ∫ P̃_k(s) p_m dt, s the share of the block.
     moments: [Products; MOMENTS],
     /// Largest |∫(p_m − p̄_m) dt| on the way.
@@ -133,6 +133,82 @@ impl LagBlock {
         Self { duration, moments, swing: most }
     }
 
+    /// The same of straight intervals under a constant torque and in one direction: of the ten products five change, and
+    /// within an interval only α ω, ω and ω² do. Of these the moment about its middle is counted with the slope of the
+    /// Legendre polynomials; what they bend by over an interval is (h/H)² of a moment that itself is 10⁻⁵ of a gain.
+    pub(super) fn straight(
+        duration: f64,
+        [load, direction]: [f64; 2],
+        intervals: impl Iterator<Item = motion::Interval> + Clone,
+    ) -> Self {
+        // α², α, α ω, ω, ω²
+        let products = |interval: &motion::Interval| {
+            let (h, [w0, w1]) = (interval.duration_s, interval.speed_rad_s);
+            let (dw, s) = (w1 - w0, w0 + w1);
+            [dw * dw / h, dw, 0.5 * dw * s, 0.5 * h * s, h * (s * s - w0 * w1) / 3.0]
+        };
+        let mut moments = [[0.0; 5]; MOMENTS];
+        let mut elapsed = 0.0;
+        for interval in intervals.clone() {
+            let (h, [w0, w1]) = (interval.duration_s, interval.speed_rad_s);
+            let (dw, s) = (w1 - w0, w0 + w1);
+            let bend = h * dw / 12.0;
+            let beside = [0.0, 0.0, bend * dw / h, bend, bend * s];
+            let x = 2.0 * (elapsed + 0.5 * h) / duration - 1.0;
+            let legendre = [1.0, x, 1.5 * x * x - 0.5, (2.5 * x * x - 1.5) * x];
+            let slope = [0.0, 1.0, 3.0 * x, 7.5 * x * x - 1.5].map(|slope| slope * 2.0 / duration);
+            let whole = products(&interval);
+            for ((moment, l), d) in moments.iter_mut().zip(legendre).zip(slope) {
+                for ((sum, p), beside) in moment.iter_mut().zip(whole).zip(beside) {
+                    *sum += l * p + d * beside;
+                }
+            }
+            elapsed += h;
+        }
+        let [whole, ..] = moments;
+        let mean = whole.map(|whole| whole / duration);
+        let (mut gathered, mut most, mut before) = ([0.0; 5], [0.0_f64; 5], [0.0_f64; 5]);
+        elapsed = 0.0;
+        for interval in intervals {
+            let (h, [w0, w1]) = (interval.duration_s, interval.speed_rad_s);
+            elapsed += h;
+            let dw = (w1 - w0).abs();
+            let within = 0.3125 * h * dw;
+            let inner = [0.0, 0.0, within * dw / h, within, within * (w0 + w1).abs()];
+            for (((((sum, p), mean), most), before), inner) in
+                gathered.iter_mut().zip(products(&interval)).zip(mean).zip(&mut most).zip(&mut before).zip(inner)
+            {
+                *sum += p;
+                let away = (*sum - mean * elapsed).abs();
+                *most = most.max(away.max(*before) + inner);
+                *before = away;
+            }
+        }
+        let all = |[aa, a, aw, w, ww]: [f64; 5], one: f64, [load, direction]: [f64; 2]| {
+            [
+                aa,
+                load * a,
+                direction * a,
+                aw,
+                load * load * one,
+                load * direction * one,
+                load * w,
+                direction * direction * one,
+                direction * w,
+                ww,
+            ]
+        };
+        let mut ones = [0.0; MOMENTS];
+        if let Some(first) = ones.first_mut() {
+            *first = elapsed;
+        }
+        let mut expanded = [[0.0; 10]; MOMENTS];
+        for ((expanded, moment), one) in expanded.iter_mut().zip(moments).zip(ones) {
+            *expanded = all(moment, one, [load, direction]);
+        }
+        Self { duration, moments: expanded, swing: all(most, 0.0, [load.abs(), direction.abs()]) }
+    }
+
     /// What the block does to a lag, from its moments or, where it is not short, from its panels.
     ///
     /// g_m = (λ/h) Σ_k (2k + 1) c_k(λ) ∫ P̃_k p_m dt
@@ -155,8 +231,34 @@ impl LagBlock {
     }
 }
 
-/// The gains of consecutive stretches for a time constant, by its bits.
-type Entry = (u64, Arc<OnceLock<Vec<Gain>>>);
+/// The gains of consecutive stretches for a time constant.
+#[derive(Debug, Default)]
+pub(super) struct Gains {
+    known: OnceLock<Known>,
+}
+
+/// Of each stretch, and of its parts where those were asked for.
+#[derive(Debug)]
+struct Known {
+    stretches: Vec<Gain>,
+    parts: Vec<OnceLock<Vec<Gain>>>,
+}
+
+impl Gains {
+    /// Of each stretch.
+    pub(super) fn stretches(&self) -> &[Gain] {
+        self.known.get().map_or(&[], |known| &known.stretches)
+    }
+
+    /// Of the parts of one stretch, made if it is the first time.
+    pub(super) fn parts(&self, stretch: usize, make: impl FnOnce() -> Vec<Gain>) -> &[Gain] {
+        let parts = self.known.get().and_then(|known| known.parts.get(stretch));
+        parts.map_or(&[], |parts| parts.get_or_init(make))
+    }
+}
+
+/// Those for a time constant, by its bits.
+type Entry = (u64, Arc<Gains>);
 
 /// So many time constants are kept: more than a catalogue has.
 const TABLES: usize = 32;
@@ -172,12 +274,7 @@ pub(super) struct GainTables(Mutex<Vec<Entry>>);
 
 impl GainTables {
     /// The gains for a time constant, made if it is the first time.
-    pub(super) fn with<T>(
-        &self,
-        tau_s: f64,
-        make: impl FnOnce(f64) -> Vec<Gain>,
-        then: impl FnOnce(&[Gain]) -> T,
-    ) -> T {
+    pub(super) fn of(&self, tau_s: f64, make: impl FnOnce(f64) -> Vec<Gain>) -> Arc<Gains> {
         let entry = {
             // What another thread left behind when it failed is whole: entries are only added.
             let mut tables = self.0.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -188,12 +285,17 @@ impl GainTables {
                     if tables.len() == TABLES {
                         tables.clear();
                     }
-                    let entry = Arc::new(OnceLock::new());
+                    let entry = Arc::new(Gains::default());
                     tables.push((key, Arc::clone(&entry)));
                     entry
                 }
             }
         };
-        then(entry.get_or_init(|| make(rounded(tau_s))))
+        entry.known.get_or_init(|| {
+            let stretches = make(rounded(tau_s));
+            let parts = stretches.iter().map(|_| OnceLock::new()).collect();
+            Known { stretches, parts }
+        });
+        entry
     }
 }

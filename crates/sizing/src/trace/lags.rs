@@ -1,9 +1,10 @@
 //! First-order lags of quadratic forms over a cycle that repeats for ever.
 
-use super::gains::{Gain, GainTables, Products, sum, sum_of_magnitudes, swing};
+use super::gains::{Gain, GainTables, Gains, Products, sum, sum_of_magnitudes, swing};
+use super::recording::Strip;
 use super::rule::{MOST, Values, dot, lagged, rule};
 use super::{Form, Node, Panel, Run, Trace};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// One first-order lag y' = (u − y)/τ of a form, in the steady periodic state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,10 +125,18 @@ struct Flow {
     tau_s: f64,
     /// e^(−λ) and what is added, of each stretch.
     stretches: Vec<(f64, f64)>,
-    /// The factors of the products in the signals of each run.
+    /// The factors of the products in the signals of each run, and what these gain.
     factors: Vec<Products>,
+    gains: Vec<Arc<Gains>>,
     /// y at the start of the cycle.
     start: f64,
+}
+
+impl Flow {
+    /// e^(−λ) and what is added, of one stretch.
+    fn stretch(&self, index: usize) -> (f64, f64) {
+        self.stretches.get(index).copied().unwrap_or((1.0, 0.0))
+    }
 }
 
 impl Trace {
@@ -172,51 +181,33 @@ impl Trace {
     /// The lag through all stretches: panels that are kept, blocks of recordings.
     fn flow(&self, lag: &Lag) -> Flow {
         let mut stretches = Vec::with_capacity(self.panels.len());
-        let mut factors = Vec::with_capacity(self.runs.len());
+        let (mut factors, mut gains) = (Vec::with_capacity(self.runs.len()), Vec::with_capacity(self.runs.len()));
         for run in &self.runs {
-            let take = |gains: &[Gain], factors: &Products, stretches: &mut Vec<(f64, f64)>| {
-                stretches.extend(gains.iter().map(|gain| (gain.decay, sum(factors, &gain.gain))));
-            };
-            match run {
-                Run::Kept(range) => {
-                    let q = lag.form.factors();
-                    self.lags.gains.with(
-                        lag.tau_s,
-                        |tau_s| self.kept_gains(tau_s),
-                        |gains| {
-                            take(gains.get(range.clone()).unwrap_or_default(), &q, &mut stretches);
-                        },
-                    );
-                    factors.push(q);
-                }
-                Run::Repeated(range, times) => {
-                    let q = lag.form.factors();
-                    let make = |tau_s| self.kept_gains(tau_s);
-                    self.lags.gains.with(lag.tau_s, make, |gains| {
-                        let period = Period::of(
-                            gains.get(range.clone()).unwrap_or_default(),
-                            &q,
-                            lag.tau_s,
-                            self.duration_of(range),
-                        );
-                        stretches.push((period.decay(*times), period.added(*times)));
-                    });
-                    factors.push(q);
-                }
+            let (q, found) = match run {
                 Run::Recorded(strip) => {
                     let Some(strip) = self.strips.get(*strip) else { continue };
                     let (q, tau_s) = (strip.view().form(&lag.form).factors(), lag.tau_s / strip.view().stretch());
-                    strip.survey().gains.with(
-                        tau_s,
-                        |tau_s| strip.gains(tau_s),
-                        |gains| take(gains, &q, &mut stretches),
-                    );
-                    factors.push(q);
+                    (q, strip.survey().gains.of(tau_s, |tau_s| strip.gains(tau_s)))
                 }
+                Run::Kept(_) | Run::Repeated(..) => {
+                    (lag.form.factors(), self.lags.gains.of(lag.tau_s, |tau_s| self.kept_gains(tau_s)))
+                }
+            };
+            let within = |range: &std::ops::Range<usize>| found.stretches().get(range.clone()).unwrap_or_default();
+            let through = |gain: &Gain| (gain.decay, sum(&q, &gain.gain));
+            match run {
+                Run::Kept(range) => stretches.extend(within(range).iter().map(through)),
+                Run::Repeated(range, times) => {
+                    let period = Period::of(within(range), &q, lag.tau_s, self.duration_of(range));
+                    stretches.push((period.decay(*times), period.added(*times)));
+                }
+                Run::Recorded(_) => stretches.extend(found.stretches().iter().map(through)),
             }
+            factors.push(q);
+            gains.push(found);
         }
         let gathered = stretches.iter().fold(0.0, |state, (decay, gain)| state * decay + gain);
-        Flow { tau_s: lag.tau_s, stretches, factors, start: gathered / -(-self.duration / lag.tau_s).exp_m1() }
+        Flow { tau_s: lag.tau_s, stretches, factors, gains, start: gathered / -(-self.duration / lag.tau_s).exp_m1() }
     }
 
     /// Duration of some kept panels, once \[s\].
@@ -294,7 +285,8 @@ impl Search<'_> {
                     let kept = self.trace.panels.get(range.clone()).unwrap_or_default();
                     let most = largest(swings.iter());
                     for (kept, swing) in kept.iter().zip(swings) {
-                        if self.may_rise(number, index, kept.duration, [&most, swing]) {
+                        let through = |flow: &Flow| flow.stretch(index);
+                        if self.may_rise(number, &self.states, through, kept.duration, [&most, swing]) {
                             let mut states = self.states.clone();
                             self.inside(&self.trace.panel(kept), &mut states);
                         }
@@ -312,11 +304,11 @@ impl Search<'_> {
                     let stretch = strip.view().stretch();
                     let scaled = |swing: &Products| swing.map(|swing| swing * stretch);
                     let most = scaled(&largest(strip.lag_blocks().iter().map(|block| &block.swing)));
-                    for (block, lags) in strip.raw_blocks().iter().zip(strip.lag_blocks()) {
-                        let duration = block.duration * stretch;
-                        if self.may_rise(number, index, duration, [&most, &scaled(&lags.swing)]) {
-                            let mut states = self.states.clone();
-                            strip.panels(block, &mut |panel| self.inside_interval(&panel, &mut states));
+                    for (place, lags) in strip.lag_blocks().iter().enumerate() {
+                        let duration = lags.duration * stretch;
+                        let through = |flow: &Flow| flow.stretch(index);
+                        if self.may_rise(number, &self.states, through, duration, [&most, &scaled(&lags.swing)]) {
+                            self.inside_block(number, strip, place);
                         }
                         self.step(index);
                         index += 1;
@@ -329,19 +321,56 @@ impl Search<'_> {
 
     fn step(&mut self, index: usize) {
         for (state, flow) in self.states.iter_mut().zip(self.flows) {
-            if let Some((decay, gain)) = flow.stretches.get(index) {
-                *state = *state * decay + gain;
+            let (decay, gain) = flow.stretch(index);
+            *state = *state * decay + gain;
+        }
+    }
+
+    /// Through the parts of a block of a recording.
+    fn inside_block(&mut self, run: usize, strip: &Strip, block: usize) {
+        let stretch = strip.view().stretch();
+        let mut states = self.states.clone();
+        for (place, part) in strip.lag_parts(block).iter().enumerate() {
+            let through = |flow: &Flow| {
+                let make =
+                    || strip.lag_parts(block).iter().map(|part| part.gain(strip, flow.tau_s / stretch)).collect();
+                let (q, gains) = (flow.factors.get(run)?, flow.gains.get(run)?);
+                let gain = gains.parts(block, make).get(place)?;
+                Some((gain.decay, sum(q, &gain.gain)))
+            };
+            let through = |flow: &Flow| through(flow).unwrap_or((1.0, 0.0));
+            let (duration, swing) = (part.lag.duration * stretch, part.lag.swing.map(|swing| swing * stretch));
+            if self.may_rise(run, &states, through, duration, [&swing, &swing]) {
+                let mut look = |panel: Panel<'_>| self.inside_interval(&panel, &mut states);
+                part.intervals.clone().for_each(|index| strip.interval(index, &mut look));
+            } else {
+                for (state, flow) in states.iter_mut().zip(self.flows) {
+                    let (decay, gain) = through(flow);
+                    *state = *state * decay + gain;
+                }
+                let end = states.iter().sum();
+                if end > self.enough() {
+                    let at_s = strip.end_of(part);
+                    self.best = Peak { value: end, at_s };
+                }
             }
         }
     }
 
     /// Whether the sum of the lags may be higher within a stretch than what is found: its higher end, and what the inputs
     /// and the lags themselves may swing on the way.
-    fn may_rise(&self, run: usize, index: usize, duration: f64, swings: [&Products; 2]) -> bool {
-        let least = self.best.value + NEGLIGIBLE * self.best.value.abs();
+    fn may_rise(
+        &self,
+        run: usize,
+        states: &[f64],
+        through: impl Fn(&Flow) -> (f64, f64),
+        duration: f64,
+        swings: [&Products; 2],
+    ) -> bool {
+        let least = self.enough();
         let (mut start, mut end, mut moved) = (0.0, 0.0, 0.0);
-        for (state, flow) in self.states.iter().zip(self.flows) {
-            let (decay, gain) = flow.stretches.get(index).copied().unwrap_or((1.0, 0.0));
+        for (state, flow) in states.iter().zip(self.flows) {
+            let (decay, gain) = through(flow);
             let next = state * decay + gain;
             start += state;
             end += next;
@@ -405,11 +434,9 @@ impl Search<'_> {
         let once = trace.duration_of(range);
         let mut periods = Vec::with_capacity(self.lags.len());
         for (flow, lag) in self.flows.iter().zip(self.lags) {
-            let Some(factors) = flow.factors.get(run) else { return };
-            let make = |tau_s| trace.kept_gains(tau_s);
-            let period =
-                |gains: &[Gain]| Period::of(gains.get(range.clone()).unwrap_or_default(), factors, lag.tau_s, once);
-            periods.push(trace.lags.gains.with(lag.tau_s, make, period));
+            let (Some(factors), Some(gains)) = (flow.factors.get(run), flow.gains.get(run)) else { return };
+            let gains = gains.stretches().get(range.clone()).unwrap_or_default();
+            periods.push(Period::of(gains, factors, lag.tau_s, once));
         }
         let last = times - 1.0;
         let mut looked = vec![0.0, 1.0, last];

@@ -2,10 +2,14 @@
 //! looked at.
 
 mod bent;
+mod cells;
 
-use super::cubes::{Moments, moments};
+pub(crate) use cells::{Cell, Inside};
+
+use super::cubes::Moments;
 use super::gains::{Gain, GainTables, LagBlock};
 use super::{Block, Extent, Form, Gram, Kept, Node, Panel, Place};
+use cells::Cells;
 use mechanism::{Extra, Mechanism, Plain};
 use motion::{Interval, Placed};
 use quantities::Measure;
@@ -28,7 +32,7 @@ const INTERVALS_LEAST: usize = 16;
 
 /// A recording with what it moves.
 #[derive(Clone, Debug)]
-pub(super) struct Strip {
+pub(crate) struct Strip {
     placed: Placed,
     /// What the survey looks at: of a plain mechanism the recording by itself.
     surveyed: Placed,
@@ -81,6 +85,15 @@ impl View {
         ]
     }
 
+    /// The weights of the signals of the survey that make the same sum as others of those under the load: Aᵀ c.
+    fn weights(&self, c: [f64; 4]) -> [f64; 4] {
+        let mut raw = [0.0; 4];
+        for (row, c) in self.rows().iter().zip(c) {
+            raw.iter_mut().zip(row).for_each(|(raw, a)| *raw += c * a);
+        }
+        raw
+    }
+
     fn extent(&self, raw: &Extent) -> Extent {
         let times = |(low, high): (f64, f64), factor: f64| (low * factor, high * factor);
         let slow = 1.0 / self.stretch;
@@ -124,9 +137,9 @@ pub(super) struct Survey {
     /// Lowest and highest recorded position \[rad\].
     span: (f64, f64),
     lags: OnceLock<Vec<LagBlock>>,
-    cubes: OnceLock<Vec<Option<Moments>>>,
-    /// Bounds of the parts of each block, found when it is first looked into.
-    parts: Vec<OnceLock<Vec<Extent>>>,
+    lag_parts: Vec<OnceLock<Vec<LagPart>>>,
+    cubes: OnceLock<Vec<Moments>>,
+    cells: OnceLock<Cells>,
     pub(super) gains: GainTables,
 }
 
@@ -269,7 +282,8 @@ impl Strip {
             (inertia, holding)
         });
         Survey {
-            parts: blocks.iter().map(|_| OnceLock::new()).collect(),
+            cells: OnceLock::new(),
+            lag_parts: blocks.iter().map(|_| OnceLock::new()).collect(),
             blocks,
             by_position,
             span,
@@ -324,23 +338,50 @@ impl Strip {
     pub(super) fn lag_blocks(&self) -> &[LagBlock] {
         self.survey.lags.get_or_init(|| {
             in_two(&self.survey.blocks, self.placed.intervals() >= SHARED_FROM, &|block| {
-                LagBlock::of(block.duration, |look| self.raw_panels(block, look))
+                let Place::Recorded { intervals, .. } = &block.place else { return LagBlock::default() };
+                self.lag_block(block.duration, block.extent.direction, intervals)
             })
         })
     }
 
-    /// The moments for the cube of the torque of the block that begins with an interval, and the parts of that torque in the
-    /// signals of the survey: constant, per α, per ω.
-    pub(super) fn cubic(&self, first: usize, direction: f64) -> Option<(Moments, [f64; 3])> {
+    /// What lags need of some intervals.
+    fn lag_block(&self, duration: f64, (back, forth): (f64, f64), intervals: &Range<usize>) -> LagBlock {
+        if let (Some(plain), None, true) = (&self.plain, self.surveyed.recorded.torque_nm(), back == forth) {
+            let intervals = intervals.clone().filter_map(|index| self.surveyed.interval(index));
+            return LagBlock::straight(duration, [plain.constant_nm, back], intervals);
+        }
+        LagBlock::of(duration, |look| {
+            intervals.clone().for_each(|index| self.raw_interval(index, &mut |panel| look(panel)));
+        })
+    }
+
+    /// What lags need of the parts of a block, found when it is first looked into.
+    pub(super) fn lag_parts(&self, block: usize) -> &[LagPart] {
+        let (Some(parts), Some(whole)) = (self.survey.lag_parts.get(block), self.survey.blocks.get(block)) else {
+            return &[];
+        };
+        parts.get_or_init(|| {
+            let Place::Recorded { intervals, .. } = &whole.place else { return Vec::new() };
+            let part = |from: usize| {
+                let intervals = from..(from + PART).min(intervals.end);
+                let each = || intervals.clone().filter_map(|index| self.surveyed.interval(index));
+                let duration = each().map(|interval| interval.duration_s).sum();
+                LagPart { lag: self.lag_block(duration, whole.extent.direction, &intervals), intervals }
+            };
+            intervals.clone().step_by(PART).map(part).collect()
+        })
+    }
+
+    /// The instant at which a part ends \[s\].
+    pub(super) fn end_of(&self, part: &LagPart) -> f64 {
+        let time = self.placed.recorded.time_s().get(part.intervals.end).copied().unwrap_or(0.0);
+        self.placed.start_s + time * self.placed.stretch
+    }
+
+    /// The moments of a cell for the cube of a torque; of a plain mechanism only, whose intervals are straight.
+    pub(super) fn cubic(&self, cell: &Cell) -> Option<&Moments> {
         self.plain.as_ref()?;
-        let all = self.survey.cubes.get_or_init(|| {
-            in_two(&self.survey.blocks, self.placed.intervals() >= SHARED_FROM, &|block| moments(self, block))
-        });
-        let index = first / self.block_intervals();
-        let (moments, raw) = ((*all.get(index)?)?, self.survey.blocks.get(index)?);
-        let slow = 1.0 / self.view.stretch;
-        let constant = raw.extent.load.0 + self.view.coulomb * direction;
-        Some((moments, [constant, self.view.inertia * slow * slow, self.view.viscous * slow]))
+        self.survey.cubes.get_or_init(|| self.cells().moments(self)).get(cell.number as usize)
     }
 
     /// The panels of a block in the signals of the survey.
@@ -350,27 +391,42 @@ impl Strip {
         }
     }
 
-    /// The parts of the block that begins with an interval: the intervals of each, its bounds
-    /// under the load and the instant at which it begins.
-    pub(super) fn parts(&self, intervals: &Range<usize>, look: &mut impl FnMut(Range<usize>, &Extent, f64)) {
-        let Some(known) = self.survey.parts.get(intervals.start / self.block_intervals()) else { return };
-        let ranges = || intervals.clone().step_by(PART).map(|from| from..(from + PART).min(intervals.end));
-        let extent = |range: Range<usize>| {
-            let mut extent = Extent::NONE;
-            for index in range {
-                self.raw_interval(index, &mut |panel| {
-                    let mut own = Extent::NONE;
-                    panel.nodes.iter().for_each(|node| own.widen(node));
-                    own.bend(&panel.bow);
-                    extent.join(&own);
-                });
-            }
-            extent
-        };
-        for (range, raw) in ranges().zip(known.get_or_init(|| ranges().map(extent).collect())) {
-            let from = self.placed.recorded.time_s().get(range.start).copied().unwrap_or(0.0);
-            let from = self.placed.start_s + from * self.placed.stretch;
-            if self.plain.is_some() { look(range, &self.view.extent(raw), from) } else { look(range, raw, from) }
+    /// The intervals by their signals, found when they are first asked for.
+    fn cells(&self) -> &Cells {
+        self.survey.cells.get_or_init(|| Cells::of(self))
+    }
+
+    /// The cell of all intervals.
+    pub(crate) fn root(&self) -> Option<&Cell> {
+        self.cells().root()
+    }
+
+    /// The two cells within one.
+    pub(crate) fn halves(&self, halves: [u32; 2]) -> [Option<&Cell>; 2] {
+        self.cells().halves(halves)
+    }
+
+    /// The panels of the intervals of a cell.
+    pub(crate) fn panels_within(&self, (from, to): (u32, u32), look: &mut impl FnMut(Panel<'_>)) {
+        self.cells().intervals(from, to).for_each(|index| self.interval(index, look));
+    }
+
+    /// The weights of the signals of the cells that make the same sum as others of those under the load.
+    pub(crate) fn weights(&self, c: [f64; 4]) -> [f64; 4] {
+        if self.plain.is_some() { self.view.weights(c) } else { c }
+    }
+
+    /// By which factor the time of the cells is stretched.
+    pub(crate) fn stretch(&self) -> f64 {
+        if self.plain.is_some() { self.view.stretch } else { 1.0 }
+    }
+
+    /// Bounds of a cell under the load, and the instant at which the first of its intervals begins.
+    pub(super) fn seen(&self, cell: &Cell) -> (Extent, f64) {
+        if self.plain.is_some() {
+            (self.view.extent(&cell.extent), self.view.start + cell.from * self.view.stretch)
+        } else {
+            (cell.extent, cell.from)
         }
     }
 
@@ -488,34 +544,85 @@ impl Strip {
         let sum = |lanes: f64x4| lanes.as_array().iter().sum::<f64>();
         let duration = time.last()? - time.first()?;
         let (first, last) = (speed.first()?, speed.last()?);
-        let constant = plain.constant_nm;
-        // The basis (α, τ, 1, ω); σ is constant here.
-        let (aa, ww, w) = (sum(aa), sum(ww) / 3.0, sum(w) / 2.0);
-        let (tt, ta, tw, t) = (sum(tt) / 3.0, sum(ta) / 2.0, sum(tw) / 6.0, sum(t) / 2.0);
-        let (a1, aw) = (last - first, 0.5 * (last * last - first * first));
-        let basis = [[aa, ta, a1, aw], [ta, tt, t, tw], [a1, t, duration, w], [aw, tw, w, ww]];
-        let rows = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, constant, 0.0], [0.0, 0.0, direction, 0.0], [0.0, 0.0, 0.0, 1.0]];
-        let basis = Gram(basis);
-        // The nodes are rounded otherwise than the sums here; the bounds must hold for them too.
-        let wider = |(low, high): (f64, f64)| {
-            let room = 8.0 * f64::EPSILON * f64::max(-low, high).abs();
-            (low - room, high + room)
+        let sums = Sums {
+            aa: sum(aa),
+            ww: sum(ww) / 3.0,
+            w: sum(w) / 2.0,
+            tt: sum(tt) / 3.0,
+            ta: sum(ta) / 2.0,
+            tw: sum(tw) / 6.0,
+            t: sum(t) / 2.0,
+            a: last - first,
+            aw: 0.5 * (last * last - first * first),
+            duration,
         };
-        let (l_low, l_high) = (l_low + constant, l_high + constant);
         Some(Block {
             place: place.clone(),
             times: 1.0,
             from: *time.first()?,
             duration,
-            extent: Extent {
-                acceleration: wider((a_low, a_high)),
-                load: wider((l_low, l_high)),
-                direction: (direction, direction),
-                speeds: (slowest, fastest),
-                speed: fastest.max(-slowest),
-            },
-            gram: Gram(rows.map(|a| rows.map(|b| basis.product(a, b)))),
+            extent: bounds(plain, direction, (a_low, a_high), (l_low, l_high), (slowest, fastest)),
+            gram: sums.gram(plain, direction),
         })
+    }
+}
+
+/// Integrals over straight intervals of one direction: of the products of α, ω and the recorded torque τ.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    aa: f64,
+    ww: f64,
+    w: f64,
+    tt: f64,
+    ta: f64,
+    tw: f64,
+    t: f64,
+    a: f64,
+    aw: f64,
+    duration: f64,
+}
+
+impl Sums {
+    /// ∫α² = α Δω, ∫ω² = h (s² − ω_0 ω_1)/3, ∫ω = h s/2 with s = ω_0 + ω_1, and alike for τ.
+    fn add(&mut self, interval: &Interval) {
+        let (h, [w0, w1], [t0, t1]) = (interval.duration_s, interval.speed_rad_s, interval.torque_nm);
+        let (dw, s, p) = (w1 - w0, w0 + w1, t0 + t1);
+        self.aa += dw / h * dw;
+        self.ww += h * (s * s - w0 * w1) / 3.0;
+        self.w += 0.5 * h * s;
+        self.tt += h * (p * p - t0 * t1) / 3.0;
+        self.ta += 0.5 * dw * p;
+        self.tw += h * (s * p + t0 * w0 + t1 * w1) / 6.0;
+        self.t += 0.5 * h * p;
+        self.a += dw;
+        self.aw += 0.5 * dw * s;
+        self.duration += h;
+    }
+
+    /// The products of (α, R, σ, ω) out of those of the basis (α, τ, 1, ω), R = τ + T_h.
+    fn gram(&self, plain: &Plain, direction: f64) -> Gram {
+        let Self { aa, ww, w, tt, ta, tw, t, a, aw, duration } = *self;
+        let basis = Gram([[aa, ta, a, aw], [ta, tt, t, tw], [a, t, duration, w], [aw, tw, w, ww]]);
+        let constant = plain.constant_nm;
+        let rows = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, constant, 0.0], [0.0, 0.0, direction, 0.0], [0.0, 0.0, 0.0, 1.0]];
+        Gram(rows.map(|a| rows.map(|b| basis.product(a, b))))
+    }
+}
+
+/// The bounds of straight intervals of one direction, by those of α, τ and ω. The nodes are rounded otherwise than what these
+/// were found of; the bounds must hold for them too.
+fn bounds(plain: &Plain, direction: f64, acceleration: (f64, f64), torque: (f64, f64), speeds: (f64, f64)) -> Extent {
+    let wider = |(low, high): (f64, f64)| {
+        let room = 8.0 * f64::EPSILON * f64::max(-low, high).abs();
+        (low - room, high + room)
+    };
+    let load = (torque.0 + plain.constant_nm, torque.1 + plain.constant_nm);
+    Extent {
+        acceleration: wider(acceleration),
+        load: wider(load),
+        direction: (direction, direction),
+        speeds,
+        speed: f64::max(speeds.1, -speeds.0),
     }
 }
 
@@ -526,8 +633,9 @@ impl Survey {
             by_position: None,
             span: (0.0, 0.0),
             lags: OnceLock::new(),
+            lag_parts: Vec::new(),
             cubes: OnceLock::new(),
-            parts: Vec::new(),
+            cells: OnceLock::new(),
             gains: GainTables::default(),
         }
     }
@@ -551,6 +659,21 @@ fn in_two<I: Sync, O: Send>(items: &[I], shared: bool, of: &(impl Fn(&I) -> O + 
 
 /// A part of a block has so many intervals.
 const PART: usize = 16;
+
+/// What any lag needs of a part of a block.
+#[derive(Debug)]
+pub(super) struct LagPart {
+    pub(super) intervals: Range<usize>,
+    pub(super) lag: LagBlock,
+}
+
+impl LagPart {
+    pub(super) fn gain(&self, strip: &Strip, tau_s: f64) -> Gain {
+        self.lag.gain(tau_s, |look| {
+            self.intervals.clone().for_each(|index| strip.raw_interval(index, &mut |panel| look(panel)));
+        })
+    }
+}
 
 /// So many intervals run side by side.
 const LANES: usize = 4;

@@ -1,7 +1,8 @@
 //! The largest value of a signal over the cycle: bounds of blocks first, then nodes, then what lies between them.
 
+use super::recording::{Cell, Inside, Strip};
 use super::rule::between;
-use super::{Block, Extent, GROUP, Node, Panel, Place, Trace};
+use super::{Block, Extent, Group, Node, Panel, Trace};
 
 /// What is not higher by more than this share of the highest is not looked for: rounding makes as much.
 const ROUNDING: f64 = 1e-12;
@@ -12,55 +13,118 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// So often the place of a largest value between two nodes is halved: what is left is 10⁻¹² of the smooth bend there.
 const HALVINGS: u32 = 20;
 
-/// Whether a value on the straight line between two instants may be above both its ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Shape {
-    /// Never, as of the magnitude of a weighted sum.
-    Convex,
-    /// It may.
-    Any,
+/// A signal whose largest value over the cycle is sought.
+pub(crate) trait Sought {
+    /// Whether no value on a straight line is above both its ends, as of the magnitude of a weighted sum.
+    const CONVEX: bool = false;
+
+    /// Above every value of instants within some bounds.
+    fn bound(&self, extent: &Extent) -> f64;
+
+    /// The value at an instant.
+    fn value(&self, node: &Node) -> f64;
+
+    /// Above every value on the straight line between two instants, between which there is no corner.
+    fn on_line(&self, a: &Node, b: &Node) -> f64 {
+        self.bound(&Extent::between(a, b, &[0.0; 4]))
+    }
+
+    /// Values of |ω| at which the value may have a corner.
+    fn corners(&self) -> &[f64] {
+        &[]
+    }
+}
+
+/// The magnitude of a weighted sum, or what else is convex over (α, T_L, σ, ω): its bound and its value.
+pub(crate) struct Convex<B, V>(pub(crate) B, pub(crate) V);
+
+impl<B: Fn(&Extent) -> f64, V: Fn(&Node) -> f64> Sought for Convex<B, V> {
+    const CONVEX: bool = true;
+
+    fn bound(&self, extent: &Extent) -> f64 {
+        self.0(extent)
+    }
+
+    fn value(&self, node: &Node) -> f64 {
+        self.1(node)
+    }
+}
+
+/// Any value: what lies between two instants is bounded like what lies within their bounds.
+pub(crate) struct Any<B, V>(pub(crate) B, pub(crate) V);
+
+impl<B: Fn(&Extent) -> f64, V: Fn(&Node) -> f64> Sought for Any<B, V> {
+    fn bound(&self, extent: &Extent) -> f64 {
+        self.0(extent)
+    }
+
+    fn value(&self, node: &Node) -> f64 {
+        self.1(node)
+    }
+}
+
+/// |J α + T_L|
+pub(crate) struct TorqueWith {
+    /// J \[kgm²\]
+    pub(crate) inertia: f64,
+}
+
+impl Sought for TorqueWith {
+    const CONVEX: bool = true;
+
+    fn bound(&self, extent: &Extent) -> f64 {
+        extent.torque(self.inertia)
+    }
+
+    fn value(&self, node: &Node) -> f64 {
+        (self.inertia * node.acceleration + node.load).abs()
+    }
 }
 
 impl Trace {
-    /// The largest value over the cycle and the first instant that has it. `bound` is above every value of its instants, so
-    /// that a block whose bound is not above what is found already is left out.
-    ///
-    /// # Valid    values that are convex over (α, T_L, σ, ω), as the magnitude of a weighted sum is
-    pub(crate) fn largest(&self, bound: impl Fn(&Extent) -> f64, value: impl Fn(&Node) -> f64) -> (f64, Node) {
-        self.search(&bound, &value, Shape::Convex)
+    /// The largest value over the cycle and the first instant that has it. What has a bound not above what is found already
+    /// is left out.
+    pub(crate) fn largest(&self, sought: &impl Sought) -> (f64, Node) {
+        self.search(sought, true)
     }
 
-    /// The same for any value: looked for between straight neighbours too.
-    pub(crate) fn largest_of_any(&self, bound: impl Fn(&Extent) -> f64, value: impl Fn(&Node) -> f64) -> (f64, Node) {
-        self.search(&bound, &value, Shape::Any)
+    /// The same of a trace just made: for one look the cells of a recording are not worth their while, unless they are there.
+    pub(crate) fn largest_once(&self, sought: &impl Sought) -> (f64, Node) {
+        self.search(sought, self.is_changed)
     }
 
-    fn search(&self, bound: &impl Fn(&Extent) -> f64, value: &impl Fn(&Node) -> f64, shape: Shape) -> (f64, Node) {
+    fn search(&self, sought: &impl Sought, by_cells: bool) -> (f64, Node) {
         let mut best = Best { value: f64::NEG_INFINITY, node: Node::default() };
-        let group = |index: usize, best: &mut Best| {
-            let blocks = self.blocks.chunks(GROUP).nth(index).unwrap_or_default();
-            in_order(
-                blocks,
-                |block: &Block| (bound(&block.extent), block.from),
-                best,
-                |block, _, best| {
-                    let Place::Recorded { strip, intervals } = &block.place else {
-                        self.panels(block, &mut |panel| best.look(&panel, bound, value, shape));
-                        return;
-                    };
-                    let Some(strip) = self.strips.get(*strip) else { return };
-                    strip.parts(intervals, &mut |range, extent, from| {
-                        if best.may_be_within(bound(extent), from) {
-                            range.for_each(|index| {
-                                strip.interval(index, &mut |panel| best.look(&panel, bound, value, shape))
-                            });
-                        }
-                    });
-                },
-            );
+        let in_cells = |group: &Group| by_cells && group.recorded;
+        let group_bound = |group: &Group| {
+            let above = if in_cells(group) { f64::NEG_INFINITY } else { sought.bound(&group.extent) };
+            (above, group.from)
         };
-        in_order(&self.groups, |(extent, from)| (bound(extent), *from), &mut best, |_, index, best| group(index, best));
+        in_order(&self.groups, group_bound, &mut best, |group, best| {
+            let blocks = self.blocks.get(group.blocks.clone()).filter(|_| !in_cells(group)).unwrap_or_default();
+            let bound = |block: &Block| (sought.bound(&block.extent), block.from);
+            in_order(blocks, bound, best, |block, best| self.panels(block, &mut |panel| best.look(&panel, sought)));
+        });
+        if by_cells {
+            self.search_cells(sought, &mut best);
+        }
         (best.value, best.node)
+    }
+
+    /// The largest value over the recordings whose nodes are not kept, if it is above the least that counts; else that.
+    pub(crate) fn largest_recorded(&self, sought: &impl Sought, least: f64) -> f64 {
+        let mut best = Best { value: least, node: Node { time: f64::NEG_INFINITY, ..Node::default() } };
+        self.search_cells(sought, &mut best);
+        best.value
+    }
+
+    fn search_cells(&self, sought: &impl Sought, best: &mut Best) {
+        for (strip, cell) in self.strips.iter().filter_map(|strip| Some((strip, strip.root()?))) {
+            let (extent, from) = strip.seen(cell);
+            if best.may_be_within(sought.bound(&extent), from) {
+                best.within(strip, cell, sought);
+            }
+        }
     }
 }
 
@@ -85,50 +149,90 @@ impl Best {
         }
     }
 
-    fn look(
-        &mut self,
-        panel: &Panel<'_>,
-        bound: &impl Fn(&Extent) -> f64,
-        value: &impl Fn(&Node) -> f64,
-        shape: Shape,
-    ) {
-        for node in panel.nodes {
-            self.see(node, value(node));
-        }
-        let bent = panel.bow != [0.0; 4];
-        if !bent
-            && (shape == Shape::Convex
-                || panel.nodes.first().map(Node::signals) == panel.nodes.last().map(Node::signals))
-        {
-            return;
-        }
-        let shares = super::rule::rule(panel.nodes.len()).nodes();
-        let pairs = panel.nodes.iter().zip(panel.nodes.iter().skip(1)).zip(shares.iter().zip(shares.iter().skip(1)));
-        for ((a, b), (from, to)) in pairs {
-            let extent = Extent::between(a, b, &panel.bow);
-            if bound(&extent) > self.value + NEGLIGIBLE * self.value.abs() {
-                let highest_end = value(a).max(value(b));
-                if bent {
-                    self.narrow((*from, *to), highest_end, value, |s| between(panel.nodes, s));
-                } else {
-                    self.narrow((0.0, 1.0), highest_end, value, |s| on_line(a, b, s));
+    /// Looks into a cell of a recording, first into the half that may hold more.
+    fn within(&mut self, strip: &Strip, cell: &Cell, sought: &impl Sought) {
+        match cell.inside {
+            Inside::Intervals(from, to) => {
+                strip.panels_within((from, to), &mut |panel| self.look(&panel, sought));
+            }
+            Inside::Halves(halves) => {
+                let mut halves = strip.halves(halves).map(|cell| {
+                    let cell = cell?;
+                    let (extent, from) = strip.seen(cell);
+                    Some((cell, sought.bound(&extent), from))
+                });
+                if let [Some((_, low, first)), Some((_, high, second))] = &halves
+                    && (high > low || (high == low && second < first))
+                {
+                    halves.swap(0, 1);
+                }
+                for (cell, bound, from) in halves.into_iter().flatten() {
+                    if self.may_be_within(bound, from) {
+                        self.within(strip, cell, sought);
+                    }
                 }
             }
         }
     }
 
+    fn look<S: Sought>(&mut self, panel: &Panel<'_>, sought: &S) {
+        if panel.is_straight() {
+            if let [a, .., b] = panel.nodes {
+                self.line(a, b, sought);
+            }
+            return;
+        }
+        for node in panel.nodes {
+            self.see(node, sought.value(node));
+        }
+        let shares = super::rule::rule(panel.nodes.len()).nodes();
+        let pairs = panel.nodes.iter().zip(panel.nodes.iter().skip(1)).zip(shares.iter().zip(shares.iter().skip(1)));
+        for ((a, b), (from, to)) in pairs {
+            let extent = Extent::between(a, b, &panel.bow);
+            if self.is_exceeded_by(sought.bound(&extent)) {
+                let highest_end = sought.value(a).max(sought.value(b));
+                self.narrow((*from, *to), highest_end, sought, |s| between(panel.nodes, s));
+            }
+        }
+    }
+
+    /// The straight line between two instants: its ends, its corners, and what lies between these.
+    fn line<S: Sought>(&mut self, a: &Node, b: &Node, sought: &S) {
+        self.see(a, sought.value(a));
+        self.see(b, sought.value(b));
+        if S::CONVEX || a.signals() == b.signals() {
+            return;
+        }
+        let (from, to) = (a.speed.abs(), b.speed.abs());
+        let mut start = *a;
+        let mut passed = from;
+        // In the order in which the line passes them.
+        while let Some(corner) = next_corner(sought.corners(), passed, to) {
+            let node = a.towards(b, (corner - from) / (to - from));
+            self.see(&node, sought.value(&node));
+            self.piece(&start, &node, sought);
+            (start, passed) = (node, corner);
+        }
+        self.piece(&start, b, sought);
+    }
+
+    fn piece(&mut self, a: &Node, b: &Node, sought: &impl Sought) {
+        if self.is_exceeded_by(sought.on_line(a, b)) {
+            let highest_end = sought.value(a).max(sought.value(b));
+            self.narrow((0.0, 1.0), highest_end, sought, |s| a.towards(b, s));
+        }
+    }
+
+    fn is_exceeded_by(&self, bound: f64) -> bool {
+        bound > self.value + NEGLIGIBLE * self.value.abs()
+    }
+
     /// The largest value between two shares of a panel, by halving about the best of three instants. What bends by less
     /// between them than it and both ends lie below the highest is left alone.
-    fn narrow(
-        &mut self,
-        (from, to): (f64, f64),
-        highest_end: f64,
-        value: &impl Fn(&Node) -> f64,
-        place: impl Fn(f64) -> Node,
-    ) {
+    fn narrow(&mut self, (from, to): (f64, f64), highest_end: f64, sought: &impl Sought, place: impl Fn(f64) -> Node) {
         let mut at = |s: f64| {
             let node = place(s);
-            let found = value(&node);
+            let found = sought.value(&node);
             self.see(&node, found);
             ((s, found), self.value)
         };
@@ -150,27 +254,19 @@ impl Best {
     }
 }
 
-/// The instant at a share of the straight line between two.
-fn on_line(a: &Node, b: &Node, s: f64) -> Node {
-    let blend = |a: f64, b: f64| a + s * (b - a);
-    Node {
-        acceleration: blend(a.acceleration, b.acceleration),
-        speed: blend(a.speed, b.speed),
-        load: blend(a.load, b.load),
-        time: blend(a.time, b.time),
-        ..*a
+/// The corner that a line passes next on its way from one speed to another.
+fn next_corner(corners: &[f64], passed: f64, to: f64) -> Option<f64> {
+    if to > passed {
+        corners.iter().copied().filter(|corner| *corner > passed && *corner < to).min_by(f64::total_cmp)
+    } else {
+        corners.iter().copied().filter(|corner| *corner < passed && *corner > to).max_by(f64::total_cmp)
     }
 }
 
 /// Visits what may hold something better than the best: the one with the largest bound, then the others in their order.
-fn in_order<T>(
-    items: &[T],
-    bound: impl Fn(&T) -> (f64, f64),
-    best: &mut Best,
-    mut visit: impl FnMut(&T, usize, &mut Best),
-) {
+fn in_order<T>(items: &[T], bound: impl Fn(&T) -> (f64, f64), best: &mut Best, mut visit: impl FnMut(&T, &mut Best)) {
     if let [only] = items {
-        visit(only, 0, best);
+        visit(only, best);
         return;
     }
     let mut first: Option<(usize, f64)> = None;
@@ -182,12 +278,12 @@ fn in_order<T>(
     }
     let Some((first, _)) = first else { return };
     if let Some(item) = items.get(first) {
-        visit(item, first, best);
+        visit(item, best);
     }
     for (index, item) in items.iter().enumerate() {
         let (above, from) = bound(item);
         if index != first && best.may_be_within(above, from) {
-            visit(item, index, best);
+            visit(item, best);
         }
     }
 }
