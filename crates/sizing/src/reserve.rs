@@ -46,22 +46,33 @@ pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
     let payload = |factor: f64| excess(&axis.with_load(1.0, factor), actuator);
     // A faster cycle is a smaller factor on the time.
     let faster = |factor: f64| excess(&axis.with_time(1.0 / factor), actuator);
-    let mut warmer = axis.clone();
-    let ambient = |kelvin: f64| {
-        warmer.ambient = Some(ThermodynamicTemperature::from_si(kelvin));
-        excess(&warmer, actuator)
+    let ambient = || {
+        let mut warmer = axis.clone();
+        highest_ambient(|kelvin| {
+            warmer.ambient = Some(ThermodynamicTemperature::from_si(kelvin));
+            excess(&warmer, actuator)
+        })
     };
     let carries = axis.extras.iter().any(|extra| extra.mass.si() > 0.0 || extra.inertia.si() > 0.0);
     if matches!(axis.mechanism.kind, mechanism::Kind::Joint(_)) {
         // Recorded torques say nothing about another load or another pace.
-        return Reserve { ambient: highest_ambient(ambient), ..Reserve::default() };
+        return Reserve { ambient: ambient(), ..Reserve::default() };
     }
-    Reserve {
-        load_factor: largest(load),
-        payload_factor: carries.then(|| largest(payload)).flatten(),
-        cycle_time: largest(faster).map(|factor| Time::from_si(axis.moments().duration.si() / factor)),
-        ambient: highest_ambient(ambient),
-    }
+    let of_loads = || (largest(load), carries.then(|| largest(payload)).flatten());
+    let of_others = || (largest(faster), ambient());
+    let ((load_factor, payload_factor), (factor, ambient)) = if axis.is_short() {
+        // Beginning a thread would take as long as the work.
+        (of_loads(), of_others())
+    } else {
+        std::thread::scope(|scope| {
+            let others = scope.spawn(of_others);
+            let loads = of_loads();
+            // A thread that could not finish leaves its part to this one.
+            (loads, others.join().unwrap_or_else(|_| of_others()))
+        })
+    };
+    let cycle_time = factor.map(|factor| Time::from_si(axis.moments().duration.si() / factor));
+    Reserve { load_factor, payload_factor, cycle_time, ambient }
 }
 
 /// How near to its limits an actuator is: above zero it does not pass with certainty.

@@ -179,11 +179,6 @@ impl Gram {
         }
     }
 
-    /// A G Aᵀ over a time that is longer by a factor.
-    fn seen(&self, rows: &[[f64; 4]; 4], stretch: f64) -> Self {
-        Self(rows.map(|a| rows.map(|b| stretch * self.product(a, b))))
-    }
-
     /// cᵀ G c
     pub(crate) fn square(&self, c: [f64; 4]) -> f64 {
         // Rounding may leave a tiny negative sum where the signal vanishes.

@@ -85,6 +85,20 @@ impl View {
         ]
     }
 
+    /// A G Aᵀ with the rows above, over a time that is longer by the stretch.
+    fn gram(&self, raw: &Gram) -> Gram {
+        let slow = 1.0 / self.stretch;
+        let (a, j, c, b) = (slow * slow, self.inertia * slow * slow, self.coulomb, self.viscous * slow);
+        let [ga, gt, gs, gw] = raw.0;
+        let torque = |[ga, gt, gs, gw]: [f64; 4]| j * ga + gt + c * gs + b * gw;
+        let (ta, tt, ts, tw) = (torque(ga), torque(gt), torque(gs), torque(gw));
+        let f = self.stretch;
+        let [aa, at, as_, aw] = [f * a * a * ga[0], f * a * ta, f * a * ga[2], f * a * slow * ga[3]];
+        let [ttt, tts, ttw] = [f * (j * ta + tt + c * ts + b * tw), f * ts, f * slow * tw];
+        let [ss, sw, ww] = [f * gs[2], f * slow * gs[3], f * slow * slow * gw[3]];
+        Gram([[aa, at, as_, aw], [at, ttt, tts, ttw], [as_, tts, ss, sw], [aw, ttw, sw, ww]])
+    }
+
     /// The weights of the signals of the survey that make the same sum as others of those under the load: Aᵀ c.
     fn weights(&self, c: [f64; 4]) -> [f64; 4] {
         let mut raw = [0.0; 4];
@@ -295,7 +309,6 @@ impl Strip {
 
     /// What the survey says under this load, with the blocks of the strip of this number.
     pub(super) fn found(&self, own: usize) -> Found {
-        let rows = self.view.rows();
         let offset = self.placed.offset_rad;
         let block = |raw: &Block| {
             let place = match &raw.place {
@@ -311,7 +324,7 @@ impl Strip {
                 from: self.view.start + raw.from * self.view.stretch,
                 duration: raw.duration * self.view.stretch,
                 extent: self.view.extent(&raw.extent),
-                gram: raw.gram.seen(&rows, self.view.stretch),
+                gram: self.view.gram(&raw.gram),
             }
         };
         let (inertia, holding) = self.survey.by_position.unwrap_or_else(|| {
