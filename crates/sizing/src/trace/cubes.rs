@@ -2,7 +2,7 @@
 
 use super::recording::{Cell, Inside, Strip};
 use super::{Block, Node, Panel, Trace};
-use motion::lobatto;
+use motion::{Interval, lobatto};
 
 /// The moments ∫ α^i R^j ω^k |ω| dt of a cell, i + j + k ≤ 3, in the order of [`POWERS`], in the signals of the cells.
 pub(super) type Moments = [f64; 20];
@@ -35,9 +35,6 @@ const POWERS: [(i32, i32, i32, f64); 20] = [
 /// has the fourth, so five nodes are taken.
 pub(super) fn add(moments: &mut Moments, panel: &Panel<'_>) {
     let ([first, .., last], true) = (panel.nodes, panel.is_straight()) else { return };
-    if first.load == last.load {
-        return add_constant(moments, first, last, panel.duration);
-    }
     for (s, weight) in lobatto(5) {
         let node = first.towards(last, *s);
         let (a, r, w) = (node.acceleration, node.load, node.speed);
@@ -69,10 +66,11 @@ pub(super) fn add(moments: &mut Moments, panel: &Panel<'_>) {
     }
 }
 
-/// The same where R is constant: ∫|ω|^n dt in closed form.
-fn add_constant(moments: &mut Moments, first: &Node, last: &Node, duration: f64) {
-    let (a, r, w0, w1) = (first.acceleration, first.load, first.speed, last.speed);
-    let (sign, p, s, q) = (if w0 + w1 < 0.0 { -duration } else { duration }, w0 + w1, w0 * w0 + w1 * w1, w0 * w1);
+/// The same of an interval under a constant torque R that is run through in one direction: ∫|ω|^n dt in closed form.
+pub(super) fn add_interval(moments: &mut Moments, r: f64, interval: &Interval) {
+    let (h, [w0, w1]) = (interval.duration_s, interval.speed_rad_s);
+    let (a, p, s, q) = ((w1 - w0) / h, w0 + w1, w0 * w0 + w1 * w1, w0 * w1);
+    let sign = if p < 0.0 { -h } else { h };
     // ∫ω |ω|^… dt: σ h Σ ω_0^(n−k) ω_1^k/(n + 1)
     let (one, two) = (sign * p / 2.0, sign * (s + q) / 3.0);
     let (three, four) = (sign * p * s / 4.0, sign * (s * s + q * (s - q)) / 5.0);

@@ -21,6 +21,14 @@ impl Form {
     }
 }
 
+/// The largest of each.
+pub(super) fn largest<'a>(swings: impl Iterator<Item = &'a Products>) -> Products {
+    swings.fold([0.0; 10], |mut most, swing| {
+        most.iter_mut().zip(swing).for_each(|(most, swing)| *most = most.max(*swing));
+        most
+    })
+}
+
 /// Σ a_m b_m
 pub(super) fn sum(a: &Products, b: &Products) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
@@ -212,22 +220,51 @@ impl LagBlock {
     /// What the block does to a lag, from its moments or, where it is not short, from its panels.
     ///
     /// g_m = (λ/h) Σ_k (2k + 1) c_k(λ) ∫ P̃_k p_m dt
-    pub(super) fn gain(&self, tau_s: f64, panels: impl Fn(&mut dyn FnMut(Panel<'_>))) -> Gain {
-        let lambda = self.duration / tau_s;
-        if lambda > SHORT {
+    pub(super) fn gain(&self, lagging: &mut Lagging, panels: impl Fn(&mut dyn FnMut(Panel<'_>))) -> Gain {
+        if self.duration > SHORT * lagging.tau_s {
             let mut gain = Gain::NONE;
-            panels(&mut |panel| gain.pass(&panel, tau_s));
+            panels(&mut |panel| gain.pass(&panel, lagging.tau_s));
             return gain;
         }
-        let mut gain = Gain { decay: (-lambda).exp(), gain: [0.0; 10] };
-        let mut odd = 1.0;
-        for (moment, c) in self.moments.iter().zip(lagged(lambda, MOMENTS)) {
+        let (decay, weights) = lagging.through(self.duration);
+        let mut gain = Gain { decay, gain: [0.0; 10] };
+        for (moment, weight) in self.moments.iter().zip(weights) {
             for (g, m) in gain.gain.iter_mut().zip(moment) {
-                *g += odd * c / tau_s * m;
+                *g += weight * m;
             }
-            odd += 2.0;
         }
         gain
+    }
+}
+
+/// A lag through blocks most of which last equally long: up to the rounding of the instants of a recording.
+pub(super) struct Lagging {
+    tau_s: f64,
+    duration: f64,
+    decay: f64,
+    /// (2k + 1) c_k(λ)/τ
+    weights: [f64; MOMENTS],
+}
+
+/// Durations that differ by no more than this share are those of the same number of samples.
+const ROUNDING: f64 = 1e-12;
+
+impl Lagging {
+    pub(super) const fn of(tau_s: f64) -> Self {
+        Self { tau_s, duration: 0.0, decay: 1.0, weights: [0.0; MOMENTS] }
+    }
+
+    fn through(&mut self, duration: f64) -> (f64, [f64; MOMENTS]) {
+        if (duration - self.duration).abs() > ROUNDING * duration {
+            let lambda = duration / self.tau_s;
+            let mut odd = 1.0;
+            for (weight, c) in self.weights.iter_mut().zip(lagged(lambda, MOMENTS)) {
+                *weight = odd * c / self.tau_s;
+                odd += 2.0;
+            }
+            (self.duration, self.decay) = (duration, (-lambda).exp());
+        }
+        (self.decay, self.weights)
     }
 }
 

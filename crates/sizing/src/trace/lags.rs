@@ -1,6 +1,6 @@
 //! First-order lags of quadratic forms over a cycle that repeats for ever.
 
-use super::gains::{Gain, GainTables, Gains, Products, sum, sum_of_magnitudes, swing};
+use super::gains::{Gain, GainTables, Gains, Products, largest, rounded, sum, sum_of_magnitudes, swing};
 use super::recording::Strip;
 use super::rule::{MOST, Values, dot, lagged, rule};
 use super::{Form, Node, Panel, Run, Trace};
@@ -283,10 +283,10 @@ impl Search<'_> {
                 Run::Kept(range) => {
                     let swings = self.trace.kept_swings().get(range.clone()).unwrap_or_default();
                     let kept = self.trace.panels.get(range.clone()).unwrap_or_default();
-                    let most = largest(swings.iter());
+                    let most = self.rise(number, &largest(swings.iter()), 1.0);
                     for (kept, swing) in kept.iter().zip(swings) {
-                        let through = |flow: &Flow| flow.stretch(index);
-                        if self.may_rise(number, &self.states, through, kept.duration, [&most, swing]) {
+                        let (through, own) = (|flow: &Flow| flow.stretch(index), || self.rise(number, swing, 1.0));
+                        if self.may_rise(&self.states, through, kept.duration, most, own) {
                             let mut states = self.states.clone();
                             self.inside(&self.trace.panel(kept), &mut states);
                         }
@@ -302,12 +302,11 @@ impl Search<'_> {
                 Run::Recorded(strip) => {
                     let Some(strip) = self.trace.strips.get(*strip) else { continue };
                     let stretch = strip.view().stretch();
-                    let scaled = |swing: &Products| swing.map(|swing| swing * stretch);
-                    let most = scaled(&largest(strip.lag_blocks().iter().map(|block| &block.swing)));
+                    let most = self.rise(number, strip.largest_swings(), stretch);
                     for (place, lags) in strip.lag_blocks().iter().enumerate() {
-                        let duration = lags.duration * stretch;
+                        let own = || self.rise(number, &lags.swing, stretch);
                         let through = |flow: &Flow| flow.stretch(index);
-                        if self.may_rise(number, &self.states, through, duration, [&most, &scaled(&lags.swing)]) {
+                        if self.may_rise(&self.states, through, lags.duration * stretch, most, own) {
                             self.inside_block(number, strip, place);
                         }
                         self.step(index);
@@ -332,15 +331,14 @@ impl Search<'_> {
         let mut states = self.states.clone();
         for (place, part) in strip.lag_parts(block).iter().enumerate() {
             let through = |flow: &Flow| {
-                let make =
-                    || strip.lag_parts(block).iter().map(|part| part.gain(strip, flow.tau_s / stretch)).collect();
+                let make = || strip.part_gains(block, rounded(flow.tau_s / stretch));
                 let (q, gains) = (flow.factors.get(run)?, flow.gains.get(run)?);
                 let gain = gains.parts(block, make).get(place)?;
                 Some((gain.decay, sum(q, &gain.gain)))
             };
             let through = |flow: &Flow| through(flow).unwrap_or((1.0, 0.0));
-            let (duration, swing) = (part.lag.duration * stretch, part.lag.swing.map(|swing| swing * stretch));
-            if self.may_rise(run, &states, through, duration, [&swing, &swing]) {
+            let rise = self.rise(run, &part.lag.swing, stretch);
+            if self.may_rise(&states, through, part.lag.duration * stretch, rise, || rise) {
                 let mut look = |panel: Panel<'_>| self.inside_interval(&panel, &mut states);
                 part.intervals.clone().for_each(|index| strip.interval(index, &mut look));
             } else {
@@ -361,32 +359,33 @@ impl Search<'_> {
     /// and the lags themselves may swing on the way.
     fn may_rise(
         &self,
-        run: usize,
         states: &[f64],
         through: impl Fn(&Flow) -> (f64, f64),
         duration: f64,
-        swings: [&Products; 2],
+        most: f64,
+        own: impl FnOnce() -> f64,
     ) -> bool {
-        let least = self.enough();
-        let (mut start, mut end, mut moved) = (0.0, 0.0, 0.0);
+        let (mut start, mut end, mut moved, mut quickest) = (0.0, 0.0, 0.0, 0.0);
         for (state, flow) in states.iter().zip(self.flows) {
             let (decay, gain) = through(flow);
-            let next = state * decay + gain;
+            let (next, lambda) = (state * decay + gain, duration / flow.tau_s);
             start += state;
             end += next;
-            moved += 0.25 * duration / flow.tau_s * (next - state).abs();
+            moved += 0.25 * lambda * (next - state).abs();
+            quickest = f64::max(quickest, lambda);
         }
-        let higher = f64::max(start, end);
-        // First with the largest swings of the run, which costs less.
-        swings.into_iter().all(|swing| {
-            let mut bound = higher + moved;
-            for flow in self.flows {
-                let Some(factors) = flow.factors.get(run) else { return true };
-                let rise = sum_of_magnitudes(factors, swing) / flow.tau_s;
-                bound += rise * (1.0 + 0.5 * duration / flow.tau_s);
-            }
-            bound > least
-        })
+        let left = self.enough() - f64::max(start, end) - moved;
+        let swung = |rise: f64| rise * (1.0 + 0.5 * quickest) > left;
+        // First with the largest swings of the run, which are known.
+        swung(most) && swung(own())
+    }
+
+    /// How far the sum of the lags may rise by the swings of what drives them.
+    fn rise(&self, run: usize, swings: &Products, stretch: f64) -> f64 {
+        let of = |flow: &Flow| {
+            flow.factors.get(run).map_or(f64::INFINITY, |q| sum_of_magnitudes(q, swings) * stretch / flow.tau_s)
+        };
+        self.flows.iter().map(of).sum()
     }
 
     /// Through an interval of a recording, short against every time constant; only where the sum of the lags turns within
@@ -505,14 +504,6 @@ fn short(lambda: f64) -> (f64, [f64; 3]) {
     let bend = lambda * decay * square / 15.0 * (1.0 + square / 14.0);
     // a_0 = (u_0 + 4 u_m + u_1)/6, a_1 = (u_1 − u_0)/2, a_2 = (u_0 − 2 u_m + u_1)/3
     (decay * decay, [even / 6.0 - odd / 2.0 + bend / 3.0, (even - bend) / 1.5, even / 6.0 + odd / 2.0 + bend / 3.0])
-}
-
-/// The largest of each.
-fn largest<'a>(swings: impl Iterator<Item = &'a Products>) -> Products {
-    swings.fold([0.0; 10], |mut most, swing| {
-        most.iter_mut().zip(swing).for_each(|(most, swing)| *most = most.max(*swing));
-        most
-    })
 }
 
 /// Where within a panel the sum of lags turns from rising to falling, with the highest value, if that exceeds the least.

@@ -7,7 +7,7 @@ mod cells;
 pub(crate) use cells::{Cell, Inside};
 
 use super::cubes::Moments;
-use super::gains::{Gain, GainTables, LagBlock};
+use super::gains::{Gain, GainTables, LagBlock, Lagging, Products, largest};
 use super::{Block, Extent, Form, Gram, Kept, Node, Panel, Place};
 use cells::Cells;
 use mechanism::{Extra, Mechanism, Plain};
@@ -151,6 +151,7 @@ pub(super) struct Survey {
     /// Lowest and highest recorded position \[rad\].
     span: (f64, f64),
     lags: OnceLock<Vec<LagBlock>>,
+    largest_swings: OnceLock<Products>,
     lag_parts: Vec<OnceLock<Vec<LagPart>>>,
     cubes: OnceLock<Vec<Moments>>,
     cells: OnceLock<Cells>,
@@ -302,6 +303,7 @@ impl Strip {
             by_position,
             span,
             lags: OnceLock::new(),
+            largest_swings: OnceLock::new(),
             cubes: OnceLock::new(),
             gains: GainTables::default(),
         }
@@ -452,8 +454,25 @@ impl Strip {
 
     /// What the blocks do to a lag of the signals of the survey.
     pub(super) fn gains(&self, tau_s: f64) -> Vec<Gain> {
-        let gain = |(block, lag): (&Block, &LagBlock)| lag.gain(tau_s, |look| self.raw_panels(block, look));
-        self.survey.blocks.iter().zip(self.lag_blocks()).map(gain).collect()
+        let mut lagging = Lagging::of(tau_s);
+        let blocks = self.survey.blocks.iter().zip(self.lag_blocks());
+        blocks.map(|(block, lag)| lag.gain(&mut lagging, |look| self.raw_panels(block, look))).collect()
+    }
+
+    /// What the parts of a block do to a lag of the signals of the survey.
+    pub(super) fn part_gains(&self, block: usize, tau_s: f64) -> Vec<Gain> {
+        let mut lagging = Lagging::of(tau_s);
+        let gain = |part: &LagPart| {
+            part.lag.gain(&mut lagging, |look| {
+                part.intervals.clone().for_each(|index| self.raw_interval(index, &mut |panel| look(panel)));
+            })
+        };
+        self.lag_parts(block).iter().map(gain).collect()
+    }
+
+    /// The largest swings of all blocks.
+    pub(super) fn largest_swings(&self) -> &Products {
+        self.survey.largest_swings.get_or_init(|| largest(self.lag_blocks().iter().map(|block| &block.swing)))
     }
 
     /// The blocks in the signals of the survey.
@@ -646,6 +665,7 @@ impl Survey {
             by_position: None,
             span: (0.0, 0.0),
             lags: OnceLock::new(),
+            largest_swings: OnceLock::new(),
             lag_parts: Vec::new(),
             cubes: OnceLock::new(),
             cells: OnceLock::new(),
@@ -678,14 +698,6 @@ const PART: usize = 16;
 pub(super) struct LagPart {
     pub(super) intervals: Range<usize>,
     pub(super) lag: LagBlock,
-}
-
-impl LagPart {
-    pub(super) fn gain(&self, strip: &Strip, tau_s: f64) -> Gain {
-        self.lag.gain(tau_s, |look| {
-            self.intervals.clone().for_each(|index| strip.raw_interval(index, &mut |panel| look(panel)));
-        })
-    }
 }
 
 /// So many intervals run side by side.

@@ -49,13 +49,26 @@ struct Point {
 const DIRECTIONS: usize = 4;
 
 impl Cells {
+    #[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
     pub(super) fn of(strip: &Strip) -> Self {
         let mut groups: [Vec<Point>; DIRECTIONS] = Default::default();
-        for index in 0..count(strip.intervals()) {
-            if let Some((direction, signals)) = signals(strip, index)
-                && let Some(group) = groups.get_mut(direction)
-            {
-                group.push(Point { signals, index });
+        let mut add = |direction: usize, signals: [f32; 3], index: usize| {
+            if let Some(group) = groups.get_mut(direction) {
+                group.push(Point { signals, index: count(index) });
+            }
+        };
+        let recorded = &*strip.surveyed.recorded;
+        if strip.plain.is_some() && recorded.torque_nm().is_none() {
+            let intervals = recorded.time_s().array_windows().zip(recorded.speed_rad_s().array_windows());
+            for (index, ([from, to], [w0, w1])) in intervals.enumerate() {
+                let acceleration = (w1 - w0) / (to - from);
+                add(direction(*w0, *w1), [acceleration as f32, (0.5 * (w0 + w1)) as f32, 0.0], index);
+            }
+        } else {
+            for index in 0..strip.intervals() {
+                if let Some((direction, signals)) = signals(strip, index) {
+                    add(direction, signals, index);
+                }
             }
         }
         let mut all = Self { cells: Vec::new(), order: Vec::with_capacity(strip.intervals()) };
@@ -113,8 +126,14 @@ impl Cells {
         let of_leaf = |cell: &Cell| {
             let mut moments = [0.0; 20];
             if let Inside::Intervals(from, to) = cell.inside {
-                let mut add = |panel: Panel<'_>| cubes::add(&mut moments, &panel);
-                self.intervals(from, to).for_each(|index| strip.raw_interval(index, &mut add));
+                let constant = strip.plain.as_ref().map(|plain| plain.constant_nm);
+                let constant = constant.filter(|_| strip.surveyed.recorded.torque_nm().is_none());
+                for index in self.intervals(from, to) {
+                    match (constant, strip.surveyed.interval(index)) {
+                        (Some(torque), Some(interval)) => cubes::add_interval(&mut moments, torque, &interval),
+                        _ => strip.raw_interval(index, &mut |panel| cubes::add(&mut moments, &panel)),
+                    }
+                }
             }
             moments
         };
@@ -154,16 +173,21 @@ const fn count(n: usize) -> u32 {
 
 /// The direction of an interval, and what it is sorted by; exactness is of no matter here.
 #[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
-fn signals(strip: &Strip, index: u32) -> Option<(usize, [f32; 3])> {
-    let interval = strip.surveyed.interval(index as usize)?;
+fn signals(strip: &Strip, index: usize) -> Option<(usize, [f32; 3])> {
+    let interval = strip.surveyed.interval(index)?;
     let [from, to] = interval.speed_rad_s;
     let mut torque = 0.5 * (interval.torque_nm[0] + interval.torque_nm[1]);
     if strip.plain.is_none() {
-        strip.raw_interval(index as usize, &mut |panel: Panel<'_>| {
+        strip.raw_interval(index, &mut |panel: Panel<'_>| {
             torque = panel.nodes.get(panel.nodes.len() / 2).map_or(0.0, |node| node.load);
         });
     }
-    let direction = if from * to < 0.0 {
+    Some((direction(from, to), [interval.acceleration_rad_s2() as f32, (0.5 * (from + to)) as f32, torque as f32]))
+}
+
+/// In which of the [`DIRECTIONS`] an interval is run through, by the speeds at its ends.
+fn direction(from: f64, to: f64) -> usize {
+    if from * to < 0.0 {
         3
     } else if from + to < 0.0 {
         0
@@ -171,8 +195,7 @@ fn signals(strip: &Strip, index: u32) -> Option<(usize, [f32; 3])> {
         1
     } else {
         2
-    };
-    Some((direction, [interval.acceleration_rad_s2() as f32, (0.5 * (from + to)) as f32, torque as f32]))
+    }
 }
 
 /// Largest less smallest of each signal.
