@@ -42,7 +42,7 @@ pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing, explain: bool, checks:
 fn cycle_loads(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> CycleLoads {
     let offset = bearing.offset.known().map_or_else(|| Length::from_si(0.0), |offset| offset.value);
     let exponent = bearing.kind.known().map_or(3.0, |kind| kind.value.life_exponent());
-    axis.cycle_loads(offset, exponent).unwrap_or_else(|| {
+    let stated = || {
         let peak = |value: &dyn Fn(&FlangeLoad) -> f64| {
             let starts = axis.motion.stretches().iter().map(|stretch| stretch.start.si());
             let all = duty.loads.iter().zip(starts).map(|(load, at)| Peak { value: value(load), at });
@@ -54,7 +54,8 @@ fn cycle_loads(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing) -> Cycl
             moment: peak(&|load| actuator::tilting_moment(load, offset).si()),
             ..CycleLoads::default()
         }
-    })
+    };
+    axis.derived_loads(offset, exponent).unwrap_or_else(|| axis.stated_loads(offset, exponent, stated))
 }
 
 /// The instant of a peak, where loads change within a segment.
@@ -184,7 +185,7 @@ impl MeanLoad {
     /// F_r (L_r + R) and F_a L_a are averaged like the forces, so that with distances that do not change the moment is
     /// F_rav (L_r + R) + F_aav L_a.
     fn of(axis: &Axis, duty: &BearingDuty, offset: Length, exponent: f64) -> Self {
-        if let Some(found) = axis.cycle_loads(offset, exponent) {
+        if let Some(found) = axis.derived_loads(offset, exponent) {
             let ([radial, axial], [of_mechanism, by_radial, by_axial]) = (found.means, found.mean_moments);
             let none = Length::from_si(0.0);
             let load = FlangeLoad {

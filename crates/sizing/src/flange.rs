@@ -85,11 +85,20 @@ impl BearingDuty {
 
 impl Axis {
     /// The loads on the flange over the cycle with those of the mechanism; `None` where none follow from it.
-    pub(crate) fn cycle_loads(&self, offset: Length, exponent: f64) -> Option<CycleLoads> {
+    pub(crate) fn derived_loads(&self, offset: Length, exponent: f64) -> Option<CycleLoads> {
         let duty = self.bearing.as_ref()?;
         let derived = duty.derived.as_ref()?;
         let key = [offset.si().to_bits(), exponent.to_bits()];
         Some(self.flange_known.get(key, || Walk::of(self, duty, derived, offset, exponent).loads()))
+    }
+
+    /// The loads on the flange over the cycle where only stated ones count, found once for each place of the bearing.
+    pub(crate) fn stated_loads(&self, offset: Length, exponent: f64, find: impl FnOnce() -> CycleLoads) -> CycleLoads {
+        // A few loads are compared sooner than found again.
+        if self.bearing.as_ref().is_none_or(|duty| duty.loads.len() <= FEW) {
+            return find();
+        }
+        self.flange_known.get([offset.si().to_bits(), exponent.to_bits()], find)
     }
 
     /// The loads on the flange at instants over the cycle, for pictures: instant, F_r, F_a, and M for a place of the
@@ -121,6 +130,9 @@ impl Axis {
         }
     }
 }
+
+/// So many stated loads are few.
+const FEW: usize = 8;
 
 /// The loads on the flange at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -79,7 +79,7 @@ fn whole_revolutions_by_hand() {
     for turns in [1.0, 3.0, 500.0] {
         let axis = axis(arm(6.0, 90.0), &[turning(turns, turns * 0.9)], Vec::new(), none());
         let c = (std::f64::consts::TAU / 0.9_f64).powi(2) * 0.35;
-        let found = axis.cycle_loads(length(0.018), 2.0).unwrap();
+        let found = axis.derived_loads(length(0.018), 2.0).unwrap();
         assert!((found.radial.value / (6.0 * (c + G)) - 1.0).abs() < 1e-12, "{found:?}");
         assert!((found.means[0] / (6.0 * (c * c + G * G).sqrt()) - 1.0).abs() < 1e-12, "{turns}: {found:?}");
         assert!((found.mean_moments[0] / (found.means[0] * 0.068) - 1.0).abs() < 1e-12);
@@ -150,7 +150,7 @@ fn laws_agree_with_many_small_steps() {
     ] {
         let axis = axis(mechanism, &specs, vec![payload, Extra::none()], own);
         for exponent in [3.0, B] {
-            let found = axis.cycle_loads(length(0.018), exponent).unwrap();
+            let found = axis.derived_loads(length(0.018), exponent).unwrap();
             let expected = brute(&axis, 0.018, exponent, 20_000);
             let peaks = [found.radial.value, found.axial.value];
             for (found, expected) in
@@ -183,7 +183,7 @@ fn a_recording_agrees_with_its_law() {
     };
     let recorded = Recorded::new(samples, Treatment::default()).unwrap();
     let recorded = axis(arm(6.0, 90.0), &[SegmentSpec::Recorded(Arc::new(recorded))], Vec::new(), none());
-    let (law, recorded) = (law.cycle_loads(length(0.02), B).unwrap(), recorded.cycle_loads(length(0.02), B).unwrap());
+    let (law, recorded) = (law.derived_loads(length(0.02), B).unwrap(), recorded.cycle_loads(length(0.02), B).unwrap());
     for (a, b) in [
         (law.means[0], recorded.means[0]),
         (law.mean_moments[0], recorded.mean_moments[0]),
@@ -202,7 +202,7 @@ fn without_mass_only_what_is_stated_remains() {
         axial_distance: length(0.04),
     };
     let axis = axis(arm(0.0, 90.0), &[swing(150.0, 0.7), swing(-150.0, 0.5)], Vec::new(), own);
-    let found = axis.cycle_loads(length(0.02), B).unwrap();
+    let found = axis.derived_loads(length(0.02), B).unwrap();
     let close = |a: f64, b: f64| (a - b).abs() < 1e-12 * b;
     assert!(close(found.means[0], 100.0) && close(found.means[1], 250.0));
     assert!(close(found.mean_moments[1], 8.0) && close(found.mean_moments[2], 10.0));
@@ -213,7 +213,7 @@ fn without_mass_only_what_is_stated_remains() {
 #[test]
 fn what_is_known_is_not_worked_out_again() {
     let axis = axis(arm(6.0, 90.0), &[swing(150.0, 0.7)], Vec::new(), none());
-    let first = axis.cycle_loads(length(0.02), B).unwrap();
-    assert_eq!(axis.clone().cycle_loads(length(0.02), B), Some(first));
+    let first = axis.derived_loads(length(0.02), B).unwrap();
+    assert_eq!(axis.clone().derived_loads(length(0.02), B), Some(first));
     assert_eq!(axis.flange_known.0.lock().unwrap().len(), 1);
 }

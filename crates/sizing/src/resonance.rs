@@ -30,8 +30,17 @@ pub(crate) struct Held {
 /// (2π/720)² |J''|/8, a hundred-thousandth of what J changes over a revolution.
 const STEPS: f64 = 720.0;
 
-/// The speeds that the cycle holds, each with the inertia of its own payload and positions.
+/// The speeds that the cycle holds, each with the inertia of its own payload and positions; what is held again and again is
+/// told once, when it is held first.
 pub(crate) fn held_speeds(axis: &Axis) -> Vec<Held> {
+    let mut held = each_held_speed(axis);
+    let key = |held: &Held| [held.speed, held.inertia.0, held.inertia.1].map(f64::to_bits);
+    let mut seen = std::collections::BTreeSet::new();
+    held.retain(|held| seen.insert(key(held)));
+    held
+}
+
+fn each_held_speed(axis: &Axis) -> Vec<Held> {
     let none = Extra::none();
     let held = axis.motion.pieces().iter().filter(|piece| piece.speed_degree() == Some(0) && !piece.is_rest());
     held.map(|piece| {

@@ -74,15 +74,23 @@ impl Course {
 
     /// Between these lies y' all through the panel.
     fn slopes(&self, start: f64) -> (f64, f64) {
-        let inputs = self.input.iter().take(self.count);
-        let (low, high) = inputs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(*u), b.max(*u)));
-        let room = 0.125 * (high - low);
-        let (low, high) = (low - room, high + room);
-        let end = self.end(start);
-        // y strays from the straight line by less than λ/4 of what drives it.
-        let stray = 0.25 * self.lambda * (high - low + (end - start).abs());
-        ((low - start.max(end) - stray) / self.tau_s, (high - start.min(end) + stray) / self.tau_s)
+        slopes(self.input.iter().take(self.count).copied(), (start, self.end(start)), self.lambda, self.tau_s)
     }
+}
+
+/// Between these lies y' of a lag all through a panel, by its input at the nodes and its own ends.
+fn slopes(inputs: impl Iterator<Item = f64>, (start, end): (f64, f64), lambda: f64, tau_s: f64) -> (f64, f64) {
+    let (low, high) = inputs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));
+    let room = 0.125 * (high - low);
+    let (low, high) = (low - room, high + room);
+    // y strays from the straight line by less than λ/4 of what drives it.
+    let stray = 0.25 * lambda * (high - low + (end - start).abs());
+    ((low - start.max(end) - stray) / tau_s, (high - start.min(end) + stray) / tau_s)
+}
+
+/// Whether slopes between these two may fall from above zero to below.
+fn turns(lowest: f64, highest: f64) -> bool {
+    lowest < 0.0 && highest > 0.0
 }
 
 /// Into so many parts a panel is cut to see whether the sum of the lags turns within it.
@@ -287,8 +295,11 @@ impl Search<'_> {
                     for (kept, swing) in kept.iter().zip(swings) {
                         let (through, own) = (|flow: &Flow| flow.stretch(index), || self.rise(number, swing, 1.0));
                         if self.may_rise(&self.states, through, kept.duration, most, own) {
-                            let mut states = self.states.clone();
-                            self.inside(&self.trace.panel(kept), &mut states);
+                            let panel = self.trace.panel(kept);
+                            if self.may_turn(&panel, index) {
+                                let mut states = self.states.clone();
+                                self.inside(&panel, &mut states);
+                            }
                         }
                         self.step(index);
                         index += 1;
@@ -365,19 +376,38 @@ impl Search<'_> {
         most: f64,
         own: impl FnOnce() -> f64,
     ) -> bool {
-        let (mut start, mut end, mut moved, mut quickest) = (0.0, 0.0, 0.0, 0.0);
+        let (mut start, mut end, mut moved, mut ends, mut quickest) = (0.0, 0.0, 0.0, 0.0, 0.0);
         for (state, flow) in states.iter().zip(self.flows) {
             let (decay, gain) = through(flow);
             let (next, lambda) = (state * decay + gain, duration / flow.tau_s);
             start += state;
             end += next;
+            // From the straight line between its ends a lag of the mean strays by so much at most, and it never leaves them.
             moved += 0.25 * lambda * (next - state).abs();
+            ends += next.max(*state);
             quickest = f64::max(quickest, lambda);
         }
-        let left = self.enough() - f64::max(start, end) - moved;
-        let swung = |rise: f64| rise * (1.0 + 0.5 * quickest) > left;
+        let left = self.enough() - f64::min(f64::max(start, end) + moved, ends);
+        let swung = |rise: f64| rise * (1.0 + 2.0 * quickest) > left;
         // First with the largest swings of the run, which are known.
         swung(most) && swung(own())
+    }
+
+    /// Whether the slope of the sum of the lags may change from rising to falling within a kept panel so that it is higher
+    /// there than what is found; its ends are known.
+    fn may_turn(&self, panel: &Panel<'_>, index: usize) -> bool {
+        let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
+        for ((state, flow), lag) in self.states.iter().zip(self.flows).zip(self.lags) {
+            let (decay, gain) = flow.stretch(index);
+            let next = state * decay + gain;
+            let inputs = panel.nodes.iter().map(|node| lag.form.at(node));
+            let (low, high) = slopes(inputs, (*state, next), panel.duration / lag.tau_s, lag.tau_s);
+            lowest += low;
+            highest += high;
+            start += state;
+            end += next;
+        }
+        turns(lowest, highest) && f64::max(start, end) + 0.25 * panel.duration * (highest - lowest) > self.enough()
     }
 
     /// How far the sum of the lags may rise by the swings of what drives them.
@@ -517,7 +547,7 @@ fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64) -> Option
         end += course.end(*state);
     }
     // A slope between these two takes the sum no further above its ends than that.
-    if lowest >= 0.0 || highest <= 0.0 || f64::max(start, end) + 0.25 * duration * (highest - lowest) <= least {
+    if !turns(lowest, highest) || f64::max(start, end) + 0.25 * duration * (highest - lowest) <= least {
         return None;
     }
     let sum = |of: &dyn Fn(&Course, f64) -> f64| courses.iter().zip(states).map(|(c, y)| of(c, *y)).sum::<f64>();
