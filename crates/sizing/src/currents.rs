@@ -326,16 +326,23 @@ impl<'a> Overcurrent<'a> {
 }
 
 impl Sought for Overcurrent<'_> {
-    /// What is permitted is straight between its corners: least at one of them or at the slowest or fastest instant.
+    /// The current of the largest torque over what is permitted, both straight over |ω| between the corners: largest at one of
+    /// them or at the slowest or the fastest instant.
     fn bound(&self, extent: &Extent) -> f64 {
         let (back, forth) = extent.speeds;
         let slowest = back.max(-forth).max(0.0);
         let within = self.corners.iter().copied().filter(|corner| *corner > slowest && *corner < extent.speed);
         let speeds = || within.clone().chain([slowest, extent.speed]);
         let of = |friction: &&FrictionAt| {
-            let (low, high) = extent.range(self.currents.weights(friction));
-            let least = speeds().map(|speed| self.permitted_at(speed, friction)).fold(f64::INFINITY, f64::min);
-            high.max(-low) / least
+            let [acceleration, load, direction, speed] = self.currents.weights(friction);
+            let (low, high) = extent.range([acceleration, load, direction, 0.0]);
+            let ratio = |n: f64| {
+                let forwards = if forth > 0.0 { (high + speed * n).max(-low - speed * n) } else { 0.0 };
+                let backwards = if back < 0.0 { (high - speed * n).max(speed * n - low) } else { 0.0 };
+                let still = if slowest == 0.0 { high.max(-low) } else { 0.0 };
+                forwards.max(backwards).max(still) / self.permitted_at(n, friction)
+            };
+            speeds().map(ratio).fold(0.0, f64::max)
         };
         self.states.iter().map(of).fold(0.0, f64::max)
     }

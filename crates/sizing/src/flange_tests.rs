@@ -183,7 +183,8 @@ fn a_recording_agrees_with_its_law() {
     };
     let recorded = Recorded::new(samples, Treatment::default()).unwrap();
     let recorded = axis(arm(6.0, 90.0), &[SegmentSpec::Recorded(Arc::new(recorded))], Vec::new(), none());
-    let (law, recorded) = (law.derived_loads(length(0.02), B).unwrap(), recorded.cycle_loads(length(0.02), B).unwrap());
+    let (law, recorded) =
+        (law.derived_loads(length(0.02), B).unwrap(), recorded.derived_loads(length(0.02), B).unwrap());
     for (a, b) in [
         (law.means[0], recorded.means[0]),
         (law.mean_moments[0], recorded.mean_moments[0]),

@@ -407,3 +407,7 @@ mod tests;
 #[cfg(test)]
 #[path = "lag_tests.rs"]
 mod lag_tests;
+
+#[cfg(test)]
+#[path = "cells_tests.rs"]
+mod cells_tests;

@@ -154,7 +154,7 @@ fn cubes_of_cell(strip: &Strip, cell: &Cell) -> f64 {
     }
 }
 
-fn cubes_of_panel(panel: &Panel<'_>) -> f64 {
+pub(super) fn cubes_of_panel(panel: &Panel<'_>) -> f64 {
     match panel.nodes {
         [_, _, _] => few(panel),
         nodes => nodes.iter().map(|node| node.weight * cubed(node)).sum(),

@@ -160,7 +160,8 @@ impl LagBlock {
         for interval in intervals.clone() {
             let (h, [w0, w1]) = (interval.duration_s, interval.speed_rad_s);
             let (dw, s) = (w1 - w0, w0 + w1);
-            let bend = h * dw / 12.0;
+            // ∫(t − t_m) ω dt
+            let bend = h * h * dw / 12.0;
             let beside = [0.0, 0.0, bend * dw / h, bend, bend * s];
             let x = 2.0 * (elapsed + 0.5 * h) / duration - 1.0;
             let legendre = [1.0, x, 1.5 * x * x - 0.5, (2.5 * x * x - 1.5) * x];
