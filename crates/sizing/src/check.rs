@@ -133,6 +133,11 @@ impl CheckId {
         !matches!(self, Self::InertiaRatio | Self::ResonanceSpeed | Self::DcLink)
     }
 
+    /// Whether its answer hangs neither on the load nor on the pace of the motion.
+    pub(crate) const fn is_of_the_place(self) -> bool {
+        matches!(self, Self::DcLink | Self::Ambient | Self::FeedbackResolution | Self::Battery)
+    }
+
     /// The identifier used in data exchange.
     #[must_use]
     pub const fn id(self) -> &'static str {

@@ -1,6 +1,7 @@
 //! How far an axis may be changed until an actuator just fits: load, payload, cycle time, ambient temperature.
 
 use crate::axis::Axis;
+use crate::check::Verdict;
 use crate::checks::{Depth, judge};
 use actuator::Parameters;
 use quantities::{Mass, Measure, ThermodynamicTemperature, Time};
@@ -56,6 +57,11 @@ pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
     let carries = axis.extras.iter().any(|extra| extra.mass.si() > 0.0 || extra.inertia.si() > 0.0);
     if matches!(axis.mechanism.kind, mechanism::Kind::Joint(_)) {
         // Recorded torques say nothing about another load or another pace.
+        return Reserve { ambient: ambient(), ..Reserve::default() };
+    }
+    let now = judge(axis, actuator, Depth::Margins);
+    if now.checks.iter().any(|check| check.verdict == Verdict::Fail && check.id.is_of_the_place()) {
+        // No load and no pace mends what hangs on neither.
         return Reserve { ambient: ambient(), ..Reserve::default() };
     }
     let of_loads = || (largest(load), carries.then(|| largest(payload)).flatten());

@@ -1,6 +1,6 @@
 //! What a stretch of the cycle adds to the lag of each product of two signals, once per time constant for all candidates.
 
-use super::rule::{lagged, rule};
+use super::rule::{self, lagged, rule, short};
 use super::{Form, Node, Panel};
 use std::sync::{Arc, Mutex, OnceLock};
 
@@ -55,15 +55,27 @@ impl Gain {
     /// A panel later.
     pub(super) fn pass(&mut self, panel: &Panel<'_>, tau_s: f64) {
         let lambda = panel.duration / tau_s;
-        let decay = (-lambda).exp();
-        let weights = rule(panel.nodes.len()).weights(lambda);
-        self.decay *= decay;
-        self.gain.iter_mut().for_each(|g| *g *= decay);
-        for (node, weight) in panel.nodes.iter().zip(weights) {
-            for (g, p) in self.gain.iter_mut().zip(products(node)) {
-                *g += weight * p;
+        let mut add = |decay: f64, weights: &[f64]| {
+            self.decay *= decay;
+            self.gain.iter_mut().for_each(|g| *g *= decay);
+            for (node, weight) in panel.nodes.iter().zip(weights) {
+                for (g, p) in self.gain.iter_mut().zip(products(node)) {
+                    *g += weight * p;
+                }
             }
+        };
+        if panel.nodes.len() == 3 && lambda <= rule::SHORT {
+            let (decay, weights) = short(lambda);
+            add(decay, &weights);
+        } else {
+            add((-lambda).exp(), &rule(panel.nodes.len()).weights(lambda));
         }
+    }
+
+    /// Another stretch later.
+    pub(super) fn then(&mut self, next: &Self) {
+        self.decay *= next.decay;
+        self.gain.iter_mut().zip(next.gain).for_each(|(g, further)| *g = *g * next.decay + further);
     }
 }
 
@@ -218,11 +230,16 @@ impl LagBlock {
         Self { duration, moments: expanded, swing: all(most, 0.0, [load.abs(), direction.abs()]) }
     }
 
+    /// Whether its moments serve a lag.
+    pub(super) fn is_short(&self, tau_s: f64) -> bool {
+        self.duration <= SHORT * tau_s
+    }
+
     /// What the block does to a lag, from its moments or, where it is not short, from its panels.
     ///
     /// g_m = (λ/h) Σ_k (2k + 1) c_k(λ) ∫ P̃_k p_m dt
     pub(super) fn gain(&self, lagging: &mut Lagging, panels: impl Fn(&mut dyn FnMut(Panel<'_>))) -> Gain {
-        if self.duration > SHORT * lagging.tau_s {
+        if !self.is_short(lagging.tau_s) {
             let mut gain = Gain::NONE;
             panels(&mut |panel| gain.pass(&panel, lagging.tau_s));
             return gain;

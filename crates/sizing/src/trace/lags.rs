@@ -2,7 +2,7 @@
 
 use super::gains::{Gain, GainTables, Gains, Products, largest, rounded, sum, sum_of_magnitudes, swing};
 use super::recording::Strip;
-use super::rule::{MOST, Values, dot, lagged, rule};
+use super::rule::{MOST, SHORT, Values, dot, lagged, rule, short};
 use super::{Form, Node, Panel, Run, Trace};
 use std::sync::{Arc, OnceLock};
 
@@ -519,23 +519,6 @@ impl Search<'_> {
 /// Most lags in one sum; further ones are looked at like any panel.
 const LAGS: usize = 4;
 
-/// Up to this λ an interval of a recording has a lag by a few terms.
-const SHORT: f64 = 0.01;
-
-/// e^(−λ) and the weights of the values at both ends and the middle in the lag of a parabola.
-///
-/// # Valid    λ ≤ 0.01, to the last digits
-fn short(lambda: f64) -> (f64, [f64; 3]) {
-    let x = 0.5 * lambda;
-    let square = x * x;
-    let decay = 1.0 - x * (1.0 - x / 2.0 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0))));
-    let even = lambda * decay * (1.0 + square / 6.0 * (1.0 + square / 20.0));
-    let odd = lambda * decay * x / 3.0 * (1.0 + square / 10.0);
-    let bend = lambda * decay * square / 15.0 * (1.0 + square / 14.0);
-    // a_0 = (u_0 + 4 u_m + u_1)/6, a_1 = (u_1 − u_0)/2, a_2 = (u_0 − 2 u_m + u_1)/3
-    (decay * decay, [even / 6.0 - odd / 2.0 + bend / 3.0, (even - bend) / 1.5, even / 6.0 + odd / 2.0 + bend / 3.0])
-}
-
 /// Where within a panel the sum of lags turns from rising to falling, with the highest value, if that exceeds the least.
 fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64) -> Option<(f64, f64)> {
     let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
@@ -573,20 +556,4 @@ fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64) -> Option
         last = here;
     }
     best
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_weights_of_short_intervals_are_those_of_the_rule() {
-        for lambda in [1e-9, 1e-5, 1e-3, SHORT] {
-            let (decay, weights) = short(lambda);
-            assert!((decay / (-lambda).exp() - 1.0).abs() < 1e-14);
-            for (a, b) in weights.iter().zip(rule(3).weights(lambda)) {
-                assert!((a / b - 1.0).abs() < 1e-12, "{lambda}: {a} {b}");
-            }
-        }
-    }
 }

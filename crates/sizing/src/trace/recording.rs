@@ -455,8 +455,22 @@ impl Strip {
     /// What the blocks do to a lag of the signals of the survey.
     pub(super) fn gains(&self, tau_s: f64) -> Vec<Gain> {
         let mut lagging = Lagging::of(tau_s);
-        let blocks = self.survey.blocks.iter().zip(self.lag_blocks());
-        blocks.map(|(block, lag)| lag.gain(&mut lagging, |look| self.raw_panels(block, look))).collect()
+        let gain = |(number, (block, lag)): (usize, (&Block, &LagBlock))| {
+            // Not even asked for where they cannot be short enough.
+            let parts = self.block_intervals().div_ceil(PART) as f64;
+            if lag.is_short(tau_s) || !lag.is_short(parts * tau_s) || !self.has_short_parts(number, tau_s) {
+                return lag.gain(&mut lagging, |look| self.raw_panels(block, look));
+            }
+            // Where the moments of a block do not serve, those of its parts may.
+            let mut gain = Gain::NONE;
+            self.part_gains(number, tau_s).iter().for_each(|part| gain.then(part));
+            gain
+        };
+        self.survey.blocks.iter().zip(self.lag_blocks()).enumerate().map(gain).collect()
+    }
+
+    fn has_short_parts(&self, block: usize, tau_s: f64) -> bool {
+        self.lag_parts(block).iter().all(|part| part.lag.is_short(tau_s))
     }
 
     /// What the parts of a block do to a lag of the signals of the survey.

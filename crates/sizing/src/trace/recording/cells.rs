@@ -59,8 +59,9 @@ impl Cells {
         };
         let recorded = &*strip.surveyed.recorded;
         if strip.plain.is_some() && recorded.torque_nm().is_none() {
-            let intervals = recorded.time_s().array_windows().zip(recorded.speed_rad_s().array_windows());
-            for (index, ([from, to], [w0, w1])) in intervals.enumerate() {
+            let intervals = recorded.time_s().windows(2).zip(recorded.speed_rad_s().windows(2));
+            for (index, pair) in intervals.enumerate() {
+                let ([from, to], [w0, w1]) = pair else { continue };
                 let acceleration = (w1 - w0) / (to - from);
                 add(direction(*w0, *w1), [acceleration as f32, (0.5 * (w0 + w1)) as f32, 0.0], index);
             }
