@@ -90,7 +90,7 @@ fn main() -> ExitCode {
             (sizing, reading)
         })
         .collect();
-    gates.at_most("size on a million positions", &Against::of(&sized), ("reading them", 3.0));
+    gates.at_most("size on a million positions", &Against::of(&sized), ("reading them", 5.0));
     let best = size(read().first().expect("one axis")).candidates.first().map(|best| best.id.clone());
     let Some(CandidateId::Code(code)) = best else { panic!("no code") };
     for _ in 0..ROUNDS {
@@ -103,7 +103,7 @@ fn main() -> ExitCode {
         });
         reserves.push((checking, reading));
     }
-    gates.at_most("check of one code with its reserves", &Against::of(&reserves), ("reading them", 3.0));
+    gates.at_most("check of one code with its reserves", &Against::of(&reserves), ("reading them", 5.0));
     whole_process(&text, &mut gates);
     gates.close()
 }
@@ -125,7 +125,7 @@ fn whole_process(text: &str, gates: &mut Gates) {
             let pairs: Vec<_> = (0..ROUNDS)
                 .filter_map(|_| Some((timed(|| run(&binary, &["size", &project])), loadtxt(&file)?)))
                 .collect();
-            gates.at_most("the whole process", &Against::of(&pairs), ("numpy.loadtxt of the same file", 5.0));
+            gates.at_most("the whole process", &Against::of(&pairs), ("numpy.loadtxt of the same file", 12.0));
         }
         None => println!("  no Python with NumPy here: the ratio to numpy.loadtxt is not measured"),
     }

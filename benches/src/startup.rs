@@ -13,6 +13,6 @@ fn main() -> ExitCode {
     let parse = against(41, start, || run(&binary, &["code", "parse", "CHA-20A-100-H-C1024-B"]));
     gates.at_most("code parse", &parse, ("starting", 3.0));
     let size = against(41, start, || run(&binary, &["size", "examples/indexing-table.toml"]));
-    gates.at_most("size on the example", &size, ("starting", 15.0));
+    gates.at_most("size on the example", &size, ("starting", 20.0));
     gates.close()
 }

@@ -41,6 +41,6 @@ fn main() -> ExitCode {
         black_box(assess(black_box(&project), &best, Sampling::default()));
     });
     let what = format!("{SAMPLES_USUAL} samples over the {} best codes", best.len());
-    gates.at_most(&what, &whole, ("a tenth as many judgements, in full", 10.0));
+    gates.at_most(&what, &whole, ("a tenth as many judgements, in full", 20.0));
     gates.close()
 }
