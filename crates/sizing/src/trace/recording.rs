@@ -3,19 +3,24 @@
 
 mod bent;
 mod cells;
+mod lagging;
+mod straight;
+mod view;
+
+use view::View;
 
 pub(crate) use cells::{Cell, Inside};
 
 use super::cubes::Moments;
-use super::gains::{Gain, GainTables, LagBlock, Lagging, Products, largest};
-use super::{Block, Extent, Form, Gram, Kept, Node, Panel, Place};
+use super::gains::{GainTables, LagBlock, Products};
+use super::{Block, Extent, Kept, Node, Panel, Place};
 use cells::Cells;
+use lagging::LagPart;
 use mechanism::{Extra, Mechanism, Plain};
 use motion::{Interval, Placed};
 use quantities::Measure;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
-use wide::f64x4;
 
 /// From so many intervals two threads share the pass; the sums are those of one thread to the last bit.
 const SHARED_FROM: usize = 1 << 16;
@@ -43,103 +48,6 @@ pub(crate) struct Strip {
     kinks: Vec<f64>,
     view: View,
     survey: Arc<Survey>,
-}
-
-/// How the signals of a strip follow from those that its survey holds.
-///
-/// α = α_0/f², ω = ω_0/f, T_L = R + J α + T_c σ + b ω, t = t_0 + f t'
-///
-/// # Symbols  f stretch of the time; R recorded torque and what does not change over the motion \[Nm\]
-/// # Source   docs/theory/moments.md
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct View {
-    inertia: f64,
-    coulomb: f64,
-    viscous: f64,
-    stretch: f64,
-    start: f64,
-}
-
-impl View {
-    fn node(&self, raw: &Node) -> Node {
-        let (acceleration, speed) = (raw.acceleration / (self.stretch * self.stretch), raw.speed / self.stretch);
-        Node {
-            time: self.start + self.stretch * raw.time,
-            weight: self.stretch * raw.weight,
-            acceleration,
-            speed,
-            direction: raw.direction,
-            load: raw.load + self.inertia * acceleration + self.coulomb * raw.direction + self.viscous * speed,
-        }
-    }
-
-    /// Row i gives signal i from those of the survey.
-    fn rows(&self) -> [[f64; 4]; 4] {
-        let slow = 1.0 / self.stretch;
-        let slower = slow * slow;
-        [
-            [slower, 0.0, 0.0, 0.0],
-            [self.inertia * slower, 1.0, self.coulomb, self.viscous * slow],
-            [0.0, 0.0, 1.0, 0.0],
-            [0.0, 0.0, 0.0, slow],
-        ]
-    }
-
-    /// A G Aᵀ with the rows above, over a time that is longer by the stretch.
-    fn gram(&self, raw: &Gram) -> Gram {
-        let slow = 1.0 / self.stretch;
-        let (a, j, c, b) = (slow * slow, self.inertia * slow * slow, self.coulomb, self.viscous * slow);
-        let [ga, gt, gs, gw] = raw.0;
-        let torque = |[ga, gt, gs, gw]: [f64; 4]| j * ga + gt + c * gs + b * gw;
-        let (ta, tt, ts, tw) = (torque(ga), torque(gt), torque(gs), torque(gw));
-        let f = self.stretch;
-        let [aa, at, as_, aw] = [f * a * a * ga[0], f * a * ta, f * a * ga[2], f * a * slow * ga[3]];
-        let [ttt, tts, ttw] = [f * (j * ta + tt + c * ts + b * tw), f * ts, f * slow * tw];
-        let [ss, sw, ww] = [f * gs[2], f * slow * gs[3], f * slow * slow * gw[3]];
-        Gram([[aa, at, as_, aw], [at, ttt, tts, ttw], [as_, tts, ss, sw], [aw, ttw, sw, ww]])
-    }
-
-    /// The weights of the signals of the survey that make the same sum as others of those under the load: Aᵀ c.
-    fn weights(&self, c: [f64; 4]) -> [f64; 4] {
-        let mut raw = [0.0; 4];
-        for (row, c) in self.rows().iter().zip(c) {
-            raw.iter_mut().zip(row).for_each(|(raw, a)| *raw += c * a);
-        }
-        raw
-    }
-
-    fn extent(&self, raw: &Extent) -> Extent {
-        let times = |(low, high): (f64, f64), factor: f64| (low * factor, high * factor);
-        let slow = 1.0 / self.stretch;
-        let (acceleration, speeds) = (times(raw.acceleration, slow * slow), times(raw.speeds, slow));
-        let parts = [
-            raw.load,
-            times(acceleration, self.inertia),
-            times(raw.direction, self.coulomb),
-            times(speeds, self.viscous),
-        ];
-        let load = parts.iter().fold((0.0, 0.0), |(low, high), part| (low + part.0, high + part.1));
-        // The nodes are rounded otherwise than the sums here; the bounds must hold for them too.
-        let room = 8.0 * f64::EPSILON * parts.iter().map(|part| part.0.abs().max(part.1.abs())).sum::<f64>();
-        let load = (load.0 - room, load.1 + room);
-        Extent { acceleration, load, speeds, speed: raw.speed * slow, direction: raw.direction }
-    }
-
-    /// Qʹ = Aᵀ Q A: the same form of the signals of the survey.
-    pub(super) fn form(&self, form: &Form) -> Form {
-        let rows = self.rows();
-        let mut raw = Form::default();
-        for (q, a) in form.0.iter().zip(&rows) {
-            for (q, b) in q.iter().zip(&rows) {
-                raw = raw.add(&Form::product(*a, *b).scale(*q));
-            }
-        }
-        raw
-    }
-
-    pub(super) const fn stretch(&self) -> f64 {
-        self.stretch
-    }
 }
 
 /// What one pass over a recording finds, in the signals before the view.
@@ -349,50 +257,6 @@ impl Strip {
         &self.survey
     }
 
-    /// What lags need of each block, found when the first lag is asked for.
-    pub(super) fn lag_blocks(&self) -> &[LagBlock] {
-        self.survey.lags.get_or_init(|| {
-            in_two(&self.survey.blocks, self.placed.intervals() >= SHARED_FROM, &|block| {
-                let Place::Recorded { intervals, .. } = &block.place else { return LagBlock::default() };
-                self.lag_block(block.duration, block.extent.direction, intervals)
-            })
-        })
-    }
-
-    /// What lags need of some intervals.
-    fn lag_block(&self, duration: f64, (back, forth): (f64, f64), intervals: &Range<usize>) -> LagBlock {
-        if let (Some(plain), None, true) = (&self.plain, self.surveyed.recorded.torque_nm(), back == forth) {
-            let intervals = intervals.clone().filter_map(|index| self.surveyed.interval(index));
-            return LagBlock::straight(duration, [plain.constant_nm, back], intervals);
-        }
-        LagBlock::of(duration, |look| {
-            intervals.clone().for_each(|index| self.raw_interval(index, &mut |panel| look(panel)));
-        })
-    }
-
-    /// What lags need of the parts of a block, found when it is first looked into.
-    pub(super) fn lag_parts(&self, block: usize) -> &[LagPart] {
-        let (Some(parts), Some(whole)) = (self.survey.lag_parts.get(block), self.survey.blocks.get(block)) else {
-            return &[];
-        };
-        parts.get_or_init(|| {
-            let Place::Recorded { intervals, .. } = &whole.place else { return Vec::new() };
-            let part = |from: usize| {
-                let intervals = from..(from + PART).min(intervals.end);
-                let each = || intervals.clone().filter_map(|index| self.surveyed.interval(index));
-                let duration = each().map(|interval| interval.duration_s).sum();
-                LagPart { lag: self.lag_block(duration, whole.extent.direction, &intervals), intervals }
-            };
-            intervals.clone().step_by(PART).map(part).collect()
-        })
-    }
-
-    /// The instant at which a part ends \[s\].
-    pub(super) fn end_of(&self, part: &LagPart) -> f64 {
-        let time = self.placed.recorded.time_s().get(part.intervals.end).copied().unwrap_or(0.0);
-        self.placed.start_s + time * self.placed.stretch
-    }
-
     /// The moments of a cell for the cube of a torque; of a plain mechanism only, whose intervals are straight.
     pub(super) fn cubic(&self, cell: &Cell) -> Option<&Moments> {
         self.plain.as_ref()?;
@@ -452,223 +316,9 @@ impl Strip {
         }
     }
 
-    /// What the blocks do to a lag of the signals of the survey.
-    pub(super) fn gains(&self, tau_s: f64) -> Vec<Gain> {
-        let mut lagging = Lagging::of(tau_s);
-        let gain = |(number, (block, lag)): (usize, (&Block, &LagBlock))| {
-            // Not even asked for where they cannot be short enough.
-            let parts = self.block_intervals().div_ceil(PART) as f64;
-            if lag.is_short(tau_s) || !lag.is_short(parts * tau_s) || !self.has_short_parts(number, tau_s) {
-                return lag.gain(&mut lagging, |look| self.raw_panels(block, look));
-            }
-            // Where the moments of a block do not serve, those of its parts may.
-            let mut gain = Gain::NONE;
-            self.part_gains(number, tau_s).iter().for_each(|part| gain.then(part));
-            gain
-        };
-        self.survey.blocks.iter().zip(self.lag_blocks()).enumerate().map(gain).collect()
-    }
-
-    fn has_short_parts(&self, block: usize, tau_s: f64) -> bool {
-        self.lag_parts(block).iter().all(|part| part.lag.is_short(tau_s))
-    }
-
-    /// What the parts of a block do to a lag of the signals of the survey.
-    pub(super) fn part_gains(&self, block: usize, tau_s: f64) -> Vec<Gain> {
-        let mut lagging = Lagging::of(tau_s);
-        let gain = |part: &LagPart| {
-            part.lag.gain(&mut lagging, |look| {
-                part.intervals.clone().for_each(|index| self.raw_interval(index, &mut |panel| look(panel)));
-            })
-        };
-        self.lag_parts(block).iter().map(gain).collect()
-    }
-
-    /// The largest swings of all blocks.
-    pub(super) fn largest_swings(&self) -> &Products {
-        self.survey.largest_swings.get_or_init(|| largest(self.lag_blocks().iter().map(|block| &block.swing)))
-    }
-
     /// The blocks in the signals of the survey.
     pub(super) fn raw_blocks(&self) -> &[Block] {
         &self.survey.blocks
-    }
-
-    pub(super) fn block(&self, intervals: Range<usize>) -> Block {
-        let place = Place::Recorded { strip: 0, intervals: intervals.clone() };
-        let mut block = Block::empty(place.clone());
-        block.from = self.surveyed.interval(intervals.start).map_or(0.0, |interval| interval.start_s);
-        let mut from = intervals.start;
-        while from < intervals.end {
-            // Up to where the axis turns round, starts or stops; one interval at least.
-            let to = self.one_way(from, intervals.end).max(from + 1);
-            let many = from + (to - from) / LANES * LANES;
-            let sums = self.plain.as_ref().filter(|_| many > from);
-            if let Some(part) = sums.and_then(|plain| self.quick(plain, &place, from..many)) {
-                block.join(&part);
-                from = many;
-            }
-            let mut add = |panel: Panel<'_>| block.add(&panel);
-            (from..to).for_each(|index| self.raw_interval(index, &mut add));
-            from = to;
-        }
-        block
-    }
-
-    /// The first interval from one on that is not run through in the direction in which that one begins.
-    fn one_way(&self, from: usize, end: usize) -> usize {
-        let speeds = self.placed.recorded.speed_rad_s().get(from..=end).unwrap_or_default();
-        let Some(first) = speeds.first() else { return end };
-        let other = if *first > 0.0 {
-            speeds.iter().position(|speed| *speed <= 0.0)
-        } else if *first < 0.0 {
-            speeds.iter().position(|speed| *speed >= 0.0)
-        } else {
-            speeds.iter().position(|speed| *speed != 0.0)
-        };
-        // The interval before that sample has it as its end.
-        other.map_or(end, |sample| from + sample.saturating_sub(1))
-    }
-
-    /// The block of a plain mechanism that turns one way all through it, or rests, several intervals at a time.
-    ///
-    /// With α constant, ω and τ straight over an interval of length h the products of the four signals integrate to
-    /// ∫α² = α Δω, ∫ω² = h (s² − ω_0 ω_1)/3, ∫ω = h s/2 with s = ω_0 + ω_1, and alike for τ; those of α with ω and with a
-    /// constant add up to what lies between the ends of the block. R = τ + T_h mixes them.
-    fn quick(&self, plain: &Plain, place: &Place, intervals: Range<usize>) -> Option<Block> {
-        let recorded = &*self.placed.recorded;
-        let samples = intervals.start..intervals.end + 1;
-        let time = recorded.time_s().get(samples.clone())?;
-        let speed = recorded.speed_rad_s().get(samples.clone())?;
-        let torque = recorded.torque_nm().and_then(|torque| torque.get(samples));
-        if !intervals.len().is_multiple_of(LANES) {
-            return None;
-        }
-        let (slowest, fastest) = range(speed);
-        let direction = if slowest > 0.0 {
-            1.0
-        } else if fastest < 0.0 {
-            -1.0
-        } else if slowest == 0.0 && fastest == 0.0 {
-            0.0
-        } else {
-            return None;
-        };
-        let all = f64x4::splat;
-        let [mut aa, mut ww, mut w, mut tt, mut ta, mut tw, mut t] = [f64x4::ZERO; 7];
-        let [mut a_low, mut l_low] = [all(f64::INFINITY); 2];
-        let [mut a_high, mut l_high] = [all(f64::NEG_INFINITY); 2];
-        let mut from = 0;
-        while from < intervals.len() {
-            // LANES samples from one on, and the next ones.
-            let ends = |values: &[f64]| -> Option<(f64x4, f64x4)> {
-                let first: [f64; LANES] = values.get(from..from + LANES)?.try_into().ok()?;
-                let next: [f64; LANES] = values.get(from + 1..=from + LANES)?.try_into().ok()?;
-                Some((f64x4::new(first), f64x4::new(next)))
-            };
-            let ((at, next), (w0, w1)) = (ends(time)?, ends(speed)?);
-            let (t0, t1) = match torque {
-                Some(torque) => ends(torque)?,
-                None => (f64x4::ZERO, f64x4::ZERO),
-            };
-            let h = next - at;
-            let (dw, s, p) = (w1 - w0, w0 + w1, t0 + t1);
-            let a = dw / h;
-            aa += a * dw;
-            ww += h * (s * s - w0 * w1);
-            w += h * s;
-            tt += h * (p * p - t0 * t1);
-            ta += dw * p;
-            tw += h * (s * p + t0 * w0 + t1 * w1);
-            t += h * p;
-            (a_low, a_high) = (a_low.fast_min(a), a_high.fast_max(a));
-            (l_low, l_high) = (l_low.fast_min(t0).fast_min(t1), l_high.fast_max(t0).fast_max(t1));
-            from += LANES;
-        }
-        let (a_low, a_high) = (range(a_low.as_array()).0, range(a_high.as_array()).1);
-        let (l_low, l_high) = (range(l_low.as_array()).0, range(l_high.as_array()).1);
-        let sum = |lanes: f64x4| lanes.as_array().iter().sum::<f64>();
-        let duration = time.last()? - time.first()?;
-        let (first, last) = (speed.first()?, speed.last()?);
-        let sums = Sums {
-            aa: sum(aa),
-            ww: sum(ww) / 3.0,
-            w: sum(w) / 2.0,
-            tt: sum(tt) / 3.0,
-            ta: sum(ta) / 2.0,
-            tw: sum(tw) / 6.0,
-            t: sum(t) / 2.0,
-            a: last - first,
-            aw: 0.5 * (last * last - first * first),
-            duration,
-        };
-        Some(Block {
-            place: place.clone(),
-            times: 1.0,
-            from: *time.first()?,
-            duration,
-            extent: bounds(plain, direction, (a_low, a_high), (l_low, l_high), (slowest, fastest)),
-            gram: sums.gram(plain, direction),
-        })
-    }
-}
-
-/// Integrals over straight intervals of one direction: of the products of α, ω and the recorded torque τ.
-#[derive(Clone, Copy, Debug, Default)]
-struct Sums {
-    aa: f64,
-    ww: f64,
-    w: f64,
-    tt: f64,
-    ta: f64,
-    tw: f64,
-    t: f64,
-    a: f64,
-    aw: f64,
-    duration: f64,
-}
-
-impl Sums {
-    /// ∫α² = α Δω, ∫ω² = h (s² − ω_0 ω_1)/3, ∫ω = h s/2 with s = ω_0 + ω_1, and alike for τ.
-    fn add(&mut self, interval: &Interval) {
-        let (h, [w0, w1], [t0, t1]) = (interval.duration_s, interval.speed_rad_s, interval.torque_nm);
-        let (dw, s, p) = (w1 - w0, w0 + w1, t0 + t1);
-        self.aa += dw / h * dw;
-        self.ww += h * (s * s - w0 * w1) / 3.0;
-        self.w += 0.5 * h * s;
-        self.tt += h * (p * p - t0 * t1) / 3.0;
-        self.ta += 0.5 * dw * p;
-        self.tw += h * (s * p + t0 * w0 + t1 * w1) / 6.0;
-        self.t += 0.5 * h * p;
-        self.a += dw;
-        self.aw += 0.5 * dw * s;
-        self.duration += h;
-    }
-
-    /// The products of (α, R, σ, ω) out of those of the basis (α, τ, 1, ω), R = τ + T_h.
-    fn gram(&self, plain: &Plain, direction: f64) -> Gram {
-        let Self { aa, ww, w, tt, ta, tw, t, a, aw, duration } = *self;
-        let basis = Gram([[aa, ta, a, aw], [ta, tt, t, tw], [a, t, duration, w], [aw, tw, w, ww]]);
-        let constant = plain.constant_nm;
-        let rows = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, constant, 0.0], [0.0, 0.0, direction, 0.0], [0.0, 0.0, 0.0, 1.0]];
-        Gram(rows.map(|a| rows.map(|b| basis.product(a, b))))
-    }
-}
-
-/// The bounds of straight intervals of one direction, by those of α, τ and ω. The nodes are rounded otherwise than what these
-/// were found of; the bounds must hold for them too.
-fn bounds(plain: &Plain, direction: f64, acceleration: (f64, f64), torque: (f64, f64), speeds: (f64, f64)) -> Extent {
-    let wider = |(low, high): (f64, f64)| {
-        let room = 8.0 * f64::EPSILON * f64::max(-low, high).abs();
-        (low - room, high + room)
-    };
-    let load = (torque.0 + plain.constant_nm, torque.1 + plain.constant_nm);
-    Extent {
-        acceleration: wider(acceleration),
-        load: wider(load),
-        direction: (direction, direction),
-        speeds,
-        speed: f64::max(speeds.1, -speeds.0),
     }
 }
 
@@ -702,16 +352,6 @@ fn in_two<I: Sync, O: Send>(items: &[I], shared: bool, of: &(impl Fn(&I) -> O + 
         all.extend(other.join().unwrap_or_else(|_| work(second)));
         all
     })
-}
-
-/// A part of a block has so many intervals.
-const PART: usize = 16;
-
-/// What any lag needs of a part of a block.
-#[derive(Debug)]
-pub(super) struct LagPart {
-    pub(super) intervals: Range<usize>,
-    pub(super) lag: LagBlock,
 }
 
 /// So many intervals run side by side.

@@ -2,7 +2,8 @@
 //! they were. However much noise there is, what a cell holds has close bounds, and a search or an integral that depends on a
 //! sign need look into few of them.
 
-use super::{SHARED_FROM, Strip, Sums, bounds, in_two};
+use super::straight::{Sums, bounds};
+use super::{SHARED_FROM, Strip, in_two};
 use crate::trace::cubes::{self, Moments};
 use crate::trace::{Extent, Gram, Panel};
 use mechanism::Plain;
