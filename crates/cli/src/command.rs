@@ -202,7 +202,7 @@ fn commands(language: Language) -> Command {
             Arg::new("check")
                 .long("check")
                 .value_name("CHECK")
-                .value_parser(PossibleValuesParser::new(workbench::CheckId::ALL.map(workbench::CheckId::id)))
+                .value_parser(PossibleValuesParser::new(workbench::CheckId::ALL.iter().map(|check| check.id())))
                 .hide_possible_values(true)
                 .help(t(
                     "One check, for example continuous_torque; all without it",

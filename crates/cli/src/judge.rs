@@ -20,7 +20,7 @@ use workbench::text::{
     unmet_text, verdict_word,
 };
 use workbench::{
-    Assessment, Candidate, CandidateId, Check, Demand, Language, Objection, Project, Sizing, Verdict, json,
+    Assessment, Candidate, CandidateId, Check, Demand, Language, Objection, Project, Reserve, Sizing, Verdict, json,
 };
 
 fn paint(text: &str, verdict: Verdict) -> String {
@@ -187,9 +187,10 @@ fn reason(candidate: &Candidate<'_>, language: Language) -> String {
         let over =
             check.utilisation.map(|_| format!(" ({} %)", percent(check.utilisation, language))).unwrap_or_default();
         return format!(
-            "{}: {} > {} {unit}{over}",
+            "{}: {} {} {} {unit}{over}",
             check_title(check.id, language),
             figure(check.value, language),
+            check.relation().unwrap_or_default(),
             figure(check.limit, language),
         );
     }
@@ -238,23 +239,23 @@ fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: La
     };
     let tail = t(language, " (--all shows each with its reason)", " (--all zeigt jeden mit Grund)");
     out.push_str(&paragraph(&head, &format!("{}{tail}", parts.join(", "))));
-    if let Some(nearest) = rejected.first() {
-        let head = t(language, "nearest miss: ", "knapp daneben: ");
-        out.push_str(&paragraph(&head, &format!("{}, {}", nearest.id, reason(nearest, language))));
-    }
-    // What would have to change for the nearest that only a limit keeps out.
-    let curable = |candidate: &&&Candidate<'_>| {
-        let by_checks = || candidate.worst_failure().is_some_and(|check| check.utilisation.is_some());
-        (candidate.objections.is_empty() && by_checks()) || workbench::limits_needed(candidate).is_some()
+    let told = |head: String, candidate: &Candidate<'_>| {
+        paragraph(&head, &format!("{}, {}", candidate.id, reason(candidate, language)))
     };
-    if let Some(near) = rejected.iter().find(curable) {
-        let reserve = reserve_text(&workbench::reserve_of(project, near), near, language);
-        if !reserve.is_empty() {
-            if rejected.first().is_none_or(|first| first.id != near.id) {
-                out.push_str(&paragraph("", &format!("{}, {}", near.id, reason(near, language))));
-            }
-            out.push_str(&reserve);
-        }
+    let nearest = sizing.nearest_miss();
+    if let Some(nearest) = nearest {
+        out.push_str(&told(t(language, "nearest miss: ", "knapp daneben: "), nearest));
+    }
+    // What would have to change: for the nearest, or for one that nothing but limits of the project keep out.
+    let by_limits = rejected.iter().copied().find(|candidate| workbench::limits_needed(candidate).is_some());
+    if let Some(limited) = by_limits.filter(|limited| nearest.is_none_or(|nearest| nearest.id != limited.id)) {
+        let head =
+            t(language, "kept out by limits of the project alone: ", "nur an Grenzen des Projekts gescheitert: ");
+        out.push_str(&told(head, limited));
+        out.push_str(&reserve_text(&Reserve::default(), limited, language));
+    }
+    if let Some(near) = nearest {
+        out.push_str(&reserve_text(&workbench::reserve_of(project, near), near, language));
     }
     out
 }

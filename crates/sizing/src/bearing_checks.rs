@@ -2,7 +2,7 @@
 
 use crate::axis::{Axis, BearingDuty};
 use crate::check::{Check, CheckId, Note, Verdict};
-use crate::comparison::{Asking, Comparison, at_least, equation, explained, not_checked, shown_or_at_most};
+use crate::comparison::{Asking, Comparison, against_asked, equation, explained, not_checked};
 use crate::flange::{CycleLoads, Peak};
 use crate::swings::SWING_MIN_DEG;
 use crate::workings;
@@ -306,7 +306,7 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Wor
         Ok(life) => {
             let (asked, key) = (duty.life_min.map(Measure::si), "requirements.bearing_life_min");
             work.asked("L_10_min", &HOUR, asked, key);
-            at_least(id, &HOUR, life.si(), asked, key, equation(number))
+            against_asked(id, &HOUR, life.si(), asked, key, equation(number))
         }
         Err(missing) => not_checked(id, missing),
     };
@@ -443,7 +443,7 @@ fn static_safety(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work:
         Ok(safety) => {
             let asked = duty.operating_condition.map(crate::axis::OperatingCondition::static_safety_min);
             work.asked("f_s_min", &ONE, asked, "bearing.operating_condition");
-            at_least(id, &ONE, safety, asked, "bearing.operating_condition", equation("76.1"))
+            against_asked(id, &ONE, safety, asked, "bearing.operating_condition", equation("76.1"))
         }
         Err(missing) => not_checked(id, missing),
     }
@@ -476,5 +476,5 @@ fn tilt_angle(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &m
     work.value("gamma");
     let (limit, key) = (duty.tilt_max.map(Measure::si), "requirements.tilt_angle_max");
     work.asked("gamma_max", &ARCMINUTE, limit, key);
-    shown_or_at_most(id, &ARCMINUTE, tilt, limit, key, equation("76.4"))
+    against_asked(id, &ARCMINUTE, tilt, limit, key, equation("76.4"))
 }

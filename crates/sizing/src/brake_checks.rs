@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::brake_times::brakings;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::comparison::{Asking, Comparison, explained, not_checked, shown_or_at_most};
+use crate::comparison::{Asking, Comparison, against_asked, explained, not_checked};
 use crate::workings;
 use actuator::{Brake, Parameters, StopOutcome};
 use derivation::Workings;
@@ -257,7 +257,7 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Worki
     };
     let mut by_number = false;
     let angle = axis.asked.stop_angle_max.map(Measure::si);
-    let mut check = shown_or_at_most(id, &DEGREE, stop.angle.si(), angle, "requirements.stop_angle_max", source);
+    let mut check = against_asked(id, &DEGREE, stop.angle.si(), angle, "requirements.stop_angle_max", source);
     if let (Some(count), Some(limit)) = (axis.asked.emergency_stops, permitted) {
         let key = Source::Project { key: "requirements.emergency_stops".into() };
         let count_source = key.clone();

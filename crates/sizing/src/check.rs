@@ -8,177 +8,224 @@ use quantities::{
 };
 use std::borrow::Cow;
 
-/// Identifier of a check, part of the contract with scripts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[non_exhaustive]
-pub enum CheckId {
-    /// Peak torque against T_max.
-    PeakTorque,
-    /// Peak speed against n_mot,max/i.
-    PeakSpeed,
-    /// Mean speed against n_N/i.
-    MeanSpeed,
-    /// Effective torque against the continuous torque at the mean speed.
-    ContinuousTorque,
-    /// Peak motor current against I_max.
-    PeakCurrent,
-    /// Peak motor current against I_E.
-    Demagnetisation,
-    /// Terminal voltage of the motor against what the DC link gives.
-    Voltage,
-    /// Load inertia against three times the own inertia.
-    InertiaRatio,
-    /// Cubic mean torque against T_A.
-    GearMeanTorque,
-    /// Life of the wave-generator bearing against the life required.
-    GearLife,
-    /// Torsion of the gear under the largest torque against the torsion permitted.
-    Torsion,
-    /// First natural frequency against the least asked for.
-    NaturalFrequency,
-    /// Axial force on the flange against the permissible one.
-    BearingAxial,
-    /// Radial force on the flange against the permissible one.
-    BearingRadial,
-    /// Tilting moment against the permissible one.
-    BearingTiltingMoment,
-    /// Life of the output bearing against the life required.
-    BearingLife,
-    /// Static safety of the output bearing against that of the operating condition.
-    BearingStatic,
-    /// Tilt of the flange against the tilt permitted.
-    TiltAngle,
-    /// Ambient temperature against the operating range.
-    Ambient,
-    /// Every instant of the cycle against the short-time torque at its speed.
-    TorqueSpeedTrace,
-    /// Temperature of the winding in the steady cycle against its warning threshold.
-    Thermal,
-    /// Filtered square of the current against that of I_0.
-    OverloadI2t,
-    /// Mean input speed of the gear against its limit.
-    GearMeanInputSpeed,
-    /// Torque of a collision against T_M.
-    CollisionTorque,
-    /// Distance of the speeds that the cycle holds from those at which the wave generator excites the load.
-    ResonanceSpeed,
-    /// Sum of all angular errors against what is permitted.
-    ErrorBudget,
-    /// Torque that holds the load against the holding torque of the brake.
-    BrakeHolding,
-    /// Stop by the brake alone: its angle and number.
-    BrakeEmergency,
-    /// DC link voltage against U_DCmax.
-    DcLink,
-    /// Mean regenerated power against what supply or resistor take.
-    Regeneration,
-    /// Travel against the absolute range of the feedback.
-    FeedbackRange,
-    /// Step of the position at the output against what is asked.
-    FeedbackResolution,
-    /// Life of the encoder's battery against what is asked.
-    Battery,
-    /// Peak torque against what the screws of the load transmit.
-    ScrewJointLoad,
-    /// Peak torque against what the screws of the housing transmit.
-    ScrewJointHousing,
-    /// Field of application against those that need approval.
-    Application,
+/// How a value must lie to its limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Value ≤ limit; the utilisation is value by limit.
+    AtMost,
+    /// Value ≥ limit; the utilisation is limit by value.
+    AtLeast,
 }
 
-impl CheckId {
-    /// Every check.
-    pub const ALL: [Self; 36] = [
-        Self::PeakTorque,
-        Self::PeakSpeed,
-        Self::MeanSpeed,
-        Self::ContinuousTorque,
-        Self::PeakCurrent,
-        Self::Demagnetisation,
-        Self::Voltage,
-        Self::InertiaRatio,
-        Self::GearMeanTorque,
-        Self::GearLife,
-        Self::Torsion,
-        Self::NaturalFrequency,
-        Self::BearingAxial,
-        Self::BearingRadial,
-        Self::BearingTiltingMoment,
-        Self::BearingLife,
-        Self::BearingStatic,
-        Self::TiltAngle,
-        Self::Ambient,
-        Self::TorqueSpeedTrace,
-        Self::Thermal,
-        Self::OverloadI2t,
-        Self::GearMeanInputSpeed,
-        Self::CollisionTorque,
-        Self::ResonanceSpeed,
-        Self::ErrorBudget,
-        Self::BrakeHolding,
-        Self::BrakeEmergency,
-        Self::DcLink,
-        Self::Regeneration,
-        Self::FeedbackRange,
-        Self::FeedbackResolution,
-        Self::Battery,
-        Self::ScrewJointLoad,
-        Self::ScrewJointHousing,
-        Self::Application,
-    ];
-    /// Whether its utilisation tells a margin that the ranking looks at: not that of a recommendation, nor that of a
-    /// voltage class, which is met or not.
-    #[must_use]
-    pub const fn has_margin(self) -> bool {
-        !matches!(self, Self::InertiaRatio | Self::ResonanceSpeed | Self::DcLink)
-    }
-
-    /// Whether its answer hangs neither on the load nor on the pace of the motion.
-    pub(crate) const fn is_of_the_place(self) -> bool {
-        matches!(self, Self::DcLink | Self::Ambient | Self::FeedbackResolution | Self::Battery)
-    }
-
+impl Direction {
     /// The identifier used in data exchange.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
-            Self::PeakTorque => "peak_torque",
-            Self::PeakSpeed => "peak_speed",
-            Self::MeanSpeed => "mean_speed",
-            Self::ContinuousTorque => "continuous_torque",
-            Self::PeakCurrent => "peak_current",
-            Self::Demagnetisation => "demagnetisation",
-            Self::Voltage => "voltage",
-            Self::InertiaRatio => "inertia_ratio",
-            Self::GearMeanTorque => "gear_mean_torque",
-            Self::GearLife => "gear_life",
-            Self::Torsion => "torsion",
-            Self::NaturalFrequency => "natural_frequency",
-            Self::BearingAxial => "bearing_axial",
-            Self::BearingRadial => "bearing_radial",
-            Self::BearingTiltingMoment => "bearing_tilting_moment",
-            Self::BearingLife => "bearing_life",
-            Self::BearingStatic => "bearing_static",
-            Self::TiltAngle => "tilt_angle",
-            Self::Ambient => "ambient",
-            Self::TorqueSpeedTrace => "torque_speed_trace",
-            Self::Thermal => "thermal",
-            Self::OverloadI2t => "overload_i2t",
-            Self::GearMeanInputSpeed => "gear_mean_input_speed",
-            Self::CollisionTorque => "collision_torque",
-            Self::ResonanceSpeed => "resonance_speed",
-            Self::ErrorBudget => "error_budget",
-            Self::BrakeHolding => "brake_holding",
-            Self::BrakeEmergency => "brake_emergency",
-            Self::DcLink => "dc_link",
-            Self::Regeneration => "regeneration",
-            Self::FeedbackRange => "feedback_range",
-            Self::FeedbackResolution => "feedback_resolution",
-            Self::Battery => "battery",
-            Self::ScrewJointLoad => "screw_joint_load",
-            Self::ScrewJointHousing => "screw_joint_housing",
-            Self::Application => "application",
+            Self::AtMost => "at_most",
+            Self::AtLeast => "at_least",
         }
+    }
+}
+
+/// What the utilisation of a check says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Margin {
+    /// A share of the limit: what is left is a margin that the ranking looks at.
+    Share,
+    /// That of a recommendation, which the ranking leaves out.
+    Recommendation,
+    /// Of a class that is met or not, such as a voltage: there is nothing between.
+    Class,
+}
+
+/// The part of the actuator that a check is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names say it")]
+pub enum Part {
+    Drive,
+    Thermal,
+    Energy,
+    Gear,
+    OutputBearing,
+    Brake,
+    Feedback,
+    Screws,
+}
+
+impl Part {
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Drive => "drive",
+            Self::Thermal => "thermal",
+            Self::Energy => "energy",
+            Self::Gear => "gear",
+            Self::OutputBearing => "output_bearing",
+            Self::Brake => "brake",
+            Self::Feedback => "feedback",
+            Self::Screws => "screws",
+        }
+    }
+}
+
+/// What can mend a check that fails.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mended {
+    /// A smaller load or another pace of the motion may.
+    LoadOrPace,
+    /// Neither of them.
+    Neither,
+}
+
+/// What there is to say of a check before it is answered.
+struct Entry {
+    id: &'static str,
+    part: Part,
+    direction: Direction,
+    margin: Margin,
+    mended: Mended,
+}
+
+/// The list of checks: everything that is the same for each answer of a check stands here and nowhere else.
+macro_rules! checks {
+    ($($(#[$about:meta])* $name:ident: $id:literal, $part:ident, $direction:ident, $margin:ident, $mended:ident;)*) => {
+        /// Identifier of a check, part of the contract with scripts.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum CheckId {
+            $($(#[$about])* $name,)*
+        }
+
+        impl CheckId {
+            /// Every check.
+            pub const ALL: &[Self] = &[$(Self::$name),*];
+
+            const fn entry(self) -> Entry {
+                match self {
+                    $(Self::$name => Entry {
+                        id: $id,
+                        part: Part::$part,
+                        direction: Direction::$direction,
+                        margin: Margin::$margin,
+                        mended: Mended::$mended,
+                    },)*
+                }
+            }
+        }
+    };
+}
+
+checks! {
+    /// Peak torque against T_max.
+    PeakTorque: "peak_torque", Drive, AtMost, Share, LoadOrPace;
+    /// Peak speed against n_mot,max/i.
+    PeakSpeed: "peak_speed", Drive, AtMost, Share, LoadOrPace;
+    /// Mean speed against n_N/i.
+    MeanSpeed: "mean_speed", Drive, AtMost, Share, LoadOrPace;
+    /// Effective torque against the continuous torque at the mean speed.
+    ContinuousTorque: "continuous_torque", Thermal, AtMost, Share, LoadOrPace;
+    /// Peak motor current against I_max.
+    PeakCurrent: "peak_current", Drive, AtMost, Share, LoadOrPace;
+    /// Peak motor current against I_E.
+    Demagnetisation: "demagnetisation", Drive, AtMost, Share, LoadOrPace;
+    /// Terminal voltage of the motor against what the DC link gives.
+    Voltage: "voltage", Energy, AtMost, Share, LoadOrPace;
+    /// Load inertia against three times the own inertia.
+    InertiaRatio: "inertia_ratio", Drive, AtMost, Recommendation, LoadOrPace;
+    /// Cubic mean torque against T_A.
+    GearMeanTorque: "gear_mean_torque", Gear, AtMost, Share, LoadOrPace;
+    /// Life of the wave-generator bearing against the life required.
+    GearLife: "gear_life", Gear, AtLeast, Share, LoadOrPace;
+    /// Torsion of the gear under the largest torque against the torsion permitted.
+    Torsion: "torsion", Gear, AtMost, Share, LoadOrPace;
+    /// First natural frequency against the least asked for.
+    NaturalFrequency: "natural_frequency", Gear, AtLeast, Share, LoadOrPace;
+    /// Axial force on the flange against the permissible one.
+    BearingAxial: "bearing_axial", OutputBearing, AtMost, Share, LoadOrPace;
+    /// Radial force on the flange against the permissible one.
+    BearingRadial: "bearing_radial", OutputBearing, AtMost, Share, LoadOrPace;
+    /// Tilting moment against the permissible one.
+    BearingTiltingMoment: "bearing_tilting_moment", OutputBearing, AtMost, Share, LoadOrPace;
+    /// Life of the output bearing against the life required.
+    BearingLife: "bearing_life", OutputBearing, AtLeast, Share, LoadOrPace;
+    /// Static safety of the output bearing against that of the operating condition.
+    BearingStatic: "bearing_static", OutputBearing, AtLeast, Share, LoadOrPace;
+    /// Tilt of the flange against the tilt permitted.
+    TiltAngle: "tilt_angle", OutputBearing, AtMost, Share, LoadOrPace;
+    /// Ambient temperature against the operating range.
+    Ambient: "ambient", Thermal, AtMost, Share, Neither;
+    /// Every instant of the cycle against the short-time torque at its speed.
+    TorqueSpeedTrace: "torque_speed_trace", Drive, AtMost, Share, LoadOrPace;
+    /// Temperature of the winding in the steady cycle against its warning threshold.
+    Thermal: "thermal", Thermal, AtMost, Share, LoadOrPace;
+    /// Filtered square of the current against that of I_0.
+    OverloadI2t: "overload_i2t", Thermal, AtMost, Share, LoadOrPace;
+    /// Mean input speed of the gear against its limit.
+    GearMeanInputSpeed: "gear_mean_input_speed", Gear, AtMost, Share, LoadOrPace;
+    /// Torque of a collision against T_M.
+    CollisionTorque: "collision_torque", Gear, AtMost, Share, LoadOrPace;
+    /// Distance of the speeds that the cycle holds from those at which the wave generator excites the load.
+    ResonanceSpeed: "resonance_speed", Gear, AtLeast, Recommendation, LoadOrPace;
+    /// Sum of all angular errors against what is permitted.
+    ErrorBudget: "error_budget", Feedback, AtMost, Share, LoadOrPace;
+    /// Torque that holds the load against the holding torque of the brake.
+    BrakeHolding: "brake_holding", Brake, AtMost, Share, LoadOrPace;
+    /// Stop by the brake alone: its angle and number.
+    BrakeEmergency: "brake_emergency", Brake, AtMost, Share, LoadOrPace;
+    /// DC link voltage against U_DCmax.
+    DcLink: "dc_link", Energy, AtMost, Class, Neither;
+    /// Mean regenerated power against what supply or resistor take.
+    Regeneration: "regeneration", Energy, AtMost, Share, LoadOrPace;
+    /// Travel against the absolute range of the feedback.
+    FeedbackRange: "feedback_range", Feedback, AtMost, Share, LoadOrPace;
+    /// Step of the position at the output against what is asked.
+    FeedbackResolution: "feedback_resolution", Feedback, AtMost, Share, Neither;
+    /// Life of the encoder's battery against what is asked.
+    Battery: "battery", Feedback, AtLeast, Share, Neither;
+    /// Peak torque against what the screws of the load transmit.
+    ScrewJointLoad: "screw_joint_load", Screws, AtMost, Share, LoadOrPace;
+    /// Peak torque against what the screws of the housing transmit.
+    ScrewJointHousing: "screw_joint_housing", Screws, AtMost, Share, LoadOrPace;
+    /// Field of application against those that need approval.
+    Application: "application", Drive, AtMost, Share, LoadOrPace;
+}
+
+impl CheckId {
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        self.entry().id
+    }
+
+    /// The part of the actuator that it is about.
+    #[must_use]
+    pub const fn part(self) -> Part {
+        self.entry().part
+    }
+
+    /// How its value must lie to its limit; that of the ambient temperature has two, see [`Check::direction`].
+    #[must_use]
+    pub const fn direction(self) -> Direction {
+        self.entry().direction
+    }
+
+    /// What its utilisation says.
+    #[must_use]
+    pub const fn margin(self) -> Margin {
+        self.entry().margin
+    }
+
+    /// Whether its utilisation tells a margin that the ranking looks at.
+    #[must_use]
+    pub const fn has_margin(self) -> bool {
+        matches!(self.margin(), Margin::Share)
+    }
+
+    /// Whether its answer hangs neither on the load nor on the pace of the motion.
+    #[must_use]
+    pub const fn is_of_the_place(self) -> bool {
+        matches!(self.entry().mended, Mended::Neither)
     }
 }
 
@@ -431,4 +478,31 @@ pub struct Check {
     pub notes: Notes,
     /// How value and limit came about; empty unless it was asked for.
     pub workings: Vec<Step>,
+}
+
+impl Check {
+    /// How the value must lie to the limit. A range has two limits, of which the nearer one is told.
+    #[must_use]
+    pub fn direction(&self) -> Direction {
+        match (self.id, self.value, self.limit) {
+            (CheckId::Ambient, Some(value), Some(limit)) if self.verdict == Verdict::Fail && value.si < limit.si => {
+                Direction::AtLeast
+            }
+            _ => self.id.direction(),
+        }
+    }
+
+    /// The sign between value and limit that is true: ≤, >, ≥ or <; none where one of them is missing.
+    #[must_use]
+    pub fn relation(&self) -> Option<&'static str> {
+        let (value, limit) = (self.value?.si, self.limit?.si);
+        // What passes keeps its limit, also where it is at it but for rounding.
+        let passes = self.verdict == Verdict::Pass;
+        Some(match self.direction() {
+            Direction::AtMost if passes || value.abs() <= limit.abs() => "≤",
+            Direction::AtMost => ">",
+            Direction::AtLeast if passes || value >= limit => "≥",
+            Direction::AtLeast => "<",
+        })
+    }
 }

@@ -1,6 +1,6 @@
 //! Value against limit, and how both came about.
 
-use crate::check::{Check, CheckId, Figure, Note, Notes, Verdict};
+use crate::check::{Check, CheckId, Direction, Figure, Note, Notes, Verdict};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::{Measure, Time, Unit};
@@ -134,8 +134,8 @@ pub(crate) fn not_checked(id: CheckId, missing: Missing) -> Check {
     }
 }
 
-/// A value that grows the safer it is, against the least that is asked; with no such limit it is shown, not judged.
-pub(crate) fn at_least(
+/// A value against what is asked, in the direction of the check; with no such limit it is shown, not judged.
+pub(crate) fn against_asked(
     id: CheckId,
     unit: &'static Unit,
     value: f64,
@@ -143,9 +143,13 @@ pub(crate) fn at_least(
     key: &'static str,
     source: Source,
 ) -> Check {
+    let (kept, utilisation): (fn(f64, f64) -> bool, fn(f64, f64) -> f64) = match id.direction() {
+        Direction::AtMost => (|value, limit| value <= limit, |value, limit| value / limit),
+        Direction::AtLeast => (|value, limit| value >= limit, |value, limit| limit / value),
+    };
     let verdict = match asked {
         None => Verdict::NotChecked,
-        Some(limit) if value >= limit => Verdict::Pass,
+        Some(limit) if kept(value, limit) => Verdict::Pass,
         Some(_) => Verdict::Fail,
     };
     Check {
@@ -153,7 +157,7 @@ pub(crate) fn at_least(
         verdict,
         value: Some(Figure { si: value, unit }),
         limit: asked.map(|limit| Figure { si: limit, unit }),
-        utilisation: asked.map(|limit| limit / value),
+        utilisation: asked.map(|limit| utilisation(value, limit)),
         at: None,
         grade: Some(Grade::Computed),
         value_source: Some(source),
@@ -162,23 +166,6 @@ pub(crate) fn at_least(
         notes: Cow::Borrowed(&[]),
         workings: Vec::new(),
     }
-}
-
-/// A value that grows the worse it is, against the most that is permitted; with no such limit it is shown, not judged.
-pub(crate) fn shown_or_at_most(
-    id: CheckId,
-    unit: &'static Unit,
-    value: f64,
-    permitted: Option<f64>,
-    key: &'static str,
-    source: Source,
-) -> Check {
-    let mut check = at_least(id, unit, value, permitted, key, source);
-    if let Some(limit) = permitted {
-        check.verdict = if value <= limit { Verdict::Pass } else { Verdict::Fail };
-        check.utilisation = Some(value / limit);
-    }
-    check
 }
 
 /// Cites errata, each once.

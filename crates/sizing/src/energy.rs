@@ -4,7 +4,7 @@ mod bent;
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note};
-use crate::comparison::{Asking, not_checked, shown_or_at_most};
+use crate::comparison::{Asking, against_asked, not_checked};
 use crate::currents::{Currents, SPEED};
 use crate::trace::{Block, Cell, Extent, Inside, Node, Panel, Sought, Strip};
 use actuator::Parameters;
@@ -379,7 +379,7 @@ pub(crate) fn regeneration(
         work.value("P_reg");
     }
     work.asked("P_perm", &WATT, permitted, key);
-    let mut check = shown_or_at_most(id, &WATT, mean, permitted, key, Source::Model { name: "energy" });
+    let mut check = against_asked(id, &WATT, mean, permitted, key, Source::Model { name: "energy" });
     check.grade = Some(grade);
     let notes = check.notes.to_mut();
     if let (Some(rise), Some((supply, _))) = (axis.asked.dc_link_rise, axis.supply) {

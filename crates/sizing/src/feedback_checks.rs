@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::comparison::{Asking, at_least, explained, not_checked, shown_or_at_most};
+use crate::comparison::{Asking, against_asked, explained, not_checked};
 use actuator::{Feedback, FeedbackSide, Parameters};
 use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source};
@@ -110,7 +110,7 @@ fn resolution(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check 
                 work.value("s_out");
             }
             work.asked("s_perm", &ARCSECOND, asked, key);
-            let mut check = shown_or_at_most(id, &ARCSECOND, step.value.si(), asked, key, step.source);
+            let mut check = against_asked(id, &ARCSECOND, step.value.si(), asked, key, step.source);
             check.grade = Some(step.grade);
             check
         }
@@ -141,7 +141,7 @@ fn battery(axis: &Axis, work: &mut Workings) -> Check {
                 work.value("L_bat");
             }
             work.asked("L_asked", &YEAR, asked, key);
-            let mut check = at_least(id, &YEAR, battery.life.value.si(), asked, key, battery.life.source.clone());
+            let mut check = against_asked(id, &YEAR, battery.life.value.si(), asked, key, battery.life.source.clone());
             check.grade = Some(battery.life.grade);
             check.notes.to_mut().push(Note::BatteryExchange {
                 recommended: battery.exchange_recommended,

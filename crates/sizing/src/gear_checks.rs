@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::bearing_checks;
 use crate::check::{Check, CheckId, Note, Verdict};
-use crate::comparison::{Asking, Comparison, at_least, equation, explained, not_checked, shown_or_at_most};
+use crate::comparison::{Asking, Comparison, against_asked, equation, explained, not_checked};
 use crate::resonance;
 use crate::stage;
 use crate::workings;
@@ -205,13 +205,13 @@ fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Chec
                 work.value("s");
             }
             work.asked("s_max", &MILLIMETRE, Some(permitted.si()), key);
-            shown_or_at_most(id, &MILLIMETRE, deviation.si(), Some(permitted.si()), key, source)
+            against_asked(id, &MILLIMETRE, deviation.si(), Some(permitted.si()), key, source)
         }
         _ => {
             let (permitted, key) = (axis.asked.angle_error_max.map(Measure::si), "requirements.angle_error_max");
             work.value("phi_sum");
             work.asked("phi_sum_max", &ARCMINUTE, permitted, key);
-            shown_or_at_most(id, &ARCMINUTE, worst.si(), permitted, key, source)
+            against_asked(id, &ARCMINUTE, worst.si(), permitted, key, source)
         }
     };
     check.grade = Some(budget.grade());
@@ -375,7 +375,7 @@ fn life(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
             work.value("L_10");
             let (asked, key) = (axis.asked.gear_life_min.map(Measure::si), "requirements.gear_life_min");
             work.asked("L_10_min", &HOUR, asked, key);
-            let mut check = at_least(id, &HOUR, life.si(), asked, key, MODEL);
+            let mut check = against_asked(id, &HOUR, life.si(), asked, key, MODEL);
             check.grade = Some(grade.worst(Grade::Computed));
             check.notes.to_mut().push(Note::RatingOfInterchangeableGear);
             check
@@ -398,7 +398,7 @@ fn torsion(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     };
     work.value(symbol);
     work.asked("phi_max", &ARCMINUTE, limit, key);
-    let mut check = shown_or_at_most(id, &ARCMINUTE, angle.si(), limit, key, source);
+    let mut check = against_asked(id, &ARCMINUTE, angle.si(), limit, key, source);
     check.at = Some(axis.moments().load_peak_at);
     check
 }

@@ -32,7 +32,7 @@ mod trace;
 mod workings;
 
 pub use axis::{Asked, Axis, BearingDuty, Moments, OperatingCondition, SpecialApplication, TooManyRevolutions};
-pub use check::{Check, CheckId, Figure, Note, Notes, Verdict};
+pub use check::{Check, CheckId, Direction, Figure, Margin, Note, Notes, Part, Verdict};
 pub use checks::{Depth, Judgement, explain, judge};
 pub use course::{Course, Sample};
 pub use demand::{Demand, ManualDemand, MoveTorques};

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
-use crate::comparison::{Asking, at_least, not_checked};
+use crate::comparison::{Asking, against_asked, not_checked};
 use crate::stage;
 use crate::workings;
 use actuator::Parameters;
@@ -116,7 +116,7 @@ pub(crate) fn natural_frequency(axis: &Axis, actuator: &Parameters, work: &mut W
             work.formula("f", &HERTZ, blocked.si(), "sqrt(K_1/J_L)/(2*pi)", &MODEL);
             work.value("f");
             work.asked("f_min", &HERTZ, asked, key);
-            let mut check = at_least(id, &HERTZ, blocked.si(), asked, key, MODEL);
+            let mut check = against_asked(id, &HERTZ, blocked.si(), asked, key, MODEL);
             if let Some(own) = own_inertia(actuator) {
                 check.notes.to_mut().push(Note::FreeRotor(frequency(k.value, load, Rotor::Free(own))));
             }

@@ -122,7 +122,8 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
     let l = subject.language;
     let shown = subject.shown();
     let ids: Vec<CheckId> = CheckId::ALL
-        .into_iter()
+        .iter()
+        .copied()
         .filter(|id| shown.iter().any(|(_, each)| each.judgement.checks.iter().any(|check| check.id == *id)))
         .collect();
     let data = ["from its data sheet", "aus seinem Datenblatt"];
@@ -287,6 +288,17 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
             l,
         ),
         column(
+            "direction",
+            ["direction", "Richtung"],
+            Kind::Text,
+            None,
+            [
+                "at_most or at_least: how the value must lie to the limit",
+                "at_most oder at_least: wie der Wert zur Grenze liegen muss",
+            ],
+            l,
+        ),
+        column(
             "utilisation",
             ["utilisation", "Auslastung"],
             Kind::Share,
@@ -354,10 +366,10 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
         table.rows.extend(candidate.judgement.checks.iter().map(|check| check_row(&name, check, l)));
     }
     let of = |name: &str| table.column(name);
-    if let (Some(column), Some(value), Some(limit), Some(margin)) =
-        (of("utilisation"), of("value"), of("limit"), of("margin"))
+    if let (Some(column), Some(value), Some(limit), Some(direction), Some(margin)) =
+        (of("utilisation"), of("value"), of("limit"), of("direction"), of("margin"))
     {
-        table.derived.push(Derived::Utilisation { column, value, limit });
+        table.derived.push(Derived::Utilisation { column, value, limit, direction });
         table.derived.push(Derived::Margin { column: margin, utilisation: column });
     }
     table
@@ -380,6 +392,7 @@ fn check_row(code: &str, check: &Check, l: Language) -> Vec<Cell> {
         figure(check.value),
         figure(check.limit),
         unit,
+        Cell::text(check.direction().id()),
         utilisation,
         margin,
         Cell::in_unit(check.at.map(|at| at.si()), &SECOND),

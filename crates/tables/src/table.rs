@@ -100,7 +100,7 @@ impl Cell {
 /// How a column follows from others, where that is simple.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Derived {
-    /// |value| / |limit|, or the other way round where the value must not be less; the numbers say which.
+    /// |value| / |limit|, or the other way round where the value must not be less.
     Utilisation {
         /// The column of the ratio.
         column: usize,
@@ -108,6 +108,8 @@ pub enum Derived {
         value: usize,
         /// The column of the limits.
         limit: usize,
+        /// The column of the directions: `at_most` or `at_least`.
+        direction: usize,
     },
     /// One less the utilisation.
     Margin {

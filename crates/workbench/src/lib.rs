@@ -46,7 +46,7 @@ pub use provenance::Grade;
 pub use quantities::{self, Language};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
 pub use sizing::derivation;
-pub use sizing::{Check, CheckId, Course, Demand, Figure, FlangeSample, Reserve, Sample, Verdict};
+pub use sizing::{Check, CheckId, Course, Demand, Direction, Figure, FlangeSample, Part, Reserve, Sample, Verdict};
 pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, course, explain,
     explain_own, reserve_of, size,

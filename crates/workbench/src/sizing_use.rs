@@ -98,7 +98,17 @@ pub struct Sizing<'p> {
     pub assumptions: &'p [Assumption],
 }
 
-impl Sizing<'_> {
+impl<'p> Sizing<'p> {
+    /// The rejected candidate that misses by least, among those that meet what the project requires and are of the right
+    /// class: no other actuator's voltage or temperature range is near.
+    #[must_use]
+    pub fn nearest_miss(&self) -> Option<&Candidate<'p>> {
+        let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
+        self.candidates.iter().find(|candidate| {
+            !candidate.fits() && candidate.objections.is_empty() && !candidate.judgement.checks.iter().any(of_the_place)
+        })
+    }
+
     /// The best candidate, if one fits.
     #[must_use]
     pub fn answer(&self) -> Option<&Candidate<'_>> {

@@ -18,7 +18,7 @@ pub(super) struct CheckRow {
     title: String,
     verdict: String,
     /// Chapter 7 of the part it belongs to.
-    part: &'static str,
+    part: String,
     value: String,
     limit: String,
     /// `≤` or `≥` where the limit is kept, `>` or `<` where it is not.
@@ -74,21 +74,18 @@ pub(super) fn by_utilisation(a: Option<f64>, b: Option<f64>) -> Ordering {
     }
 }
 
-/// What the ranking does not look at, as `sizing` has it: a recommendation, or a class that is met or not.
-const NO_MARGIN: [&str; 3] = ["inertia_ratio", "resonance_speed", "dc_link"];
-
 fn row(check: &Check, shown: &Shown) -> CheckRow {
     let figure = |value: Option<f64>| value.map(|value| shown.figure(value, &check.unit)).unwrap_or_default();
     CheckRow {
         id: check.id.clone(),
         title: capital(&check.title),
         verdict: check.verdict.clone(),
-        part: part(&check.id),
+        part: check.part.clone(),
         value: figure(check.value),
         limit: figure(check.limit),
         relation: relation(check),
         utilisation: check.utilisation,
-        margin: check.verdict == "fail" || !NO_MARGIN.contains(&check.id.as_str()),
+        margin: check.verdict == "fail" || check.margin,
         percent: check.utilisation.map(|share| shown.percent(share)).unwrap_or_default(),
         at: check.at.map(|at| shown.figure(at, "s")).unwrap_or_default(),
         grade: check.grade.clone(),
@@ -104,35 +101,14 @@ pub(super) fn capital(text: &str) -> String {
     signs.next().map_or_else(String::new, |first| first.to_uppercase().chain(signs).collect())
 }
 
-/// How the value lies to its limit. Life, safety and frequency have a lower limit: their utilisation is limit by value.
+/// How the value lies to its limit.
 fn relation(check: &Check) -> &'static str {
     let (Some(value), Some(limit)) = (check.value, check.limit) else { return "" };
-    let near = |share: f64| check.utilisation.is_some_and(|known| (known - share).abs() <= 1e-6 * share.abs());
-    let at_least = value != limit && near(limit / value) && !near(value / limit);
-    match (at_least, value > limit, value < limit) {
-        (true, _, true) => "<",
-        (true, ..) => "≥",
-        (false, true, _) => ">",
-        (false, ..) => "≤",
-    }
-}
-
-fn part(id: &str) -> &'static str {
-    match id {
-        "gear_mean_torque"
-        | "gear_mean_input_speed"
-        | "gear_life"
-        | "collision_torque"
-        | "torsion"
-        | "natural_frequency"
-        | "resonance_speed" => "gear",
-        "error_budget" | "feedback_range" | "feedback_resolution" | "battery" => "feedback",
-        "thermal" | "overload_i2t" | "ambient" | "continuous_torque" => "thermal",
-        "voltage" | "dc_link" | "regeneration" => "energy",
-        "screw_joint_load" | "screw_joint_housing" => "screws",
-        _ if id.starts_with("bearing_") || id == "tilt_angle" => "output_bearing",
-        _ if id.starts_with("brake_") => "brake",
-        _ => "",
+    match (check.direction.as_str(), value > limit, value < limit) {
+        ("at_least", _, true) => "<",
+        ("at_least", ..) => "≥",
+        (_, true, _) => ">",
+        _ => "≤",
     }
 }
 

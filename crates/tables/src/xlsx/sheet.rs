@@ -10,7 +10,7 @@ use rust_xlsxwriter::utility::{column_number_to_name, row_col_to_cell};
 use rust_xlsxwriter::{ConditionalFormatFormula, Format, Formula, Url, Worksheet};
 use std::collections::BTreeMap;
 use workbench::text::verdict_word;
-use workbench::{Language, Verdict};
+use workbench::{Direction, Language, Verdict};
 
 /// The row of the first record: heading and unit stand above it.
 pub(super) const FIRST: u32 = 2;
@@ -200,16 +200,12 @@ fn formula(place: &Place<'_>, number: f64, derived: Derived) -> Option<String> {
         Derived::Margin { utilisation, .. } => {
             gives(1.0 - figure(utilisation)?).then_some(format!("=1-{}", cell(utilisation)?))
         }
-        Derived::Utilisation { value, limit, .. } => {
-            let (v, l) = (figure(value)?, figure(limit)?);
-            let ratio = |upper: usize, lower: usize| Some(format!("=ABS({}/{})", cell(upper)?, cell(lower)?));
-            if l != 0.0 && gives((v / l).abs()) {
-                ratio(value, limit)
-            } else if v != 0.0 && gives((l / v).abs()) {
-                ratio(limit, value)
-            } else {
-                None
-            }
+        Derived::Utilisation { value, limit, direction, .. } => {
+            let at_least = place.cells.get(direction) == Some(&Cell::text(Direction::AtLeast.id()));
+            let (upper, lower) = if at_least { (limit, value) } else { (value, limit) };
+            let ratio = (figure(upper)? / figure(lower)?).abs();
+            // That of a temperature is the share of its rise above the air.
+            gives(ratio).then_some(format!("=ABS({}/{})", cell(upper)?, cell(lower)?))
         }
     }
 }

@@ -50,7 +50,6 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::ScrewJointLoad => ("screws, load", "Schrauben, Last"),
         CheckId::ScrewJointHousing => ("screws, housing", "Schrauben, Gehäuse"),
         CheckId::Application => ("application", "Anwendungsbereich"),
-        _ => (id.id(), id.id()),
     };
     either(language, en, de)
 }
