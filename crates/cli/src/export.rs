@@ -9,6 +9,7 @@ use crate::subject::{picked, refuse};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use tables::{Front, NAMES, Subject, Table};
+use workbench::text::standing_text;
 use workbench::{Candidate, Language, Project, Refusal, Sizing, json};
 
 /// How a table is written.
@@ -161,10 +162,10 @@ fn bytes(wish: &Wish<'_>, tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>
 }
 
 fn told(file: &Path, tables: &[Table], chosen: &Candidate<'_>, language: Language) -> String {
-    let verdict = if chosen.fits() { t(language, "fits", "passt") } else { t(language, "does not fit", "passt nicht") };
+    let verdict = standing_text(chosen, language);
     let parts: Vec<String> = tables.iter().map(|table| format!("{} {}", table.name, table.rows.len())).collect();
     let rows = t(language, "rows", "Zeilen");
-    format!("{}: {} {verdict}; {rows}: {}\n", file.display(), chosen.id, parts.join(", "))
+    format!("{}: {}: {verdict}; {rows}: {}\n", file.display(), chosen.id, parts.join(", "))
 }
 
 fn told_json(file: &Path, tables: &[Table], chosen: &Candidate<'_>) -> String {

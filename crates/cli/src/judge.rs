@@ -17,7 +17,7 @@ use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PE
 use workbench::quantities::{Measure, format_number, format_significant};
 use workbench::text::{
     check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, ratios_text, source_text,
-    unmet_text, verdict_word,
+    standing_text, unmet_text, verdict_word,
 };
 use workbench::{
     Assessment, Candidate, CandidateId, Check, Demand, Language, Objection, Project, Reserve, Sizing, Verdict, json,
@@ -335,21 +335,12 @@ fn remarks(candidate: &Candidate<'_>, language: Language) -> String {
 /// Every check of one actuator.
 fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     let mut out = String::new();
-    let open = candidate.open_questions();
-    let verdict = if candidate.fits() && open > 0 {
-        let words = match language {
-            Language::En if open == 1 => "nothing speaks against it; 1 question not answered".to_owned(),
-            Language::En => format!("nothing speaks against it; {open} questions not answered"),
-            Language::De if open == 1 => "nichts spricht dagegen; 1 Frage nicht beantwortet".to_owned(),
-            Language::De => format!("nichts spricht dagegen; {open} Fragen nicht beantwortet"),
-        };
-        paint(&words, Verdict::NotChecked)
-    } else if candidate.fits() {
-        paint(&t(language, "fits", "passt"), Verdict::Pass)
-    } else {
-        paint(&t(language, "does not fit", "passt nicht"), Verdict::Fail)
+    let colour = match (candidate.fits(), candidate.open_questions()) {
+        (false, _) => Verdict::Fail,
+        (true, 0) => Verdict::Pass,
+        (true, _) => Verdict::NotChecked,
     };
-    let _ = writeln!(out, "{}: {verdict}", candidate.id);
+    let _ = writeln!(out, "{}: {}", candidate.id, paint(&standing_text(candidate, language), colour));
     if !candidate.on_request.is_empty() {
         let _ = writeln!(out, "{}", t(language, "on request only", "nur auf Anfrage"));
     }

@@ -10,6 +10,7 @@ use figures::{By, Drawing, Figure, Style, Theme};
 use report::{Content, Settings};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
+use workbench::text::standing_text;
 use workbench::{Candidate, Language, Project, Sizing, catalogue_fingerprint, json as answers, project_fingerprint};
 
 /// The figures of the report beside the map of the candidates, each with its place there.
@@ -28,6 +29,15 @@ pub(crate) fn report(matches: &ArgMatches, as_json: bool, language: Language) ->
 
 /// Writes the report of the axis and the actuator that are asked for.
 pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: Language) -> Result<Answer, Answer> {
+    if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
+        let what = match language {
+            Language::En => format!("a report is a PDF: name a file that ends in .pdf, not {}", out.display()),
+            Language::De => {
+                format!("ein Bericht ist ein PDF: eine Datei mit der Endung .pdf nennen, nicht {}", out.display())
+            }
+        };
+        return Err(simple(&what, as_json, language));
+    }
     let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
     let source = Source::read(&path, as_json, language)?;
     let projects = picked(source.projects(as_json, language)?, matches, as_json, language)?;
@@ -48,12 +58,7 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         report::pdf(&content, &settings(matches)).map_err(|fault| simple(&fault.to_string(), as_json, language))?;
     save(&[(out, &bytes)], matches.get_flag("force"))
         .map_err(|fault| simple(&fault.message(language), as_json, language))?;
-    let verdict = match (candidate.fits(), language) {
-        (true, Language::En) => "fits",
-        (true, Language::De) => "passt",
-        (false, Language::En) => "does not fit",
-        (false, Language::De) => "passt nicht",
-    };
+    let verdict = standing_text(&candidate, language);
     let data = if as_json {
         let value = json!({
             "file": out.display().to_string(),
@@ -63,7 +68,7 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         });
         format!("{value:#}\n")
     } else {
-        format!("{}: {} {verdict}, {} kB\n", out.display(), candidate.id, bytes.len() / 1000)
+        format!("{}: {}: {verdict}; {} kB\n", out.display(), candidate.id, bytes.len() / 1000)
     };
     Ok(Answer { data, talk, code: u8::from(!candidate.fits()) })
 }

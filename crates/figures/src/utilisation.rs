@@ -4,9 +4,10 @@ use crate::drawing::{Drawing, Figure};
 use crate::words::{amount, listed, percent, say, sentence};
 use plot::{Axis, Bar, BarChart};
 use workbench::text::{check_missing, check_title, unmet_text, verdict_word};
-use workbench::{Candidate, Check, Language, Objection, Unmet, Verdict};
+use workbench::{Candidate, Check, Direction, Language, Objection, Unmet, Verdict};
 
-/// Every check of a candidate: those that fail first, then by utilisation, then what could not be checked.
+/// Every check of a candidate: those that fail first, then by utilisation, then those whose utilisation tells no margin, then
+/// what could not be checked.
 #[must_use]
 pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     let mut checks: Vec<&Check> = candidate.judgement.checks.iter().collect();
@@ -14,7 +15,12 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
         let open = |check: &Check| check.verdict == Verdict::NotChecked;
         let fails = |check: &Check| check.verdict == Verdict::Fail;
         let share = |check: &Check| check.utilisation.unwrap_or(0.0);
-        (open(a).cmp(&open(b))).then(fails(b).cmp(&fails(a))).then(share(b).total_cmp(&share(a)))
+        // What tells no margin is not the tightest, whatever its share.
+        let tells = |check: &Check| check.id.has_margin() || fails(check);
+        (open(a).cmp(&open(b)))
+            .then(fails(b).cmp(&fails(a)))
+            .then(tells(b).cmp(&tells(a)))
+            .then(share(b).total_cmp(&share(a)))
     });
     let mut chart =
         BarChart::new(Axis::new("", "%").name(say(language, "Utilisation of the limit", "Auslastung der Grenze")));
@@ -63,12 +69,8 @@ fn bar(check: &Check, language: Language) -> Bar {
         Bar::new(sentence(&check_title(check.id, language)), sign(check.verdict)).data("check", check.id.id());
     let numbers = match (check.value, check.limit) {
         (Some(value), Some(limit)) => {
-            let value_si = value.si;
             let value = workbench::quantities::format_significant(value.value(), 4, language);
-            // Of a life or a safety the limit is a least value.
-            let least =
-                check.utilisation.is_some_and(|share| (share <= 1.0) == (value_si >= limit.si) && value_si != limit.si);
-            let sign = if least { "≥ " } else { "" };
+            let sign = if check.direction() == Direction::AtLeast { "≥ " } else { "" };
             format!("{value} / {sign}{}", amount(limit.si, limit.unit, language))
         }
         (Some(value), None) => amount(value.si, value.unit, language),

@@ -61,6 +61,7 @@ pub(crate) struct Judged {
     pub(crate) tightest: String,
     pub(crate) mass_kg: Option<f64>,
     pub(crate) on_request: Vec<String>,
+    pub(crate) open_questions: usize,
     pub(crate) demand: Option<Demand>,
     pub(crate) checks: Vec<Check>,
     pub(crate) objections: Vec<String>,

@@ -143,13 +143,12 @@ pub(crate) fn against_asked(
     key: &'static str,
     source: Source,
 ) -> Check {
-    let (kept, utilisation): (fn(f64, f64) -> bool, fn(f64, f64) -> f64) = match id.direction() {
-        Direction::AtMost => (|value, limit| value <= limit, |value, limit| value / limit),
-        Direction::AtLeast => (|value, limit| value >= limit, |value, limit| limit / value),
-    };
+    let at_least = id.direction() == Direction::AtLeast;
+    let kept = |limit: f64| if at_least { value >= limit } else { value <= limit };
+    let share = |limit: f64| if at_least { limit / value } else { value / limit };
     let verdict = match asked {
         None => Verdict::NotChecked,
-        Some(limit) if kept(value, limit) => Verdict::Pass,
+        Some(limit) if kept(limit) => Verdict::Pass,
         Some(_) => Verdict::Fail,
     };
     Check {
@@ -157,7 +156,7 @@ pub(crate) fn against_asked(
         verdict,
         value: Some(Figure { si: value, unit }),
         limit: asked.map(|limit| Figure { si: limit, unit }),
-        utilisation: asked.map(|limit| utilisation(value, limit)),
+        utilisation: asked.map(share),
         at: None,
         grade: Some(Grade::Computed),
         value_source: Some(source),

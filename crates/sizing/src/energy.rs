@@ -175,6 +175,9 @@ impl Bank {
     }
 }
 
+/// Energy that comes back is not told below this share of what is taken.
+const ROUNDING: f64 = 1e-12;
+
 /// What a cycle takes and gives back.
 #[derive(Clone, Copy, Debug, Default)]
 struct Balance {
@@ -214,6 +217,10 @@ impl Balance {
                 balance.back = before.back + block.times * (balance.back - before.back);
                 balance.repeat(axis, power, block);
             }
+        }
+        // What is left of a sum that cancels is nothing that comes back.
+        if balance.back <= ROUNDING * balance.whole.abs() {
+            (balance.back, balance.peak, balance.bank) = (0.0, 0.0, Bank::default());
         }
         balance
     }

@@ -72,7 +72,7 @@ pub fn check(check: &Check, language: Language) -> Value {
         "grade": check.grade.map(provenance::Grade::id),
         "source": if sources.is_empty() { Value::Null } else { json!(sources.join("; ")) },
         "missing": check.missing,
-        "notes": check.notes.iter().map(|note| note_text(note, language)).collect::<Vec<_>>(),
+        "notes": check.notes.iter().map(|note| note_text(note, language)).filter(|note| !note.is_empty()).collect::<Vec<_>>(),
     });
     if let Value::Object(map) = &mut fields
         && !errata.is_empty()

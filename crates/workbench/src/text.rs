@@ -19,7 +19,7 @@ pub(crate) use reading::Speak;
 pub use reading::file_trouble;
 pub use results::{
     assumption_text, check_missing, check_title, condition_text, curve_title, evidence_text, figure_term, grade_about,
-    grade_word, note_text, ranking_rule, source_text, symbol_term, unmet_text, verdict_word,
+    grade_word, note_text, ranking_rule, source_text, standing_text, symbol_term, unmet_text, verdict_word,
 };
 
 pub use stage::ratios_text;

@@ -68,7 +68,7 @@ impl Alternatives {
                 percent: each.utilisation.map(|share| shown.percent(share)).unwrap_or_default(),
                 tightest: capital(&titles.of(&each.tightest)),
                 mass: each.mass_kg.map(|mass| shown.number(mass)).unwrap_or_default(),
-                open: each.checks.iter().filter(|check| check.verdict == "not_checked").count(),
+                open: each.open_questions,
                 on_request: each.on_request.clone(),
                 chosen: each.code == judged.code,
             })

@@ -39,6 +39,7 @@ pub(super) struct Counts {
     pub(super) failed: usize,
     pub(super) advised: usize,
     pub(super) open: usize,
+    pub(super) shown: usize,
 }
 
 impl Checks {
@@ -50,7 +51,15 @@ impl Checks {
 
     pub(super) fn counts(&self) -> Counts {
         let count = |verdict: &str| self.rows.iter().filter(|row| row.verdict == verdict).count();
-        Counts { passed: count("pass"), failed: count("fail"), advised: count("advice"), open: count("not_checked") }
+        // With a value and without a limit a check is shown: nobody asked.
+        let open = self.rows.iter().filter(|row| row.verdict == "not_checked" && row.value.is_empty()).count();
+        Counts {
+            passed: count("pass"),
+            failed: count("fail"),
+            advised: count("advice"),
+            open,
+            shown: count("not_checked") - open,
+        }
     }
 }
 

@@ -4,7 +4,6 @@ use super::sheet::FIRST;
 use super::style::{Styles, decimals};
 use super::{Front, SHEET_ROWS_MOST};
 use crate::error::WriteError;
-use crate::results::{DOES_NOT_FIT, FITS};
 use crate::table::Table;
 use crate::words::{Both, t};
 use rust_xlsxwriter::utility::row_col_to_cell;
@@ -12,7 +11,7 @@ use rust_xlsxwriter::{Format, Formula, Url, Worksheet};
 use workbench::quantities::Measure;
 use workbench::quantities::format_number;
 use workbench::quantities::unit::NEWTON_METRE;
-use workbench::text::{check_title, grade_about, grade_word};
+use workbench::text::{check_title, grade_about, grade_word, standing_text};
 use workbench::{Grade, Language};
 
 const GRADES: [Grade; 5] = [Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
@@ -82,9 +81,12 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
     let l = front.language;
     let chosen = front.chosen;
     page.sheet.write_string_with_format(page.row, 0, t(l, ["verdict", "Urteil"]), &page.styles.label)?;
-    let (words, format) = if chosen.fits() { (FITS, &page.styles.fine) } else { (DOES_NOT_FIT, &page.styles.over) };
-    let format = format.clone().set_bold();
-    page.sheet.write_string_with_format(page.row, 1, t(l, words), &format)?;
+    let format = match (chosen.fits(), chosen.open_questions()) {
+        (false, _) => &page.styles.over,
+        (true, 0) => &page.styles.fine,
+        (true, _) => &page.styles.text,
+    };
+    page.sheet.write_string_with_format(page.row, 1, standing_text(chosen, l), &format.clone().set_bold())?;
     page.row += 1;
     let label = t(l, ["ordering code", "Bestellcode"]);
     page.sheet.write_string_with_format(page.row, 0, label, &page.styles.label)?;

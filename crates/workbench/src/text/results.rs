@@ -2,6 +2,7 @@
 
 use super::either;
 use crate::project::Assumption;
+use crate::sizing_use::Candidate;
 use actuator::CurveKind;
 use configurator::Unmet;
 use order_code::Brake;
@@ -83,6 +84,25 @@ pub fn verdict_word(verdict: Verdict, language: Language) -> String {
         Verdict::NotChecked => ("not checked", "nicht geprüft"),
     };
     either(language, en, de)
+}
+
+/// Whether a candidate fits, and how many questions about it could not be answered: nothing else in the house words this.
+#[must_use]
+pub fn standing_text(candidate: &Candidate<'_>, language: Language) -> String {
+    match (candidate.fits(), candidate.open_questions()) {
+        (false, _) => either(language, "does not fit", "passt nicht"),
+        (true, 0) => either(language, "fits", "passt"),
+        (true, 1) => either(
+            language,
+            "nothing speaks against it; 1 question not answered",
+            "nichts spricht dagegen; 1 Frage nicht beantwortet",
+        ),
+        (true, open) => either(
+            language,
+            format!("nothing speaks against it; {open} questions not answered"),
+            format!("nichts spricht dagegen; {open} Fragen nicht beantwortet"),
+        ),
+    }
 }
 
 /// The field's word for a symbol, from the glossary; the symbol itself where the glossary has none.
