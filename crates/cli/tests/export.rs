@@ -28,7 +28,7 @@ fn a_workbook_is_written_once_and_replaced_only_when_asked() {
     let out = path(folder.path(), "result.xlsx");
     let first = run(&["export", PROJECT, "--out", &out]);
     assert_eq!((first.code, first.err.as_str()), (0, ""));
-    assert!(first.out.contains("CHA-32A-50-H-C1024 fits") && first.out.contains("candidates 20"), "{}", first.out);
+    assert!(first.out.contains("CHA-32A-50-H-C1024: fits") && first.out.contains("candidates 20"), "{}", first.out);
     let bytes = std::fs::read(&out).unwrap();
     let again = run(&["export", PROJECT, "--out", &out]);
     assert_eq!(again.code, 2);
