@@ -78,11 +78,6 @@ pub fn timed(call: impl FnOnce()) -> Duration {
     start.elapsed()
 }
 
-/// Times a call some times.
-pub fn measure(runs: usize, mut call: impl FnMut()) -> Times {
-    Times::of((0..runs.max(1)).map(|_| timed(&mut call)).collect())
-}
-
 /// A call and its baseline, timed in turn, so that whatever slows the machine slows both.
 #[derive(Clone, Copy, Debug)]
 pub struct Against {
