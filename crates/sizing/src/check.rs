@@ -54,6 +54,18 @@ pub enum Part {
 }
 
 impl Part {
+    /// Every part, in the order of a report.
+    pub const ALL: &[Self] = &[
+        Self::Drive,
+        Self::Thermal,
+        Self::Energy,
+        Self::Gear,
+        Self::OutputBearing,
+        Self::Brake,
+        Self::Feedback,
+        Self::Screws,
+    ];
+
     /// The identifier used in data exchange.
     #[must_use]
     pub const fn id(self) -> &'static str {

@@ -17,7 +17,7 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 25] = [
+const ROOMS: [(&str, Room); 29] = [
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
     ("order-code", Room::Layer(0)),
@@ -29,15 +29,19 @@ const ROOMS: [(&str, Room); 25] = [
     ("actuator", Room::Layer(1)),
     ("plot", Room::Layer(1)),
     ("configurator", Room::Layer(2)),
-    ("sizing", Room::Layer(2)),
-    ("twin", Room::Layer(2)),
-    ("installation", Room::Layer(2)),
-    ("workbench", Room::Layer(3)),
-    ("figures", Room::Layer(4)),
-    ("report", Room::Layer(4)),
-    ("tables", Room::Layer(4)),
-    ("antrieb", Room::Layer(5)),
-    ("server", Room::Layer(5)),
+    ("trace", Room::Layer(2)),
+    ("sizing", Room::Layer(3)),
+    ("twin", Room::Layer(3)),
+    ("installation", Room::Layer(3)),
+    ("project", Room::Layer(4)),
+    ("answers", Room::Layer(4)),
+    ("words", Room::Layer(5)),
+    ("workbench", Room::Layer(6)),
+    ("figures", Room::Layer(7)),
+    ("report", Room::Layer(7)),
+    ("tables", Room::Layer(7)),
+    ("antrieb", Room::Layer(8)),
+    ("server", Room::Layer(8)),
     ("testkit", Room::DevOnly),
     ("xtask", Room::Outside),
     ("benches", Room::Outside),
@@ -119,7 +123,7 @@ mod tests {
     fn a_layer_that_looks_up_or_sideways_is_found() {
         assert_eq!(
             told("motion", "\n[dependencies]\nquantities.workspace = true\nsizing.workspace = true\n"),
-            ["crates/it/Cargo.toml:6: layers: `motion` (layer 1) may not use `sizing` (layer 2): only lower layers"]
+            ["crates/it/Cargo.toml:6: layers: `motion` (layer 1) may not use `sizing` (layer 3): only lower layers"]
         );
         assert_eq!(told("actuator", "[dependencies]\ncatalogue.workspace = true\n").len(), 1);
         assert_eq!(told("order-code", "[dependencies]\nquantities.workspace = true\n").len(), 1);

@@ -11,7 +11,7 @@ use super::tree::Tree;
 const LINES_MAX: usize = 600;
 
 /// The highest layer that gets everything handed in.
-const PURE_LAYER_MAX: u8 = 3;
+const PURE_LAYER_MAX: u8 = 6;
 
 /// Modules of `std` that reach out of the program.
 const STD_MODULES: [&str; 5] = ["fs", "net", "env", "process", "thread"];
@@ -38,7 +38,7 @@ pub(super) fn length(root: &Path) -> Vec<Finding> {
     })
 }
 
-/// Layers 0 to 3 reach for no file, network, clock, environment or thread, layers 2 and 3 for scoped threads only; build
+/// Layers 0 to 6 reach for no file, network, clock, environment or thread, layers 2 to 6 for scoped threads only; build
 /// scripts and tests may.
 pub(super) fn absences(root: &Path) -> Vec<Finding> {
     let tree = Tree::read(root);

@@ -1,0 +1,126 @@
+//! Words of a fixed set, as data exchange has them.
+
+use order_code::Field;
+use provenance::Grade;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Serialize, Serializer};
+use sizing::{CheckId, Direction, Part, Verdict};
+use std::borrow::Cow;
+use std::ops::Deref;
+
+/// A type of the engine whose values have an identifier in data exchange.
+pub trait Identified: Copy + 'static {
+    /// What the set is called in the schema.
+    const NAME: &'static str;
+
+    /// Every value, in its order.
+    const ALL: &'static [Self];
+
+    /// The identifier of a value.
+    fn id(self) -> &'static str;
+}
+
+/// A value that is written as its identifier; the schema lists all of its set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Id<T>(pub T);
+
+impl<T> Deref for Id<T> {
+    type Target = T;
+
+    fn deref(&self) -> &T {
+        &self.0
+    }
+}
+
+impl<T: Identified> Serialize for Id<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.0.id())
+    }
+}
+
+impl<T: Identified> JsonSchema for Id<T> {
+    fn schema_name() -> Cow<'static, str> {
+        T::NAME.into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let ids: Vec<&str> = T::ALL.iter().map(|each| each.id()).collect();
+        json_schema!({ "type": "string", "enum": ids })
+    }
+}
+
+macro_rules! identified {
+    ($($type:ty as $name:literal: $all:expr;)*) => {
+        $(impl Identified for $type {
+            const NAME: &'static str = $name;
+            const ALL: &'static [Self] = $all;
+
+            fn id(self) -> &'static str {
+                <$type>::id(self)
+            }
+        })*
+    };
+}
+
+identified! {
+    CheckId as "CheckId": CheckId::ALL;
+    Verdict as "Verdict": &[Verdict::Pass, Verdict::Fail, Verdict::Advice, Verdict::NotChecked];
+    Direction as "Direction": &[Direction::AtMost, Direction::AtLeast];
+    Part as "Part": Part::ALL;
+    Grade as "Grade": &[Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
+}
+
+impl Identified for Field {
+    const NAME: &'static str = "Field";
+    const ALL: &'static [Self] = &Self::ALL;
+
+    fn id(self) -> &'static str {
+        match self {
+            Self::Series => "series",
+            Self::Size => "size",
+            Self::Ratio => "ratio",
+            Self::Winding => "winding",
+            Self::Feedback => "feedback",
+            Self::Brake => "brake",
+            Self::Option1 => "option_1",
+            Self::Option2 => "option_2",
+            Self::Special => "special",
+        }
+    }
+}
+
+/// Whether nothing speaks against an actuator, or against the best of several.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Fit {
+    /// It fits.
+    Fits,
+    /// It does not.
+    DoesNotFit,
+}
+
+impl Fit {
+    /// The word for an answer.
+    #[must_use]
+    pub const fn of(fits: bool) -> Self {
+        if fits { Self::Fits } else { Self::DoesNotFit }
+    }
+}
+
+/// Whether a code can be ordered as it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Availability {
+    /// Yes.
+    Available,
+    /// On request only.
+    OnRequest,
+}
+
+impl Availability {
+    /// The word for an answer.
+    #[must_use]
+    pub const fn of(available: bool) -> Self {
+        if available { Self::Available } else { Self::OnRequest }
+    }
+}
