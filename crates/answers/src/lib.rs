@@ -16,6 +16,7 @@ mod id;
 mod judged;
 mod motion;
 mod number;
+mod reference;
 mod schema;
 mod units;
 
@@ -35,5 +36,6 @@ pub use judged::{
 };
 pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, UnitBy};
 pub use number::Number;
+pub use reference::reference;
 pub use schema::{Answered, Axes, VERSION, schema};
 pub use units::Units;
