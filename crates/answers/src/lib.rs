@@ -24,10 +24,14 @@ pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Diffe
 pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, Torsion};
 pub use check::{Check, CitedErratum, Derivation, Explained, Explanations, Node};
 pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
-pub use dossier::{Document, Dossier, ErratumUsed, Fingerprints, Input, Item, ScrewJoint};
+pub use dossier::{
+    Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, MechanismKind, RejectionGroup,
+    ScrewJoint,
+};
 pub use fault::{Fault, Faults, Place};
 pub use files::{
-    ColumnKind, ExportWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn, TableRow, TableWritten,
+    AxisWritten, ColumnKind, ExportWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn, TableRow,
+    TableWritten,
 };
 pub use id::{Availability, Fit, Id, Identified};
 pub use judged::{
@@ -36,6 +40,8 @@ pub use judged::{
 };
 pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, UnitBy};
 pub use number::Number;
+pub use provenance::Grade;
 pub use reference::reference;
 pub use schema::{Answered, Axes, VERSION, schema};
+pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;

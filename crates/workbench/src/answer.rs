@@ -5,6 +5,7 @@ mod chapters;
 mod check;
 mod dossier;
 mod fault;
+mod inputs;
 mod judged;
 mod motion;
 
