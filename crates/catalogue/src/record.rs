@@ -84,7 +84,10 @@ impl Cell {
     /// The text of the cell in English; German is what stands printed.
     #[must_use]
     pub fn corrected_en(&self) -> &'static str {
-        crate::embedded::TEXTS.iter().find(|(printed, _)| *printed == self.corrected).map_or(self.corrected, |(_, en)| en)
+        crate::embedded::TEXTS
+            .iter()
+            .find(|(printed, _)| *printed == self.corrected)
+            .map_or(self.corrected, |(_, en)| en)
     }
 
     /// The value in machine form, in the printed unit: `1.12`, `220...430`, a text; empty where not printed.

@@ -51,6 +51,20 @@ pub enum Rule {
 /// # Errors
 /// Every rule that the code breaks.
 pub fn availability(code: &OrderCode) -> Result<Availability, Vec<BrokenRule>> {
+    let (on_request, broken) = looked_up(code);
+    // One rule per field, and of a winding or feedback that cannot be, nobody asks for the pair.
+    let mut first: Vec<BrokenRule> = Vec::new();
+    for rule in broken {
+        let of_pair = |field| rule.rule == Rule::PairNotListed && field == Field::Winding;
+        if !first.iter().any(|known| known.field == rule.field || of_pair(known.field)) {
+            first.push(rule);
+        }
+    }
+    if first.is_empty() { Ok(Availability { on_request }) } else { Err(first) }
+}
+
+/// The fields on request, and every rule that a code breaks, several of one field too.
+pub(crate) fn looked_up(code: &OrderCode) -> (Vec<Field>, Vec<BrokenRule>) {
     let m = matrix();
     let mut broken = Vec::new();
     let mut on_request = Vec::new();
@@ -69,21 +83,15 @@ pub fn availability(code: &OrderCode) -> Result<Availability, Vec<BrokenRule>> {
     look(Field::Brake, m.brake(code.size, code.brake));
     look(Field::Option1, m.option_1(code.size, code.option_1));
     look(Field::Option2, m.option_2(code.size, code.option_2));
-    let already = |broken: &[BrokenRule], field| broken.iter().any(|rule| rule.field == field);
     if !m.ordered(code.winding) {
-        if !already(&broken, Field::Winding) {
-            broken.push(BrokenRule { field: Field::Winding, rule: Rule::NotInOrderingTables, table: "11.3" });
-        }
-    } else if !m.pair(code.winding, code.feedback)
-        && !already(&broken, Field::Feedback)
-        && !already(&broken, Field::Winding)
-    {
+        broken.push(BrokenRule { field: Field::Winding, rule: Rule::NotInOrderingTables, table: "11.3" });
+    } else if !m.pair(code.winding, code.feedback) {
         broken.push(BrokenRule { field: Field::Feedback, rule: Rule::PairNotListed, table: "11.3" });
     }
     if code.special {
         on_request.push(Field::Special);
     }
-    if broken.is_empty() { Ok(Availability { on_request }) } else { Err(broken) }
+    (on_request, broken)
 }
 
 #[cfg(test)]
