@@ -72,7 +72,7 @@ identified! {
 
 impl Identified for Field {
     const NAME: &'static str = "Field";
-    const ALL: &'static [Self] = &Self::ALL;
+    const ALL: &'static [Self] = Self::ALL;
 
     fn id(self) -> &'static str {
         match self {

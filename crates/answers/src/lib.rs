@@ -1,12 +1,39 @@
 //! What comes out of antrieb, as plain data: the record of every answer, and of every fault.
 //!
-//! `--json` is the serialisation of these records, their [JSON Schema](schema) is generated from them, and report, tables
+//! `--json` is the serialisation of these records, their [JSON Schema](schema()) is generated from them, and report, tables
 //! and figures take them as they are. A word of a fixed set is an [`Id`], a number a [`Number`]; a `String` whose name is
 //! `title`, `name`, `meaning`, `message`, `hint`, `notes`, `source` … is a text in the language asked for. Nothing here
 //! computes, and no record is made from JSON.
 
+mod beside;
+mod chapters;
+mod check;
+mod demand;
+mod dossier;
+mod fault;
+mod files;
 mod id;
+mod judged;
+mod motion;
 mod number;
+mod schema;
+mod units;
 
+pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Difference, Head, InputChange};
+pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, Torsion};
+pub use check::{Check, CitedErratum, Derivation, Explained, Explanations, Node};
+pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
+pub use dossier::{Document, Dossier, ErratumUsed, Fingerprints, Input, Item, ScrewJoint};
+pub use fault::{Fault, Faults, Place};
+pub use files::{
+    ColumnKind, ExportWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn, TableRow, TableWritten,
+};
 pub use id::{Availability, Fit, Id, Identified};
+pub use judged::{
+    Assessed, Candidate, Influence, Judgement, NeededLimit, Quantiles, Ranked, Rejection, Reserve, Sizing, Stage,
+    StageRatio, Tolerance, ToleratedValue, WorstCorner,
+};
+pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, UnitBy};
 pub use number::Number;
+pub use schema::{Answered, Axes, VERSION, schema};
+pub use units::Units;

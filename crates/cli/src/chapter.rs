@@ -2,15 +2,16 @@
 
 use crate::answer::Answer;
 use crate::code::parse_for_use;
-use crate::fault::{error_word, option_fault, quantity};
+use crate::fault::{option_fault, quantity, simple};
 use crate::plot;
-use crate::subject::{axes_of, refuse, together};
+use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table};
 use clap::ArgMatches;
+use workbench::answers::Bearings;
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
 use workbench::quantities::{ElectricPotential, Measure, Time, Torque, format_significant};
 use workbench::text::{check_title, curve_title, grade_word, source_text, verdict_word};
-use workbench::{Language, Verdict, json};
+use workbench::{Candidate, Language, Size, Verdict, answer};
 
 /// `antrieb curve CODE`
 pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -35,7 +36,7 @@ pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> 
         return Answer { talk: talk + &answer.talk, ..answer };
     }
     if as_json {
-        return Answer { data: format!("{:#}\n", json::curves(&code, &curves, language)), talk, code: 0 };
+        return Answer { talk, ..Answer::record(&answer::curves(&code, &curves, language)) };
     }
     let mut out = format!("{code}\n");
     for curve in &curves {
@@ -62,7 +63,7 @@ pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> 
         }
         out.push_str(&table.render());
     }
-    Answer { data: out, talk, code: 0 }
+    Answer { talk, ..Answer::data(out) }
 }
 
 /// `antrieb bearing PROJECT`
@@ -75,7 +76,7 @@ pub(crate) fn bearing(matches: &ArgMatches, as_json: bool, language: Language) -
     together(answers.collect(), as_json)
 }
 
-fn bearing_of(project: &workbench::Project, as_json: bool, language: Language) -> Answer {
+fn bearing_of(project: &workbench::Project, as_json: bool, language: Language) -> Result<Part<Bearings>, Answer> {
     let sizes = workbench::bearing_of_each_size(project);
     let failing = |candidate: &workbench::Candidate<'_>| {
         workbench::bearing_checks(candidate).any(|check| check.verdict == Verdict::Fail)
@@ -86,23 +87,12 @@ fn bearing_of(project: &workbench::Project, as_json: bool, language: Language) -
             Language::En => "the project has no loads on the flange: [bearing] is missing",
             Language::De => "das Projekt hat keine Lasten am Flansch: [bearing] fehlt",
         };
-        let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
-        if as_json {
-            answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
-        }
-        return answer;
+        return Err(simple(what, as_json, language));
     }
-    if as_json {
-        let rows: Vec<serde_json::Value> = sizes
-            .iter()
-            .map(|(size, candidate)| {
-                let checks: Vec<serde_json::Value> =
-                    workbench::bearing_checks(candidate).map(|check| json::check(check, language)).collect();
-                serde_json::json!({ "size": size.to_string(), "fits": !failing(candidate), "checks": checks })
-            })
-            .collect();
-        return Answer::data(format!("{:#}\n", serde_json::json!({ "sizes": rows }))).fits(fits);
-    }
+    Ok(Part::of(as_json, fits, || answer::bearings(&sizes, language), || bearing_text(&sizes, language)))
+}
+
+fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
     let heads = match language {
         Language::En => ["size", "check", "verdict", "value", "limit", "unit", "util. %"],
         Language::De => ["Größe", "Prüfung", "Urteil", "Wert", "Grenze", "Einheit", "Ausl. %"],
@@ -120,7 +110,7 @@ fn bearing_of(project: &workbench::Project, as_json: bool, language: Language) -
     let figure = |figure: Option<workbench::Figure>| {
         figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
     };
-    for (size, candidate) in &sizes {
+    for (size, candidate) in sizes {
         for check in workbench::bearing_checks(candidate) {
             let unit =
                 check.value.map_or("", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol });
@@ -135,7 +125,7 @@ fn bearing_of(project: &workbench::Project, as_json: bool, language: Language) -
             ]);
         }
     }
-    Answer::data(table.render()).fits(fits)
+    table.render()
 }
 
 /// `antrieb battery`
@@ -158,7 +148,7 @@ pub(crate) fn battery(matches: &ArgMatches, as_json: bool, language: Language) -
         Err(message) => return option_fault("hours-per-day", (message, None), as_json, language),
     };
     if as_json {
-        return Answer::data(format!("{:#}\n", json::battery(&battery)));
+        return Answer::record(&answer::battery(&battery));
     }
     let years = |time: Time| format_significant(time.in_unit(&YEAR), 3, language);
     let (life, recommended, latest) =

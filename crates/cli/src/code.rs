@@ -75,7 +75,7 @@ fn parse(text: &str, as_json: bool, language: Language) -> Answer {
         Err(answer) => return answer,
     };
     if as_json {
-        return Answer { data: format!("{:#}\n", json::code_reading(&reading, language)), talk, code: 0 };
+        return Answer { data: format!("{:#}\n", json::code_reading(&reading, language)), talk, ..Answer::none() };
     }
     let mut data = format!("{}\n", reading.parsed.code);
     let state = match (reading.availability.is_available(), language) {
@@ -101,7 +101,7 @@ fn parse(text: &str, as_json: bool, language: Language) -> Answer {
         table.row([describe_field(each, language).to_owned(), token, meaning]);
     }
     data.push_str(&table.render());
-    Answer { data, talk, code: 0 }
+    Answer { data, talk, ..Answer::none() }
 }
 
 fn list(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -136,7 +136,7 @@ fn list(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
             format!("{} Codes: {available} verfügbar, {} auf Anfrage\n", codes.len(), codes.len() - available)
         }
     };
-    Answer { data, talk, code: u8::from(codes.is_empty()) }
+    Answer { data, talk, code: u8::from(codes.is_empty()), ..Answer::none() }
 }
 
 fn pattern_fault(text: &str, faults: &[CodeFault], as_json: bool, language: Language) -> Answer {
@@ -182,5 +182,5 @@ fn complete(text: &str, as_json: bool, language: Language) -> Answer {
         Language::En => format!("{} codes\n", codes.len()),
         Language::De => format!("{} Codes\n", codes.len()),
     };
-    Answer { data, talk, code: u8::from(codes.is_empty()) }
+    Answer { data, talk, code: u8::from(codes.is_empty()), ..Answer::none() }
 }

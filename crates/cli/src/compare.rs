@@ -4,13 +4,13 @@ use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::simple;
 use crate::say::{figure, percent, t};
-use crate::subject::{axes_of, refuse, together};
+use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::quantities::format_significant;
 use workbench::text::{check_title, figure_term, symbol_shown, verdict_word};
-use workbench::{Candidate, Check, Comparison, DatumRow, Language, OrderCode, Project, Verdict, json};
+use workbench::{Candidate, Check, Comparison, DatumRow, Language, OrderCode, Project, Verdict, answer, answers};
 
 /// How many are compared.
 const COUNT: std::ops::RangeInclusive<usize> = 2..=5;
@@ -44,14 +44,18 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         codes.push(reading.parsed.code);
     }
     let projects = axes_of(matches, as_json, language)?;
-    let answers =
-        projects.iter().map(|project| axis(project, &codes, as_json, language)).collect::<Result<Vec<_>, _>>()?;
-    let mut answer = together(answers, as_json);
+    let parts = projects.iter().map(|project| axis(project, &codes, as_json, language));
+    let mut answer = together(parts.collect(), as_json);
     answer.talk = talk + &answer.talk;
     Ok(answer)
 }
 
-fn axis(project: &Project, codes: &[OrderCode], as_json: bool, language: Language) -> Result<Answer, Answer> {
+fn axis(
+    project: &Project,
+    codes: &[OrderCode],
+    as_json: bool,
+    language: Language,
+) -> Result<Part<answers::Comparison>, Answer> {
     let found = workbench::compare(project, codes).map_err(|(index, refusal)| {
         let mut fault = refuse(&refusal, as_json, language);
         if let Some(code) = codes.get(index) {
@@ -59,12 +63,9 @@ fn axis(project: &Project, codes: &[OrderCode], as_json: bool, language: Languag
         }
         fault
     })?;
-    let data = if as_json {
-        format!("{:#}\n", json::compare(&found, &project.name, language))
-    } else {
-        text(&found, project, language)
-    };
-    Ok(Answer::data(data).fits(found.candidates.iter().any(Candidate::fits)))
+    let fits = found.candidates.iter().any(Candidate::fits);
+    let record = || answer::comparison(&found, &project.name, language);
+    Ok(Part::of(as_json, fits, record, || text(&found, project, language)))
 }
 
 fn text(found: &Comparison<'_>, project: &Project, language: Language) -> String {
@@ -83,7 +84,7 @@ fn text(found: &Comparison<'_>, project: &Project, language: Language) -> String
             String::new()
         };
         let _ = writeln!(out, "{}  {}: {verdict}{tightest}{first}", letter(index), candidate.id);
-        for objection in json::objections(candidate, language) {
+        for objection in answer::objections(candidate, language) {
             out.push_str(&paragraph("   ", &objection));
         }
     }

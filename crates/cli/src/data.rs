@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use crate::code::{parse_for_use, read_argument};
-use crate::fault::error_word;
+use crate::fault::option_fault;
 use crate::subject::refuse;
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
@@ -22,7 +22,7 @@ pub(crate) fn sheet(matches: &ArgMatches, as_json: bool, language: Language) -> 
         return refuse(&workbench::Refusal::NoData, as_json, language);
     };
     let data = if as_json { format!("{:#}\n", json::sheet(&sheet, language)) } else { sheet_text(&sheet, language) };
-    Answer { data, talk, code: 0 }
+    Answer { talk, ..Answer::data(data) }
 }
 
 fn sheet_text(sheet: &Sheet, language: Language) -> String {
@@ -88,20 +88,14 @@ pub(crate) fn torsion(matches: &ArgMatches, as_json: bool, language: Language) -
     let torque = match workbench::read_torque(text, language) {
         Ok(torque) => torque,
         Err((message, hint)) => {
-            let hint = hint.map(|hint| format!("  {hint}\n")).unwrap_or_default();
-            let mut answer = Answer::fault(format!("{}: --torque: {message}\n{hint}", error_word(language)));
-            if as_json {
-                answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": message }] }));
-            }
-            return answer;
+            return option_fault("torque", (message, hint), as_json, language);
         }
     };
     let Some(answer) = workbench::torsion(&reading.parsed.code, torque) else {
         return refuse(&workbench::Refusal::NoData, as_json, language);
     };
     if as_json {
-        let value = json::torsion(&reading.parsed.code, &answer);
-        return Answer { data: format!("{value:#}\n"), talk, code: 0 };
+        return Answer { talk, ..Answer::record(&workbench::answer::torsion(&reading.parsed.code, &answer)) };
     }
     let number = |value: f64, digits| format_significant(value, digits, language);
     let [k1, k2, k3] = answer.curve.stiffness.map(|k| number(k.in_unit(&KILONEWTON_METRE_PER_RADIAN), 3));
@@ -121,7 +115,7 @@ pub(crate) fn torsion(matches: &ArgMatches, as_json: bool, language: Language) -
             reading.parsed.code, answer.region
         ),
     };
-    Answer { data, talk, code: 0 }
+    Answer { talk, ..Answer::data(data) }
 }
 
 /// `antrieb catalogue export`

@@ -5,14 +5,16 @@ use crate::code::parse_for_use;
 use crate::compare::{names, shown, verdict};
 use crate::fault::{Source, simple};
 use crate::say::{figure, percent, t};
-use crate::subject::{picked, refuse, together};
+use crate::subject::{Part, picked, refuse, together};
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use workbench::quantities::format_number;
 use workbench::text::{check_title, verdict_word};
-use workbench::{CandidateId, Check, CheckChange, Difference, InputChange, Language, OrderCode, Project, json};
+use workbench::{
+    CandidateId, Check, CheckChange, Difference, InputChange, Language, OrderCode, Project, answer, answers,
+};
 
 /// An axis with its place in its file.
 type Axis = (usize, Project);
@@ -70,7 +72,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
     for (before, after) in pairs {
         let (Some(before), Some(after)) = (old.get(before), new.get(after)) else { continue };
         let inputs = workbench::input_changes((&old_file.text, before.0), (&new_file.text, after.0));
-        answers.push(axis(&before.1, &after.1, &inputs, code.as_ref(), as_json, language)?);
+        answers.push(axis(&before.1, &after.1, &inputs, code.as_ref(), as_json, language));
     }
     let mut answer = together(answers, as_json);
     answer.talk = talk + &answer.talk;
@@ -93,18 +95,10 @@ fn axis(
     code: Option<&OrderCode>,
     as_json: bool,
     language: Language,
-) -> Result<Answer, Answer> {
+) -> Result<Part<answers::Difference>, Answer> {
     let found = workbench::difference(old, new, code).map_err(|refusal| refuse(&refusal, as_json, language))?;
-    let data = if as_json {
-        let mut value = json::difference(&found, &new.name, language);
-        if let serde_json::Value::Object(map) = &mut value {
-            map.insert("inputs".into(), json::input_changes(inputs));
-        }
-        format!("{value:#}\n")
-    } else {
-        text(&found, &new.name, inputs, language)
-    };
-    Ok(Answer::data(data).fits(found.after.fits()))
+    let record = || answer::difference(&found, inputs, &new.name, language);
+    Ok(Part::of(as_json, found.after.fits(), record, || text(&found, &new.name, inputs, language)))
 }
 
 fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: Language) -> String {
@@ -132,7 +126,7 @@ fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: La
     out.push_str(&changed_inputs(inputs, language));
     out.push_str(&demand(found, language));
     out.push_str(&checks(&found.checks, language));
-    for objection in json::objections(&found.after, language) {
+    for objection in answer::objections(&found.after, language) {
         out.push_str(&paragraph(&t(language, "requirement not met: ", "Anforderung nicht erfüllt: "), &objection));
     }
     out

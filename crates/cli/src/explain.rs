@@ -2,13 +2,14 @@
 
 use crate::answer::Answer;
 use crate::code::parse_for_use;
-use crate::fault::error_word;
-use crate::subject::{axes_of, refuse, together};
+use crate::fault::simple;
+use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::paragraph;
 use clap::ArgMatches;
 use std::fmt::Write as _;
-use workbench::text::{assumption_text, check_missing, check_title, note_text, verdict_word};
-use workbench::{Check, CheckId, Language, Node, Project, explanation, json, trust};
+use workbench::answers::Explanations;
+use workbench::text::{assumption_text, check_missing, check_title, note_text, symbol_shown, verdict_word};
+use workbench::{Candidate, Check, CheckId, Language, Node, Project, derivation, node_amount, trust};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
 pub(crate) fn explain(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -20,38 +21,34 @@ pub(crate) fn explain(matches: &ArgMatches, as_json: bool, language: Language) -
     together(answers.collect(), as_json)
 }
 
-fn axis(project: &Project, matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+fn axis(
+    project: &Project,
+    matches: &ArgMatches,
+    as_json: bool,
+    language: Language,
+) -> Result<Part<Explanations>, Answer> {
     let mut talk = String::new();
     let judged = match matches.get_one::<String>("code") {
         None => workbench::explain_own(project),
-        Some(text) => match parse_for_use(text, as_json, language) {
-            Ok((reading, note)) => {
-                talk = note;
-                workbench::explain(project, &reading.parsed.code)
-            }
-            Err(answer) => return answer,
-        },
+        Some(text) => {
+            let (reading, note) = parse_for_use(text, as_json, language)?;
+            talk = note;
+            workbench::explain(project, &reading.parsed.code)
+        }
     };
-    let candidate = match judged {
-        Ok(candidate) => candidate,
-        Err(refusal) => return refuse(&refusal, as_json, language),
-    };
+    let candidate = judged.map_err(|refusal| refuse(&refusal, as_json, language))?;
     let wanted = matches.get_one::<String>("check").and_then(|id| CheckId::ALL.iter().find(|each| each.id() == id));
     let checks: Vec<&Check> =
         candidate.judgement.checks.iter().filter(|check| wanted.is_none_or(|id| check.id == *id)).collect();
     if let (Some(id), true) = (wanted, checks.is_empty()) {
-        return not_asked(*id, as_json, language);
+        return Err(not_asked(*id, as_json, language));
     }
-    let code = u8::from(!candidate.fits());
-    if as_json {
-        let value = serde_json::json!({
-            "axis": project.name,
-            "code": candidate.id.to_string(),
-            "checks": checks.iter().map(|check| json::explain(check, language)).collect::<Vec<_>>(),
-            "assumptions": json::assumptions(&project.assumptions, language),
-        });
-        return Answer { data: format!("{value:#}\n"), talk, code };
-    }
+    let record = || workbench::answer::explanations(project, &candidate, &checks, language);
+    let text = || derivations(project, &candidate, &checks, language);
+    Ok(Part::of(as_json, candidate.fits(), record, text).with_talk(talk))
+}
+
+fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
     let mut out = String::new();
     for check in checks {
         let _ = writeln!(out, "{}: {}", candidate.id, heading(check, language));
@@ -62,7 +59,7 @@ fn axis(project: &Project, matches: &ArgMatches, as_json: bool, language: Langua
     for assumption in &project.assumptions {
         out.push_str(&paragraph(head, &assumption_text(*assumption, language)));
     }
-    Answer { data: out, talk, code }
+    out
 }
 
 fn not_asked(id: CheckId, as_json: bool, language: Language) -> Answer {
@@ -71,11 +68,7 @@ fn not_asked(id: CheckId, as_json: bool, language: Language) -> Answer {
         Language::En => format!("{title}: this check is not part of this axis and actuator"),
         Language::De => format!("{title}: diese Prüfung gehört nicht zu dieser Achse und diesem Antrieb"),
     };
-    let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
-    if as_json {
-        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
-    }
-    answer
+    simple(&what, as_json, language)
 }
 
 fn heading(check: &Check, language: Language) -> String {
@@ -88,7 +81,7 @@ fn heading(check: &Check, language: Language) -> String {
 }
 
 fn text(check: &Check, language: Language) -> String {
-    let found = explanation(check, language);
+    let found = derivation(check, language);
     let mut out = String::new();
     let (asked, given) = match language {
         Language::En => ("asked", "permitted"),
@@ -114,21 +107,21 @@ fn text(check: &Check, language: Language) -> String {
 
 fn tree(node: &Node, indent: &str, out: &mut String, language: Language) {
     let term = if node.term.is_empty() { String::new() } else { format!("  {}", node.term) };
-    let trust = if node.is_repeated {
+    let trust = if node.repeated {
         if language == Language::De { "siehe oben".to_owned() } else { "see above".to_owned() }
     } else {
         trust(node, language)
     };
-    let _ = writeln!(out, "{indent}{} = {}{term}  [{trust}]", node.shown(), node.amount(language));
-    if !node.is_repeated {
+    let _ = writeln!(out, "{indent}{} = {}{term}  [{trust}]", symbol_shown(&node.symbol), node_amount(node, language));
+    if !node.repeated {
         if let Some(formula) = &node.formula {
             let _ = writeln!(out, "{indent}  = {formula}");
         }
         if let Some(figures) = &node.figures {
             let _ = writeln!(out, "{indent}  = {figures}");
         }
-        for (id, evidence) in &node.errata {
-            out.push_str(&paragraph(&format!("{indent}  ! {id}: "), evidence));
+        for erratum in &node.errata {
+            out.push_str(&paragraph(&format!("{indent}  ! {}: ", erratum.id), &erratum.evidence));
         }
     }
     for operand in &node.operands {

@@ -1,6 +1,6 @@
 //! `export`: the results as a workbook, or one table in a file.
 
-use crate::answer::Answer;
+use crate::answer::{Answer, written};
 use crate::code::parse_for_use;
 use crate::fault::{Source, simple};
 use crate::save::save;
@@ -9,8 +9,9 @@ use crate::subject::{picked, refuse};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use tables::{Front, NAMES, Subject, Table};
+use workbench::answers::{ExportWritten, TableWritten};
 use workbench::text::standing_text;
-use workbench::{Candidate, Language, Project, Refusal, Sizing, json};
+use workbench::{Candidate, Language, Project, Refusal, Sizing, answer};
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,11 +74,11 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
     let bytes = bytes(&wish, &tables, &front).map_err(|error| simple(&error.to_string(), as_json, language))?;
     let code = u8::from(!chosen.fits());
     let Some(file) = wish.file else {
-        return Ok(Answer { data: String::from_utf8_lossy(&bytes).into_owned(), talk, code });
+        return Ok(Answer { data: String::from_utf8_lossy(&bytes).into_owned(), talk, code, ..Answer::none() });
     };
     save(&[(file, &bytes)], wish.force).map_err(|fault| simple(&fault.message(language), as_json, language))?;
     let data = if as_json { told_json(file, &tables, &chosen) } else { told(file, &tables, &chosen, language) };
-    Ok(Answer { data, talk, code })
+    Ok(Answer { data, talk, code, ..Answer::none() })
 }
 
 fn wish<'m>(matches: &'m ArgMatches, as_json: bool, language: Language) -> Result<Wish<'m>, Answer> {
@@ -155,7 +156,7 @@ fn bytes(wish: &Wish<'_>, tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>
     Ok(match (wish.format, one) {
         (Format::Workbook, _) => tables::xlsx(tables, front)?,
         (Format::Csv, Some(table)) => tables::csv(table).into_bytes(),
-        (Format::Json, Some(table)) => format!("{:#}\n", tables::json(table)).into_bytes(),
+        (Format::Json, Some(table)) => written(&tables::record(table)).into_bytes(),
         (Format::Parquet, Some(table)) => tables::parquet(table)?,
         (_, None) => Vec::new(),
     })
@@ -169,13 +170,11 @@ fn told(file: &Path, tables: &[Table], chosen: &Candidate<'_>, language: Languag
 }
 
 fn told_json(file: &Path, tables: &[Table], chosen: &Candidate<'_>) -> String {
-    let tables: Vec<serde_json::Value> =
-        tables.iter().map(|table| serde_json::json!({ "name": table.name, "rows": table.rows.len() })).collect();
-    let value = serde_json::json!({
-        "file": file.display().to_string(),
-        "code": chosen.id.to_string(),
-        "verdict": json::verdict(chosen),
-        "tables": tables,
-    });
-    format!("{value:#}\n")
+    let tables = tables.iter().map(|table| TableWritten { name: table.name.to_owned(), rows: table.rows.len() });
+    written(&ExportWritten {
+        file: file.display().to_string(),
+        code: chosen.id.to_string(),
+        verdict: answer::fit(chosen),
+        tables: tables.collect(),
+    })
 }

@@ -5,9 +5,10 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use clap::ArgMatches;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use workbench::answers::{Fault, Faults};
 use workbench::quantities::Measure;
 use workbench::text::file_trouble;
-use workbench::{Diagnostic, Files, Language, PROJECT_MAX_BYTES, Project, json};
+use workbench::{Diagnostic, Files, Language, PROJECT_MAX_BYTES, Project};
 
 /// Longest line that is shown with an underline; a longer one is cut out of the picture.
 const LINE_MAX: usize = 400;
@@ -90,21 +91,14 @@ impl Files for Beside<'_> {
 
 /// A fault in one sentence.
 pub(crate) fn simple(what: &str, as_json: bool, language: Language) -> Answer {
-    let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
-    if as_json {
-        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
-    }
-    answer
+    Answer::refused(format!("{}: {what}\n", error_word(language)), Faults::of(what), as_json)
 }
 
 pub(crate) fn unreadable(file: &str, what: &str, as_json: bool, language: Language) -> Answer {
     let word = error_word(language);
     let talk = format!("{word}: {file}: {what}\n");
-    let mut answer = Answer::fault(talk);
-    if as_json {
-        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "file": file, "message": what }] }));
-    }
-    answer
+    let fault = Fault { file: Some(file.to_owned()), message: what.to_owned(), ..Fault::default() };
+    Answer::refused(talk, Faults { errors: vec![fault] }, as_json)
 }
 
 /// The word that heads a fault.
@@ -136,11 +130,7 @@ pub(crate) fn report(file: &str, text: &str, faults: &[Diagnostic], as_json: boo
         (Language::En, n) => format!("antrieb: {n} errors; nothing was calculated\n"),
         (Language::De, n) => format!("antrieb: {n} Fehler; es wurde nichts gerechnet\n"),
     });
-    let mut answer = Answer::fault(talk);
-    if as_json {
-        answer.data = format!("{:#}\n", json::diagnostics(file, faults));
-    }
-    answer
+    Answer::refused(talk, workbench::answer::faults(file, faults), as_json)
 }
 
 fn render(file: &str, text: &str, fault: &Diagnostic, language: Language) -> String {
@@ -169,12 +159,10 @@ pub(crate) fn option_fault(
     as_json: bool,
     language: Language,
 ) -> Answer {
-    let hint = hint.map(|hint| format!("  {hint}\n")).unwrap_or_default();
-    let mut answer = Answer::fault(format!("{}: --{option}: {message}\n{hint}", error_word(language)));
-    if as_json {
-        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "option": option, "message": message }] }));
-    }
-    answer
+    let line = hint.as_ref().map(|hint| format!("  {hint}\n")).unwrap_or_default();
+    let talk = format!("{}: --{option}: {message}\n{line}", error_word(language));
+    let fault = Fault { option: Some(option.to_owned()), message, hint, ..Fault::default() };
+    Answer::refused(talk, Faults { errors: vec![fault] }, as_json)
 }
 
 /// A quantity given as an option.

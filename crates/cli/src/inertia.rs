@@ -6,7 +6,7 @@ use crate::table::{Align, Table};
 use clap::ArgMatches;
 use workbench::quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE};
 use workbench::quantities::{Measure, format_significant};
-use workbench::{InertiaAnswer, Language, json};
+use workbench::{InertiaAnswer, Language};
 
 /// `antrieb inertia "disc diameter=200mm length=20mm density=7850kg/m^3" …`
 pub(crate) fn inertia(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -16,7 +16,7 @@ pub(crate) fn inertia(matches: &ArgMatches, as_json: bool, language: Language) -
     // In data it has one name in both languages.
     let name = if as_json { "body" } else { body_word(language) };
     match workbench::inertia(&text, language) {
-        Ok(answer) if as_json => Answer::data(format!("{:#}\n", json::inertia(&answer))),
+        Ok(answer) if as_json => Answer::record(&workbench::answer::inertia(&answer)),
         Ok(answer) => Answer::data(shown(&answer, language)),
         Err(faults) => report(name, &text, &faults, as_json, language),
     }

@@ -6,7 +6,7 @@ use crate::moves;
 use crate::report;
 use crate::reserve::{assumptions_text, reserve_text};
 use crate::say::{figure, percent, shown, t};
-use crate::subject::{axes_of, refuse, together};
+use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table, paragraph};
 use crate::tolerance;
 use anstyle::{AnsiColor, Style};
@@ -20,7 +20,8 @@ use workbench::text::{
     standing_text, unmet_text, verdict_word,
 };
 use workbench::{
-    Assessment, Candidate, CandidateId, Check, Demand, Language, Objection, Project, Reserve, Sizing, Verdict, json,
+    Assessment, Candidate, CandidateId, Check, Demand, Language, Objection, Project, Reserve, Sizing, Verdict, answer,
+    answers,
 };
 
 fn paint(text: &str, verdict: Verdict) -> String {
@@ -50,21 +51,15 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
     };
     let all = matches.get_flag("all");
     let top = if all { usize::MAX } else { usize::from(matches.get_one::<u16>("top").copied().unwrap_or(10)) };
-    let answers = projects.iter().map(|project| {
+    let parts = projects.iter().map(|project| {
         let sizing = workbench::size(project);
-        let fits = sizing.fits();
         let best = sizing.candidates.iter().filter(|candidate| candidate.fits()).take(top);
         let assessed = tolerance::assess(project, best, sizing.own.as_ref(), tolerance::sampling(matches));
-        if as_json {
-            let mut value = json::sizing(&sizing, project, &assessed, top, language);
-            if let serde_json::Value::Object(map) = &mut value {
-                map.insert("motion".into(), json::moves(&workbench::moves(project), language));
-            }
-            return Answer::data(format!("{value:#}\n")).fits(fits);
-        }
-        Answer::data(sizing_text(&sizing, project, &assessed, (top, all), language)).fits(fits)
+        let record = || answer::sizing(&sizing, project, &assessed, top, language);
+        let text = || sizing_text(&sizing, project, &assessed, (top, all), language);
+        Ok(Part::of(as_json, sizing.fits(), record, text))
     });
-    let answer = together(answers.collect(), as_json);
+    let answer = together(parts.collect(), as_json);
     Answer { talk: answer.talk.clone() + &talk, ..answer }
 }
 
@@ -408,36 +403,27 @@ pub(crate) fn check(matches: &ArgMatches, as_json: bool, language: Language) -> 
     together(answers.collect(), as_json)
 }
 
-fn check_axis(project: &Project, matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+fn check_axis(
+    project: &Project,
+    matches: &ArgMatches,
+    as_json: bool,
+    language: Language,
+) -> Result<Part<answers::Judgement>, Answer> {
     let mut talk = String::new();
     let judged = match matches.get_one::<String>("code") {
         None => workbench::check_own(project),
-        Some(text) => match parse_for_use(text, as_json, language) {
-            Ok((reading, note)) => {
-                talk = note;
-                workbench::check(project, &reading.parsed.code)
-            }
-            Err(answer) => return answer,
-        },
+        Some(text) => {
+            let (reading, note) = parse_for_use(text, as_json, language)?;
+            talk = note;
+            workbench::check(project, &reading.parsed.code)
+        }
     };
-    let candidate = match judged {
-        Ok(candidate) => candidate,
-        Err(refusal) => return refuse(&refusal, as_json, language),
-    };
+    let candidate = judged.map_err(|refusal| refuse(&refusal, as_json, language))?;
     let reserve = workbench::reserve_of(project, &candidate);
     let assessed = tolerance::assess(project, std::iter::once(&candidate), None, tolerance::sampling(matches));
     let assessment = assessed.first().map(|(_, assessment)| assessment);
-    let data = if as_json {
-        let mut value = json::candidate(&candidate, language);
-        if let serde_json::Value::Object(map) = &mut value {
-            map.insert("axis".into(), serde_json::json!(project.name));
-            map.insert("motion".into(), json::moves(&workbench::moves(project), language));
-            map.insert("reserve".into(), json::reserve(&reserve, &candidate));
-            map.extend(assessment.map(|found| ("tolerance".to_owned(), json::tolerance(project, found))));
-            map.insert("assumptions".into(), serde_json::json!(json::assumptions(&project.assumptions, language)));
-        }
-        format!("{value:#}\n")
-    } else {
+    let record = || answer::judgement(project, &candidate, &reserve, assessment, language);
+    let text = || {
         let reserve = reserve_text(&reserve, &candidate, language);
         let assumed = assumptions_text(&project.assumptions, language);
         let head = if project.name.is_empty() { String::new() } else { format!("{} · ", project.name) };
@@ -445,5 +431,5 @@ fn check_axis(project: &Project, matches: &ArgMatches, as_json: bool, language: 
         let moves = moves::text(&workbench::moves(project), language);
         format!("{head}{}{reserve}{moves}{tolerances}{assumed}", candidate_text(&candidate, language))
     };
-    Answer { data, talk, code: u8::from(!candidate.fits()) }
+    Ok(Part::of(as_json, candidate.fits(), record, text).with_talk(talk))
 }

@@ -1,13 +1,14 @@
 //! `plot`, and `curve` with a file: pictures.
 
 use crate::answer::Answer;
-use crate::fault::{error_word, quantity};
+use crate::fault::{quantity, simple};
 use crate::save::save;
 use crate::subject::{axes_of, candidate};
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
 use std::path::{Path, PathBuf};
 use workbench::Language;
+use workbench::answers::{Number, PlotWritten, Units};
 use workbench::quantities::unit::MILLIMETRE;
 use workbench::quantities::{Length, Measure, format_number};
 
@@ -99,7 +100,7 @@ pub(crate) fn put(drawing: &Drawing, matches: &ArgMatches, as_json: bool, langua
     }
     let paths: Vec<String> = files.iter().map(|(path, _)| path.display().to_string()).collect();
     if as_json {
-        return Answer::data(format!("{:#}\n", described(drawing, &picture, &paths)));
+        return Answer::record(&described(drawing, &picture, &paths));
     }
     let to_stdout = asked("svg").is_some_and(|path| path.as_os_str() == "-") || paths.is_empty();
     if to_stdout {
@@ -117,19 +118,19 @@ fn millimetres(picture: &Picture) -> (f64, f64) {
     (round(width), round(height))
 }
 
-fn described(drawing: &Drawing, picture: &Picture, paths: &[String]) -> serde_json::Value {
+fn described(drawing: &Drawing, picture: &Picture, paths: &[String]) -> PlotWritten {
     let (width, height) = millimetres(picture);
-    serde_json::json!({
-        "figure": drawing.figure.id(),
-        "file": paths.first(),
-        "files": paths,
-        "width": width,
-        "height": height,
-        "units": { "width": "mm", "height": "mm" },
-        "title": drawing.title,
-        "caption": drawing.caption,
-        "description": drawing.description,
-    })
+    PlotWritten {
+        figure: drawing.figure.id(),
+        file: paths.first().cloned(),
+        files: paths.to_vec(),
+        width: Number(width),
+        height: Number(height),
+        units: Units::of(&[("width", &MILLIMETRE), ("height", &MILLIMETRE)]),
+        title: drawing.title.clone(),
+        caption: drawing.caption.clone(),
+        description: drawing.description.clone(),
+    }
 }
 
 fn style(drawing: &Drawing, matches: &ArgMatches, as_json: bool, language: Language) -> Result<Style, Answer> {
@@ -157,9 +158,5 @@ fn style(drawing: &Drawing, matches: &ArgMatches, as_json: bool, language: Langu
 }
 
 fn refused(what: &str, as_json: bool, language: Language) -> Answer {
-    let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
-    if as_json {
-        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
-    }
-    answer
+    simple(what, as_json, language)
 }

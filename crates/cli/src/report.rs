@@ -1,6 +1,6 @@
 //! `report`: the results as the PDF that an engineer signs.
 
-use crate::answer::Answer;
+use crate::answer::{Answer, written};
 use crate::fault::{Source, simple};
 use crate::save::save;
 use crate::subject::candidate;
@@ -8,10 +8,10 @@ use crate::subject::picked;
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Style, Theme};
 use report::{Content, Settings};
-use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
+use workbench::answers::ReportWritten;
 use workbench::text::standing_text;
-use workbench::{Candidate, Language, Project, Sizing, catalogue_fingerprint, json as answers, project_fingerprint};
+use workbench::{Candidate, Language, Project, Sampling, Sizing, answer};
 
 /// The figures of the report beside the map of the candidates, each with its place there.
 const FIGURES: [(&str, Figure); 4] = [
@@ -41,7 +41,7 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
     let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
     let source = Source::read(&path, as_json, language)?;
     let projects = picked(source.projects(as_json, language)?, matches, as_json, language)?;
-    let [(_, project)] = projects.as_slice() else {
+    let [axis @ (_, project)] = projects.as_slice() else {
         let names: Vec<&str> = projects.iter().map(|(_, project)| project.name.as_str()).collect();
         let names = names.join(", ");
         let what = match language {
@@ -53,24 +53,23 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
     let sizing = workbench::size(project);
     let best = || sizing.candidates.first().map(|best| best.id.clone());
     let (candidate, talk) = candidate(project, best, matches, as_json, language)?;
-    let content = content(project, &sizing, &candidate, &source.text, language);
+    let content = content((axis.0, project), &sizing, &candidate, &source.text, language);
     let bytes =
         report::pdf(&content, &settings(matches)).map_err(|fault| simple(&fault.to_string(), as_json, language))?;
     save(&[(out, &bytes)], matches.get_flag("force"))
         .map_err(|fault| simple(&fault.message(language), as_json, language))?;
     let verdict = standing_text(&candidate, language);
     let data = if as_json {
-        let value = json!({
-            "file": out.display().to_string(),
-            "code": candidate.id.to_string(),
-            "verdict": answers::verdict(&candidate),
-            "bytes": bytes.len(),
-        });
-        format!("{value:#}\n")
+        written(&ReportWritten {
+            file: out.display().to_string(),
+            code: candidate.id.to_string(),
+            verdict: answer::fit(&candidate),
+            bytes: bytes.len(),
+        })
     } else {
         format!("{}: {}: {verdict}; {} kB\n", out.display(), candidate.id, bytes.len() / 1000)
     };
-    Ok(Answer { data, talk, code: u8::from(!candidate.fits()) })
+    Ok(Answer { talk, ..Answer::data(data) }.fits(candidate.fits()))
 }
 
 fn settings(matches: &ArgMatches) -> Settings {
@@ -89,9 +88,9 @@ fn settings(matches: &ArgMatches) -> Settings {
     }
 }
 
-/// Results as data and as figures, side by side. A thread that could not finish leaves its part to this one.
+/// Results as a record and as figures, side by side. A thread that could not finish leaves its part to this one.
 fn content(
-    project: &Project,
+    (place, project): (usize, &Project),
     sizing: &Sizing<'_>,
     candidate: &Candidate<'_>,
     text: &str,
@@ -103,49 +102,17 @@ fn content(
             report::prepare();
             figures()
         });
-        let search = || workbench::reserve_of(project, candidate);
-        let searched = scope.spawn(search);
-        let mut data = data(project, sizing, candidate, text, language);
-        let reserve = answers::reserve(&searched.join().unwrap_or_else(|_| search()), candidate);
-        if let Some(Value::Object(judged)) = data.get_mut("check") {
-            judged.insert("reserve".into(), reserve);
-        }
-        Content { language, data, figures: drawn.join().unwrap_or_else(|_| figures()) }
-    })
-}
-
-fn data(project: &Project, sizing: &Sizing<'_>, candidate: &Candidate<'_>, text: &str, language: Language) -> Value {
-    let motion = answers::moves(&workbench::moves(project), language);
-    let assumptions = answers::assumptions(&project.assumptions, language);
-    let mut judged = answers::candidate(candidate, language);
-    if let Value::Object(map) = &mut judged {
-        map.insert("axis".into(), json!(project.name));
-        map.insert("motion".into(), motion.clone());
-        map.insert("assumptions".into(), json!(assumptions));
-    }
-    let mut ranking = answers::sizing(sizing, project, &[], usize::MAX, language);
-    if let Value::Object(map) = &mut ranking {
-        map.insert("motion".into(), motion);
-    }
-    let explained = match &candidate.id {
-        workbench::CandidateId::Code(code) => workbench::explain(project, code),
-        workbench::CandidateId::Own(_) => workbench::explain_own(project),
-    };
-    let derivations: Vec<Value> = explained
-        .iter()
-        .flat_map(|explained| &explained.judgement.checks)
-        .map(|check| answers::explain(check, language))
-        .collect();
-    let inputs = report::inputs(text).unwrap_or_default();
-    json!({
-        "check": judged,
-        "sizing": ranking,
-        "inputs": inputs,
-        "assumptions": assumptions,
-        "explain": { "axis": project.name, "code": candidate.id.to_string(), "checks": derivations },
-        "hash": { "project": project_fingerprint(text, &project.recordings), "catalogue": catalogue_fingerprint() },
-        "screws": answers::screws(candidate, language),
-        "bill_of_material": answers::bill_of_material(candidate, language),
+        let reserve = workbench::reserve_of(project, candidate);
+        let assessed = workbench::assess(project, &[candidate], Sampling::default());
+        let dossier = answer::dossier(
+            project,
+            sizing,
+            candidate,
+            (&reserve, assessed.first()),
+            (text, place, concat!("antrieb ", env!("CARGO_PKG_VERSION"))),
+            language,
+        );
+        Content { language, dossier, figures: drawn.join().unwrap_or_else(|_| figures()) }
     })
 }
 

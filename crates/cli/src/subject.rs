@@ -1,11 +1,13 @@
 //! What a command is about: which axes of the project, which actuator.
 
-use crate::answer::Answer;
+use crate::answer::{Answer, written};
 use crate::code::parse_for_use;
 use crate::fault::{read_projects, simple};
 use crate::say::t;
 use clap::ArgMatches;
+use serde::Serialize;
 use std::path::PathBuf;
+use workbench::answers::{Answered, Axes, Fault, Faults, Fit};
 use workbench::{Candidate, CandidateId, Language, Project, Refusal};
 
 /// The axes of the project, or the one that is asked for.
@@ -40,26 +42,78 @@ pub(crate) fn picked(
     Ok(found)
 }
 
-/// The answers of several axes as one: texts under each other, JSON values in `axes`; one that does not fit decides.
-pub(crate) fn together(answers: Vec<Answer>, as_json: bool) -> Answer {
-    let mut answers = answers;
-    if answers.len() == 1 {
-        return answers.remove(0);
+/// The answer about one axis: a record where JSON is asked for, else a text.
+pub(crate) struct Part<T> {
+    pub(crate) said: Said<T>,
+    /// For stderr.
+    pub(crate) talk: String,
+    pub(crate) fits: bool,
+}
+
+/// What is said of an axis.
+pub(crate) enum Said<T> {
+    Record(T),
+    Text(String),
+}
+
+impl<T> Part<T> {
+    /// The record or the text, whichever is asked for.
+    pub(crate) fn of(as_json: bool, fits: bool, record: impl FnOnce() -> T, text: impl FnOnce() -> String) -> Self {
+        let said = if as_json { Said::Record(record()) } else { Said::Text(text()) };
+        Self { said, talk: String::new(), fits }
     }
-    let code = answers.iter().map(|answer| answer.code).max().unwrap_or(0);
-    let mut talk: Vec<&str> =
-        answers.iter().map(|answer| answer.talk.as_str()).filter(|talk| !talk.is_empty()).collect();
-    talk.dedup();
-    let talk = talk.concat();
-    if as_json {
-        let axes: Vec<serde_json::Value> =
-            answers.iter().filter_map(|answer| serde_json::from_str(&answer.data).ok()).collect();
-        let verdict = if code == 0 { "fits" } else { "does_not_fit" };
-        let value = serde_json::json!({ "verdict": verdict, "axes": axes });
-        return Answer { data: format!("{value:#}\n"), talk, code };
+
+    /// With something to tell besides.
+    pub(crate) fn with_talk(self, talk: String) -> Self {
+        Self { talk, ..self }
     }
-    let texts: Vec<&str> = answers.iter().map(|answer| answer.data.as_str()).collect();
-    Answer { data: texts.join("\n"), talk, code }
+}
+
+/// The answers of all axes as one: texts under each other, records in `axes`; one that does not fit decides. Where a
+/// question about an axis cannot be answered there is no answer, only the faults of all.
+pub(crate) fn together<T: Serialize>(parts: Vec<Result<Part<T>, Answer>>, as_json: bool) -> Answer {
+    let (mut records, mut texts, mut refused) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut talk, mut fits): (Vec<String>, bool) = (Vec::new(), true);
+    for part in parts {
+        match part {
+            Ok(part) => {
+                fits &= part.fits;
+                if !part.talk.is_empty() && talk.last() != Some(&part.talk) {
+                    talk.push(part.talk);
+                }
+                match part.said {
+                    Said::Record(record) => records.push(record),
+                    Said::Text(text) => texts.push(text),
+                }
+            }
+            Err(fault) => refused.push(fault),
+        }
+    }
+    if !refused.is_empty() {
+        return refused_together(refused, as_json);
+    }
+    let data = match (as_json, records.len()) {
+        (false, _) => texts.join("\n"),
+        (true, 1) => records.pop().map(|record| written(&Answered::One(record))).unwrap_or_default(),
+        (true, _) => written(&Answered::Several(Axes { verdict: Fit::of(fits), axes: records })),
+    };
+    Answer { data, talk: talk.concat(), ..Answer::none() }.fits(fits)
+}
+
+/// The faults of several axes, each once.
+fn refused_together(refused: Vec<Answer>, as_json: bool) -> Answer {
+    let (mut talk, mut errors): (Vec<String>, Vec<Fault>) = (Vec::new(), Vec::new());
+    for fault in refused {
+        if !talk.contains(&fault.talk) {
+            talk.push(fault.talk);
+        }
+        for error in fault.faults {
+            if !errors.contains(&error) {
+                errors.push(error);
+            }
+        }
+    }
+    Answer::refused(talk.concat(), Faults { errors }, as_json)
 }
 
 /// The actuator asked for, else the project's own, else the best of the catalogue, which `best` names.

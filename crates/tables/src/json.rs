@@ -1,49 +1,41 @@
-//! A table as JSON.
+//! A table as a record.
 
 use crate::table::{Cell, Column, Kind, Table};
-use serde_json::{Map, Value, json};
+use workbench::answers::{self, ColumnKind, Number, TableCell, TableColumn, TableRow};
 
-/// A table as one JSON object: what each column means, and a record for each row.
+/// A table as one record: what each column means, and a record for each row.
 #[must_use]
-pub fn json(table: &Table) -> Value {
-    let rows: Vec<Value> = table
-        .rows
-        .iter()
-        .map(|row| {
-            let names = table.columns.iter().map(|column| column.name.clone());
-            Value::Object(names.zip(row.iter().map(value)).collect::<Map<String, Value>>())
-        })
-        .collect();
-    json!({
-        "table": table.name,
-        "title": table.title,
-        "about": table.about,
-        "columns": table.columns.iter().map(column).collect::<Vec<_>>(),
-        "rows": rows,
-    })
+pub fn record(table: &Table) -> answers::Table {
+    let names = || table.columns.iter().map(|column| column.name.clone());
+    answers::Table {
+        table: table.name,
+        title: table.title.clone(),
+        about: table.about.clone(),
+        columns: table.columns.iter().map(column).collect(),
+        rows: table.rows.iter().map(|row| TableRow(names().zip(row.iter().map(cell)).collect())).collect(),
+    }
 }
 
-fn column(column: &Column) -> Value {
-    let kind = match column.kind {
-        Kind::Text => "text",
-        Kind::Number | Kind::Share => "number",
-        Kind::Count => "count",
-        Kind::Verdict => "word",
-    };
-    json!({
-        "name": column.name,
-        "title": column.title,
-        "kind": kind,
-        "unit": column.unit_json(),
-        "about": column.about,
-    })
+fn column(column: &Column) -> TableColumn {
+    TableColumn {
+        name: column.name.clone(),
+        title: column.title.clone(),
+        kind: match column.kind {
+            Kind::Text => ColumnKind::Text,
+            Kind::Number | Kind::Share => ColumnKind::Number,
+            Kind::Count => ColumnKind::Count,
+            Kind::Verdict => ColumnKind::Word,
+        },
+        unit: column.unit_json(),
+        about: column.about.clone(),
+    }
 }
 
-fn value(cell: &Cell) -> Value {
+fn cell(cell: &Cell) -> TableCell {
     match cell {
-        Cell::Empty => Value::Null,
-        Cell::Number(number) => json!(number),
-        Cell::Text(text) => json!(text),
-        Cell::Word(id, _) => json!(id),
+        Cell::Empty => TableCell::Empty,
+        Cell::Number(number) => TableCell::Number(Number(*number)),
+        Cell::Text(text) => TableCell::Text(text.clone()),
+        Cell::Word(id, _) => TableCell::Text((*id).to_owned()),
     }
 }

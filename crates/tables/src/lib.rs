@@ -19,7 +19,7 @@ mod words;
 mod xlsx;
 
 pub use crate::csv::csv;
-pub use crate::json::json;
+pub use crate::json::record;
 pub use crate::parquet::parquet;
 pub use define::{NAMES, Subject};
 pub use error::WriteError;

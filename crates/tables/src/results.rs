@@ -242,7 +242,7 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
             Cell::in_unit(data.torque_max.known().map(|known| known.value.si()), &NEWTON_METRE),
             count(candidate.open_questions()),
             Cell::text(request.join(", ")),
-            Cell::text(workbench::json::objections(candidate, l).join("; ")),
+            Cell::text(workbench::answer::objections(candidate, l).join("; ")),
         ];
         row.extend(ids.iter().map(|id| {
             let check = candidate.judgement.checks.iter().find(|check| check.id == *id);

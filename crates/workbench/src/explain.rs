@@ -1,76 +1,31 @@
 //! The derivation of a check as a tree: formula, figures put in, value, source and grade of everything.
 
 use crate::text::{evidence_text, found_text, grade_word, source_text, step_term, symbol_shown, symbol_term};
+use answers::{CitedErratum, Derivation, Id, Node, Number};
 use provenance::{Grade, Source};
-use quantities::{Language, format_significant};
+use quantities::{Language, Unit, format_significant};
 use sizing::Check;
 use sizing::derivation::{Formula, How, Part, Step};
 
 /// Digits of the figures in a derivation: as many as a pocket calculator needs to come to the same answer.
 const DIGITS: usize = 6;
 
-/// One figure with what it was made from.
-#[derive(Clone, Debug)]
-pub struct Node {
-    /// Symbol in ASCII: `T_max`, `omega_1`.
-    pub symbol: &'static str,
-    /// Its term in the glossary; empty where the glossary has none.
-    pub term: String,
-    /// The formula, or what was searched or integrated.
-    pub formula: Option<String>,
-    /// The formula with the figures put in; `None` where nothing can be put in.
-    pub figures: Option<String>,
-    /// Value in its unit.
-    pub value: f64,
-    /// Unit as people write it; `1` for a bare number.
-    pub unit: &'static str,
-    /// Unit in data exchange.
-    pub unit_json: &'static str,
-    /// Where it, or its formula, comes from.
-    pub source: String,
-    /// How far it can be trusted; `None` for what the user gave.
-    pub grade: Option<Grade>,
-    /// Errata that touch it: identifier and evidence.
-    pub errata: Vec<(&'static str, String)>,
-    /// What it was made from; a figure that was shown before comes without its own.
-    pub operands: Vec<Node>,
-    /// Whether it was shown before.
-    pub is_repeated: bool,
-}
-
-impl Node {
-    /// Symbol as people write it.
-    #[must_use]
-    pub fn shown(&self) -> String {
-        symbol_shown(self.symbol)
-    }
-
-    /// Value with its unit.
-    #[must_use]
-    pub fn amount(&self, language: Language) -> String {
-        amount(self.value, self.unit, language)
-    }
-}
-
-/// Value and limit of a check with everything that led to them.
-#[derive(Clone, Debug)]
-pub struct Explanation {
-    /// What the axis asks.
-    pub value: Option<Node>,
-    /// What the actuator gives, or what is asked for.
-    pub limit: Option<Node>,
-}
-
-/// The explanation of a check that was judged with its workings.
+/// Value of a figure with its unit, as people write it.
 #[must_use]
-pub fn explanation(check: &Check, language: Language) -> Explanation {
+pub fn node_amount(node: &Node, language: Language) -> String {
+    amount(node.value.0, Unit::of(node.unit).map_or(node.unit, |unit| unit.symbol), language)
+}
+
+/// Where value and limit of a check that was judged with its workings come from.
+#[must_use]
+pub fn derivation(check: &Check, language: Language) -> Derivation {
     let steps = &check.workings;
     let mut seen = vec![false; steps.len()];
     let mut of = |part: Part| {
         let root = steps.iter().rposition(|step| step.part == part)?;
         node(steps, root, &mut seen, language)
     };
-    Explanation { value: of(Part::Value), limit: of(Part::Limit) }
+    Derivation { value: of(Part::Value), limit: of(Part::Limit) }
 }
 
 fn amount(value: f64, unit: &str, language: Language) -> String {
@@ -90,27 +45,30 @@ fn trimmed(number: &str, language: Language) -> String {
 fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> Option<Node> {
     let step = steps.get(index)?;
     let flag = seen.get_mut(index)?;
-    let is_repeated = *flag && !step.operands().is_empty();
+    let repeated = *flag && !step.operands().is_empty();
     *flag = true;
     let (formula, figures) = match &step.how {
         How::Formula { text, operands } => written(text, operands, steps, language),
         How::Found { text, .. } => (Some(found_text(text, language)), None),
         _ => (None, None),
     };
-    let operands = if is_repeated { &[][..] } else { step.operands() };
+    let operands = if repeated { &[][..] } else { step.operands() };
     Some(Node {
-        symbol: step.symbol,
+        symbol: step.symbol.to_owned(),
         term: term(step, language),
         formula,
         figures,
-        value: step.value(),
-        unit: step.unit.symbol,
-        unit_json: step.unit.json,
+        value: Number(step.value()),
+        unit: step.unit.json,
         source: source_text(&step.source, language),
-        grade: (!is_stated(step)).then_some(step.grade),
-        errata: step.errata.iter().map(|id| (*id, evidence_text(id, language).to_owned())).collect(),
+        grade: (!is_stated(step)).then_some(Id(step.grade)),
+        errata: step
+            .errata
+            .iter()
+            .map(|id| CitedErratum { id: (*id).to_owned(), evidence: evidence_text(id, language).to_owned() })
+            .collect(),
         operands: operands.iter().filter_map(|index| node(steps, *index, seen, language)).collect(),
-        is_repeated,
+        repeated,
     })
 }
 
@@ -136,7 +94,7 @@ fn written(text: &str, operands: &[usize], steps: &[Step], language: Language) -
 #[must_use]
 pub fn trust(node: &Node, language: Language) -> String {
     match node.grade {
-        Some(grade) => format!("{}, {}", grade_word(grade, language), node.source),
+        Some(grade) => format!("{}, {}", grade_word(*grade, language), node.source),
         None => node.source.clone(),
     }
 }

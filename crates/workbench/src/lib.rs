@@ -3,6 +3,7 @@
 //! Texts come in English and German ([`Language`]); results come as data ([`Sizing`], [`Candidate`]) and as JSON
 //! values ([`json`]). Nothing here touches a file, the clock, the environment or the terminal.
 
+pub mod answer;
 mod chapters;
 mod codes;
 mod compare;
@@ -24,28 +25,29 @@ mod tolerance;
 mod torsion;
 
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
+pub use answers::{self, Derivation, Node};
 pub use chapters::{TEMPLATES, battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, read_code, read_pattern};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
 pub use configurator::{Availability, Choice, Unmet};
 pub use diagnostic::{Diagnostic, place};
-pub use explain::{Explanation, Node, explanation, trust};
+pub use explain::{derivation, node_amount, trust};
 pub use export::{EXPORT_COLUMNS, export_rows};
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
 pub use inertia::{BODY_SHAPES, BodyAnswer, BodyShape, InertiaAnswer, inertia};
 pub use limits::{NeededLimit, limits_needed};
 pub use moves::{Move, Moves, SegmentLaw, moves};
-pub use order_code::{Field, OrderCode};
+pub use order_code::{Field, OrderCode, Size};
 pub use plane::{Plane, curve_rows, plane, plane_of};
 pub use project::{
     ALL_CORNERS_MOST, Assumption, Files, Input, InputChange, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project,
-    RatioAnswer, RecordingRead, Tolerance, input_changes, inputs, schema,
+    RatioAnswer, RecordingRead, Tolerance, input_changes, input_label, inputs, schema,
 };
 pub use provenance::Grade;
 pub use quantities::{self, Language};
 pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
-pub use sizing::derivation;
+pub use sizing::derivation as workings;
 pub use sizing::{Check, CheckId, Course, Demand, Direction, Figure, FlangeSample, Part, Reserve, Sample, Verdict};
 pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, course, explain,

@@ -3,6 +3,7 @@
 mod curves;
 mod flange;
 mod inputs;
+mod label;
 mod load;
 mod numbers;
 mod read;
@@ -15,6 +16,7 @@ mod tolerance;
 
 pub(crate) use curves::OwnCatalogue;
 pub use inputs::{Input, InputChange, input_changes, inputs};
+pub use label::input_label;
 pub use recorded::{Files, NoFiles, RecordingRead};
 pub use schema::schema;
 pub(crate) use spec::{Kind, Range};

@@ -97,7 +97,7 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
         page.pair(["tightest check", "knappste Prüfung"], &format!("{}, {share} %", check_title(check.id, l)))?;
     }
     page.pair(["open questions", "offene Fragen"], &chosen.open_questions().to_string())?;
-    for objection in workbench::json::objections(chosen, l) {
+    for objection in workbench::answer::objections(chosen, l) {
         page.pair(["requirement not met", "Anforderung nicht erfüllt"], &objection)?;
     }
     page.pair(["project file", "Projektdatei"], front.file)?;

@@ -1,0 +1,79 @@
+//! The JSON Schema of every answer, and the reference page made from it.
+
+use crate::{
+    Battery, Bearings, Comparison, Curves, Difference, Explanations, ExportWritten, Faults, Fit, Inertia, Judgement,
+    PlotWritten, ReportWritten, Sizing, Table, Torsion,
+};
+use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+/// Version of the records. It rises when a field goes or changes its meaning, not when one is added.
+pub const VERSION: u32 = 1;
+
+/// The answers of several axes.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Axes<T> {
+    /// Whether every axis fits.
+    pub verdict: Fit,
+    /// The answer of each axis.
+    pub axes: Vec<T>,
+}
+
+/// The answer of the only axis, or those of several.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Answered<T> {
+    /// Of one axis.
+    One(T),
+    /// Of several.
+    Several(Axes<T>),
+}
+
+/// A command and the record that it answers with.
+struct Entry {
+    command: &'static str,
+    schema: fn(&mut SchemaGenerator) -> schemars::Schema,
+}
+
+const fn one<T: JsonSchema>(command: &'static str) -> Entry {
+    Entry { command, schema: SchemaGenerator::subschema_for::<T> }
+}
+
+/// Every command with an answer, in the order of the reference page.
+const ENTRIES: &[Entry] = &[
+    one::<Answered<Sizing>>("size"),
+    one::<Answered<Judgement>>("check"),
+    one::<Answered<Explanations>>("explain"),
+    one::<Answered<Comparison>>("compare"),
+    one::<Answered<Difference>>("diff"),
+    one::<Answered<Bearings>>("bearing"),
+    one::<Curves>("curve"),
+    one::<Torsion>("torsion"),
+    one::<Battery>("battery"),
+    one::<Inertia>("inertia"),
+    one::<ReportWritten>("report"),
+    one::<ExportWritten>("export --out"),
+    one::<Table>("export --table"),
+    one::<PlotWritten>("plot"),
+    one::<Faults>("faults"),
+];
+
+/// The JSON Schema of the answers: each command's under `properties`, the records that they share under `$defs`.
+#[must_use]
+pub fn schema() -> Value {
+    let mut generator = SchemaSettings::draft2020_12().into_generator();
+    let mut properties = Map::new();
+    for entry in ENTRIES {
+        properties.insert(entry.command.to_owned(), (entry.schema)(&mut generator).into());
+    }
+    let definitions = generator.take_definitions(true);
+    let mut root = Map::new();
+    root.insert("$schema".into(), "https://json-schema.org/draft/2020-12/schema".into());
+    root.insert("title".into(), "Answers of antrieb".into());
+    root.insert("description".into(), format!("what `--json` writes for each command, version {VERSION}").into());
+    root.insert("type".into(), "object".into());
+    root.insert("properties".into(), Value::Object(properties));
+    root.insert("$defs".into(), Value::Object(definitions));
+    Value::Object(root)
+}

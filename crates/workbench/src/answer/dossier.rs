@@ -1,0 +1,203 @@
+//! Everything that a report lays out, as one record.
+
+use super::check::explained;
+use super::judged::{judgement, sizing};
+use crate::project::{Project, input_label};
+use crate::sizing_use::{Candidate, CandidateId, Sizing};
+use crate::text::{check_title, describe_token, either, evidence_text, source_text};
+use crate::tolerance::Assessment;
+use crate::{catalogue_fingerprint, inputs, project_fingerprint};
+use actuator::ScrewJoint;
+use answers::{CitedErratum, Document, Dossier, ErratumUsed, Fingerprints, Input, Item};
+use order_code::Field;
+use provenance::{Datum, MANUAL, Source};
+use quantities::unit::{MILLIMETRE, NEWTON_METRE};
+use quantities::{Language, Measure, Unit, format_number, format_significant};
+use sizing::{Check, Reserve};
+
+/// An axis with everything there is to tell of it and of the actuator chosen.
+///
+/// `text` is that of the project file, `place` the number of the axis in it from zero, `program` the name and version of
+/// the program.
+#[must_use]
+pub fn dossier(
+    project: &Project,
+    ranked: &Sizing<'_>,
+    chosen: &Candidate<'_>,
+    (found, assessment): (&Reserve, Option<&Assessment>),
+    (text, place, program): (&str, usize, &str),
+    language: Language,
+) -> Dossier {
+    let workings = match &chosen.id {
+        CandidateId::Code(code) => crate::explain(project, code),
+        CandidateId::Own(_) => crate::explain_own(project),
+    };
+    // Where the rules of the code refuse the judgement, the ranking has judged it without workings.
+    let checks: &[Check] = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
+    Dossier {
+        judgement: judgement(project, chosen, found, assessment, language),
+        sizing: sizing(ranked, project, &[], usize::MAX, language),
+        inputs: inputs_of_axis(text, place, language),
+        explained: checks.iter().map(|check| explained(check, language)).collect(),
+        bill_of_material: bill_of_material(chosen, language),
+        screws: screws(chosen, language),
+        documents: documents(checks),
+        errata: errata(checks, language),
+        fingerprints: Fingerprints {
+            program: program.to_owned(),
+            project: project_fingerprint(text, &project.recordings),
+            catalogue: catalogue_fingerprint(),
+        },
+    }
+}
+
+/// The values of one axis of a project file, with the keys as if it stood alone.
+fn inputs_of_axis(text: &str, place: usize, language: Language) -> Vec<Input> {
+    let own = format!("axis[{}].", place + 1);
+    let short = |value: f64| {
+        let text = format_significant(value, 4, language);
+        let point = if language == Language::De { ',' } else { '.' };
+        if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point).to_owned() } else { text }
+    };
+    inputs(text)
+        .into_iter()
+        .filter_map(|input| {
+            let key = match input.path.strip_prefix(own.as_str()) {
+                None if input.path.starts_with("axis[") => return None,
+                inside => inside.unwrap_or(&input.path).to_owned(),
+            };
+            let half = input.half_width.zip(input.amount);
+            Some(Input {
+                label: input_label(&key, language).unwrap_or_default().to_owned(),
+                key,
+                tolerance: half.map(|(half, (_, unit))| format!("± {} {}", short(half), unit.symbol)),
+                text: input.amount.map_or(input.written, |(value, unit)| shown_amount(value, unit, language)),
+            })
+        })
+        .collect()
+}
+
+/// A value as the project states it, with all its digits.
+fn shown_amount(value: f64, unit: &Unit, language: Language) -> String {
+    let digits = format!("{value}");
+    let digits = if language == Language::De { digits.replace('.', ",") } else { digits };
+    let digits = digits.replace('-', "−");
+    if unit.symbol == "°" { format!("{digits}°") } else { format!("{digits} {}", unit.symbol) }
+}
+
+/// The documents that the figures of the checks are from, the manual first.
+fn documents(checks: &[Check]) -> Vec<Document> {
+    let mut ids: Vec<&'static str> = vec![MANUAL];
+    let sources = checks.iter().flat_map(|check| {
+        let own = [&check.limit_source, &check.value_source].into_iter().flatten();
+        own.chain(check.workings.iter().map(|step| &step.source))
+    });
+    for source in sources {
+        if let Source::Cell(cell) | Source::Published(cell) = source
+            && !ids.contains(&cell.document)
+        {
+            ids.push(cell.document);
+        }
+    }
+    let document = |id: &str| {
+        let found = catalogue::document(id)?;
+        Some(Document {
+            id: found.id.to_owned(),
+            title: found.title.to_owned(),
+            edition: found.edition.to_owned(),
+            publisher: found.publisher.to_owned(),
+            note: found.note.to_owned(),
+        })
+    };
+    ids.into_iter().filter_map(document).collect()
+}
+
+/// Every erratum that a figure of the checks rests on, once, with the first check that does.
+fn errata(checks: &[Check], language: Language) -> Vec<ErratumUsed> {
+    let mut found: Vec<ErratumUsed> = Vec::new();
+    for check in checks {
+        let noted = check.notes.iter().filter_map(|note| match note {
+            sizing::Note::Erratum(id) => Some(*id),
+            _ => None,
+        });
+        for id in check.workings.iter().flat_map(|step| step.errata.iter().copied()).chain(noted) {
+            if found.iter().all(|known| known.erratum.id != id) {
+                let evidence = evidence_text(id, language).to_owned();
+                let erratum = CitedErratum { id: id.to_owned(), evidence };
+                found.push(ErratumUsed { erratum, check: check_title(check.id, language) });
+            }
+        }
+    }
+    found
+}
+
+/// The actuator and the screws of both joints, as far as the tables name them.
+fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> {
+    let mut rows: Vec<Item> = Vec::new();
+    let mut add = |quantity: String, code: String, text: String, source: Option<String>| {
+        let item = (rows.len() + 1).to_string();
+        rows.push(Item { item, quantity, code, text, source });
+    };
+    let parts = match &candidate.id {
+        CandidateId::Code(code) => [Field::Size, Field::Ratio, Field::Winding, Field::Feedback]
+            .into_iter()
+            .chain(
+                [Field::Brake, Field::Option1, Field::Option2].into_iter().filter(|field| code.token(*field).is_some()),
+            )
+            .map(|field| describe_token(code, field, language))
+            .collect::<Vec<_>>()
+            .join("; "),
+        CandidateId::Own(_) => either(language, "own actuator", "eigener Antrieb"),
+    };
+    let series = either(language, "servo actuator with hollow shaft", "Servoantrieb mit Hohlwelle");
+    add("1".into(), candidate.id.to_string(), format!("{series}; {parts}"), None);
+    let joints = [
+        (either(language, "screws between flange and load", "Schrauben zwischen Flansch und Last"), true),
+        (either(language, "screws between housing and machine", "Schrauben zwischen Gehäuse und Maschine"), false),
+    ];
+    for (text, load) in joints {
+        let parameters = candidate.parameters;
+        let joint = if load { &parameters.screw_joint_load } else { &parameters.screw_joint_housing };
+        let (Some(count), Some(size)) = (joint.count.known(), joint.size.known()) else { continue };
+        let class = joint.grade.known().map_or_else(String::new, |class| format!(", {}", class.value));
+        let length = either(language, "length after the part that is joined", "Länge nach dem verschraubten Teil");
+        let source = source_text(&count.source, language);
+        let count = format_number(count.value, 0, language);
+        add(count, format!("{}{class}", size.value), format!("{text}; {length}"), Some(source));
+    }
+    rows
+}
+
+/// Both joints: number and size of the screws, circle, tightening torque and what the joint transmits.
+fn screws(candidate: &Candidate<'_>, language: Language) -> Vec<answers::ScrewJoint> {
+    let joints = [
+        (either(language, "load", "Last"), &candidate.parameters.screw_joint_load),
+        (either(language, "housing", "Gehäuse"), &candidate.parameters.screw_joint_housing),
+    ];
+    joints.into_iter().map(|(name, joint)| screw_joint(name, joint, language)).collect()
+}
+
+fn screw_joint(name: String, joint: &ScrewJoint, language: Language) -> answers::ScrewJoint {
+    fn shown<Q: Measure>(datum: &Datum<Q>, unit: &Unit, language: Language) -> String {
+        // A printed figure in no more digits than it has.
+        let number = |value: f64| {
+            let text = format_significant(unit.from_si(value), 4, language);
+            let point = if language == Language::De { ',' } else { '.' };
+            let short = if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point) } else { &text };
+            short.to_owned()
+        };
+        datum.known().map_or_else(|| "–".to_owned(), |known| format!("{} {}", number(known.value.si()), unit.symbol))
+    }
+    let count = joint.count.known().map_or_else(String::new, |count| format!("{:.0} × ", count.value));
+    let size = joint.size.known().map_or("–", |size| size.value.as_ref());
+    let class = joint.grade.known().map_or_else(String::new, |class| format!(", {}", class.value));
+    let transmitted = shown(&joint.transmissible_torque, &NEWTON_METRE, language);
+    answers::ScrewJoint {
+        joint: name,
+        screws: format!("{count}{size}{class}"),
+        circle: shown(&joint.bolt_circle, &MILLIMETRE, language),
+        torque: shown(&joint.tightening_torque, &NEWTON_METRE, language),
+        text: either(language, format!("transmits {transmitted}, dry"), format!("überträgt {transmitted}, trocken")),
+        source: joint.transmissible_torque.known().map(|known| source_text(&known.source, language)),
+    }
+}

@@ -1,0 +1,66 @@
+//! The motion as a record.
+
+use crate::moves::{Move, Moves};
+use crate::project::RecordingRead;
+use crate::text::law_text;
+use answers::{ColumnRole, Number, RecordedColumn, Recording, Segment, UnitBy, Units};
+use quantities::unit::SECOND;
+use quantities::{Language, Measure};
+use recording::{KnownBy, Role};
+
+/// Every segment with what was given and what followed from it.
+#[must_use]
+pub fn motion(moves: &Moves<'_>, language: Language) -> answers::Motion {
+    let [distance, speed, acceleration] = moves.units;
+    let units = [("time", &SECOND), ("distance", distance), ("speed", speed), ("acceleration", acceleration)];
+    answers::Motion {
+        units: Units::of(&units),
+        segments: moves.moves.iter().map(|each| segment(each, moves, language)).collect(),
+    }
+}
+
+fn segment(each: &Move<'_>, moves: &Moves<'_>, language: Language) -> Segment {
+    let [distance_unit, speed_unit, acceleration_unit] = moves.units;
+    let course = each.course.map(|[distance, speed, acceleration]| {
+        [(distance, distance_unit), (speed, speed_unit), (acceleration, acceleration_unit)]
+            .map(|(si, unit)| Number::in_unit(si, unit))
+    });
+    Segment {
+        law: each.law.id(),
+        name: law_text(each.law, language),
+        start: Number::in_unit(each.start.si(), &SECOND),
+        duration: Number::in_unit(each.duration.si(), &SECOND),
+        distance: course.map(|[distance, ..]| distance),
+        speed: course.map(|[_, speed, _]| speed),
+        acceleration: course.map(|[.., acceleration]| acceleration),
+        recording: each.recording.map(recording),
+    }
+}
+
+fn recording(read: &RecordingRead) -> Recording {
+    let recording = &read.recording;
+    let columns = recording.columns.iter().map(|column| RecordedColumn {
+        role: match column.role {
+            Role::Time => ColumnRole::Time,
+            Role::Position => ColumnRole::Position,
+            Role::Speed => ColumnRole::Speed,
+            Role::Torque => ColumnRole::Torque,
+        },
+        name: column.name.clone(),
+        unit: column.unit.json,
+        unit_by: match column.known_by {
+            KnownBy::Header => UnitBy::Header,
+            KnownBy::UnitRow => UnitBy::UnitRow,
+            KnownBy::Metadata => UnitBy::Metadata,
+            KnownBy::Layout => UnitBy::Project,
+        },
+    });
+    Recording {
+        file: read.file.clone(),
+        samples: recording.time_s.len(),
+        first_time: Number::in_unit(recording.first_time.si(), &SECOND),
+        left_out_before: recording.left_out_before,
+        left_out_after: recording.left_out_after,
+        columns: columns.collect(),
+    }
+}
