@@ -167,6 +167,9 @@ fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut 
     if (erratum.kind == "recovery") != erratum.recovered.is_some() {
         faults.push(format!("erratum {id}: `recovered` belongs to kind recovery, and only there"));
     }
+    if erratum.place.is_some() != erratum.place_de.is_some() {
+        faults.push(format!("erratum {id}: `where` and `where_de` belong together"));
+    }
     let Some(table) = erratum.table.as_deref() else {
         if erratum.place.is_none() {
             faults.push(format!("erratum {id}: needs `table` or `where`"));
@@ -379,14 +382,19 @@ fn write_all(out: &mut String, data: &Data, cells: &[Cell<'_>], ranges: &[(usize
         };
         let _ = writeln!(
             out,
-            "Erratum {{ id: {:?}, table: {:?}, place: {:?}, recovered: {:?}, printed: {:?}, corrected: {:?}, checks_use: {:?}, \
+            "Erratum {{ id: {:?}, table: {:?}, place: {:?}, place_de: {:?}, recovered: {:?}, recovered_de: {:?}, printed: {:?}, \
+             printed_de: {:?}, corrected: {:?}, corrected_de: {:?}, checks_use: {:?}, \
              kind: ErratumKind::{kind}, corrected_here: {}, evidence: {:?}, evidence_de: {:?} }},",
             erratum.id,
             opt(&erratum.table),
             erratum.place.clone().unwrap_or_else(|| place_of(erratum)),
+            erratum.place_de.clone().unwrap_or_else(|| place_of(erratum)),
             erratum.recovered,
+            erratum.recovered_de.as_ref().or(erratum.recovered.as_ref()),
             erratum.printed,
+            erratum.printed_de.as_ref().unwrap_or(&erratum.printed),
             erratum.corrected,
+            erratum.corrected_de.as_ref().unwrap_or(&erratum.corrected),
             erratum.checks_use,
             erratum.status == "corrected",
             erratum.evidence,

@@ -68,9 +68,14 @@ pub(crate) struct Erratum {
     pub(crate) cell: BTreeMap<String, String>,
     #[serde(rename = "where")]
     pub(crate) place: Option<String>,
+    #[serde(rename = "where_de")]
+    pub(crate) place_de: Option<String>,
     pub(crate) recovered: Option<String>,
+    pub(crate) recovered_de: Option<String>,
     pub(crate) printed: String,
+    pub(crate) printed_de: Option<String>,
     pub(crate) corrected: String,
+    pub(crate) corrected_de: Option<String>,
     pub(crate) checks_use: Option<String>,
     pub(crate) kind: String,
     pub(crate) status: String,

@@ -210,12 +210,20 @@ pub struct Erratum {
     pub table: &'static str,
     /// The place in words.
     pub place: &'static str,
+    /// The same in German.
+    pub place_de: &'static str,
     /// What the recovered text has, for kind recovery.
     pub recovered: Option<&'static str>,
+    /// The same where it is told in German.
+    pub recovered_de: Option<&'static str>,
     /// What is printed.
     pub printed: &'static str,
+    /// The same where it is told in German.
+    pub printed_de: &'static str,
     /// What is right; equal to `printed` where the matter is open.
     pub corrected: &'static str,
+    /// The same where it is told in German.
+    pub corrected_de: &'static str,
     /// What checks use where safety asks for the other value.
     pub checks_use: Option<&'static str>,
     /// Kind.
@@ -226,6 +234,14 @@ pub struct Erratum {
     pub evidence: &'static str,
     /// The same in German.
     pub evidence_de: &'static str,
+}
+
+impl Erratum {
+    /// The one cell that it names; `None` for an erratum of a table or a text.
+    #[must_use]
+    pub fn cell(&self) -> Option<&'static Cell> {
+        crate::cells().iter().find(|cell| cell.errata.contains(&self.id))
+    }
 }
 
 /// A document that a number comes from.

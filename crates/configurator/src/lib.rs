@@ -14,4 +14,4 @@ pub use codes::{Choice, all, broken_by_all, choices, complete, tokens_of_size};
 pub use nearest::{nearest, nearest_to};
 pub use parameters::{parameters, published_curve_points};
 pub use requirements::{Requirements, Unmet};
-pub use rules::{Availability, BrokenRule, Rule, availability};
+pub use rules::{Availability, BrokenRule, Rule, Uncovered, availability, uncovered};
