@@ -8,8 +8,10 @@
 mod beside;
 mod chapters;
 mod check;
+mod code;
 mod demand;
 mod dossier;
+mod errata;
 mod fault;
 mod files;
 mod id;
@@ -17,13 +19,16 @@ mod judged;
 mod motion;
 mod number;
 mod schema;
+mod sheet;
 mod units;
 
 pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Difference, Head, InputChange};
 pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, Torsion};
 pub use check::{Check, CitedErratum, Derivation, Explained, Explanations, Node};
+pub use code::{Choice, CodeFault, CodeFaults, CodeField, CodeReading, Completion, ListedCode, OpenField};
 pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
 pub use dossier::{Document, Dossier, ErratumUsed, Fingerprints, Input, Item, ScrewJoint};
+pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
 pub use fault::{Fault, Faults, Place};
 pub use files::{
     ColumnKind, ExportWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn, TableRow, TableWritten,
@@ -36,4 +41,5 @@ pub use judged::{
 pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, UnitBy};
 pub use number::Number;
 pub use schema::{Answered, Axes, VERSION, schema};
+pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use units::Units;

@@ -65,8 +65,9 @@ pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
     let plain = Pattern { special: Slot::Any, ..*pattern };
     let found: Vec<(OrderCode, Vec<BrokenRule>)> =
         writable().into_iter().filter(|code| plain.matches(code)).map(|code| (code, looked_up(&code).1)).collect();
-    let Some((code, rules)) = found.first() else { return Vec::new() };
-    if found.iter().any(|(_, broken)| broken.is_empty()) {
+    // The code that breaks the fewest stands for all.
+    let Some((code, rules)) = found.iter().min_by_key(|(_, broken)| broken.len()) else { return Vec::new() };
+    if rules.is_empty() {
         return Vec::new();
     }
     let of_all = |rule: &BrokenRule| found.iter().all(|(_, broken)| broken.contains(rule));
