@@ -29,7 +29,7 @@ pub use answers::{self, Derivation, Node};
 pub use chapters::{TEMPLATES, battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
-pub use configurator::{Availability, Choice, Unmet};
+pub use configurator::{Availability, Choice, Uncovered, Unmet, uncovered};
 pub use diagnostic::{Diagnostic, place};
 pub use errata::{ErrataFound, ErrataRefusal, errata_about};
 pub use explain::{derivation, node_amount, trust};
