@@ -1,10 +1,11 @@
 //! Project files: whatever the text, no panic; a refusal has a place, an answer has no NaN.
-#![allow(clippy::indexing_slicing, reason = "JSON answers null for a missing key")]
 
 use fuzz::{any_edits, any_text, explore, mutate};
-use serde_json::Value;
 use workbench::quantities::Measure;
-use workbench::{Assessment, Candidate, CandidateId, Language, Project, Sampling, Verdict, assess, json, place, size};
+use workbench::answers::{self, Number};
+use workbench::{
+    Assessment, Candidate, CandidateId, Language, Project, Sampling, Verdict, answer, assess, place, size,
+};
 
 /// Enough samples to go through everything.
 const FEW: Sampling = Sampling { samples: 5, seed: 1 };
@@ -100,16 +101,18 @@ fn checks_are_finite(candidate: &Candidate<'_>) {
 }
 
 /// Every verdict that compares numbers has both of them; JSON would turn a NaN or an infinity into null.
-fn checks_are_whole(value: &Value) {
-    for check in value["checks"].as_array().into_iter().flatten() {
-        let judged = ["pass", "fail", "advice"].iter().any(|verdict| check["verdict"] == *verdict);
-        assert!(judged || check["verdict"] == "not_checked", "{check}");
-        assert!(!judged || (check["value"].is_number() && check["limit"].is_number()), "{check}");
-        assert!(judged || check["missing"].is_string(), "{check}");
+fn checks_are_whole(candidate: &answers::Candidate) {
+    let written = |number: Option<Number>| number.and_then(Number::written);
+    for check in &candidate.checks {
+        let judged = *check.verdict != Verdict::NotChecked;
+        assert!(!judged || (written(check.value).is_some() && written(check.limit).is_some()), "{check:?}");
+        assert!(judged || check.missing.is_some(), "{check:?}");
     }
-    for name in ["T_rms", "T_peak", "n_av", "n_peak", "ED"] {
-        let demand = &value["demand"];
-        assert!(demand.is_null() || demand[name].is_number(), "{name}: {demand}");
+    if let Some(demand) = &candidate.demand {
+        let it = &demand.figures;
+        for number in [it.torque_rms, it.torque_peak, it.speed_mean, it.speed_peak, it.duty_factor] {
+            assert!(number.written().is_some(), "{demand:?}");
+        }
     }
 }
 
@@ -140,15 +143,11 @@ fn hold(text: &str) -> bool {
             for (_, found) in &assessed {
                 assessment_is_sound(&project, found);
             }
-            let value = json::sizing(&sizing, &project, &assessed, 1, language);
-            for each in value["ranking"].as_array().into_iter().flatten() {
-                checks_are_whole(each);
-            }
-            if !value["own"].is_null() {
-                checks_are_whole(&value["own"]);
-            }
+            let record = answer::sizing(&sizing, &project, &assessed, 1, language);
+            record.ranking.iter().for_each(|each| checks_are_whole(&each.of.candidate));
+            record.own.iter().for_each(|own| checks_are_whole(&own.candidate));
             if let Some(first) = sizing.candidates.first() {
-                checks_are_whole(&json::candidate(first, language));
+                checks_are_whole(&answer::candidate(first, language));
             }
             None
         }

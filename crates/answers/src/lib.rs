@@ -18,6 +18,7 @@ mod id;
 mod judged;
 mod motion;
 mod number;
+mod reference;
 mod schema;
 mod sheet;
 mod units;
@@ -40,6 +41,7 @@ pub use judged::{
 };
 pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, UnitBy};
 pub use number::Number;
+pub use reference::reference;
 pub use schema::{Answered, Axes, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use units::Units;

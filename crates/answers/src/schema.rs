@@ -14,6 +14,7 @@ pub const VERSION: u32 = 1;
 
 /// The answers of several axes.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "Axes_of_{T}")]
 pub struct Axes<T> {
     /// Whether every axis fits.
     pub verdict: Fit,
@@ -24,6 +25,7 @@ pub struct Axes<T> {
 /// The answer of the only axis, or those of several.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
+#[schemars(rename = "Answered_for_{T}")]
 pub enum Answered<T> {
     /// Of one axis.
     One(T),

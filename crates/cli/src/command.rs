@@ -373,7 +373,7 @@ fn commands(language: Language) -> Command {
                         .help("manual, table, arm, screw, belt"),
                 ),
         )
-        .subcommand(Command::new("schema").about(t("JSON Schema of the project file", "JSON-Schema der Projektdatei")))
+        .subcommand(schema(language))
         .subcommand(
             Command::new("completions")
                 .about(t("Completion script for a shell", "Vervollständigung für eine Shell"))
@@ -386,6 +386,20 @@ fn commands(language: Language) -> Command {
                     .help(t("Command; antrieb itself without it", "Befehl; ohne ihn antrieb selbst")),
             ),
         )
+}
+
+fn schema(language: Language) -> Command {
+    Command::new("schema")
+        .about(either(
+            language,
+            "JSON Schema of the project file, or of the answers",
+            "JSON-Schema der Projektdatei oder der Antworten",
+        ))
+        .arg(Arg::new("answers").long("answers").action(ArgAction::SetTrue).help(either(
+            language,
+            "What --json writes for each command",
+            "Was --json bei jedem Befehl schreibt",
+        )))
 }
 
 fn inertia(language: Language) -> Command {

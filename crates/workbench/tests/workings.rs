@@ -5,8 +5,8 @@ use provenance::{CellRef, Source};
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::PathBuf;
-use workbench::derivation::{How, Part, evaluate};
-use workbench::{Check, Files, Language, Node, Project, catalogue_actuators, explain, explanation};
+use workbench::workings::{How, Part, evaluate};
+use workbench::{Check, Files, Language, Node, Project, catalogue_actuators, derivation, explain};
 
 fn examples() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples")
@@ -161,12 +161,12 @@ fn every_cell_that_is_cited_exists() {
 #[test]
 fn every_step_has_its_words_in_both_languages() {
     let mut english: Vec<String> = Vec::new();
-    let mut wordless: Vec<&str> = Vec::new();
+    let mut wordless: Vec<String> = Vec::new();
     for project in projects() {
         for (code, _) in catalogue_actuators().iter().step_by(17) {
             let Ok(candidate) = explain(&project, code) else { continue };
             for check in &candidate.judgement.checks {
-                let explained = explanation(check, Language::De);
+                let explained = derivation(check, Language::De);
                 for root in [&explained.value, &explained.limit].into_iter().flatten() {
                     look(root, &mut english, &mut wordless);
                 }
@@ -182,7 +182,7 @@ const ENGLISH: [&str; 14] = [
     "life",
 ];
 
-fn look(node: &Node, english: &mut Vec<String>, wordless: &mut Vec<&str>) {
+fn look(node: &Node, english: &mut Vec<String>, wordless: &mut Vec<String>) {
     if let Some(formula) = &node.formula
         && node.figures.is_none()
         && ENGLISH.iter().any(|word| formula.contains(word))
@@ -191,7 +191,7 @@ fn look(node: &Node, english: &mut Vec<String>, wordless: &mut Vec<&str>) {
         english.push(formula.clone());
     }
     if node.term.is_empty() && !wordless.contains(&node.symbol) {
-        wordless.push(node.symbol);
+        wordless.push(node.symbol.clone());
     }
     node.operands.iter().for_each(|operand| look(operand, english, wordless));
 }

@@ -1,0 +1,30 @@
+//! The reference page says what the records say.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot panic cannot fail")]
+
+use std::path::Path;
+
+#[test]
+fn the_page_is_that_of_the_records() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/answers.md");
+    let page = answers::reference();
+    if std::env::var_os("INSTA_UPDATE").is_some_and(|value| value == "always") {
+        std::fs::write(&path, &page).unwrap();
+    }
+    let stored = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(stored == page, "docs/reference/answers.md is out of date: cargo xtask snapshots writes it anew");
+}
+
+/// Whoever reads an answer finds what every field means.
+#[test]
+fn every_field_of_every_record_has_a_meaning() {
+    let schema = answers::schema();
+    let mut fields = 0;
+    for (name, record) in schema["$defs"].as_object().unwrap() {
+        for (field, about) in record.get("properties").and_then(|it| it.as_object()).into_iter().flatten() {
+            assert!(about.get("description").is_some(), "{name}.{field}");
+            fields += 1;
+        }
+    }
+    assert!(fields > 150, "{fields}");
+}
