@@ -1,8 +1,8 @@
 //! Project files: whatever the text, no panic; a refusal has a place, an answer has no NaN.
 
 use fuzz::{any_edits, any_text, explore, mutate};
-use workbench::quantities::Measure;
 use workbench::answers::{self, Number};
+use workbench::quantities::Measure;
 use workbench::{
     Assessment, Candidate, CandidateId, Language, Project, Sampling, Verdict, answer, assess, place, size,
 };

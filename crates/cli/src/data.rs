@@ -12,7 +12,7 @@ use workbench::answer::sheet_note_text;
 use workbench::quantities::unit::{ARCMINUTE, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE};
 use workbench::quantities::{Measure, Unit, format_significant};
 use workbench::text::{condition_text, describe_uncovered, evidence_text, symbol_term};
-use workbench::{EXPORT_COLUMNS, Language, Sheet, SheetNote, SheetRow, SheetSection, export_rows};
+use workbench::{EXPORT_COLUMNS, Language, Sheet, SheetNote, SheetRow, SheetSection, Uncovered, export_rows};
 
 /// `antrieb data CODE`
 pub(crate) fn sheet(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -32,7 +32,7 @@ pub(crate) fn sheet(matches: &ArgMatches, as_json: bool, language: Language) -> 
 fn sheet_text(sheet: &Sheet, language: Language) -> String {
     let mut out = format!("{}\n", sheet.code);
     for what in &sheet.uncovered {
-        out.push_str(&paragraph("antrieb: ", describe_uncovered(*what, language)));
+        out.push_str(&paragraph(&format!("[{}] antrieb: ", letters(*what)), describe_uncovered(*what, language)));
     }
     let mut errata: Vec<&'static str> = Vec::new();
     for section in &sheet.sections {
@@ -72,6 +72,7 @@ fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'sta
         table.row([cell.place.symbol.to_owned(), value, unit.to_owned(), name]);
     }
     out.push_str(&table.render());
+    notes.sort_by(|(one, _), (other, _)| one.cmp(other));
     for (mark, note) in notes {
         out.push_str(&paragraph(&format!("[{mark}] {}", by(&note)), sheet_note_text(&note, language)));
     }
@@ -113,8 +114,21 @@ fn value_text(row: &SheetRow, language: Language) -> String {
     }
 }
 
-/// The mark of a note in a table: the printed one, or the next small letter.
+/// The token of the code that brings what the tables do not cover.
+const fn letters(what: Uncovered) -> &'static str {
+    match what {
+        Uncovered::LongerWithK => "K",
+        Uncovered::SpecialDesign => "SP",
+        Uncovered::OutputEncoder => "EC",
+    }
+}
+
+/// The mark of a note in a table: the printed one, or the next small letter. What the tables do not cover of the code
+/// stands at the head of the sheet.
 fn mark_of(notes: &mut Vec<(String, SheetNote)>, note: SheetNote) -> String {
+    if let SheetNote::Uncovered(what) = note {
+        return letters(what).to_owned();
+    }
     if let Some((mark, _)) = notes.iter().find(|(_, known)| *known == note) {
         return mark.clone();
     }

@@ -2,7 +2,7 @@
 
 use crate::codes::all;
 use crate::rules::Availability;
-use order_code::{Brake, OrderCode, Size, Winding};
+use order_code::{Brake, Field, OrderCode, Size, Winding};
 
 /// A valid code with data, and its availability.
 type Known = (OrderCode, Availability);
@@ -20,14 +20,27 @@ fn sorted_words(text: &str) -> String {
 }
 
 /// The valid codes nearest to a misspelt text, by the number of letters to insert, delete, change or swap; words in the
-/// wrong order count as one step. Only codes with data; of several as near, those available without asking first.
+/// wrong order count as one step. Only codes with data, and with all the words that were understood if there are such; of
+/// several as near, those available without asking first.
 ///
 /// Cost: two edit distances (some 20 × 20 steps each) per valid code.
 #[must_use]
 pub fn nearest(text: &str, most: usize) -> Vec<&'static (OrderCode, Availability)> {
     let wanted: String = text.trim().to_uppercase().chars().take(40).collect();
     let wanted_words = sorted_words(&wanted);
-    let mut scored: Vec<(usize, bool, &Known)> = with_data()
+    let understood: Vec<(Field, &str)> = match order_code::parse(text) {
+        Err(faults) => Field::ALL.iter().filter_map(|field| Some((*field, faults.understood(*field)?))).collect(),
+        Ok(_) => Vec::new(),
+    };
+    let keeps = |(code, _): &&Known| {
+        understood.iter().all(|(field, word)| *field == Field::Special || code.token(*field) == Some(word))
+    };
+    let mut kept: Vec<&Known> = with_data().filter(keeps).collect();
+    if kept.is_empty() {
+        kept = with_data().collect();
+    }
+    let mut scored: Vec<(usize, bool, &Known)> = kept
+        .into_iter()
         .map(|known| {
             let text = known.0.to_string();
             let as_written = order_code::edit_distance(&wanted, &text);
@@ -96,6 +109,7 @@ mod tests {
     fn every_proposal_has_data() {
         for (code, _) in nearest("CHA-20A-100-H-REX", 40) {
             assert!(catalogue::drive(code.size, code.winding, code.feedback).is_some(), "{code}");
+            assert!(code.to_string().starts_with("CHA-20A-100-H"), "what was understood is kept: {code}");
         }
     }
 }

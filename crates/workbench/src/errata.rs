@@ -72,8 +72,11 @@ fn unknown(text: &str, language: Language) -> ErrataRefusal {
     let lower = text.to_lowercase();
     let names = catalogue::errata().iter().map(|erratum| erratum.id);
     let names = names.chain(catalogue::tables().iter().map(|table| table.id));
-    let scored = names.map(|name| (strsim::damerau_levenshtein(&lower, &name.to_lowercase()), name));
-    let near = scored.min().filter(|(distance, _)| *distance * 2 <= text.chars().count()).map(|(_, name)| name);
+    // Of several as near, the one that begins most like the text.
+    let alike = |name: &str| lower.bytes().zip(name.to_lowercase().bytes()).take_while(|(a, b)| a == b).count();
+    let distance = |name: &str| strsim::damerau_levenshtein(&lower, &name.to_lowercase());
+    let scored = names.map(|name| (distance(name), std::cmp::Reverse(alike(name)), name));
+    let near = scored.min().filter(|(distance, ..)| *distance * 2 <= text.chars().count()).map(|(_, _, name)| name);
     ErrataRefusal::Unknown {
         message: either(
             language,
@@ -115,7 +118,7 @@ mod tests {
         let Err(ErrataRefusal::Unknown { hint, .. }) = errata_about(Some("77.2"), Language::En) else {
             panic!("77.2 is no table");
         };
-        assert!(hint.is_some());
+        assert_eq!(hint.unwrap(), "did you mean `77.1`?");
         assert!(matches!(errata_about(Some("CHA-40A-30-H-C1024"), Language::De), Err(ErrataRefusal::Code(_))));
         assert!(matches!(errata_about(Some("CHA-40A-50-H-RES"), Language::De), Err(ErrataRefusal::NoData)));
     }
