@@ -2,8 +2,8 @@
 
 use crate::error::CodeErrors;
 use crate::field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
+use crate::parse::Spans;
 use crate::scan::{Form, scan};
-use std::ops::Range;
 
 /// One field of a partial code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,7 +75,7 @@ impl Pattern {
     ///
     /// # Errors
     /// As [`Pattern::parse`].
-    pub fn parse_with_spans(text: &str) -> Result<(Self, Vec<(Field, Range<usize>)>), CodeErrors> {
+    pub fn parse_with_spans(text: &str) -> Result<(Self, Spans), CodeErrors> {
         let (tokens, _) = scan(text, Form::Pattern)?;
         let token = |field: Field| tokens.iter().find(|found| found.field == field).and_then(|found| found.token);
         let pattern = Self {
