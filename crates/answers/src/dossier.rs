@@ -1,6 +1,6 @@
 //! All that a report lays out.
 
-use crate::{CitedErratum, Explained, Judgement, Sizing};
+use crate::{CitedErratum, Explained, Inertia, Judgement, Number, Sizing};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -11,8 +11,12 @@ pub struct Dossier {
     pub judgement: Judgement,
     /// The catalogue ranked, with every candidate.
     pub sizing: Sizing,
-    /// The project as it was written.
-    pub inputs: Vec<Input>,
+    /// Why the others are rejected, the most frequent reason first.
+    pub rejections: Vec<RejectionGroup>,
+    /// The project as it was written, table by table.
+    pub inputs: Vec<InputTable>,
+    /// What hangs on the flange.
+    pub mechanism: Mechanism,
     /// The checks with their derivations.
     pub explained: Vec<Explained>,
     /// What is ordered.
@@ -27,17 +31,71 @@ pub struct Dossier {
     pub fingerprints: Fingerprints,
 }
 
-/// A value of the project file.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Input {
-    /// Its key: `load.inertia`, `motion[2].speed`.
+/// A reason for which actuators are rejected, and whom it rejects. Each stands at its first reason: a requirement that is
+/// not met goes before a check that fails.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct RejectionGroup {
+    /// The reason in words: the requirement, or the title of the check.
+    pub reason: String,
+    /// Whether a check fails; else a requirement or a rule of the ordering code is in the way.
+    pub is_check: bool,
+    /// The ordering codes in alphabetical order.
+    pub codes: Vec<String>,
+}
+
+/// A table of the project file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct InputTable {
+    /// Its key, as if the axis stood alone: `load`, `motion[2]`; empty for what stands before all tables.
     pub key: String,
-    /// The key in words; empty where there are none.
+    /// What it is about, in words.
+    pub title: String,
+    /// Whether it describes the mechanism.
+    pub of_mechanism: bool,
+    /// Its values in the order of the file.
+    pub values: Vec<Input>,
+}
+
+/// A value of the project file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Input {
+    /// Its name within the table: `inertia`, `bodies[1]`.
+    pub name: String,
+    /// The name in words; empty where there are none.
     pub label: String,
-    /// What is written there, without the quotes.
+    /// What is written there, in the words and with the signs of the language.
     pub text: String,
     /// How far it may lie to either side, with its unit; `null` where it is exact.
     pub tolerance: Option<String>,
+}
+
+/// What kind of mechanism hangs on the flange.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[allow(missing_docs, reason = "the names are those of the project file")]
+pub enum MechanismKind {
+    Load,
+    Turntable,
+    Arm,
+    Screw,
+    Belt,
+    Conveyor,
+    SliderCrank,
+    Joint,
+    Table,
+}
+
+/// What hangs on the flange.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Mechanism {
+    /// Its kind.
+    pub kind: MechanismKind,
+    /// How far the positive direction of its line points above the horizontal, in degrees; `null` without a line.
+    pub inclination_deg: Option<Number>,
+    /// The way along its line that one turn of the actuator makes, in mm; `null` without a line.
+    pub travel_mm_per_rev: Option<Number>,
+    /// The bodies with their masses and inertias; only of a turntable.
+    pub bodies: Option<Inertia>,
 }
 
 /// A line of the bill of material.

@@ -9,12 +9,28 @@ use serde::{Serialize, Serializer};
 pub struct ReportWritten {
     /// Its path as given.
     pub file: String,
+    /// Ordering code, or name of the project's own actuator; left out where the report is about several axes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub code: Option<String>,
+    /// Whether nothing speaks against it, or against any of several.
+    pub verdict: Fit,
+    /// With several axes only: each with its actuator.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
+    pub axes: Vec<AxisWritten>,
+    /// Size of the file.
+    pub bytes: usize,
+}
+
+/// An axis in a file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct AxisWritten {
+    /// Its name.
+    pub axis: String,
     /// Ordering code, or name of the project's own actuator.
     pub code: String,
     /// Whether nothing speaks against it.
     pub verdict: Fit,
-    /// Size of the file.
-    pub bytes: usize,
 }
 
 /// `export --out`: the file that was written.

@@ -28,11 +28,15 @@ pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveK
 pub use check::{Check, CitedErratum, Derivation, Explained, Explanations, Node};
 pub use code::{Choice, CodeFault, CodeFaults, CodeField, CodeReading, Completion, ListedCode, OpenField};
 pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
-pub use dossier::{Document, Dossier, ErratumUsed, Fingerprints, Input, Item, ScrewJoint};
+pub use dossier::{
+    Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, MechanismKind, RejectionGroup,
+    ScrewJoint,
+};
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
 pub use fault::{Fault, Faults, Place};
 pub use files::{
-    ColumnKind, ExportWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn, TableRow, TableWritten,
+    AxisWritten, ColumnKind, ExportWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn, TableRow,
+    TableWritten,
 };
 pub use id::{Availability, Fit, Id, Identified};
 pub use judged::{
@@ -41,7 +45,9 @@ pub use judged::{
 };
 pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, UnitBy};
 pub use number::Number;
+pub use provenance::Grade;
 pub use reference::reference;
 pub use schema::{Answered, Axes, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
+pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;

@@ -7,18 +7,18 @@ use crate::subject::candidate;
 use crate::subject::picked;
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Style, Theme};
-use report::{Content, Settings};
+use report::{AxisContent, Content, Place, Settings};
 use std::path::{Path, PathBuf};
-use workbench::answers::ReportWritten;
+use workbench::answers::{AxisWritten, Fit, ReportWritten};
 use workbench::text::standing_text;
 use workbench::{Candidate, Language, Project, Sampling, Sizing, answer};
 
 /// The figures of the report beside the map of the candidates, each with its place there.
-const FIGURES: [(&str, Figure); 4] = [
-    ("motion", Figure::Cycle),
-    ("torque_speed", Figure::TorqueSpeed),
-    ("output_bearing", Figure::BearingLoad),
-    ("gear", Figure::Torsion),
+const FIGURES: [(Place, &str, Figure); 4] = [
+    (Place::Motion, "motion", Figure::Cycle),
+    (Place::TorqueSpeed, "torque_speed", Figure::TorqueSpeed),
+    (Place::OutputBearing, "output_bearing", Figure::BearingLoad),
+    (Place::Gear, "gear", Figure::Torsion),
 ];
 
 /// `antrieb report PROJECT --out FILE`
@@ -27,7 +27,7 @@ pub(crate) fn report(matches: &ArgMatches, as_json: bool, language: Language) ->
     write(matches, &out, as_json, language).unwrap_or_else(|answer| answer)
 }
 
-/// Writes the report of the axis and the actuator that are asked for.
+/// Writes the report of the axes and the actuator that are asked for.
 pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: Language) -> Result<Answer, Answer> {
     if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
         let what = match language {
@@ -41,35 +41,64 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
     let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
     let source = Source::read(&path, as_json, language)?;
     let projects = picked(source.projects(as_json, language)?, matches, as_json, language)?;
-    let [axis @ (_, project)] = projects.as_slice() else {
+    if projects.len() > 1 && matches!(matches.try_get_one::<String>("code"), Ok(Some(_))) {
         let names: Vec<&str> = projects.iter().map(|(_, project)| project.name.as_str()).collect();
         let names = names.join(", ");
         let what = match language {
-            Language::En => format!("a report is that of one axis; name it with --axis: {names}"),
-            Language::De => format!("ein Bericht gilt für eine Achse; sie mit --axis nennen: {names}"),
+            Language::En => {
+                format!("--code is for one axis, and the project has several; name it with --axis: {names}")
+            }
+            Language::De => {
+                format!("--code gilt für eine Achse, und das Projekt hat mehrere; sie mit --axis nennen: {names}")
+            }
         };
         return Err(simple(&what, as_json, language));
-    };
-    let sizing = workbench::size(project);
-    let best = || sizing.candidates.first().map(|best| best.id.clone());
-    let (candidate, talk) = candidate(project, best, matches, as_json, language)?;
-    let content = content((axis.0, project), &sizing, &candidate, &source.text, language);
+    }
+    let (mut axes, mut told, mut talk, mut standings) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for (place, project) in &projects {
+        let sizing = workbench::size(project);
+        let best = || sizing.candidates.first().map(|best| best.id.clone());
+        let (candidate, said) = candidate(project, best, matches, as_json, language)?;
+        axes.push(content((*place, project), &sizing, &candidate, &source.text, language));
+        told.push(AxisWritten {
+            axis: project.name.clone(),
+            code: candidate.id.to_string(),
+            verdict: answer::fit(&candidate),
+        });
+        standings.push(standing_text(&candidate, language));
+        talk.push(said);
+    }
+    let content = Content { language, axes };
     let bytes =
         report::pdf(&content, &settings(matches)).map_err(|fault| simple(&fault.to_string(), as_json, language))?;
     save(&[(out, &bytes)], matches.get_flag("force"))
         .map_err(|fault| simple(&fault.message(language), as_json, language))?;
-    let verdict = standing_text(&candidate, language);
-    let data = if as_json {
-        written(&ReportWritten {
-            file: out.display().to_string(),
-            code: candidate.id.to_string(),
-            verdict: answer::fit(&candidate),
-            bytes: bytes.len(),
-        })
-    } else {
-        format!("{}: {}: {verdict}; {} kB\n", out.display(), candidate.id, bytes.len() / 1000)
+    let fits = told.iter().all(|each| each.verdict == Fit::Fits);
+    let data = match (as_json, told.as_slice()) {
+        (false, [one]) => format!(
+            "{}: {}: {}; {} kB\n",
+            out.display(),
+            one.code,
+            standings.first().map_or("", String::as_str),
+            bytes.len() / 1000
+        ),
+        (false, several) => {
+            let lines = several.iter().zip(&standings);
+            let lines: String = lines.map(|(each, text)| format!("  {}: {}: {text}\n", each.axis, each.code)).collect();
+            format!("{}: {} kB\n{lines}", out.display(), bytes.len() / 1000)
+        }
+        (true, _) => {
+            let code = if let [one] = told.as_slice() { Some(one.code.clone()) } else { None };
+            written(&ReportWritten {
+                file: out.display().to_string(),
+                axes: if code.is_some() { Vec::new() } else { told },
+                code,
+                verdict: Fit::of(fits),
+                bytes: bytes.len(),
+            })
+        }
     };
-    Ok(Answer { talk, ..Answer::data(data) }.fits(candidate.fits()))
+    Ok(Answer { talk: talk.concat(), ..Answer::data(data) }.fits(fits))
 }
 
 fn settings(matches: &ArgMatches) -> Settings {
@@ -77,6 +106,7 @@ fn settings(matches: &ArgMatches) -> Settings {
         let given = matches.try_get_one::<String>(name).ok().flatten();
         given.cloned().unwrap_or_default()
     };
+    let flag = |name: &str| matches.try_get_one::<bool>(name).ok().flatten().copied().unwrap_or(false);
     Settings {
         date: Some(text("date")).filter(|date| !date.is_empty()),
         revision: text("revision"),
@@ -84,7 +114,8 @@ fn settings(matches: &ArgMatches) -> Settings {
         number: text("number"),
         author: text("author"),
         company: text("company"),
-        pdf_a: matches.try_get_one::<bool>("archive").ok().flatten().copied().unwrap_or(false),
+        pdf_a: flag("archive"),
+        full: flag("full"),
     }
 }
 
@@ -95,7 +126,7 @@ fn content(
     candidate: &Candidate<'_>,
     text: &str,
     language: Language,
-) -> Content {
+) -> AxisContent {
     let figures = || drawn_figures(project, sizing, candidate, language);
     std::thread::scope(|scope| {
         let drawn = scope.spawn(|| {
@@ -112,7 +143,7 @@ fn content(
             (text, place, concat!("antrieb ", env!("CARGO_PKG_VERSION"))),
             language,
         );
-        Content { language, dossier, figures: drawn.join().unwrap_or_else(|_| figures()) }
+        AxisContent { dossier, figures: drawn.join().unwrap_or_else(|_| figures()) }
     })
 }
 
@@ -122,18 +153,18 @@ fn drawn_figures(
     candidate: &Candidate<'_>,
     language: Language,
 ) -> Vec<report::Figure> {
-    let figures = FIGURES.iter().filter_map(|(place, figure)| {
+    let figures = FIGURES.iter().filter_map(|(place, id, figure)| {
         let drawing = figures::draw(*figure, project, candidate, By::Mass, language).ok()?;
-        Some(drawn(place, &drawing, language))
+        Some(drawn((*place, id), &drawing, language))
     });
     let map = figures::candidate_map(sizing, By::Mass, Some(&candidate.id), language);
-    figures.chain([drawn("alternatives", &map, language)]).collect()
+    figures.chain([drawn((Place::Alternatives, "alternatives"), &map, language)]).collect()
 }
 
-fn drawn(place: &str, drawing: &Drawing, language: Language) -> report::Figure {
-    let style = Style::new(drawing.size()).theme(Theme::Light).language(language).id(place);
+fn drawn((place, id): (Place, &str), drawing: &Drawing, language: Language) -> report::Figure {
+    let style = Style::new(drawing.size()).theme(Theme::Light).language(language).id(id);
     report::Figure {
-        name: place.to_owned(),
+        place,
         svg: drawing.render(&style).into_svg(),
         caption: drawing.caption.clone(),
         alternative_text: drawing.description.clone(),

@@ -1,62 +1,67 @@
 //! The report: results as a document to sign, typeset as PDF. It lays out and computes nothing.
 //!
 //! A face gathers what the workbench answers into a [`Content`], adds what stands on the title page ([`Settings`]) and
-//! asks for the [`pdf`]. Same content and settings, same bytes: no clock, no file, no system font is touched.
+//! asks for the PDF. Same content and settings, same bytes: no clock, no file, no system font is touched.
 
-#[cfg(feature = "pdf")]
-mod data;
 #[cfg(feature = "pdf")]
 mod document;
 #[cfg(feature = "pdf")]
 mod glyphs;
 #[cfg(feature = "pdf")]
 mod press;
-mod project;
 #[cfg(feature = "pdf")]
 mod template;
 
 #[cfg(feature = "png")]
 pub use press::pages_png;
 #[cfg(feature = "pdf")]
-pub use press::{overlaps, page_texts, pdf, prepare, right_edges};
+pub use press::{overlaps, page_fills, page_texts, pdf, prepare, right_edges};
 
-pub use project::{Input, inputs};
+use answers::Dossier;
 use quantities::Language;
+use serde::Serialize;
 
 /// Everything that stands in the report, as data.
 #[derive(Clone, Debug)]
 pub struct Content {
-    /// The language of headings and numbers. The texts within `data` are in the language they were asked in.
+    /// The language of headings and numbers. The texts within the dossiers are in the language they were asked in.
     pub language: Language,
-    /// One JSON document; every key may be left out or `null`.
-    ///
-    /// | key | what |
-    /// |---|---|
-    /// | `check` | the chosen actuator, as `check --json` gives it |
-    /// | `sizing` | the ranking, as `size --json --all` gives it |
-    /// | `inputs` | the project as written: `key`, `text` and, where known, `label`, `unit`, `tolerance`; see [`inputs`] |
-    /// | `assumptions` | texts; without it those of `check`, else of `sizing` |
-    /// | `explain` | the derivations, as `explain --json` gives them |
-    /// | `derivations` | the same in another form, per check: `check` (its id), `title`, `nodes`: trees of `label`, `formula`, `substituted`, `value`, `unit`, `source`, `grade`, `children` |
-    /// | `recordings` | `file`, `samples`, `note` of each recorded motion |
-    /// | `hash` | `project`, `catalogue` |
-    /// | `bill_of_material` | `item`, `quantity`, `code`, `text`, `source` |
-    /// | `wiring` | `connector`, `pin`, `signal`, `colour`, `text`, `source` |
-    /// | `screws` | `joint`, `screws`, `circle`, `torque`, `text`, `source` |
-    /// | `sources` | `id`, `title` |
-    /// | `errata` | `id`, `text`, `source` |
-    pub data: serde_json::Value,
+    /// The axes in the order of the project; at least one.
+    pub axes: Vec<AxisContent>,
+}
+
+/// What stands in the report of one axis.
+#[derive(Clone, Debug)]
+pub struct AxisContent {
+    /// All answers about it.
+    pub dossier: Dossier,
     /// Drawn diagrams, in the order in which they shall stand.
     pub figures: Vec<Figure>,
+}
+
+/// The part of a report in which a diagram stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Place {
+    /// The motion over the cycle.
+    Motion,
+    /// The plane of torque and speed.
+    TorqueSpeed,
+    /// The loads on the output bearing, beside the checks.
+    OutputBearing,
+    /// The torsion of the gear, beside the checks.
+    Gear,
+    /// What the tolerances do.
+    Tolerances,
+    /// The other actuators.
+    Alternatives,
 }
 
 /// A drawn diagram.
 #[derive(Clone, Debug)]
 pub struct Figure {
-    /// Its place and name: up to the first `:`, `/` or end one of `mechanism`, `motion`, `demand`, `torque_speed`,
-    /// `checks`, `output_bearing`, `gear`, `brake`, `thermal`, `energy`, `feedback`, `screws`, `alternatives`, `wiring`, or
-    /// an id of the crate `figures`; any other name puts it behind the parts of chapter 7.
-    pub name: String,
+    /// Where it stands.
+    pub place: Place,
     /// SVG, its text in the family Inter.
     pub svg: String,
     /// The line below it.
@@ -65,7 +70,7 @@ pub struct Figure {
     pub alternative_text: String,
 }
 
-/// What stands on the title page beside the results.
+/// What stands on the title page beside the results, and how much follows it.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     /// The date of the document, `2026-11-21`; none is invented, and [`Settings::pdf_a`] needs one.
@@ -82,32 +87,25 @@ pub struct Settings {
     pub company: String,
     /// Whether the file is to be kept: PDF/A-2a. Tagged it is in any case.
     pub pdf_a: bool,
+    /// With every derivation, the sources of every figure and every rejected code as appendices.
+    pub full: bool,
 }
 
 /// Why there is no report.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Fault {
-    /// The data do not have the form of the contract.
-    #[error("the data of the report have another form than expected: {message}")]
-    Data {
-        /// What was expected where.
-        message: String,
-    },
-    /// The project file is no TOML.
-    #[error("the project cannot be read: {message}")]
-    Project {
-        /// What is wrong.
-        message: String,
-    },
+    /// There is nothing to report on.
+    #[error("a report needs at least one axis")]
+    NoAxis,
     /// The date is no calendar date.
-    #[error("`{text}` is no date")]
+    #[error("`{text}` is not a date")]
     Date {
         /// As given.
         text: String,
     },
-    /// A file to be kept states when it was made, and there is no clock here.
-    #[error("a file to be kept (PDF/A) needs a date")]
+    /// An archive file states when it was made, and there is no clock here.
+    #[error("an archive file (PDF/A) needs a date")]
     NoDate,
     /// The typesetting engine refused the document.
     #[error("the report cannot be typeset: {message}")]

@@ -21,7 +21,7 @@ use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
 /// The report as PDF, tagged, every font embedded.
 ///
 /// # Errors
-/// [`Fault::Data`], [`Fault::Date`] and [`Fault::NoDate`] for what cannot be read; the others when the engine refuses, which is a defect.
+/// [`Fault::NoAxis`], [`Fault::Date`] and [`Fault::NoDate`] for what cannot be set; the others when the engine refuses, which is a defect.
 pub fn pdf(content: &Content, settings: &Settings) -> Result<Vec<u8>, Fault> {
     if settings.pdf_a && settings.date.is_none() {
         return Err(Fault::NoDate);
@@ -112,6 +112,32 @@ fn right_edge(frame: &Frame, left: f64) -> f64 {
     ends.fold(0.0, f64::max)
 }
 
+/// How far down the content of every page reaches, head and foot lines left out, in points: the text ends at 771.
+///
+/// # Errors
+/// As [`pdf`].
+#[doc(hidden)]
+pub fn page_fills(content: &Content, settings: &Settings) -> Result<Vec<f64>, Fault> {
+    let document = typeset(content, settings)?;
+    let fills = document.pages().iter().map(|page| lowest(&page.frame, 0.0, 771.0)).collect();
+    forget();
+    Ok(fills)
+}
+
+fn lowest(frame: &Frame, top: f64, end: f64) -> f64 {
+    let ends = frame.items().map(|(place, item)| {
+        let top = top + place.y.to_pt();
+        let bottom = match item {
+            FrameItem::Group(group) => lowest(&group.frame, top + group.transform.ty.to_pt(), end),
+            FrameItem::Image(_, size, _) => top + size.y.to_pt(),
+            _ => top,
+        };
+        // What reaches beyond belongs to the foot.
+        if bottom > end { 0.0 } else { bottom }
+    });
+    ends.fold(0.0, f64::max)
+}
+
 /// Texts that stand upon each other, as `one | other`: none should.
 ///
 /// # Errors
@@ -179,12 +205,15 @@ fn forget() {
 fn typeset(content: &Content, settings: &Settings) -> Result<PagedDocument, Fault> {
     let fonts = fonts();
     let document = Document::build(content, settings)?;
-    let document = serde_json::to_value(&document).map_err(|fault| Fault::Data { message: fault.to_string() })?;
+    let document =
+        serde_json::to_value(&document).map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
     let document = fonts.glyphs.printable(document);
     let mut files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
     files.insert("data.json".to_owned(), document.to_string().into_bytes());
-    for (index, figure) in content.figures.iter().enumerate() {
-        files.insert(figure_file(index), figure.svg.clone().into_bytes());
+    for (axis, of_axis) in content.axes.iter().enumerate() {
+        for (index, figure) in of_axis.figures.iter().enumerate() {
+            files.insert(figure_file(axis, index), figure.svg.clone().into_bytes());
+        }
     }
     let press = Press { template: template()?, files };
     typst::compile::<PagedDocument>(&press)

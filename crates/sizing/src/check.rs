@@ -26,6 +26,18 @@ impl Direction {
             Self::AtLeast => "at_least",
         }
     }
+
+    /// The sign between a value and its limit that is true: ≤, >, ≥ or <.
+    #[must_use]
+    pub fn relation(self, passes: bool, value: f64, limit: f64) -> &'static str {
+        // What passes keeps its limit, also where it is at it but for rounding.
+        match self {
+            Self::AtMost if passes || value.abs() <= limit.abs() => "≤",
+            Self::AtMost => ">",
+            Self::AtLeast if passes || value >= limit => "≥",
+            Self::AtLeast => "<",
+        }
+    }
 }
 
 /// What the utilisation of a check says.
@@ -232,6 +244,12 @@ impl CheckId {
     #[must_use]
     pub const fn has_margin(self) -> bool {
         matches!(self.margin(), Margin::Share)
+    }
+
+    /// Whether it can do no more than advise: what it compares with is a recommendation.
+    #[must_use]
+    pub const fn is_recommendation(self) -> bool {
+        matches!(self.margin(), Margin::Recommendation)
     }
 
     /// Whether its answer hangs neither on the load nor on the pace of the motion.
@@ -507,14 +525,6 @@ impl Check {
     /// The sign between value and limit that is true: ≤, >, ≥ or <; none where one of them is missing.
     #[must_use]
     pub fn relation(&self) -> Option<&'static str> {
-        let (value, limit) = (self.value?.si, self.limit?.si);
-        // What passes keeps its limit, also where it is at it but for rounding.
-        let passes = self.verdict == Verdict::Pass;
-        Some(match self.direction() {
-            Direction::AtMost if passes || value.abs() <= limit.abs() => "≤",
-            Direction::AtMost => ">",
-            Direction::AtLeast if passes || value >= limit => "≥",
-            Direction::AtLeast => "<",
-        })
+        Some(self.direction().relation(self.verdict == Verdict::Pass, self.value?.si, self.limit?.si))
     }
 }

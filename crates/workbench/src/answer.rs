@@ -7,6 +7,7 @@ mod code;
 mod dossier;
 mod errata;
 mod fault;
+mod inputs;
 mod judged;
 mod motion;
 mod sheet;

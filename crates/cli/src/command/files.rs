@@ -201,7 +201,11 @@ pub(super) fn report(language: Language) -> Command {
                 .short('o')
                 .required(true)
                 .value_parser(value_parser!(std::path::PathBuf)),
-        );
+        )
+        .arg(Arg::new("full").long("full").action(ArgAction::SetTrue).help(t(
+            "With the derivation of every check, all sources and all codes as appendices",
+            "Mit Herleitung jedes Nachweises, allen Quellen und allen Bestellbezeichnungen im Anhang",
+        )));
     sheet(command, language)
 }
 

@@ -1,20 +1,20 @@
 //! What else fits, what nearly fits, and why the rest does not.
 
-use super::checks::{Titles, by_utilisation, capital};
-use super::shown::Shown;
-use crate::data::{Judged, Rejected, Sizing};
+use super::checks::{Titles, capital};
+use super::shown::{Shown, tied};
+use answers::{Dossier, Rejection};
 use serde::Serialize;
 
-/// Nearest misses shown in full.
-const NEAREST: usize = 12;
-/// Fitting actuators shown in full.
-const FITTING: usize = 12;
+/// How many fitting actuators and nearest misses are shown.
+const FEW: usize = 5;
+/// The same in the full form.
+const MANY: usize = 12;
 
 #[derive(Serialize)]
 pub(super) struct Alternatives {
-    judged: Option<u64>,
-    fitting: Option<u64>,
-    answer: String,
+    judged: usize,
+    fitting: usize,
+    rejected: usize,
     rule: String,
     ranking: Vec<Fitting>,
     nearest: Vec<Miss>,
@@ -39,8 +39,8 @@ struct Miss {
     code: String,
     check: String,
     value: String,
+    relation: &'static str,
     limit: String,
-    utilisation: f64,
     percent: String,
     further: Vec<String>,
 }
@@ -48,99 +48,65 @@ struct Miss {
 /// One reason and every code that it excludes.
 #[derive(Serialize)]
 struct Reason {
-    /// `check` or `requirement`.
-    kind: &'static str,
+    is_check: bool,
     text: String,
+    count: usize,
+    /// Only of the full form.
     codes: Vec<String>,
 }
 
 impl Alternatives {
-    pub(super) fn build(sizing: &Sizing, judged: &Judged, titles: &Titles, shown: &Shown) -> Self {
-        let ranking = sizing
-            .ranking
-            .iter()
-            .take(FITTING)
-            .enumerate()
-            .map(|(index, each)| Fitting {
-                rank: index + 1,
-                code: each.code.clone(),
-                utilisation: each.utilisation.unwrap_or_default(),
-                percent: each.utilisation.map(|share| shown.percent(share)).unwrap_or_default(),
-                tightest: capital(&titles.of(&each.tightest)),
-                mass: each.mass_kg.map(|mass| shown.number(mass)).unwrap_or_default(),
-                open: each.open_questions,
-                on_request: each.on_request.clone(),
-                chosen: each.code == judged.code,
-            })
-            .collect();
+    pub(super) fn build(dossier: &Dossier, titles: &Titles, full: bool, shown: &Shown) -> Self {
+        let sizing = &dossier.sizing;
+        let chosen = dossier.judgement.candidate.code.as_deref();
+        let most = if full { MANY } else { FEW };
+        let best = sizing.ranking.iter().take(most);
+        let own = sizing.ranking.iter().skip(most).filter(|each| each.of.candidate.code.as_deref() == chosen);
+        let ranking = best.chain(own).map(|each| {
+            let candidate = &each.of.candidate;
+            Fitting {
+                rank: each.rank,
+                code: candidate.called().to_owned(),
+                utilisation: candidate.utilisation.written().unwrap_or_default(),
+                percent: shown.share(candidate.utilisation),
+                tightest: candidate.tightest.map(|id| capital(&titles.of(*id))).unwrap_or_default(),
+                mass: candidate.mass_kg.map(|mass| shown.number(mass)).unwrap_or_default(),
+                open: candidate.open_questions,
+                on_request: candidate.on_request.clone(),
+                chosen: candidate.code.as_deref() == chosen,
+            }
+        });
+        let reasons = dossier.rejections.iter().map(|group| Reason {
+            is_check: group.is_check,
+            text: tied(&capital(&group.reason)),
+            count: group.codes.len(),
+            codes: if full { group.codes.clone() } else { Vec::new() },
+        });
+        // Those that only a limit excludes; where the limit is zero there is no near and far.
+        let near = sizing.rejected.iter().filter(|each| each.objections.is_empty() && each.utilisation.is_some());
         Self {
             judged: sizing.judged,
             fitting: sizing.fitting,
-            answer: sizing.answer.clone(),
+            rejected: sizing.rejected.len(),
             rule: capital(&sizing.rule),
-            ranking,
-            nearest: nearest(&sizing.rejected, titles, shown),
-            reasons: reasons(&sizing.rejected, titles),
+            ranking: ranking.collect(),
+            nearest: near.take(most).filter_map(|each| miss(each, titles, shown)).collect(),
+            reasons: reasons.collect(),
         }
     }
 }
 
-/// Those that only a limit excludes, the least exceeded first. Where the limit is zero there is no near and far.
-fn nearest(rejected: &[Rejected], titles: &Titles, shown: &Shown) -> Vec<Miss> {
-    let mut near: Vec<&Rejected> =
-        rejected.iter().filter(|each| each.objections.is_empty() && each.utilisation.is_some()).collect();
-    near.sort_by(|a, b| by_utilisation(b.utilisation, a.utilisation));
-    near.into_iter()
-        .take(NEAREST)
-        .map(|each| {
-            let figure = |value: Option<f64>| value.map(|value| shown.figure(value, &each.unit)).unwrap_or_default();
-            Miss {
-                code: each.code.clone(),
-                check: capital(&titles.of(&each.check)),
-                value: figure(each.value),
-                limit: figure(each.limit),
-                utilisation: each.utilisation.unwrap_or_default(),
-                percent: each.utilisation.map(|share| shown.percent(share)).unwrap_or_default(),
-                further: each.failing.iter().filter(|id| **id != each.check).map(|id| titles.of(id)).collect(),
-            }
-        })
-        .collect()
-}
-
-/// Every rejected code once, below its first reason: a requirement not met goes before a limit exceeded.
-fn reasons(rejected: &[Rejected], titles: &Titles) -> Vec<Reason> {
-    let mut found: Vec<(String, Reason)> = Vec::new();
-    for each in rejected {
-        let (kind, text) = match each.objections.first() {
-            Some(objection) => ("requirement", objection.clone()),
-            None => ("check", titles.of(&each.check)),
-        };
-        let key = format!("{kind} {}", without_figures(&text));
-        match found.iter_mut().find(|(known, _)| *known == key) {
-            Some((_, reason)) => {
-                if reason.text != text {
-                    reason.text = without_figures(&text);
-                }
-                reason.codes.push(each.code.clone());
-            }
-            None => found.push((key, Reason { kind, text, codes: vec![each.code.clone()] })),
-        }
-    }
-    let mut reasons: Vec<Reason> = found.into_iter().map(|(_, reason)| reason).collect();
-    reasons.sort_by_key(|reason| std::cmp::Reverse(reason.codes.len()));
-    for reason in &mut reasons {
-        reason.codes.sort();
-    }
-    reasons
-}
-
-/// The sentence with every number replaced, so that alike reasons meet.
-fn without_figures(text: &str) -> String {
-    let words: Vec<&str> =
-        text.split(' ')
-            .map(|word| {
-                if word.parse::<f64>().is_ok() || word.replace(',', ".").parse::<f64>().is_ok() { "…" } else { word }
-            })
-            .collect();
-    words.join(" ")
+fn miss(rejection: &Rejection, titles: &Titles, shown: &Shown) -> Option<Miss> {
+    let check = *rejection.check?;
+    let (value, limit) = (rejection.value?, rejection.limit?);
+    let unit = rejection.unit.unwrap_or("1");
+    Some(Miss {
+        code: rejection.code.clone(),
+        check: capital(&titles.of(check)),
+        value: shown.figure(value, unit),
+        relation: check.direction().relation(false, value.0, limit.0),
+        limit: shown.figure(limit, unit),
+        percent: rejection.utilisation.map(|share| shown.share(share)).unwrap_or_default(),
+        further: rejection.failing.iter().filter(|id| ***id != check).map(|id| titles.of(**id)).collect(),
+    })
 }

@@ -1,7 +1,7 @@
-//! The checks: their order, their parts, their sources and derivations.
+//! The checks: their order, their counts, what is missing.
 
 use super::shown::{Shown, tied};
-use crate::data::{Check, Judged, Sizing};
+use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Verdict};
 use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -10,27 +10,41 @@ use std::collections::BTreeMap;
 #[derive(Serialize)]
 pub(super) struct Checks {
     rows: Vec<CheckRow>,
+    /// The remarks of all rows, each once, in the order of the rows that point to them.
+    notes: Vec<String>,
+    /// What could not be checked.
+    open: Vec<Open>,
 }
 
 #[derive(Serialize)]
-pub(super) struct CheckRow {
-    id: String,
+struct CheckRow {
+    id: &'static str,
     title: String,
-    verdict: String,
-    /// Chapter 7 of the part it belongs to.
-    part: String,
+    verdict: &'static str,
     value: String,
     limit: String,
-    /// `≤` or `≥` where the limit is kept, `>` or `<` where it is not.
+    /// Value and limit along the line of the mechanism; empty where there is none.
+    line: [String; 2],
+    /// The sign that is true between value and limit.
     relation: &'static str,
     utilisation: Option<f64>,
     /// Whether the utilisation tells a margin: that of a recommendation or of a voltage class does not.
     margin: bool,
     percent: String,
     at: String,
-    grade: String,
+    grade: &'static str,
     sources: Vec<String>,
+    /// Numbers of its remarks, from 1.
+    notes: Vec<usize>,
+}
+
+/// A check that could not be made.
+#[derive(Serialize)]
+struct Open {
+    title: String,
     missing: String,
+    /// Whether its answer could keep the actuator out.
+    rejects: bool,
     notes: Vec<String>,
 }
 
@@ -38,70 +52,122 @@ pub(super) struct Counts {
     pub(super) passed: usize,
     pub(super) failed: usize,
     pub(super) advised: usize,
+    /// Without a value: a datum is missing.
     pub(super) open: usize,
+    /// Those of the open ones that could keep the actuator out.
+    pub(super) rejecting: usize,
+    /// With a value and without a limit: nobody asked.
     pub(super) shown: usize,
 }
 
+/// Whether a check has no answer for want of a datum; with a value and without a limit it is shown, since nobody asked.
+fn is_open(check: &Check) -> bool {
+    *check.verdict == Verdict::NotChecked && check.value.is_none()
+}
+
 impl Checks {
-    pub(super) fn build(judged: &Judged, shown: &Shown) -> Self {
-        let mut checks: Vec<&Check> = judged.checks.iter().collect();
+    pub(super) fn build(dossier: &Dossier, shown: &Shown) -> Self {
+        let travel = dossier.mechanism.travel_mm_per_rev;
+        let mut checks: Vec<&Check> = dossier.judgement.candidate.checks.iter().collect();
         checks.sort_by(|a, b| rank(a).cmp(&rank(b)).then_with(|| by_utilisation(a.utilisation, b.utilisation)));
-        Self { rows: checks.into_iter().map(|check| row(check, shown)).collect() }
+        let (open, told): (Vec<&Check>, Vec<&Check>) = checks.into_iter().partition(|check| is_open(check));
+        let mut notes: Vec<String> = Vec::new();
+        let mut rows = Vec::new();
+        for check in told {
+            let own = check.notes.iter().map(|note| {
+                let note = tied(note);
+                notes.iter().position(|known| *known == note).unwrap_or_else(|| {
+                    notes.push(note);
+                    notes.len() - 1
+                }) + 1
+            });
+            let own = own.collect();
+            rows.push(row(check, own, travel, shown));
+        }
+        Self { rows, notes, open: open.into_iter().map(missing).collect() }
     }
 
     pub(super) fn counts(&self) -> Counts {
-        let count = |verdict: &str| self.rows.iter().filter(|row| row.verdict == verdict).count();
-        // With a value and without a limit a check is shown: nobody asked.
-        let open = self.rows.iter().filter(|row| row.verdict == "not_checked" && row.value.is_empty()).count();
+        let count = |verdict: Verdict| self.rows.iter().filter(|row| row.verdict == verdict.id()).count();
         Counts {
-            passed: count("pass"),
-            failed: count("fail"),
-            advised: count("advice"),
-            open,
-            shown: count("not_checked") - open,
+            passed: count(Verdict::Pass),
+            failed: count(Verdict::Fail),
+            advised: count(Verdict::Advice),
+            open: self.open.len(),
+            rejecting: self.open.iter().filter(|open| open.rejects).count(),
+            shown: count(Verdict::NotChecked),
         }
+    }
+}
+
+fn missing(check: &Check) -> Open {
+    Open {
+        title: capital(&check.title),
+        missing: check.missing.as_deref().map(tied).unwrap_or_default(),
+        rejects: !check.id.is_recommendation(),
+        notes: check.notes.iter().map(|note| tied(note)).collect(),
     }
 }
 
 /// What failed stands first and what was not checked last; between them the utilisation decides.
 fn rank(check: &Check) -> u8 {
-    match (check.verdict.as_str(), check.utilisation) {
-        ("fail", _) => 0,
-        ("not_checked", _) => 4,
+    match (*check.verdict, check.utilisation) {
+        (Verdict::Fail, _) => 0,
+        (Verdict::NotChecked, _) => 4,
         (_, Some(_)) => 1,
-        ("advice", None) => 2,
-        (_, None) => 3,
+        (Verdict::Advice, None) => 2,
+        (Verdict::Pass, None) => 3,
     }
 }
 
-pub(super) fn by_utilisation(a: Option<f64>, b: Option<f64>) -> Ordering {
+fn by_utilisation(a: Option<Number>, b: Option<Number>) -> Ordering {
     match (a, b) {
-        (Some(a), Some(b)) => b.total_cmp(&a),
+        (Some(a), Some(b)) => b.0.total_cmp(&a.0),
         (Some(_), None) => Ordering::Less,
         (None, Some(_)) => Ordering::Greater,
         (None, None) => Ordering::Equal,
     }
 }
 
-fn row(check: &Check, shown: &Shown) -> CheckRow {
-    let figure = |value: Option<f64>| value.map(|value| shown.figure(value, &check.unit)).unwrap_or_default();
+fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) -> CheckRow {
+    let unit = check.unit.unwrap_or("1");
+    let figure = |value: Option<Number>| value.map(|value| shown.figure(value, unit)).unwrap_or_default();
+    let along = |value: Option<Number>| {
+        let travel = travel.filter(|_| is_at_the_output(*check.id));
+        value.zip(travel).and_then(|(value, travel)| shown.along(value, unit, travel)).unwrap_or_default()
+    };
+    let passes = *check.verdict == Verdict::Pass;
+    let both = check.value.zip(check.limit);
     CheckRow {
-        id: check.id.clone(),
+        id: check.id.id(),
         title: capital(&check.title),
-        verdict: check.verdict.clone(),
-        part: check.part.clone(),
+        verdict: check.verdict.id(),
         value: figure(check.value),
         limit: figure(check.limit),
-        relation: relation(check),
-        utilisation: check.utilisation,
-        margin: check.verdict == "fail" || check.margin,
-        percent: check.utilisation.map(|share| shown.percent(share)).unwrap_or_default(),
+        line: [along(check.value), along(check.limit)],
+        relation: both.map_or("", |(value, limit)| check.direction.relation(passes, value.0, limit.0)),
+        utilisation: check.utilisation.and_then(Number::written),
+        margin: *check.verdict == Verdict::Fail || check.margin,
+        percent: check.utilisation.map(|share| shown.share(share)).unwrap_or_default(),
         at: check.at.map(|at| shown.figure(at, "s")).unwrap_or_default(),
-        grade: check.grade.clone(),
-        sources: parts_of_source(&check.source),
-        missing: check.missing.clone(),
-        notes: check.notes.iter().filter(|note| !note.is_empty()).map(|note| tied(note)).collect(),
+        grade: check.grade.map_or("", |grade| grade.id()),
+        sources: once(&check.sources),
+        notes,
     }
+}
+
+/// Whether the figures of a check are those of the output shaft, so that a line behind it follows them.
+const fn is_at_the_output(id: CheckId) -> bool {
+    matches!(
+        id,
+        CheckId::PeakSpeed
+            | CheckId::MeanSpeed
+            | CheckId::Torsion
+            | CheckId::ErrorBudget
+            | CheckId::BrakeEmergency
+            | CheckId::FeedbackResolution
+            | CheckId::FeedbackRange
+    )
 }
 
 /// The text as the head of a line.
@@ -110,40 +176,38 @@ pub(super) fn capital(text: &str) -> String {
     signs.next().map_or_else(String::new, |first| first.to_uppercase().chain(signs).collect())
 }
 
-/// How the value lies to its limit.
-fn relation(check: &Check) -> &'static str {
-    let (Some(value), Some(limit)) = (check.value, check.limit) else { return "" };
-    match (check.direction.as_str(), value > limit, value < limit) {
-        ("at_least", _, true) => "<",
-        ("at_least", ..) => "≥",
-        (_, true, _) => ">",
-        _ => "≤",
-    }
-}
-
-/// The sources of a check, each once.
-pub(super) fn parts_of_source(text: &str) -> Vec<String> {
-    let mut parts: Vec<String> = Vec::new();
-    for part in text.split("; ").map(str::trim).filter(|part| !part.is_empty()) {
-        if !parts.iter().any(|known| known == part) {
-            parts.push(part.to_owned());
+/// Each text once.
+pub(super) fn once(texts: &[String]) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    for text in texts {
+        if !found.contains(text) {
+            found.push(text.clone());
         }
     }
-    parts
+    found
 }
 
-/// Titles of the checks by id, from wherever one is named.
-pub(super) struct Titles(BTreeMap<String, String>);
+/// The grades that the checks of all axes bear, the best first.
+pub(super) fn grades<'d>(dossiers: impl Iterator<Item = &'d Dossier> + Clone) -> Vec<&'static str> {
+    let borne = |grade: &&Grade| {
+        let mut checks = dossiers.clone().flat_map(|dossier| &dossier.judgement.candidate.checks);
+        checks.any(|check| check.grade.is_some_and(|own| *own == **grade))
+    };
+    Grade::ALL.iter().filter(borne).map(|grade| grade.id()).collect()
+}
+
+/// Titles of the checks, from wherever one is named.
+pub(super) struct Titles(BTreeMap<CheckId, String>);
 
 impl Titles {
-    pub(super) fn collect(judged: &Judged, sizing: &Sizing) -> Self {
-        let ranked = sizing.ranking.iter().flat_map(|candidate| &candidate.checks);
-        let named = judged.checks.iter().chain(ranked).map(|check| (check.id.clone(), check.title.clone()));
-        Self(named.filter(|(_, title)| !title.is_empty()).collect())
+    pub(super) fn collect(dossier: &Dossier) -> Self {
+        let ranked = dossier.sizing.ranking.iter().flat_map(|ranked| &ranked.of.candidate.checks);
+        let named = dossier.judgement.candidate.checks.iter().chain(ranked);
+        Self(named.map(|check| (*check.id, check.title.clone())).collect())
     }
 
-    /// The title; the id where none is known.
-    pub(super) fn of(&self, id: &str) -> String {
-        self.0.get(id).cloned().unwrap_or_else(|| id.to_owned())
+    /// The title; the identifier where none is known.
+    pub(super) fn of(&self, id: CheckId) -> String {
+        self.0.get(&id).cloned().unwrap_or_else(|| id.id().to_owned())
     }
 }

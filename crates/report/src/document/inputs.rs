@@ -1,72 +1,101 @@
 //! The project as it was written, and what of it the sketch calls out.
 
-use super::shown::Shown;
-use crate::project::Input;
+use super::shown::{Shown, tied};
+use answers::{Dossier, InputTable, MechanismKind};
 use serde::Serialize;
 
 /// One table of the project file.
 #[derive(Serialize)]
 pub(super) struct Group {
-    name: String,
+    title: String,
     rows: Vec<Row>,
 }
 
 #[derive(Serialize)]
 pub(super) struct Row {
-    key: String,
+    name: String,
     label: String,
     text: String,
     tolerance: String,
 }
 
-fn row(input: &Input, key: &str, shown: &Shown) -> Row {
-    let text = if input.unit.is_empty() { input.text.clone() } else { format!("{} {}", input.text, input.unit) };
+fn row(input: &answers::Input) -> Row {
     Row {
-        key: key.to_owned(),
+        name: input.name.clone(),
         label: input.label.clone(),
-        text: shown.written(&text),
-        tolerance: shown.written(&input.tolerance),
+        text: tied(&input.text),
+        tolerance: input.tolerance.as_deref().map(tied).unwrap_or_default(),
     }
 }
 
-/// The inputs by table, in the order of the file.
-pub(super) fn groups(inputs: &[Input], shown: &Shown) -> Vec<Group> {
-    let mut groups: Vec<Group> = Vec::new();
-    for input in inputs {
-        let (name, key) = input.key.rsplit_once('.').unwrap_or(("", &input.key));
-        let row = row(input, key, shown);
-        match groups.iter_mut().find(|group| group.name == name) {
-            Some(group) => group.rows.push(row),
-            None => groups.push(Group { name: name.to_owned(), rows: vec![row] }),
-        }
-    }
-    groups
+/// The inputs by table, in the order of the file, without those of the mechanism, which stand beside its sketch.
+pub(super) fn groups(tables: &[InputTable]) -> Vec<Group> {
+    let others = tables.iter().filter(|table| !table.of_mechanism);
+    others.map(|table| Group { title: table.title.clone(), rows: table.values.iter().map(row).collect() }).collect()
 }
 
-/// Kind of the mechanism and its data.
+/// What hangs on the flange.
 #[derive(Serialize)]
 pub(super) struct Mechanism {
-    /// Key below `mechanism`, `load` for a load without mechanism, empty where the project is not given.
-    kind: String,
+    kind: MechanismKind,
+    /// Whether its line is nearer to the vertical than to the horizontal.
+    upright: bool,
+    /// Way along the line for one turn of the actuator.
+    travel: String,
     rows: Vec<Row>,
+    bodies: Vec<Body>,
+    /// Of all bodies together.
+    inertia: String,
+    mass: String,
 }
 
-/// What turns on the flange.
-pub(super) fn mechanism(inputs: &[Input], shown: &Shown) -> Mechanism {
-    let kind = inputs
-        .iter()
-        .find_map(|input| input.key.strip_prefix("mechanism."))
-        .and_then(|rest| rest.split(['.', '[']).next())
-        .map(str::to_owned);
-    let kind = kind.or_else(|| inputs.iter().any(|input| input.key.starts_with("load.")).then(|| "load".to_owned()));
-    let Some(kind) = kind else { return Mechanism { kind: String::new(), rows: Vec::new() } };
-    let prefix = format!("mechanism.{kind}");
-    let rows = inputs
-        .iter()
-        .filter_map(|input| {
-            let rest = input.key.strip_prefix(&prefix).or_else(|| input.key.strip_prefix("load"))?;
-            Some(row(input, rest.strip_prefix('.').unwrap_or(rest), shown))
-        })
-        .collect();
-    Mechanism { kind, rows }
+#[derive(Serialize)]
+struct Body {
+    shape: &'static str,
+    count: u32,
+    mass: String,
+    distance: String,
+    own: String,
+    steiner: String,
+    total: String,
+    text: String,
+}
+
+impl Mechanism {
+    pub(super) fn build(dossier: &Dossier, shown: &Shown) -> Self {
+        let found = &dossier.mechanism;
+        let mut rows: Vec<Row> =
+            dossier.inputs.iter().filter(|table| table.of_mechanism).flat_map(|table| &table.values).map(row).collect();
+        let mut bodies = Vec::new();
+        if let Some(inertia) = &found.bodies {
+            // Each body stands as a row of its own table, in the words of the project.
+            let (texts, others): (Vec<Row>, Vec<Row>) =
+                rows.into_iter().partition(|row| row.name.starts_with("bodies["));
+            rows = others;
+            let mut texts = texts.into_iter().map(|row| row.text);
+            bodies = inertia
+                .bodies
+                .iter()
+                .map(|body| Body {
+                    shape: body.shape,
+                    count: body.count,
+                    mass: shown.number(body.mass),
+                    distance: shown.number(body.distance),
+                    own: shown.number(body.own),
+                    steiner: shown.number(body.steiner),
+                    total: shown.number(body.total),
+                    text: texts.next().unwrap_or_default(),
+                })
+                .collect();
+        }
+        Self {
+            kind: found.kind,
+            upright: found.inclination_deg.is_some_and(|angle| (angle.0.abs() % 180.0 - 90.0).abs() < 45.0),
+            travel: found.travel_mm_per_rev.map(|travel| shown.figure(travel, "mm")).unwrap_or_default(),
+            rows,
+            bodies,
+            inertia: found.bodies.as_ref().map(|it| shown.figure(it.inertia, "kgm^2")).unwrap_or_default(),
+            mass: found.bodies.as_ref().map(|it| shown.figure(it.mass, "kg")).unwrap_or_default(),
+        }
+    }
 }

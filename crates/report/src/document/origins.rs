@@ -1,15 +1,17 @@
-//! Where every number is from: derivations in short, sources, errata.
+//! Where every number is from: derivations and sources, for the full form.
 
-use super::checks::{Titles, capital, parts_of_source};
-use super::shown::Shown;
-use crate::data::{Derivation, Erratum, Judged, Node, Titled};
+use super::checks::{capital, once};
+use super::shown::{Shown, tied};
+use answers::{Explained, Node};
 use serde::Serialize;
 
 /// A derivation as lines; depth tells what belongs to what.
 #[derive(Serialize)]
 pub(super) struct Derived {
-    check: String,
     title: String,
+    verdict: &'static str,
+    sources: Vec<String>,
+    grade: &'static str,
     lines: Vec<Line>,
 }
 
@@ -23,7 +25,7 @@ struct Line {
     substituted: String,
     result: String,
     source: String,
-    grade: String,
+    grade: &'static str,
     figures: Vec<Figure>,
 }
 
@@ -37,48 +39,46 @@ struct Figure {
 /// How deep a derivation goes in print; below it a figure stands with its value and source.
 const DEPTH: usize = 2;
 
-pub(super) fn derived(derivations: &[Derivation], shown: &Shown) -> Vec<Derived> {
-    derivations
-        .iter()
-        .map(|derivation| {
-            let mut lines = Vec::new();
-            let mut open: Vec<(usize, &Node)> = derivation.nodes.iter().rev().map(|node| (0, node)).collect();
-            while let Some((depth, node)) = open.pop() {
-                let own_line = |child: &&Node| depth < DEPTH && !child.formula.is_empty() && !child.repeated;
-                let (steps, figures): (Vec<&Node>, Vec<&Node>) = node.children.iter().partition(own_line);
-                let result = result_of(node, shown);
-                lines.push(Line {
-                    depth,
-                    label: greek(&node.label),
-                    term: node.term.clone(),
-                    formula: greek(&node.formula),
-                    // A formula that is one figure says with figures what its result says.
-                    substituted: if alike(&node.substituted, &result) {
-                        String::new()
-                    } else {
-                        node.substituted.clone()
-                    },
-                    result,
-                    source: node.source.clone(),
-                    grade: node.grade.clone(),
-                    figures: figures
-                        .into_iter()
-                        .map(|each| Figure {
-                            label: greek(&each.label),
-                            result: result_of(each, shown),
-                            source: if each.repeated { String::new() } else { each.source.clone() },
-                        })
-                        .collect(),
-                });
-                open.extend(steps.into_iter().rev().map(|child| (depth + 1, child)));
-            }
-            Derived { check: derivation.check.clone(), title: derivation.title.clone(), lines }
-        })
-        .collect()
-}
-
-fn result_of(node: &Node, shown: &Shown) -> String {
-    node.value.map(|value| shown.figure(value, &node.unit)).unwrap_or_default()
+pub(super) fn derived(explained: &[Explained], shown: &Shown) -> Vec<Derived> {
+    let derived = explained.iter().map(|each| {
+        let mut lines = Vec::new();
+        let sides = [&each.derivation.limit, &each.derivation.value].into_iter().flatten();
+        let mut open: Vec<(usize, &Node)> = sides.map(|node| (0, node)).collect();
+        while let Some((depth, node)) = open.pop() {
+            let own_line = |child: &&Node| depth < DEPTH && child.formula.is_some() && !child.repeated;
+            let (steps, figures): (Vec<&Node>, Vec<&Node>) = node.operands.iter().partition(own_line);
+            let result = shown.figure(node.value, node.unit);
+            let substituted = node.figures.as_deref().map(tied).unwrap_or_default();
+            lines.push(Line {
+                depth,
+                label: greek(&node.symbol),
+                term: node.term.clone(),
+                formula: node.formula.as_deref().map(greek).unwrap_or_default(),
+                // A formula that is one figure says with figures what its result says.
+                substituted: if alike(&substituted, &result) { String::new() } else { substituted },
+                result,
+                source: node.source.clone(),
+                grade: node.grade.map_or("", |grade| grade.id()),
+                figures: figures
+                    .into_iter()
+                    .map(|each| Figure {
+                        label: greek(&each.symbol),
+                        result: shown.figure(each.value, each.unit),
+                        source: if each.repeated { String::new() } else { each.source.clone() },
+                    })
+                    .collect(),
+            });
+            open.extend(steps.into_iter().rev().map(|child| (depth + 1, child)));
+        }
+        Derived {
+            title: capital(&each.check.title),
+            verdict: each.check.verdict.id(),
+            sources: once(&each.check.sources),
+            grade: each.check.grade.map_or("", |grade| grade.id()),
+            lines,
+        }
+    });
+    derived.filter(|each| !each.lines.is_empty()).collect()
 }
 
 /// Whether two texts differ in their spaces at most.
@@ -117,10 +117,6 @@ fn greek(text: &str) -> String {
     shown
 }
 
-fn title_of(derivation: &Derivation, titles: &Titles) -> String {
-    if derivation.title.is_empty() { titles.of(&derivation.check) } else { derivation.title.clone() }
-}
-
 /// A source and what it served.
 #[derive(Serialize)]
 pub(super) struct Source {
@@ -128,73 +124,33 @@ pub(super) struct Source {
     used_for: Vec<String>,
 }
 
-/// Every source in the order of its first use, those listed without use at the end.
-pub(super) fn sources(judged: &Judged, derivations: &[Derivation], listed: &[Titled], titles: &Titles) -> Vec<Source> {
+/// Every source in the order of its first use.
+pub(super) fn sources(explained: &[Explained]) -> Vec<Source> {
     let mut found: Vec<Source> = Vec::new();
-    let mut enter = |text: String, use_for: Option<String>| {
+    let mut enter = |text: &str, title: &str| {
+        if text.is_empty() {
+            return;
+        }
         let place = found.iter().position(|source| source.text == text).unwrap_or_else(|| {
-            found.push(Source { text, used_for: Vec::new() });
+            found.push(Source { text: text.to_owned(), used_for: Vec::new() });
             found.len() - 1
         });
-        if let (Some(source), Some(title)) = (found.get_mut(place), use_for)
-            && !source.used_for.contains(&title)
-        {
-            source.used_for.push(title);
+        if let Some(source) = found.get_mut(place).filter(|source| source.used_for.iter().all(|known| known != title)) {
+            source.used_for.push(title.to_owned());
         }
     };
-    for check in &judged.checks {
-        for text in parts_of_source(&check.source) {
-            enter(text, Some(capital(&check.title)));
+    for each in explained {
+        let title = capital(&each.check.title);
+        for text in &each.check.sources {
+            enter(text, &title);
         }
-    }
-    for derivation in derivations {
-        let mut open: Vec<&Node> = derivation.nodes.iter().rev().collect();
-        let title = capital(&title_of(derivation, titles));
+        let mut open: Vec<&Node> = [&each.derivation.limit, &each.derivation.value].into_iter().flatten().collect();
         while let Some(node) = open.pop() {
-            for text in parts_of_source(&node.source) {
-                enter(text, Some(title.clone()));
-            }
-            open.extend(node.children.iter().rev());
+            enter(&node.source, &title);
+            open.extend(node.operands.iter().rev());
         }
-    }
-    for source in listed {
-        let text = if source.title.is_empty() { source.id.clone() } else { format!("{}: {}", source.id, source.title) };
-        enter(text, None);
     }
     found
-}
-
-/// Every erratum that a remark or a derivation cites, beside those given.
-pub(super) fn errata(
-    judged: &Judged,
-    derivations: &[Derivation],
-    given: Vec<Erratum>,
-    titles: &Titles,
-) -> Vec<Erratum> {
-    let mut errata = given;
-    for derivation in derivations {
-        let mut open: Vec<&Node> = derivation.nodes.iter().rev().collect();
-        while let Some(node) = open.pop() {
-            for each in &node.errata {
-                if !errata.iter().any(|known| known.id == each.id) {
-                    let source = capital(&title_of(derivation, titles));
-                    errata.push(Erratum { id: each.id.clone(), text: each.evidence.clone(), source });
-                }
-            }
-            open.extend(node.children.iter().rev());
-        }
-    }
-    for check in &judged.checks {
-        for note in &check.notes {
-            let Some((head, text)) = note.split_once(": ") else { continue };
-            let Some((word, id)) = head.split_once(' ') else { continue };
-            if !word.eq_ignore_ascii_case("erratum") || errata.iter().any(|known| known.id == id) {
-                continue;
-            }
-            errata.push(Erratum { id: id.to_owned(), text: text.to_owned(), source: capital(&check.title) });
-        }
-    }
-    errata
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Numbers and units in the words of a language.
 
+use answers::Number;
 use quantities::{Language, Unit, format_number, format_significant};
 
 /// Writes for one language.
@@ -8,24 +9,51 @@ pub(super) struct Shown(pub(super) Language);
 /// No-break narrow space between number and unit, as DIN 5008 and the SI brochure ask.
 const THIN: char = '\u{202f}';
 
-/// The text with every unit tied to the number before it.
+/// The text with every unit tied to the number before it, the sign of the degree to its digits, and long numbers with a unit
+/// in groups of three, as elsewhere in the document.
 pub(super) fn tied(text: &str) -> String {
     let mut tied = String::with_capacity(text.len());
-    let mut after_digit = false;
+    // Where the last run of digits begins in what is written; none if something else came last.
+    let mut digits: Option<usize> = None;
     for (place, sign) in text.char_indices() {
-        let ties = sign == ' ' && after_digit && {
-            let next = text.get(place + 1..).and_then(|rest| rest.split([' ', ',', ';', ')', ':']).next());
-            next.is_some_and(|word| word == "%" || Unit::of(word.trim_end_matches('.')).is_some())
-        };
-        tied.push(if ties { THIN } else { sign });
-        after_digit = sign.is_ascii_digit();
+        if sign.is_ascii_digit() {
+            // What follows a letter, a point or a comma is no whole number by itself.
+            let alone = |last: char| !last.is_alphanumeric() && !matches!(last, '.' | ',' | '_' | '-');
+            digits = digits.or_else(|| Some(tied.len()).filter(|_| tied.chars().next_back().is_none_or(alone)));
+            tied.push(sign);
+            continue;
+        }
+        let rest = text.get(place..).unwrap_or_default();
+        let after_digit = tied.ends_with(|last: char| last.is_ascii_digit());
+        let unit = if after_digit && matches!(sign, ' ' | THIN) { unit_at(rest) } else { None };
+        if let (Some(_), Some(from)) = (unit, digits) {
+            let grouped = grouped(tied.get(from..).unwrap_or_default());
+            tied.truncate(from);
+            tied.push_str(&grouped);
+        }
+        match unit {
+            // The sign of the degree follows its digits without a space, as ISO 80000-1 has it.
+            Some("°") => {}
+            Some(_) => tied.push(THIN),
+            None => tied.push(sign),
+        }
+        digits = None;
     }
     tied
 }
 
+/// The unit with which a text begins behind its space.
+fn unit_at(text: &str) -> Option<&str> {
+    let word = text.trim_start_matches([' ', THIN]);
+    let word = word.split([' ', ',', ';', ')', ':', THIN]).next()?;
+    let word = word.trim_end_matches('.');
+    (word == "%" || Unit::of(word).is_some()).then_some(word)
+}
+
 impl Shown {
     /// Four significant digits.
-    pub(super) fn number(&self, value: f64) -> String {
+    pub(super) fn number(&self, value: Number) -> String {
+        let Some(value) = value.written() else { return "∞".to_owned() };
         // A figure that is exact in fewer digits is not padded with zeros it does not have.
         let text = format_significant(value, 4, self.0);
         let point = if self.0 == Language::De { ',' } else { '.' };
@@ -36,17 +64,18 @@ impl Shown {
     }
 
     /// A share as percentage, one decimal.
-    pub(super) fn percent(&self, share: f64) -> String {
+    pub(super) fn share(&self, share: Number) -> String {
+        let Some(share) = share.written() else { return format!("∞{THIN}%") };
         let percent = share * 100.0;
         let text = if percent != 0.0 && percent.abs() < 0.05 {
             format!("<{THIN}{}", format_number(0.1, 1, self.0))
         } else {
-            format_number(percent, 1, self.0)
+            grouped_decimals(&format_number(percent, 1, self.0))
         };
         format!("{text}{THIN}%")
     }
 
-    /// A unit of the JSON as people write it.
+    /// A unit of the records as people write it.
     pub(super) fn unit(&self, json: &str) -> String {
         match json {
             "1" => String::new(),
@@ -55,7 +84,7 @@ impl Shown {
     }
 
     /// Number and unit.
-    pub(super) fn figure(&self, value: f64, unit: &str) -> String {
+    pub(super) fn figure(&self, value: Number, unit: &str) -> String {
         let unit = self.unit(unit);
         let number = self.number(value);
         match unit.as_str() {
@@ -65,21 +94,20 @@ impl Shown {
         }
     }
 
-    /// A value as the project writes it: number and unit are set as such, every other text stays as it is.
-    pub(super) fn written(&self, text: &str) -> String {
-        let number_ends = text.find(|sign: char| !matches!(sign, '0'..='9' | '.' | '-' | '+')).unwrap_or(text.len());
-        let (number, rest) = text.split_at(number_ends);
-        if number.parse::<f64>().is_err() {
-            return text.to_owned();
-        }
-        let number = number.replace('-', "−");
-        let number = if self.0 == Language::De { number.replace('.', ",") } else { number };
-        match (rest.trim(), Unit::of(rest.trim())) {
-            ("", _) => number,
-            ("deg", _) => format!("{number}°"),
-            (_, Some(unit)) => format!("{number}{THIN}{}", unit.symbol),
-            _ => text.to_owned(),
-        }
+    /// An angle or a speed of the output along a line with so much travel per turn; none for what is neither.
+    pub(super) fn along(&self, value: Number, unit: &str, travel_mm_per_rev: Number) -> Option<String> {
+        let turns = match unit {
+            "rev" => 1.0,
+            "deg" => 1.0 / 360.0,
+            "arcmin" => 1.0 / 21_600.0,
+            "arcsec" => 1.0 / 1_296_000.0,
+            "1/min" => return Some(self.figure(Number(value.0 * travel_mm_per_rev.0 / 60.0), "mm/s")),
+            _ => return None,
+        };
+        let way = value.0 * turns * travel_mm_per_rev.0;
+        // Below a hundredth of a millimetre people say micrometres.
+        let small = way != 0.0 && way.abs() < 0.01;
+        Some(if small { self.figure(Number(way * 1e3), "µm") } else { self.figure(Number(way), "mm") })
     }
 
     /// A date.
@@ -107,27 +135,24 @@ fn grouped(number: &str) -> String {
     text
 }
 
+/// The same for a number with decimals: those stay as they are.
+fn grouped_decimals(number: &str) -> String {
+    let end = number.find([',', '.']).unwrap_or(number.len());
+    let (whole, decimals) = number.split_at(end);
+    format!("{}{decimals}", grouped(whole))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn a_written_quantity_is_typeset_and_nothing_else_is_touched() {
-        let (de, en) = (Shown(Language::De), Shown(Language::En));
-        assert_eq!(de.written("1.3 kg m^2"), "1,3\u{202f}kgm²");
-        assert_eq!(en.written("-180 mm"), "−180\u{202f}mm");
-        assert_eq!(de.written("40 1/min"), "40\u{202f}min⁻¹");
-        assert_eq!(en.written("90 deg"), "90°");
-        for text in ["", "robot-joint.csv", "1.2.3", "3 turns", "true", "-", "2 #let x"] {
-            assert_eq!(de.written(text), text);
-        }
-    }
-
-    #[test]
     fn a_unit_stays_with_its_number() {
         assert_eq!(tied("up to 39.0 Nm, at 30 °C (80 °C)"), "up to 39.0\u{202f}Nm, at 30\u{202f}°C (80\u{202f}°C)");
         assert_eq!(tied("20 min⁻¹ und 5,5 %."), "20\u{202f}min⁻¹ und 5,5\u{202f}%.");
-        for text in ["", "in 4 segments", "J_L ≤ 3 J_out", "L_10 of 2"] {
+        assert_eq!(tied("swings of 2.00 °, then 4500 °"), "swings of 2.00°, then 4500°");
+        assert_eq!(tied("35000 h, 12345.5 N"), "35\u{202f}000\u{202f}h, 12345.5\u{202f}N");
+        for text in ["", "in 4 segments", "J_L ≤ 3 J_out", "L_10 of 2", "order 1019307", "CHA-25A-100"] {
             assert_eq!(tied(text), text);
         }
     }
@@ -135,13 +160,25 @@ mod tests {
     #[test]
     fn numbers_have_four_digits_and_the_sign_of_their_language() {
         let de = Shown(Language::De);
-        assert_eq!(de.number(193.495_559), "193,5");
-        assert_eq!(de.number(40.0), "40");
-        assert_eq!(de.number(3500.0), "3500");
-        assert_eq!(de.number(-19_200.0), "−19\u{202f}200");
-        assert_eq!(de.number(846_776_078.7), "8,468·10⁸");
-        assert_eq!(de.figure(0.25, "kgm^2"), "0,25\u{202f}kgm²");
-        assert_eq!(de.percent(1.417_89), "141,8\u{202f}%");
-        assert_eq!(de.percent(0.000_035), "<\u{202f}0,1\u{202f}%");
+        assert_eq!(de.number(Number(193.495_559)), "193,5");
+        assert_eq!(de.number(Number(40.0)), "40");
+        assert_eq!(de.number(Number(3500.0)), "3500");
+        assert_eq!(de.number(Number(-19_200.0)), "−19\u{202f}200");
+        assert_eq!(de.number(Number(846_776_078.7)), "8,468·10⁸");
+        assert_eq!(de.figure(Number(0.25), "kgm^2"), "0,25\u{202f}kgm²");
+        assert_eq!(de.share(Number(1.417_89)), "141,8\u{202f}%");
+        assert_eq!(de.share(Number(0.000_035)), "<\u{202f}0,1\u{202f}%");
+        assert_eq!(de.share(Number(f64::INFINITY)), "∞\u{202f}%");
+    }
+
+    #[test]
+    fn an_angle_is_a_way_along_the_line() {
+        let (de, travel) = (Shown(Language::De), Number(40.0));
+        let along = |value, unit| de.along(Number(value), unit, travel);
+        assert_eq!(along(0.5, "rev").as_deref(), Some("20\u{202f}mm"));
+        assert_eq!(along(4.5, "deg").as_deref(), Some("0,5\u{202f}mm"));
+        assert_eq!(along(1.0, "arcmin").as_deref(), Some("1,852\u{202f}µm"));
+        assert_eq!(along(90.0, "1/min").as_deref(), Some("60\u{202f}mm/s"));
+        assert_eq!(along(1.0, "Nm"), None);
     }
 }

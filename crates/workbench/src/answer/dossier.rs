@@ -1,14 +1,16 @@
 //! Everything that a report lays out, as one record.
 
 use super::check::explained;
+use super::inputs::{inputs_of_axis, mechanism, tables};
 use super::judged::{judgement, sizing};
-use crate::project::{Project, input_label};
-use crate::sizing_use::{Candidate, CandidateId, Sizing};
-use crate::text::{check_title, describe_token, either, evidence_text, source_text};
+use crate::project::Project;
+use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
+use crate::text::{check_title, describe_token, either, evidence_text, source_text, unmet_text};
 use crate::tolerance::Assessment;
-use crate::{catalogue_fingerprint, inputs, project_fingerprint};
+use crate::{catalogue_fingerprint, project_fingerprint};
 use actuator::ScrewJoint;
-use answers::{CitedErratum, Document, Dossier, ErratumUsed, Fingerprints, Input, Item};
+use answers::{CitedErratum, Document, Dossier, ErratumUsed, Fingerprints, Item, RejectionGroup};
+use configurator::Unmet;
 use order_code::Field;
 use provenance::{Datum, MANUAL, Source};
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
@@ -34,10 +36,13 @@ pub fn dossier(
     };
     // Where the rules of the code refuse the judgement, the ranking has judged it without workings.
     let checks: &[Check] = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
+    let inputs = inputs_of_axis(text, place);
     Dossier {
         judgement: judgement(project, chosen, found, assessment, language),
         sizing: sizing(ranked, project, &[], usize::MAX, language),
-        inputs: inputs_of_axis(text, place, language),
+        rejections: rejections(ranked, language),
+        mechanism: mechanism(project, &inputs, language),
+        inputs: tables(&inputs, language),
         explained: checks.iter().map(|check| explained(check, language)).collect(),
         bill_of_material: bill_of_material(chosen, language),
         screws: screws(chosen, language),
@@ -51,38 +56,45 @@ pub fn dossier(
     }
 }
 
-/// The values of one axis of a project file, with the keys as if it stood alone.
-fn inputs_of_axis(text: &str, place: usize, language: Language) -> Vec<Input> {
-    let own = format!("axis[{}].", place + 1);
-    let short = |value: f64| {
-        let text = format_significant(value, 4, language);
-        let point = if language == Language::De { ',' } else { '.' };
-        if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point).to_owned() } else { text }
-    };
-    inputs(text)
-        .into_iter()
-        .filter_map(|input| {
-            let key = match input.path.strip_prefix(own.as_str()) {
-                None if input.path.starts_with("axis[") => return None,
-                inside => inside.unwrap_or(&input.path).to_owned(),
-            };
-            let half = input.half_width.zip(input.amount);
-            Some(Input {
-                label: input_label(&key, language).unwrap_or_default().to_owned(),
-                key,
-                tolerance: half.map(|(half, (_, unit))| format!("± {} {}", short(half), unit.symbol)),
-                text: input.amount.map_or(input.written, |(value, unit)| shown_amount(value, unit, language)),
-            })
-        })
-        .collect()
+/// Every rejected actuator of the catalogue at its first reason.
+fn rejections(ranked: &Sizing<'_>, language: Language) -> Vec<RejectionGroup> {
+    let mut groups: Vec<RejectionGroup> = Vec::new();
+    for candidate in ranked.candidates.iter().filter(|candidate| !candidate.fits()) {
+        let (reason, is_check) = match (candidate.objections.first(), candidate.worst_failure()) {
+            (Some(objection), _) => (reason(objection, language), false),
+            (None, Some(check)) => (check_title(check.id, language), true),
+            (None, None) => continue,
+        };
+        let code = candidate.id.to_string();
+        match groups.iter_mut().find(|group| group.reason == reason && group.is_check == is_check) {
+            Some(group) => group.codes.push(code),
+            None => groups.push(RejectionGroup { reason, is_check, codes: vec![code] }),
+        }
+    }
+    groups.sort_by_key(|group| std::cmp::Reverse(group.codes.len()));
+    for group in &mut groups {
+        group.codes.sort();
+    }
+    groups
 }
 
-/// A value as the project states it, with all its digits.
-fn shown_amount(value: f64, unit: &Unit, language: Language) -> String {
-    let digits = format!("{value}");
-    let digits = if language == Language::De { digits.replace('.', ",") } else { digits };
-    let digits = digits.replace('-', "−");
-    if unit.symbol == "°" { format!("{digits}°") } else { format!("{digits} {}", unit.symbol) }
+/// An objection without the figures of the one actuator.
+fn reason(objection: &Objection, language: Language) -> String {
+    let t = |en: &str, de: &str| either(language, en, de);
+    match objection {
+        Objection::Unmet(Unmet::Feedback(_)) => t("feedback not permitted", "Feedback nicht zugelassen"),
+        Objection::Unmet(Unmet::HollowShaft { .. }) => t("hollow shaft too narrow", "Hohlwelle zu eng"),
+        Objection::Unmet(Unmet::Length { .. }) => t("too long", "zu lang"),
+        Objection::Unmet(Unmet::Mass { .. }) => t("too heavy", "zu schwer"),
+        Objection::Unmet(Unmet::SupplyTooLow { .. }) => {
+            t("supply too low for the winding", "Versorgung zu niedrig für die Wicklung")
+        }
+        Objection::Unmet(unmet) => unmet_text(unmet, language),
+        Objection::Rule(rule) => t(
+            &format!("rule of the ordering code, table {}", rule.table),
+            &format!("Regel des Bestellschlüssels, Tabelle {}", rule.table),
+        ),
+    }
 }
 
 /// The documents that the figures of the checks are from, the manual first.

@@ -1,0 +1,145 @@
+//! The motion as it came out, and what it asks of the actuator.
+
+use super::shown::Shown;
+use answers::{DemandFigures, DemandMode, Dossier, Motion, MoveTorques, Number};
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+#[derive(Serialize)]
+pub(super) struct MotionTable {
+    units: [String; 4],
+    rows: Vec<MotionRow>,
+    recordings: Vec<Recorded>,
+}
+
+#[derive(Serialize)]
+struct MotionRow {
+    number: usize,
+    law: &'static str,
+    start: String,
+    duration: String,
+    distance: String,
+    speed: String,
+    acceleration: String,
+}
+
+#[derive(Serialize)]
+struct Recorded {
+    file: String,
+    samples: String,
+    columns: String,
+}
+
+impl MotionTable {
+    pub(super) fn build(motion: &Motion, shown: &Shown) -> Self {
+        let number = |value: Option<Number>| value.map(|value| shown.number(value)).unwrap_or_default();
+        let rows = motion.segments.iter().enumerate().map(|(index, segment)| MotionRow {
+            number: index + 1,
+            law: segment.name,
+            start: shown.number(segment.start),
+            duration: shown.number(segment.duration),
+            distance: number(segment.distance),
+            speed: number(segment.speed),
+            acceleration: number(segment.acceleration),
+        });
+        let recordings = motion.segments.iter().filter_map(|segment| segment.recording.as_ref()).map(|each| {
+            let columns = each.columns.iter().map(|column| format!("{} ({})", column.name, shown.unit(column.unit)));
+            Recorded {
+                file: each.file.clone(),
+                samples: each.samples.to_string(),
+                columns: columns.collect::<Vec<_>>().join(", "),
+            }
+        });
+        let unit = |of| motion.units.unit(of).map(|unit| shown.unit(unit)).unwrap_or_default();
+        Self {
+            units: ["time", "distance", "speed", "acceleration"].map(unit),
+            rows: rows.collect(),
+            recordings: recordings.collect(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+pub(super) struct DemandTable {
+    by_manual: bool,
+    rows: Vec<DemandRow>,
+    /// Whether the integrals stand beside the figures of the manual.
+    both: bool,
+    /// Whether there is a line to which the figures are carried over.
+    line: bool,
+    moves: Vec<[String; 3]>,
+    governing: Option<usize>,
+}
+
+/// A figure of the demand.
+#[derive(Serialize)]
+struct DemandRow {
+    symbol: &'static str,
+    unit: &'static str,
+    value: String,
+    integral: String,
+    /// The same along the line of the mechanism, without its losses.
+    line: String,
+}
+
+impl DemandTable {
+    pub(super) fn build(dossier: &Dossier, shown: &Shown) -> Self {
+        let travel = dossier.mechanism.travel_mm_per_rev.map(|travel| travel.0);
+        let Some(demand) = &dossier.judgement.candidate.demand else {
+            return Self {
+                by_manual: false,
+                rows: Vec::new(),
+                both: false,
+                line: false,
+                moves: Vec::new(),
+                governing: None,
+            };
+        };
+        let by_manual = match demand.mode {
+            DemandMode::Manual => true,
+            DemandMode::Integral => false,
+        };
+        let exact = demand.integral.as_ref().map(|it| it.figures);
+        let of = |pick: fn(&DemandFigures) -> Number| (pick(&demand.figures), exact.as_ref().map(pick));
+        let figures = [
+            ("T_rms", "Nm", of(|it| it.torque_rms)),
+            ("T_peak", "Nm", of(|it| it.torque_peak)),
+            ("n_av", "min⁻¹", of(|it| it.speed_mean)),
+            ("n_peak", "min⁻¹", of(|it| it.speed_peak)),
+            ("ED", "%", of(|it| it.duty_factor)),
+        ];
+        let torques = demand.torques.iter().flat_map(|torques| {
+            let [first, second, third] = values(torques);
+            [("T_1", "Nm", (first, None)), ("T_2", "Nm", (second, None)), ("T_3", "Nm", (third, None))]
+        });
+        let row =
+            |(symbol, unit, (value, integral)): (&'static str, &'static str, (Number, Option<Number>))| DemandRow {
+                symbol,
+                unit,
+                value: shown.number(value),
+                integral: integral.map(|value| shown.number(value)).unwrap_or_default(),
+                line: travel.map(|travel| along(value, unit, travel, shown)).unwrap_or_default(),
+            };
+        Self {
+            by_manual,
+            rows: figures.into_iter().chain(torques).map(row).collect(),
+            both: exact.is_some(),
+            line: travel.is_some(),
+            moves: demand.moves.iter().map(|each| values(each).map(|value| shown.number(value))).collect(),
+            governing: demand.governing_move,
+        }
+    }
+}
+
+const fn values(torques: &MoveTorques) -> [Number; 3] {
+    [torques.accelerate, torques.run, torques.brake]
+}
+
+/// A torque as the force, a speed as the speed along a line of so much travel per turn.
+fn along(value: Number, unit: &str, travel_mm_per_rev: f64, shown: &Shown) -> String {
+    match unit {
+        "Nm" => shown.figure(Number(value.0 * TAU / (travel_mm_per_rev * 1e-3)), "N"),
+        "min⁻¹" => shown.figure(Number(value.0 * travel_mm_per_rev / 60.0), "mm/s"),
+        _ => String::new(),
+    }
+}

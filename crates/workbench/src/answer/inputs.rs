@@ -1,0 +1,298 @@
+//! The project as it was written, in the words of a language, and the mechanism that it describes.
+
+use super::chapters::inertia;
+use crate::inertia::{BODY_SHAPES, toleranced};
+use crate::moves::SegmentLaw;
+use crate::project::{Input, Project, input_label};
+use crate::text::law_text;
+use answers::{InputTable, Mechanism, MechanismKind, Number};
+use mechanism::{Kind, LinearKind};
+use motion::Law;
+use quantities::unit::{DEGREE, MILLIMETRE};
+use quantities::{Language, Measure, Unit, format_significant};
+use std::f64::consts::TAU;
+
+/// The values of one axis of a project file, with the keys as if it stood alone.
+pub(super) fn inputs_of_axis(text: &str, place: usize) -> Vec<Input> {
+    let own = format!("axis[{}].", place + 1);
+    let of_axis = |input: Input| {
+        let path = match input.path.strip_prefix(own.as_str()) {
+            None if input.path.starts_with("axis[") || input.path == "format" => return None,
+            Some("name") => "axis.name".to_owned(),
+            inside => inside.unwrap_or(&input.path).to_owned(),
+        };
+        Some(Input { path, ..input })
+    };
+    crate::inputs(text).into_iter().filter_map(of_axis).collect()
+}
+
+/// The values by table, in words.
+pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
+    let mut tables: Vec<InputTable> = Vec::new();
+    for input in inputs {
+        let (table, name) = input.path.rsplit_once('.').unwrap_or(("", &input.path));
+        let place = tables.iter().position(|known| known.key == table).unwrap_or_else(|| {
+            tables.push(InputTable {
+                key: table.to_owned(),
+                title: table_title(table, language),
+                of_mechanism: table.starts_with("mechanism.") || table == "load",
+                values: Vec::new(),
+            });
+            tables.len() - 1
+        });
+        let Some(table) = tables.get_mut(place) else { continue };
+        // `points[2][1]`: the values of a row stand on one line.
+        let row = name.rfind("][").map(|end| &name[..=end]);
+        let value = value(input, row.unwrap_or(name), language);
+        match table.values.last_mut().filter(|last| row.is_some_and(|row| last.name == row)) {
+            Some(last) => last.text = format!("{}; {}", last.text, value.text),
+            None => table.values.push(value),
+        }
+    }
+    tables
+}
+
+fn value(input: &Input, name: &str, language: Language) -> answers::Input {
+    let short = |value: f64| {
+        let text = format_significant(value, 4, language);
+        let point = if language == Language::De { ',' } else { '.' };
+        if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point).to_owned() } else { text }
+    };
+    let half = input.half_width.zip(input.amount);
+    // What follows the semicolon is for whoever writes the file.
+    let label = input_label(&input.path, language).and_then(|label| label.split(';').next()).unwrap_or_default();
+    answers::Input {
+        name: name.to_owned(),
+        label: label.to_owned(),
+        tolerance: half.map(|(half, (_, unit))| format!("± {}", with_unit(&short(half), half_unit(unit), language))),
+        text: input.amount.map_or_else(
+            || written(&input.path, &input.written, language),
+            |(value, unit)| with_unit(&format!("{value}"), unit.symbol, language),
+        ),
+    }
+}
+
+/// The unit of a difference: temperatures differ by kelvins.
+fn half_unit(unit: &'static Unit) -> &'static str {
+    if unit.symbol == "°C" { "K" } else { unit.symbol }
+}
+
+/// A number with all its digits and its unit, in the signs of the language.
+fn with_unit(digits: &str, unit: &str, language: Language) -> String {
+    let digits = if language == Language::De { digits.replace('.', ",") } else { digits.to_owned() };
+    let digits = digits.replace('-', "−");
+    match unit {
+        "" => digits,
+        "°" => format!("{digits}°"),
+        unit => format!("{digits} {unit}"),
+    }
+}
+
+/// What is no quantity: words of a fixed set in those of the language, lists without their brackets.
+fn written(path: &str, text: &str, language: Language) -> String {
+    if path.contains(".bodies[") {
+        return body(text, language);
+    }
+    let name = path.rsplit('.').next().unwrap_or(path);
+    if name == "law" {
+        let laws = Law::ALL.iter().map(|law| SegmentLaw::Law(*law));
+        let mut laws = laws.chain([SegmentLaw::Manual, SegmentLaw::Dwell, SegmentLaw::Recorded]);
+        return laws.find(|law| law.id() == text).map_or_else(|| text.to_owned(), |law| law_text(law, language).into());
+    }
+    let list = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+    if let Some(list) = list {
+        return list.replace('"', "").replace('\'', "").trim().trim_end_matches(',').to_owned();
+    }
+    if let Some((_, _, en, de)) = WORDS.iter().find(|(key, word, ..)| (key.is_empty() || *key == name) && *word == text)
+    {
+        return if language == Language::De { *de } else { *en }.to_owned();
+    }
+    match text.parse::<f64>() {
+        Ok(_) => with_unit(text, "", language),
+        Err(_) => text.to_owned(),
+    }
+}
+
+/// The words of the project file: key, word, in English, in German. Those without a key hold for any.
+const WORDS: [(&str, &str, &str, &str); 25] = [
+    ("", "true", "yes", "ja"),
+    ("", "false", "no", "nein"),
+    ("hold", "motor", "by the motor", "durch den Motor"),
+    ("hold", "brake", "by the brake", "durch die Bremse"),
+    ("hold", "free", "not held", "nicht gehalten"),
+    ("operating_condition", "normal", "normal", "normal"),
+    ("operating_condition", "shock", "shock", "Stöße"),
+    ("operating_condition", "high_accuracy", "high accuracy", "hohe Genauigkeit"),
+    ("mechanism", "add", "added to those stated", "zu den angegebenen addiert"),
+    ("mechanism", "replace", "unless a segment states its own", "wo kein Abschnitt eigene nennt"),
+    ("mechanism", "ignore", "not counted", "nicht gezählt"),
+    ("kind", "belt", "belt", "Riemen"),
+    ("kind", "gear", "gear", "Zahnradstufe"),
+    ("kind", "coupling", "coupling", "Kupplung"),
+    ("position_loop", "motor", "motor feedback", "Motorfeedback"),
+    ("position_loop", "output", "encoder at the output", "Geber am Abtrieb"),
+    ("special_application", "aerospace", "aerospace", "Luft- und Raumfahrt"),
+    ("special_application", "explosive_atmosphere", "explosive atmosphere", "explosionsfähige Atmosphäre"),
+    ("special_application", "nuclear", "nuclear", "Kerntechnik"),
+    ("special_application", "vacuum", "vacuum", "Vakuum"),
+    ("special_application", "household", "household", "Haushalt"),
+    ("special_application", "medical", "medical", "Medizintechnik"),
+    ("special_application", "human_contact", "contact with people", "Kontakt mit Menschen"),
+    ("special_application", "lifting_of_persons", "lifting of persons", "Heben von Personen"),
+    ("special_application", "amusement", "amusement rides", "Fahrgeschäfte"),
+];
+
+/// The keys of a body: in English, in German.
+const BODY_KEYS: [(&str, &str, &str); 13] = [
+    ("diameter", "diameter", "Durchmesser"),
+    ("length", "length", "Länge"),
+    ("outer", "outer diameter", "Außendurchmesser"),
+    ("inner", "inner diameter", "Innendurchmesser"),
+    ("a", "a", "a"),
+    ("b", "b", "b"),
+    ("height", "height", "Höhe"),
+    ("mass", "mass", "Masse"),
+    ("density", "density", "Dichte"),
+    ("distance", "distance", "Abstand"),
+    ("angle", "angle", "Winkel"),
+    ("count", "count", "Anzahl"),
+    ("axis", "axis", "Achse"),
+];
+
+/// A body as it is written, in words: `disc diameter=420mm` as “disc, diameter 420 mm”.
+fn body(text: &str, language: Language) -> String {
+    let de = language == Language::De;
+    let parts = text.split_whitespace().map(|part| match part.split_once('=') {
+        None => BODY_SHAPES.iter().find(|shape| shape.name == part).map_or(part, |shape| shape.title(language)).into(),
+        Some((key, value)) => {
+            let known = BODY_KEYS.iter().find(|(name, ..)| *name == key);
+            let key = known.map_or(key, |(_, in_english, in_german)| if de { in_german } else { in_english });
+            let end = value.find(|sign: char| !matches!(sign, '0'..='9' | '.' | '-')).unwrap_or(value.len());
+            let (digits, unit) = value.split_at(end);
+            let value = match (Unit::of(unit), digits.is_empty()) {
+                (Some(unit), false) => with_unit(digits, unit.symbol, language),
+                (None, false) if unit.is_empty() => with_unit(digits, "", language),
+                _ => value.to_owned(),
+            };
+            format!("{key} {value}")
+        }
+    });
+    parts.collect::<Vec<String>>().join(", ")
+}
+
+/// What a table of the project file is about.
+fn table_title(table: &str, language: Language) -> String {
+    let title = |part: &str| -> Option<(&str, &str)> {
+        Some(match part.split('[').next().unwrap_or(part) {
+            "" => ("General", "Allgemein"),
+            "axis" => ("Axis", "Achse"),
+            "load" => ("Load", "Last"),
+            "stage" => ("Stage", "Zwischenstufe"),
+            "motion" => ("Motion, segment", "Bewegung, Abschnitt"),
+            "bearing" => ("Loads on the output flange", "Lasten am Abtriebsflansch"),
+            "requirements" => ("Requirements", "Anforderungen"),
+            "actuator" => ("Own actuator", "Eigener Antrieb"),
+            "curve" => ("Curve", "Kennlinie"),
+            "columns" => ("columns", "Spalten"),
+            "units" => ("units", "Einheiten"),
+            _ => return None,
+        })
+    };
+    let parts = table.split('.').filter(|part| *part != "mechanism").map(|part| {
+        let number = part.split_once('[').map_or("", |(_, rest)| rest.trim_end_matches(']'));
+        let words = title(part).map(|(en, de)| if language == Language::De { de } else { en }.to_owned());
+        let words = words.or_else(|| {
+            let label = input_label(&format!("mechanism.{part}"), language)?;
+            let mut signs = label.chars();
+            Some(signs.next()?.to_uppercase().chain(signs).collect())
+        });
+        let words = words.unwrap_or_else(|| part.to_owned());
+        if number.is_empty() { words } else { format!("{words} {number}") }
+    });
+    parts.collect::<Vec<String>>().join(", ")
+}
+
+/// What hangs on the flange.
+pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language) -> Mechanism {
+    let load = &project.axis.mechanism;
+    let inside = |table: &str| inputs.iter().any(|input| input.path.starts_with(table));
+    let kind = match &load.kind {
+        Kind::Rotor(_) if inside("mechanism.turntable.") => MechanismKind::Turntable,
+        Kind::Rotor(_) if inside("mechanism.arm.") => MechanismKind::Arm,
+        Kind::Linear(linear) => match linear.kind {
+            LinearKind::Screw => MechanismKind::Screw,
+            LinearKind::Belt => MechanismKind::Belt,
+            LinearKind::Conveyor => MechanismKind::Conveyor,
+        },
+        Kind::SliderCrank(_) => MechanismKind::SliderCrank,
+        Kind::Table(_) => MechanismKind::Table,
+        Kind::Joint(_) => MechanismKind::Joint,
+        _ => MechanismKind::Load,
+    };
+    let inclination = match &load.kind {
+        Kind::Linear(linear) => Some(Number::in_unit(linear.inclination.si(), &DEGREE)),
+        _ => None,
+    };
+    let bodies: Vec<&str> = inputs
+        .iter()
+        .filter(|input| input.path.starts_with("mechanism.turntable.bodies["))
+        .map(|input| input.written.as_str())
+        .collect();
+    let answer = (!bodies.is_empty()).then(|| toleranced(&bodies.join("\n"), language).ok()).flatten();
+    Mechanism {
+        kind,
+        inclination_deg: inclination,
+        travel_mm_per_rev: load.travel_m_per_rad().map(|travel| Number::in_unit(travel * TAU, &MILLIMETRE)),
+        bodies: answer.map(|(answer, _)| inertia(&answer)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inputs_are_told_in_the_words_of_the_language() {
+        let text = "format = 1\n[axis]\nname = \"x\"\n[mechanism.turntable]\n\
+            bodies = [\"disc diameter=420mm length=12mm density=2700kg/m^3\", \"point mass=1.5kg distance=0.5m count=2\"]\n\
+            [[motion]]\nlaw = \"dwell\"\ntime = \"1.5 s ± 10 %\"\nhold = \"motor\"\n\
+            [requirements]\nbrake = true\nfeedback = [\"C1024\", \"M512P\"]\nambient = \"-5 degC ± 5 K\"\n";
+        let found = tables(&inputs_of_axis(text, 0), Language::De);
+        let lines: Vec<String> = found
+            .iter()
+            .flat_map(|table| {
+                let line = |value: &answers::Input| {
+                    let tolerance = value.tolerance.as_ref().map(|text| format!(" {text}")).unwrap_or_default();
+                    format!("{}|{}|{}{tolerance}", table.title, value.name, value.text)
+                };
+                table.values.iter().map(line).collect::<Vec<_>>()
+            })
+            .collect();
+        assert_eq!(
+            lines,
+            [
+                "Achse|name|x",
+                "Drehtisch oder Trommel aus Vollkörpern|bodies[1]|Scheibe, Durchmesser 420 mm, Länge 12 mm, Dichte 2700 kg/m³",
+                "Drehtisch oder Trommel aus Vollkörpern|bodies[2]|Punktmasse, Masse 1,5 kg, Abstand 0,5 m, Anzahl 2",
+                "Bewegung, Abschnitt 1|law|Rast",
+                "Bewegung, Abschnitt 1|time|1,5 s ± 0,15 s",
+                "Bewegung, Abschnitt 1|hold|durch den Motor",
+                "Anforderungen|brake|ja",
+                "Anforderungen|feedback|C1024, M512P",
+                "Anforderungen|ambient|−5 °C ± 5 K",
+            ]
+        );
+        assert!(found.iter().flat_map(|table| &table.values).all(|value| !value.label.contains(';')));
+    }
+
+    #[test]
+    fn values_of_a_row_stand_on_one_line() {
+        let text = "format = 1\n[[axis]]\nname = \"a\"\n[[axis]]\nname = \"b\"\n[axis.mechanism.table]\n\
+            points = [[\"0 deg\", \"1 kg m^2\", \"2 N m\"], [\"90 deg\", \"1.5 kg m^2\", \"0 N m\"]]\n";
+        let found = tables(&inputs_of_axis(text, 1), Language::En);
+        let rows: Vec<(&str, &str)> =
+            found.iter().flat_map(|table| &table.values).map(|each| (each.name.as_str(), each.text.as_str())).collect();
+        let points = [("points[1]", "0°; 1 kgm²; 2 Nm"), ("points[2]", "90°; 1.5 kgm²; 0 Nm")];
+        assert_eq!(rows, [("name", "b"), points[0], points[1]]);
+    }
+}
