@@ -8,8 +8,10 @@
 mod beside;
 mod chapters;
 mod check;
+mod code;
 mod demand;
 mod dossier;
+mod errata;
 mod fault;
 mod files;
 mod id;
@@ -18,16 +20,19 @@ mod motion;
 mod number;
 mod reference;
 mod schema;
+mod sheet;
 mod units;
 
 pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Difference, Head, InputChange};
 pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, Torsion};
 pub use check::{Check, CitedErratum, Derivation, Explained, Explanations, Node};
+pub use code::{Choice, CodeFault, CodeFaults, CodeField, CodeReading, Completion, ListedCode, OpenField};
 pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
 pub use dossier::{
     Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, MechanismKind, RejectionGroup,
     ScrewJoint,
 };
+pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
 pub use fault::{Fault, Faults, Place};
 pub use files::{
     AxisWritten, ColumnKind, ExportWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn, TableRow,
@@ -43,5 +48,6 @@ pub use number::Number;
 pub use provenance::Grade;
 pub use reference::reference;
 pub use schema::{Answered, Axes, VERSION, schema};
+pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;

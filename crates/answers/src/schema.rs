@@ -1,8 +1,9 @@
 //! The JSON Schema of every answer, and the reference page made from it.
 
 use crate::{
-    Battery, Bearings, Comparison, Curves, Difference, Explanations, ExportWritten, Faults, Fit, Inertia, Judgement,
-    PlotWritten, ReportWritten, Sizing, Table, Torsion,
+    Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, Comparison, Completion, Curves, Difference, Errata,
+    Explanations, ExportWritten, Faults, Fit, Inertia, Judgement, ListedCode, PlotWritten, ReportWritten, Sheet,
+    Sizing, Table, Torsion,
 };
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
@@ -58,6 +59,13 @@ const ENTRIES: &[Entry] = &[
     one::<ExportWritten>("export --out"),
     one::<Table>("export --table"),
     one::<PlotWritten>("plot"),
+    one::<CodeReading>("code parse"),
+    one::<Vec<ListedCode>>("code list"),
+    one::<Completion>("code complete"),
+    one::<Sheet>("data"),
+    one::<Errata>("errata"),
+    one::<Vec<CatalogueCell>>("catalogue export"),
+    one::<CodeFaults>("faults of a code"),
     one::<Faults>("faults"),
 ];
 

@@ -167,6 +167,9 @@ fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut 
     if (erratum.kind == "recovery") != erratum.recovered.is_some() {
         faults.push(format!("erratum {id}: `recovered` belongs to kind recovery, and only there"));
     }
+    if erratum.place.is_some() != erratum.place_de.is_some() {
+        faults.push(format!("erratum {id}: `where` and `where_de` belong together"));
+    }
     let Some(table) = erratum.table.as_deref() else {
         if erratum.place.is_none() {
             faults.push(format!("erratum {id}: needs `table` or `where`"));
@@ -231,6 +234,8 @@ pub(crate) fn embed(data: &Data, faults: &mut Vec<String>) -> String {
         apply(number, erratum, &data.tables, &mut cells, faults);
     }
     unique(data, &cells, faults);
+    notes(data, faults);
+    texts(data, &cells, faults);
     let mut out = String::from("// Generated from data/ by the build script; do not edit.\n");
     write_all(&mut out, data, &cells, &ranges);
     out
@@ -272,6 +277,41 @@ fn unique(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
     }
 }
 
+/// Every mark and symbol that binds a note to its rows is there.
+fn notes(data: &Data, faults: &mut Vec<String>) {
+    for table in &data.tables {
+        let name = &table.table;
+        for note in &table.footnotes {
+            if note.by.as_deref().is_some_and(|by| by != "antrieb") {
+                faults.push(format!("table {name}: a note is by the source, or `by = \"antrieb\"`"));
+            }
+            let symbol = note.symbol.as_deref();
+            if symbol.is_some_and(|symbol| !table.rows.iter().any(|row| row.symbol.as_deref() == Some(symbol))) {
+                faults.push(format!("table {name}: a note names `{}`, which no row has", symbol.unwrap_or_default()));
+            }
+            if note.mark.is_some() && symbol.is_some() {
+                faults.push(format!("table {name}: a note has a mark or a symbol, not both"));
+            }
+        }
+        for (index, row) in table.rows.iter().enumerate() {
+            for mark in row.note.iter().flat_map(|marks| marks.split(", ")) {
+                if !table.footnotes.iter().any(|note| note.mark.as_deref() == Some(mark)) {
+                    faults.push(format!("table {name}, row {}: there is no note `{mark}`", index + 1));
+                }
+            }
+        }
+    }
+}
+
+/// Every translated text is printed somewhere.
+fn texts(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
+    for text in &data.texts {
+        if !cells.iter().any(|cell| cell.corrected == text.printed) {
+            faults.push(format!("texts.toml: `{}` stands in no cell", text.printed));
+        }
+    }
+}
+
 fn write_all(out: &mut String, data: &Data, cells: &[Cell<'_>], ranges: &[(usize, usize)]) {
     let opt = |text: &Option<String>| text.as_deref().unwrap_or("").to_owned();
     let _ = writeln!(out, "pub(crate) static CELLS: &[Cell] = &[");
@@ -300,7 +340,16 @@ fn write_all(out: &mut String, data: &Data, cells: &[Cell<'_>], ranges: &[(usize
         let notes: Vec<String> = table
             .footnotes
             .iter()
-            .map(|note| format!("Footnote {{ mark: {:?}, en: {:?}, de: {:?} }}", note.mark, note.en, note.de))
+            .map(|note| {
+                format!(
+                    "Footnote {{ mark: {:?}, symbol: {:?}, ours: {}, en: {:?}, de: {:?} }}",
+                    opt(&note.mark),
+                    opt(&note.symbol),
+                    note.by.is_some(),
+                    note.en,
+                    note.de
+                )
+            })
             .collect();
         let row_notes: Vec<String> = table
             .rows
@@ -333,14 +382,19 @@ fn write_all(out: &mut String, data: &Data, cells: &[Cell<'_>], ranges: &[(usize
         };
         let _ = writeln!(
             out,
-            "Erratum {{ id: {:?}, table: {:?}, place: {:?}, recovered: {:?}, printed: {:?}, corrected: {:?}, checks_use: {:?}, \
+            "Erratum {{ id: {:?}, table: {:?}, place: {:?}, place_de: {:?}, recovered: {:?}, recovered_de: {:?}, printed: {:?}, \
+             printed_de: {:?}, corrected: {:?}, corrected_de: {:?}, checks_use: {:?}, \
              kind: ErratumKind::{kind}, corrected_here: {}, evidence: {:?}, evidence_de: {:?} }},",
             erratum.id,
             opt(&erratum.table),
             erratum.place.clone().unwrap_or_else(|| place_of(erratum)),
+            erratum.place_de.clone().unwrap_or_else(|| place_of(erratum)),
             erratum.recovered,
+            erratum.recovered_de.as_ref().or(erratum.recovered.as_ref()),
             erratum.printed,
+            erratum.printed_de.as_ref().unwrap_or(&erratum.printed),
             erratum.corrected,
+            erratum.corrected_de.as_ref().unwrap_or(&erratum.corrected),
             erratum.checks_use,
             erratum.status == "corrected",
             erratum.evidence,
@@ -375,6 +429,10 @@ fn write_all(out: &mut String, data: &Data, cells: &[Cell<'_>], ranges: &[(usize
             opt(&term.note_en),
             opt(&term.note_de),
         );
+    }
+    let _ = writeln!(out, "];\npub(crate) static TEXTS: &[(&str, &str)] = &[");
+    for text in &data.texts {
+        let _ = writeln!(out, "({:?}, {:?}),", text.printed, text.en);
     }
     let _ = writeln!(out, "];");
 }

@@ -12,11 +12,13 @@ pub(crate) struct Bilingual {
     pub(crate) de: String,
 }
 
-/// A footnote of a table, in our own words.
+/// A note on a table, in our own words.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Footnote {
-    pub(crate) mark: String,
+    pub(crate) mark: Option<String>,
+    pub(crate) symbol: Option<String>,
+    pub(crate) by: Option<String>,
     pub(crate) en: String,
     pub(crate) de: String,
 }
@@ -66,9 +68,14 @@ pub(crate) struct Erratum {
     pub(crate) cell: BTreeMap<String, String>,
     #[serde(rename = "where")]
     pub(crate) place: Option<String>,
+    #[serde(rename = "where_de")]
+    pub(crate) place_de: Option<String>,
     pub(crate) recovered: Option<String>,
+    pub(crate) recovered_de: Option<String>,
     pub(crate) printed: String,
+    pub(crate) printed_de: Option<String>,
     pub(crate) corrected: String,
+    pub(crate) corrected_de: Option<String>,
     pub(crate) checks_use: Option<String>,
     pub(crate) kind: String,
     pub(crate) status: String,
@@ -104,6 +111,20 @@ pub(crate) struct Term {
     pub(crate) note_de: Option<String>,
 }
 
+/// One entry of `cha/texts.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Text {
+    pub(crate) printed: String,
+    pub(crate) en: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TextsFile {
+    text: Vec<Text>,
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ErrataFile {
@@ -129,6 +150,7 @@ pub(crate) struct Data {
     pub(crate) errata: Vec<Erratum>,
     pub(crate) sources: Vec<Source>,
     pub(crate) glossary: Vec<Term>,
+    pub(crate) texts: Vec<Text>,
 }
 
 fn read_file<T: for<'de> Deserialize<'de>>(path: &Path, faults: &mut Vec<String>) -> Option<T> {
@@ -195,6 +217,9 @@ pub(crate) fn read_all(root: &Path, faults: &mut Vec<String>) -> Data {
     }
     if let Some(file) = read_file::<GlossaryFile>(&root.join("glossary.toml"), faults) {
         data.glossary = file.term;
+    }
+    if let Some(file) = read_file::<TextsFile>(&root.join("cha/texts.toml"), faults) {
+        data.texts = file.text;
     }
     data
 }

@@ -174,7 +174,8 @@ pub fn datum_of<Q: Measure>(cell: &'static Cell) -> Datum<Q> {
 }
 
 /// Every printed value of one actuator, in the order of the manual: the general data of its winding, its drive's
-/// tables, the tables by size, and the tables of its feedback. Ordering tables and pin-outs are left out.
+/// tables, the tables by size, the tables of its feedback, and what is printed once for all. Ordering tables, pin-outs and
+/// the tables of the selection procedure are left out.
 #[must_use]
 pub fn cells_about(size: Size, winding: Winding, feedback: Feedback, ratio: Ratio) -> Vec<&'static Cell> {
     let Some(drive) = drive(size, winding, feedback) else { return Vec::new() };
@@ -189,7 +190,10 @@ pub fn cells_about(size: Size, winding: Winding, feedback: Feedback, ratio: Rati
             let by_drive =
                 cell.place.drive.split(" / ").any(|head| [drive.name, &size_head, general_head].contains(&head));
             let by_feedback = cell.place.drive.is_empty() && !cell.feedback.is_empty() && is_feedback_table(cell);
-            (by_drive || by_feedback) && covers(cell.feedback, feedback) && covers_ratio(cell.place.ratio, ratio)
+            let of_all = cell.place.drive.is_empty() && cell.feedback.is_empty() && is_of_every_actuator(cell);
+            (by_drive || by_feedback || of_all)
+                && covers(cell.feedback, feedback)
+                && covers_ratio(cell.place.ratio, ratio)
         })
         .collect()
 }
@@ -202,4 +206,10 @@ fn is_ordering_or_wiring(table: &Table) -> bool {
 /// The tables of section 6.22 hold for a feedback on every drive.
 fn is_feedback_table(cell: &Cell) -> bool {
     crate::table(cell.place.table).is_some_and(|table| table.section.starts_with("6.22"))
+}
+
+/// A cell without a drive in the tables of temperature sensors (6.23), fits (8) and installation (9) holds for all.
+fn is_of_every_actuator(cell: &Cell) -> bool {
+    let of = |section: &str| ["6.23", "8.", "9."].iter().any(|chapter| section.starts_with(chapter));
+    crate::table(cell.place.table).is_some_and(|table| of(table.section))
 }

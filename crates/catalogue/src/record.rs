@@ -81,6 +81,15 @@ impl Cell {
         self.checks_use.unwrap_or(self.value)
     }
 
+    /// The text of the cell in English; German is what stands printed.
+    #[must_use]
+    pub fn corrected_en(&self) -> &'static str {
+        crate::embedded::TEXTS
+            .iter()
+            .find(|(printed, _)| *printed == self.corrected)
+            .map_or(self.corrected, |(_, en)| en)
+    }
+
     /// The value in machine form, in the printed unit: `1.12`, `220...430`, a text; empty where not printed.
     #[must_use]
     pub fn value_text(&self) -> String {
@@ -97,11 +106,15 @@ impl Cell {
     }
 }
 
-/// A footnote of a table, in our own words.
+/// A note on a table, in our own words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Footnote {
-    /// The mark as printed, without the parenthesis.
+    /// The mark as printed, without the parenthesis; empty: a notice without a mark.
     pub mark: &'static str,
+    /// The symbol whose rows a notice without a mark is about; empty: the whole table.
+    pub symbol: &'static str,
+    /// Whether it is our own conclusion from what is printed; otherwise the source says so.
+    pub ours: bool,
     /// English text.
     pub en: &'static str,
     /// German text.
@@ -123,9 +136,9 @@ pub struct Table {
     pub title_de: &'static str,
     /// Identifier of the document that prints it.
     pub source: &'static str,
-    /// Footnotes.
+    /// Footnotes and notices.
     pub footnotes: &'static [Footnote],
-    /// Rows that carry a footnote mark.
+    /// Rows that carry footnote marks, several joined by `, `.
     pub row_notes: &'static [(u16, &'static str)],
     pub(crate) first: usize,
     pub(crate) end: usize,
@@ -136,6 +149,20 @@ impl Table {
     #[must_use]
     pub fn cells(&self) -> &'static [Cell] {
         crate::cells().get(self.first..self.end).unwrap_or_default()
+    }
+
+    /// The notes on one of its rows, in the order of the table's notes.
+    pub fn notes_on<'a>(&'a self, cell: &'a Cell) -> impl Iterator<Item = &'static Footnote> + 'a {
+        let marks = self.row_notes.iter().find(|(row, _)| *row == cell.row).map_or("", |(_, marks)| *marks);
+        self.footnotes.iter().filter(move |note| {
+            (!note.symbol.is_empty() && note.symbol == cell.place.symbol)
+                || (!note.mark.is_empty() && marks.split(", ").any(|mark| mark == note.mark))
+        })
+    }
+
+    /// The notices on the table as a whole.
+    pub fn notices(&self) -> impl Iterator<Item = &'static Footnote> {
+        self.footnotes.iter().filter(|note| note.mark.is_empty() && note.symbol.is_empty())
     }
 
     /// Whether the CHA manual prints this table.
@@ -183,12 +210,20 @@ pub struct Erratum {
     pub table: &'static str,
     /// The place in words.
     pub place: &'static str,
+    /// The same in German.
+    pub place_de: &'static str,
     /// What the recovered text has, for kind recovery.
     pub recovered: Option<&'static str>,
+    /// The same where it is told in German.
+    pub recovered_de: Option<&'static str>,
     /// What is printed.
     pub printed: &'static str,
+    /// The same where it is told in German.
+    pub printed_de: &'static str,
     /// What is right; equal to `printed` where the matter is open.
     pub corrected: &'static str,
+    /// The same where it is told in German.
+    pub corrected_de: &'static str,
     /// What checks use where safety asks for the other value.
     pub checks_use: Option<&'static str>,
     /// Kind.
@@ -199,6 +234,14 @@ pub struct Erratum {
     pub evidence: &'static str,
     /// The same in German.
     pub evidence_de: &'static str,
+}
+
+impl Erratum {
+    /// The one cell that it names; `None` for an erratum of a table or a text.
+    #[must_use]
+    pub fn cell(&self) -> Option<&'static Cell> {
+        crate::cells().iter().find(|cell| cell.errata.contains(&self.id))
+    }
 }
 
 /// A document that a number comes from.

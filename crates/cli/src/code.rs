@@ -1,12 +1,14 @@
 //! `code parse|list|complete`.
 
-use crate::answer::Answer;
+use crate::answer::{Answer, written};
 use crate::fault::report;
-use crate::table::{Align, Table};
+use crate::say::t;
+use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
-use workbench::text::describe_field;
-use workbench::{CodeFault, CodeReading, Diagnostic, Language, json};
+use workbench::answer::{code_faults, code_reading, completion, listed};
+use workbench::text::{describe_field, describe_uncovered};
+use workbench::{CodeReading, CodeRefusal, Diagnostic, Language, uncovered};
 
 pub(crate) fn dispatch(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     match matches.subcommand() {
@@ -29,21 +31,7 @@ pub(crate) fn parse_for_use(text: &str, as_json: bool, language: Language) -> Re
             let note = understood(&reading, language);
             Ok((reading, note))
         }
-        Err((faults, nearest)) => {
-            let mut answer = code_report(text, &faults, language);
-            if !nearest.is_empty() {
-                let names: Vec<String> = nearest.iter().map(ToString::to_string).collect();
-                let word = match language {
-                    Language::En => "nearest valid codes",
-                    Language::De => "nächste gültige Codes",
-                };
-                let _ = writeln!(answer.talk, "{word}: {}", names.join(", "));
-            }
-            if as_json {
-                answer.data = format!("{:#}\n", json::code_faults(text, &faults, &nearest));
-            }
-            Err(answer)
-        }
+        Err(refusal) => Err(refused(text, &refusal, as_json, language)),
     }
 }
 
@@ -57,8 +45,10 @@ fn understood(reading: &CodeReading, language: Language) -> String {
     }
 }
 
-fn code_report(text: &str, faults: &[CodeFault], language: Language) -> Answer {
-    let faults: Vec<Diagnostic> = faults
+/// Why a text is no code, with the nearest that are.
+pub(crate) fn refused(text: &str, refusal: &CodeRefusal, as_json: bool, language: Language) -> Answer {
+    let faults: Vec<Diagnostic> = refusal
+        .faults
         .iter()
         .map(|fault| Diagnostic::at(text, fault.span.clone(), fault.message.clone(), fault.hint.clone()))
         .collect();
@@ -66,7 +56,21 @@ fn code_report(text: &str, faults: &[CodeFault], language: Language) -> Answer {
         Language::En => "code",
         Language::De => "Code",
     };
-    report(name, text, &faults, false, language)
+    let mut answer = report(name, text, &faults, false, language);
+    if !refusal.nearest.is_empty() {
+        let asked = t(language, "on request", "auf Anfrage");
+        let names: Vec<String> = refusal
+            .nearest
+            .iter()
+            .map(|(code, found)| if found.is_available() { code.to_string() } else { format!("{code} ({asked})") })
+            .collect();
+        let word = t(language, "nearest valid codes", "nächste gültige Codes");
+        let _ = writeln!(answer.talk, "{word}: {}", names.join(", "));
+    }
+    if as_json {
+        answer.data = written(&code_faults(text, refusal, language));
+    }
+    answer
 }
 
 fn parse(text: &str, as_json: bool, language: Language) -> Answer {
@@ -75,7 +79,7 @@ fn parse(text: &str, as_json: bool, language: Language) -> Answer {
         Err(answer) => return answer,
     };
     if as_json {
-        return Answer { data: format!("{:#}\n", json::code_reading(&reading, language)), talk, ..Answer::none() };
+        return Answer { talk, ..Answer::record(&code_reading(&reading, language)) };
     }
     let mut data = format!("{}\n", reading.parsed.code);
     let state = match (reading.availability.is_available(), language) {
@@ -101,14 +105,20 @@ fn parse(text: &str, as_json: bool, language: Language) -> Answer {
         table.row([describe_field(each, language).to_owned(), token, meaning]);
     }
     data.push_str(&table.render());
-    Answer { data, talk, ..Answer::none() }
+    for (index, what) in uncovered(&reading.parsed.code).into_iter().enumerate() {
+        if index == 0 {
+            data.push('\n');
+        }
+        data.push_str(&paragraph("", describe_uncovered(what, language)));
+    }
+    Answer { talk, ..Answer::data(data) }
 }
 
 fn list(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     let text = matches.get_one::<String>("pattern");
     let pattern = match text.map(|text| workbench::read_pattern(text, language)).transpose() {
         Ok(pattern) => pattern,
-        Err(faults) => return pattern_fault(text.map_or("", String::as_str), &faults, as_json, language),
+        Err(refusal) => return refused(text.map_or("", String::as_str), &refusal, as_json, language),
     };
     let only_available = matches.get_flag("available");
     let codes: Vec<_> = workbench::list_codes(pattern.as_ref())
@@ -116,7 +126,7 @@ fn list(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
         .filter(|(_, found)| !only_available || found.is_available())
         .collect();
     if as_json {
-        return Answer::data(format!("{:#}\n", json::codes(&codes, language))).fits(!codes.is_empty());
+        return Answer::record(&listed(&codes, language)).fits(!codes.is_empty());
     }
     let mut data = String::new();
     for (code, found) in &codes {
@@ -136,27 +146,19 @@ fn list(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
             format!("{} Codes: {available} verfügbar, {} auf Anfrage\n", codes.len(), codes.len() - available)
         }
     };
-    Answer { data, talk, code: u8::from(codes.is_empty()), ..Answer::none() }
-}
-
-fn pattern_fault(text: &str, faults: &[CodeFault], as_json: bool, language: Language) -> Answer {
-    let mut answer = code_report(text, faults, language);
-    if as_json {
-        answer.data = format!("{:#}\n", json::code_faults(text, faults, &[]));
-    }
-    answer
+    Answer { talk, ..Answer::data(data) }.fits(!codes.is_empty())
 }
 
 fn complete(text: &str, as_json: bool, language: Language) -> Answer {
     let pattern = match workbench::read_pattern(text, language) {
         Ok(pattern) => pattern,
-        Err(faults) => return pattern_fault(text, &faults, as_json, language),
+        Err(refusal) => return refused(text, &refusal, as_json, language),
     };
-    let choices = workbench::completion(&pattern, language);
     let codes = workbench::list_codes(Some(&pattern));
     if as_json {
-        return Answer::data(format!("{:#}\n", json::completion(&choices, &codes, language))).fits(!codes.is_empty());
+        return Answer::record(&completion(&pattern, &codes, language));
     }
+    let choices = workbench::completion(&pattern, language);
     let (field, may, none, request) = match language {
         Language::En => ("field", "may be (○ on request)", "nothing", "on request"),
         Language::De => ("Feld", "möglich (○ auf Anfrage)", "nichts", "auf Anfrage"),
@@ -178,9 +180,11 @@ fn complete(text: &str, as_json: bool, language: Language) -> Answer {
         let state = if found.is_available() { String::new() } else { format!("\t{request}") };
         let _ = writeln!(data, "{code}{state}");
     }
-    let talk = match language {
-        Language::En => format!("{} codes\n", codes.len()),
-        Language::De => format!("{} Codes\n", codes.len()),
+    let talk = match (codes.len(), language) {
+        (1, Language::En) => "1 code\n".to_owned(),
+        (1, Language::De) => "1 Code\n".to_owned(),
+        (count, Language::En) => format!("{count} codes\n"),
+        (count, Language::De) => format!("{count} Codes\n"),
     };
-    Answer { data, talk, code: u8::from(codes.is_empty()), ..Answer::none() }
+    Answer { talk, ..Answer::data(data) }.fits(!codes.is_empty())
 }

@@ -251,6 +251,15 @@ fn commands(language: Language) -> Command {
             "Datenblatt eines Antriebs, jeder Wert mit seiner Tabelle",
         ))
         .arg(code_arg(t("Ordering code", "Bestellcode")));
+    let errata = Command::new("errata")
+        .about(t(
+            "What is wrong or in doubt in the print, and what is used",
+            "Was im Druck falsch oder zweifelhaft ist, und was verwendet wird",
+        ))
+        .arg(Arg::new("about").value_name("CODE | TABLE | ID").num_args(0..).help(t(
+            "Ordering code, number of a table, or id of an erratum; all without it",
+            "Bestellcode, Nummer einer Tabelle oder Name eines Erratums; ohne Angabe alle",
+        )));
     let catalogue = Command::new("catalogue")
         .about(t("The whole catalogue", "Der ganze Katalog"))
         .subcommand_required(true)
@@ -308,6 +317,7 @@ fn commands(language: Language) -> Command {
         .subcommand(export(language))
         .subcommand(code)
         .subcommand(data)
+        .subcommand(errata)
         .subcommand(catalogue)
         .subcommand(
             Command::new("torsion")

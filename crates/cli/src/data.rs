@@ -3,14 +3,16 @@
 use crate::answer::Answer;
 use crate::code::{parse_for_use, read_argument};
 use crate::fault::option_fault;
+use crate::say::t;
 use crate::subject::refuse;
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
+use workbench::answer::sheet_note_text;
 use workbench::quantities::unit::{ARCMINUTE, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE};
 use workbench::quantities::{Measure, Unit, format_significant};
-use workbench::text::{condition_text, evidence_text, symbol_term};
-use workbench::{EXPORT_COLUMNS, Language, Sheet, export_rows, json};
+use workbench::text::{condition_text, describe_uncovered, evidence_text, symbol_term};
+use workbench::{EXPORT_COLUMNS, Language, Sheet, SheetNote, SheetRow, SheetSection, Uncovered, export_rows};
 
 /// `antrieb data CODE`
 pub(crate) fn sheet(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -21,47 +23,20 @@ pub(crate) fn sheet(matches: &ArgMatches, as_json: bool, language: Language) -> 
     let Some(sheet) = workbench::sheet(&reading.parsed.code) else {
         return refuse(&workbench::Refusal::NoData, as_json, language);
     };
-    let data = if as_json { format!("{:#}\n", json::sheet(&sheet, language)) } else { sheet_text(&sheet, language) };
-    Answer { talk, ..Answer::data(data) }
+    if as_json {
+        return Answer { talk, ..Answer::record(&workbench::answer::sheet(&sheet, language)) };
+    }
+    Answer { talk, ..Answer::data(sheet_text(&sheet, language)) }
 }
 
 fn sheet_text(sheet: &Sheet, language: Language) -> String {
     let mut out = format!("{}\n", sheet.code);
+    for what in &sheet.uncovered {
+        out.push_str(&paragraph(&format!("[{}] antrieb: ", letters(*what)), describe_uncovered(*what, language)));
+    }
     let mut errata: Vec<&'static str> = Vec::new();
     for section in &sheet.sections {
-        let (title, word) = match language {
-            Language::En => (section.table.title_en, "table"),
-            Language::De => (section.table.title_de, "Tabelle"),
-        };
-        let _ = writeln!(out, "\n{title} ({word} {})", section.table.id);
-        let (symbol, value, unit, name) = match language {
-            Language::En => ("symbol", "value", "unit", "name"),
-            Language::De => ("Symbol", "Wert", "Einheit", "Benennung"),
-        };
-        let mut table =
-            Table::new([(symbol, Align::Left), (value, Align::Left), (unit, Align::Left), (name, Align::Left)]);
-        for row in &section.rows {
-            let cell = row.cell;
-            let mut name = symbol_term(cell.place.symbol, language);
-            if !cell.place.condition.is_empty() {
-                let _ = write!(name, " ({})", condition_text(cell.place.condition, language));
-            }
-            let mut value = decimal(cell.corrected, language);
-            if cell.corrected != cell.printed {
-                let printed = decimal(cell.printed, language);
-                let _ = match language {
-                    Language::En => write!(value, " (printed {printed})"),
-                    Language::De => write!(value, " (gedruckt {printed})"),
-                };
-            }
-            if !cell.errata.is_empty() {
-                value.push_str(" *");
-                errata.extend(cell.errata.iter().filter(|id| !errata.contains(id)).copied().collect::<Vec<_>>());
-            }
-            let unit = Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol);
-            table.row([cell.place.symbol.to_owned(), value, unit.to_owned(), name]);
-        }
-        out.push_str(&table.render());
+        section_text(&mut out, section, &mut errata, language);
     }
     if !errata.is_empty() {
         out.push('\n');
@@ -72,8 +47,102 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
     out
 }
 
+/// One table with its notes below it; the errata of its cells are gathered for the end of the sheet.
+fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'static str>, language: Language) {
+    let title = if language == Language::De { section.table.title_de } else { section.table.title_en };
+    let _ = writeln!(out, "\n{title} ({} {})", t(language, "table", "Tabelle"), section.table.id);
+    let heads = [("symbol", "Symbol"), ("value", "Wert"), ("unit", "Einheit"), ("name", "Benennung")];
+    let mut table = Table::new(heads.map(|(en, de)| (if language == Language::De { de } else { en }, Align::Left)));
+    let mut notes: Vec<(String, SheetNote)> = Vec::new();
+    for row in &section.rows {
+        let cell = row.cell;
+        let mut name = symbol_term(cell.place.symbol, language);
+        if !cell.place.condition.is_empty() {
+            let _ = write!(name, " ({})", condition_text(cell.place.condition, language));
+        }
+        let mut value = value_text(row, language);
+        for note in &row.notes {
+            let _ = write!(value, " [{}]", mark_of(&mut notes, *note));
+        }
+        if !cell.errata.is_empty() {
+            value.push_str(" *");
+            errata.extend(cell.errata.iter().filter(|id| !errata.contains(id)).copied().collect::<Vec<_>>());
+        }
+        let unit = Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol);
+        table.row([cell.place.symbol.to_owned(), value, unit.to_owned(), name]);
+    }
+    out.push_str(&table.render());
+    notes.sort_by(|(one, _), (other, _)| one.cmp(other));
+    for (mark, note) in notes {
+        out.push_str(&paragraph(&format!("[{mark}] {}", by(&note)), sheet_note_text(&note, language)));
+    }
+    for note in &section.notices {
+        let head = if note.is_ours() { by(note) } else { t(language, "note: ", "Hinweis: ") };
+        out.push_str(&paragraph(&head, sheet_note_text(note, language)));
+    }
+    if !section.errata.is_empty() {
+        let head = t(language, "errata of this table: ", "Errata dieser Tabelle: ");
+        let see = t(language, "see", "siehe");
+        let text = format!("{} ({see} antrieb errata {})", section.errata.join(", "), section.table.id);
+        out.push_str(&paragraph(&head, &text));
+    }
+}
+
+/// Who says a note, where it is not the manual.
+fn by(note: &SheetNote) -> String {
+    if note.is_ours() { "antrieb: ".to_owned() } else { String::new() }
+}
+
+/// The value after errata, with the print where it differs; a value of the standard only is none of this code.
+fn value_text(row: &SheetRow, language: Language) -> String {
+    let cell = row.cell;
+    let corrected = if language == Language::De { cell.corrected } else { cell.corrected_en() };
+    let value = decimal(corrected, language);
+    if row.of_standard_only {
+        return match language {
+            Language::En => format!("not printed (standard {value})"),
+            Language::De => format!("nicht abgedruckt (Standard {value})"),
+        };
+    }
+    if cell.corrected == cell.printed {
+        return value;
+    }
+    let printed = decimal(cell.printed, language);
+    match language {
+        Language::En => format!("{value} (printed {printed})"),
+        Language::De => format!("{value} (gedruckt {printed})"),
+    }
+}
+
+/// The token of the code that brings what the tables do not cover.
+const fn letters(what: Uncovered) -> &'static str {
+    match what {
+        Uncovered::LongerWithK => "K",
+        Uncovered::SpecialDesign => "SP",
+        Uncovered::OutputEncoder => "EC",
+    }
+}
+
+/// The mark of a note in a table: the printed one, or the next small letter. What the tables do not cover of the code
+/// stands at the head of the sheet.
+fn mark_of(notes: &mut Vec<(String, SheetNote)>, note: SheetNote) -> String {
+    if let SheetNote::Uncovered(what) = note {
+        return letters(what).to_owned();
+    }
+    if let Some((mark, _)) = notes.iter().find(|(_, known)| *known == note) {
+        return mark.clone();
+    }
+    let letters = notes.iter().filter(|(_, known)| known.mark().is_empty()).count();
+    let mark = match note.mark() {
+        "" => ('a'..='z').nth(letters).unwrap_or('z').to_string(),
+        mark => mark.to_owned(),
+    };
+    notes.push((mark.clone(), note));
+    mark
+}
+
 /// Printed numbers have a decimal comma; English readers get a point. Texts stay as they are.
-fn decimal(text: &str, language: Language) -> String {
+pub(crate) fn decimal(text: &str, language: Language) -> String {
     let numeric = text.chars().all(|c| c.is_ascii_digit() || " ,.<>≤≥±%-".contains(c));
     if language == Language::En && numeric { text.replace(',', ".") } else { text.to_owned() }
 }
@@ -123,7 +192,7 @@ pub(crate) fn catalogue(matches: &ArgMatches, as_json: bool) -> Answer {
     let Some(("export", found)) = matches.subcommand() else { return Answer::none() };
     let json_wanted = as_json || found.get_one::<String>("format").is_some_and(|format| format == "json");
     if json_wanted {
-        return Answer::data(format!("{:#}\n", json::export()));
+        return Answer::record(&workbench::answer::catalogue_cells());
     }
     let mut out = EXPORT_COLUMNS.join(",");
     out.push('\n');

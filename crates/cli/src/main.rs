@@ -10,6 +10,7 @@ mod command;
 mod compare;
 mod data;
 mod diff;
+mod errata;
 mod explain;
 mod export;
 mod fault;
@@ -63,6 +64,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("export", found)) => export::export(found, json, language),
         Some(("code", found)) => code::dispatch(found, json, language),
         Some(("data", found)) => data::sheet(found, json, language),
+        Some(("errata", found)) => errata::errata(found, json, language),
         Some(("catalogue", found)) => data::catalogue(found, json),
         Some(("curve", found)) => chapter::curve(found, json, language),
         Some(("plot", found)) => plot::plot(found, json, language),

@@ -1,10 +1,11 @@
 //! Enumerating, completing and correcting ordering codes.
 
-use crate::rules::{Availability, availability};
-use order_code::{Brake, Feedback, Field, Option1, Option2, OrderCode, Pattern, Ratio, Size, Winding};
+use crate::rules::{Availability, BrokenRule, availability, looked_up};
+use order_code::{Brake, Feedback, Field, Option1, Option2, OrderCode, Pattern, Ratio, Size, Slot, Winding};
 use std::sync::LazyLock;
 
-static ALL: LazyLock<Vec<(OrderCode, Availability)>> = LazyLock::new(|| {
+/// Every code that can be written, whether it exists or not, without the special design.
+fn writable() -> Vec<OrderCode> {
     let mut codes = Vec::new();
     for &size in Size::ALL {
         for &ratio in Ratio::ALL {
@@ -13,7 +14,7 @@ static ALL: LazyLock<Vec<(OrderCode, Availability)>> = LazyLock::new(|| {
                     for brake in [Brake::Without, Brake::With] {
                         for option_1 in [None, Some(Option1::EC)] {
                             for option_2 in [None, Some(Option2::K), Some(Option2::R), Some(Option2::S)] {
-                                let code = OrderCode {
+                                codes.push(OrderCode {
                                     size,
                                     ratio,
                                     winding,
@@ -22,10 +23,7 @@ static ALL: LazyLock<Vec<(OrderCode, Availability)>> = LazyLock::new(|| {
                                     option_1,
                                     option_2,
                                     special: false,
-                                };
-                                if let Ok(found) = availability(&code) {
-                                    codes.push((code, found));
-                                }
+                                });
                             }
                         }
                     }
@@ -34,6 +32,15 @@ static ALL: LazyLock<Vec<(OrderCode, Availability)>> = LazyLock::new(|| {
         }
     }
     codes
+}
+
+static ALL: LazyLock<Vec<(OrderCode, Availability)>> =
+    LazyLock::new(|| writable().into_iter().filter_map(|code| Some((code, availability(&code).ok()?))).collect());
+
+/// The same codes as special designs.
+static SPECIAL: LazyLock<Vec<(OrderCode, Availability)>> = LazyLock::new(|| {
+    let special = ALL.iter().map(|(code, _)| OrderCode { special: true, ..*code });
+    special.filter_map(|code| Some((code, availability(&code).ok()?))).collect()
 });
 
 /// Every valid code with its availability, in the order of the fields.
@@ -44,9 +51,44 @@ pub fn all() -> &'static [(OrderCode, Availability)] {
     &ALL
 }
 
-/// The valid codes that a partial code allows.
+/// The valid codes that a partial code allows; special designs only where it names `SP`.
 pub fn complete(pattern: &Pattern) -> impl Iterator<Item = &'static (OrderCode, Availability)> + '_ {
-    ALL.iter().filter(move |(code, _)| pattern.matches(code))
+    let codes = if pattern.special == Slot::Exactly(true) { &SPECIAL } else { &ALL };
+    codes.iter().filter(move |(code, _)| pattern.matches(code))
+}
+
+/// Why a partial code allows no code: the rules that every code with its words breaks. Where no single one is broken by
+/// all of them, those of the codes that break the fewest, for each size in turn. Each with a code that breaks it; nothing
+/// if the partial code allows one.
+#[must_use]
+pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
+    let plain = Pattern { special: Slot::Any, ..*pattern };
+    let found: Vec<(OrderCode, Vec<BrokenRule>)> =
+        writable().into_iter().filter(|code| plain.matches(code)).map(|code| (code, looked_up(&code).1)).collect();
+    // The code that breaks the fewest stands for all.
+    let Some((code, rules)) = found.iter().min_by_key(|(_, broken)| broken.len()) else { return Vec::new() };
+    if rules.is_empty() {
+        return Vec::new();
+    }
+    let of_all = |rule: &BrokenRule| found.iter().all(|(_, broken)| broken.contains(rule));
+    let common: Vec<(OrderCode, BrokenRule)> =
+        rules.iter().filter(|rule| of_all(rule)).map(|rule| (*code, *rule)).collect();
+    if !common.is_empty() {
+        return common;
+    }
+    let best = |size: &Size| found.iter().filter(|(code, _)| code.size == *size).min_by_key(|(_, broken)| broken.len());
+    let each = Size::ALL.iter().filter_map(best);
+    each.flat_map(|(code, broken)| broken.iter().map(|rule| (*code, *rule))).collect()
+}
+
+/// The words of a field that some valid code of a size has.
+#[must_use]
+pub fn tokens_of_size(field: Field, size: Size) -> Vec<&'static str> {
+    if field == Field::Special {
+        return field.tokens().to_vec();
+    }
+    let of_size = |token: &&str| ALL.iter().any(|(code, _)| code.size == size && code.token(field) == Some(token));
+    field.tokens().iter().copied().filter(of_size).collect()
 }
 
 /// What may stand at one field of a partial code.
@@ -79,35 +121,4 @@ pub fn choices(pattern: &Pattern) -> Vec<(Field, Vec<Choice>)> {
             (field, found)
         })
         .collect()
-}
-
-/// The words of a code in alphabetical order, so that two codes with the same words in another order are equal.
-fn sorted_words(text: &str) -> String {
-    let mut words: Vec<&str> = text.split('-').collect();
-    words.sort_unstable();
-    words.join("-")
-}
-
-/// The valid codes nearest to a text, by the number of letters to insert, delete, change or swap; words in the wrong
-/// order count as one step.
-///
-/// Cost: two edit distances (some 20 × 20 steps each) per valid code.
-#[must_use]
-pub fn nearest(text: &str, most: usize) -> Vec<OrderCode> {
-    let wanted: String = text.trim().to_uppercase().chars().take(40).collect();
-    let wanted_words = sorted_words(&wanted);
-    let mut scored: Vec<(usize, bool, OrderCode)> = ALL
-        .iter()
-        .map(|(code, availability)| {
-            let text = code.to_string();
-            let as_written = order_code::edit_distance(&wanted, &text);
-            let reordered = 1 + order_code::edit_distance(&wanted_words, &sorted_words(&text));
-            (as_written.min(reordered), !availability.is_available(), *code)
-        })
-        .collect();
-    scored.sort();
-    let best = scored.first().map_or(0, |(distance, _, _)| *distance);
-    // A code that shares less than half of its letters is no help.
-    let bound = (best + 1).min(wanted.chars().count() / 2);
-    scored.into_iter().filter(|(distance, _, _)| *distance <= bound).take(most).map(|(_, _, code)| code).collect()
 }

@@ -4,12 +4,14 @@
 
 mod codes;
 mod matrix;
+mod nearest;
 mod parameters;
 mod parts;
 mod requirements;
 mod rules;
 
-pub use codes::{Choice, all, choices, complete, nearest};
+pub use codes::{Choice, all, broken_by_all, choices, complete, tokens_of_size};
+pub use nearest::{nearest, nearest_to};
 pub use parameters::{parameters, published_curve_points};
 pub use requirements::{Requirements, Unmet};
-pub use rules::{Availability, BrokenRule, Rule, availability};
+pub use rules::{Availability, BrokenRule, Rule, Uncovered, availability, uncovered};

@@ -1,7 +1,8 @@
 //! What the user requires of the actuator beyond the checks.
 
+use crate::rules::uncovered;
 use actuator::Parameters;
-use order_code::{Brake, Feedback, Option2, OrderCode, Size};
+use order_code::{Brake, Feedback, OrderCode};
 use provenance::Datum;
 use quantities::{ElectricPotential, Length, Mass, Measure};
 
@@ -76,13 +77,19 @@ impl Requirements {
         if self.brake.is_some_and(|brake| brake != (code.brake == Brake::With)) {
             unmet.push(Unmet::Brake(code.brake));
         }
-        if self.length_max.is_some() && is_longer_than_printed(code) {
+        // What the print has for the standard only is not known of this code.
+        let open = uncovered(code);
+        let unknown = |symbol| open.iter().any(|each| each.not_printed().contains(&symbol));
+        let mut known = self.clone();
+        if self.length_max.is_some() && unknown("L") {
             unmet.push(Unmet::NotKnown { symbol: "L" });
-            let others = Self { length_max: None, ..self.clone() };
-            unmet.extend(others.unmet_by_data(actuator));
-        } else {
-            unmet.extend(self.unmet_by_data(actuator));
+            known.length_max = None;
         }
+        if self.mass_max.is_some() && unknown("m") {
+            unmet.push(Unmet::NotKnown { symbol: "m" });
+            known.mass_max = None;
+        }
+        unmet.extend(known.unmet_by_data(actuator));
         unmet
     }
 
@@ -105,11 +112,6 @@ impl Requirements {
         });
         unmet
     }
-}
-
-/// Option K makes 14A and 17A longer than the printed length (table 12.1, footnote 1); by how much is not printed.
-const fn is_longer_than_printed(code: &OrderCode) -> bool {
-    matches!(code.option_2, Some(Option2::K)) && matches!(code.size, Size::S14A | Size::S17A)
 }
 
 /// Compares a requirement with a datum, if there is a requirement.
@@ -143,6 +145,18 @@ mod tests {
         assert_eq!(unmet(&short, "CHA-14A-30-E-RES"), []);
         assert_eq!(unmet(&short, "CHA-14A-30-E-RES-K"), [Unmet::NotKnown { symbol: "L" }]);
         assert!(matches!(unmet(&short, "CHA-25A-30-H-C1024").as_slice(), [Unmet::Length { .. }]));
+    }
+
+    #[test]
+    fn of_a_special_design_length_and_mass_are_not_known() {
+        let wish = Requirements {
+            length_max: Some(Length::new_in(1.0, &quantities::unit::METRE)),
+            mass_max: Some(Mass::new_in(100.0, &quantities::unit::KILOGRAM)),
+            ..Requirements::default()
+        };
+        assert_eq!(unmet(&wish, "CHA-20A-100-H-C1024"), []);
+        let unknown = ["L", "m"].map(|symbol| Unmet::NotKnown { symbol });
+        assert_eq!(unmet(&wish, "CHA-20A-100-H-C1024-SP"), unknown);
     }
 
     #[test]

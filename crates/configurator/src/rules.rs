@@ -1,7 +1,7 @@
 //! Whether an ordering code can be ordered.
 
 use crate::matrix::{Entry, matrix};
-use order_code::{Feedback, Field, OrderCode};
+use order_code::{Feedback, Field, Option1, Option2, OrderCode, Size};
 
 /// How an ordering code can be had.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,6 +51,20 @@ pub enum Rule {
 /// # Errors
 /// Every rule that the code breaks.
 pub fn availability(code: &OrderCode) -> Result<Availability, Vec<BrokenRule>> {
+    let (on_request, broken) = looked_up(code);
+    // One rule per field, and of a winding or feedback that cannot be, nobody asks for the pair.
+    let mut first: Vec<BrokenRule> = Vec::new();
+    for rule in broken {
+        let of_pair = |field| rule.rule == Rule::PairNotListed && field == Field::Winding;
+        if !first.iter().any(|known| known.field == rule.field || of_pair(known.field)) {
+            first.push(rule);
+        }
+    }
+    if first.is_empty() { Ok(Availability { on_request }) } else { Err(first) }
+}
+
+/// The fields on request, and every rule that a code breaks, several of one field too.
+pub(crate) fn looked_up(code: &OrderCode) -> (Vec<Field>, Vec<BrokenRule>) {
     let m = matrix();
     let mut broken = Vec::new();
     let mut on_request = Vec::new();
@@ -69,21 +83,63 @@ pub fn availability(code: &OrderCode) -> Result<Availability, Vec<BrokenRule>> {
     look(Field::Brake, m.brake(code.size, code.brake));
     look(Field::Option1, m.option_1(code.size, code.option_1));
     look(Field::Option2, m.option_2(code.size, code.option_2));
-    let already = |broken: &[BrokenRule], field| broken.iter().any(|rule| rule.field == field);
     if !m.ordered(code.winding) {
-        if !already(&broken, Field::Winding) {
-            broken.push(BrokenRule { field: Field::Winding, rule: Rule::NotInOrderingTables, table: "11.3" });
-        }
-    } else if !m.pair(code.winding, code.feedback)
-        && !already(&broken, Field::Feedback)
-        && !already(&broken, Field::Winding)
-    {
+        broken.push(BrokenRule { field: Field::Winding, rule: Rule::NotInOrderingTables, table: "11.3" });
+    } else if !m.pair(code.winding, code.feedback) {
         broken.push(BrokenRule { field: Field::Feedback, rule: Rule::PairNotListed, table: "11.3" });
     }
     if code.special {
         on_request.push(Field::Special);
     }
-    if broken.is_empty() { Ok(Availability { on_request }) } else { Err(broken) }
+    (on_request, broken)
+}
+
+/// Something of a code that the printed tables do not cover.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Uncovered {
+    /// Option K makes 14A and 17A longer; by how much is not printed.
+    LongerWithK,
+    /// A special design: the tables hold for the standard.
+    SpecialDesign,
+    /// Option EC: the tables tell nothing of what its encoder and inner hollow shaft change.
+    OutputEncoder,
+}
+
+impl Uncovered {
+    /// The data that are printed for the standard only and known to differ, or that may.
+    #[must_use]
+    pub const fn not_printed(self) -> &'static [&'static str] {
+        match self {
+            Self::LongerWithK => &["L", "L_brake"],
+            Self::SpecialDesign => &["L", "L_brake", "m", "m_brake"],
+            Self::OutputEncoder => &[],
+        }
+    }
+
+    /// The data that a remark on it belongs to.
+    #[must_use]
+    pub const fn concerns(self) -> &'static [&'static str] {
+        match self {
+            Self::OutputEncoder => &["L", "L_brake", "m", "m_brake", "d_H"],
+            Self::LongerWithK | Self::SpecialDesign => self.not_printed(),
+        }
+    }
+}
+
+/// What the printed tables do not cover of a code.
+///
+/// # Source   cha-manual tables 11.1 (special design) and 12.1 (footnote 1), section 6.25.1 (option EC)
+#[must_use]
+pub fn uncovered(code: &OrderCode) -> Vec<Uncovered> {
+    let longer = matches!(code.option_2, Some(Option2::K)) && matches!(code.size, Size::S14A | Size::S17A);
+    [
+        (longer, Uncovered::LongerWithK),
+        (code.special, Uncovered::SpecialDesign),
+        (code.option_1 == Some(Option1::EC), Uncovered::OutputEncoder),
+    ]
+    .into_iter()
+    .filter_map(|(is, what)| is.then_some(what))
+    .collect()
 }
 
 #[cfg(test)]

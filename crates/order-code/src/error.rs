@@ -106,7 +106,13 @@ impl CodeError {
     /// The words that would be valid here.
     #[must_use]
     pub fn expected(&self) -> Vec<&'static str> {
-        let fields: &[Field] = match self {
+        self.expected_fields().iter().flat_map(|field| field.tokens()).copied().collect()
+    }
+
+    /// The fields of which a word would be valid here.
+    #[must_use]
+    pub fn expected_fields(&self) -> &[Field] {
+        match self {
             Self::Empty => &[Field::Series],
             Self::Missing { field, .. } => std::slice::from_ref(field),
             Self::EmptyPart { expected, .. }
@@ -114,8 +120,7 @@ impl CodeError {
             | Self::OutOfOrder { expected, .. }
             | Self::Repeated { expected, .. } => expected,
             Self::TooLong { .. } | Self::Ambiguous { .. } => &[],
-        };
-        fields.iter().flat_map(|field| field.tokens()).copied().collect()
+        }
     }
 
     /// The valid word that is nearest to what stands here, if one is near: at most half of its letters are wrong.
@@ -150,6 +155,7 @@ fn common_beginning(a: &str, b: &str) -> usize {
 #[error("{}", joined(.faults))]
 pub struct CodeErrors {
     faults: Vec<CodeError>,
+    understood: Vec<(Field, &'static str)>,
 }
 
 fn joined(faults: &[CodeError]) -> String {
@@ -158,10 +164,16 @@ fn joined(faults: &[CodeError]) -> String {
 }
 
 impl CodeErrors {
-    /// Several faults, sorted by their place. The caller has at least one.
-    pub(crate) fn new(mut faults: Vec<CodeError>) -> Self {
+    /// Several faults, sorted by their place, and the words that were understood. The caller has at least one fault.
+    pub(crate) fn new(mut faults: Vec<CodeError>, understood: Vec<(Field, &'static str)>) -> Self {
         faults.sort_by_key(|fault| fault.span().start);
-        Self { faults }
+        Self { faults, understood }
+    }
+
+    /// The word of a field that was understood in spite of the faults.
+    #[must_use]
+    pub fn understood(&self, field: Field) -> Option<&'static str> {
+        self.understood.iter().find(|(known, _)| *known == field).map(|(_, token)| *token)
     }
 
     /// The faults, in the order of the text.
@@ -172,7 +184,7 @@ impl CodeErrors {
 
 impl From<CodeError> for CodeErrors {
     fn from(fault: CodeError) -> Self {
-        Self { faults: vec![fault] }
+        Self { faults: vec![fault], understood: Vec::new() }
     }
 }
 

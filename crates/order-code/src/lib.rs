@@ -54,5 +54,5 @@ mod tokens;
 pub use distance::edit_distance;
 pub use error::{CodeError, CodeErrors};
 pub use field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
-pub use parse::{Departure, Parsed, parse};
+pub use parse::{Departure, Parsed, Spans, parse};
 pub use pattern::{Pattern, Slot};

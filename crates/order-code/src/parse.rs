@@ -34,6 +34,9 @@ pub fn parse(text: &str) -> Result<Parsed, CodeErrors> {
     Ok(Parsed { code, departures, spans })
 }
 
+/// Fields with their places in a text, in bytes.
+pub type Spans = Vec<(Field, Range<usize>)>;
+
 /// A code that was understood.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Parsed {
@@ -42,7 +45,7 @@ pub struct Parsed {
     /// How the text departs from the canonical spelling, in the order of the text.
     pub departures: Vec<Departure>,
     /// Each field that is present, with its place in the text, in bytes.
-    pub spans: Vec<(Field, Range<usize>)>,
+    pub spans: Spans,
 }
 
 impl Parsed {

@@ -2,6 +2,7 @@
 
 use crate::error::CodeErrors;
 use crate::field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
+use crate::parse::Spans;
 use crate::scan::{Form, scan};
 
 /// One field of a partial code.
@@ -67,9 +68,17 @@ impl Pattern {
     /// # Errors
     /// Every fault with its place; a hyphen at the end is one.
     pub fn parse(text: &str) -> Result<Self, CodeErrors> {
+        Self::parse_with_spans(text).map(|(pattern, _)| pattern)
+    }
+
+    /// The same, and each field that the text names, with its place in bytes.
+    ///
+    /// # Errors
+    /// As [`Pattern::parse`].
+    pub fn parse_with_spans(text: &str) -> Result<(Self, Spans), CodeErrors> {
         let (tokens, _) = scan(text, Form::Pattern)?;
         let token = |field: Field| tokens.iter().find(|found| found.field == field).and_then(|found| found.token);
-        Ok(Self {
+        let pattern = Self {
             size: token(Field::Size).and_then(Size::of).map_or(Slot::Any, Slot::Exactly),
             ratio: token(Field::Ratio).and_then(Ratio::of).map_or(Slot::Any, Slot::Exactly),
             winding: token(Field::Winding).and_then(Winding::of).map_or(Slot::Any, Slot::Exactly),
@@ -78,7 +87,9 @@ impl Pattern {
             option_1: token(Field::Option1).map_or(Slot::Any, |token| Slot::Exactly(Option1::of(token))),
             option_2: token(Field::Option2).map_or(Slot::Any, |token| Slot::Exactly(Option2::of(token))),
             special: token(Field::Special).map_or(Slot::Any, |_| Slot::Exactly(true)),
-        })
+        };
+        let named = tokens.iter().filter(|found| found.token.is_some());
+        Ok((pattern, named.map(|found| (found.field, found.span.clone())).collect()))
     }
 
     /// Whether a code is among those that the pattern allows.

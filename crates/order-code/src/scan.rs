@@ -292,7 +292,8 @@ impl Reader<'_> {
             self.faults.extend(missing.into_iter().map(|field| CodeError::Missing { field, at: end }));
         }
         if !self.faults.is_empty() {
-            return Err(CodeErrors::new(self.faults));
+            let understood = self.tokens.iter().filter_map(|found| Some((found.field, found.token?))).collect();
+            return Err(CodeErrors::new(self.faults, understood));
         }
         self.departures.sort_by_key(|departure| departure.span().map_or(0, |span| span.start));
         Ok((self.tokens, self.departures))

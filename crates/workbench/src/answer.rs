@@ -3,16 +3,22 @@
 mod beside;
 mod chapters;
 mod check;
+mod code;
 mod dossier;
+mod errata;
 mod fault;
 mod inputs;
 mod judged;
 mod motion;
+mod sheet;
 
 pub use beside::{comparison, difference};
 pub use chapters::{battery, bearings, curves, inertia, torsion};
 pub use check::{check, explained, explanations};
+pub use code::{code_faults, code_reading, completion, listed};
 pub use dossier::dossier;
+pub use errata::{errata, erratum};
 pub use fault::faults;
 pub use judged::{candidate, fit, judgement, objections, reserve, sizing, tolerance};
 pub use motion::motion;
+pub use sheet::{catalogue_cells, sheet, sheet_note_text};

@@ -1,8 +1,8 @@
 //! Reading, listing and completing ordering codes.
 
 use crate::text::{describe_code_error, describe_field, describe_rule, describe_token, either};
-use configurator::{Availability, Choice, availability};
-use order_code::{CodeErrors, Field, OrderCode, Parsed, Pattern};
+use configurator::{Availability, BrokenRule, Choice, availability};
+use order_code::{CodeError, CodeErrors, Field, OrderCode, Parsed, Pattern, Size};
 use quantities::Language;
 use std::ops::Range;
 
@@ -28,60 +28,98 @@ pub struct CodeFault {
     pub table: Option<&'static str>,
 }
 
+/// Why a text is no code.
+#[derive(Clone, Debug)]
+pub struct CodeRefusal {
+    /// Every fault, each with its place in the text.
+    pub faults: Vec<CodeFault>,
+    /// The nearest valid codes with data.
+    pub nearest: Vec<&'static (OrderCode, Availability)>,
+}
+
+/// How many codes are proposed in place of one that does not exist.
+const PROPOSALS: usize = 3;
+
 /// Reads a code and holds it to the rules of the ordering tables.
 ///
 /// # Errors
 /// Every fault, each with its place in the text, and the nearest valid codes.
-pub fn read_code(text: &str, language: Language) -> Result<CodeReading, (Vec<CodeFault>, Vec<OrderCode>)> {
-    let near = || configurator::nearest(text, 3);
-    let parsed = order_code::parse(text).map_err(|errors| (spelling_faults(&errors, language), near()))?;
+pub fn read_code(text: &str, language: Language) -> Result<CodeReading, CodeRefusal> {
+    let parsed = order_code::parse(text).map_err(|errors| CodeRefusal {
+        faults: spelling_faults(&errors, language),
+        nearest: configurator::nearest(text, PROPOSALS),
+    })?;
     match availability(&parsed.code) {
         Ok(availability) => Ok(CodeReading { parsed, availability }),
         Err(broken) => {
-            let faults = broken
-                .iter()
-                .map(|rule| {
-                    let span = parsed.spans.iter().find(|(field, _)| *field == rule.field);
-                    CodeFault {
-                        span: span.map_or(0..text.len(), |(_, span)| span.clone()),
-                        message: describe_rule(&parsed.code, rule, language),
-                        hint: None,
-                        table: Some(rule.table),
-                    }
-                })
-                .collect();
-            Err((faults, near()))
+            let broken: Vec<(OrderCode, BrokenRule)> = broken.into_iter().map(|rule| (parsed.code, rule)).collect();
+            Err(rules_broken(text, &broken, &parsed.spans, language))
         }
     }
 }
 
-/// Reads a partial code.
+/// Reads a partial code that allows at least one code.
 ///
 /// # Errors
-/// Every fault of its spelling.
-pub fn read_pattern(text: &str, language: Language) -> Result<Pattern, Vec<CodeFault>> {
-    Pattern::parse(text).map_err(|errors| spelling_faults(&errors, language))
+/// Every fault of its spelling, or the rules that no code with its words can keep.
+pub fn read_pattern(text: &str, language: Language) -> Result<Pattern, CodeRefusal> {
+    let (pattern, spans) = Pattern::parse_with_spans(text)
+        .map_err(|errors| CodeRefusal { faults: spelling_faults(&errors, language), nearest: Vec::new() })?;
+    let broken = configurator::broken_by_all(&pattern);
+    if broken.is_empty() { Ok(pattern) } else { Err(rules_broken(text, &broken, &spans, language)) }
+}
+
+/// The rules broken, each at the place of its field, and the codes nearest to the first that breaks them.
+fn rules_broken(
+    text: &str,
+    broken: &[(OrderCode, BrokenRule)],
+    spans: &[(Field, Range<usize>)],
+    language: Language,
+) -> CodeRefusal {
+    let faults = broken.iter().map(|(code, rule)| {
+        let span = spans.iter().find(|(field, _)| *field == rule.field);
+        CodeFault {
+            span: span.map_or(0..text.len(), |(_, span)| span.clone()),
+            message: describe_rule(code, rule, language),
+            hint: None,
+            table: Some(rule.table),
+        }
+    });
+    let nearest = broken.first().map(|(code, _)| configurator::nearest_to(code, PROPOSALS)).unwrap_or_default();
+    CodeRefusal { faults: faults.collect(), nearest }
 }
 
 pub(crate) fn spelling_faults(errors: &CodeErrors, language: Language) -> Vec<CodeFault> {
+    let understood = errors.understood(Field::Size);
+    let size = Size::ALL.iter().copied().find(|size| understood == Some(size.as_str()));
     errors
         .iter()
         .map(|error| {
-            let hint = match error.nearest() {
+            let valid = valid_here(error, size);
+            let hint = match error.nearest().filter(|near| valid.contains(near)) {
                 Some(near) => Some(either(
                     language,
                     format!("did you mean `{near}`?"),
                     format!("gemeint ist vielleicht `{near}`"),
                 )),
-                None if error.expected().is_empty() => None,
+                None if valid.is_empty() => None,
                 None => {
-                    let valid = error.expected().join(", ");
+                    let valid = valid.join(", ");
                     Some(either(language, format!("valid here: {valid}"), format!("hier gültig: {valid}")))
                 }
             };
             CodeFault { span: error.span(), message: describe_code_error(error, language), hint, table: None }
         })
         .collect()
+}
+
+/// The words that may stand at a fault: where the size is understood, only those that it can have.
+fn valid_here(error: &CodeError, size: Option<Size>) -> Vec<&'static str> {
+    let of_size = |field: &Field| match size {
+        Some(size) if *field != Field::Series => configurator::tokens_of_size(*field, size),
+        _ => field.tokens().to_vec(),
+    };
+    error.expected_fields().iter().flat_map(of_size).collect()
 }
 
 /// Each field of a code with its token and what it means.

@@ -1,19 +1,19 @@
 //! The facade: the project file and every use case as plain data. Every face calls only this.
 //!
-//! Texts come in English and German ([`Language`]); results come as data ([`Sizing`], [`Candidate`]) and as JSON
-//! values ([`json`]). Nothing here touches a file, the clock, the environment or the terminal.
+//! Texts come in English and German ([`Language`]); results come as data ([`Sizing`], [`Candidate`]) and as
+//! records ([`answer`]). Nothing here touches a file, the clock, the environment or the terminal.
 
 pub mod answer;
 mod chapters;
 mod codes;
 mod compare;
 mod diagnostic;
+mod errata;
 mod explain;
 mod export;
 mod fingerprint;
 mod flange;
 mod inertia;
-pub mod json;
 mod limits;
 mod moves;
 mod plane;
@@ -27,10 +27,11 @@ mod torsion;
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
 pub use chapters::{TEMPLATES, battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
-pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, read_code, read_pattern};
+pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
-pub use configurator::{Availability, Choice, Unmet};
+pub use configurator::{Availability, Choice, Uncovered, Unmet, uncovered};
 pub use diagnostic::{Diagnostic, place};
+pub use errata::{ErrataFound, ErrataRefusal, errata_about};
 pub use explain::{derivation, node_amount, trust};
 pub use export::{EXPORT_COLUMNS, export_rows};
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
@@ -46,7 +47,7 @@ pub use project::{
 };
 pub use provenance::Grade;
 pub use quantities::{self, Language};
-pub use sheet::{Sheet, SheetRow, SheetSection, sheet};
+pub use sheet::{Sheet, SheetNote, SheetRow, SheetSection, sheet};
 pub use sizing::derivation as workings;
 pub use sizing::{Check, CheckId, Course, Demand, Direction, Figure, FlangeSample, Part, Reserve, Sample, Verdict};
 pub use sizing_use::{
@@ -66,7 +67,8 @@ mod tests {
     #[test]
     fn no_english_condition_is_left_on_a_german_data_sheet() {
         let mut seen: Vec<String> = Vec::new();
-        for (code, _) in list_codes(None) {
+        // Every feedback and option at one ratio: the conditions of the others are the same.
+        for (code, _) in list_codes(None).into_iter().filter(|(code, _)| code.ratio.value() == 100) {
             let Some(sheet) = sheet(code) else { continue };
             for row in sheet.sections.iter().flat_map(|section| &section.rows) {
                 let text = text::condition_text(row.cell.place.condition, Language::De);

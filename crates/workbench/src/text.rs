@@ -2,6 +2,7 @@
 
 mod codes;
 mod derivation;
+mod errata;
 pub(crate) mod flange;
 mod motion;
 mod notes;
@@ -11,9 +12,10 @@ mod results;
 pub(crate) mod stage;
 pub(crate) mod tolerance;
 
-pub use codes::{describe_code_error, describe_field, describe_rule, describe_token};
+pub use codes::{describe_code_error, describe_field, describe_rule, describe_token, describe_uncovered};
 pub(crate) use derivation::step_term;
 pub use derivation::{found_text, symbol_shown};
+pub use errata::{erratum_kind, erratum_place, erratum_status};
 pub use motion::law_text;
 pub(crate) use reading::Speak;
 pub use reading::file_trouble;

@@ -88,3 +88,21 @@ fn times_of_the_brake() {
     }
     assert!(printed >= 22, "{printed}");
 }
+
+/// The static equivalent load is that of equation 76.1 with its two factors.
+#[test]
+fn load_factors_of_equation_76_1() {
+    let (x_0, y_0) = (number("equation-76.1", "x_0", ""), number("equation-76.1", "y_0", ""));
+    for (radial, axial, moment) in [(1000.0, 0.0, 0.0), (0.0, 1000.0, 0.0), (300.0, 700.0, 20.0)] {
+        let load = FlangeLoad {
+            radial_force: Force::from_si(radial),
+            radial_distance: Length::from_si(0.0),
+            axial_force: Force::from_si(axial),
+            axial_distance: Length::from_si(0.0),
+        };
+        let (diameter, rating) = (Length::from_si(0.07), Force::from_si(31_000.0));
+        let found = actuator::static_safety(rating, &load, Torque::from_si(moment), diameter);
+        let expected = 31_000.0 / (x_0 * (radial + 2.0 * moment / 0.07) + y_0 * axial);
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+    }
+}

@@ -98,6 +98,46 @@ pub(super) fn brake(view: &View, tally: &mut Tally) {
     }
 }
 
+/// A brake of twice the torque has no less of a rotor
+///
+/// T_b is the largest T_Br/i of the drive, the rotor J_brake − J.
+///
+/// Source: found in the tables: T_b and rotor grow together from 14A to 50A; the manual states no rule.
+/// Tolerance: the rounding of both inertias. Blamed: J_brake of the stronger brake.
+pub(super) fn brake_rotor(view: &View, tally: &mut Tally) {
+    let mut brakes: Vec<(&Entry, f64, Span)> = Vec::new();
+    for drive in view.drives() {
+        let torque = drive
+            .ratios()
+            .into_iter()
+            .filter_map(|ratio| Some(drive.at("T_Br", ratio)?.number()? / ratio.parse::<f64>().ok()?))
+            .fold(0.0, f64::max);
+        for bare in drive.every("J", "") {
+            let braked = drive.beside("J_brake", bare);
+            match braked.zip(braked.and_then(Entry::span).zip(bare.span())) {
+                Some((cell, (with, without))) => brakes.push((cell, torque, with - without)),
+                None => tally.absent(format_args!("J or J_brake of {}", drive.name)),
+            }
+        }
+    }
+    for (cell, torque, rotor) in &brakes {
+        for (other, weaker, less) in brakes.iter().filter(|(_, weaker, _)| *torque >= 2.0 * weaker) {
+            tally.compare(rotor.high >= less.low, &[cell], || {
+                format!(
+                    "{} is {}, its brake of {} Nm adds {}, that of {} ({} Nm) adds {}",
+                    cell.place(),
+                    cell.text,
+                    brief(*torque),
+                    brief(rotor.mid),
+                    other.place(),
+                    brief(*weaker),
+                    brief(less.mid)
+                )
+            });
+        }
+    }
+}
+
 /// What must not fall with the ratio, what must not rise, and what a brake must add
 ///
 /// T_max, T_0, k_Tout and K_INL do not fall with i, n_max falls, I_NLS (20 °C) does not rise; J, J_out, mass and length
@@ -198,6 +238,13 @@ mod tests {
     fn a_changed_brake_torque_is_found() {
         assert_eq!(told(brake, &altered("26.3", "T_Br", "50", "54")).len(), 1);
         assert_eq!(told(brake, &altered("26.3", "T_Br", "100", "90")).len(), 2);
+    }
+
+    #[test]
+    fn a_brake_too_light_for_its_torque_is_found() {
+        let untouched = told(brake_rotor, &View::of(crate::audit::Reading::Printed));
+        let lighter = told(brake_rotor, &altered("30.2", "J_brake", "", "5,0"));
+        assert!(lighter.len() > untouched.len(), "{lighter:?}");
     }
 
     #[test]

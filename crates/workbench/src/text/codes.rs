@@ -1,8 +1,8 @@
 //! Words about ordering codes: fields, tokens, rules, faults.
 
 use super::either;
-use configurator::{BrokenRule, Rule};
-use order_code::{CodeError, Field, OrderCode};
+use configurator::{BrokenRule, Rule, Uncovered};
+use order_code::{CodeError, Field, Option2, OrderCode, Winding};
 use quantities::Language;
 
 /// The name of a field.
@@ -26,6 +26,9 @@ pub fn describe_field(field: Field, language: Language) -> &'static str {
 #[must_use]
 pub fn describe_token(code: &OrderCode, field: Field, language: Language) -> String {
     let token = code.token(field).unwrap_or("");
+    // Option 2 replaces the exit that is standard for the winding (tables 11.3 and 11.6).
+    let standard_exit = code.option_2.is_none();
+    let connector_exit = matches!(code.option_2, Some(Option2::R | Option2::S));
     let (en, de) = match (field, token) {
         (Field::Series, _) => ("AC servo actuators with hollow shaft", "AC-Servoantriebe mit Hohlwelle"),
         (Field::Size, size) => {
@@ -33,6 +36,9 @@ pub fn describe_token(code: &OrderCode, field: Field, language: Language) -> Str
         }
         (Field::Ratio, ratio) => {
             return either(language, format!("reduction ratio {ratio} : 1"), format!("Untersetzung {ratio} : 1"));
+        }
+        (Field::Winding, "E") if !standard_exit => {
+            ("48 V DC link; M17 connectors, 8-pin and 17-pin", "Zwischenkreis 48 V; Stecker M17, 8- und 17-polig")
         }
         (Field::Winding, "E") => (
             "48 V DC link; 8-pin and 17-pin M17 connectors on the housing",
@@ -45,6 +51,10 @@ pub fn describe_token(code: &OrderCode, field: Field, language: Language) -> Str
         (Field::Winding, "L") => (
             "named in the matrix only, not in the ordering tables",
             "nur in der Matrix genannt, nicht in den Bestelltabellen",
+        ),
+        (Field::Winding, _) if connector_exit => (
+            "680 V DC link; M23 connectors, motor 6-pin, feedback 17-pin (resolver 12-pin)",
+            "Zwischenkreis 680 V; Stecker M23, Motor 6-polig, Feedback 17-polig (Resolver 12-polig)",
         ),
         (Field::Winding, _) => (
             "680 V DC link; cable exit, M23 connectors, motor 6-pin, feedback 17-pin (resolver 12-pin)",
@@ -73,14 +83,41 @@ pub fn describe_token(code: &OrderCode, field: Field, language: Language) -> Str
             ("single-turn absolute EnDat encoder at the output", "Singleturn-Absolutwertgeber EnDat am Abtrieb")
         }
         (Field::Option1, _) => ("without output encoder", "ohne Abtriebsgeber"),
+        (Field::Option2, "K") if code.winding == Winding::E => (
+            "axial cable exit, instead of the connectors on the housing",
+            "axialer Kabelabgang statt der Stecker am Gehäuse",
+        ),
         (Field::Option2, "K") => ("axial cable exit", "axialer Kabelabgang"),
         (Field::Option2, "R") => ("axial connector exit", "axialer Steckerabgang"),
         (Field::Option2, "S") => ("radial connector exit", "radialer Steckerabgang"),
+        (Field::Option2, _) if code.winding == Winding::E => {
+            ("standard, connectors on the housing", "Standard, Stecker am Gehäuse")
+        }
         (Field::Option2, _) => ("standard, radial cable exit", "Standard, radialer Kabelabgang"),
         (Field::Special, "SP") => ("special design to the customer's wish", "Sonderausführung nach Kundenwunsch"),
         (Field::Special, _) => ("standard design", "Standardausführung"),
     };
     either(language, en, de)
+}
+
+/// What the printed tables do not cover of a code, in words.
+#[must_use]
+pub fn describe_uncovered(what: Uncovered, language: Language) -> &'static str {
+    let (en, de) = match what {
+        Uncovered::LongerWithK => (
+            "option K makes the actuator longer than the standard; by how much is not printed (table 12.1, footnote 1)",
+            "mit Option K ist der Antrieb länger als der Standard; um wie viel, ist nicht abgedruckt (Tabelle 12.1, Fußnote 1)",
+        ),
+        Uncovered::SpecialDesign => (
+            "special design: the tables hold for the standard; length and mass are not printed for it, and what else differs only the maker knows",
+            "Sonderausführung: Die Tabellen gelten für den Standard; Länge und Masse sind für sie nicht abgedruckt, weitere Abweichungen kennt nur der Hersteller",
+        ),
+        Uncovered::OutputEncoder => (
+            "option EC: the tables do not say whether length, mass and bore hold with the output encoder and its inner hollow shaft; ask the maker",
+            "Option EC: Die Tabellen sagen nicht, ob Länge, Masse und Bohrung mit dem Abtriebsgeber und seiner inneren Hohlwelle gelten; beim Hersteller fragen",
+        ),
+    };
+    if language == Language::De { de } else { en }
 }
 
 /// A broken rule in words.

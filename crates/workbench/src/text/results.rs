@@ -112,7 +112,7 @@ pub fn symbol_term(symbol: &str, language: Language) -> String {
 }
 
 /// Words of table conditions in German, longer phrases before their parts.
-const CONDITIONS: [(&str, &str); 13] = [
+const CONDITIONS: [(&str, &str); 14] = [
     ("no condensation", "ohne Kondensation"),
     ("above sea level", "über NN"),
     ("aluminium, ambient", "Aluminium, Umgebung"),
@@ -121,11 +121,12 @@ const CONDITIONS: [(&str, &str); 13] = [
     ("incremental", "inkrementell"),
     ("commutation", "Kommutierung"),
     ("salt spray", "Salzsprühtest"),
+    ("joint faces completely degreased, friction coefficient", "Fügeflächen vollständig entfettet, Reibungszahl"),
     ("part 2", "Teil 2"),
     ("warning", "Warnung"),
     ("shutdown", "Abschaltung"),
-    ("dry joint, friction coefficient", "entfettete Fuge, Reibungszahl"),
     ("sensor=", "Sensor "),
+    ("mating coupling", "Kabelkupplung"),
 ];
 
 /// The condition of a table row for people.

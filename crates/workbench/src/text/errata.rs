@@ -1,0 +1,51 @@
+//! Words about errata.
+
+use super::{condition_text, either};
+use catalogue::{Erratum, ErratumKind};
+use quantities::Language;
+
+/// What is wrong, in one or two words.
+#[must_use]
+pub fn erratum_kind(kind: ErratumKind, language: Language) -> &'static str {
+    let (en, de) = match kind {
+        ErratumKind::Recovery => ("recovered text", "wiederhergestellter Text"),
+        ErratumKind::PrintError => ("print error", "Druckfehler"),
+        ErratumKind::Contradiction => ("contradiction", "Widerspruch"),
+        ErratumKind::Rounding => ("rounding", "Rundung"),
+        ErratumKind::Edition => ("other edition", "andere Ausgabe"),
+    };
+    if language == Language::De { de } else { en }
+}
+
+/// Whether an erratum is settled, in one word.
+#[must_use]
+pub fn erratum_status(corrected: bool, language: Language) -> &'static str {
+    match (corrected, language) {
+        (true, Language::En) => "corrected",
+        (true, Language::De) => "korrigiert",
+        (false, Language::En) => "flagged",
+        (false, Language::De) => "offen",
+    }
+}
+
+/// Where an erratum is: the table, and the cell or the place in words.
+#[must_use]
+pub fn erratum_place(erratum: &'static Erratum, language: Language) -> String {
+    let mut parts = Vec::new();
+    if !erratum.table.is_empty() {
+        parts.push(either(language, format!("table {}", erratum.table), format!("Tabelle {}", erratum.table)));
+    }
+    match erratum.cell() {
+        Some(cell) => {
+            parts.push(cell.place.symbol.to_owned());
+            parts.extend([cell.place.drive, cell.feedback].map(str::to_owned));
+            if !cell.place.ratio.is_empty() {
+                parts.push(format!("i = {}", cell.place.ratio));
+            }
+            parts.push(condition_text(cell.place.condition, language));
+        }
+        None => parts.push(either(language, erratum.place, erratum.place_de)),
+    }
+    parts.retain(|part| !part.is_empty());
+    parts.join(", ")
+}
