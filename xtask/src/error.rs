@@ -68,6 +68,11 @@ pub enum Error {
         /// Exit status in words, or that it did not end.
         status: String,
     },
+    /// Documents show answers that are not given; they have been printed.
+    Samples {
+        /// How many lines.
+        count: usize,
+    },
     /// A file that is made from others is not what they say now.
     Stale {
         /// The file.
@@ -123,6 +128,10 @@ impl fmt::Display for Error {
             Self::ReadmeCommand { line, command, status } => {
                 write!(f, "README.md:{line}: `{command}`: {status}")
             }
+            Self::Samples { count } => write!(
+                f,
+                "the documents show {count} lines that the program does not give; `cargo xtask samples` mends what it can"
+            ),
             Self::Stale { file, line, command } => {
                 write!(f, "{file}:{line} is out of date; what makes it anew: {command}")
             }
