@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 /// What a step costs from an empty target directory.
 ///
-/// Measured in processor time, so that neighbours do not show in it, on a machine with two cores at about 2.5 GHz.
+/// Processor time, so that neighbours do not show in it, on a machine with two cores of 2026, rounded up: measured for what runs
+/// and for the debug build, reckoned from the sizes of the crates for the release build and the lints.
 #[derive(Clone, Copy)]
 pub(super) struct Cost {
     seconds: u32,
@@ -71,7 +72,7 @@ impl Forecast {
     fn table_for(&self, steps: &[(&str, Cost)], cores: u32) -> String {
         let cold: f64 = steps.iter().map(|(_, cost)| cost.on(cores)).sum();
         let mut text = format!(
-            "ci: {} steps; from an empty target directory about {} on {cores} {}, reckoned from a measured run\n",
+            "ci: {} steps; from an empty target directory about {} on {cores} {}, a slow machine or neighbours apart\n",
             steps.len(),
             duration(cold),
             if cores == 1 { "core" } else { "cores" },
