@@ -18,6 +18,8 @@ const PROGRAM: &str = "antrieb ";
 const GAP: &str = "…";
 /// Below this likeness a line of the answer is no later form of the one shown.
 const LIKE: f64 = 0.5;
+/// The likeness of lines that differ in their figures alone.
+const FIGURES_APART: f64 = 0.95;
 
 /// Rewrites the lines that the program gives otherwise now, each by the one most like it; `git diff` shows what it did.
 ///
@@ -193,7 +195,7 @@ fn place(block: &[&str], answer: &[String], next: usize, first: bool) -> Option<
     let rest = answer.get(from..).unwrap_or_default();
     let ends = rest.iter().take(2 * block.len() + 2).skip(block.len() / 2);
     let last = block.last().copied().unwrap_or_default();
-    let end = ends.enumerate().find(|(_, given)| like(last, given) >= 1.0);
+    let end = ends.enumerate().find(|(_, given)| like(last, given) >= FIGURES_APART);
     let length = end.map_or(block.len(), |(ahead, _)| block.len() / 2 + ahead + 1);
     Some(from..(from + length).min(answer.len()))
 }
@@ -202,10 +204,13 @@ fn as_f64(count: usize) -> f64 {
     u32::try_from(count).map_or(f64::INFINITY, f64::from)
 }
 
-/// One for lines that differ in their figures alone.
+/// From 0 to 1, and nearly 1 for lines that differ in their figures alone.
 fn like(shown: &str, given: &str) -> f64 {
-    if without_figures(shown) == without_figures(given) {
+    if shown == given {
         return 1.0;
+    }
+    if without_figures(shown) == without_figures(given) {
+        return FIGURES_APART;
     }
     strsim::normalized_levenshtein(shown, given).min(0.9)
 }
@@ -252,6 +257,10 @@ mod tests {
         assert_eq!(departures(&["head", "…", "quite another thing", "…"], &given), departure(2..3, None));
         // An answer that goes on, and a line that has come in between.
         assert_eq!(departures(&["head"], &given), departure(0..1, Some(0..4)));
-        assert_eq!(departures(&["…", "1  58.4", "foot"], &given), departure(1..3, Some(1..4)));
+        let given = lines("{\n  \"unit\": \"Nm\",\n  \"part\": \"drive\",\n  \"at\": 0.5\n}\n");
+        assert_eq!(
+            departures(&["{", "  \"unit\": \"Nm\",", "  \"at\": 0.5", "…"], &given),
+            departure(0..3, Some(0..4))
+        );
     }
 }
