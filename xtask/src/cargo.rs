@@ -2,7 +2,9 @@
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
+
+use cargo_metadata::{Metadata, MetadataCommand, Package};
 
 use crate::Error;
 
@@ -34,47 +36,31 @@ pub(crate) fn spelled(command: &Command) -> String {
     text
 }
 
+/// Asks cargo about the tree at `root`.
+pub(crate) fn metadata(
+    root: &Path,
+    set: impl FnOnce(&mut MetadataCommand) -> &mut MetadataCommand,
+) -> Result<Metadata, Error> {
+    let mut command = MetadataCommand::new();
+    command.manifest_path(root.join("Cargo.toml"));
+    set(&mut command).exec().map_err(|source| Error::Metadata { source: Box::new(source) })
+}
+
 /// What `cargo metadata` says about the workspace.
 pub(crate) struct Workspace {
-    packages: Vec<String>,
+    pub(crate) packages: Vec<Package>,
     pub(crate) target: PathBuf,
 }
 
 impl Workspace {
     pub(crate) fn ask(root: &Path) -> Result<Self, Error> {
-        let mut command = cargo(root, &["metadata", "--no-deps", "--format-version", "1"]);
-        let output = command
-            .stderr(Stdio::inherit())
-            .output()
-            .map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
-        if !output.status.success() {
-            let status = output.status.to_string();
-            return Err(Error::Failed { command: spelled(&command), status });
-        }
-        Self::parse(&output.stdout)
-    }
-
-    fn parse(json: &[u8]) -> Result<Self, Error> {
-        let document: serde_json::Value = serde_json::from_slice(json).map_err(|_| Error::Metadata { entry: "." })?;
-        let packages = document
-            .get("packages")
-            .and_then(|list| list.as_array())
-            .ok_or(Error::Metadata { entry: "packages" })?
-            .iter()
-            .map(|package| package.get("name").and_then(|name| name.as_str()).map(String::from))
-            .collect::<Option<Vec<String>>>()
-            .ok_or(Error::Metadata { entry: "packages.name" })?;
-        let target = document
-            .get("target_directory")
-            .and_then(|path| path.as_str())
-            .map(PathBuf::from)
-            .ok_or(Error::Metadata { entry: "target_directory" })?;
-        Ok(Self { packages, target })
+        let told = metadata(root, |command| command.no_deps())?;
+        Ok(Self { packages: told.packages, target: told.target_directory.into_std_path_buf() })
     }
 
     /// A step that needs a package fails without it; it is never skipped.
     pub(crate) fn require(&self, name: &'static str) -> Result<(), Error> {
-        if self.packages.iter().any(|package| package == name) {
+        if self.packages.iter().any(|package| package.name == name) {
             return Ok(());
         }
         Err(Error::NoPackage { name })
@@ -85,25 +71,16 @@ impl Workspace {
 mod tests {
     use super::*;
 
-    const METADATA: &[u8] = br#"{"packages":[{"name":"antrieb"},{"name":"xtask"}],"target_directory":"t"}"#;
-
     #[test]
     fn a_missing_package_is_an_error_that_names_it() {
-        let workspace = Workspace::parse(METADATA).unwrap();
-        assert!(workspace.require("antrieb").is_ok());
-        let error = workspace.require("fuzz").unwrap_err();
-        assert_eq!(error.to_string(), "no package `fuzz` in the workspace");
-    }
-
-    #[test]
-    fn metadata_without_packages_is_an_error() {
-        assert!(Workspace::parse(br#"{"target_directory":"t"}"#).is_err());
-        assert!(Workspace::parse(b"warning: no").is_err());
-    }
-
-    #[test]
-    fn the_real_workspace_names_this_package() {
         let workspace = Workspace::ask(&crate::root()).unwrap();
         assert!(workspace.require("xtask").is_ok());
+        let error = workspace.require("no-such-room").unwrap_err();
+        assert_eq!(error.to_string(), "no package `no-such-room` in the workspace");
+    }
+
+    #[test]
+    fn a_folder_without_a_workspace_is_an_error() {
+        assert!(matches!(Workspace::ask(&crate::root().join("docs")), Err(Error::Metadata { .. })));
     }
 }

@@ -3,81 +3,133 @@
 use std::path::Path;
 use std::time::Instant;
 
-use crate::cargo::{cargo, must_succeed};
-use crate::{Error, bench, data, fuzz, readme, test, tidy};
+use crate::cargo::Workspace;
+use crate::{Error, bench, data, fuzz, lint, notices, readme, slim, standard, test, tidy, tools};
+use forecast::{Cost, Forecast};
+
+mod forecast;
 
 struct Step {
     name: &'static str,
+    cost: Cost,
     run: fn(&Path) -> Result<(), Error>,
 }
 
-/// Cheap steps first: a slip is told within seconds.
-const STEPS: [Step; 10] = [
-    Step { name: "fmt", run: fmt },
-    Step { name: "clippy", run: clippy },
-    Step { name: "tidy", run: tidy::run },
-    Step { name: "data", run: |_| data::run() },
-    Step { name: "test", run: test::run },
-    Step { name: "doc", run: doc },
-    Step { name: "release", run: release },
-    Step { name: "readme", run: readme::run },
-    Step { name: "bench", run: |root| bench::run(root, &[]) },
-    Step { name: "fuzz", run: fuzz::run },
+const fn step(name: &'static str, cost: Cost, run: fn(&Path) -> Result<(), Error>) -> Step {
+    Step { name, cost, run }
+}
+
+/// Cheap steps first: a slip is told within seconds. For the costs see [`Cost`].
+const STEPS: [Step; 16] = [
+    step("fmt", Cost::on_one(2), lint::fmt),
+    step("tools", Cost::on_one(15), tools::install),
+    step("typos", Cost::on_one(1), standard::typos),
+    step("links", Cost::on_one(1), standard::links),
+    step("deny", Cost::on_one(3), standard::deny),
+    step("tidy", Cost::on_one(2), tidy::run),
+    step("notices", Cost::on_one(3), notices::check),
+    step("clippy", Cost::shared(450), lint::clippy),
+    step("data", Cost::on_one(1), |_| data::run()),
+    step("test", Cost::shared(1900), test::run),
+    step("doc", Cost::shared(90), lint::doc),
+    step("slim", Cost::shared(250), slim::run),
+    step("release", Cost::shared(1200), lint::release),
+    step("readme", Cost::on_one(60), readme::run),
+    step("bench", Cost::on_one(150), |root| bench::run(root, &[])),
+    step("fuzz", Cost::on_one(150), fuzz::run),
 ];
 
-/// Runs every step, announced on stderr with its time.
+/// Runs every step, announced on stderr with its time: beforehand what is to be expected, at the end what it was.
 ///
 /// # Errors
 /// The first step that fails, by name; the steps after it do not run.
 pub fn run(root: &Path) -> Result<(), Error> {
-    all(&STEPS, root)
+    let target = Workspace::ask(root)?.target;
+    all(&STEPS, root, Forecast::read(&target), is_ci())
 }
 
-fn all(steps: &[Step], root: &Path) -> Result<(), Error> {
+/// Whether this is a run of CI, where a tool that is missing is a failure.
+pub(crate) fn is_ci() -> bool {
+    std::env::var_os("CI").is_some_and(|value| value == "true")
+}
+
+fn all(steps: &[Step], root: &Path, mut forecast: Forecast, strict: bool) -> Result<(), Error> {
+    let costs: Vec<(&str, Cost)> = steps.iter().map(|step| (step.name, step.cost)).collect();
+    eprint!("{}", forecast.table(&costs));
     let begin = Instant::now();
+    let (mut lines, mut left_out) = (String::new(), Vec::new());
+    let mut outcome = Ok(());
     for (number, step) in (1..).zip(steps) {
         eprintln!("ci: {number}/{} {} …", steps.len(), step.name);
         let step_begin = Instant::now();
-        let outcome = (step.run)(root);
+        let result = (step.run)(root);
         let seconds = step_begin.elapsed().as_secs_f64();
-        let word = if outcome.is_ok() { "passed" } else { "FAILED" };
+        let word = match &result {
+            Ok(()) => "passed",
+            Err(Error::NoTool { .. }) if !strict => "NOT RUN",
+            Err(_) => "FAILED",
+        };
         eprintln!("ci: {number}/{} {} {word} after {seconds:.1} s", steps.len(), step.name);
-        outcome.map_err(|source| Error::Step { name: step.name, source: Box::new(source) })?;
+        lines.push_str(&format!("ci: {:>9} {:<8} {word}\n", forecast::duration(seconds), step.name));
+        match result {
+            Ok(()) => forecast.took(step.name, seconds),
+            Err(error) if word == "NOT RUN" => {
+                eprintln!("ci: {error}; CI itself runs this step and fails without it");
+                left_out.push(step.name);
+            }
+            Err(error) => {
+                outcome = Err(Error::Step { name: step.name, source: Box::new(error) });
+                break;
+            }
+        }
     }
-    eprintln!("ci: all {} steps passed in {:.1} s", steps.len(), begin.elapsed().as_secs_f64());
+    forecast.write();
+    eprint!("{lines}");
+    outcome?;
+    let total = forecast::duration(begin.elapsed().as_secs_f64());
+    if left_out.is_empty() {
+        eprintln!("ci: all {} steps passed in {total}", steps.len());
+    } else {
+        let passed = steps.len() - left_out.len();
+        eprintln!("ci: {passed} of {} steps passed in {total}; NOT RUN: {}", steps.len(), left_out.join(", "));
+    }
     Ok(())
-}
-
-fn fmt(root: &Path) -> Result<(), Error> {
-    must_succeed(&mut cargo(root, &["fmt", "--all", "--check", "--", "--color=never"]))
-}
-
-fn clippy(root: &Path) -> Result<(), Error> {
-    let args = ["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"];
-    must_succeed(&mut cargo(root, &args))
-}
-
-fn doc(root: &Path) -> Result<(), Error> {
-    let mut command = cargo(root, &["doc", "--workspace", "--no-deps"]);
-    must_succeed(command.env("RUSTDOCFLAGS", "-Dwarnings"))
-}
-
-fn release(root: &Path) -> Result<(), Error> {
-    must_succeed(&mut cargo(root, &["build", "--release"]))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const COST: Cost = Cost::on_one(1);
+
+    fn no_tool(_: &Path) -> Result<(), Error> {
+        Err(Error::NoTool { program: "typos", from_crate: "typos-cli" })
+    }
+
     #[test]
     fn the_first_failure_stops_and_is_named() {
         let steps = [
-            Step { name: "good", run: |_| Ok(()) },
-            Step { name: "bad", run: |_| Err(Error::NoTests) },
-            Step { name: "never", run: |_| panic!("a step after a failure must not run") },
+            step("good", COST, |_| Ok(())),
+            step("bad", COST, |_| Err(Error::NoTests)),
+            step("never", COST, |_| panic!("a step after a failure must not run")),
         ];
-        let error = all(&steps, Path::new(".")).unwrap_err();
+        let error = all(&steps, Path::new("."), Forecast::default(), false).unwrap_err();
         assert!(error.to_string().starts_with("step `bad` failed: "), "{error}");
+    }
+
+    #[test]
+    fn a_missing_tool_is_passed_over_at_home_and_a_failure_in_ci() {
+        let steps = [step("typos", COST, no_tool), step("good", COST, |_| Ok(()))];
+        assert!(all(&steps, Path::new("."), Forecast::default(), false).is_ok());
+        let error = all(&steps, Path::new("."), Forecast::default(), true).unwrap_err();
+        assert!(error.to_string().contains("cargo install --locked typos-cli"), "{error}");
+    }
+
+    #[test]
+    fn no_two_steps_have_one_name() {
+        let mut names = STEPS.map(|step| step.name).to_vec();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), STEPS.len());
     }
 }

@@ -26,10 +26,17 @@ pub enum Error {
         /// What the operating system said.
         source: std::io::Error,
     },
-    /// `cargo metadata` printed something else than it documents.
+    /// Cargo could not say what the workspace holds.
     Metadata {
-        /// The entry that is absent or malformed.
-        entry: &'static str,
+        /// What it said instead.
+        source: Box<cargo_metadata::Error>,
+    },
+    /// A standard tool is neither there nor to be had.
+    NoTool {
+        /// The program.
+        program: &'static str,
+        /// The crate that builds it.
+        from_crate: &'static str,
     },
     /// A package that a step needs is not in the workspace.
     NoPackage {
@@ -61,6 +68,27 @@ pub enum Error {
         /// Exit status in words, or that it did not end.
         status: String,
     },
+    /// Documents show answers that are not given; they have been printed.
+    Samples {
+        /// How many lines.
+        count: usize,
+    },
+    /// A file that is made from others is not what they say now.
+    Stale {
+        /// The file.
+        file: &'static str,
+        /// The first line that differs, from 1.
+        line: usize,
+        /// What makes it anew.
+        command: &'static str,
+    },
+    /// A dependency comes under no licence that is taken.
+    Licence {
+        /// Its name.
+        package: String,
+        /// What its manifest says.
+        offered: String,
+    },
     /// House rules are broken; the findings have been printed.
     Untidy {
         /// How many findings.
@@ -83,20 +111,32 @@ impl fmt::Display for Error {
             }
             Self::Failed { command, status } => write!(f, "`{command}` failed: {status}"),
             Self::File { path, source } => write!(f, "{}: {source}", path.display()),
-            Self::Metadata { entry } => {
-                write!(f, "`cargo metadata` has no usable entry `{entry}`")
-            }
+            Self::Metadata { source } => write!(f, "`cargo metadata` has no answer: {source}"),
+            Self::NoTool { program, from_crate } => write!(
+                f,
+                "{program} is not here and could not be installed; get it with `cargo install --locked {from_crate}`"
+            ),
             Self::NoPackage { name } => write!(f, "no package `{name}` in the workspace"),
             Self::Ignored { count } => {
                 write!(f, "{count} tests were ignored; every test runs or goes")
             }
             Self::NoTests => write!(f, "the test runner printed no `test result:` line"),
             Self::NoReadmeCommand => {
-                write!(f, "no `cargo run --release -- …` line in a fenced block of README.md")
+                write!(f, "no `cargo run -- …` line in a fenced block of README.md")
             }
             Self::ReadmeSyntax { line, why } => write!(f, "README.md:{line}: {why}"),
             Self::ReadmeCommand { line, command, status } => {
                 write!(f, "README.md:{line}: `{command}`: {status}")
+            }
+            Self::Samples { count } => write!(
+                f,
+                "the documents show {count} lines that the program does not give; `cargo xtask samples` mends what it can"
+            ),
+            Self::Stale { file, line, command } => {
+                write!(f, "{file}:{line} is out of date; what makes it anew: {command}")
+            }
+            Self::Licence { package, offered } => {
+                write!(f, "{package} comes under `{offered}`: no licence of xtask/src/notices.rs")
             }
             Self::Untidy { count: 1 } => write!(f, "1 finding"),
             Self::Untidy { count } => write!(f, "{count} findings"),
@@ -109,6 +149,7 @@ impl std::error::Error for Error {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::NotStarted { source, .. } | Self::File { source, .. } => Some(source),
+            Self::Metadata { source } => Some(source.as_ref()),
             Self::Step { source, .. } => Some(source.as_ref()),
             _ => None,
         }

@@ -1,8 +1,8 @@
 //! The chores of the project, each one a module with a `run`.
 //!
 //! [`ci`] is exactly what CI runs. [`tidy`] holds the rules of the house that no compiler holds.
-//! [`data`] prints the cross-checks of the data in [`audit`], [`snapshots`] rewrites the snapshots, [`mod@bench`] runs the bench gates.
-//! Nothing here needs more than a Rust toolchain.
+//! [`data`] prints the cross-checks of the data in [`audit`], [`snapshots`] rewrites the snapshots, [`samples`] the
+//! answers that the documents show, [`notices`] the list of third parties, [`mod@bench`] runs the bench gates. A Rust toolchain is enough to start: [`tools`] gets the rest.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who started it")]
 
 use std::path::{Path, PathBuf};
@@ -14,10 +14,16 @@ pub mod ci;
 pub mod data;
 mod error;
 mod fuzz;
+mod lint;
+pub mod notices;
 mod readme;
+pub mod samples;
+mod slim;
 pub mod snapshots;
+mod standard;
 mod test;
 pub mod tidy;
+pub mod tools;
 
 pub use error::Error;
 

@@ -3,13 +3,16 @@
 
 use std::process::ExitCode;
 
-use xtask::{Error, bench, ci, data, root, snapshots, tidy};
+use xtask::{Error, bench, ci, data, notices, root, samples, snapshots, tidy, tools};
 
-const COMMANDS: [(&str, &str); 6] = [
+const COMMANDS: [(&str, &str); 9] = [
     ("ci", "everything CI runs, in its order; stops at the first failure"),
-    ("tidy", "the house rules: layers, sizes, absences, links, data files"),
+    ("tools", "installs the tools that ci needs beside Rust, under target/tools"),
+    ("tidy", "the house rules: layers, lengths, marks, the map of the house, data files"),
     ("data", "cross-checks of the data"),
     ("snapshots", "run the tests and rewrite the snapshots, then list what changed"),
+    ("samples", "rewrite the answers that the documents show, then read git diff"),
+    ("notices", "rewrite THIRD-PARTY.md from the lock file"),
     ("bench", "the bench gates; words after `bench` go to the benches"),
     ("help", "this text"),
 ];
@@ -27,14 +30,17 @@ fn main() -> ExitCode {
             Ok(())
         }
         "bench" => bench::run(&root(), &rest),
-        "ci" | "tidy" | "data" | "snapshots" if !rest.is_empty() => {
+        "ci" | "tools" | "tidy" | "data" | "snapshots" | "samples" | "notices" if !rest.is_empty() => {
             eprintln!("error: `{command}` takes no further words, got `{}`", rest.join(" "));
             return ExitCode::from(2);
         }
         "ci" => ci::run(&root()),
+        "tools" => tools::install(&root()),
         "tidy" => tidy::run(&root()),
         "data" => data::run(),
         "snapshots" => snapshots::run(&root()),
+        "samples" => samples::run(&root()),
+        "notices" => notices::run(&root()),
         unknown => {
             eprintln!("error: no command `{unknown}`");
             if let Some(near) = nearest(unknown) {

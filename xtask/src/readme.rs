@@ -1,15 +1,16 @@
-//! The README's commands are tried as printed: what the first reader types must work.
+//! The README's commands are tried as printed, and the answers that the documents show compared: what the first reader types
+//! must work.
 
 use std::fs::{self, File};
-use std::path::Path;
-use std::process::{Child, ExitStatus, Stdio};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::Error;
-use crate::cargo::{Workspace, cargo};
+use crate::cargo::Workspace;
+use crate::{Error, samples};
 
 const PREFIX: &str = "cargo run -- ";
-/// A command that the README shows must answer while the reader waits.
+/// A command that the README shows must answer while the reader waits; on a slow machine with others at work he waits long.
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// Runs the commands in their order in a fresh folder that holds a copy of `examples/`, so that one command
@@ -21,6 +22,15 @@ pub(crate) fn run(root: &Path) -> Result<(), Error> {
     if lines.is_empty() {
         return Err(Error::NoReadmeCommand);
     }
+    let desk = desk(root)?;
+    // Built first: the patience is with the program, not with the compiler.
+    let program = samples::built(root)?;
+    lines.iter().try_for_each(|line| line.try_in(&program, &desk))?;
+    samples::check(root)
+}
+
+/// A fresh folder under the target directory with a copy of `examples/`.
+pub(crate) fn desk(root: &Path) -> Result<PathBuf, Error> {
     let desk = Workspace::ask(root)?.target.join("xtask").join("readme");
     if desk.exists() {
         fs::remove_dir_all(&desk).map_err(|source| Error::File { path: desk.clone(), source })?;
@@ -30,7 +40,7 @@ pub(crate) fn run(root: &Path) -> Result<(), Error> {
     if examples.is_dir() {
         copy(&examples, &desk.join("examples"))?;
     }
-    lines.iter().try_for_each(|line| line.try_in(root, &desk))
+    Ok(desk)
 }
 
 #[derive(Debug, PartialEq)]
@@ -42,11 +52,10 @@ struct Line {
 }
 
 impl Line {
-    fn try_in(&self, root: &Path, desk: &Path) -> Result<(), Error> {
+    fn try_in(&self, program: &Path, desk: &Path) -> Result<(), Error> {
         eprintln!("readme: {}", self.printed);
-        let manifest = root.join("Cargo.toml");
-        let mut command = cargo(desk, &["run", "--quiet", "--manifest-path"]);
-        command.arg(manifest).arg("--").args(&self.words).stdin(Stdio::null());
+        let mut command = Command::new(program);
+        command.args(&self.words).current_dir(desk).stdin(Stdio::null());
         match &self.into {
             None => command.stdout(Stdio::null()),
             Some(name) => {
@@ -132,13 +141,13 @@ fn command(number: usize, printed: &str) -> Result<Line, Error> {
 }
 
 #[derive(Debug, PartialEq)]
-enum Word {
+pub(crate) enum Word {
     Text(String),
     Into,
 }
 
 impl Word {
-    fn text(self) -> Option<String> {
+    pub(crate) fn text(self) -> Option<String> {
         match self {
             Self::Text(text) => Some(text),
             Self::Into => None,
@@ -148,7 +157,7 @@ impl Word {
 
 /// Words as a shell splits them: quotes, `>` and a comment; nothing else, so that the README's commands read
 /// the same in every shell.
-fn split(line: &str) -> Result<Vec<Word>, &'static str> {
+pub(crate) fn split(line: &str) -> Result<Vec<Word>, &'static str> {
     let mut words = Vec::new();
     let mut word: Option<String> = None;
     let mut quote: Option<char> = None;

@@ -1,64 +1,130 @@
-//! The test step of `ci`: every test of the workspace, the runner's closing lines on stdout.
+//! The test step of `ci`: every test of the workspace, the runners' closing lines on stdout.
+//!
+//! cargo-nextest runs the tests, each in a process of its own with a limit in time; documentation examples it cannot run.
 
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 
 use crate::Error;
 use crate::cargo::{cargo, spelled};
+use crate::ci::is_ci;
+use crate::tools::NEXTEST;
 
 pub(crate) fn run(root: &Path) -> Result<(), Error> {
-    let mut command = cargo(root, &["test", "--workspace", "--no-fail-fast"]);
-    command.env("INSTA_UPDATE", "no").env_remove("INSTA_FORCE_PASS").env("CI", "true").stdout(Stdio::piped());
-    let mut child = command.spawn().map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
-
     let mut closing = Closing::default();
-    let mut talk = Vec::new();
-    if let Some(stdout) = child.stdout.take() {
-        for line in BufReader::new(stdout).split(b'\n').map_while(Result::ok) {
-            let line = String::from_utf8_lossy(&line).into_owned();
-            if closing.add(&line) {
-                println!("{line}");
-            } else if !is_good_news(&line) {
-                talk.push(line);
-            }
+    match NEXTEST.command(root) {
+        Ok(nextest) => {
+            closing.nextest(nextest, root)?;
+            closing.cargo_test(cargo(root, &["test", "--workspace", "--doc", "--no-fail-fast"]), root)?;
+        }
+        Err(error) if is_ci() => return Err(error),
+        Err(error) => {
+            eprintln!("test: {error}; `cargo test` runs the tests instead, without a limit in time");
+            closing.cargo_test(cargo(root, &["test", "--workspace", "--no-fail-fast"]), root)?;
         }
     }
-    let status = child.wait().map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
     println!("tests: {closing}");
-    if !status.success() {
-        eprintln!("{}", talk.join("\n"));
-        return Err(Error::Failed { command: spelled(&command), status: status.to_string() });
-    }
     closing.verdict()
 }
 
-/// Lines that would bury the one failure among hundreds of tests.
-fn is_good_news(line: &str) -> bool {
-    line.is_empty() || line.starts_with("running ") || (line.starts_with("test ") && line.ends_with(" ok"))
+/// What every run of the tests has: no snapshot is rewritten, and none asks cargo where the workspace is.
+fn set(command: &mut Command, root: &Path) {
+    command.env("INSTA_UPDATE", "no").env_remove("INSTA_FORCE_PASS").env("CI", "true");
+    command.env("INSTA_WORKSPACE_ROOT", root);
 }
 
-/// The sum of all `test result:` lines.
+/// The sum of all closing lines.
 #[derive(Default)]
 struct Closing {
     lines: u64,
     passed: u64,
     failed: u64,
-    ignored: u64,
+    skipped: u64,
+    /// Runs that ended badly, as typed.
+    broken: Vec<(String, String)>,
 }
 
 impl Closing {
+    /// nextest talks on stderr: told as it is, its summary on stdout too.
+    fn nextest(&mut self, mut command: Command, root: &Path) -> Result<(), Error> {
+        command.args(["nextest", "run", "--workspace", "--no-fail-fast", "--cargo-quiet", "--color", "never"]);
+        command.args(["--show-progress", "none"]).stderr(Stdio::piped());
+        set(&mut command, root);
+        self.watch(
+            command,
+            |child| child.stderr.take(),
+            |closing, line| {
+                eprintln!("{line}");
+                if closing.add(line) {
+                    println!("{}", line.trim());
+                }
+            },
+        )
+    }
+
+    /// `cargo test` talks on stdout, a line for each test: of these only the failures are told, when all is over.
+    fn cargo_test(&mut self, mut command: Command, root: &Path) -> Result<(), Error> {
+        command.stdout(Stdio::piped());
+        set(&mut command, root);
+        let before = self.broken.len();
+        let mut talk = Vec::new();
+        self.watch(
+            command,
+            |child| child.stdout.take(),
+            |closing, line| {
+                if closing.add(line) {
+                    println!("{line}");
+                } else if !is_good_news(line) {
+                    talk.push(line.to_owned());
+                }
+            },
+        )?;
+        if self.broken.len() > before {
+            eprintln!("{}", talk.join("\n"));
+        }
+        Ok(())
+    }
+
+    fn watch<R: Read>(
+        &mut self,
+        mut command: Command,
+        stream: impl Fn(&mut std::process::Child) -> Option<R>,
+        mut hear: impl FnMut(&mut Self, &str),
+    ) -> Result<(), Error> {
+        let not_started = |command: &Command, source| Error::NotStarted { command: spelled(command), source };
+        let mut child = command.spawn().map_err(|source| not_started(&command, source))?;
+        if let Some(stream) = stream(&mut child) {
+            for line in BufReader::new(stream).split(b'\n').map_while(Result::ok) {
+                hear(self, &String::from_utf8_lossy(&line));
+            }
+        }
+        let status = child.wait().map_err(|source| not_started(&command, source))?;
+        if !status.success() {
+            self.broken.push((spelled(&command), status.to_string()));
+        }
+        Ok(())
+    }
+
     /// Adds a line if it is a closing one, and says whether it was.
     fn add(&mut self, line: &str) -> bool {
-        let Some(counts) = line.strip_prefix("test result: ") else { return false };
+        let line = line.trim();
+        let counts = match line.strip_prefix("Summary [") {
+            Some(rest) => {
+                rest.split_once("tests run: ").or_else(|| rest.split_once("test run: ")).map(|(_, counts)| counts)
+            }
+            None => line.strip_prefix("test result: "),
+        };
+        let Some(counts) = counts else { return false };
         self.lines += 1;
         let mut before = "";
-        for word in counts.split([' ', ';']) {
+        for word in counts.split([' ', ';', ',', '(', ')']) {
             let count = || before.parse::<u64>().unwrap_or(0);
             match word {
                 "passed" => self.passed += count(),
-                "failed" => self.failed += count(),
-                "ignored" => self.ignored += count(),
+                // nextest counts what ran out of time or did not start apart.
+                "failed" | "timed" | "exec" => self.failed += count(),
+                "ignored" | "skipped" => self.skipped += count(),
                 _ => {}
             }
             before = word;
@@ -67,19 +133,27 @@ impl Closing {
     }
 
     fn verdict(&self) -> Result<(), Error> {
+        if let Some((command, status)) = self.broken.first() {
+            return Err(Error::Failed { command: command.clone(), status: status.clone() });
+        }
         if self.lines == 0 {
             return Err(Error::NoTests);
         }
-        if self.ignored > 0 {
-            return Err(Error::Ignored { count: self.ignored });
+        if self.skipped > 0 {
+            return Err(Error::Ignored { count: self.skipped });
         }
         Ok(())
     }
 }
 
+/// Lines that would bury the one failure among hundreds of tests.
+fn is_good_news(line: &str) -> bool {
+    line.is_empty() || line.starts_with("running ") || (line.starts_with("test ") && line.ends_with(" ok"))
+}
+
 impl std::fmt::Display for Closing {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} passed, {} failed, {} ignored", self.passed, self.failed, self.ignored)
+        write!(f, "{} passed, {} failed, {} skipped", self.passed, self.failed, self.skipped)
     }
 }
 
@@ -93,7 +167,10 @@ mod tests {
         assert!(!closing.add("test tidy ... ok"));
         assert!(closing.add("test result: ok. 3 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out"));
         assert!(closing.add("test result: FAILED. 2 passed; 1 failed; 0 ignored; 0 measured"));
-        assert_eq!(closing.to_string(), "5 passed, 1 failed, 0 ignored");
+        assert!(
+            closing.add("     Summary [   1.402s] 9 tests run: 7 passed (1 slow), 1 failed, 1 timed out, 0 skipped")
+        );
+        assert_eq!(closing.to_string(), "12 passed, 3 failed, 0 skipped");
         assert!(closing.verdict().is_ok());
     }
 
@@ -104,14 +181,25 @@ mod tests {
     }
 
     #[test]
-    fn an_ignored_test_fails_the_step() {
-        let mut closing = Closing::default();
-        closing.add("test result: ok. 3 passed; 0 failed; 2 ignored; 0 measured");
-        assert!(matches!(closing.verdict(), Err(Error::Ignored { count: 2 })));
+    fn a_test_passed_over_fails_the_step() {
+        for line in
+            ["test result: ok. 3 passed; 0 failed; 2 ignored", "Summary [ 1.4s] 1 test run: 1 passed, 2 skipped"]
+        {
+            let mut closing = Closing::default();
+            assert!(closing.add(line));
+            assert!(matches!(closing.verdict(), Err(Error::Ignored { count: 2 })), "{line}");
+        }
     }
 
     #[test]
     fn no_tests_at_all_fail_the_step() {
         assert!(matches!(Closing::default().verdict(), Err(Error::NoTests)));
+    }
+
+    #[test]
+    fn a_runner_that_ends_badly_fails_the_step() {
+        let mut closing = Closing { lines: 1, ..Closing::default() };
+        closing.cargo_test(cargo(&crate::root(), &["no-such-command"]), &crate::root()).unwrap();
+        assert!(matches!(closing.verdict(), Err(Error::Failed { .. })));
     }
 }

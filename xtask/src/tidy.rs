@@ -1,4 +1,4 @@
-//! The rules of the house that no compiler holds, all findings told at once.
+//! The rules of the house that no compiler and no standard tool holds, all findings told at once.
 //!
 //! A rule is a function from the root of a tree to its findings, so each is tried on small trees that break it.
 
@@ -9,13 +9,11 @@ use crate::Error;
 
 mod architecture;
 mod data_files;
-mod layers;
-mod links;
+pub(crate) mod layers;
 mod machine_paths;
 mod manifest;
-mod rust_text;
 mod source;
-mod tree;
+pub(crate) mod tree;
 
 #[cfg(test)]
 mod scratch;
@@ -41,18 +39,14 @@ impl fmt::Display for Finding {
 
 type Rule = fn(&Path) -> Vec<Finding>;
 
-const RULES: [Rule; 12] = [
+const RULES: [Rule; 8] = [
     tree::not_empty,
     layers::rule,
     architecture::rule,
     source::length,
-    source::absences,
-    source::hash_order,
     source::markers,
-    source::ignored,
     data_files::rule,
     manifest::lints,
-    links::rule,
     machine_paths::rule,
 ];
 

@@ -20,6 +20,12 @@ fn either(language: Language, en: &'static str, de: &'static str) -> &'static st
     }
 }
 
+/// A help text, with a remark where the program was built without the typesetting engine.
+fn with_report(language: Language, help: &str) -> String {
+    let remark = either(language, " (not in this build)", " (in dieser Ausführung nicht enthalten)");
+    format!("{help}{}", if cfg!(feature = "report") { "" } else { remark })
+}
+
 /// The language asked for: `--lang`, else the variable `ANTRIEB_LANG`, else English. The locale of the machine is
 /// left out on purpose: the same call gives the same bytes everywhere.
 pub(crate) fn language_of(arguments: impl Iterator<Item = OsString>) -> Language {
@@ -168,11 +174,9 @@ fn commands(language: Language) -> Command {
             "Alle Antriebe zeigen, die abgelehnten mit Grund",
         )));
     let size = size.arg(
-        Arg::new("report")
-            .long("report")
-            .value_name("FILE")
-            .value_parser(value_parser!(std::path::PathBuf))
-            .help(t("Write the report of the best as PDF", "Den Bericht des besten als PDF schreiben")),
+        Arg::new("report").long("report").value_name("FILE").value_parser(value_parser!(std::path::PathBuf)).help(
+            with_report(language, t("Write the report of the best as PDF", "Den Bericht des besten als PDF schreiben")),
+        ),
     );
     let size = sheet(sampling(size, language), language);
     let check = Command::new("check")

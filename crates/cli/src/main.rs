@@ -18,6 +18,7 @@ mod inertia;
 mod judge;
 mod moves;
 mod plot;
+#[cfg_attr(not(feature = "report"), path = "no_report.rs")]
 mod report;
 mod reserve;
 mod save;

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use super::Finding;
-use super::links::code_spans;
 use super::manifest::Members;
 use super::tree::Tree;
 
@@ -17,9 +16,10 @@ pub(super) fn rule(root: &Path) -> Vec<Finding> {
     };
     let spans = code_spans(&text);
     let mut findings = Vec::new();
-    for member in Members::read(&tree).list {
-        if !spans.iter().any(|(_, span)| *span == member.name) {
-            findings.push(tell(1, format!("crate `{}` is not named", member.name)));
+    for member in Members::read(root).list {
+        let name = member.package.name.as_str();
+        if !spans.iter().any(|(_, span)| span == name) {
+            findings.push(tell(1, format!("crate `{name}` is not named")));
         }
     }
     for (line, span) in spans.iter().filter(|(_, span)| is_path(span)) {
@@ -28,6 +28,20 @@ pub(super) fn rule(root: &Path) -> Vec<Finding> {
         }
     }
     findings
+}
+
+/// The text of every inline code span with its line, fenced blocks left out.
+fn code_spans(markdown: &str) -> Vec<(usize, String)> {
+    let mut fenced = false;
+    let mut found = Vec::new();
+    for (number, line) in (1..).zip(markdown.lines()) {
+        if line.trim_start().starts_with("```") {
+            fenced = !fenced;
+        } else if !fenced {
+            found.extend(line.split('`').skip(1).step_by(2).map(|span| (number, span.to_owned())));
+        }
+    }
+    found
 }
 
 /// A path has a slash and no sign that it stands for something else.
@@ -44,6 +58,7 @@ mod tests {
         let scratch = Scratch::new(&[
             ("Cargo.toml", "[workspace]\nmembers = [\"crates/*\"]\n"),
             ("crates/motion/Cargo.toml", "[package]\nname = \"motion\"\n"),
+            ("crates/motion/src/lib.rs", ""),
             (FILE, architecture),
         ]);
         rule(scratch.root()).iter().map(Finding::to_string).collect()
@@ -51,7 +66,10 @@ mod tests {
 
     #[test]
     fn a_crate_in_backticks_and_a_path_that_exists_are_fine() {
-        assert!(told("`motion` lives in `crates/motion/`; `crates/*` and `a / b` are no paths").is_empty());
+        assert!(
+            told("`motion` lives in `crates/motion/`; `crates/*` and `a / b` are no paths\n```text\n`no/span`\n```\n")
+                .is_empty()
+        );
     }
 
     #[test]

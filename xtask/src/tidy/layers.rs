@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use cargo_metadata::{Dependency, DependencyKind};
+
 use super::Finding;
-use super::manifest::{Dependency, Kind, Member, Members};
-use super::tree::Tree;
+use super::manifest::Members;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Room {
@@ -52,23 +53,32 @@ const ROOMS: [(&str, Room); 29] = [
 /// The crates that may serve their own layer.
 const SERVE_THEIR_LAYER: [&str; 2] = ["derivation", "motion"];
 
-pub(super) fn room(name: &str) -> Option<Room> {
+fn room(name: &str) -> Option<Room> {
     ROOMS.iter().find(|(known, _)| *known == name).map(|(_, room)| *room)
 }
 
+/// The layer of a crate that is part of the product.
+pub(crate) fn layer(name: &str) -> Option<u8> {
+    match room(name) {
+        Some(Room::Layer(layer)) => Some(layer),
+        _ => None,
+    }
+}
+
 pub(super) fn rule(root: &Path) -> Vec<Finding> {
-    let members = Members::read(&Tree::read(root));
-    let mut findings = members.findings.clone();
+    let members = Members::read(root);
+    let mut findings = members.findings;
     for member in &members.list {
+        let name = member.package.name.as_str();
         let mut tell = |line, message| {
-            findings.push(Finding { path: member.manifest(), line, rule: "layers", message });
+            findings.push(Finding { path: member.manifest.clone(), line, rule: "layers", message });
         };
-        match room(&member.name) {
-            None => tell(1, format!("crate `{}` has no layer: enter it in xtask/src/tidy/layers.rs", member.name)),
+        match room(name) {
+            None => tell(1, format!("crate `{name}` has no layer: enter it in xtask/src/tidy/layers.rs")),
             Some(from) => {
-                for dependency in members.dependencies(member) {
-                    if let Some(message) = objection(member, from, &dependency) {
-                        tell(dependency.line, message);
+                for dependency in &member.package.dependencies {
+                    if let Some(message) = objection(name, from, dependency) {
+                        tell(member.line_of(dependency), message);
                     }
                 }
             }
@@ -77,17 +87,16 @@ pub(super) fn rule(root: &Path) -> Vec<Finding> {
     findings
 }
 
-fn objection(member: &Member, from: Room, dependency: &Dependency) -> Option<String> {
-    if dependency.kind == Kind::Dev {
+fn objection(name: &str, from: Room, dependency: &Dependency) -> Option<String> {
+    if dependency.kind == DependencyKind::Development {
         return None;
     }
-    let (name, on) = (&member.name, &dependency.name);
+    let on = dependency.name.as_str();
     match (from, room(on)?) {
         (_, Room::DevOnly) => Some(format!("`{on}` may only be a dev-dependency")),
         (Room::Layer(_), Room::Outside) => Some(format!("`{name}` is part of the product and may not use `{on}`")),
         (Room::Layer(own), Room::Layer(other)) => {
-            let served =
-                SERVE_THEIR_LAYER.contains(&on.as_str()) && !SERVE_THEIR_LAYER.contains(&name.as_str()) && own == other;
+            let served = SERVE_THEIR_LAYER.contains(&on) && !SERVE_THEIR_LAYER.contains(&name) && own == other;
             (other >= own && !served)
                 .then(|| format!("`{name}` (layer {own}) may not use `{on}` (layer {other}): only lower layers"))
         }
@@ -100,48 +109,51 @@ mod tests {
     use super::*;
     use crate::tidy::scratch::Scratch;
 
+    const TOP: &str =
+        "[workspace]\nmembers = [\"it\"]\n[workspace.dependencies]\nsz = { package = \"sizing\", version = \"1\" }\n";
+
     fn told(name: &str, rest: &str) -> Vec<String> {
         let manifest = format!("[package]\nname = \"{name}\"\n{rest}");
-        let scratch = Scratch::new(&[
-            (
-                "Cargo.toml",
-                "[workspace]\nmembers = [\"crates/*\"]\n[workspace.dependencies]\nsz = { package = \"sizing\", path = \"crates/sizing\" }\n",
-            ),
-            ("crates/it/Cargo.toml", &manifest),
-        ]);
+        let scratch = Scratch::new(&[("Cargo.toml", TOP), ("it/Cargo.toml", &manifest), ("it/src/lib.rs", "")]);
         rule(scratch.root()).iter().map(Finding::to_string).collect()
     }
 
     #[test]
     fn lower_layers_and_foreign_crates_are_fine() {
-        assert!(told("sizing", "[dependencies]\nmotion.workspace = true\ntoml = \"1\"\n[dev-dependencies]\ntestkit.workspace = true\nworkbench.workspace = true\n").is_empty());
-        assert!(told("actuator", "[dependencies]\nmotion.workspace = true\n").is_empty());
-        assert!(told("benches", "[dependencies]\nworkbench.workspace = true\n").is_empty());
+        assert!(
+            told(
+                "sizing",
+                "[dependencies]\nmotion = \"1\"\ntoml = \"1\"\n[dev-dependencies]\ntestkit = \"1\"\nworkbench = \"1\"\n"
+            )
+            .is_empty()
+        );
+        assert!(told("actuator", "[dependencies]\nmotion = \"1\"\n").is_empty());
+        assert!(told("benches", "[dependencies]\nworkbench = \"1\"\n").is_empty());
     }
 
     #[test]
     fn a_layer_that_looks_up_or_sideways_is_found() {
         assert_eq!(
-            told("motion", "\n[dependencies]\nquantities.workspace = true\nsizing.workspace = true\n"),
-            ["crates/it/Cargo.toml:6: layers: `motion` (layer 1) may not use `sizing` (layer 3): only lower layers"]
+            told("motion", "\n[dependencies]\nquantities = \"1\"\nsizing = \"1\"\n"),
+            ["it/Cargo.toml:6: layers: `motion` (layer 1) may not use `sizing` (layer 3): only lower layers"]
         );
-        assert_eq!(told("actuator", "[dependencies]\ncatalogue.workspace = true\n").len(), 1);
-        assert_eq!(told("order-code", "[dependencies]\nquantities.workspace = true\n").len(), 1);
+        assert_eq!(told("actuator", "[dependencies]\ncatalogue = \"1\"\n").len(), 1);
+        assert_eq!(told("order-code", "[dependencies]\nquantities = \"1\"\n").len(), 1);
     }
 
     #[test]
     fn no_disguise_helps() {
-        assert_eq!(told("catalogue", "[build-dependencies]\nsizing.workspace = true\n").len(), 1);
+        assert_eq!(told("catalogue", "[build-dependencies]\nsizing = \"1\"\n").len(), 1);
         assert_eq!(told("catalogue", "[dependencies]\nsz.workspace = true\n").len(), 1);
-        assert_eq!(told("catalogue", "[dependencies]\nx = { package = \"twin\", path = \"\" }\n").len(), 1);
+        assert_eq!(told("catalogue", "[dependencies]\nx = { package = \"twin\", version = \"1\" }\n").len(), 1);
         assert_eq!(told("catalogue", "[target.'cfg(unix)'.dependencies]\nsizing = \"1\"\n").len(), 1);
     }
 
     #[test]
     fn testkit_serves_tests_only_and_outside_is_outside() {
         assert_eq!(
-            told("sizing", "[dependencies]\ntestkit.workspace = true\n"),
-            ["crates/it/Cargo.toml:4: layers: `testkit` may only be a dev-dependency"]
+            told("sizing", "[dependencies]\ntestkit = \"1\"\n"),
+            ["it/Cargo.toml:4: layers: `testkit` may only be a dev-dependency"]
         );
         assert_eq!(told("antrieb", "[dependencies]\nxtask = \"0\"\n").len(), 1);
     }

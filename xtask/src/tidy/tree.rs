@@ -6,14 +6,14 @@ use std::process::{Command, Stdio};
 
 use super::Finding;
 
-pub(super) struct Tree {
+pub(crate) struct Tree {
     root: PathBuf,
     files: Vec<String>,
 }
 
 impl Tree {
     /// Asks git; a tree that git does not know (a source archive) is walked instead.
-    pub(super) fn read(root: &Path) -> Self {
+    pub(crate) fn read(root: &Path) -> Self {
         let mut files = tracked(root).unwrap_or_else(|| walked(root));
         files.retain(|file| root.join(file).is_file());
         files.sort();
@@ -21,12 +21,12 @@ impl Tree {
         Self { root: root.to_path_buf(), files }
     }
 
-    pub(super) fn files(&self) -> impl Iterator<Item = &str> {
+    pub(crate) fn files(&self) -> impl Iterator<Item = &str> {
         self.files.iter().map(String::as_str)
     }
 
     /// Files under one folder (`""` is the root) with one ending.
-    pub(super) fn under(&self, folder: &str, ending: &str) -> impl Iterator<Item = &str> {
+    pub(crate) fn under(&self, folder: &str, ending: &str) -> impl Iterator<Item = &str> {
         self.files().filter(move |file| {
             file.ends_with(ending)
                 && (folder.is_empty() || file.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/')))
@@ -34,12 +34,12 @@ impl Tree {
     }
 
     /// The file's text, or nothing if it is no text.
-    pub(super) fn text(&self, file: &str) -> Option<String> {
+    pub(crate) fn text(&self, file: &str) -> Option<String> {
         fs::read(self.root.join(file)).ok().and_then(|bytes| String::from_utf8(bytes).ok())
     }
 
     /// Whether a file of the tree has this path, or lies under it. An empty folder does not exist: a clone has none.
-    pub(super) fn has(&self, path: &str) -> bool {
+    pub(crate) fn has(&self, path: &str) -> bool {
         let path = path.trim_end_matches('/');
         path.is_empty()
             || self

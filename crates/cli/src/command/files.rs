@@ -1,6 +1,6 @@
 //! The commands that compare, and those that write files.
 
-use super::{axis, either, project};
+use super::{axis, either, project, with_report};
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, Command, value_parser};
 use workbench::Language;
@@ -185,7 +185,7 @@ pub(super) fn report(language: Language) -> Command {
     let t = |en, de| either(language, en, de);
     let text = |name: &'static str, value: &'static str, help| Arg::new(name).long(name).value_name(value).help(help);
     let command = Command::new("report")
-        .about(t("The results as a PDF to sign", "Die Ergebnisse als PDF zum Unterschreiben"))
+        .about(with_report(language, t("The results as a PDF to sign", "Die Ergebnisse als PDF zum Unterschreiben")))
         .arg(project(language))
         .arg(axis(language))
         .arg(text(

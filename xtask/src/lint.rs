@@ -1,0 +1,91 @@
+//! The steps of `ci` that cargo does: format, lints, documentation, the release build.
+
+use std::path::Path;
+
+use crate::Error;
+use crate::cargo::{Workspace, cargo, must_succeed};
+use crate::tidy::layers::layer;
+
+/// The highest layer that gets everything handed in.
+const HANDED_IN_MAX: u8 = 6;
+/// The highest layer without any thread.
+const ONE_THREAD_MAX: u8 = 1;
+
+pub(crate) fn fmt(root: &Path) -> Result<(), Error> {
+    must_succeed(&mut cargo(root, &["fmt", "--all", "--check", "--", "--color=never"]))
+}
+
+/// The lints of the workspace, then what a layer must not reach for.
+///
+/// clippy takes one `clippy.toml` for a crate with its tests, its build script and all; so the bans of the layers stand in files
+/// of their own that are put to the libraries alone.
+pub(crate) fn clippy(root: &Path) -> Result<(), Error> {
+    must_succeed(&mut cargo(root, &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))?;
+    let workspace = Workspace::ask(root)?;
+    for (bans, highest) in [("outside-world", HANDED_IN_MAX), ("threads", ONE_THREAD_MAX)] {
+        let names = workspace.packages.iter().map(|package| package.name.as_str());
+        let mut command = cargo(root, &["clippy", "--quiet", "--lib", "--no-deps"]);
+        for name in names.filter(|name| layer(name).is_some_and(|layer| layer <= highest)) {
+            command.args(["--package", name]);
+        }
+        command.args(["--", "-D", "clippy::disallowed_types", "-D", "clippy::disallowed_methods"]);
+        must_succeed(command.env("CLIPPY_CONF_DIR", root.join("xtask").join("clippy").join(bans)))?;
+    }
+    Ok(())
+}
+
+pub(crate) fn doc(root: &Path) -> Result<(), Error> {
+    let mut command = cargo(root, &["doc", "--workspace", "--no-deps"]);
+    must_succeed(command.env("RUSTDOCFLAGS", "-Dwarnings"))
+}
+
+pub(crate) fn release(root: &Path) -> Result<(), Error> {
+    must_succeed(&mut cargo(root, &["build", "--release"]))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::process::Command;
+
+    /// What clippy says to one line of a library under the bans of a folder.
+    fn told(bans: &str, line: &str) -> String {
+        let root = crate::root();
+        let folder = std::env::temp_dir().join(format!("antrieb-bans-{}-{bans}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let source = folder.join("it.rs");
+        std::fs::write(&source, format!("#![allow(dead_code)]\n{line}\n")).unwrap();
+        let output = Command::new("clippy-driver")
+            .args(["--edition", "2024", "--crate-type", "lib", "--emit", "metadata", "--out-dir"])
+            .args([&folder, &source])
+            .args(["-D", "clippy::disallowed_types", "-D", "clippy::disallowed_methods"])
+            .env("CLIPPY_CONF_DIR", root.join("xtask/clippy").join(bans))
+            .output()
+            .unwrap();
+        std::fs::remove_dir_all(&folder).unwrap();
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    }
+
+    #[test]
+    fn what_reaches_out_is_found_and_a_scope_is_not() {
+        for (line, what) in [
+            ("fn f() { let _ = std::fs::read(\"x\"); }", "method `std::fs::read`"),
+            ("fn f(p: &std::path::Path) -> bool { p.exists() }", "method `std::path::Path::exists`"),
+            ("fn f() { let _ = std::env::var(\"A\"); }", "method `std::env::var`"),
+            ("fn f() { std::thread::spawn(|| ()); }", "method `std::thread::spawn`"),
+            ("use std::time as t; fn f(_: t::Instant) {}", "type `std::time::Instant`"),
+            ("fn f(_: std::collections::HashMap<u8, u8>) {}", "type `std::collections::HashMap`"),
+        ] {
+            let told = told("outside-world", line);
+            assert!(told.contains(&format!("disallowed {what}")), "{line}: {told}");
+        }
+        let fine =
+            "const A: &str = env!(\"PATH\"); fn f() { std::thread::scope(|_| ()); } fn g(_: std::time::Duration) {}";
+        assert_eq!(told("outside-world", fine), "");
+    }
+
+    #[test]
+    fn the_lowest_layers_have_no_threads() {
+        let told = told("threads", "fn f() { std::thread::scope(|_| ()); }");
+        assert!(told.contains("disallowed method `std::thread::scope`"), "{told}");
+    }
+}

@@ -1,0 +1,24 @@
+//! The steps of `ci` that a standard tool does as it is: spelling, links, licences. How is said in the tool's own file
+//! at the root: `_typos.toml`, `lychee.toml`, `deny.toml`.
+
+use std::path::Path;
+
+use crate::Error;
+use crate::cargo::must_succeed;
+use crate::tidy::tree::Tree;
+use crate::tools::{DENY, LYCHEE, TYPOS};
+
+pub(crate) fn typos(root: &Path) -> Result<(), Error> {
+    must_succeed(TYPOS.command(root)?.args(["--color", "never"]))
+}
+
+/// Every document that git knows: what lies in the target directory is not ours.
+pub(crate) fn links(root: &Path) -> Result<(), Error> {
+    let tree = Tree::read(root);
+    must_succeed(LYCHEE.command(root)?.args(tree.under("", ".md")))
+}
+
+pub(crate) fn deny(root: &Path) -> Result<(), Error> {
+    let words = ["--color", "never", "--workspace", "check", "--hide-inclusion-graph", "licenses", "bans", "sources"];
+    must_succeed(DENY.command(root)?.args(words))
+}
