@@ -5,8 +5,8 @@ use crate::fault::report;
 use crate::table::{Align, Table};
 use clap::ArgMatches;
 use std::fmt::Write as _;
-use workbench::text::describe_field;
-use workbench::{CodeFault, CodeReading, Diagnostic, Language, json};
+use workbench::text::{Told, describe_field};
+use workbench::{CodeFault, CodeReading, Language, json};
 
 pub(crate) fn dispatch(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     match matches.subcommand() {
@@ -58,9 +58,12 @@ fn understood(reading: &CodeReading, language: Language) -> String {
 }
 
 fn code_report(text: &str, faults: &[CodeFault], language: Language) -> Answer {
-    let faults: Vec<Diagnostic> = faults
+    let faults: Vec<Told> = faults
         .iter()
-        .map(|fault| Diagnostic::at(text, fault.span.clone(), fault.message.clone(), fault.hint.clone()))
+        .map(|fault| {
+            let id = if fault.table.is_some() { "code_rule" } else { "code_spelling" };
+            Told::at(text, fault.span.clone(), id, fault.message.clone(), fault.hint.clone())
+        })
         .collect();
     let name = match language {
         Language::En => "code",

@@ -2,6 +2,7 @@
 //!
 //! The rules are read from the manual's tables 11.2, 11.3 and 12.1 at first use; none is written a second time in code.
 
+mod actuators;
 mod codes;
 mod matrix;
 mod parameters;
@@ -9,6 +10,7 @@ mod parts;
 mod requirements;
 mod rules;
 
+pub use actuators::{actuators, catalogue_actuators};
 pub use codes::{Choice, all, choices, complete, nearest};
 pub use parameters::{parameters, published_curve_points};
 pub use requirements::{Requirements, Unmet};

@@ -43,7 +43,6 @@ impl fmt::Display for Stamp {
 
 /// Why a file is no recording. Texts out of the file are shortened to 40 characters.
 #[derive(Clone, Debug, PartialEq, Error)]
-#[non_exhaustive]
 pub enum Fault {
     /// The source cannot be read on.
     #[error("line {line}: the source cannot be read: {kind}")]

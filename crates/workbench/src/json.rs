@@ -17,20 +17,19 @@ pub use moves::moves;
 pub use tolerance::tolerance;
 
 use crate::codes::{CodeFault, CodeReading, explain_code};
-use crate::diagnostic::Diagnostic;
 use crate::export::{EXPORT_COLUMNS, export_rows};
-use crate::project::Project;
 use crate::sheet::Sheet;
 use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
-use crate::text::{assumption_text, check_title, describe_field, describe_rule, note_text, source_text, unmet_text};
 use crate::tolerance::Assessment;
 use catalogue::Value as CellValue;
 use configurator::{Availability, Choice};
 use order_code::{Field, OrderCode};
+use project::Project;
 use quantities::unit::{KILOGRAM, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure, Unit};
 use serde_json::{Map, Value, json};
 use sizing::{Check, Demand, ManualDemand, Note};
+use words::{Told, assumption_text, check_title, describe_field, describe_rule, note_text, source_text, unmet_text};
 
 /// A number without the last digits that only a change of unit has made: twelve significant digits.
 fn number(value: f64) -> Value {
@@ -233,7 +232,7 @@ pub fn sizing(
         "answer": sizing.answer().map(|answer| answer.id.to_string()),
         "judged": sizing.candidates.len(),
         "fitting": fitting,
-        "rule": crate::text::ranking_rule(language),
+        "rule": words::ranking_rule(language),
         "ranking": ranking,
         "rejected": rejected,
         "own": sizing.own.as_ref().map(judged),
@@ -419,7 +418,7 @@ fn cell_value(cell: &catalogue::Cell) -> Value {
 fn cell(cell: &catalogue::Cell, language: Language) -> Value {
     json!({
         "symbol": cell.place.symbol,
-        "name": crate::text::symbol_term(cell.place.symbol, language),
+        "name": words::symbol_term(cell.place.symbol, language),
         "condition": cell.place.condition,
         "printed": cell.printed,
         "value": cell_value(cell),
@@ -446,7 +445,7 @@ pub fn export() -> Value {
 
 /// Faults of an input file.
 #[must_use]
-pub fn diagnostics(file: &str, faults: &[Diagnostic]) -> Value {
+pub fn diagnostics(file: &str, faults: &[Told]) -> Value {
     let faults: Vec<Value> = faults
         .iter()
         .map(|fault| {
@@ -454,6 +453,7 @@ pub fn diagnostics(file: &str, faults: &[Diagnostic]) -> Value {
                 "file": file,
                 "line": fault.line,
                 "column": fault.column,
+                "id": fault.id,
                 "span": [fault.span.start, fault.span.end],
                 "message": fault.message,
                 "hint": fault.hint,

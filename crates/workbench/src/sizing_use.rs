@@ -1,12 +1,11 @@
 //! Ranking the catalogue for an axis, and judging one actuator.
 
-use crate::project::{Assumption, OwnActuator, Project};
 use actuator::Parameters;
-use configurator::{BrokenRule, Unmet, availability};
+use configurator::{BrokenRule, Unmet, actuators, availability};
 use order_code::{Field, Option1, OrderCode};
+use project::{Assumption, OwnActuator, Project};
 use quantities::Measure;
 use sizing::{Check, Course, Depth, Judgement, Reserve, Standing, Verdict, judge, rank, reserve};
-use std::sync::LazyLock;
 
 /// What a candidate is called.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -132,32 +131,6 @@ pub enum Refusal {
     NoData,
     /// The project describes no actuator of its own, and no code is given.
     NoActuator,
-}
-
-/// Every actuator of the catalogue that has printed data and can be had without asking, with its parameters:
-/// each size, ratio, winding, feedback and brake, without options.
-pub fn catalogue_actuators() -> &'static [(OrderCode, Parameters)] {
-    static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(None));
-    &ACTUATORS
-}
-
-/// The same actuators with the encoder at the output.
-fn actuators_with_output_encoder() -> &'static [(OrderCode, Parameters)] {
-    static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(Some(Option1::EC)));
-    &ACTUATORS
-}
-
-/// Each code is the bare one, its parameters those with the option.
-fn actuators_with(option_1: Option<Option1>) -> Vec<(OrderCode, Parameters)> {
-    configurator::all()
-        .iter()
-        .filter(|(code, found)| code.option_1.is_none() && code.option_2.is_none() && found.is_available())
-        .filter_map(|(code, _)| Some((*code, configurator::parameters(&OrderCode { option_1, ..*code })?)))
-        .collect()
-}
-
-pub(crate) fn actuators(option_1: Option<Option1>) -> &'static [(OrderCode, Parameters)] {
-    if option_1.is_some() { actuators_with_output_encoder() } else { catalogue_actuators() }
 }
 
 /// The actuators of the catalogue with the curves of a project.

@@ -50,7 +50,7 @@ fn direction_relation_utilisation_and_verdict_agree() {
             "[requirements]\ngear_life_min = \"1e7 h\"\nnatural_frequency_min = \"1e5 Hz\"\n",
         );
         for (text, as_it_is) in [(text, true), (harder, false)] {
-            let read = Project::read_all(&text, &Examples, Language::En);
+            let read = workbench::read_all(&text, &Examples);
             // What is asked twice is refused; every example by itself is valid.
             assert!(read.is_ok() || !as_it_is, "{}", file.display());
             let Ok(projects) = read else { continue };

@@ -1,13 +1,13 @@
 //! What is ordered and how it is screwed on, as rows of tables.
 
 use crate::sizing_use::{Candidate, CandidateId};
-use crate::text::{describe_token, either, source_text};
 use actuator::ScrewJoint;
 use order_code::Field;
 use provenance::Datum;
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, Unit, format_significant};
 use serde_json::{Value, json};
+use words::{describe_token, either, source_text};
 
 /// Both joints: number and size of the screws, circle, tightening torque and what the joint transmits.
 #[must_use]

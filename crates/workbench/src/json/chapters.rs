@@ -3,13 +3,13 @@
 use super::{in_unit, number};
 use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::Candidate;
-use crate::text::{curve_title, source_text};
 use actuator::{BatteryLife, CurveKind, CurvePoint, PerformanceCurve};
 use order_code::OrderCode;
 use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT, YEAR};
 use quantities::{Language, Measure};
 use serde_json::{Value, json};
 use sizing::Reserve;
+use words::{curve_title, source_text};
 
 fn points(points: &[CurvePoint]) -> Vec<[Value; 2]> {
     points

@@ -2,12 +2,12 @@
 
 use super::{check, number, objections};
 use crate::compare::{CheckChange, Comparison, DatumRow, Difference};
-use crate::project::InputChange;
 use crate::sizing_use::Candidate;
-use crate::text::check_title;
+use project::InputChange;
 use quantities::Language;
 use serde_json::{Map, Value, json};
 use sizing::Check;
+use words::check_title;
 
 fn head(candidate: &Candidate<'_>, language: Language) -> Value {
     json!({

@@ -1,7 +1,7 @@
 //! The inertia of solid bodies as JSON.
 
 use super::in_unit;
-use crate::inertia::{BodyAnswer, InertiaAnswer};
+use project::{BodyAnswer, InertiaAnswer};
 use quantities::Measure;
 use quantities::unit::{DEGREE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE};
 use serde_json::{Value, json};

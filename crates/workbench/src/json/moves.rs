@@ -2,12 +2,12 @@
 
 use super::{in_unit, number};
 use crate::moves::{Move, Moves};
-use crate::project::RecordingRead;
-use crate::text::law_text;
+use project::RecordingRead;
 use quantities::unit::SECOND;
 use quantities::{Language, Measure};
 use recording::{KnownBy, Role};
 use serde_json::{Map, Value, json};
+use words::law_text;
 
 /// Every segment with what was given and what followed from it.
 #[must_use]

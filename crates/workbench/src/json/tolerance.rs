@@ -1,8 +1,8 @@
 //! What the tolerances mean for an actuator, as JSON.
 
 use super::number;
-use crate::project::{ALL_CORNERS_MOST, Project};
 use crate::tolerance::{Assessment, Place};
+use project::{ALL_CORNERS_MOST, Project};
 use serde_json::{Value, json};
 
 /// Samples, worst point and influences; an infinite utilisation is `null`.

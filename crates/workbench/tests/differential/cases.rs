@@ -85,7 +85,7 @@ impl Case {
 
     /// The project, read.
     pub(crate) fn read(&self) -> Project {
-        let read = Project::read_all(&self.project, &Kept(&self.files), Language::En);
+        let read = workbench::read_all(&self.project, &Kept(&self.files));
         let mut axes = read.unwrap_or_else(|faults| panic!("{}: {faults:?}\n{}", self.name, self.project));
         axes.pop().unwrap()
     }
