@@ -122,6 +122,45 @@ pub enum Assumption {
     RecordedPositionDifferentiated,
 }
 
+impl Assumption {
+    /// Every one, in their order.
+    pub const ALL: [Self; 33] = [
+        Self::NoFriction,
+        Self::AmbientWithinRange,
+        Self::CoolingPlate,
+        Self::ModulationReserve,
+        Self::NoSupply,
+        Self::OwnStallCurrentIncludesFriction,
+        Self::NoFlangeLoads,
+        Self::FlangeLoadsConstant,
+        Self::FlangeMomentsAligned,
+        Self::FlangeLoadsOfMechanism,
+        Self::FlangeLoadsAddUp,
+        Self::FlangeBearsAll,
+        Self::FlangeBodiesFlat,
+        Self::FlangeUpwards,
+        Self::PayloadInertiaWeightless,
+        Self::WheelWeightless,
+        Self::SpurTeeth,
+        Self::MechanismOnOwnBearings,
+        Self::StageNoLosses,
+        Self::StageLossesDoNotHelp,
+        Self::StageWithoutInertia,
+        Self::StageRigid,
+        Self::StageNoBacklash,
+        Self::StageRatioChosen,
+        Self::NoLosses,
+        Self::LossesDoNotHelp,
+        Self::TrapezoidThirds,
+        Self::SingleMoveRepeats,
+        Self::OrdinaryApplication,
+        Self::UniformTolerances,
+        Self::MotorHolds,
+        Self::RecordedTorqueAdds,
+        Self::RecordedPositionDifferentiated,
+    ];
+}
+
 /// An actuator that the user describes.
 #[derive(Clone, Debug)]
 pub struct OwnActuator {

@@ -237,11 +237,12 @@ fn value_text(fault: &Fault, language: Language) -> String {
         Fault::UnknownUnit { written } => {
             e(format!("unknown unit \"{written}\""), format!("unbekannte Einheit „{written}“"))
         }
-        _ => either(
+        Fault::NoTolerance => either(
             language,
             "no tolerance here: the window of a recording is read once",
             "hier keine Toleranz: das Fenster einer Aufzeichnung wird einmal gelesen",
         ),
+        _ => String::new(),
     }
 }
 
@@ -304,10 +305,11 @@ fn load_text(fault: &Fault, language: Language) -> String {
             "the bodies of a turntable are given as texts, `bodies`, or as tables, `body`: one of them",
             "die Körper eines Drehtisches stehen als Texte in `bodies` oder als Tabellen in `body`: eines von beiden",
         ),
-        _ => t(
+        Fault::JointWithoutTorque => t(
             "the torque of a joint comes with its motion: every [[motion]] must be recorded, with a column of torque",
             "das Moment eines Gelenks kommt mit seiner Bewegung: jedes [[motion]] muss aufgezeichnet sein und eine Momentenspalte haben",
         ),
+        _ => String::new(),
     }
 }
 
