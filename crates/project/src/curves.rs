@@ -48,6 +48,8 @@ impl OwnCatalogue {
 
 /// A curve with the codes that it holds for.
 struct UserCurve {
+    /// Its number in the file, from one.
+    index: usize,
     pattern: Pattern,
     kind: Kind,
     curve: Curve,
@@ -59,7 +61,7 @@ impl UserCurve {
     fn apply(&self, parameters: &mut Parameters) {
         let known = Datum::Known(Sourced {
             value: self.curve.clone(),
-            source: Source::Project { key: format!("curve, {}", self.source).into() },
+            source: Source::Project { key: format!("curve[{}].points, {}", self.index, self.source).into() },
             grade: Grade::Published,
             errata: &[],
         });
@@ -77,7 +79,7 @@ impl UserCurve {
 /// The catalogue with the curves of a project file; faults are told.
 pub(crate) fn read(root: &Section, reader: &mut Reader<'_>) -> Option<Arc<OwnCatalogue>> {
     let mut found = Vec::new();
-    for section in root.tables("curve").iter().filter(|section| section.is_whole()) {
+    for (index, section) in root.tables("curve").iter().enumerate().filter(|(_, section)| section.is_whole()) {
         let kind = match section.text("kind") {
             Some("continuous") => Kind::Continuous,
             Some("s3_50") => Kind::Half,
@@ -100,7 +102,7 @@ pub(crate) fn read(root: &Section, reader: &mut Reader<'_>) -> Option<Arc<OwnCat
         }
         let source = section.text("source").unwrap_or_default().to_owned();
         if let Some(curve) = curve(section, "points", reader) {
-            found.push(UserCurve { pattern, kind, curve, source });
+            found.push(UserCurve { index: index + 1, pattern, kind, curve, source });
         }
     }
     (!found.is_empty()).then(|| Arc::new(OwnCatalogue::with(&found)))

@@ -20,6 +20,7 @@ mod section;
 mod segment;
 mod spec;
 mod stage;
+mod stated;
 mod tolerance;
 
 pub use bodies::{BODY_SHAPES, BodyAnswer, BodyKind, BodyShape, InertiaAnswer, inertia};
@@ -31,6 +32,7 @@ pub use recorded::{Files, NoFiles, RecordingRead};
 pub use schema::{SchemaText, schema};
 pub use segment::SegmentLaw;
 pub use stage::RatioAnswer;
+pub use stated::Within;
 pub use tolerance::{ALL_CORNERS_MOST, Tolerance, Variant, Varied, sign};
 
 use actuator::{BatteryFault, Parameters};
@@ -40,7 +42,7 @@ use motion::Motion;
 use order_code::{Feedback, Option1, Option2};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Measure, Time};
-use read::Reader;
+use read::{Reader, joined};
 use section::Section;
 use sizing::{Asked, Axis, BearingDuty, SpecialApplication};
 use std::sync::Arc;
@@ -195,8 +197,8 @@ pub struct Project {
     pub assumptions: Vec<Assumption>,
     /// The quantities that carry a tolerance, in the order of the reader.
     pub tolerances: Vec<Tolerance>,
-    /// The file as it was read, where there are tolerances: the axis is built from it at other values.
-    root: Option<Section>,
+    /// The axis as it was read: it says where a value is stated, and with tolerances it is built anew at other values.
+    root: Section,
 }
 
 /// Chooses among the ratios that a stage may have, in the order of the file: gives the project with the one to go on with.
@@ -283,7 +285,7 @@ impl Project {
             }),
             axis: axis?,
             actuator,
-            root: (!tolerances.is_empty()).then(|| root.clone()),
+            root: root.clone(),
             tolerances,
         };
         let ratios = root.table("stage").map(|section| section.numbers("ratios")).unwrap_or_default();
@@ -299,7 +301,7 @@ impl Project {
         let mut root = root.clone();
         root.set_ratio(ratio);
         let draft = prepare(&root, &mut Reader::new(""))?;
-        Some(Self { axis: finish(&root, draft), root: self.root.is_some().then_some(root), ..self.clone() })
+        Some(Self { axis: finish(&root, draft), root, ..self.clone() })
     }
 }
 
@@ -461,23 +463,24 @@ fn build_actuator(root: &Section, reader: &mut Reader<'_>) -> Option<OwnActuator
     parameters.hollow_shaft = own(section, "hollow_shaft");
     parameters.dc_link_max = own(section, "dc_link_max");
     parameters.terminal_voltage_min = own(section, "terminal_voltage_min");
-    parameters.ratio = section.number("ratio").map_or(Datum::NotPrinted, |value| known("ratio", value));
-    parameters.pole_pairs = section.number("pole_pairs").map_or(Datum::NotPrinted, |value| known("pole_pairs", value));
+    parameters.ratio = section.number("ratio").map_or(Datum::NotPrinted, |value| known(section, "ratio", value));
+    parameters.pole_pairs =
+        section.number("pole_pairs").map_or(Datum::NotPrinted, |value| known(section, "pole_pairs", value));
     if let Some(curve) = curves::curve(section, "continuous_curve", reader) {
-        parameters.continuous_curve = known("continuous_curve", curve);
+        parameters.continuous_curve = known(section, "continuous_curve", curve);
     }
     if let Some(curve) = curves::curve(section, "short_time_curve", reader) {
-        parameters.short_time_curve = known("short_time_curve", curve);
+        parameters.short_time_curve = known(section, "short_time_curve", curve);
     }
     Some(OwnActuator { name: section.text("name")?.to_owned(), parameters })
 }
 
 /// A value that the user wrote: graded as published, since it stands in some document of the user's.
-fn known<T>(name: &str, value: T) -> Datum<T> {
-    let source = Source::Project { key: format!("actuator.{name}").into() };
+fn known<T>(section: &Section, name: &str, value: T) -> Datum<T> {
+    let source = Source::Project { key: joined(&section.path, name).into() };
     Datum::Known(Sourced { value, source, grade: Grade::Published, errata: &[] })
 }
 
 fn own<Q: Measure>(section: &Section, name: &str) -> Datum<Q> {
-    section.quantity(name).map_or(Datum::NotPrinted, |value| known(name, value))
+    section.quantity(name).map_or(Datum::NotPrinted, |value| known(section, name, value))
 }

@@ -223,7 +223,7 @@ fn along_a_line(section: Option<&Section>, all: &[Section]) -> bool {
 }
 
 /// Whether a quantity is one of the line, not of the rotation.
-const fn is_of_a_line(dimension: Dimension) -> bool {
+pub(crate) const fn is_of_a_line(dimension: Dimension) -> bool {
     matches!(dimension, Dimension::Length | Dimension::Velocity | Dimension::Acceleration | Dimension::Jerk)
 }
 

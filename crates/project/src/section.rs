@@ -105,6 +105,14 @@ impl Section {
         }
     }
 
+    /// The SI value of a quantity.
+    pub(crate) fn si(&self, name: &str) -> Option<f64> {
+        match self.get(name) {
+            Some(Entry::Quantity(si) | Entry::Along(_, si)) => Some(*si),
+            _ => None,
+        }
+    }
+
     pub(crate) fn along(&self, name: &str) -> Option<(Dimension, f64)> {
         match self.get(name) {
             Some(Entry::Along(dimension, si)) => Some((*dimension, *si)),

@@ -136,7 +136,7 @@ impl<'p> Varied<'p> {
     pub fn new(project: &'p Project) -> Option<Self> {
         let touches = |table: &str| project.tolerances.iter().any(|tolerance| tolerance.path.starts_with(table));
         Some(Self {
-            root: project.root.clone()?,
+            root: (!project.tolerances.is_empty()).then(|| project.root.clone())?,
             project,
             of_requirements: touches("requirements."),
             of_actuator: touches("actuator."),

@@ -4,6 +4,7 @@
 //! values ([`json`]). Nothing here touches a file, the clock, the environment or the terminal.
 
 mod chapters;
+mod cited;
 mod codes;
 mod compare;
 mod explain;

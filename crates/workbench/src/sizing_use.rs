@@ -1,5 +1,6 @@
 //! Ranking the catalogue for an axis, and judging one actuator.
 
+use crate::cited::cite;
 use actuator::Parameters;
 use configurator::{BrokenRule, Unmet, actuators, availability};
 use order_code::{Field, Option1, OrderCode};
@@ -205,6 +206,7 @@ pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>
 pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
     let mut candidate = check(project, code)?;
     candidate.judgement = sizing::explain(&project.axis, candidate.parameters);
+    cite(project, &mut candidate.judgement);
     Ok(candidate)
 }
 
@@ -215,6 +217,7 @@ pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'
 pub fn explain_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
     let mut candidate = check_own(project)?;
     candidate.judgement = sizing::explain(&project.axis, candidate.parameters);
+    cite(project, &mut candidate.judgement);
     Ok(candidate)
 }
 
@@ -239,7 +242,8 @@ pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
 }
 
 fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Parameters, depth: Depth) -> Candidate<'p> {
-    let judgement = judge(&project.axis, parameters, depth);
+    let mut judgement = judge(&project.axis, parameters, depth);
+    cite(project, &mut judgement);
     let mut objections: Vec<Objection> =
         project.requirements.unmet(&code, parameters).into_iter().map(Objection::Unmet).collect();
     // Without options the code stands in the catalogue because it is available; only options can change that.
@@ -258,7 +262,8 @@ fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Paramete
 }
 
 fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p> {
-    let judgement = judge(&project.axis, &own.parameters, Depth::Full);
+    let mut judgement = judge(&project.axis, &own.parameters, Depth::Full);
+    cite(project, &mut judgement);
     let objections: Vec<Objection> =
         project.requirements.unmet_by_data(&own.parameters).into_iter().map(Objection::Unmet).collect();
     let mass = own.parameters.mass.known().map(|mass| mass.value.si());

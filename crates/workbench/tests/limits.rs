@@ -58,7 +58,7 @@ fn too_many_revolutions_at_changing_speed_are_refused() {
     };
     let slow = arm("law = \"trapezoid\"\ndistance = \"2000000 deg\"\ntime = \"20000 s\"");
     for (language, words) in [(Language::En, "at most 2000 are"), (Language::De, "höchstens 2000 Umdrehungen")] {
-        let faults = workbench::read(&slow).unwrap_err();
+        let faults = words::told(&workbench::read(&slow).unwrap_err(), language);
         assert!(faults.iter().any(|fault| fault.message.contains(words)), "{faults:?}");
     }
     assert!(workbench::read(&arm("law = \"constant\"\nspeed = \"20 1/min\"\ntime = \"100000 s\"")).is_ok());
