@@ -1,13 +1,18 @@
-//! The inertia of solid bodies written as text, one body a line: `cylinder diameter=200mm length=20mm mass=5kg`.
+//! The inertia of solid bodies: tables of a project file, or text, one body a line: `cylinder diameter=200mm length=20mm
+//! mass=5kg`. The keys of both are described once.
 
 mod faults;
 mod line;
 
+pub(crate) use faults::fields;
+
 use crate::Diagnostic;
+use crate::section::{Entry, Section};
+use crate::spec::{BODY, Kind};
 use faults::Faults;
 use line::{Keyed, Line};
 use mechanism::{Body, BodyInertia, Inertia, Orientation, Shape};
-use quantities::{Angle, Dimension, HalfWidth, Length, Mass, MassDensity, Measure, Reading};
+use quantities::{Angle, HalfWidth, Length, Mass, MassDensity, Measure, Reading};
 
 /// What a body looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,16 +49,19 @@ pub struct BodyShape {
 }
 
 /// Every shape.
-pub static BODY_SHAPES: [BodyShape; 8] = [
-    shape(BodyKind::Cylinder, "cylinder", &["diameter", "length"], true),
-    shape(BodyKind::Disc, "disc", &["diameter", "length"], true),
-    shape(BodyKind::Tube, "tube", &["outer", "inner", "length"], true),
-    shape(BodyKind::Box, "box", &["a", "b", "height"], false),
-    shape(BodyKind::Cone, "cone", &["diameter", "height"], false),
-    shape(BodyKind::Sphere, "sphere", &["diameter"], false),
-    shape(BodyKind::Point, "point", &[], false),
-    shape(BodyKind::Rod, "rod", &["length"], false),
-];
+pub static BODY_SHAPES: [BodyShape; 8] = [CYLINDER, DISC, TUBE, BOX, CONE, SPHERE, POINT, ROD];
+
+pub(crate) const CYLINDER: BodyShape = shape(BodyKind::Cylinder, "cylinder", &["diameter", "length"], true);
+pub(crate) const DISC: BodyShape = shape(BodyKind::Disc, "disc", &["diameter", "length"], true);
+pub(crate) const TUBE: BodyShape = shape(BodyKind::Tube, "tube", &["outer", "inner", "length"], true);
+pub(crate) const BOX: BodyShape = shape(BodyKind::Box, "box", &["a", "b", "height"], false);
+pub(crate) const CONE: BodyShape = shape(BodyKind::Cone, "cone", &["diameter", "height"], false);
+pub(crate) const SPHERE: BodyShape = shape(BodyKind::Sphere, "sphere", &["diameter"], false);
+pub(crate) const POINT: BodyShape = shape(BodyKind::Point, "point", &[], false);
+pub(crate) const ROD: BodyShape = shape(BodyKind::Rod, "rod", &["length"], false);
+
+/// Keys that every shape may have.
+pub(crate) const BODY_SHARED: &[&str] = &["mass", "density", "distance", "angle", "count"];
 
 const fn shape(kind: BodyKind, name: &'static str, dimensions: &'static [&'static str], may_lie: bool) -> BodyShape {
     BodyShape { kind, name, dimensions, may_lie }
@@ -64,35 +72,10 @@ impl BodyShape {
     fn keys(&self) -> Vec<&'static str> {
         let mut keys = self.dimensions.to_vec();
         keys.extend(self.may_lie.then_some("axis"));
-        keys.extend(["mass", "density", "distance", "angle", "count"]);
+        keys.extend(BODY_SHARED);
         keys
     }
 }
-
-/// What the value of a key is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Quantity(Dimension),
-    Count,
-    Axis,
-}
-
-/// Every key of any shape.
-const KEYS: [(&str, Kind); 13] = [
-    ("diameter", Kind::Quantity(Dimension::Length)),
-    ("length", Kind::Quantity(Dimension::Length)),
-    ("outer", Kind::Quantity(Dimension::Length)),
-    ("inner", Kind::Quantity(Dimension::Length)),
-    ("a", Kind::Quantity(Dimension::Length)),
-    ("b", Kind::Quantity(Dimension::Length)),
-    ("height", Kind::Quantity(Dimension::Length)),
-    ("axis", Kind::Axis),
-    ("mass", Kind::Quantity(Dimension::Mass)),
-    ("density", Kind::Quantity(Dimension::MassDensity)),
-    ("distance", Kind::Quantity(Dimension::Length)),
-    ("angle", Kind::Quantity(Dimension::Angle)),
-    ("count", Kind::Count),
-];
 
 /// How `axis` may be written.
 const AXES: [&str; 2] = ["parallel", "perpendicular"];
@@ -193,6 +176,17 @@ impl Values {
         Length::from_si(self.get(key).unwrap_or(0.0))
     }
 
+    fn body(&self, shape: &BodyShape) -> Body {
+        Body {
+            shape: self.shape(shape),
+            mass: self.get("mass").map(Mass::from_si),
+            density: self.get("density").map(MassDensity::from_si),
+            distance: self.length("distance"),
+            angle: Angle::from_si(self.get("angle").unwrap_or(0.0)),
+            count: self.count.unwrap_or(1),
+        }
+    }
+
     fn shape(&self, shape: &BodyShape) -> Shape {
         let length = |key| self.length(key);
         let orientation = self.orientation;
@@ -211,6 +205,22 @@ impl Values {
             }
         }
     }
+}
+
+/// The body that a table of a project file describes; `None` where a key that it needs was refused or is missing.
+pub(crate) fn of_table(section: &Section) -> Option<Body> {
+    let shape = BODY_SHAPES.iter().find(|shape| Some(shape.name) == section.text("shape"))?;
+    let whole = section.is_whole() && shape.dimensions.iter().all(|name| section.get(name).is_some());
+    let quantities = BODY.iter().filter_map(|key| Some((key.name, section.si(key.name)?)));
+    let orientation = match section.text("axis") {
+        Some("perpendicular") => Orientation::Perpendicular,
+        _ => Orientation::Parallel,
+    };
+    let count = match section.get("count") {
+        Some(Entry::Integer(count)) => u32::try_from(*count).ok(),
+        _ => None,
+    };
+    whole.then(|| Values { quantities: quantities.collect(), count, orientation }.body(shape))
 }
 
 /// Gives a body another value, in SI, in the place of one that it has; `None` for a key that it does not have.
@@ -249,12 +259,12 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<(&'static BodyShape,
     for stray in &line.strays {
         faults.stray(stray);
     }
-    let all: Vec<&str> = KEYS.iter().map(|(name, _)| *name).collect();
+    let all: Vec<&str> = BODY.iter().map(|key| key.name).filter(|name| *name != "shape").collect();
     let valid = known.map_or(all, BodyShape::keys);
     let mut values = Values::default();
     let mut meant: Vec<&str> = Vec::new();
     for (index, pair) in line.pairs.iter().enumerate() {
-        let Some((name, kind)) = KEYS.iter().find(|(name, _)| *name == pair.key && valid.contains(name)) else {
+        let Some(key) = BODY.iter().find(|key| key.name == pair.key && valid.contains(&key.name)) else {
             meant.extend(faults.unknown_key(pair, known, &valid));
             continue;
         };
@@ -262,12 +272,12 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<(&'static BodyShape,
             faults.twice(pair);
             continue;
         }
-        match kind {
-            Kind::Quantity(dimension) => {
-                values.quantities.extend(faults.quantity(pair, name, *dimension).map(|si| (*name, si)));
+        match key.kind {
+            Kind::Quantity(dimension, _) => {
+                values.quantities.extend(faults.quantity(pair, key.name, dimension).map(|si| (key.name, si)));
             }
-            Kind::Count => values.count = faults.count(pair),
-            Kind::Axis => values.orientation = faults.axis(pair).unwrap_or_default(),
+            Kind::Integer(..) => values.count = faults.count(pair),
+            _ => values.orientation = faults.axis(pair).unwrap_or_default(),
         }
     }
     let shape = known?;
@@ -276,14 +286,7 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<(&'static BodyShape,
     for dimension in shape.dimensions.iter().filter(|name| !written(name)) {
         faults.missing(line, dimension);
     }
-    let body = Body {
-        shape: values.shape(shape),
-        mass: values.get("mass").map(Mass::from_si),
-        density: values.get("density").map(MassDensity::from_si),
-        distance: values.length("distance"),
-        angle: Angle::from_si(values.get("angle").unwrap_or(0.0)),
-        count: values.count.unwrap_or(1),
-    };
+    let body = values.body(shape);
     for error in body.faults() {
         // What could not be read has been told already.
         let fields = faults::fields(&error);
@@ -296,4 +299,21 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<(&'static BodyShape,
         }
     }
     Some((shape, body))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_of_a_shape_is_described() {
+        for shape in &BODY_SHAPES {
+            for name in shape.keys() {
+                assert!(BODY.iter().any(|key| key.name == name), "{name}");
+            }
+            assert!(
+                matches!(BODY.first().map(|key| key.kind), Some(Kind::OneOf(names)) if names.contains(&shape.name))
+            );
+        }
+    }
 }

@@ -1,9 +1,11 @@
 //! From the sections of a project file to mechanism and motion.
 
-use crate::read::Reader;
+use crate::read::{Reader, joined};
 use crate::section::{Entry, Section};
 use crate::{Assumption, Fault, Hint};
-use mechanism::{Extra, Friction, Joint, Kind, Linear, LinearKind, Mechanism, Rotor, SliderCrank, Table, TablePoint};
+use mechanism::{
+    Body, BodyError, Extra, Friction, Joint, Kind, Linear, LinearKind, Mechanism, Rotor, SliderCrank, Table, TablePoint,
+};
 use motion::{Closing, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, SegmentSpec};
 use quantities::{Angle, Dimension, Force, Length, Mass, Measure, MomentOfInertia, Torque, ViscousFriction};
 use sizing::Axis;
@@ -66,12 +68,17 @@ fn build(name: &str, section: &Section, reader: &mut Reader<'_>) -> Option<Load>
         "joint" => Kind::Joint(Joint { inertia: turning, holding_torque: section.quantity("holding_torque") }),
         "load" => Kind::Rotor(Rotor::balanced(section.quantity("inertia")?)),
         "turntable" => {
-            let bodies = match mechanism::inertia(section.bodies("bodies")?) {
+            let (bodies, tables) = bodies(section, reader)?;
+            let bodies = match mechanism::inertia(&bodies) {
                 Ok(total) => total,
-                // The bodies as written are sound; with other values within their tolerance they need not be.
                 Err(errors) => {
                     for each in errors {
-                        reader.fault(section.span_of("bodies"), Fault::Body(each.error), None);
+                        let span = match tables.get(each.body) {
+                            Some(table) => place_in(table, &each.error),
+                            // The bodies as written are sound; with other values within their tolerance they need not be.
+                            None => section.span_of("bodies"),
+                        };
+                        reader.fault(span, Fault::Body(each.error), None);
                     }
                     return None;
                 }
@@ -142,6 +149,36 @@ fn build(name: &str, section: &Section, reader: &mut Reader<'_>) -> Option<Load>
         stage: None,
     };
     Some(Load { mechanism, start, force: section.quantity("process_force").unwrap_or_else(zero) })
+}
+
+/// The bodies of a turntable, and their tables where they are written so.
+fn bodies<'s>(section: &'s Section, reader: &mut Reader<'_>) -> Option<(Vec<Body>, &'s [Section])> {
+    if section.has("bodies") && section.has("body") {
+        reader.fault(section.span_of("bodies"), Fault::BodiesTwice, None);
+        return None;
+    }
+    if let Some(bodies) = section.bodies("bodies") {
+        return Some((bodies.to_vec(), &[]));
+    }
+    let tables = section.tables("body");
+    if tables.is_empty() {
+        // What was refused has been told already.
+        if section.is_whole() && !reader.is_damaged() {
+            let fault = Fault::MissingKey { path: joined(&section.path, "body"), list: true };
+            let hint = Hint::Example(format!("[[{}]] shape = \"disc\"", joined(&section.path, "body")));
+            let start = section.span.start;
+            reader.fault(start..start + usize::from(!section.span.is_empty()), fault, Some(hint));
+        }
+        return None;
+    }
+    let bodies: Option<Vec<Body>> = tables.iter().map(crate::bodies::of_table).collect();
+    Some((bodies?, tables))
+}
+
+/// The place of what is wrong with a body; where nothing is written of it, the beginning of its table.
+fn place_in(table: &Section, error: &BodyError) -> std::ops::Range<usize> {
+    let named = crate::bodies::fields(error).iter().find(|name| table.get(name).is_some());
+    named.map_or_else(|| table.span_of("shape"), |name| table.span_of(name))
 }
 
 /// Motion and what each segment adds to the load.

@@ -1,5 +1,6 @@
 //! The project file, key by key: one description from which the reader, its messages and the JSON Schema come.
 
+use crate::bodies::{BODY_SHARED, BOX, BodyShape, CONE, CYLINDER, DISC, POINT, ROD, SPHERE, TUBE};
 use crate::{Expected, Range};
 use quantities::Dimension;
 
@@ -231,9 +232,51 @@ const STAGE: &[Key] = &[
     quantity("pitch_diameter", Dimension::Length, Range::Positive, "pitch diameter of pulley or wheel on the actuator", "Wirkdurchmesser von Scheibe oder Rad am Antrieb"),
 ];
 
+/// Solid bodies by their shapes.
+static BODIES: Variants = Variants {
+    keys: BODY,
+    by: "shape",
+    kinds: &[
+        of_shape(CYLINDER),
+        of_shape(DISC),
+        of_shape(TUBE),
+        of_shape(BOX),
+        of_shape(CONE),
+        of_shape(SPHERE),
+        of_shape(POINT),
+        of_shape(ROD),
+    ],
+    shared: BODY_SHARED,
+};
+
+/// What a shape needs and what it may have besides.
+const fn of_shape(shape: BodyShape) -> (&'static str, &'static [&'static str], &'static [&'static str]) {
+    (shape.name, shape.dimensions, if shape.may_lie { &["axis"] } else { &[] })
+}
+
+/// A solid body, in a table of the project file and in one line of text alike.
+#[rustfmt::skip] // one line per key
+pub(crate) const BODY: &[Key] = &[
+    key("shape", Kind::OneOf(&["cylinder", "disc", "tube", "box", "cone", "sphere", "point", "rod"]), true, "shape of the body", "Form des Körpers"),
+    quantity("diameter", Dimension::Length, Range::Positive, "diameter of cylinder, disc, cone (at its base) or sphere", "Durchmesser von Zylinder, Scheibe, Kegel (unten) oder Kugel"),
+    quantity("length", Dimension::Length, Range::Positive, "length along the body's own axis", "Länge in Richtung der eigenen Achse"),
+    quantity("outer", Dimension::Length, Range::Positive, "outer diameter of a tube", "Außendurchmesser eines Rohrs"),
+    quantity("inner", Dimension::Length, Range::NotNegative, "inner diameter of a tube", "Innendurchmesser eines Rohrs"),
+    quantity("a", Dimension::Length, Range::Positive, "first side of a box, across the axis of rotation", "erste Seite eines Quaders, quer zur Drehachse"),
+    quantity("b", Dimension::Length, Range::Positive, "second side of a box, across the axis of rotation", "zweite Seite eines Quaders, quer zur Drehachse"),
+    quantity("height", Dimension::Length, Range::Positive, "height of box or cone along the axis of rotation", "Höhe von Quader oder Kegel in Richtung der Drehachse"),
+    key("axis", Kind::OneOf(&["parallel", "perpendicular"]), false, "how cylinder, disc or tube lies to the axis of rotation; parallel without it", "wie Zylinder, Scheibe oder Rohr zur Drehachse liegt; ohne Angabe parallel"),
+    quantity("mass", Dimension::Mass, Range::Positive, "mass of one piece; or density", "Masse eines Stücks; oder density"),
+    quantity("density", Dimension::MassDensity, Range::Positive, "density; or mass", "Dichte; oder mass"),
+    quantity("distance", Dimension::Length, Range::NotNegative, "distance of the centre of mass from the axis of rotation; zero without it", "Abstand des Schwerpunkts von der Drehachse; ohne Angabe null"),
+    quantity("angle", Dimension::Angle, Range::Any, "direction of the centre of mass in the plane of rotation; zero without it", "Richtung des Schwerpunkts in der Drehebene; ohne Angabe null"),
+    key("count", Kind::Integer(1, u32::MAX as i64), false, "equal pieces, evenly spaced on the circle; one without it", "gleiche Stücke, gleichmäßig auf dem Kreis; ohne Angabe eines"),
+];
+
 #[rustfmt::skip] // one line per key
 const TURNTABLE: &[Key] = &[
-    key("bodies", Kind::Bodies, true, "solid bodies as for antrieb inertia", "Vollkörper wie bei antrieb inertia"),
+    key("body", Kind::Variants(&BODIES), false, "its solid bodies, each a table; or bodies", "seine Vollkörper, je eine Tabelle; oder bodies"),
+    key("bodies", Kind::Bodies, false, "the same, each in one line as for antrieb inertia", "dasselbe, je Körper eine Zeile wie bei antrieb inertia"),
     quantity("axis_tilt", Dimension::Angle, Range::Any, "tilt of the rotation axis from the vertical; vertical without it", "Neigung der Drehachse gegen die Senkrechte; ohne Angabe senkrecht"),
     quantity("start_angle", Dimension::Angle, Range::Any, "position in which the motion begins; zero without it", "Stellung, in der die Bewegung beginnt; ohne Angabe null"),
     quantity("payload_distance", Dimension::Length, Range::NotNegative, "distance of the payload of a segment from the axis", "Abstand der Nutzlast eines Abschnitts von der Drehachse"),

@@ -86,6 +86,8 @@ fn a_turntable_cites_its_bodies_and_not_a_load_that_is_not_there() {
     let bodies = text("bodies = [\"disc diameter=500mm length=20mm mass=12kg\"]");
     let found = checks(&read(&bodies).unwrap());
     assert_eq!(value_key(&found, CheckId::InertiaRatio), "mechanism.turntable.bodies");
+    let table = text("[[mechanism.turntable.body]]\nshape = \"point\"\nmass = \"1 kg\"\ndistance = \"1 m\"");
+    assert_eq!(value_key(&checks(&read(&table).unwrap()), CheckId::InertiaRatio), "mechanism.turntable.body");
     let payload = format!("{bodies}payload_inertia = \"0.5 kg m^2\"\n");
     // With a payload the largest inertia follows from both.
     let found = checks(&read(&payload).unwrap());

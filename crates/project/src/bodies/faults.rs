@@ -24,7 +24,7 @@ pub(super) struct Faults<'t> {
 }
 
 /// The keys that an error is about; empty where it is about the mass that is missing, or the whole body.
-pub(super) const fn fields(error: &BodyError) -> &'static [&'static str] {
+pub(crate) const fn fields(error: &BodyError) -> &'static [&'static str] {
     match error {
         BodyError::DimensionOutOfRange { field, .. } => match field.as_bytes() {
             b"diameter" => &["diameter"],

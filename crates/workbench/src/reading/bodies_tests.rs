@@ -135,3 +135,69 @@ fn no_more_than_fifty_faults_are_told() {
     assert_eq!(found.len(), 51);
     assert!(found.last().unwrap().message.contains("30 more"));
 }
+
+const TAIL: &str =
+    "[[motion]]\nlaw = \"modified_sine\"\ndistance = \"60 deg\"\ntime = \"0.5 s\"\n[axis]\nsingle_move = true\n";
+
+fn turntable(bodies: &str) -> String {
+    format!("format = 1\n[mechanism.turntable]\naxis_tilt = \"90 deg\"\n{bodies}\n{TAIL}")
+}
+
+/// What each fault of a turntable underlines, and what it says.
+fn refused(bodies: &str) -> Vec<(String, String)> {
+    let text = turntable(bodies);
+    let found = told(&crate::read(&text).map(|_| ()).unwrap_err(), Language::En);
+    found.into_iter().map(|fault| (text.get(fault.span).unwrap_or("?").to_owned(), fault.message)).collect()
+}
+
+const TABLES: &str = "[[mechanism.turntable.body]]\nshape = \"disc\"\ndiameter = \"420 mm\"\nlength = \"12 mm\"\n\
+    density = \"2700 kg/m^3\"\n[[mechanism.turntable.body]]\nshape = \"box\"\na = \"60 mm\"\nb = \"40 mm\"\n\
+    height = \"50 mm\"\nmass = \"0.9 kg\"\ndistance = \"160 mm\"\nangle = \"30 deg\"\ncount = 1\n\
+    [[mechanism.turntable.body]]\nshape = \"tube\"\nouter = \"90 mm\"\ninner = \"60 mm\"\nlength = \"40 mm\"\n\
+    density = \"7850 kg/m^3\"\naxis = \"perpendicular\"\n";
+
+#[test]
+fn bodies_as_tables_are_the_bodies_of_the_lines() {
+    let lines = "bodies = [\"disc diameter=420mm length=12mm density=2700kg/m^3\", \
+                 \"box a=60mm b=40mm height=50mm mass=0.9kg distance=160mm angle=30deg\", \
+                 \"tube outer=90mm inner=60mm length=40mm density=7850kg/m^3 axis=perpendicular\"]";
+    let [tables, lines] = [TABLES, lines].map(|bodies| crate::read(&turntable(bodies)).unwrap());
+    assert_eq!(format!("{:?}", tables.axis.mechanism), format!("{:?}", lines.axis.mechanism));
+    let inline = "body = [{ shape = \"sphere\", diameter = \"0.1 m\", mass = \"2 kg\", distance = \"0.3 m\" }]";
+    assert!(crate::read(&turntable(inline)).is_ok());
+}
+
+#[test]
+fn every_fault_of_a_table_has_its_place() {
+    let found = refused(
+        &TABLES
+            .replace("\"420 mm\"", "\"0 mm\"")
+            .replace("height = \"50 mm\"\n", "")
+            .replace("\"60 mm\"\nlength = \"40 mm\"", "\"95 mm\"\nlength = \"40 mm\"\nheight = \"1 mm\""),
+    );
+    let places: Vec<&str> = found.iter().map(|(place, _)| place.as_str()).collect();
+    assert_eq!(places, ["\"0 mm\"", "[", "height"], "{found:?}");
+    assert!(found[1].1.contains("`mechanism.turntable.body[2].height` is missing"), "{found:?}");
+    assert!(found[2].1.contains("has no meaning with shape = \"tube\""), "{found:?}");
+    // What only the whole body shows.
+    let found = refused(&TABLES.replace("\"60 mm\"\nlength", "\"95 mm\"\nlength").replace("mass = \"0.9 kg\"\n", ""));
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert_eq!((found[0].0.as_str(), found[1].0.as_str()), ("\"box\"", "\"95 mm\""));
+    let both = format!("bodies = [\"point mass=1kg\"]\n{TABLES}");
+    assert!(refused(&both)[0].1.contains("one of them"), "{:?}", refused(&both));
+    assert!(refused("")[0].1.contains("`[[mechanism.turntable.body]]` is missing"), "{:?}", refused(""));
+    assert_eq!(refused("body = []").len(), 1, "{:?}", refused("body = []"));
+}
+
+#[test]
+fn a_table_of_a_body_may_carry_a_tolerance() {
+    let text = turntable(&TABLES.replace("0.9 kg", "0.9 kg ± 10 %"));
+    let project = crate::read(&text).unwrap();
+    let paths: Vec<&str> = project.tolerances.iter().map(|each| each.path.as_str()).collect();
+    assert_eq!(paths, ["mechanism.turntable.body[2].mass"]);
+    let heavier = project::Varied::new(&project).unwrap().at(&[0.99]).unwrap();
+    let inertia = |axis: &sizing::Axis| axis.moments().inertia_max.si();
+    // 10 % of m r² and of the box's own m (a² + b²) / 12.
+    let more = 0.09 * (0.16 * 0.16 + (0.06 * 0.06 + 0.04 * 0.04) / 12.0);
+    assert!(close(inertia(&heavier.axis) - inertia(&project.axis), more));
+}
