@@ -72,12 +72,11 @@ pub(crate) const fn recorded(fault: &RecordedFault) -> &'static str {
 }
 
 /// Of a file that is no recording.
-pub(crate) const fn recording(fault: &recording::Fault) -> &'static str {
+pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
     use recording::Fault;
     match fault {
         Fault::ReadFailed { .. } => "recording_read_failed",
         Fault::NoHeader => "recording_no_header",
-        Fault::HeaderNotUtf8 { .. } => "recording_header_not_utf8",
         Fault::LineTooLong { .. } => "recording_line_too_long",
         Fault::QuoteOpen { .. } => "recording_quote_open",
         Fault::Ragged { .. } => "recording_ragged",
@@ -96,6 +95,7 @@ pub(crate) const fn recording(fault: &recording::Fault) -> &'static str {
         Fault::ValueUnreadable { .. } => "recording_value_unreadable",
         Fault::ValueNotFinite { .. } => "recording_value_not_finite",
         Fault::DecimalMixed { .. } => "recording_decimal_mixed",
+        Fault::ThousandsGrouped { .. } => "recording_thousands_grouped",
         Fault::ColumnType { .. } => "recording_column_type",
         Fault::Backwards { .. } => "recording_time_backwards",
         Fault::SameTime { .. } => "recording_same_time",
@@ -103,6 +103,7 @@ pub(crate) const fn recording(fault: &recording::Fault) -> &'static str {
         Fault::TooFewSamples { .. } => "recording_too_few_samples",
         Fault::TooManySamples { .. } => "recording_too_many_samples",
         Fault::ParquetUnreadable { .. } => "recording_parquet_unreadable",
+        Fault::Repeated { first, .. } => recording(first),
         Fault::More { .. } => "recording_more_faults",
     }
 }

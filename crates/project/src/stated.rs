@@ -36,9 +36,8 @@ impl Project {
                 self.segment(within).map_or_else(|| joined(&root.path, role), |section| joined(&section.path, name))
             }
             "motion.hold" => {
-                listed(root.tables("motion").iter().filter_map(|section| {
-                    (section.text("hold") == Some("brake")).then(|| joined(&section.path, "hold"))
-                }))
+                let held = root.tables("motion").iter().filter(|section| section.text("hold") == Some("brake"));
+                listed(held.map(|section| joined(&section.path, "hold")))
             }
             "load.inertia" => self.inertia_keys(),
             "load.friction_torque" | "friction_torque" => {

@@ -23,12 +23,20 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         | Fault::ValueUnreadable { .. }
         | Fault::ValueNotFinite { .. }
         | Fault::DecimalMixed { .. }
+        | Fault::ThousandsGrouped { .. }
         | Fault::Backwards { .. }
         | Fault::SameTime { .. }
         | Fault::Gap { .. } => sample_fault(fault, language),
+        Fault::Repeated { first, more } => {
+            let (message, hint) = self::fault(first, language);
+            let more = match language {
+                Language::En => format!("{message}; {more} more like it"),
+                Language::De => format!("{message}; {more} weitere dieser Art"),
+            };
+            (more, hint)
+        }
         Fault::ReadFailed { .. }
         | Fault::NoHeader
-        | Fault::HeaderNotUtf8 { .. }
         | Fault::LineTooLong { .. }
         | Fault::QuoteOpen { .. }
         | Fault::Ragged { .. }
@@ -58,13 +66,6 @@ fn file_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
                 "the first line names the columns, for example time [s];q [deg]",
                 "die erste Zeile nennt die Spalten, zum Beispiel time [s];q [deg]",
             ),
-        ),
-        Fault::HeaderNotUtf8 { line } => (
-            e(
-                format!("line {line}: the header is not UTF-8"),
-                format!("Zeile {line}: die Kopfzeile ist nicht in UTF-8"),
-            ),
-            t("save the file as CSV UTF-8", "die Datei als CSV UTF-8 speichern"),
         ),
         Fault::LineTooLong { line, most } => (
             e(
@@ -129,6 +130,9 @@ fn file_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
                 "gelesen werden unverschlüsselte Dateien ohne Kompression oder mit snappy, zstd, gzip, lz4",
             ),
         ),
+        Fault::More { count: 0, .. } => {
+            (either(language, "the rest of the file was not read", "der Rest der Datei wurde nicht gelesen"), None)
+        }
         Fault::More { count, stopped } => (
             match stopped {
                 false => e(format!("and {count} more faults"), format!("und {count} weitere Fehler")),
@@ -309,6 +313,22 @@ fn sample_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
                 language,
                 "use either points or commas in the whole file, and no sign between thousands",
                 "in der ganzen Datei entweder Punkt oder Komma, und kein Zeichen zwischen Tausendern",
+            )),
+        ),
+        Fault::ThousandsGrouped { at, column, text } => (
+            e(
+                format!("{}: {} in {} has signs between its thousands", place(*at, language), q(text), q(column)),
+                format!(
+                    "{}: {} in {} hat Trennzeichen zwischen den Tausendern",
+                    place(*at, language),
+                    q(text),
+                    q(column)
+                ),
+            ),
+            Some(either(
+                language,
+                "export the numbers without a thousands separator: 1234.5 or 1234,5",
+                "die Zahlen ohne Tausendertrennzeichen ausgeben: 1234,5 oder 1234.5",
             )),
         ),
         Fault::Backwards { at, time, before } => {

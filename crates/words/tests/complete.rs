@@ -233,6 +233,8 @@ fn recording_faults() -> Vec<Fault> {
         "t [s];q [Nm]\n0;1\n1;2\n",
         "t [s];q [deg]\n0;1\n",
         "t [s];q [deg]\n0;\"1\n1;2\n",
+        "t [s];q [deg]\n0;1.234,5\n1;2\n2;3\n",
+        "t [s];q [deg]\n0;x\n1;x\n2;x\n3;x\n4;x\n",
     ];
     let faults = files.iter().flat_map(|file| recording::read_csv(file.as_bytes(), &layout).err().unwrap_or_default());
     let mut all: Vec<Fault> = faults.map(|fault| Fault::Recording { name: "run.csv".to_owned(), fault }).collect();

@@ -1,7 +1,7 @@
 //! Direction, relation, utilisation and verdict of every check say the same, for every example on every actuator.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
 
-use workbench::{Check, CheckId, Direction, Files, Language, Project, Verdict, size};
+use workbench::{Check, CheckId, Direction, Files, Verdict, size};
 
 struct Examples;
 

@@ -479,3 +479,31 @@ fn a_curve_of_the_user_wins_over_the_catalogue() {
         assert_eq!(crate::read(&text).unwrap_err().len(), 1, "{from} {to}");
     }
 }
+
+#[test]
+fn a_decimal_comma_before_one_per_minute_is_told_as_one() {
+    let text = GOOD.replace("40 1/min", "40,5 1/min");
+    let fault = one(&text);
+    assert_eq!((&text[fault.span.clone()], fault.id), ("40,5", "decimal_comma"));
+    assert!(fault.hint.unwrap().contains("40.5"));
+}
+
+#[test]
+fn what_is_stated_along_a_line_is_told_along_it() {
+    let text = |motion: &str| {
+        format!(
+            "format = 1\n[mechanism.screw]\nlead = \"20 mm\"\nmass = \"10 kg\"\n[[motion]]\nlaw = \"trapezoid\"\n{motion}\n"
+        )
+    };
+    // 100 mm in 1 s take more than 0.1 m/s.
+    let slow = one(&text("distance = \"100 mm\"\ntime = \"1 s\"\nspeed = \"0.05 m/s\""));
+    assert_eq!(slow.hint.as_deref(), Some("it must be above 0.10000 m/s"));
+    let turning = one(&text("distance = \"5 rev\"\ntime = \"1 s\"\nspeed = \"100 1/min\""));
+    assert_eq!(turning.hint.as_deref(), Some("it must be above 300.00 min⁻¹"));
+    let open = one(&text("distance = \"100 mm\"\ntime = \"1 s\""));
+    assert_eq!(open.message, "the cycle does not close: it ends 100.00 mm from where it begins");
+    let open = one(&text("distance = \"5 rev\"\ntime = \"1 s\""));
+    assert_eq!(open.message, "the cycle does not close: it ends 1800.0 ° (at the output) from where it begins");
+    let weak = one(&text("distance = \"100 mm\"\ntime = \"1 s\"\nacceleration = \"0.1 m/s^2\""));
+    assert_eq!(weak.hint.as_deref(), Some("at least 0.40000 m/s²"));
+}

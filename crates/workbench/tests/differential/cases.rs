@@ -7,7 +7,7 @@ use sizing::{Check, Note};
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::sync::LazyLock;
-use workbench::{Files, Language, Project, check};
+use workbench::{Files, Project, check};
 
 /// Results by name, in the unit that people read them in.
 pub(crate) type Figures = BTreeMap<String, f64>;
