@@ -13,7 +13,7 @@ use quantities::{Measure, Time};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Within {
     /// The segment that is under way at an instant of the cycle.
-    Instant(Time),
+    At(Time),
     /// A segment, counted from zero.
     Segment(usize),
 }
@@ -62,7 +62,7 @@ impl Project {
         let sections = self.root.tables("motion");
         let index = match within {
             Within::Segment(index) => index,
-            Within::Instant(at) => {
+            Within::At(at) => {
                 let near = 1e-9 * self.axis.motion.duration().si();
                 let stretches = self.axis.motion.stretches().iter().enumerate();
                 let under_way = stretches.filter(|(_, stretch)| {

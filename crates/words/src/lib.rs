@@ -23,7 +23,8 @@ pub use faults::{Told, battery_fault, fault_text, file_trouble, hint_text, told}
 pub use motion::law_text;
 pub use results::{
     assumption_text, check_missing, check_title, condition_text, curve_title, evidence_text, figure_term, grade_about,
-    grade_word, note_text, ranking_rule, source_text, standing_text, symbol_term, unmet_text, verdict_word,
+    grade_word, note_text, ranking_rule, requirement_title, source_text, standing_text, symbol_term, unmet_text,
+    verdict_word,
 };
 
 pub use schema::schema_text;

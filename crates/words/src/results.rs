@@ -289,6 +289,24 @@ pub fn note_text(note: &Note, language: Language) -> String {
     }
 }
 
+/// The requirement that is not met, in a word or two.
+#[must_use]
+pub fn requirement_title(unmet: &Unmet, language: Language) -> String {
+    let (en, de) = match unmet {
+        Unmet::Feedback(_) => ("feedback", "Feedback"),
+        Unmet::Brake(_) => ("brake", "Bremse"),
+        Unmet::HollowShaft { .. } => ("hollow shaft", "Hohlwelle"),
+        Unmet::Length { .. } => ("length", "Länge"),
+        Unmet::Mass { .. } => ("mass", "Masse"),
+        Unmet::SupplyTooLow { .. } => ("supply", "Versorgung"),
+        Unmet::NotKnown { symbol } => {
+            let term = symbol_term(symbol, language);
+            return either(language, format!("requirement open ({term})"), format!("Anforderung offen ({term})"));
+        }
+    };
+    either(language, format!("requirement {en}"), format!("Anforderung {de}"))
+}
+
 /// A requirement that is not met.
 #[must_use]
 pub fn unmet_text(unmet: &Unmet, language: Language) -> String {

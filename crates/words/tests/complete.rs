@@ -93,6 +93,7 @@ fn rules_requirements_and_codes() {
     ];
     for each in unmet {
         differ(&format!("{each:?}"), |language| words::unmet_text(&each, language));
+        differ(&format!("{each:?}"), |language| words::requirement_title(&each, language));
     }
     let sources = [
         Source::Equation { number: "69.1" },

@@ -21,7 +21,7 @@ pub(crate) fn cite(project: &Project, judgement: &mut Judgement) {
 /// The peak speed is that of an instant; what else belongs to one segment is of the move that governs by the manual.
 fn within(check: &Check, governing: usize) -> Within {
     match check.at {
-        Some(at) if check.id == CheckId::PeakSpeed => Within::Instant(at),
+        Some(at) if check.id == CheckId::PeakSpeed => Within::At(at),
         _ => Within::Segment(governing),
     }
 }
