@@ -199,6 +199,8 @@ pub struct Project {
     pub tolerances: Vec<Tolerance>,
     /// The axis as it was read: it says where a value is stated, and with tolerances it is built anew at other values.
     root: Section,
+    /// Whether a segment has loads on the flange of its own.
+    segment_bearings: bool,
 }
 
 /// Chooses among the ratios that a stage may have, in the order of the file: gives the project with the one to go on with.
@@ -285,6 +287,7 @@ impl Project {
             }),
             axis: axis?,
             actuator,
+            segment_bearings: root.tables("motion").iter().any(|section| section.table("bearing").is_some()),
             root: root.clone(),
             tolerances,
         };

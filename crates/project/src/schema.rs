@@ -75,6 +75,9 @@ fn one_mechanism(map: &mut Map<String, Value>) {
     }
 }
 
+/// Of these keys exactly one stands in a table that may have both.
+const ONE_OF_TWO: [[&str; 2]; 2] = [["body", "bodies"], ["mass", "density"]];
+
 fn table(keys: &[Key], text: Words<'_>) -> Value {
     let mut properties = Map::new();
     for key in keys {
@@ -89,7 +92,16 @@ fn table(keys: &[Key], text: Words<'_>) -> Value {
         properties.insert(key.name.to_owned(), schema);
     }
     let required: Vec<&str> = keys.iter().filter(|key| key.required).map(|key| key.name).collect();
-    json!({ "type": "object", "properties": properties, "required": required, "additionalProperties": false })
+    let mut whole =
+        json!({ "type": "object", "properties": properties, "required": required, "additionalProperties": false });
+    let has = |name: &str| keys.iter().any(|key| key.name == name && !key.required);
+    for pair in ONE_OF_TWO.iter().filter(|pair| pair.iter().all(|name| has(name))) {
+        let either: Vec<Value> = pair.iter().map(|name| json!({ "required": [name] })).collect();
+        if let Value::Object(map) = &mut whole {
+            map.insert("oneOf".into(), json!(either));
+        }
+    }
+    whole
 }
 
 fn kind(key: &Key, text: Words<'_>) -> Value {

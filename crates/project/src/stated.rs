@@ -44,7 +44,7 @@ impl Project {
                 self.load().map_or_else(|| joined(&root.path, role), |(_, load)| joined(&load.path, "friction_torque"))
             }
             "stage.ratio" if !self.ratios.is_empty() => joined(&root.path, "stage.ratios"),
-            _ => match role.strip_prefix("bearing.") {
+            _ => match role.strip_prefix("bearing.").filter(|_| self.segment_bearings) {
                 Some(name) => self.bearing_keys(name, si),
                 None if root.path.is_empty() => return None,
                 None => joined(&root.path, role),
@@ -129,16 +129,11 @@ impl Project {
         travel.into_iter().chain(ratio).collect()
     }
 
-    /// What the moment of inertia of the load follows from.
+    /// What the moment of inertia of the load follows from; with a payload the engine cites its model of mechanisms.
     fn inertia_keys(&self) -> String {
         let Some((_, load)) = self.load() else { return joined(&self.root.path, "load.inertia") };
         let names = ["inertia", "bodies", "body"].into_iter().filter(|name| load.get(name).is_some());
-        let own = names.map(|name| joined(&load.path, name));
-        let carried = self.root.tables("motion").iter().flat_map(|section| {
-            let names = ["payload", "payload_inertia"].into_iter().filter(|name| section.get(name).is_some());
-            names.map(|name| joined(&section.path, name))
-        });
-        listed(own.chain(carried))
+        listed(names.map(|name| joined(&load.path, name)))
     }
 
     /// Where a load on the flange is stated: under `[bearing]`, or by the segments that have it so.
@@ -159,6 +154,13 @@ impl Project {
     }
 }
 
+/// More keys than these are not named.
+const LISTED_MOST: usize = 8;
+
 fn listed(keys: impl Iterator<Item = String>) -> String {
-    keys.collect::<Vec<_>>().join(", ")
+    let mut keys: Vec<String> = keys.take(LISTED_MOST + 1).collect();
+    if let Some(last) = keys.get_mut(LISTED_MOST) {
+        "…".clone_into(last);
+    }
+    keys.join(", ")
 }
