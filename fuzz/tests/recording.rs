@@ -3,7 +3,8 @@
 use fuzz::{any_edits, any_text, explore, mutate};
 use std::cell::Cell;
 use std::io::Read;
-use workbench::{Files, Language, Project, explain, json, size};
+use workbench::text::told;
+use workbench::{Files, Language, explain, json, size};
 
 const PROJECT: &str = "format = 1\n[load]\ninertia = \"0.5 kg m^2\"\nfriction_torque = \"1 N m\"\n[[motion]]\n\
                        law = \"recorded\"\nfile = \"run.csv\"\nstandstill = \"0.01 1/min\"\n\
@@ -32,7 +33,7 @@ impl Files for Only<'_> {
 }
 
 fn hold(project: &str, file: &[u8]) -> bool {
-    let read = [Language::En, Language::De].map(|language| match Project::read_all(project, &Only(file), language) {
+    let read = [Language::En, Language::De].map(|language| match workbench::read_all(project, &Only(file)) {
         Ok(projects) => {
             for project in &projects {
                 let sizing = size(project);
@@ -52,6 +53,7 @@ fn hold(project: &str, file: &[u8]) -> bool {
             true
         }
         Err(faults) => {
+            let faults = told(&faults, language);
             assert!(!faults.is_empty() && faults.iter().all(|fault| !fault.message.is_empty()));
             false
         }

@@ -37,7 +37,6 @@ pub struct BatteryLife {
 
 /// Why the model gives no answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum BatteryFault {
     /// A day has 0 h to 24 h of operation.
     OperationOutOfRange {

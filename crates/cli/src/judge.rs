@@ -16,8 +16,8 @@ use std::path::PathBuf;
 use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
 use workbench::quantities::{Measure, format_number, format_significant};
 use workbench::text::{
-    check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, ratios_text, source_text,
-    standing_text, unmet_text, verdict_word,
+    check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, ratios_text, requirement_title,
+    source_text, standing_text, unmet_text, verdict_word,
 };
 use workbench::{
     Assessment, Candidate, CandidateId, Check, Demand, Language, Objection, Project, Reserve, Sizing, Verdict, answer,
@@ -218,9 +218,11 @@ fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: La
     }
     let mut counts: Vec<(String, usize)> = Vec::new();
     for candidate in &rejected {
-        let what = candidate
-            .worst_failure()
-            .map_or_else(|| t(language, "requirement", "Anforderung"), |check| check_title(check.id, language));
+        let what = match (candidate.worst_failure(), candidate.objections.first()) {
+            (Some(check), _) => check_title(check.id, language),
+            (None, Some(Objection::Unmet(unmet))) => requirement_title(unmet, language),
+            (None, _) => t(language, "ordering rule", "Bestellregel"),
+        };
         match counts.iter_mut().find(|(name, _)| *name == what) {
             Some((_, count)) => *count += 1,
             None => counts.push((what, 1)),

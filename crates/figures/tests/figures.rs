@@ -27,8 +27,7 @@ fn examples() -> Vec<Project> {
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     paths.sort();
     assert!(paths.len() >= 10);
-    let read =
-        |path: &PathBuf| Project::read_all(&std::fs::read_to_string(path).unwrap(), &Beside, Language::En).unwrap();
+    let read = |path: &PathBuf| workbench::read_all(&std::fs::read_to_string(path).unwrap(), &Beside).unwrap();
     paths.iter().flat_map(read).collect()
 }
 
@@ -46,7 +45,7 @@ fn picture(drawing: &Drawing, language: Language) -> Picture {
 
 fn example(name: &str) -> Project {
     let text = std::fs::read_to_string(folder().join(name)).unwrap();
-    Project::read_all(&text, &Beside, Language::En).unwrap().swap_remove(0)
+    workbench::read_all(&text, &Beside).unwrap().swap_remove(0)
 }
 
 /// The points of the markers of a class.

@@ -9,7 +9,7 @@ use std::io::{Cursor, Read};
 use std::path::PathBuf;
 use tables::{Cell, Front, Kind, NAMES, Subject, Table, csv, json, parquet as to_parquet, xlsx};
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use workbench::{Candidate, Files, Language, Project};
+use workbench::{Candidate, Files, Language};
 
 struct Beside(PathBuf);
 
@@ -32,7 +32,7 @@ fn each(language: Language, top: usize, look: &mut dyn FnMut(&str, &[Table], &Fr
     for path in files {
         let text = std::fs::read_to_string(&path).unwrap();
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        let projects = Project::read_all(&text, &Beside(folder.clone()), language).unwrap();
+        let projects = workbench::read_all(&text, &Beside(folder.clone())).unwrap();
         for (axis, project) in projects.iter().enumerate() {
             let sizing = workbench::size(project);
             let chosen: Candidate<'_> = match &sizing.own {

@@ -1,10 +1,10 @@
 //! Single chapters answered alone: torque-speed curves, output bearing, battery.
 
-use crate::project::Project;
-use crate::sizing_use::{Candidate, catalogue_actuators, check};
-use crate::text::Speak;
+use crate::sizing_use::{Candidate, check};
 use actuator::{BatteryLife, PerformanceCurve};
+use configurator::catalogue_actuators;
 use order_code::{OrderCode, Size};
+use project::Project;
 use provenance::Missing;
 use quantities::{ElectricPotential, Language, Measure, Time, parse_as};
 use sizing::{Check, CheckId};
@@ -30,7 +30,7 @@ pub fn read_quantity<Q: Measure>(text: &str, language: Language) -> Result<Q, (S
 /// # Errors
 /// What is out of range.
 pub fn battery(operation_per_day: Time, storage: Time, language: Language) -> Result<BatteryLife, String> {
-    actuator::battery_life(operation_per_day, storage).map_err(|fault| language.battery_fault(&fault))
+    actuator::battery_life(operation_per_day, storage).map_err(|fault| words::battery_fault(&fault, language))
 }
 
 /// The checks of the output bearing for one code.

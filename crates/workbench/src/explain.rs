@@ -1,11 +1,11 @@
 //! The derivation of a check as a tree: formula, figures put in, value, source and grade of everything.
 
-use crate::text::{evidence_text, found_text, grade_word, source_text, step_term, symbol_shown, symbol_term};
 use answers::{CitedErratum, Derivation, Id, Node, Number};
 use provenance::{Grade, Source};
 use quantities::{Language, Unit, format_significant};
 use sizing::Check;
 use sizing::derivation::{Formula, How, Part, Step};
+use words::{evidence_text, found_text, grade_word, source_text, step_term, symbol_shown, symbol_term};
 
 /// Digits of the figures in a derivation: as many as a pocket calculator needs to come to the same answer.
 const DIGITS: usize = 6;

@@ -27,7 +27,7 @@ fn projects() -> Vec<Project> {
     let mut found = Vec::new();
     for path in names.iter().filter(|path| path.extension().is_some_and(|kind| kind == "toml")) {
         let text = std::fs::read_to_string(path).unwrap();
-        found.extend(Project::read_all(&text, &Beside, Language::En).unwrap());
+        found.extend(workbench::read_all(&text, &Beside).unwrap());
     }
     let asked = std::fs::read_to_string(examples().join("tilting-arm.toml")).unwrap();
     let (head, _) = asked.split_once("[requirements]").unwrap();
@@ -40,7 +40,7 @@ fn projects() -> Vec<Project> {
          emergency_stops = 20\nholding_safety = 1.5\nregeneration_power_max = \"50 W\"\ndc_link_rise = \"60 V\"\n\
          special_application = \"medical\"\n"
     );
-    found.push(Project::read(&everything, Language::En).unwrap());
+    found.push(workbench::read(&everything).unwrap());
     // The brake holds often and over a long life, the link rises above its limit, nothing is carried.
     let often = "format = 1\n[mechanism.arm]\ninertia = \"1 kg m^2\"\nmass = \"10 kg\"\ncentre_distance = \"0.1 m\"\n\
         axis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\n\
@@ -48,10 +48,10 @@ fn projects() -> Vec<Project> {
         [[motion]]\nlaw = \"dwell\"\ntime = \"50 ms\"\nhold = \"brake\"\n\
         [requirements]\nbrake = true\nsupply = \"560 V\"\ndc_link_rise = \"200 V\"\nservice_life = \"90000 h\"\n\
         collision_torque = \"900 N m\"\n";
-    found.push(Project::read(often, Language::En).unwrap());
+    found.push(workbench::read(often).unwrap());
     let idle = "format = 1\n[load]\ninertia = \"1 kg m^2\"\n\
         [[motion]]\nlaw = \"constant\"\nspeed = \"10 1/min\"\ntime = \"1 s\"\n";
-    found.push(Project::read(idle, Language::En).unwrap());
+    found.push(workbench::read(idle).unwrap());
     found
 }
 

@@ -1,16 +1,14 @@
 //! The project as it was written, in the words of a language, and the mechanism that it describes.
 
 use super::chapters::inertia;
-use crate::inertia::{BODY_SHAPES, toleranced};
-use crate::moves::SegmentLaw;
-use crate::project::{Input, Project, input_label};
-use crate::text::law_text;
 use answers::{InputTable, Mechanism, MechanismKind, Number};
 use mechanism::{Kind, LinearKind};
 use motion::Law;
+use project::{BODY_SHAPES, Input, Project, SegmentLaw, input_label};
 use quantities::unit::{DEGREE, MILLIMETRE};
 use quantities::{Language, Measure, Unit, format_significant};
 use std::f64::consts::TAU;
+use words::{law_text, schema_text, shape_title};
 
 /// The values of one axis of a project file, with the keys as if it stood alone.
 pub(super) fn inputs_of_axis(text: &str, place: usize) -> Vec<Input> {
@@ -60,7 +58,8 @@ fn value(input: &Input, name: &str, language: Language) -> answers::Input {
     };
     let half = input.half_width.zip(input.amount);
     // What follows the semicolon is for whoever writes the file.
-    let label = input_label(&input.path, language).and_then(|label| label.split(';').next()).unwrap_or_default();
+    let label = label(&input.path, language).unwrap_or_default();
+    let label = label.split(';').next().unwrap_or_default();
     answers::Input {
         name: name.to_owned(),
         label: label.to_owned(),
@@ -70,6 +69,11 @@ fn value(input: &Input, name: &str, language: Language) -> answers::Input {
             |(value, unit)| with_unit(&format!("{value}"), unit.symbol, language),
         ),
     }
+}
+
+/// What a key is for.
+fn label(path: &str, language: Language) -> Option<String> {
+    input_label(path).map(|text| schema_text(text, language))
 }
 
 /// The unit of a difference: temperatures differ by kelvins.
@@ -163,7 +167,11 @@ const BODY_KEYS: [(&str, &str, &str); 13] = [
 fn body(text: &str, language: Language) -> String {
     let de = language == Language::De;
     let parts = text.split_whitespace().map(|part| match part.split_once('=') {
-        None => BODY_SHAPES.iter().find(|shape| shape.name == part).map_or(part, |shape| shape.title(language)).into(),
+        None => BODY_SHAPES
+            .iter()
+            .find(|shape| shape.name == part)
+            .map_or(part, |shape| shape_title(shape, language))
+            .into(),
         Some((key, value)) => {
             let known = BODY_KEYS.iter().find(|(name, ..)| *name == key);
             let key = known.map_or(key, |(_, in_english, in_german)| if de { in_german } else { in_english });
@@ -202,7 +210,7 @@ fn table_title(table: &str, language: Language) -> String {
         let number = part.split_once('[').map_or("", |(_, rest)| rest.trim_end_matches(']'));
         let words = title(part).map(|(en, de)| if language == Language::De { de } else { en }.to_owned());
         let words = words.or_else(|| {
-            let label = input_label(&format!("mechanism.{part}"), language)?;
+            let label = label(&format!("mechanism.{part}"), language)?;
             let mut signs = label.chars();
             Some(signs.next()?.to_uppercase().chain(signs).collect())
         });
@@ -213,7 +221,7 @@ fn table_title(table: &str, language: Language) -> String {
 }
 
 /// What hangs on the flange.
-pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language) -> Mechanism {
+pub(super) fn mechanism(project: &Project, inputs: &[Input]) -> Mechanism {
     let load = &project.axis.mechanism;
     let inside = |table: &str| inputs.iter().any(|input| input.path.starts_with(table));
     let kind = match &load.kind {
@@ -233,17 +241,11 @@ pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language)
         Kind::Linear(linear) => Some(Number::in_unit(linear.inclination.si(), &DEGREE)),
         _ => None,
     };
-    let bodies: Vec<&str> = inputs
-        .iter()
-        .filter(|input| input.path.starts_with("mechanism.turntable.bodies["))
-        .map(|input| input.written.as_str())
-        .collect();
-    let answer = (!bodies.is_empty()).then(|| toleranced(&bodies.join("\n"), language).ok()).flatten();
     Mechanism {
         kind,
         inclination_deg: inclination,
         travel_mm_per_rev: load.travel_m_per_rad().map(|travel| Number::in_unit(travel * TAU, &MILLIMETRE)),
-        bodies: answer.map(|(answer, _)| inertia(&answer)),
+        bodies: project.bodies().map(|answer| inertia(&answer)),
     }
 }
 
