@@ -127,7 +127,7 @@ fn total_inertia(axis: &Axis, actuator: &Parameters) -> Result<MomentOfInertia, 
     // The lightest load moves most while the brake closes.
     // Of a joint only the largest inertia is stated.
     let joint = matches!(axis.mechanism.kind, mechanism::Kind::Joint(_));
-    let least = MomentOfInertia::from_si(if joint { 0.0 } else { axis.trace.inertia.1 });
+    let least = if joint { MomentOfInertia::from_si(0.0) } else { axis.trace.inertia().1 };
     Ok(actuator.inertia_out.require("J_out")?.value + least)
 }
 

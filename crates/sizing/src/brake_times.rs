@@ -4,6 +4,7 @@ use crate::axis::Axis;
 use actuator::{BRAKE_CLOSING_TIME, BRAKE_OPENING_TIME};
 use motion::{Hold, Motion};
 use quantities::{Measure, Ratio, Time};
+use trace::Carried;
 
 /// Times at the beginning and at the end of a dwell in which the motor holds the load though the brake is to do so.
 ///
@@ -11,7 +12,7 @@ use quantities::{Measure, Ratio, Time};
 /// than both together. Where the segment before or after is held by the brake too, the brake stays closed between them.
 ///
 /// # Source   docs/theory/brake.md
-pub(crate) fn held_by_the_motor(motion: &Motion, segment: usize) -> (f64, f64) {
+fn held_by_the_motor(motion: &Motion, segment: usize) -> (f64, f64) {
     let stretches = motion.stretches();
     let is_held = |index: usize| stretches.get(index).is_some_and(|stretch| stretch.hold == Hold::Brake);
     let last = stretches.len().saturating_sub(1);
@@ -23,6 +24,23 @@ pub(crate) fn held_by_the_motor(motion: &Motion, segment: usize) -> (f64, f64) {
     let closing = if alone(before) { BRAKE_CLOSING_TIME } else { 0.0 };
     let opening = if alone(after) { BRAKE_OPENING_TIME } else { 0.0 };
     if closing + opening >= duration { (duration, 0.0) } else { (closing, opening) }
+}
+
+/// How the motor carries the load in each segment at rest.
+pub(crate) fn carried(motion: &Motion) -> Vec<Carried> {
+    (0..motion.stretches().len()).map(|segment| carried_in(motion, segment)).collect()
+}
+
+/// How the motor carries the load in a segment at rest: where the brake is to hold, until it has closed and while it opens.
+pub(crate) fn carried_in(motion: &Motion, segment: usize) -> Carried {
+    match motion.stretches().get(segment).map_or(Hold::Motor, |stretch| stretch.hold) {
+        Hold::Motor => Carried::Throughout,
+        Hold::Brake => {
+            let (closing, opening) = held_by_the_motor(motion, segment);
+            Carried::AtItsEnds { first: Time::from_si(closing), last: Time::from_si(opening) }
+        }
+        Hold::Free => Carried::Never,
+    }
 }
 
 /// What the cycle asks of the brake.

@@ -3,7 +3,6 @@
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note, Notes, Verdict};
 use crate::comparison::{Comparison, cite, explained, not_checked};
-use crate::trace::{Convex, Extent, Form, Node, Sought};
 use crate::workings;
 use actuator::{
     AMBIENT_REFERENCE, COLD_START, FrictionAt, HeatModel, LossMeans, Losses, MotorVoltage, NoLoadFriction, Parameters,
@@ -16,6 +15,7 @@ use quantities::unit::{
 };
 use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, ThermodynamicTemperature, Time};
 use std::borrow::Cow;
+use trace::{Convex, Extent, Form, Node, Sought};
 
 /// The gear's temperature where no heat model tells it: the warmest for which friction is printed, 80 °C, in kelvin.
 const WARMEST: f64 = 353.15;
@@ -116,14 +116,14 @@ impl Currents {
     }
 
     fn in_state(&self, node: &Node, friction: &FrictionAt) -> f64 {
-        let torque = self.inertia * node.acceleration + node.load;
+        let torque = self.inertia * node.acceleration_rad_s2 + node.load_nm;
         torque / self.torque_constant
-            + node.direction * (friction.counted.si() + friction.constant.si() * node.speed.abs())
+            + node.direction * (friction.counted.si() + friction.constant.si() * node.speed_rad_s.abs())
     }
 
     /// Of the two states the one with the larger current at an instant.
     fn larger(&self, node: &Node) -> &FrictionAt {
-        let torque = self.inertia * node.acceleration + node.load;
+        let torque = self.inertia * node.acceleration_rad_s2 + node.load_nm;
         // Friction helps while braking: less of it asks for more current.
         let driving = self.in_state(node, &self.cold).abs() >= self.in_state(node, &self.warm).abs();
         if driving || torque == 0.0 { &self.cold } else { &self.warm }
@@ -137,7 +137,7 @@ impl Currents {
     /// Both losses at an instant of the settled cycle, if there is a heat model.
     pub(crate) fn losses(&self, node: &Node) -> Option<Losses> {
         let (model, _) = self.heat().ok()?;
-        let (current, speed) = (self.at(node), node.speed.abs());
+        let (current, speed) = (self.at(node), node.speed_rad_s.abs());
         let friction = node.direction.abs() * self.warm.starting.si() + self.warm.constant.si() * speed;
         Some(Losses {
             copper_w: model.copper_ohm() * current * current,
@@ -161,7 +161,7 @@ impl Currents {
     fn bound(&self, extent: &Extent) -> f64 {
         let constant = self.cold.constant.si().max(self.warm.constant.si());
         let counted = self.cold.counted.si().max(self.warm.counted.si());
-        extent.torque(self.inertia) / self.torque_constant + counted + constant * extent.speed
+        extent.torque(self.inertia) / self.torque_constant + counted + constant * extent.speed_rad_s
     }
 
     /// The workings of the current at an instant in one of the states; the result is `I`.
@@ -184,7 +184,7 @@ impl Currents {
         work.found("I_s", &AMPERE, friction.counted.si(), text, &source, Grade::Estimated);
         let constant = friction.constant.si();
         work.found("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, text, &source, Grade::Estimated);
-        work.found("n", &REVOLUTION_PER_MINUTE, node.speed, "speed at t", &workings::DEMAND, Grade::Computed);
+        work.found("n", &REVOLUTION_PER_MINUTE, node.speed_rad_s, "speed at t", &workings::DEMAND, Grade::Computed);
         work.found("sigma", &ONE, node.direction, "direction at t", &workings::DEMAND, Grade::Computed);
         let text = "T/k_Tout + sigma*(I_s + K*abs(n))";
         work.formula("I", &AMPERE, self.in_state(node, friction), text, &source);
@@ -202,7 +202,7 @@ pub(crate) fn coil_loss(axis: &Axis, actuator: &Parameters) -> Power {
 /// The means of the products of torque current, direction and speed over the cycle.
 fn loss_means(axis: &Axis, torque_current: [f64; 4]) -> LossMeans {
     let duration = axis.moments.duration.si();
-    let gram = &axis.trace.gram;
+    let gram = axis.trace.gram();
     let direction = [0.0, 0.0, 1.0, 0.0];
     let mean = |a, b| gram.product(a, b) / duration;
     LossMeans {
@@ -225,7 +225,7 @@ struct Terminal<'a> {
 impl Terminal<'_> {
     fn at(&self, node: &Node, friction: &FrictionAt) -> f64 {
         let current = ElectricCurrent::from_si(self.currents.in_state(node, friction));
-        self.motor.at(AngularVelocity::from_si(node.speed), current).si()
+        self.motor.at(AngularVelocity::from_si(node.speed_rad_s), current).si()
     }
 
     fn states(&self) -> [&FrictionAt; 2] {
@@ -236,7 +236,7 @@ impl Terminal<'_> {
 impl Sought for Terminal<'_> {
     /// In current and in speed by themselves the voltage is convex: within bounds it is largest at a corner.
     fn bound(&self, extent: &Extent) -> f64 {
-        let ((low, high), (back, forth)) = (self.currents.range(extent), extent.speeds);
+        let ((low, high), (back, forth)) = (self.currents.range(extent), extent.speeds_rad_s);
         let at = |speed: f64, current: f64| {
             self.motor.at(AngularVelocity::from_si(speed), ElectricCurrent::from_si(current)).si()
         };
@@ -252,7 +252,7 @@ impl Sought for Terminal<'_> {
         let bound = |friction: &FrictionAt| {
             let end = |node: &Node| {
                 let current = ElectricCurrent::from_si(self.currents.in_state(node, friction));
-                (AngularVelocity::from_si(node.speed), current)
+                (AngularVelocity::from_si(node.speed_rad_s), current)
             };
             self.motor.bound_on_line([end(a), end(b)]).si()
         };
@@ -303,7 +303,7 @@ impl<'a> Overcurrent<'a> {
 
     /// What is permitted at the speed of an instant \[A\].
     fn permitted(&self, node: &Node, friction: &FrictionAt) -> f64 {
-        self.permitted_at(node.speed, friction)
+        self.permitted_at(node.speed_rad_s, friction)
     }
 
     fn permitted_at(&self, speed: f64, friction: &FrictionAt) -> f64 {
@@ -329,10 +329,10 @@ impl Sought for Overcurrent<'_> {
     /// The current of the largest torque over what is permitted, both straight over |ω| between the corners: largest at one of
     /// them or at the slowest or the fastest instant.
     fn bound(&self, extent: &Extent) -> f64 {
-        let (back, forth) = extent.speeds;
+        let (back, forth) = extent.speeds_rad_s;
         let slowest = back.max(-forth).max(0.0);
-        let within = self.corners.iter().copied().filter(|corner| *corner > slowest && *corner < extent.speed);
-        let speeds = || within.clone().chain([slowest, extent.speed]);
+        let within = self.corners.iter().copied().filter(|corner| *corner > slowest && *corner < extent.speed_rad_s);
+        let speeds = || within.clone().chain([slowest, extent.speed_rad_s]);
         let of = |friction: &&FrictionAt| {
             let [acceleration, load, direction, speed] = self.currents.weights(friction);
             let (low, high) = extent.range([acceleration, load, direction, 0.0]);
@@ -382,7 +382,7 @@ pub(crate) fn voltage(
     let friction = if terminal.at(&at, cold) >= terminal.at(&at, warm) { cold } else { warm };
     currents.explain(&at, friction, actuator, work);
     let current = ElectricCurrent::from_si(currents.in_state(&at, friction));
-    motor.explain(actuator, AngularVelocity::from_si(at.speed), current, work);
+    motor.explain(actuator, AngularVelocity::from_si(at.speed_rad_s), current, work);
     let model = Source::Model { name: "voltage" };
     let limit = supply.si() / std::f64::consts::SQRT_2 * reserve;
     if work.is_on() {
@@ -399,7 +399,7 @@ pub(crate) fn voltage(
         unit: &VOLT,
         value: worst,
         value_source: Source::Model { name: "voltage" },
-        at: Some(Time::from_si(at.time)),
+        at: Some(Time::from_si(at.time_s)),
         limit,
         limit_source: &Source::Project { key: "requirements.supply".into() },
         grade: motor.grade.worst(currents.grade),
@@ -481,7 +481,7 @@ fn current_check(
         unit: &AMPERE,
         value: current,
         value_source: source,
-        at: Some(Time::from_si(node.time)),
+        at: Some(Time::from_si(node.time_s)),
         limit: most,
         limit_source,
         grade: currents.grade.worst(limit.grade),

@@ -6,12 +6,12 @@ use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note};
 use crate::comparison::{Asking, against_asked, not_checked};
 use crate::currents::{Currents, SPEED};
-use crate::trace::{Block, Cell, Extent, Inside, Node, Panel, Sought, Strip};
 use actuator::Parameters;
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{JOULE, SECOND, WATT};
 use quantities::{Energy, Measure, Power};
+use trace::{Block, Cell, Extent, Inside, Node, Panel, Sought, Strip};
 
 /// Power at the motor terminals, winding cold: P = 1.5 R I² + k_TM I ω_mot, friction that of the settled cycle.
 ///
@@ -44,7 +44,7 @@ impl<'a> TerminalPower<'a> {
     /// Current at an instant within a time in which the load drives, or does not \[A\].
     fn current(&self, node: &Node, driven: bool) -> f64 {
         let [inertia, load, direction, speed] = self.weights(if driven { -1.0 } else { 1.0 });
-        inertia * node.acceleration + load * node.load + direction * node.direction + speed * node.speed
+        inertia * node.acceleration_rad_s2 + load * node.load_nm + direction * node.direction + speed * node.speed_rad_s
     }
 
     /// The current as a weighted sum of (α, T_L, σ, ω) where T σ has one sign.
@@ -62,12 +62,12 @@ impl<'a> TerminalPower<'a> {
     /// At an instant within a time in which the load drives, or does not \[W\].
     fn with(&self, node: &Node, driven: bool) -> f64 {
         let current = self.current(node, driven);
-        (self.copper_ohm * current + self.constant_vs * node.speed) * current
+        (self.copper_ohm * current + self.constant_vs * node.speed_rad_s) * current
     }
 
     /// J_out α + T_L \[Nm\]
     fn torque(&self, node: &Node) -> f64 {
-        self.currents.inertia * node.acceleration + node.load
+        self.currents.inertia * node.acceleration_rad_s2 + node.load_nm
     }
 
     /// Its integral over a block in which the load is only driven \[J\].
@@ -80,7 +80,7 @@ impl<'a> TerminalPower<'a> {
     /// since friction counts otherwise there.
     fn gap(&self, a: &Node, b: &Node, take: &mut impl FnMut(&Arc)) {
         let inertia = self.currents.inertia;
-        let [from, to] = [a, b].map(|node| inertia * node.acceleration + node.load);
+        let [from, to] = [a, b].map(|node| inertia * node.acceleration_rad_s2 + node.load_nm);
         if from * to < 0.0 {
             let zero = a.towards(b, from / (from - to));
             self.arc(a, &zero, from, take);
@@ -94,10 +94,10 @@ impl<'a> TerminalPower<'a> {
     fn arc(&self, a: &Node, b: &Node, torque: f64, take: &mut impl FnMut(&Arc)) {
         let braking = torque * a.direction < 0.0;
         let (i0, i1) = (self.current(a, braking), self.current(b, braking));
-        let (w0, dw, di) = (a.speed, b.speed - a.speed, i1 - i0);
+        let (w0, dw, di) = (a.speed_rad_s, b.speed_rad_s - a.speed_rad_s, i1 - i0);
         let (r, k) = (self.copper_ohm, self.constant_vs);
         take(&Arc {
-            duration: b.time - a.time,
+            duration: b.time_s - a.time_s,
             power: [(r * i0 + k * w0) * i0, 2.0 * r * i0 * di + k * (i0 * dw + w0 * di), (r * di + k * dw) * di],
         });
     }
@@ -233,7 +233,7 @@ impl Balance {
     fn panel(&mut self, panel: &Panel<'_>, power: &TerminalPower<'_>) {
         match panel.nodes {
             [a, .., b] if panel.is_straight() => {
-                if b.time > a.time {
+                if b.time_s > a.time_s {
                     power.gap(a, b, &mut |arc| self.take(arc));
                 }
             }
@@ -333,7 +333,7 @@ impl Sought for Returned<'_> {
     /// −P = −R I² − k ω I: the second largest at a corner, the first where |I| is least. While driving nothing comes back.
     fn bound(&self, extent: &Extent) -> f64 {
         let (low, high) = extent.range(self.0.weights(-1.0));
-        let (back, forth) = extent.speeds;
+        let (back, forth) = extent.speeds_rad_s;
         let corners = [back * low, back * high, forth * low, forth * high];
         let least = if low > 0.0 {
             low

@@ -5,7 +5,6 @@ use crate::check::{Check, CheckId, Note};
 use crate::checks::Demands;
 use crate::comparison::{Comparison, Edges, cite, not_checked};
 use crate::currents::{Currents, coil_loss};
-use crate::trace::{Form, Lag};
 use crate::workings;
 use actuator::{AMBIENT_REFERENCE, ContinuousLimit, Gains, Parameters, PublishedDuty, WINDING_TEMPERATURE_CONTINUOUS};
 use derivation::Workings;
@@ -13,6 +12,7 @@ use provenance::{CellRef, Grade, Missing, Source};
 use quantities::unit::{AMPERE, DEGREE_CELSIUS, KELVIN_DIFFERENCE, NEWTON_METRE, ONE, SECOND, WATT};
 use quantities::{Measure, ThermodynamicTemperature};
 use std::borrow::Cow;
+use trace::{Form, Lag};
 
 /// Above this share of the winding's time constant a cycle is no longer short: the winding's temperature swings by
 /// more than a tenth of its rise, so the effective value alone says too little.
@@ -72,7 +72,7 @@ fn temperature_lags(currents: &Currents, gains: Gains) -> Result<[Lag; 2], Missi
     let friction = currents.friction_form(model.friction_v_s_per_rad());
     let [quick, slow] = model.network().time_constants();
     let ([cu_quick, cu_slow], [f_quick, f_slow]) = (gains.copper, gains.friction);
-    let form = |of_copper: f64, of_friction: f64| copper.scale(of_copper).add(&friction.scale(of_friction));
+    let form = |of_copper: f64, of_friction: f64| copper.scale(of_copper).plus(&friction.scale(of_friction));
     Ok([
         Lag { tau_s: quick.si(), form: form(cu_quick, f_quick) },
         Lag { tau_s: slow.si(), form: form(cu_slow, f_slow) },

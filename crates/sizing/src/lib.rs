@@ -28,7 +28,6 @@ mod resonance;
 mod reversal_tests;
 mod stage;
 mod swings;
-mod trace;
 mod workings;
 
 pub use axis::{Asked, Axis, BearingDuty, Moments, OperatingCondition, SpecialApplication, TooManyRevolutions};

@@ -1,8 +1,8 @@
 //! Power over a panel in which the signals are no straight lines: cut where the torque or the power turns its sign.
 
 use super::{Balance, TerminalPower};
-use crate::trace::{Node, Panel};
 use motion::lobatto;
+use trace::{Node, Panel};
 
 /// Nodes of the rule for a part of a panel: exact for the power of signals of the sixth degree.
 const NODES: usize = 8;
@@ -46,7 +46,7 @@ impl<'a, 'p> Walk<'a, 'p> {
 
     fn duration(&self) -> f64 {
         match self.panel.nodes {
-            [first, .., last] => last.time - first.time,
+            [first, .., last] => last.time_s - first.time_s,
             _ => 0.0,
         }
     }
