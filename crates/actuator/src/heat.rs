@@ -3,7 +3,7 @@
 //! One model serves the continuous curve, intermittent duty, the temperature of a cycle and the overload supervision.
 
 use crate::friction::{FrictionAt, NoLoadFriction};
-use crate::motor::copper_resistance;
+use crate::instant::LossLaw;
 use crate::parameters::Parameters;
 use crate::temperature::{Losses, Network};
 use provenance::{Datum, Missing};
@@ -113,9 +113,7 @@ pub struct Settled {
 pub struct HeatModel {
     friction: NoLoadFriction,
     torque_constant: f64,
-    copper_ohm: f64,
-    /// k_TM i: friction loss per friction current and output speed [V/(rad/s)].
-    friction_vs: f64,
+    losses: LossLaw,
     stall_loss_w: f64,
     network: Network,
     band: (f64, f64),
@@ -135,19 +133,21 @@ impl HeatModel {
             Some(motor) => motor,
             None => actuator.stall_current.require("I_0")?,
         };
-        let copper_ohm = copper_ohm(actuator)?;
+        actuator.resistance_ll.require("R_LL")?;
         let factor = heat.stall_loss_factor.require("stall_loss_factor")?.value;
-        let stall_loss_w = factor * copper_ohm * current.value.si() * current.value.si();
         let share = heat.housing_share.require("housing_share")?.value;
-        let total = RISE_PERMITTED / stall_loss_w;
         let winding_time_constant = heat.winding_time_constant.require("tau_w")?.value;
         let tau = [winding_time_constant, heat.housing_time_constant.require("tau_h")?.value];
         let ratio = actuator.ratio.require("i")?.value;
+        let friction = NoLoadFriction::of(actuator)?;
+        let torque_constant = actuator.torque_constant_out.require("k_Tout")?.value.si();
+        let losses = LossLaw::of(actuator, ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_CONTINUOUS))?;
+        let stall_loss_w = factor * losses.copper_ohm() * current.value.si() * current.value.si();
+        let total = RISE_PERMITTED / stall_loss_w;
         Ok(Self {
-            friction: NoLoadFriction::of(actuator)?,
-            torque_constant: actuator.torque_constant_out.require("k_Tout")?.value.si(),
-            copper_ohm,
-            friction_vs: actuator.torque_constant_motor.require("k_TM")?.value.si() * ratio,
+            friction,
+            torque_constant,
+            losses,
             stall_loss_w,
             network: Network::new([(1.0 - share) * total, share * total], tau),
             band: heat.loss_band.require("loss_band")?.value,
@@ -180,16 +180,10 @@ impl HeatModel {
         self.winding_time_constant
     }
 
-    /// 1.5 R: copper loss per square of the current \[Ω\].
+    /// The losses of an instant, the winding at the temperature of continuous duty.
     #[must_use]
-    pub const fn copper_ohm(&self) -> f64 {
-        self.copper_ohm
-    }
-
-    /// k_TM i: friction loss per friction current and output speed [V/(rad/s)].
-    #[must_use]
-    pub const fn friction_v_s_per_rad(&self) -> f64 {
-        self.friction_vs
+    pub const fn losses(&self) -> &LossLaw {
+        &self.losses
     }
 
     /// Edges of the band of the permitted loss at a mean speed, as multiples of it.
@@ -203,7 +197,7 @@ impl HeatModel {
     }
 
     /// Both losses for a friction, as means over a cycle.
-    fn losses(&self, means: &LossMeans, starting: f64, constant: f64) -> Losses {
+    fn mean_losses(&self, means: &LossMeans, starting: f64, constant: f64) -> Losses {
         let counted = self.friction.counted(starting);
         let square = means.torque_current_square
             + counted * counted * means.moving
@@ -212,7 +206,8 @@ impl HeatModel {
             + 2.0 * constant * means.torque_current_speed
             + 2.0 * counted * constant * means.speed_magnitude;
         let friction = starting * means.speed_magnitude + constant * means.speed_square;
-        Losses { copper_w: self.copper_ohm * square.max(0.0), friction_w: self.friction_vs * friction }
+        let law = &self.losses;
+        Losses { copper_w: law.copper_ohm() * square.max(0.0), friction_w: law.friction_v_s_per_rad() * friction }
     }
 
     /// The temperature of the housing that a cycle settles to, and the friction and losses that go with it.
@@ -226,17 +221,17 @@ impl HeatModel {
     pub fn settle(&self, means: &LossMeans, further: Power, ambient: ThermodynamicTemperature) -> Settled {
         let [_, r_ha] = self.network.resistances_k_per_w();
         let housing = self.balance(ambient.si(), |starting, constant, slope| {
-            let losses = self.losses(means, starting, constant);
+            let losses = self.mean_losses(means, starting, constant);
             let counted = self.friction.counted(starting);
             let by_constant = 2.0
-                * self.copper_ohm
+                * self.losses.copper_ohm()
                 * (means.torque_current_speed + counted * means.speed_magnitude + constant * means.speed_square)
-                + self.friction_vs * means.speed_square;
+                + self.losses.friction_v_s_per_rad() * means.speed_square;
             let rise = r_ha * (losses.copper_w + losses.friction_w + further.si());
             (rise, -slope * by_constant * r_ha)
         });
         let (starting, constant, _) = self.friction.state(housing);
-        let losses = self.losses(means, starting, constant);
+        let losses = self.mean_losses(means, starting, constant);
         let housing = ThermodynamicTemperature::from_si(housing);
         Settled {
             housing,
@@ -287,20 +282,21 @@ impl HeatModel {
         let [_, r_ha] = self.network.resistances_k_per_w();
         let (a, b) = self.network.intermittent(duty, cycle);
         let permitted = edge * RISE_PERMITTED;
-        let friction_loss = |starting: f64, constant: f64| self.friction_vs * (starting + constant * n) * n;
+        let friction_loss =
+            |starting: f64, constant: f64| self.losses.friction_v_s_per_rad() * (starting + constant * n) * n;
         let copper = |friction: f64| ((permitted - b * friction) / a).max(0.0);
         let housing = self.balance(AMBIENT_REFERENCE, |starting, constant, slope| {
             let friction = friction_loss(starting, constant);
             let copper_w = copper(friction);
             let by_friction = if copper_w > 0.0 { 1.0 - b / a } else { 1.0 };
             let rise = r_ha * duty * (copper_w + friction);
-            (rise, -slope * self.friction_vs * n * n * by_friction * r_ha * duty)
+            (rise, -slope * self.losses.friction_v_s_per_rad() * n * n * by_friction * r_ha * duty)
         });
         let (starting, constant, _) = self.friction.state(housing);
         let friction_w = friction_loss(starting, constant);
         let copper_w = copper(friction_w);
         let counted = self.friction.counted(starting);
-        let current = (copper_w / self.copper_ohm).sqrt() - counted - constant * n;
+        let current = (copper_w / self.losses.copper_ohm()).sqrt() - counted - constant * n;
         let housing = ThermodynamicTemperature::from_si(housing);
         let settled = Settled { housing, friction: self.friction.at(housing), losses: Losses { copper_w, friction_w } };
         (Torque::from_si((self.torque_constant * current).max(0.0)), settled)
@@ -326,16 +322,6 @@ impl HeatModel {
     pub fn current(&self, torque: Torque, speed: AngularVelocity, friction: &FrictionAt) -> ElectricCurrent {
         ElectricCurrent::from_si(torque.si() / self.torque_constant + friction.current(speed).si())
     }
-}
-
-/// 1.5 R_LL at 80 °C: copper loss of a star winding per square of the current \[Ω\].
-///
-/// # Errors
-/// [`Missing`] if R_LL is not known.
-pub fn copper_ohm(actuator: &Parameters) -> Result<f64, Missing> {
-    let resistance = actuator.resistance_ll.require("R_LL")?.value;
-    let hot = ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_CONTINUOUS);
-    Ok(1.5 * copper_resistance(resistance, hot).si())
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ mod feedback;
 mod friction;
 mod gear;
 mod heat;
+mod instant;
 mod motor;
 mod output_bearing;
 mod overload;
@@ -35,7 +36,8 @@ pub use gear::{
     Gear, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, natural_frequency_free, resonance_speed,
     wave_generator_life, wave_generator_life_l50, wave_generator_life_with,
 };
-pub use heat::{AMBIENT_REFERENCE, Heat, HeatModel, LossMeans, Settled, WINDING_TEMPERATURE_CONTINUOUS, copper_ohm};
+pub use heat::{AMBIENT_REFERENCE, Heat, HeatModel, LossMeans, Settled, WINDING_TEMPERATURE_CONTINUOUS};
+pub use instant::{Instant, LossLaw, MotorCurrent, TerminalPower};
 pub use motor::{
     ContinuousLimit, continuous_torque, continuous_torque_with, copper_resistance, driven_share,
     estimated_continuous_torque, explain_friction, explain_stall_loss, speed_max, speed_max_with, speed_rated_out,
@@ -45,11 +47,11 @@ pub use output_bearing::{
     BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, dynamic_load_factors, mean_load,
     static_safety, tilt_angle, tilting_moment,
 };
-pub use overload::overload_course;
+pub use overload::{overload_course, overload_slope};
 pub use parameters::Parameters;
 pub use plane::{
     CurveKind, PerformanceCurve, intermittent_torque, performance_curves, short_time_torque, short_time_torque_with,
 };
 pub use screw_joint::{ScrewJoint, joint_friction_force, joint_utilisation};
-pub use temperature::{Gains, Losses, Network, Temperatures};
+pub use temperature::{Gains, HeatFlows, Losses, Network, Temperatures};
 pub use voltage::MotorVoltage;

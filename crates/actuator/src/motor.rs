@@ -233,7 +233,7 @@ fn explain_continuous(
     work.formula("I_f", &AMPERE, friction, text, &source);
     let text = "(I_NLS + K*abs(n))*k_TM*i*abs(n)*2*pi/60";
     work.formula("P_f", &WATT, settled.losses.friction_w, text, &source);
-    let current = (settled.losses.copper_w / model.copper_ohm()).sqrt();
+    let current = (settled.losses.copper_w / model.losses().copper_ohm()).sqrt();
     work.estimate("I_th", &AMPERE, current, "sqrt(max(b*P_0 - w*P_f, 0)/(1.5*R_hot))", &source);
 }
 

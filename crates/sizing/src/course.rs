@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::brake_times::carried_in;
 use crate::currents::Currents;
-use crate::energy::TerminalPower;
+use crate::energy::CyclePower;
 use actuator::{AMBIENT_REFERENCE, Losses, Parameters};
 use mechanism::{Extra, Output};
 use quantities::{Measure, Ratio, ThermodynamicTemperature, Time, Torque};
@@ -54,7 +54,7 @@ impl Course {
     pub fn of(axis: &Axis, actuator: &Parameters) -> Self {
         let inertia = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
         let currents = Currents::of(axis, actuator);
-        let power = TerminalPower::of(actuator, currents.as_ref());
+        let power = CyclePower::of(actuator, currents.as_ref());
         let mut samples = Vec::new();
         let mut losses = Vec::new();
         instants(axis, &mut |position_rad, node| {

@@ -5,8 +5,8 @@ use crate::check::{Check, CheckId, Note, Notes, Verdict};
 use crate::comparison::{Comparison, cite, explained, not_checked};
 use crate::workings;
 use actuator::{
-    AMBIENT_REFERENCE, COLD_START, FrictionAt, HeatModel, LossMeans, Losses, MotorVoltage, NoLoadFriction, Parameters,
-    Settled,
+    AMBIENT_REFERENCE, COLD_START, FrictionAt, HeatModel, Instant, LossMeans, Losses, MotorCurrent, MotorVoltage,
+    NoLoadFriction, Parameters, Settled,
 };
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
@@ -29,7 +29,7 @@ pub(crate) const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 /// I = T/k_Tout + σ (I_s + K |n|), a weighted sum of (α, T_L, σ, ω) in either state
 pub(crate) struct Currents {
     pub(crate) inertia: f64,
-    torque_constant: f64,
+    motor: MotorCurrent,
     /// Friction at the ambient temperature.
     cold: FrictionAt,
     /// Friction in the settled cycle.
@@ -46,6 +46,7 @@ impl Currents {
     pub(crate) fn of(axis: &Axis, actuator: &Parameters) -> Result<Self, Missing> {
         let inertia = actuator.inertia_out.require("J_out")?;
         let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
+        let motor = MotorCurrent::of(actuator)?;
         let law = NoLoadFriction::of(actuator)?;
         let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
         // The temperature stated is that of the hottest day; a gear starts no warmer than the print has it.
@@ -63,7 +64,7 @@ impl Currents {
         };
         Ok(Self {
             inertia: own,
-            torque_constant: constant,
+            motor,
             cold: law.at(cold),
             warm,
             cold_band: law.cold_band(cold),
@@ -101,13 +102,21 @@ impl Currents {
 
     /// The current as a weighted sum of (α, T_L, σ, ω) for a friction.
     fn weights(&self, friction: &FrictionAt) -> [f64; 4] {
-        let per_torque = 1.0 / self.torque_constant;
-        [self.inertia * per_torque, per_torque, friction.counted.si(), friction.constant.si()]
+        self.motor.weights(self.inertia, friction)
     }
 
     /// The current in the settled cycle as a weighted sum of (α, T_L, σ, ω).
     pub(crate) fn settled_weights(&self) -> [f64; 4] {
         self.weights(&self.warm)
+    }
+
+    /// The output at an instant, with the torque of the own inertia.
+    pub(crate) fn instant(&self, node: &Node) -> Instant {
+        Instant {
+            torque_nm: self.inertia * node.acceleration_rad_s2 + node.load_nm,
+            speed_rad_s: node.speed_rad_s,
+            direction: node.direction,
+        }
     }
 
     /// The current in the settled cycle at an instant \[A\].
@@ -116,14 +125,12 @@ impl Currents {
     }
 
     fn in_state(&self, node: &Node, friction: &FrictionAt) -> f64 {
-        let torque = self.inertia * node.acceleration_rad_s2 + node.load_nm;
-        torque / self.torque_constant
-            + node.direction * (friction.counted.si() + friction.constant.si() * node.speed_rad_s.abs())
+        self.motor.at(&self.instant(node), friction)
     }
 
     /// Of the two states the one with the larger current at an instant.
     fn larger(&self, node: &Node) -> &FrictionAt {
-        let torque = self.inertia * node.acceleration_rad_s2 + node.load_nm;
+        let torque = self.instant(node).torque_nm;
         // Friction helps while braking: less of it asks for more current.
         let driving = self.in_state(node, &self.cold).abs() >= self.in_state(node, &self.warm).abs();
         if driving || torque == 0.0 { &self.cold } else { &self.warm }
@@ -137,12 +144,7 @@ impl Currents {
     /// Both losses at an instant of the settled cycle, if there is a heat model.
     pub(crate) fn losses(&self, node: &Node) -> Option<Losses> {
         let (model, _) = self.heat().ok()?;
-        let (current, speed) = (self.at(node), node.speed_rad_s.abs());
-        let friction = node.direction.abs() * self.warm.starting.si() + self.warm.constant.si() * speed;
-        Some(Losses {
-            copper_w: model.copper_ohm() * current * current,
-            friction_w: model.friction_v_s_per_rad() * friction * speed,
-        })
+        Some(model.losses().at(&self.instant(node), self.at(node), &self.warm))
     }
 
     /// Friction loss as a form, for a voltage per friction current and output speed: k i (I_NLS σ + K ω) ω.
@@ -161,7 +163,7 @@ impl Currents {
     fn bound(&self, extent: &Extent) -> f64 {
         let constant = self.cold.constant.si().max(self.warm.constant.si());
         let counted = self.cold.counted.si().max(self.warm.counted.si());
-        extent.torque(self.inertia) / self.torque_constant + counted + constant * extent.speed_rad_s
+        self.motor.of_torque(extent.torque(self.inertia)) + counted + constant * extent.speed_rad_s
     }
 
     /// The workings of the current at an instant in one of the states; the result is `I`.
@@ -290,7 +292,7 @@ impl<'a> Overcurrent<'a> {
             // Where the curve's current falls below the printed limit.
             for friction in states {
                 let [from, to] =
-                    [a, b].map(|p| p.torque.si() / currents.torque_constant + friction.current(p.speed).si() - printed);
+                    [a, b].map(|p| currents.motor.of_torque(p.torque.si()) + friction.current(p.speed).si() - printed);
                 if from * to < 0.0 {
                     corners.push(a.speed.si() + from / (from - to) * (b.speed.si() - a.speed.si()));
                 }
@@ -309,7 +311,7 @@ impl<'a> Overcurrent<'a> {
     fn permitted_at(&self, speed: f64, friction: &FrictionAt) -> f64 {
         let Some(curve) = self.curve else { return self.printed };
         let speed = AngularVelocity::from_si(speed);
-        self.printed.max(curve.at(speed).si() / self.currents.torque_constant + friction.current(speed).si())
+        self.printed.max(self.currents.motor.of_torque(curve.at(speed).si()) + friction.current(speed).si())
     }
 
     /// Of the states the one that asks for more at an instant.

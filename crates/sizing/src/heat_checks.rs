@@ -68,8 +68,8 @@ fn published(axis: &Axis, actuator: &Parameters, currents: &Currents) -> Option<
 /// The two lags whose sum is a temperature above that of the air: each mode has its share of both losses.
 fn temperature_lags(currents: &Currents, gains: Gains) -> Result<[Lag; 2], Missing> {
     let (model, _) = currents.heat()?;
-    let copper = Form::square(currents.settled_weights()).scale(model.copper_ohm());
-    let friction = currents.friction_form(model.friction_v_s_per_rad());
+    let copper = Form::square(currents.settled_weights()).scale(model.losses().copper_ohm());
+    let friction = currents.friction_form(model.losses().friction_v_s_per_rad());
     let [quick, slow] = model.network().time_constants();
     let ([cu_quick, cu_slow], [f_quick, f_slow]) = (gains.copper, gains.friction);
     let form = |of_copper: f64, of_friction: f64| copper.scale(of_copper).plus(&friction.scale(of_friction));
@@ -194,7 +194,7 @@ pub(crate) fn overload(
     };
     let low = filtered(limit.value).max(1.0).max(permitted.map_or(1.0, |published| published.overload));
     let (_, band) = model.band(axis.moments.speed_mean());
-    let by_heat = band * model.stall_loss().si() / (model.copper_ohm() * stalled);
+    let by_heat = band * model.stall_loss().si() / (model.losses().copper_ohm() * stalled);
     let high = if limit.grade == Grade::Estimated { low.max(filtered(*upper)).max(by_heat) } else { low };
     let source = Source::Model { name: "overload" };
     work.given("I_0", &AMPERE, stall);

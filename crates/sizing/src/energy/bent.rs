@@ -1,6 +1,6 @@
 //! Power over a panel in which the signals are no straight lines: cut where the torque or the power turns its sign.
 
-use super::{Balance, TerminalPower};
+use super::{Balance, CyclePower};
 use motion::lobatto;
 use trace::{Node, Panel};
 
@@ -13,7 +13,7 @@ const CLOSE: f64 = 1e-8;
 /// A way through one panel.
 pub(super) struct Walk<'a, 'p> {
     panel: &'a Panel<'p>,
-    power: &'a TerminalPower<'a>,
+    power: &'a CyclePower<'a>,
     balance: &'a mut Balance,
     /// Where the part with one sign of torque and power began.
     from: f64,
@@ -22,7 +22,7 @@ pub(super) struct Walk<'a, 'p> {
 }
 
 impl<'a, 'p> Walk<'a, 'p> {
-    pub(super) fn through(panel: &'a Panel<'p>, power: &'a TerminalPower<'a>, balance: &'a mut Balance) {
+    pub(super) fn through(panel: &'a Panel<'p>, power: &'a CyclePower<'a>, balance: &'a mut Balance) {
         let driven = |node: &Node| power.torque(node) * node.direction < 0.0;
         let rule = lobatto(panel.nodes.len());
         let mut walk = Walk { panel, power, balance, from: 0.0, driven: panel.nodes.first().is_some_and(driven) };
