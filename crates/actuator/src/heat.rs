@@ -9,18 +9,6 @@ use crate::temperature::{Losses, Network};
 use provenance::{Datum, Missing};
 use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, ThermodynamicTemperature, Time, Torque};
 
-/// Winding temperature of continuous duty: the warning threshold of table 62.3, 80 °C, in kelvin.
-pub const WINDING_TEMPERATURE_CONTINUOUS: f64 = 353.15;
-
-/// The ambient temperature up to which the printed data hold, 40 °C, in kelvin: assumed where none is stated.
-pub const AMBIENT_REFERENCE: f64 = 313.15;
-
-/// Rise of the winding in continuous duty, 40 K: from the reference ambient to the warning threshold. The maker gives the
-/// same rise as a guide for mounts other than the plate.
-///
-/// # Source   cha-manual table 62.3 and section 6.1; hma-manual
-const RISE_PERMITTED: f64 = WINDING_TEMPERATURE_CONTINUOUS - AMBIENT_REFERENCE;
-
 /// What the family's heat model is calibrated with; another maker's actuator has none of it unless its owner states it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heat {
@@ -33,6 +21,14 @@ pub struct Heat {
     pub loss_band: Datum<(f64, f64)>,
     /// Upper edge of that band in intermittent duty of one minute.
     pub intermittent_band_high: Datum<f64>,
+    /// Half width of the band about the gear's limit of intermittent duty, as a share of it.
+    pub gear_band: Datum<f64>,
+    /// Ambient temperature up to which the data of the actuator hold, and for which its stall torque is stated.
+    pub ambient_reference: Datum<ThermodynamicTemperature>,
+    /// Winding temperature of continuous duty, at which the supervision warns.
+    pub winding_warning: Datum<ThermodynamicTemperature>,
+    /// Winding temperature at which the supervision shuts down: the hottest winding in operation.
+    pub winding_shutdown: Datum<ThermodynamicTemperature>,
     /// τ_w = R_wh C_w.
     pub winding_time_constant: Datum<Time>,
     /// τ_h = R_ha C_h.
@@ -48,6 +44,10 @@ impl Heat {
             stall_loss_factor: Datum::NotPrinted,
             loss_band: Datum::NotPrinted,
             intermittent_band_high: Datum::NotPrinted,
+            gear_band: Datum::NotPrinted,
+            ambient_reference: Datum::NotPrinted,
+            winding_warning: Datum::NotPrinted,
+            winding_shutdown: Datum::NotPrinted,
             winding_time_constant: Datum::NotPrinted,
             housing_time_constant: Datum::NotPrinted,
         }
@@ -103,12 +103,13 @@ pub struct Settled {
 
 /// The heat model of one actuator.
 ///
-/// P_cu = 1.5 R I², P_f = (I_NLS + K(ϑ_h)|n|) k_TM ω_mot; R_wh + R_ha = 40 K/P_0, P_0 = F · 1.5 R I_0², R_ha = w (R_wh + R_ha)
+/// P_cu = 1.5 R I², P_f = (I_NLS + K(ϑ_h)|n|) k_TM ω_mot; R_wh + R_ha = Δϑ/P_0, P_0 = F · 1.5 R I_0², R_ha = w (R_wh + R_ha)
 ///
-/// # Symbols  R = R_LL at 80 °C \[Ω\] (1.5 R_LL I² is the copper loss of a star winding), I_0 largest stall current of the
-///   drive over its ratios \[A\], F and w see [`Heat`], ϑ_h temperature of the housing
+/// # Symbols  R = R_LL at the temperature of continuous duty \[Ω\] (1.5 R_LL I² is the copper loss of a star winding),
+///   Δϑ from the reference ambient to that temperature \[K\], I_0 largest stall current of the drive over its ratios \[A\],
+///   F and w see [`Heat`], ϑ_h temperature of the housing
 /// # Source   docs/theory/thermal.md
-/// # Valid    on the plate of table 13.3; resistance of 80 °C, the safe side as long as the winding is cooler
+/// # Valid    on the plate of table 13.3; resistance of continuous duty, the safe side as long as the winding is cooler
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeatModel {
     friction: NoLoadFriction,
@@ -119,6 +120,10 @@ pub struct HeatModel {
     band: (f64, f64),
     /// n_N/i [rad/s]
     rated: f64,
+    /// Reference ambient temperature \[K\].
+    ambient_k: f64,
+    /// Winding temperature of continuous duty \[K\].
+    limit_k: f64,
     winding_time_constant: Time,
 }
 
@@ -141,9 +146,11 @@ impl HeatModel {
         let ratio = actuator.ratio.require("i")?.value;
         let friction = NoLoadFriction::of(actuator)?;
         let torque_constant = actuator.torque_constant_out.require("k_Tout")?.value.si();
-        let losses = LossLaw::of(actuator, ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_CONTINUOUS))?;
+        let limit = heat.winding_warning.require("T_KTY")?.value;
+        let ambient_k = heat.ambient_reference.require("ambient_temperature_operation")?.value.si();
+        let losses = LossLaw::of(actuator, limit)?;
         let stall_loss_w = factor * losses.copper_ohm() * current.value.si() * current.value.si();
-        let total = RISE_PERMITTED / stall_loss_w;
+        let total = (limit.si() - ambient_k) / stall_loss_w;
         Ok(Self {
             friction,
             torque_constant,
@@ -152,14 +159,34 @@ impl HeatModel {
             network: Network::new([(1.0 - share) * total, share * total], tau),
             band: heat.loss_band.require("loss_band")?.value,
             rated: actuator.speed_motor_rated.require("n_N")?.value.si() / ratio,
+            ambient_k,
+            limit_k: limit.si(),
             winding_time_constant,
         })
     }
 
-    /// P_0: loss of the winding at standstill that warms it by 40 K.
+    /// P_0: loss of the winding at standstill that warms it by the permitted rise.
     #[must_use]
     pub fn stall_loss(&self) -> Power {
         Power::from_si(self.stall_loss_w)
+    }
+
+    /// The ambient temperature that counts where none is stated: that up to which the data of the actuator hold.
+    #[must_use]
+    pub fn ambient_reference(&self) -> ThermodynamicTemperature {
+        ThermodynamicTemperature::from_si(self.ambient_k)
+    }
+
+    /// The winding temperature of continuous duty.
+    #[must_use]
+    pub fn winding_limit(&self) -> ThermodynamicTemperature {
+        ThermodynamicTemperature::from_si(self.limit_k)
+    }
+
+    /// From the reference ambient to the temperature of continuous duty \[K\]. The maker gives the same rise, 40 K, as a
+    /// guide for mounts other than the plate (cha-manual section 6.1).
+    fn rise_permitted(&self) -> f64 {
+        self.limit_k - self.ambient_k
     }
 
     /// The law of the friction.
@@ -272,7 +299,7 @@ impl HeatModel {
     /// Torque at a constant speed at which the winding reaches a multiple of its permitted rise, at the reference ambient
     /// temperature, while it runs for a share of each cycle and rests without loss for the remainder; not negative.
     ///
-    /// A P_cu + B P_f = b · 40 K with A, B of [`Network::intermittent`]; T = k_Tout (√(P_cu/1.5R) − I_s − K n)
+    /// A P_cu + B P_f = b Δϑ with A, B of [`Network::intermittent`]; T = k_Tout (√(P_cu/1.5R) − I_s − K n)
     ///
     /// # Symbols  b edge of the band; friction at the housing's mean temperature ϑ_a + R_ha ED (P_cu + P_f)
     /// # Source   docs/theory/continuous-torque.md, docs/theory/short-time-torque.md
@@ -281,11 +308,11 @@ impl HeatModel {
         let n = speed.si().abs();
         let [_, r_ha] = self.network.resistances_k_per_w();
         let (a, b) = self.network.intermittent(duty, cycle);
-        let permitted = edge * RISE_PERMITTED;
+        let permitted = edge * self.rise_permitted();
         let friction_loss =
             |starting: f64, constant: f64| self.losses.friction_v_s_per_rad() * (starting + constant * n) * n;
         let copper = |friction: f64| ((permitted - b * friction) / a).max(0.0);
-        let housing = self.balance(AMBIENT_REFERENCE, |starting, constant, slope| {
+        let housing = self.balance(self.ambient_k, |starting, constant, slope| {
             let friction = friction_loss(starting, constant);
             let copper_w = copper(friction);
             let by_friction = if copper_w > 0.0 { 1.0 - b / a } else { 1.0 };
@@ -303,7 +330,7 @@ impl HeatModel {
     }
 
     /// Rise of the winding at the end of each operation of an intermittent duty at a constant torque and speed, at the
-    /// reference ambient temperature, as a share of the permitted 40 K, and what the duty settles to; duty one is
+    /// reference ambient temperature, as a share of the permitted one, and what the duty settles to; duty one is
     /// continuous duty.
     ///
     /// # Source   docs/theory/thermal.md
@@ -311,10 +338,9 @@ impl HeatModel {
     pub fn rise_share(&self, torque: Torque, speed: AngularVelocity, duty: f64, cycle: Time) -> (f64, Settled) {
         let (a, b) = self.network.intermittent(duty, cycle);
         let means = LossMeans::intermittent(torque.si() / self.torque_constant, speed.si().abs(), duty);
-        let ambient = ThermodynamicTemperature::from_si(AMBIENT_REFERENCE);
-        let settled = self.settle(&means, Power::from_si(0.0), ambient);
+        let settled = self.settle(&means, Power::from_si(0.0), self.ambient_reference());
         let rise = (a * settled.losses.copper_w + b * settled.losses.friction_w) / duty;
-        (rise / RISE_PERMITTED, settled)
+        (rise / self.rise_permitted(), settled)
     }
 
     /// Current of a torque at a speed in steady state, friction at a temperature found before; driving.

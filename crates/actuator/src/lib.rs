@@ -24,19 +24,16 @@ pub use accuracy::{
     Accuracy, BudgetCase, Contribution, ErrorBudget, ErrorKind, PositionLoop, deviation_at, error_budget,
 };
 pub use agreement::{PublishedDuty, published_duty};
-pub use battery::{BatteryFault, BatteryLife, battery_life};
-pub use brake::{
-    BRAKE_CLOSING_TIME, BRAKE_OPENING_TIME, Brake, EmergencyStop, StopOutcome, coil_power, emergency_stop, sag_angle,
-    sag_speed,
-};
+pub use battery::{Battery, BatteryFault, BatteryLife};
+pub use brake::{Brake, EmergencyStop, StopOutcome, coil_power, emergency_stop, sag_angle, sag_speed};
 pub use curve::{Curve, CurveFault, CurvePoint};
 pub use feedback::{Feedback, FeedbackSide};
 pub use friction::{COLD_START, FrictionAt, NoLoadFriction};
 pub use gear::{
-    Gear, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, natural_frequency_free, resonance_speed,
-    wave_generator_life, wave_generator_life_l50, wave_generator_life_with,
+    Gear, LifeLaw, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, natural_frequency_free,
+    resonance_speed,
 };
-pub use heat::{AMBIENT_REFERENCE, Heat, HeatModel, LossMeans, Settled, WINDING_TEMPERATURE_CONTINUOUS};
+pub use heat::{Heat, HeatModel, LossMeans, Settled};
 pub use instant::{Instant, LossLaw, MotorCurrent, TerminalPower};
 pub use motor::{
     ContinuousLimit, continuous_torque, continuous_torque_with, copper_resistance, driven_share,

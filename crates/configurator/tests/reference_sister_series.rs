@@ -46,7 +46,8 @@ fn sister(cha: &str, ratio: f64, constant_out: f64, resistance_phase: f64) -> Pa
         with(datum, quantities::NoLoadCurrentConstant::from_si(value))
     };
     let stalled = own.stall_current_motor.known().unwrap();
-    let (hot, cold) = (HeatModel::of(&own).unwrap().losses().copper_ohm(), own.resistance_ll.known().unwrap().value.si());
+    let (hot, cold) =
+        (HeatModel::of(&own).unwrap().losses().copper_ohm(), own.resistance_ll.known().unwrap().value.si());
     // The permitted loss is that of the CHA: 1.5 R I_0² as before, whatever the sister's motor.
     let resistance_ll = 2.0 * resistance_phase;
     let stall = stalled.value.si() * (cold / resistance_ll).sqrt();

@@ -1,6 +1,6 @@
 //! The axis: load and motion, prepared once for all candidates.
 
-use crate::brake_times::carried;
+use crate::brake_times::{BrakeTimes, carried};
 use crate::flange::{DerivedLoads, Known};
 use crate::resonance::{self, Held};
 use crate::swings::SmallSwings;
@@ -219,6 +219,7 @@ pub struct Axis {
     pub supply: Option<(ElectricPotential, f64)>,
     /// What else is asked.
     pub asked: Asked,
+    pub(crate) brake_times: Option<BrakeTimes>,
     pub(crate) moments: Moments,
     pub(crate) trace: Trace,
     pub(crate) held: OnceLock<Vec<Held>>,
@@ -230,11 +231,21 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Prepares an axis: one pass over the motion.
+    /// Prepares an axis without a brake, whose motor holds through every dwell: one pass over the motion.
     #[must_use]
     pub fn new(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>) -> Self {
-        let trace = Trace::of(&mechanism, &motion, &extras, &carried(&motion));
-        Self::with_trace(mechanism, motion, extras, trace)
+        Self::prepared(mechanism, motion, extras, None)
+    }
+
+    /// Prepares an axis whose dwells may be held by a brake: one pass over the motion.
+    #[must_use]
+    pub fn braked(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>, times: BrakeTimes) -> Self {
+        Self::prepared(mechanism, motion, extras, Some(times))
+    }
+
+    fn prepared(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>, times: Option<BrakeTimes>) -> Self {
+        let trace = Trace::of(&mechanism, &motion, &extras, &carried(&motion, times.as_ref()));
+        Self { brake_times: times, ..Self::with_trace(mechanism, motion, extras, trace) }
     }
 
     pub(crate) fn with_trace(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>, trace: Trace) -> Self {
@@ -249,6 +260,7 @@ impl Axis {
             bearing: None,
             supply: None,
             asked: Asked::default(),
+            brake_times: None,
             moments,
             trace,
             flange_known: Known::default(),

@@ -178,10 +178,11 @@ fn holding(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Working
         let unknown = brake.closing_time.known().is_none() || brake.opening_time.known().is_none();
         notes.extend((unknown && hangs(axis)).then_some(Note::BrakeTimesAssumed));
     }
-    notes.extend(brakings.too_short.filter(|_| hangs(axis)).map(|shortest| Note::DwellTooShortForBrake {
-        shortest,
-        needed: Time::from_si(actuator::BRAKE_CLOSING_TIME + actuator::BRAKE_OPENING_TIME),
-    }));
+    let too_short = brakings.too_short.filter(|_| hangs(axis)).zip(axis.brake_times);
+    notes.extend(
+        too_short
+            .map(|(shortest, times)| Note::DwellTooShortForBrake { shortest, needed: times.closing + times.opening }),
+    );
     check
 }
 

@@ -4,9 +4,9 @@ use crate::axis::Axis;
 use crate::brake_times::carried_in;
 use crate::currents::Currents;
 use crate::energy::CyclePower;
-use actuator::{AMBIENT_REFERENCE, Losses, Parameters};
+use actuator::{Losses, Parameters};
 use mechanism::{Extra, Output};
-use quantities::{Measure, Ratio, ThermodynamicTemperature, Time, Torque};
+use quantities::{Measure, Ratio, Time, Torque};
 use trace::Node;
 
 /// Samples in one piece of a law.
@@ -123,7 +123,8 @@ fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
         let mut instants: Vec<f64> =
             (0..=parts).map(|part| piece.duration_s * f64::from(part) / f64::from(parts)).collect();
         instants.extend(piece.reversals().into_iter().flat_map(|t| [t, t]));
-        let (closing, opens) = carried_in(&axis.motion, piece.segment).ends(piece.duration_s);
+        let (closing, opens) =
+            carried_in(&axis.motion, piece.segment, axis.brake_times.as_ref()).ends(piece.duration_s);
         if rests {
             let inside = |t: &f64| *t > 0.0 && *t < piece.duration_s;
             instants.extend([closing, opens].into_iter().filter(inside).flat_map(|t| [t, t]));
@@ -179,7 +180,7 @@ fn heat(samples: &mut [Sample], losses: &[Losses], axis: &Axis, currents: &Curre
     if losses.len() != samples.len() {
         return;
     }
-    let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
+    let ambient = axis.ambient.unwrap_or_else(|| model.ambient_reference());
     let copper: Vec<f64> = losses.iter().map(|losses| losses.copper_w).collect();
     let friction: Vec<f64> = losses.iter().map(|losses| losses.friction_w).collect();
     let pieces: Vec<(Time, Losses)> = gaps(samples)

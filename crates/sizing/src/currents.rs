@@ -5,8 +5,8 @@ use crate::check::{Check, CheckId, Note, Notes, Verdict};
 use crate::comparison::{Comparison, cite, explained, not_checked};
 use crate::workings;
 use actuator::{
-    AMBIENT_REFERENCE, COLD_START, FrictionAt, HeatModel, Instant, LossMeans, Losses, MotorCurrent, MotorVoltage,
-    NoLoadFriction, Parameters, Settled,
+    COLD_START, FrictionAt, HeatModel, Instant, LossMeans, Losses, MotorCurrent, MotorVoltage, NoLoadFriction,
+    Parameters, Settled,
 };
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
@@ -48,13 +48,17 @@ impl Currents {
         let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
         let motor = MotorCurrent::of(actuator)?;
         let law = NoLoadFriction::of(actuator)?;
-        let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
         // The temperature stated is that of the hottest day; a gear starts no warmer than the print has it.
         let cold = ThermodynamicTemperature::from_si(axis.ambient.map_or(COLD_START, |air| air.si().min(COLD_START)));
-        let grades = [inertia.grade, torque_constant.grade];
+        let cold_band = law.cold_band(cold)?;
+        // A growth that is only taken over from another maker's actuators is told by its grade.
+        let growth = actuator.friction_cold_growth.known().filter(|growth| growth.grade == Grade::Assumed);
+        let grade_of_the_cold = growth.filter(|_| cold_band.is_some()).map_or(Grade::Computed, |growth| growth.grade);
+        let grades = [inertia.grade, torque_constant.grade, grade_of_the_cold];
         let (own, constant) = (inertia.value.si(), torque_constant.value.si());
         let heat = HeatModel::of(actuator).map(|model| {
             let further = coil_loss(axis, actuator);
+            let ambient = axis.ambient.unwrap_or_else(|| model.ambient_reference());
             let settled = model.settle(&loss_means(axis, [own / constant, 1.0 / constant, 0.0, 0.0]), further, ambient);
             (model, settled)
         });
@@ -67,7 +71,7 @@ impl Currents {
             motor,
             cold: law.at(cold),
             warm,
-            cold_band: law.cold_band(cold),
+            cold_band,
             heat,
             grade: grades.into_iter().fold(Grade::Computed, Grade::worst),
             errata: [inertia.errata, torque_constant.errata],

@@ -191,13 +191,14 @@ impl Axis {
 
     /// What is asked stays.
     fn changed(&self, mechanism: mechanism::Mechanism, motion: motion::Motion, extras: Vec<mechanism::Extra>) -> Self {
-        let trace = self.trace.changed(&mechanism, &motion, &extras, &carried(&motion));
+        let trace = self.trace.changed(&mechanism, &motion, &extras, &carried(&motion, self.brake_times.as_ref()));
         let prepared = Self::with_trace(mechanism, motion, extras, trace);
         Self {
             ambient: self.ambient,
             bearing: self.bearing.clone(),
             supply: self.supply,
             asked: self.asked.clone(),
+            brake_times: self.brake_times,
             ..prepared
         }
     }
