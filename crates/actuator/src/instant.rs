@@ -13,7 +13,7 @@ use quantities::{ElectricalResistance, Measure, ThermodynamicTemperature};
 
 /// The output of an actuator at one instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Instant {
+pub struct OperatingPoint {
     /// T: torque of the actuator, its own inertia's included \[Nm\].
     pub torque_nm: f64,
     /// ω [rad/s]
@@ -22,7 +22,7 @@ pub struct Instant {
     pub direction: f64,
 }
 
-impl Instant {
+impl OperatingPoint {
     /// Whether the load drives the actuator: torque against the direction of the motion.
     #[must_use]
     #[inline]
@@ -63,9 +63,9 @@ impl MotorCurrent {
     /// The current at an instant \[A\].
     #[must_use]
     #[inline]
-    pub fn at(&self, instant: &Instant, friction: &FrictionAt) -> f64 {
-        let running = friction.counted.si() + friction.constant.si() * instant.speed_rad_s.abs();
-        self.of_torque(instant.torque_nm) + instant.direction * running
+    pub fn at(&self, point: &OperatingPoint, friction: &FrictionAt) -> f64 {
+        let running = friction.counted.si() + friction.constant.si() * point.speed_rad_s.abs();
+        self.of_torque(point.torque_nm) + point.direction * running
     }
 
     /// The same as a weighted sum of α, the torque of the load, σ and ω, for an own inertia \[kgm²\].
@@ -118,9 +118,9 @@ impl LossLaw {
     /// Both losses at an instant with its current \[A\].
     #[must_use]
     #[inline]
-    pub fn at(&self, instant: &Instant, current_a: f64, friction: &FrictionAt) -> Losses {
-        let speed = instant.speed_rad_s.abs();
-        let running = instant.direction.abs() * friction.starting.si() + friction.constant.si() * speed;
+    pub fn at(&self, point: &OperatingPoint, current_a: f64, friction: &FrictionAt) -> Losses {
+        let speed = point.speed_rad_s.abs();
+        let running = point.direction.abs() * friction.starting.si() + friction.constant.si() * speed;
         Losses { copper_w: self.copper_ohm * current_a * current_a, friction_w: self.friction_vs * running * speed }
     }
 }
@@ -189,15 +189,15 @@ impl TerminalPower {
     /// The current of an instant with the gear's loss of its direction \[A\].
     #[must_use]
     #[inline]
-    pub fn current(&self, motor: &MotorCurrent, instant: &Instant, friction: &FrictionAt) -> f64 {
-        motor.at(&Instant { torque_nm: self.passed(instant.is_driven()) * instant.torque_nm, ..*instant }, friction)
+    pub fn current(&self, motor: &MotorCurrent, point: &OperatingPoint, friction: &FrictionAt) -> f64 {
+        motor.at(&OperatingPoint { torque_nm: self.passed(point.is_driven()) * point.torque_nm, ..*point }, friction)
     }
 
     /// At an instant \[W\].
     #[must_use]
     #[inline]
-    pub fn at(&self, motor: &MotorCurrent, instant: &Instant, friction: &FrictionAt) -> f64 {
-        self.with(self.current(motor, instant, friction), instant.speed_rad_s)
+    pub fn at(&self, motor: &MotorCurrent, point: &OperatingPoint, friction: &FrictionAt) -> f64 {
+        self.with(self.current(motor, point, friction), point.speed_rad_s)
     }
 }
 

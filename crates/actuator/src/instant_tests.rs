@@ -32,16 +32,16 @@ fn celsius(value: f64) -> ThermodynamicTemperature {
     ThermodynamicTemperature::new_in(value, &DEGREE_CELSIUS)
 }
 
-fn instant(torque_nm: f64, speed_rad_s: f64) -> Instant {
+fn point(torque_nm: f64, speed_rad_s: f64) -> OperatingPoint {
     let direction = if speed_rad_s == 0.0 { 0.0 } else { speed_rad_s.signum() };
-    Instant { torque_nm, speed_rad_s, direction }
+    OperatingPoint { torque_nm, speed_rad_s, direction }
 }
 
 /// 80 Nm at 3 rad/s: 2 A of the torque, 0.2 A and 0.3 A of friction.
 #[test]
 fn friction_adds_while_driving_and_helps_while_braking() {
     let current = MotorCurrent::of(&actuator()).unwrap();
-    let at = |torque, speed| current.at(&instant(torque, speed), &friction());
+    let at = |torque, speed| current.at(&point(torque, speed), &friction());
     assert!((at(80.0, 3.0) - 2.5).abs() < 1e-15);
     assert!((at(80.0, -3.0) - 1.5).abs() < 1e-15);
     assert!((at(-80.0, -3.0) + 2.5).abs() < 1e-15);
@@ -54,18 +54,18 @@ fn the_weights_make_the_current() {
     let current = MotorCurrent::of(&actuator()).unwrap();
     let [a, t, s, w] = current.weights(0.7, &friction());
     let sum = a * 20.0 + t * 66.0 - s - w * 3.0;
-    assert!((sum - current.at(&instant(80.0, -3.0), &friction())).abs() < 1e-14);
+    assert!((sum - current.at(&point(80.0, -3.0), &friction())).abs() < 1e-14);
 }
 
 /// 1.5 · 2 Ω · (1 + 0.00393 · 60) at 80 °C, and 0.5 V each friction current (0.2 + 0.3 A) at 300 rad/s.
 #[test]
 fn losses_by_hand() {
     let losses = LossLaw::of(&actuator(), celsius(80.0)).unwrap();
-    let found = losses.at(&instant(80.0, 3.0), 2.5, &friction());
+    let found = losses.at(&point(80.0, 3.0), 2.5, &friction());
     assert!((found.copper_w - 3.0 * 1.2358 * 6.25).abs() < 1e-12, "{}", found.copper_w);
     assert!((found.friction_w - 75.0).abs() < 1e-12);
     // At rest nothing rubs.
-    assert_eq!(losses.at(&instant(80.0, 0.0), 2.0, &friction()).friction_w, 0.0);
+    assert_eq!(losses.at(&point(80.0, 0.0), 2.0, &friction()).friction_w, 0.0);
 }
 
 /// What goes in at the terminals comes out at the flange, but for copper, friction and the gear: driving the gear keeps
@@ -77,13 +77,13 @@ fn energy_is_kept() {
     let power = TerminalPower::of(&actuator, cold).unwrap();
     let losses = LossLaw::of(&actuator, cold).unwrap();
     for (torque, speed) in [(80.0, 3.0), (80.0, -3.0), (-50.0, 2.0), (-50.0, -2.0), (0.0, 4.0), (30.0, 0.0)] {
-        let instant = instant(torque, speed);
-        let amperes = power.current(&current, &instant, &friction());
-        let lost = losses.at(&instant, amperes, &friction());
+        let point = point(torque, speed);
+        let amperes = power.current(&current, &point, &friction());
+        let lost = losses.at(&point, amperes, &friction());
         let in_the_gear = (torque * speed).abs() * (1.0 / 0.8 - 1.0);
         let flange = torque * speed;
         let whole = flange + lost.copper_w + lost.friction_w + in_the_gear;
-        assert!((power.at(&current, &instant, &friction()) - whole).abs() < 1e-9, "{torque} {speed}");
+        assert!((power.at(&current, &point, &friction()) - whole).abs() < 1e-9, "{torque} {speed}");
     }
 }
 
@@ -93,7 +93,7 @@ fn little_power_comes_back_and_never_more_than_the_load_gives() {
     let actuator = actuator();
     let current = MotorCurrent::of(&actuator).unwrap();
     let power = TerminalPower::of(&actuator, celsius(20.0)).unwrap();
-    let at = |torque, speed| power.at(&current, &instant(torque, speed), &friction());
+    let at = |torque, speed| power.at(&current, &point(torque, speed), &friction());
     assert!(at(-10.0, 3.0) > 0.0);
     assert!(at(-200.0, 3.0) < 0.0 && at(-200.0, 3.0) > -600.0);
 }

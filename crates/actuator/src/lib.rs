@@ -34,7 +34,7 @@ pub use gear::{
     resonance_speed,
 };
 pub use heat::{Heat, HeatModel, LossMeans, Settled};
-pub use instant::{Instant, LossLaw, MotorCurrent, TerminalPower};
+pub use instant::{LossLaw, MotorCurrent, OperatingPoint, TerminalPower};
 pub use motor::{
     ContinuousLimit, continuous_torque, continuous_torque_with, copper_resistance, driven_share,
     estimated_continuous_torque, explain_friction, explain_stall_loss, speed_max, speed_max_with, speed_rated_out,

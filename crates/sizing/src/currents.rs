@@ -5,7 +5,7 @@ use crate::check::{Check, CheckId, Note, Notes, Verdict};
 use crate::comparison::{Comparison, cite, explained, not_checked};
 use crate::workings;
 use actuator::{
-    COLD_START, FrictionAt, HeatModel, Instant, LossMeans, Losses, MotorCurrent, MotorVoltage, NoLoadFriction,
+    COLD_START, FrictionAt, HeatModel, LossMeans, Losses, MotorCurrent, MotorVoltage, NoLoadFriction, OperatingPoint,
     Parameters, Settled,
 };
 use derivation::Workings;
@@ -115,8 +115,8 @@ impl Currents {
     }
 
     /// The output at an instant, with the torque of the own inertia.
-    pub(crate) fn instant(&self, node: &Node) -> Instant {
-        Instant {
+    pub(crate) fn point(&self, node: &Node) -> OperatingPoint {
+        OperatingPoint {
             torque_nm: self.inertia * node.acceleration_rad_s2 + node.load_nm,
             speed_rad_s: node.speed_rad_s,
             direction: node.direction,
@@ -129,12 +129,12 @@ impl Currents {
     }
 
     fn in_state(&self, node: &Node, friction: &FrictionAt) -> f64 {
-        self.motor.at(&self.instant(node), friction)
+        self.motor.at(&self.point(node), friction)
     }
 
     /// Of the two states the one with the larger current at an instant.
     fn larger(&self, node: &Node) -> &FrictionAt {
-        let torque = self.instant(node).torque_nm;
+        let torque = self.point(node).torque_nm;
         // Friction helps while braking: less of it asks for more current.
         let driving = self.in_state(node, &self.cold).abs() >= self.in_state(node, &self.warm).abs();
         if driving || torque == 0.0 { &self.cold } else { &self.warm }
@@ -148,7 +148,7 @@ impl Currents {
     /// Both losses at an instant of the settled cycle, if there is a heat model.
     pub(crate) fn losses(&self, node: &Node) -> Option<Losses> {
         let (model, _) = self.heat().ok()?;
-        Some(model.losses().at(&self.instant(node), self.at(node), &self.warm))
+        Some(model.losses().at(&self.point(node), self.at(node), &self.warm))
     }
 
     /// Friction loss as a form, for a voltage per friction current and output speed: k i (I_NLS σ + K ω) ω.

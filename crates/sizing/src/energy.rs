@@ -43,7 +43,7 @@ impl<'a> CyclePower<'a> {
 
     /// At an instant \[W\].
     pub(crate) fn at(&self, node: &Node) -> f64 {
-        self.with(node, self.currents.instant(node).is_driven())
+        self.with(node, self.currents.point(node).is_driven())
     }
 
     /// At an instant within a time in which the load drives, or does not \[W\].
@@ -53,7 +53,7 @@ impl<'a> CyclePower<'a> {
 
     /// J_out α + T_L \[Nm\]
     fn torque(&self, node: &Node) -> f64 {
-        self.currents.instant(node).torque_nm
+        self.currents.point(node).torque_nm
     }
 
     /// 1.5 R \[Ω\] and k_TM i [V/(rad/s)].
