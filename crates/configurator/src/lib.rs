@@ -4,6 +4,7 @@
 
 mod actuators;
 mod codes;
+mod family;
 mod matrix;
 mod nearest;
 mod parameters;
@@ -13,6 +14,7 @@ mod rules;
 
 pub use actuators::{actuators, catalogue_actuators};
 pub use codes::{Choice, all, broken_by_all, choices, complete, tokens_of_size};
+pub use family::{Assumed, assumed, battery, brake_times};
 pub use nearest::{nearest, nearest_to};
 pub use parameters::{parameters, published_curve_points};
 pub use requirements::{Requirements, Unmet};

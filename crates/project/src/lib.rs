@@ -46,7 +46,7 @@ use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Measure, Time};
 use read::{Reader, joined};
 use section::Section;
-use sizing::{Asked, Axis, BearingDuty, SpecialApplication};
+use sizing::{Asked, Axis, BearingDuty, BrakeTimes, SpecialApplication};
 use std::sync::Arc;
 
 /// Largest project file that is read, in bytes.
@@ -388,7 +388,8 @@ fn prepare(root: &Section, reader: &mut Reader<'_>) -> Option<Draft> {
     if let Some(asked) = root.table("requirements") {
         let storage = asked.quantity("storage").unwrap_or_else(|| Time::from_si(0.0));
         let operation = asked.quantity("operation_per_day");
-        if let Some(Err(fault)) = operation.map(|time| actuator::battery_life(time, storage)) {
+        let battery = configurator::battery();
+        if let Some(Err(fault)) = operation.zip(battery.known()).map(|(time, model)| model.value.life(time, storage)) {
             let key =
                 if matches!(fault, BatteryFault::OperationOutOfRange { .. }) { "operation_per_day" } else { "storage" };
             reader.fault(asked.span_of(key), Fault::Battery(fault), None);
@@ -399,7 +400,12 @@ fn prepare(root: &Section, reader: &mut Reader<'_>) -> Option<Draft> {
 
 /// Load and motion laid over each other, with what is asked.
 fn finish(root: &Section, draft: Draft) -> Axis {
-    let mut axis = Axis::new(draft.mechanism, draft.motion, draft.extras);
+    let mut axis = match configurator::brake_times() {
+        Some((closing, opening)) => {
+            Axis::braked(draft.mechanism, draft.motion, draft.extras, BrakeTimes { closing, opening })
+        }
+        None => Axis::new(draft.mechanism, draft.motion, draft.extras),
+    };
     if let Some(asked) = root.table("requirements") {
         axis.ambient = asked.quantity("ambient");
         axis.supply = asked
@@ -452,6 +458,12 @@ fn asked_of(section: &Section) -> Asked {
 fn build_actuator(root: &Section, reader: &mut Reader<'_>) -> Option<OwnActuator> {
     let section = root.table("actuator")?;
     let mut parameters = Parameters::unknown();
+    let assumed = configurator::assumed();
+    parameters.friction_cold_growth = assumed.friction_cold_growth;
+    parameters.heat.winding_shutdown = match own(section, "winding_temperature_max") {
+        Datum::Known(stated) => Datum::Known(stated),
+        _ => assumed.winding_shutdown,
+    };
     parameters.torque_max = own(section, "torque_max");
     parameters.speed_max = own(section, "speed_max");
     parameters.speed_motor_max = own(section, "speed_motor_max");

@@ -494,6 +494,7 @@ const ACTUATOR: &[Key] = &[
     quantity("torque_constant_motor", Dimension::TorqueConstant, Range::Positive, "k_TM", "k_TM"),
     quantity("voltage_constant_motor", Dimension::VoltageConstant, Range::Positive, "k_EM, line to line, rms", "k_EM, Leiter-Leiter, effektiv"),
     quantity("resistance_ll", Dimension::Resistance, Range::Positive, "R_LL at 20 °C", "R_LL bei 20 °C"),
+    quantity("winding_temperature_max", Dimension::Temperature, Range::Any, "largest temperature of the winding, at which the voltage is checked; 90 °C is assumed without it", "größte Temperatur der Wicklung, bei der die Spannung geprüft wird; ohne Angabe werden 90 °C angenommen"),
     quantity("inductance_ll", Dimension::Inductance, Range::Positive, "L_LL", "L_LL"),
     key("pole_pairs", Kind::Integer(1, 100), false, "p", "p"),
     quantity("mass", Dimension::Mass, Range::Positive, "m", "m"),

@@ -30,7 +30,9 @@ pub fn read_quantity<Q: Measure>(text: &str, language: Language) -> Result<Q, (S
 /// # Errors
 /// What is out of range.
 pub fn battery(operation_per_day: Time, storage: Time, language: Language) -> Result<BatteryLife, String> {
-    actuator::battery_life(operation_per_day, storage).map_err(|fault| words::battery_fault(&fault, language))
+    let battery = configurator::battery();
+    let model = battery.require("battery_capacity").map_err(|missing| missing.symbol.to_owned())?;
+    model.value.life(operation_per_day, storage).map_err(|fault| words::battery_fault(&fault, language))
 }
 
 /// The checks of the output bearing for one code.

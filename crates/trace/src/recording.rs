@@ -9,7 +9,7 @@ mod view;
 
 use view::View;
 
-pub(crate) use cells::{Cell, Inside};
+pub use cells::{Cell, Inside};
 
 use super::cubes::Moments;
 use super::gains::{GainTables, LagBlock, Products};
@@ -37,7 +37,7 @@ const INTERVALS_LEAST: usize = 16;
 
 /// A recording with what it moves.
 #[derive(Clone, Debug)]
-pub(crate) struct Strip {
+pub struct Strip {
     placed: Placed,
     /// What the survey looks at: of a plain mechanism the recording by itself.
     surveyed: Placed,
@@ -122,7 +122,7 @@ impl Strip {
         self.raw_interval(index, &mut |panel| {
             if let [a, b, c] = panel.nodes {
                 let nodes = [a, b, c].map(|node| self.view.node(node));
-                look(Panel { nodes: &nodes, duration: panel.duration * self.view.stretch, bow: panel.bow });
+                look(Panel { nodes: &nodes, duration_s: panel.duration_s * self.view.stretch, bow: panel.bow });
             }
         });
     }
@@ -141,15 +141,15 @@ impl Strip {
                 let u = if share == 1.0 { to } else { from + share * (to - from) };
                 let (_, speed, torque) = interval.at(u);
                 Node {
-                    time: interval.start_s + u * interval.duration_s,
-                    weight: weight * duration,
-                    acceleration,
-                    speed,
+                    time_s: interval.start_s + u * interval.duration_s,
+                    weight_s: weight * duration,
+                    acceleration_rad_s2: acceleration,
+                    speed_rad_s: speed,
                     direction,
-                    load: torque + plain.constant_nm,
+                    load_nm: torque + plain.constant_nm,
                 }
             });
-            look(Panel { nodes: &nodes, duration, bow: [0.0; 4] });
+            look(Panel { nodes: &nodes, duration_s: duration, bow: [0.0; 4] });
         }
     }
 
@@ -165,7 +165,7 @@ impl Strip {
                 self.interval(index, &mut |panel| {
                     let first = nodes.len();
                     nodes.extend_from_slice(panel.nodes);
-                    panels.push(Kept { nodes: first..nodes.len(), duration: panel.duration, bow: panel.bow });
+                    panels.push(Kept { nodes: first..nodes.len(), duration: panel.duration_s, bow: panel.bow });
                 });
             }
             block.place = Place::Kept(from..panels.len());
@@ -231,8 +231,8 @@ impl Strip {
             Block {
                 place,
                 times: 1.0,
-                from: self.view.start + raw.from * self.view.stretch,
-                duration: raw.duration * self.view.stretch,
+                from_s: self.view.start + raw.from_s * self.view.stretch,
+                duration_s: raw.duration_s * self.view.stretch,
                 extent: self.view.extent(&raw.extent),
                 gram: self.view.gram(&raw.gram),
             }
@@ -249,6 +249,7 @@ impl Strip {
         }
     }
 
+    #[inline]
     pub(super) const fn view(&self) -> &View {
         &self.view
     }
@@ -271,36 +272,42 @@ impl Strip {
     }
 
     /// The intervals by their signals, found when they are first asked for.
+    #[inline]
     fn cells(&self) -> &Cells {
         self.survey.cells.get_or_init(|| Cells::of(self))
     }
 
     /// The cell of all intervals.
-    pub(crate) fn root(&self) -> Option<&Cell> {
+    #[inline]
+    pub fn root(&self) -> Option<&Cell> {
         self.cells().root()
     }
 
     /// The two cells within one.
-    pub(crate) fn halves(&self, halves: [u32; 2]) -> [Option<&Cell>; 2] {
+    #[inline]
+    pub fn halves(&self, halves: [u32; 2]) -> [Option<&Cell>; 2] {
         self.cells().halves(halves)
     }
 
     /// The panels of the intervals of a cell.
-    pub(crate) fn panels_within(&self, (from, to): (u32, u32), look: &mut impl FnMut(Panel<'_>)) {
+    pub fn panels_within(&self, (from, to): (u32, u32), look: &mut impl FnMut(Panel<'_>)) {
         self.cells().intervals(from, to).for_each(|index| self.interval(index, look));
     }
 
     /// The weights of the signals of the cells that make the same sum as others of those under the load.
-    pub(crate) fn weights(&self, c: [f64; 4]) -> [f64; 4] {
+    #[inline]
+    pub fn weights(&self, c: [f64; 4]) -> [f64; 4] {
         if self.plain.is_some() { self.view.weights(c) } else { c }
     }
 
     /// By which factor the time of the cells is stretched.
-    pub(crate) fn stretch(&self) -> f64 {
+    #[inline]
+    pub fn stretch(&self) -> f64 {
         if self.plain.is_some() { self.view.stretch } else { 1.0 }
     }
 
     /// Bounds of a cell under the load, and the instant at which the first of its intervals begins.
+    #[inline]
     pub(super) fn seen(&self, cell: &Cell) -> (Extent, f64) {
         if self.plain.is_some() {
             (self.view.extent(&cell.extent), self.view.start + cell.from * self.view.stretch)
@@ -372,6 +379,7 @@ fn range(values: &[f64]) -> (f64, f64) {
 }
 
 /// The parts of an interval in each of which the speed keeps its sign; the zero of a straight speed between them.
+#[inline]
 fn parts(interval: &Interval) -> impl Iterator<Item = Part> {
     let [first, last] = interval.speed_rad_s;
     let zero = if first * last < 0.0 { first / (first - last) } else { 1.0 };

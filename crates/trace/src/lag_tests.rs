@@ -10,7 +10,7 @@ use quantities::{Angle, Measure, Time, Torque, ViscousFriction};
 fn losses() -> [Form; 2] {
     let copper = Form::square([0.3, 0.9, 1.1, 0.4]);
     let friction = Form::product([0.0, 0.0, 2.0, 0.7], [0.0, 0.0, 0.0, 1.0]);
-    [copper.add(&friction.scale(0.4)), copper.scale(0.2).add(&friction)]
+    [copper.plus(&friction.scale(0.4)), copper.scale(0.2).plus(&friction)]
 }
 
 /// x at an instant of a piece, straight from motion and mechanism.
@@ -104,6 +104,17 @@ fn brute(mechanism: &Mechanism, motion: &Motion, lags: &[Lag], steps: u32) -> f6
     course.iter().map(|each| step(&mut states, each)).fold(f64::NEG_INFINITY, f64::max)
 }
 
+/// The trace of a motion that a brake holds where the segment says so: it closes in 70 ms and opens in 110 ms.
+fn under(mechanism: &Mechanism, motion: &Motion) -> Trace {
+    let carried = |hold: Hold| match hold {
+        Hold::Motor => Carried::Throughout,
+        Hold::Brake => Carried::AtItsEnds { first: Time::from_si(0.07), last: Time::from_si(0.11) },
+        Hold::Free => Carried::Never,
+    };
+    let carried: Vec<Carried> = motion.stretches().iter().map(|stretch| carried(stretch.hold)).collect();
+    Trace::of(mechanism, motion, &[], &carried)
+}
+
 fn two(taus: [f64; 2]) -> [Lag; 2] {
     let [a, b] = losses();
     [Lag { tau_s: taus[0], form: a }, Lag { tau_s: taus[1], form: b }]
@@ -139,7 +150,7 @@ fn lags_agree_with_brute_force_for_laws_loads_and_time_constants() {
     for (name, segments) in &cycles() {
         for (load, mechanism) in &loads() {
             let motion = motion(segments);
-            let trace = Trace::of(mechanism, &motion, &[]);
+            let trace = under(mechanism, &motion);
             for taus in [[60.0, 2400.0], [0.05, 3.0], [8.0, 0.6]] {
                 let lags = two(taus);
                 let (found, expected) = (trace.peak_of_lags(&lags), brute(mechanism, &motion, &lags, 1500));
@@ -154,7 +165,7 @@ fn lags_agree_with_brute_force_for_laws_loads_and_time_constants() {
 /// The mean is that of the lag with an endless time constant.
 #[test]
 fn a_very_long_lag_holds_the_mean() {
-    let trace = Trace::of(&arm(), &motion(&cycles()[1].1), &[]);
+    let trace = under(&arm(), &motion(&cycles()[1].1));
     let [form, _] = losses();
     let found = trace.peak_of_lags(&[Lag { tau_s: 1e9, form }]).value;
     assert!((found / trace.mean(&form) - 1.0).abs() < 1e-7, "{found} {}", trace.mean(&form));
@@ -169,7 +180,7 @@ fn neither_rotation_nor_repetition_nor_mirror_nor_units_change_a_lag() {
     for (name, segments) in &cycles() {
         for (load, mechanism) in loads().iter().filter(|(load, _)| *load != "arm") {
             let peak = |segments: &[SegmentSpec], taus: [f64; 2]| {
-                Trace::of(mechanism, &motion(segments), &[]).peak_of_lags(&two(taus)).value
+                under(mechanism, &motion(segments)).peak_of_lags(&two(taus)).value
             };
             for taus in [[60.0, 2400.0], [0.05, 3.0]] {
                 let what = format!("{name}, {load}, {taus:?}");
@@ -179,7 +190,7 @@ fn neither_rotation_nor_repetition_nor_mirror_nor_units_change_a_lag() {
                 // Where the axis stands plays no part here.
                 same(peak(&rotated, taus), base, &format!("{what}, rotated"));
                 same(peak(&[segments.clone(), segments.clone(), segments.clone()].concat(), taus), base, &what);
-                let trace = Trace::of(mechanism, &motion(segments), &[]);
+                let trace = under(mechanism, &motion(segments));
                 let thousand = two(taus).map(|lag| Lag { form: lag.form.scale(1e3), ..lag });
                 same(1e-3 * trace.peak_of_lags(&thousand).value, base, &format!("{what}, units"));
             }
@@ -202,8 +213,8 @@ fn neither_rotation_nor_repetition_nor_mirror_nor_units_change_a_lag() {
     }
     let segments = &cycles()[1].1;
     let lags = two([8.0, 0.6]);
-    let base = Trace::of(&arm(), &motion(segments), &[]).peak_of_lags(&lags).value;
-    same(Trace::of(&other, &motion(&mirrored(segments)), &[]).peak_of_lags(&lags).value, base, "mirror");
+    let base = under(&arm(), &motion(segments)).peak_of_lags(&lags).value;
+    same(under(&other, &motion(&mirrored(segments))).peak_of_lags(&lags).value, base, "mirror");
 }
 
 /// Straight speed and torque between the samples: u is a parabola in each part of one direction.
@@ -212,7 +223,7 @@ fn lags_of_a_recording_agree_with_sums_over_its_intervals() {
     for (samples, steps) in [(50, 1_000), (3_000, 40), (12_000, 10)] {
         let fine = f64::from(steps);
         let motion = swing(samples);
-        let trace = Trace::of(&direct(), &motion, &[]);
+        let trace = under(&direct(), &motion);
         for taus in [[60.0, 2400.0], [0.05, 3.0]] {
             let lags = two(taus);
             let nodes = trace.nodes();
@@ -221,7 +232,7 @@ fn lags_of_a_recording_agree_with_sums_over_its_intervals() {
             let round = |states: &mut [f64; 2]| {
                 let mut best = f64::NEG_INFINITY;
                 for part in nodes.chunks(3) {
-                    let h = part.iter().map(|node| node.weight).sum::<f64>() / fine;
+                    let h = part.iter().map(|node| node.weight_s).sum::<f64>() / fine;
                     for k in 0..steps {
                         for (state, lag) in states.iter_mut().zip(&lags) {
                             let u = |s: f64| lag.form.at(&part[0].towards(&part[2], s));
@@ -261,7 +272,7 @@ fn revolutions_at_constant_speed_stand_for_each_other() {
     };
     // Runs of one revolution and a half are not taken together.
     let apart: Vec<SegmentSpec> = (0..40).map(|_| run(1.5, 9.0)).collect();
-    let of = |segments: &[SegmentSpec]| Trace::of(&arm(), &motion(segments), &[]);
+    let of = |segments: &[SegmentSpec]| under(&arm(), &motion(segments));
     let (once, each) = (of(&[run(60.0, 9.0)]), of(&apart));
     assert!(each.nodes().len() > 30 * once.nodes().len());
     for c in [[0.0, 1.0, 0.0, 0.0], [0.3, 0.9, 1.1, 0.4]] {

@@ -8,16 +8,18 @@ use super::Node;
 ///
 /// # Source   docs/theory/moments.md
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Form(pub(crate) [[f64; 4]; 4]);
+pub struct Form(pub(crate) [[f64; 4]; 4]);
 
 impl Form {
     /// (c·x)²
-    pub(crate) fn square(c: [f64; 4]) -> Self {
+    #[inline]
+    pub fn square(c: [f64; 4]) -> Self {
         Self::product(c, c)
     }
 
     /// (a·x)(b·x)
-    pub(crate) fn product(a: [f64; 4], b: [f64; 4]) -> Self {
+    #[inline]
+    pub fn product(a: [f64; 4], b: [f64; 4]) -> Self {
         let mut form = Self::default();
         for ((row, a_i), b_i) in form.0.iter_mut().zip(a).zip(b) {
             for ((q, a_j), b_j) in row.iter_mut().zip(a).zip(b) {
@@ -28,7 +30,8 @@ impl Form {
     }
 
     /// The sum of two.
-    pub(crate) fn add(mut self, other: &Self) -> Self {
+    #[inline]
+    pub fn plus(mut self, other: &Self) -> Self {
         for (row, others) in self.0.iter_mut().zip(&other.0) {
             for (q, other) in row.iter_mut().zip(others) {
                 *q += other;
@@ -38,13 +41,15 @@ impl Form {
     }
 
     /// A multiple.
-    pub(crate) fn scale(mut self, factor: f64) -> Self {
+    #[inline]
+    pub fn scale(mut self, factor: f64) -> Self {
         self.0.iter_mut().flatten().for_each(|q| *q *= factor);
         self
     }
 
     /// u at an instant.
-    pub(crate) fn at(&self, node: &Node) -> f64 {
+    #[inline]
+    pub fn at(&self, node: &Node) -> f64 {
         let x = node.signals();
         self.0.iter().zip(x).map(|(row, a)| a * row.iter().zip(x).map(|(q, b)| q * b).sum::<f64>()).sum()
     }

@@ -37,8 +37,8 @@ pub(super) fn add(moments: &mut Moments, panel: &Panel<'_>) {
     let ([first, .., last], true) = (panel.nodes, panel.is_straight()) else { return };
     for (s, weight) in lobatto(5) {
         let node = first.towards(last, *s);
-        let (a, r, w) = (node.acceleration, node.load, node.speed);
-        let weight = weight * panel.duration * w.abs();
+        let (a, r, w) = (node.acceleration_rad_s2, node.load_nm, node.speed_rad_s);
+        let weight = weight * panel.duration_s * w.abs();
         let (aa, rr, ww) = (a * a, r * r, w * w);
         let powers = [
             1.0,
@@ -113,7 +113,7 @@ fn cube(moments: &Moments, [p, r, s, q]: [f64; 4]) -> f64 {
 
 impl Trace {
     /// ∫|T_L|³ |ω| dt; only gears with a rating ask for it.
-    pub(crate) fn cubes(&self) -> f64 {
+    pub fn cubes(&self) -> f64 {
         *self.cubes.get_or_init(|| {
             let kept = self.blocks.iter().filter(|block| !block.is_recorded());
             let recorded = self.strips.iter().filter_map(|strip| Some(cubes_of_cell(strip, strip.root()?)));
@@ -157,13 +157,13 @@ fn cubes_of_cell(strip: &Strip, cell: &Cell) -> f64 {
 pub(super) fn cubes_of_panel(panel: &Panel<'_>) -> f64 {
     match panel.nodes {
         [_, _, _] => few(panel),
-        nodes => nodes.iter().map(|node| node.weight * cubed(node)).sum(),
+        nodes => nodes.iter().map(|node| node.weight_s * cubed(node)).sum(),
     }
 }
 
 /// |T|³ |ω|
 fn cubed(node: &Node) -> f64 {
-    (node.load * node.load * node.load * node.speed).abs()
+    (node.load_nm * node.load_nm * node.load_nm * node.speed_rad_s).abs()
 }
 
 /// ∫|T|³ |ω| dt of a panel with three nodes, cut where T passes zero: with straight lines of the fourth degree already, for
@@ -175,6 +175,6 @@ fn few(panel: &Panel<'_>) -> f64 {
     let part = |from: f64, to: f64| {
         (to - from) * lobatto(5).iter().map(|(s, w)| w * cubed(&at(from + s * (to - from)))).sum::<f64>()
     };
-    let zero = if first.load * last.load < 0.0 { first.load / (first.load - last.load) } else { 0.0 };
-    panel.nodes.iter().map(|node| node.weight).sum::<f64>() * (part(0.0, zero) + part(zero, 1.0))
+    let zero = if first.load_nm * last.load_nm < 0.0 { first.load_nm / (first.load_nm - last.load_nm) } else { 0.0 };
+    panel.nodes.iter().map(|node| node.weight_s).sum::<f64>() * (part(0.0, zero) + part(zero, 1.0))
 }

@@ -2,10 +2,10 @@
 
 use super::recording::Strip;
 use super::rule::{MOST, rule};
-use super::{BLOCK, Block, Extent, GROUP, Gram, Group, Kept, Node, Panel, Place, Run, Share, Trace};
-use crate::brake_times::held_by_the_motor;
+use super::{BLOCK, Block, Carried, Extent, GROUP, Gram, Group, Kept, Node, Panel, Place, Run, Share, Trace};
 use mechanism::{Endless, Extra, Mechanism, Output};
-use motion::{Hold, Motion, Piece, Placed, Runs, lobatto};
+use motion::{Motion, Piece, Placed, Runs, lobatto};
+use quantities::{Angle, Measure};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
 
@@ -13,6 +13,7 @@ pub(super) struct Builder<'a> {
     mechanism: &'a Mechanism,
     motion: &'a Motion,
     extras: &'a [Extra],
+    carried: &'a [Carried],
     /// Strips of a trace of the same recordings.
     known: &'a [Strip],
     nodes: Vec<Node>,
@@ -42,7 +43,7 @@ const PANELS_PER_SEARCH: f64 = 12.0;
 const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 
 /// Revolutions of one cycle at changing speed under a load that depends on the position: beyond, the cycle is refused.
-pub(crate) const REVOLUTIONS_MOST: f64 = 2_000.0;
+pub const REVOLUTIONS_MOST: f64 = 2_000.0;
 
 /// Most panels of one piece, those of so many revolutions.
 const PANELS_MOST: f64 = REVOLUTIONS_MOST * TAU / PANEL_ANGLE;
@@ -55,12 +56,18 @@ const STRAIGHT: usize = 4;
 const KEPT: usize = 1 << 13;
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(mechanism: &'a Mechanism, motion: &'a Motion, extras: &'a [Extra], known: &'a [Strip]) -> Self {
+    pub(super) fn new(
+        mechanism: &'a Mechanism,
+        motion: &'a Motion,
+        extras: &'a [Extra],
+        carried: &'a [Carried],
+    ) -> Self {
         Self {
             mechanism,
             motion,
             extras,
-            known,
+            carried,
+            known: &[],
             nodes: Vec::with_capacity(4 * motion.pieces().len()),
             panels: Vec::with_capacity(motion.pieces().len()),
             strips: Vec::new(),
@@ -75,6 +82,11 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// With the strips of a trace of the same recordings.
+    pub(super) fn knowing(self, known: &'a [Strip]) -> Self {
+        Self { known, ..self }
+    }
+
     pub(super) fn trace(mut self) -> Trace {
         let none = Extra::none();
         let mut recordings = self.motion.recordings().iter().peekable();
@@ -83,8 +95,7 @@ impl<'a> Builder<'a> {
                 self.recording(placed);
             }
             let extra = self.extras.get(piece.segment).unwrap_or(&none);
-            let hold = self.motion.stretches().get(piece.segment).map_or(Hold::Motor, |stretch| stretch.hold);
-            self.piece(piece, extra, hold);
+            self.piece(piece, extra);
         }
         for placed in recordings {
             self.recording(placed);
@@ -97,7 +108,7 @@ impl<'a> Builder<'a> {
             is_changed: false,
             lags: Arc::default(),
             runs: runs(&self.blocks),
-            duration: self.blocks.iter().map(|block| block.duration).sum(),
+            duration: self.blocks.iter().map(|block| block.duration_s).sum(),
             nodes: self.nodes,
             panels: self.panels,
             strips: self.strips,
@@ -120,10 +131,10 @@ impl<'a> Builder<'a> {
         self.blocked = (self.nodes.len(), self.panels.len());
         let mut block = Block::empty(Place::Kept(panels..self.panels.len()));
         block.times = self.times;
-        block.from = self.nodes.get(nodes).map_or(0.0, |node| node.time);
+        block.from_s = self.nodes.get(nodes).map_or(0.0, |node| node.time_s);
         for kept in self.panels.get(panels..).unwrap_or_default() {
             let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
-            block.add(&Panel { nodes, duration: kept.duration, bow: kept.bow });
+            block.add(&Panel { nodes, duration_s: kept.duration, bow: kept.bow });
         }
         self.blocks.push(block);
     }
@@ -135,7 +146,8 @@ impl<'a> Builder<'a> {
         let strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra, self.known);
         let mut survey = strip.found(self.strips.len());
         if let Some(share) = self.shares.get_mut(placed.segment) {
-            share.travelled += survey.blocks.iter().map(|block| block.gram.travelled()).sum::<f64>();
+            let travelled = survey.blocks.iter().map(|block| block.gram.travelled()).sum::<f64>();
+            share.travelled += Angle::from_si(travelled);
         }
         let both = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
         self.inertia = (self.inertia.0.max(survey.inertia.1), self.inertia.1.min(survey.inertia.0));
@@ -151,9 +163,9 @@ impl<'a> Builder<'a> {
         self.blocks.extend(survey.blocks);
     }
 
-    fn piece(&mut self, piece: &Piece, extra: &Extra, hold: Hold) {
+    fn piece(&mut self, piece: &Piece, extra: &Extra) {
         if piece.is_rest() {
-            self.rest(piece, extra, hold);
+            self.rest(piece, extra);
             return;
         }
         if let Some(revolutions) = whole_revolutions(self.mechanism, piece) {
@@ -199,29 +211,24 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn rest(&mut self, piece: &Piece, extra: &Extra, hold: Hold) {
+    fn rest(&mut self, piece: &Piece, extra: &Extra) {
         let output = self.output(piece, 0.0, 0.0);
         let holding = self.mechanism.torque(&output, extra);
-        // Until the brake has closed and while it opens the motor holds.
-        let (closing, opening) = match hold {
-            Hold::Motor => (piece.duration_s, 0.0),
-            Hold::Brake => held_by_the_motor(self.motion, piece.segment),
-            Hold::Free => (0.0, 0.0),
-        };
-        let opens = piece.duration_s - opening;
-        for (from, to, load) in [(0.0, closing, holding), (closing, opens, 0.0), (opens, piece.duration_s, holding)] {
+        let carried = self.carried.get(piece.segment).copied().unwrap_or_default();
+        let (until, again) = carried.ends(piece.duration_s);
+        for (from, to, load) in [(0.0, until, holding), (until, again, 0.0), (again, piece.duration_s, holding)] {
             if to <= from {
                 continue;
             }
             let first = self.nodes.len();
             for at in [from, to] {
                 self.nodes.push(Node {
-                    time: piece.start_s + at,
-                    weight: 0.5 * (to - from),
-                    acceleration: 0.0,
-                    speed: 0.0,
+                    time_s: piece.start_s + at,
+                    weight_s: 0.5 * (to - from),
+                    acceleration_rad_s2: 0.0,
+                    speed_rad_s: 0.0,
                     direction: 0.0,
-                    load,
+                    load_nm: load,
                 });
             }
             self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow: [0.0; 4] });
@@ -241,10 +248,10 @@ impl<'a> Builder<'a> {
 
     /// Notes extremes at an instant.
     fn see(&mut self, output: &Output, extra: &Extra) {
-        let inertia = quantities::Measure::si(self.mechanism.inertia(output.position_rad, extra));
+        let inertia = Measure::si(self.mechanism.inertia(output.position_rad, extra));
         self.inertia = (self.inertia.0.max(inertia), self.inertia.1.min(inertia));
         self.span = (self.span.0.min(output.position_rad), self.span.1.max(output.position_rad));
-        let holding = quantities::Measure::si(self.mechanism.holding_torque(output.position_rad, extra));
+        let holding = Measure::si(self.mechanism.holding_torque(output.position_rad, extra));
         self.holding = self.holding.max(holding.abs());
     }
 
@@ -352,12 +359,12 @@ impl<'a> Builder<'a> {
             let beside = if kinked { (t.max(from + beside)).min(to - beside) } else { t };
             let output = self.output(piece, beside, direction);
             self.nodes.push(Node {
-                time: piece.start_s + t,
-                weight: weight * (to - from) * self.times,
-                acceleration: output.acceleration_rad_s2,
-                speed: output.speed_rad_s,
+                time_s: piece.start_s + t,
+                weight_s: weight * (to - from) * self.times,
+                acceleration_rad_s2: output.acceleration_rad_s2,
+                speed_rad_s: output.speed_rad_s,
                 direction,
-                load: self.mechanism.torque(&output, extra),
+                load_nm: self.mechanism.torque(&output, extra),
             });
             travelled += self.times * weight * (to - from) * output.speed_rad_s * direction;
             self.see(&output, extra);
@@ -365,7 +372,7 @@ impl<'a> Builder<'a> {
         let bow = bow(self.nodes.get(first..).unwrap_or_default());
         self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow });
         if let Some(share) = self.shares.get_mut(piece.segment) {
-            share.travelled += travelled;
+            share.travelled += Angle::from_si(travelled);
         }
     }
 }
@@ -417,7 +424,7 @@ fn turned(mechanism: &Mechanism, piece: &Piece) -> f64 {
 }
 
 /// Revolutions that each piece makes where the load must be looked at along all of them, by segment.
-pub(crate) fn revolutions(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
+pub fn revolutions(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
     if !mechanism.depends_on_position() {
         return Vec::new();
     }
@@ -451,7 +458,7 @@ fn groups(blocks: &[Block]) -> Vec<Group> {
             part.iter().for_each(|block| extent.join(&block.extent));
             let blocks = from..from + part.len();
             from = blocks.end;
-            let (start, recorded) = part.first().map_or((0.0, false), |block| (block.from, block.is_recorded()));
+            let (start, recorded) = part.first().map_or((0.0, false), |block| (block.from_s, block.is_recorded()));
             groups.push(Group { blocks, extent, from: start, recorded });
         }
     }

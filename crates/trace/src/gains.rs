@@ -54,7 +54,7 @@ impl Gain {
 
     /// A panel later.
     pub(super) fn pass(&mut self, panel: &Panel<'_>, tau_s: f64) {
-        let lambda = panel.duration / tau_s;
+        let lambda = panel.duration_s / tau_s;
         let mut add = |decay: f64, weights: &[f64]| {
             self.decay *= decay;
             self.gain.iter_mut().for_each(|g| *g *= decay);
@@ -91,7 +91,7 @@ pub(super) fn swing(panel: &Panel<'_>) -> Products {
     }
     let mut swing = [0.0; 10];
     for ((swing, low), high) in swing.iter_mut().zip(low).zip(high) {
-        *swing = 0.25 * panel.duration * 1.25 * (high - low);
+        *swing = 0.25 * panel.duration_s * 1.25 * (high - low);
     }
     swing
 }
@@ -123,17 +123,17 @@ impl LagBlock {
             for ((node, share), p) in
                 panel.nodes.iter().zip(rule(panel.nodes.len()).nodes()).zip(panel.nodes.iter().map(products))
             {
-                let x = 2.0 * (elapsed + share * panel.duration) / duration - 1.0;
+                let x = 2.0 * (elapsed + share * panel.duration_s) / duration - 1.0;
                 let square = x * x;
                 let legendre = [1.0, x, 1.5 * square - 0.5, (2.5 * square - 1.5) * x];
                 for (moment, legendre) in moments.iter_mut().zip(legendre) {
-                    let weight = node.weight * legendre;
+                    let weight = node.weight_s * legendre;
                     for (sum, p) in moment.iter_mut().zip(p) {
                         *sum += weight * p;
                     }
                 }
             }
-            elapsed += panel.duration;
+            elapsed += panel.duration_s;
             if let Some(whole) = moments.first() {
                 gathered = *whole;
             }

@@ -47,7 +47,7 @@ fn close(found: f64, expected: f64, what: &str) {
 #[test]
 fn cells_hold_every_interval_once_and_add_up_to_the_whole() {
     for (what, mechanism, motion) in cases() {
-        let trace = Trace::of(&mechanism, &motion, &[]);
+        let trace = Trace::of(&mechanism, &motion, &[], &[]);
         let [strip] = trace.strips() else { panic!("{what}: not kept") };
         let root = strip.root().unwrap();
         fn leaves(strip: &Strip, cell: &Cell, seen: &mut Vec<f64>) {
@@ -55,7 +55,7 @@ fn cells_hold_every_interval_once_and_add_up_to_the_whole() {
                 Inside::Intervals(from, to) => {
                     let (extent, _) = strip.seen(cell);
                     strip.panels_within((from, to), &mut |panel| {
-                        seen.push(panel.nodes[0].time);
+                        seen.push(panel.nodes[0].time_s);
                         for node in panel.nodes {
                             for weights in
                                 [[1.0, 0.0, 0.0, 0.0], [0.4, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
@@ -77,7 +77,7 @@ fn cells_hold_every_interval_once_and_add_up_to_the_whole() {
         leaves(strip, root, &mut seen);
         seen.sort_by(f64::total_cmp);
         let mut expected = Vec::new();
-        trace.blocks().iter().for_each(|block| trace.panels(block, &mut |panel| expected.push(panel.nodes[0].time)));
+        trace.blocks().iter().for_each(|block| trace.panels(block, &mut |panel| expected.push(panel.nodes[0].time_s)));
         assert_eq!(seen, expected, "{what}");
         for i in 0..4 {
             let mut weights = [0.0; 4];
@@ -91,9 +91,9 @@ fn cells_hold_every_interval_once_and_add_up_to_the_whole() {
 #[test]
 fn the_largest_values_are_those_of_a_plain_loop() {
     for (what, mechanism, motion) in cases() {
-        let trace = Trace::of(&mechanism, &motion, &[]);
+        let trace = Trace::of(&mechanism, &motion, &[], &[]);
         for own in [0.0, 0.5, 8.0] {
-            let sought = TorqueWith { inertia: own };
+            let sought = TorqueWith { inertia_kgm2: own };
             let (largest, node) = trace.largest(&sought);
             let plain = trace.nodes().iter().map(|node| sought.value(node)).fold(0.0, f64::max);
             assert!(largest >= plain * (1.0 - 1e-12), "{what} {own}: {largest} below {plain}");
@@ -105,10 +105,10 @@ fn the_largest_values_are_those_of_a_plain_loop() {
         let power = Any(
             |extent: &Extent| {
                 let (low, high) = extent.range([0.5, 1.0, 0.0, 0.0]);
-                let (back, forth) = extent.speeds;
+                let (back, forth) = extent.speeds_rad_s;
                 [low * back, low * forth, high * back, high * forth].into_iter().fold(f64::NEG_INFINITY, f64::max)
             },
-            |node: &Node| (0.5 * node.acceleration + node.load) * node.speed,
+            |node: &Node| (0.5 * node.acceleration_rad_s2 + node.load_nm) * node.speed_rad_s,
         );
         let (largest, _) = trace.largest(&power);
         let plain = trace.nodes().iter().map(|node| power.value(node)).fold(f64::NEG_INFINITY, f64::max);
@@ -119,7 +119,7 @@ fn the_largest_values_are_those_of_a_plain_loop() {
 #[test]
 fn the_cubes_are_those_of_a_plain_loop() {
     for (what, mechanism, motion) in cases() {
-        let trace = Trace::of(&mechanism, &motion, &[]);
+        let trace = Trace::of(&mechanism, &motion, &[], &[]);
         let mut plain = 0.0;
         trace.blocks().iter().for_each(|block| trace.panels(block, &mut |panel| plain += cubes_of_panel(&panel)));
         assert!((trace.cubes() / plain - 1.0).abs() < 1e-9, "{what}: {} against {plain}", trace.cubes());
@@ -130,12 +130,12 @@ fn the_cubes_are_those_of_a_plain_loop() {
 #[test]
 fn another_load_and_another_pace_are_seen_as_if_surveyed_anew() {
     let motion = noisy(true);
-    let base = Trace::of(&direct(), &motion, &[]);
-    let _ = base.largest(&TorqueWith { inertia: 0.5 });
+    let base = Trace::of(&direct(), &motion, &[], &[]);
+    let _ = base.largest(&TorqueWith { inertia_kgm2: 0.5 });
     for (mechanism, motion) in [(direct().with_masses(3.0), motion.clone()), (direct(), motion.stretched(0.7))] {
-        let (changed, anew) = (base.changed(&mechanism, &motion, &[]), Trace::of(&mechanism, &motion, &[]));
+        let (changed, anew) = (base.changed(&mechanism, &motion, &[], &[]), Trace::of(&mechanism, &motion, &[], &[]));
         for own in [0.0, 0.5] {
-            let sought = TorqueWith { inertia: own };
+            let sought = TorqueWith { inertia_kgm2: own };
             close(changed.largest(&sought).0, anew.largest(&sought).0, "peak");
         }
         close(changed.cubes(), anew.cubes(), "cubes");
@@ -152,7 +152,7 @@ fn another_load_and_another_pace_are_seen_as_if_surveyed_anew() {
 #[test]
 fn lags_are_those_of_a_plain_loop() {
     for (what, mechanism, motion) in cases() {
-        let trace = Trace::of(&mechanism, &motion, &[]);
+        let trace = Trace::of(&mechanism, &motion, &[], &[]);
         for taus in [[2.0, 60.0], [40.0, 3_000.0], [0.3, 5.0]] {
             let forms = [Form::square([0.2, 0.5, 0.1, 0.3]), Form::product([0.0, 0.0, 0.5, 0.4], [0.0, 0.0, 0.0, 1.0])];
             let lags = [0, 1].map(|k| Lag { tau_s: taus[k], form: forms[k] });
@@ -165,7 +165,7 @@ fn lags_are_those_of_a_plain_loop() {
                 trace.blocks().iter().for_each(|block| {
                     trace.panels(block, &mut |panel| {
                         for (state, lag) in states.iter_mut().zip(&lags) {
-                            let (lambda, n) = (panel.duration / lag.tau_s, panel.nodes.len());
+                            let (lambda, n) = (panel.duration_s / lag.tau_s, panel.nodes.len());
                             let weights = rule::rule(n).weights(lambda);
                             let gain: f64 =
                                 panel.nodes.iter().zip(weights).map(|(node, w)| w * lag.form.at(node)).sum();
@@ -203,13 +203,13 @@ fn moments_of_straight_intervals_by_two_ways() {
             continue;
         }
         let node = |speed: f64| Node {
-            acceleration: interval.acceleration_rad_s2(),
-            load: plain.constant_nm + 2.5,
-            speed,
+            acceleration_rad_s2: interval.acceleration_rad_s2(),
+            load_nm: plain.constant_nm + 2.5,
+            speed_rad_s: speed,
             ..Node::default()
         };
         let nodes = [node(w0), node(0.5 * (w0 + w1)), node(w1)];
-        let panel = Panel { nodes: &nodes, duration: interval.duration_s, bow: [0.0; 4] };
+        let panel = Panel { nodes: &nodes, duration_s: interval.duration_s, bow: [0.0; 4] };
         let (mut by_nodes, mut closed) = ([0.0; 20], [0.0; 20]);
         cubes::add(&mut by_nodes, &panel);
         cubes::add_interval(&mut closed, plain.constant_nm + 2.5, &interval);

@@ -1,6 +1,6 @@
 //! A recording seen under another load and at another pace than its survey.
 
-use crate::trace::{Extent, Form, Gram, Node};
+use crate::{Extent, Form, Gram, Node};
 
 /// How the signals of a strip follow from those that its survey holds.
 ///
@@ -9,7 +9,7 @@ use crate::trace::{Extent, Form, Gram, Node};
 /// # Symbols  f stretch of the time; R recorded torque and what does not change over the motion \[Nm\]
 /// # Source   docs/theory/moments.md
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::trace) struct View {
+pub(crate) struct View {
     pub(super) inertia: f64,
     pub(super) coulomb: f64,
     pub(super) viscous: f64,
@@ -18,19 +18,22 @@ pub(in crate::trace) struct View {
 }
 
 impl View {
+    #[inline]
     pub(super) fn node(&self, raw: &Node) -> Node {
-        let (acceleration, speed) = (raw.acceleration / (self.stretch * self.stretch), raw.speed / self.stretch);
+        let (acceleration, speed) =
+            (raw.acceleration_rad_s2 / (self.stretch * self.stretch), raw.speed_rad_s / self.stretch);
         Node {
-            time: self.start + self.stretch * raw.time,
-            weight: self.stretch * raw.weight,
-            acceleration,
-            speed,
+            time_s: self.start + self.stretch * raw.time_s,
+            weight_s: self.stretch * raw.weight_s,
+            acceleration_rad_s2: acceleration,
+            speed_rad_s: speed,
             direction: raw.direction,
-            load: raw.load + self.inertia * acceleration + self.coulomb * raw.direction + self.viscous * speed,
+            load_nm: raw.load_nm + self.inertia * acceleration + self.coulomb * raw.direction + self.viscous * speed,
         }
     }
 
     /// Row i gives signal i from those of the survey.
+    #[inline]
     pub(super) fn rows(&self) -> [[f64; 4]; 4] {
         let slow = 1.0 / self.stretch;
         let slower = slow * slow;
@@ -57,6 +60,7 @@ impl View {
     }
 
     /// The weights of the signals of the survey that make the same sum as others of those under the load: Aᵀ c.
+    #[inline]
     pub(super) fn weights(&self, c: [f64; 4]) -> [f64; 4] {
         let mut raw = [0.0; 4];
         for (row, c) in self.rows().iter().zip(c) {
@@ -65,12 +69,13 @@ impl View {
         raw
     }
 
+    #[inline]
     pub(super) fn extent(&self, raw: &Extent) -> Extent {
         let times = |(low, high): (f64, f64), factor: f64| (low * factor, high * factor);
         let slow = 1.0 / self.stretch;
-        let (acceleration, speeds) = (times(raw.acceleration, slow * slow), times(raw.speeds, slow));
+        let (acceleration, speeds) = (times(raw.acceleration_rad_s2, slow * slow), times(raw.speeds_rad_s, slow));
         let parts = [
-            raw.load,
+            raw.load_nm,
             times(acceleration, self.inertia),
             times(raw.direction, self.coulomb),
             times(speeds, self.viscous),
@@ -79,22 +84,29 @@ impl View {
         // The nodes are rounded otherwise than the sums here; the bounds must hold for them too.
         let room = 8.0 * f64::EPSILON * parts.iter().map(|part| part.0.abs().max(part.1.abs())).sum::<f64>();
         let load = (load.0 - room, load.1 + room);
-        Extent { acceleration, load, speeds, speed: raw.speed * slow, direction: raw.direction }
+        Extent {
+            acceleration_rad_s2: acceleration,
+            load_nm: load,
+            speeds_rad_s: speeds,
+            speed_rad_s: raw.speed_rad_s * slow,
+            direction: raw.direction,
+        }
     }
 
     /// Qʹ = Aᵀ Q A: the same form of the signals of the survey.
-    pub(in crate::trace) fn form(&self, form: &Form) -> Form {
+    pub(crate) fn form(&self, form: &Form) -> Form {
         let rows = self.rows();
         let mut raw = Form::default();
         for (q, a) in form.0.iter().zip(&rows) {
             for (q, b) in q.iter().zip(&rows) {
-                raw = raw.add(&Form::product(*a, *b).scale(*q));
+                raw = raw.plus(&Form::product(*a, *b).scale(*q));
             }
         }
         raw
     }
 
-    pub(in crate::trace) const fn stretch(&self) -> f64 {
+    #[inline]
+    pub(crate) const fn stretch(&self) -> f64 {
         self.stretch
     }
 }

@@ -99,16 +99,16 @@ impl Strip {
             let (output, torque) = Self::output(interval, u, direction);
             let output = Output { position_rad: interval.at(beside).0, ..output };
             *node = Node {
-                time: interval.start_s + u * interval.duration_s,
-                weight: weight * duration,
-                acceleration: output.acceleration_rad_s2,
-                speed: output.speed_rad_s,
+                time_s: interval.start_s + u * interval.duration_s,
+                weight_s: weight * duration,
+                acceleration_rad_s2: output.acceleration_rad_s2,
+                speed_rad_s: output.speed_rad_s,
                 direction,
-                load: self.mechanism.torque(&output, &self.with_recorded(torque)),
+                load_nm: self.mechanism.torque(&output, &self.with_recorded(torque)),
             };
         }
         let nodes = nodes.get(..count).unwrap_or_default();
-        look(Panel { nodes, duration, bow: [0.0, bow(nodes), 0.0, 0.0] });
+        look(Panel { nodes, duration_s: duration, bow: [0.0, bow(nodes), 0.0, 0.0] });
     }
 }
 
@@ -117,8 +117,8 @@ impl Strip {
 fn bow(nodes: &[Node]) -> f64 {
     let triples = nodes.iter().zip(nodes.iter().skip(1)).zip(nodes.iter().skip(2));
     let most = triples.fold(0.0_f64, |most, ((a, b), c)| {
-        let (left, right) = (b.time - a.time, c.time - b.time);
-        let bend = 2.0 * ((c.load - b.load) / right - (b.load - a.load) / left) / (left + right);
+        let (left, right) = (b.time_s - a.time_s, c.time_s - b.time_s);
+        let bend = 2.0 * ((c.load_nm - b.load_nm) / right - (b.load_nm - a.load_nm) / left) / (left + right);
         most.max(bend.abs() * left.max(right) * left.max(right) / 8.0)
     });
     // Of three nodes the parabola is all there is; of more the bend between two of them may be larger than at either.

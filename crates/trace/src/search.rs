@@ -14,7 +14,7 @@ const NEGLIGIBLE: f64 = 1e-9;
 const HALVINGS: u32 = 20;
 
 /// A signal whose largest value over the cycle is sought.
-pub(crate) trait Sought {
+pub trait Sought {
     /// Whether no value on a straight line is above both its ends, as of the magnitude of a weighted sum.
     const CONVEX: bool = false;
 
@@ -36,7 +36,7 @@ pub(crate) trait Sought {
 }
 
 /// The magnitude of a weighted sum, or what else is convex over (α, T_L, σ, ω): its bound and its value.
-pub(crate) struct Convex<B, V>(pub(crate) B, pub(crate) V);
+pub struct Convex<B, V>(pub B, pub V);
 
 impl<B: Fn(&Extent) -> f64, V: Fn(&Node) -> f64> Sought for Convex<B, V> {
     const CONVEX: bool = true;
@@ -51,7 +51,7 @@ impl<B: Fn(&Extent) -> f64, V: Fn(&Node) -> f64> Sought for Convex<B, V> {
 }
 
 /// Any value: what lies between two instants is bounded like what lies within their bounds.
-pub(crate) struct Any<B, V>(pub(crate) B, pub(crate) V);
+pub struct Any<B, V>(pub B, pub V);
 
 impl<B: Fn(&Extent) -> f64, V: Fn(&Node) -> f64> Sought for Any<B, V> {
     fn bound(&self, extent: &Extent) -> f64 {
@@ -64,32 +64,32 @@ impl<B: Fn(&Extent) -> f64, V: Fn(&Node) -> f64> Sought for Any<B, V> {
 }
 
 /// |J α + T_L|
-pub(crate) struct TorqueWith {
+pub struct TorqueWith {
     /// J \[kgm²\]
-    pub(crate) inertia: f64,
+    pub inertia_kgm2: f64,
 }
 
 impl Sought for TorqueWith {
     const CONVEX: bool = true;
 
     fn bound(&self, extent: &Extent) -> f64 {
-        extent.torque(self.inertia)
+        extent.torque(self.inertia_kgm2)
     }
 
     fn value(&self, node: &Node) -> f64 {
-        (self.inertia * node.acceleration + node.load).abs()
+        (self.inertia_kgm2 * node.acceleration_rad_s2 + node.load_nm).abs()
     }
 }
 
 impl Trace {
     /// The largest value over the cycle and the first instant that has it. What has a bound not above what is found already
     /// is left out.
-    pub(crate) fn largest(&self, sought: &impl Sought) -> (f64, Node) {
+    pub fn largest(&self, sought: &impl Sought) -> (f64, Node) {
         self.search(sought, true)
     }
 
     /// The same of a trace just made: for one look the cells of a recording are not worth their while, unless they are there.
-    pub(crate) fn largest_once(&self, sought: &impl Sought) -> (f64, Node) {
+    pub fn largest_once(&self, sought: &impl Sought) -> (f64, Node) {
         self.search(sought, self.is_changed)
     }
 
@@ -102,7 +102,7 @@ impl Trace {
         };
         in_order(&self.groups, group_bound, &mut best, |group, best| {
             let blocks = self.blocks.get(group.blocks.clone()).filter(|_| !in_cells(group)).unwrap_or_default();
-            let bound = |block: &Block| (sought.bound(&block.extent), block.from);
+            let bound = |block: &Block| (sought.bound(&block.extent), block.from_s);
             in_order(blocks, bound, best, |block, best| self.panels(block, &mut |panel| best.look(&panel, sought)));
         });
         if by_cells {
@@ -112,8 +112,8 @@ impl Trace {
     }
 
     /// The largest value over the recordings whose nodes are not kept, if it is above the least that counts; else that.
-    pub(crate) fn largest_recorded(&self, sought: &impl Sought, least: f64) -> f64 {
-        let mut best = Best { value: least, node: Node { time: f64::NEG_INFINITY, ..Node::default() } };
+    pub fn largest_recorded(&self, sought: &impl Sought, least: f64) -> f64 {
+        let mut best = Best { value: least, node: Node { time_s: f64::NEG_INFINITY, ..Node::default() } };
         self.search_cells(sought, &mut best);
         best.value
     }
@@ -134,15 +134,17 @@ struct Best {
 }
 
 impl Best {
+    #[inline]
     fn see(&mut self, node: &Node, value: f64) {
-        if value > self.value || (value == self.value && node.time < self.node.time) {
+        if value > self.value || (value == self.value && node.time_s < self.node.time_s) {
             *self = Self { value, node: *node };
         }
     }
 
     /// Whether a bound of what begins at an instant leaves room for something better, or for the same at an earlier instant.
+    #[inline]
     fn may_be_within(&self, bound: f64, from: f64) -> bool {
-        if self.value == f64::NEG_INFINITY || from < self.node.time {
+        if self.value == f64::NEG_INFINITY || from < self.node.time_s {
             bound >= self.value
         } else {
             bound > self.value + ROUNDING * self.value.abs()
@@ -203,7 +205,7 @@ impl Best {
         if S::CONVEX || a.signals() == b.signals() {
             return;
         }
-        let (from, to) = (a.speed.abs(), b.speed.abs());
+        let (from, to) = (a.speed_rad_s.abs(), b.speed_rad_s.abs());
         let mut start = *a;
         let mut passed = from;
         // In the order in which the line passes them.
@@ -223,6 +225,7 @@ impl Best {
         }
     }
 
+    #[inline]
     fn is_exceeded_by(&self, bound: f64) -> bool {
         bound > self.value + NEGLIGIBLE * self.value.abs()
     }
@@ -255,6 +258,7 @@ impl Best {
 }
 
 /// The corner that a line passes next on its way from one speed to another.
+#[inline]
 fn next_corner(corners: &[f64], passed: f64, to: f64) -> Option<f64> {
     if to > passed {
         corners.iter().copied().filter(|corner| *corner > passed && *corner < to).min_by(f64::total_cmp)

@@ -104,19 +104,22 @@ fn brute(mechanism: &Mechanism, motion: &Motion, own: f64) -> [f64; 5] {
 }
 
 fn compare(name: &str, mechanism: &Mechanism, motion: &Motion) {
-    let trace = Trace::of(mechanism, motion, &[]);
+    let trace = Trace::of(mechanism, motion, &[], &[]);
     let own = 0.7;
     let expected = brute(mechanism, motion, own);
-    let work: f64 =
-        trace.nodes().iter().map(|node| node.weight * (own * node.acceleration + node.load) * node.speed).sum();
+    let work: f64 = trace
+        .nodes()
+        .iter()
+        .map(|node| node.weight_s * (own * node.acceleration_rad_s2 + node.load_nm) * node.speed_rad_s)
+        .sum();
     let found =
         [trace.gram.square([own, 1.0, 0.0, 0.0]), trace.gram.travelled(), trace.gram.moving(), trace.cubes(), work];
     for (index, (a, b)) in found.iter().zip(expected).enumerate() {
         assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{name}, integral {index}: {a} against {b}");
     }
-    let duration: f64 = trace.nodes().iter().map(|node| node.weight).sum();
+    let duration: f64 = trace.nodes().iter().map(|node| node.weight_s).sum();
     assert!((duration - motion.duration().si()).abs() < 1e-12, "{name}: the weights sum to {duration}");
-    assert!(trace.nodes().windows(2).all(|pair| pair[1].time >= pair[0].time), "{name}: time runs forward");
+    assert!(trace.nodes().windows(2).all(|pair| pair[1].time_s >= pair[0].time_s), "{name}: time runs forward");
 }
 
 #[test]
@@ -144,12 +147,15 @@ fn the_moments_agree_with_brute_force_for_every_law_and_load() {
 
 #[test]
 fn the_brake_carries_what_the_motor_does_not() {
-    let hold = |hold| {
-        let rest = SegmentSpec::Dwell(Time::from_si(1.0), hold);
-        Trace::of(&arm(), &motion(&[jerk(0.5), rest, jerk(-0.5)]), &[])
-    };
-    let (motor, brake) = (hold(Hold::Motor), hold(Hold::Brake));
-    assert!(motor.gram.square([0.0, 1.0, 0.0, 0.0]) > brake.gram.square([0.0, 1.0, 0.0, 0.0]));
+    let cycle = motion(&[jerk(0.5), SegmentSpec::Dwell(Time::from_si(1.0), Hold::Brake), jerk(-0.5)]);
+    let hold = |dwell| Trace::of(&arm(), &cycle, &[], &[Carried::Throughout, dwell]);
+    let ends = Carried::AtItsEnds { first: Time::from_si(0.07), last: Time::from_si(0.11) };
+    let (motor, brake, never) = (hold(Carried::Throughout), hold(ends), hold(Carried::Never));
+    let square = |trace: &Trace| trace.gram.square([0.0, 1.0, 0.0, 0.0]);
+    // Half a radian from the horizontal the arm asks for its cosine, 0.82 of the second held by the brake.
+    let held = (6.0 * mechanism::gravity_m_s2() * 0.35 * 0.5_f64.cos()).powi(2);
+    assert!((square(&motor) - square(&brake) - 0.82 * held).abs() < 1e-9, "{}", square(&motor) - square(&brake));
+    assert!((square(&motor) - square(&never) - held).abs() < 1e-9);
     // Whoever holds: nothing asks for more than the horizontal position, from which the arm starts.
     let expected = 6.0 * mechanism::gravity_m_s2() * 0.35;
     assert!((brake.holding - expected).abs() < 1e-9, "{}", brake.holding);
@@ -165,16 +171,16 @@ fn the_envelope_finds_what_a_plain_loop_finds() {
         segments
             .push(manual(if k % 3 == 0 { -speed } else { speed }, [0.05 + 0.001 * f64::from(k % 17), 0.1, 0.06, 0.0]));
     }
-    let trace = Trace::of(&direct(), &motion(&segments), &[]);
+    let trace = Trace::of(&direct(), &motion(&segments), &[], &[]);
     assert!(trace.nodes().len() > 4 * BLOCK);
     for own in [0.0, 0.01, 0.5, 8.0] {
-        let value = |node: &Node| (own * node.acceleration + node.load).abs();
-        let (largest, node) = trace.largest(&TorqueWith { inertia: own });
-        let at = node.time;
+        let value = |node: &Node| (own * node.acceleration_rad_s2 + node.load_nm).abs();
+        let (largest, node) = trace.largest(&TorqueWith { inertia_kgm2: own });
+        let at = node.time_s;
         let mut plain = (f64::NEG_INFINITY, 0.0);
         for node in &trace.nodes() {
             if value(node) > plain.0 {
-                plain = (value(node), node.time);
+                plain = (value(node), node.time_s);
             }
         }
         assert_eq!((largest, at), plain, "own inertia {own}");
@@ -183,8 +189,8 @@ fn the_envelope_finds_what_a_plain_loop_finds() {
 
 #[test]
 fn from_rest_to_rest_the_acceleration_along_the_motion_cancels() {
-    let trace = Trace::of(&direct(), &motion(&[manual(4.0, [0.1, 0.3, 0.25, 0.5])]), &[]);
-    let along: f64 = trace.nodes().iter().map(|node| node.weight * node.acceleration * node.direction).sum();
+    let trace = Trace::of(&direct(), &motion(&[manual(4.0, [0.1, 0.3, 0.25, 0.5])]), &[], &[]);
+    let along: f64 = trace.nodes().iter().map(|node| node.weight_s * node.acceleration_rad_s2 * node.direction).sum();
     assert!(along.abs() < 1e-12);
 }
 
@@ -202,8 +208,8 @@ fn the_peak_of_every_law_is_a_node() {
         (Law::SimpleSine, std::f64::consts::PI.powi(2) / 2.0),
         (Law::InclinedSine, std::f64::consts::TAU),
     ] {
-        let trace = Trace::of(&load, &motion(&[law(law_name, s, t)]), &[]);
-        let (peak, _) = trace.largest(&TorqueWith { inertia: 0.8 });
+        let trace = Trace::of(&load, &motion(&[law(law_name, s, t)]), &[], &[]);
+        let (peak, _) = trace.largest(&TorqueWith { inertia_kgm2: 0.8 });
         let expected = 1.8 * c_a * s / (t * t);
         assert!((peak / expected - 1.0).abs() < 1e-12, "{law_name:?}: {peak} against {expected}");
     }
@@ -271,13 +277,13 @@ fn the_moments_of_a_recording_are_exact_for_straight_lines_between_samples() {
     load.friction.viscous = ViscousFriction::from_si(2.0);
     for samples in [50, 1_000, 20_000] {
         let motion = swing(samples);
-        let trace = Trace::of(&load, &motion, &[]);
+        let trace = Trace::of(&load, &motion, &[], &[]);
         let expected = by_intervals(&motion.recordings()[0], &load, 0.7);
         let found = [trace.gram.square([0.7, 1.0, 0.0, 0.0]), trace.gram.travelled(), trace.gram.moving()];
         for (index, (a, b)) in found.iter().zip(expected).enumerate() {
             assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{samples}, integral {index}: {a} against {b}");
         }
-        let work: f64 = trace.nodes().iter().map(|n| n.weight * n.acceleration * n.load).sum();
+        let work: f64 = trace.nodes().iter().map(|n| n.weight_s * n.acceleration_rad_s2 * n.load_nm).sum();
         let blocks: f64 =
             trace.blocks().iter().map(|block| block.gram.product([1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0])).sum();
         assert!((work - blocks).abs() <= 1e-11 * (1.0 + work.abs()), "{work} {blocks}");
@@ -307,8 +313,8 @@ fn a_sampled_law_comes_near_the_law() {
     };
     for load in [direct(), arm()] {
         let own = [0.7, 1.0, 0.0, 0.0];
-        let whole = Trace::of(&load, &exact, &[]).gram.square(own);
-        let miss = |n| (Trace::of(&load, &sampled(n), &[]).gram.square(own) / whole - 1.0).abs();
+        let whole = Trace::of(&load, &exact, &[], &[]).gram.square(own);
+        let miss = |n| (Trace::of(&load, &sampled(n), &[], &[]).gram.square(own) / whole - 1.0).abs();
         let (coarse, fine) = (miss(300), miss(600));
         assert!(coarse < 2e-3 && fine < 5e-4, "{coarse} {fine}");
         assert!(coarse / fine > 3.0 || coarse < 1e-6, "{coarse} {fine}");
@@ -319,18 +325,18 @@ fn a_sampled_law_comes_near_the_law() {
 #[test]
 fn the_envelope_of_a_recording_finds_what_a_plain_loop_finds_and_threads_change_no_bit() {
     let motion = swing(70_000);
-    let trace = Trace::of(&direct(), &motion, &[]);
-    let again = Trace::of(&direct(), &motion, &[]);
+    let trace = Trace::of(&direct(), &motion, &[], &[]);
+    let again = Trace::of(&direct(), &motion, &[], &[]);
     assert_eq!(trace.gram, again.gram);
     let single: Vec<Gram> = swing_blocks(&motion);
     assert_eq!(trace.blocks().iter().map(|block| block.gram).collect::<Vec<_>>(), single);
     for own in [0.0, 0.5, 8.0] {
-        let value = |node: &Node| (own * node.acceleration + node.load).abs();
-        let (largest, node) = trace.largest(&TorqueWith { inertia: own });
+        let value = |node: &Node| (own * node.acceleration_rad_s2 + node.load_nm).abs();
+        let (largest, node) = trace.largest(&TorqueWith { inertia_kgm2: own });
         let plain = trace.nodes().iter().fold((f64::NEG_INFINITY, 0.0), |best, node| {
-            if value(node) > best.0 { (value(node), node.time) } else { best }
+            if value(node) > best.0 { (value(node), node.time_s) } else { best }
         });
-        assert_eq!((largest, node.time), plain, "own inertia {own}");
+        assert_eq!((largest, node.time_s), plain, "own inertia {own}");
     }
 }
 
@@ -366,12 +372,12 @@ fn the_peak_between_nodes_is_found() {
         };
         pieces.flat_map(|piece| (0..=20_000).map(move |k| at(piece, k))).fold(0.0, f64::max)
     };
-    let trace = Trace::of(&load, &motion, &[]);
+    let trace = Trace::of(&load, &motion, &[], &[]);
     for own in [0.0, 0.28, 0.6, 3.0] {
-        let (peak, node) = trace.largest(&TorqueWith { inertia: own });
+        let (peak, node) = trace.largest(&TorqueWith { inertia_kgm2: own });
         let expected = dense(own);
         assert!((peak / expected - 1.0).abs() < 1e-8, "{own}: {peak} against {expected}");
-        assert!(((own * node.acceleration + node.load).abs() - peak).abs() < 1e-12);
+        assert!(((own * node.acceleration_rad_s2 + node.load_nm).abs() - peak).abs() < 1e-12);
     }
     assert!((dense(0.28) - 42.35).abs() < 0.005, "{}", dense(0.28));
 }

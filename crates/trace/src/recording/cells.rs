@@ -4,8 +4,8 @@
 
 use super::straight::{Sums, bounds};
 use super::{SHARED_FROM, Strip, in_two};
-use crate::trace::cubes::{self, Moments};
-use crate::trace::{Extent, Gram, Panel};
+use crate::cubes::{self, Moments};
+use crate::{Extent, Gram, Panel};
 use mechanism::Plain;
 
 /// A cell of at most so many intervals is not split.
@@ -13,19 +13,22 @@ const LEAF: usize = 64;
 
 /// Intervals with close signals, their bounds and sums in the signals of the survey.
 #[derive(Debug)]
-pub(crate) struct Cell {
-    pub(crate) extent: Extent,
-    pub(crate) gram: Gram,
+pub struct Cell {
+    /// Bounds of its intervals, in the signals of the cells.
+    pub extent: Extent,
+    /// Sums of their products.
+    pub gram: Gram,
     /// Instant at which the first of them begins \[s\].
     pub(super) from: f64,
-    pub(crate) inside: Inside,
+    /// What it is made of.
+    pub inside: Inside,
     /// Its place among the cells.
     pub(super) number: u32,
 }
 
 /// What a cell is made of.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Inside {
+pub enum Inside {
     /// Intervals, between two places of the order.
     Intervals(u32, u32),
     /// Two cells.
@@ -34,7 +37,7 @@ pub(crate) enum Inside {
 
 /// The tree, its root last.
 #[derive(Debug)]
-pub(crate) struct Cells {
+pub(super) struct Cells {
     cells: Vec<Cell>,
     order: Vec<u32>,
 }
@@ -115,10 +118,12 @@ impl Cells {
         own
     }
 
+    #[inline]
     pub(super) fn root(&self) -> Option<&Cell> {
         self.cells.last()
     }
 
+    #[inline]
     pub(super) fn halves(&self, halves: [u32; 2]) -> [Option<&Cell>; 2] {
         halves.map(|index| self.cells.get(index as usize))
     }
@@ -153,6 +158,7 @@ impl Cells {
         all
     }
 
+    #[inline]
     pub(super) fn intervals(&self, from: u32, to: u32) -> impl Iterator<Item = usize> {
         self.order.get(from as usize..to as usize).unwrap_or_default().iter().map(|index| *index as usize)
     }
@@ -181,7 +187,7 @@ fn signals(strip: &Strip, index: usize) -> Option<(usize, [f32; 3])> {
     let mut torque = 0.5 * (interval.torque_nm[0] + interval.torque_nm[1]);
     if strip.plain.is_none() {
         strip.raw_interval(index, &mut |panel: Panel<'_>| {
-            torque = panel.nodes.get(panel.nodes.len() / 2).map_or(0.0, |node| node.load);
+            torque = panel.nodes.get(panel.nodes.len() / 2).map_or(0.0, |node| node.load_nm);
         });
     }
     Some((direction(from, to), [interval.acceleration_rad_s2() as f32, (0.5 * (from + to)) as f32, torque as f32]))
@@ -301,6 +307,6 @@ impl Cell {
         }
         extent.bend(&panel.bow);
         self.extent.join(&extent);
-        self.from = self.from.min(panel.nodes.first().map_or(f64::INFINITY, |node| node.time));
+        self.from = self.from.min(panel.nodes.first().map_or(f64::INFINITY, |node| node.time_s));
     }
 }

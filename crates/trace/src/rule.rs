@@ -20,6 +20,7 @@ pub(super) struct Rule {
 }
 
 /// The rule of n nodes.
+#[inline]
 pub(super) fn rule(n: usize) -> &'static Rule {
     static RULES: LazyLock<Vec<Rule>> = LazyLock::new(|| (0..=MOST).map(Rule::new).collect());
     static NONE: Rule = Rule { nodes: Vec::new(), barycentric: Vec::new(), legendre: Vec::new() };
@@ -93,6 +94,7 @@ impl Rule {
         part
     }
 
+    #[inline]
     pub(super) fn nodes(&self) -> &[f64] {
         &self.nodes
     }
@@ -197,17 +199,18 @@ pub(super) fn short(lambda: f64) -> (f64, [f64; 3]) {
 }
 
 /// The instant at a share of a panel, on the polynomial through its nodes.
+#[inline]
 pub(super) fn between(nodes: &[Node], s: f64) -> Node {
     let shares = rule(nodes.len()).shares(s);
     let mut at = Node::default();
     for (node, share) in nodes.iter().zip(shares) {
-        at.acceleration += share * node.acceleration;
-        at.speed += share * node.speed;
-        at.load += share * node.load;
+        at.acceleration_rad_s2 += share * node.acceleration_rad_s2;
+        at.speed_rad_s += share * node.speed_rad_s;
+        at.load_nm += share * node.load_nm;
     }
     if let (Some(first), Some(last)) = (nodes.first(), nodes.last()) {
         at.direction = first.direction;
-        at.time = first.time + s * (last.time - first.time);
+        at.time_s = first.time_s + s * (last.time_s - first.time_s);
     }
     at
 }

@@ -8,20 +8,20 @@ use std::sync::{Arc, OnceLock};
 
 /// One first-order lag y' = (u − y)/τ of a form, in the steady periodic state.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Lag {
+pub struct Lag {
     /// τ \[s\], greater than zero.
-    pub(crate) tau_s: f64,
+    pub tau_s: f64,
     /// u
-    pub(crate) form: Form,
+    pub form: Form,
 }
 
 /// A largest value and when in the cycle it is reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Peak {
+pub struct Peak {
     /// The value.
-    pub(crate) value: f64,
+    pub value: f64,
     /// Instant from the start of the cycle \[s\].
-    pub(crate) at_s: f64,
+    pub at_s: f64,
 }
 
 /// What lags need of the panels that are kept.
@@ -48,7 +48,7 @@ struct Course {
 
 impl Course {
     fn of(lag: &Lag, panel: &Panel<'_>) -> Self {
-        let (lambda, count) = (panel.duration / lag.tau_s, panel.nodes.len());
+        let (lambda, count) = (panel.duration_s / lag.tau_s, panel.nodes.len());
         let mut input = [0.0; MOST];
         input.iter_mut().zip(panel.nodes).for_each(|(u, node)| *u = lag.form.at(node));
         let gain = dot(&rule(count).weights(lambda), &input);
@@ -150,7 +150,7 @@ impl Flow {
 impl Trace {
     /// Mean of a form over the cycle.
     #[cfg(test)]
-    pub(crate) fn mean(&self, form: &Form) -> f64 {
+    pub fn mean(&self, form: &Form) -> f64 {
         let sum = self.gram.0.iter().flatten().zip(form.0.iter().flatten()).map(|(g, q)| g * q).sum::<f64>();
         sum / self.duration
     }
@@ -161,7 +161,7 @@ impl Trace {
     /// which has a lag in closed form
     ///
     /// # Source   docs/theory/moments.md
-    pub(crate) fn peak_of_lags(&self, lags: &[Lag]) -> Peak {
+    pub fn peak_of_lags(&self, lags: &[Lag]) -> Peak {
         let flows: Vec<Flow> = lags.iter().map(|lag| self.flow(lag)).collect();
         let count = flows.first().map_or(0, |flow| flow.stretches.len());
         let mut states: Vec<f64> = flows.iter().map(|flow| flow.start).collect();
@@ -245,7 +245,7 @@ impl Trace {
                 Run::Kept(range) => {
                     if within < range.len() {
                         return self.panels.get(range.start + within).map_or(0.0, |kept| {
-                            self.nodes.get(kept.nodes.clone()).and_then(<[Node]>::last).map_or(0.0, |node| node.time)
+                            self.nodes.get(kept.nodes.clone()).and_then(<[Node]>::last).map_or(0.0, |node| node.time_s)
                         });
                     }
                     before += range.len();
@@ -253,7 +253,7 @@ impl Trace {
                 Run::Repeated(range, times) => {
                     if within == 0 {
                         let first = self.panels.get(range.start).and_then(|kept| self.nodes.get(kept.nodes.start));
-                        return first.map_or(0.0, |node| node.time) + times * self.duration_of(range);
+                        return first.map_or(0.0, |node| node.time_s) + times * self.duration_of(range);
                     }
                     before += 1;
                 }
@@ -262,7 +262,8 @@ impl Trace {
                     if within < blocks.len() {
                         let mut last = 0.0;
                         if let (Some(block), Some(strip)) = (blocks.get(within), self.strips.get(*strip)) {
-                            strip.panels(block, &mut |panel| last = panel.nodes.last().map_or(last, |node| node.time));
+                            strip
+                                .panels(block, &mut |panel| last = panel.nodes.last().map_or(last, |node| node.time_s));
                         }
                         return last;
                     }
@@ -401,13 +402,13 @@ impl Search<'_> {
             let (decay, gain) = flow.stretch(index);
             let next = state * decay + gain;
             let inputs = panel.nodes.iter().map(|node| lag.form.at(node));
-            let (low, high) = slopes(inputs, (*state, next), panel.duration / lag.tau_s, lag.tau_s);
+            let (low, high) = slopes(inputs, (*state, next), panel.duration_s / lag.tau_s, lag.tau_s);
             lowest += low;
             highest += high;
             start += state;
             end += next;
         }
-        turns(lowest, highest) && f64::max(start, end) + 0.25 * panel.duration * (highest - lowest) > self.enough()
+        turns(lowest, highest) && f64::max(start, end) + 0.25 * panel.duration_s * (highest - lowest) > self.enough()
     }
 
     /// How far the sum of the lags may rise by the swings of what drives them.
@@ -429,7 +430,7 @@ impl Search<'_> {
         let mut ends = [0.0; LAGS];
         for ((state, lag), end) in states.iter().zip(self.lags).zip(&mut ends) {
             let u = [a, b, c].map(|node| lag.form.at(node));
-            let (decay, weights) = short(panel.duration / lag.tau_s);
+            let (decay, weights) = short(panel.duration_s / lag.tau_s);
             *end = state * decay + weights.iter().zip(u).map(|(w, u)| w * u).sum::<f64>();
             before += state;
             after += *end;
@@ -441,18 +442,18 @@ impl Search<'_> {
         let [first, middle, last] = slopes;
         let turns = (first > 0.0 && middle.min(last) < 0.0) || (middle > 0.0 && last < 0.0);
         let steep = slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
-        if turns && before.max(after) + 0.75 * panel.duration * steep > self.enough() {
+        if turns && before.max(after) + 0.75 * panel.duration_s * steep > self.enough() {
             self.inside(panel, states);
             return;
         }
         states.iter_mut().zip(ends).for_each(|(state, end)| *state = end);
         if after > self.enough() {
-            self.best = Peak { value: after, at_s: c.time };
+            self.best = Peak { value: after, at_s: c.time_s };
         }
     }
 
     fn is_long(&self, panel: &Panel<'_>) -> bool {
-        self.lags.len() > LAGS || self.lags.iter().any(|lag| panel.duration > SHORT * lag.tau_s)
+        self.lags.len() > LAGS || self.lags.iter().any(|lag| panel.duration_s > SHORT * lag.tau_s)
     }
 
     /// Through the periods in which the sum of the lags may be largest. From one period to the next each lag comes nearer to
@@ -502,16 +503,16 @@ impl Search<'_> {
     /// Through a panel from its start: the states become those at its end.
     fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64]) {
         let courses: Vec<Course> = self.lags.iter().map(|lag| Course::of(lag, panel)).collect();
-        let start = panel.nodes.first().map_or(0.0, |node| node.time);
-        if let Some((s, value)) = turn(&courses, states, panel.duration, self.enough()) {
-            self.best = Peak { value, at_s: start + s * panel.duration };
+        let start = panel.nodes.first().map_or(0.0, |node| node.time_s);
+        if let Some((s, value)) = turn(&courses, states, panel.duration_s, self.enough()) {
+            self.best = Peak { value, at_s: start + s * panel.duration_s };
         }
         for (state, course) in states.iter_mut().zip(&courses) {
             *state = course.end(*state);
         }
         let value = states.iter().sum();
         if value > self.enough() {
-            self.best = Peak { value, at_s: start + panel.duration };
+            self.best = Peak { value, at_s: start + panel.duration_s };
         }
     }
 }

@@ -1,8 +1,8 @@
 //! What lags need of a recording: gains of its blocks and of their parts.
 
 use super::{SHARED_FROM, Strip, in_two};
-use crate::trace::gains::{Gain, LagBlock, Lagging, Products, largest};
-use crate::trace::{Block, Place};
+use crate::gains::{Gain, LagBlock, Lagging, Products, largest};
+use crate::{Block, Place};
 use std::ops::Range;
 
 /// A part of a block has so many intervals.
@@ -10,18 +10,18 @@ const PART: usize = 16;
 
 /// What any lag needs of a part of a block.
 #[derive(Debug)]
-pub(in crate::trace) struct LagPart {
-    pub(in crate::trace) intervals: Range<usize>,
-    pub(in crate::trace) lag: LagBlock,
+pub(crate) struct LagPart {
+    pub(crate) intervals: Range<usize>,
+    pub(crate) lag: LagBlock,
 }
 
 impl Strip {
     /// What lags need of each block, found when the first lag is asked for.
-    pub(in crate::trace) fn lag_blocks(&self) -> &[LagBlock] {
+    pub(crate) fn lag_blocks(&self) -> &[LagBlock] {
         self.survey.lags.get_or_init(|| {
             in_two(&self.survey.blocks, self.placed.intervals() >= SHARED_FROM, &|block| {
                 let Place::Recorded { intervals, .. } = &block.place else { return LagBlock::default() };
-                self.lag_block(block.duration, block.extent.direction, intervals)
+                self.lag_block(block.duration_s, block.extent.direction, intervals)
             })
         })
     }
@@ -38,7 +38,7 @@ impl Strip {
     }
 
     /// What lags need of the parts of a block, found when it is first looked into.
-    pub(in crate::trace) fn lag_parts(&self, block: usize) -> &[LagPart] {
+    pub(crate) fn lag_parts(&self, block: usize) -> &[LagPart] {
         let (Some(parts), Some(whole)) = (self.survey.lag_parts.get(block), self.survey.blocks.get(block)) else {
             return &[];
         };
@@ -55,13 +55,13 @@ impl Strip {
     }
 
     /// The instant at which a part ends \[s\].
-    pub(in crate::trace) fn end_of(&self, part: &LagPart) -> f64 {
+    pub(crate) fn end_of(&self, part: &LagPart) -> f64 {
         let time = self.placed.recorded.time_s().get(part.intervals.end).copied().unwrap_or(0.0);
         self.placed.start_s + time * self.placed.stretch
     }
 
     /// What the blocks do to a lag of the signals of the survey.
-    pub(in crate::trace) fn gains(&self, tau_s: f64) -> Vec<Gain> {
+    pub(crate) fn gains(&self, tau_s: f64) -> Vec<Gain> {
         let mut lagging = Lagging::of(tau_s);
         let gain = |(number, (block, lag)): (usize, (&Block, &LagBlock))| {
             // Not even asked for where they cannot be short enough.
@@ -82,7 +82,7 @@ impl Strip {
     }
 
     /// What the parts of a block do to a lag of the signals of the survey.
-    pub(in crate::trace) fn part_gains(&self, block: usize, tau_s: f64) -> Vec<Gain> {
+    pub(crate) fn part_gains(&self, block: usize, tau_s: f64) -> Vec<Gain> {
         let mut lagging = Lagging::of(tau_s);
         let gain = |part: &LagPart| {
             part.lag.gain(&mut lagging, |look| {
@@ -93,7 +93,7 @@ impl Strip {
     }
 
     /// The largest swings of all blocks.
-    pub(in crate::trace) fn largest_swings(&self) -> &Products {
+    pub(crate) fn largest_swings(&self) -> &Products {
         self.survey.largest_swings.get_or_init(|| largest(self.lag_blocks().iter().map(|block| &block.swing)))
     }
 }

@@ -1,6 +1,11 @@
-//! The motion under its load as weighted instants, once per axis; every candidate is judged on it.
+//! A cycle as weighted instants: a motion under its load in blocks with their sums of products and bounds.
+//!
+//! [`Trace::of`] passes a motion once. Whatever is a form of the four signals (α, T_L, σ, ω), such as torque, current, loss or
+//! voltage, is then integrated, searched for its largest value or sent through a first-order lag without another pass. Of what
+//! drives the motion nothing is known here, only how long it carries the load at rest ([`Carried`]).
 
-pub(crate) mod build;
+mod build;
+mod carried;
 mod cubes;
 mod form;
 mod gains;
@@ -9,85 +14,95 @@ mod recording;
 mod rule;
 mod search;
 
-pub(crate) use form::Form;
-pub(crate) use lags::Lag;
-pub(crate) use recording::{Cell, Inside, Strip};
-pub(crate) use search::{Any, Convex, Sought, TorqueWith};
+pub use build::{REVOLUTIONS_MOST, revolutions};
+pub use carried::Carried;
+pub use form::Form;
+pub use lags::{Lag, Peak};
+pub use recording::{Cell, Inside, Strip};
+pub use search::{Any, Convex, Sought, TorqueWith};
 
 use lags::LagCache;
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
+use quantities::{Angle, Measure, MomentOfInertia, Torque};
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 /// One instant with its share of the cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Node {
+pub struct Node {
     /// Instant from the start of the cycle \[s\].
-    pub(crate) time: f64,
+    pub time_s: f64,
     /// Weight of the quadrature \[s\]; the weights sum to the duration.
-    pub(crate) weight: f64,
+    pub weight_s: f64,
     /// α [rad/s²]
-    pub(crate) acceleration: f64,
+    pub acceleration_rad_s2: f64,
     /// ω [rad/s]
-    pub(crate) speed: f64,
+    pub speed_rad_s: f64,
     /// σ: +1, −1, 0 at rest.
-    pub(crate) direction: f64,
+    pub direction: f64,
     /// Torque that the load asks of the actuator, without the actuator's own inertia \[Nm\]; zero where the brake holds.
-    pub(crate) load: f64,
+    pub load_nm: f64,
 }
 
 impl Node {
     /// x = (α, T_L, σ, ω)
-    pub(crate) const fn signals(&self) -> [f64; 4] {
-        [self.acceleration, self.load, self.direction, self.speed]
+    #[inline]
+    pub const fn signals(&self) -> [f64; 4] {
+        [self.acceleration_rad_s2, self.load_nm, self.direction, self.speed_rad_s]
     }
 
     /// The instant at a share of the way to the next one, everything taken as straight in between.
-    pub(crate) fn towards(&self, next: &Self, share: f64) -> Self {
+    #[inline]
+    pub fn towards(&self, next: &Self, share: f64) -> Self {
         let between = |a: f64, b: f64| a + share * (b - a);
         Self {
-            time: between(self.time, next.time),
-            weight: 0.0,
-            acceleration: between(self.acceleration, next.acceleration),
-            speed: between(self.speed, next.speed),
+            time_s: between(self.time_s, next.time_s),
+            weight_s: 0.0,
+            acceleration_rad_s2: between(self.acceleration_rad_s2, next.acceleration_rad_s2),
+            speed_rad_s: between(self.speed_rad_s, next.speed_rad_s),
             direction: self.direction,
-            load: between(self.load, next.load),
+            load_nm: between(self.load_nm, next.load_nm),
         }
     }
 }
 
 /// Bounds of some nodes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Extent {
-    pub(crate) acceleration: (f64, f64),
-    pub(crate) load: (f64, f64),
-    pub(crate) direction: (f64, f64),
-    /// ω
-    pub(crate) speeds: (f64, f64),
-    /// Largest |ω|.
-    pub(crate) speed: f64,
+pub struct Extent {
+    /// α [rad/s²]
+    pub acceleration_rad_s2: (f64, f64),
+    /// T_L \[Nm\]
+    pub load_nm: (f64, f64),
+    /// σ
+    pub direction: (f64, f64),
+    /// ω [rad/s]
+    pub speeds_rad_s: (f64, f64),
+    /// Largest |ω| [rad/s].
+    pub speed_rad_s: f64,
 }
 
 impl Extent {
     const NONE: Self = Self {
-        acceleration: (f64::INFINITY, f64::NEG_INFINITY),
-        load: (f64::INFINITY, f64::NEG_INFINITY),
+        acceleration_rad_s2: (f64::INFINITY, f64::NEG_INFINITY),
+        load_nm: (f64::INFINITY, f64::NEG_INFINITY),
         direction: (f64::INFINITY, f64::NEG_INFINITY),
-        speeds: (f64::INFINITY, f64::NEG_INFINITY),
-        speed: 0.0,
+        speeds_rad_s: (f64::INFINITY, f64::NEG_INFINITY),
+        speed_rad_s: 0.0,
     };
 
+    #[inline]
     fn widen(&mut self, node: &Node) {
         let wider = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
-        self.acceleration = wider(self.acceleration, node.acceleration);
-        self.load = wider(self.load, node.load);
+        self.acceleration_rad_s2 = wider(self.acceleration_rad_s2, node.acceleration_rad_s2);
+        self.load_nm = wider(self.load_nm, node.load_nm);
         self.direction = wider(self.direction, node.direction);
-        self.speeds = wider(self.speeds, node.speed);
-        self.speed = self.speed.max(node.speed.abs());
+        self.speeds_rad_s = wider(self.speeds_rad_s, node.speed_rad_s);
+        self.speed_rad_s = self.speed_rad_s.max(node.speed_rad_s.abs());
     }
 
     /// Of what lies between two neighbouring nodes of a panel.
+    #[inline]
     fn between(a: &Node, b: &Node, bow: &[f64; 4]) -> Self {
         let mut extent = Self::NONE;
         extent.widen(a);
@@ -97,49 +112,55 @@ impl Extent {
     }
 
     /// Wider by how far the signals bend beyond their nodes.
+    #[inline]
     fn bend(&mut self, [acceleration, load, _, speed]: &[f64; 4]) {
         for ((low, high), bow) in
-            [(&mut self.acceleration, acceleration), (&mut self.load, load), (&mut self.speeds, speed)]
+            [(&mut self.acceleration_rad_s2, acceleration), (&mut self.load_nm, load), (&mut self.speeds_rad_s, speed)]
                 .map(|((low, high), bow)| ((low, high), bow))
         {
             *low -= bow;
             *high += bow;
         }
-        self.speed += speed;
+        self.speed_rad_s += speed;
     }
 
+    #[inline]
     fn join(&mut self, other: &Self) {
         let both = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
-        self.acceleration = both(self.acceleration, other.acceleration);
-        self.load = both(self.load, other.load);
+        self.acceleration_rad_s2 = both(self.acceleration_rad_s2, other.acceleration_rad_s2);
+        self.load_nm = both(self.load_nm, other.load_nm);
         self.direction = both(self.direction, other.direction);
-        self.speeds = both(self.speeds, other.speeds);
-        self.speed = self.speed.max(other.speed);
+        self.speeds_rad_s = both(self.speeds_rad_s, other.speeds_rad_s);
+        self.speed_rad_s = self.speed_rad_s.max(other.speed_rad_s);
     }
 
     /// All c·x lie between these.
-    pub(crate) fn range(&self, c: [f64; 4]) -> (f64, f64) {
-        let ranges = [self.acceleration, self.load, self.direction, self.speeds];
+    #[inline]
+    pub fn range(&self, c: [f64; 4]) -> (f64, f64) {
+        let ranges = [self.acceleration_rad_s2, self.load_nm, self.direction, self.speeds_rad_s];
         c.into_iter().zip(ranges).fold((0.0, 0.0), |(low, high), (c, (from, to))| {
             (low + (c * from).min(c * to), high + (c * from).max(c * to))
         })
     }
 
     /// No |J α + T_L| of the nodes is above this.
-    pub(crate) fn torque(&self, inertia: f64) -> f64 {
+    #[inline]
+    pub fn torque(&self, inertia: f64) -> f64 {
         let (low, high) = self.torques(inertia);
         high.max(-low)
     }
 
     /// All J α + T_L of the nodes lie between these.
+    #[inline]
     fn torques(&self, inertia: f64) -> (f64, f64) {
         // A joint that takes T_L − J α asks with a negative inertia.
-        let (a, b) = (inertia * self.acceleration.0, inertia * self.acceleration.1);
-        (a.min(b) + self.load.0, a.max(b) + self.load.1)
+        let (a, b) = (inertia * self.acceleration_rad_s2.0, inertia * self.acceleration_rad_s2.1);
+        (a.min(b) + self.load_nm.0, a.max(b) + self.load_nm.1)
     }
 
     /// Whether (J α + T_L) σ has one sign over all nodes: +1 if nowhere negative, −1 if nowhere positive.
-    pub(crate) fn power_sign(&self, inertia: f64) -> Option<f64> {
+    #[inline]
+    pub fn power_sign(&self, inertia: f64) -> Option<f64> {
         let ((low, high), (back, forth)) = (self.torques(inertia), self.direction);
         if (low >= 0.0 && back >= 0.0) || (high <= 0.0 && forth <= 0.0) {
             Some(1.0)
@@ -158,19 +179,20 @@ impl Extent {
 ///
 /// # Source   own derivation, docs/theory/moments.md
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Gram([[f64; 4]; 4]);
+pub struct Gram([[f64; 4]; 4]);
 
 impl Gram {
     fn add(&mut self, node: &Node) {
         let x = node.signals();
         for (row, a) in self.0.iter_mut().zip(x) {
-            let scaled = a * node.weight;
+            let scaled = a * node.weight_s;
             for (sum, b) in row.iter_mut().zip(x) {
                 *sum += scaled * b;
             }
         }
     }
 
+    #[inline]
     fn join(&mut self, other: &Self) {
         for (row, others) in self.0.iter_mut().zip(&other.0) {
             for (sum, other) in row.iter_mut().zip(others) {
@@ -180,53 +202,59 @@ impl Gram {
     }
 
     /// cᵀ G c
-    pub(crate) fn square(&self, c: [f64; 4]) -> f64 {
+    #[inline]
+    pub fn square(&self, c: [f64; 4]) -> f64 {
         // Rounding may leave a tiny negative sum where the signal vanishes.
         self.product(c, c).max(0.0)
     }
 
     /// aᵀ G b
-    pub(crate) fn product(&self, a: [f64; 4], b: [f64; 4]) -> f64 {
+    #[inline]
+    pub fn product(&self, a: [f64; 4], b: [f64; 4]) -> f64 {
         self.0.iter().zip(a).map(|(row, a)| a * row.iter().zip(b).map(|(g, b)| g * b).sum::<f64>()).sum()
     }
 
     /// ∫σ² dt: time in motion.
-    pub(crate) const fn moving(&self) -> f64 {
+    #[inline]
+    pub const fn moving(&self) -> f64 {
         self.0[2][2]
     }
 
     /// ∫σ ω dt = ∫|ω| dt: angle travelled.
-    pub(crate) const fn travelled(&self) -> f64 {
+    #[inline]
+    pub const fn travelled(&self) -> f64 {
         self.0[2][3]
     }
 }
 
 /// What one segment contributes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Share {
-    /// ∫|ω| dt \[rad\]
-    pub(crate) travelled: f64,
+pub struct Share {
+    /// ∫|ω| dt
+    pub travelled: Angle,
 }
 
 /// A smooth part of the cycle: between its nodes every signal is the polynomial through them.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Panel<'a> {
+pub struct Panel<'a> {
     /// The nodes of a Gauss-Lobatto rule, two to sixteen.
-    pub(crate) nodes: &'a [Node],
+    pub nodes: &'a [Node],
     /// Duration \[s\].
-    pub(crate) duration: f64,
+    pub duration_s: f64,
     /// Between two neighbouring nodes no signal leaves the straight line by more than this.
-    pub(crate) bow: [f64; 4],
+    pub bow: [f64; 4],
 }
 
 impl Panel<'_> {
     /// The instant at a share of the panel.
-    pub(crate) fn at(&self, share: f64) -> Node {
+    #[inline]
+    pub fn at(&self, share: f64) -> Node {
         rule::between(self.nodes, share)
     }
 
     /// Whether every signal is straight.
-    pub(crate) fn is_straight(&self) -> bool {
+    #[inline]
+    pub fn is_straight(&self) -> bool {
         self.bow == [0.0; 4]
     }
 }
@@ -261,35 +289,40 @@ enum Run {
 
 /// Neighbouring nodes with their bounds and sums.
 #[derive(Clone, Debug)]
-pub(crate) struct Block {
+pub struct Block {
     place: Place,
     /// Instant at which it begins \[s\].
-    pub(crate) from: f64,
-    pub(crate) duration: f64,
+    pub from_s: f64,
+    /// Duration of all of them \[s\].
+    pub duration_s: f64,
     /// How often its panels follow upon each other; their nodes bear the weight of all.
-    pub(crate) times: f64,
-    pub(crate) extent: Extent,
-    pub(crate) gram: Gram,
+    pub times: f64,
+    /// Bounds of its nodes and of what lies between them.
+    pub extent: Extent,
+    /// Sums of the products of the signals.
+    pub gram: Gram,
 }
 
 impl Block {
     const fn empty(place: Place) -> Self {
-        Self { place, from: 0.0, duration: 0.0, times: 1.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
+        Self { place, from_s: 0.0, duration_s: 0.0, times: 1.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
     }
 
     /// Whether its nodes are made from a recording whenever they are looked at.
-    pub(crate) const fn is_recorded(&self) -> bool {
+    #[inline]
+    pub const fn is_recorded(&self) -> bool {
         matches!(self.place, Place::Recorded { .. })
     }
 
+    #[inline]
     fn join(&mut self, other: &Self) {
-        self.duration += other.duration;
+        self.duration_s += other.duration_s;
         self.extent.join(&other.extent);
         self.gram.join(&other.gram);
     }
 
     fn add(&mut self, panel: &Panel<'_>) {
-        self.duration += self.times * panel.duration;
+        self.duration_s += self.times * panel.duration_s;
         let mut extent = Extent::NONE;
         for node in panel.nodes {
             extent.widen(node);
@@ -319,7 +352,7 @@ struct Group {
 
 /// The motion under its load.
 #[derive(Clone, Debug)]
-pub(crate) struct Trace {
+pub struct Trace {
     nodes: Vec<Node>,
     panels: Vec<Kept>,
     strips: Vec<Strip>,
@@ -331,30 +364,65 @@ pub(crate) struct Trace {
     lags: Arc<LagCache>,
     /// Sum of the weights \[s\].
     duration: f64,
-    pub(crate) gram: Gram,
+    gram: Gram,
     cubes: OnceLock<f64>,
-    pub(crate) shares: Vec<Share>,
-    /// Largest and smallest J_L on the way \[kgm²\].
-    pub(crate) inertia: (f64, f64),
-    /// Lowest and highest position \[rad\].
-    pub(crate) span: (f64, f64),
-    /// Largest magnitude of the torque that holds the load without friction at any instant \[Nm\], whoever holds it.
-    pub(crate) holding: f64,
+    shares: Vec<Share>,
+    /// Largest and smallest J_L on the way.
+    inertia: (f64, f64),
+    /// Lowest and highest position.
+    span: (f64, f64),
+    holding: f64,
 }
 
 impl Trace {
-    pub(crate) fn of(mechanism: &Mechanism, motion: &Motion, extras: &[Extra]) -> Self {
-        build::Builder::new(mechanism, motion, extras, &[]).trace()
+    /// One pass over a motion under its load: what each segment adds to the load, and how it is carried in those at rest. A
+    /// segment without an entry has nothing added, and its load is carried throughout.
+    #[must_use]
+    pub fn of(mechanism: &Mechanism, motion: &Motion, extras: &[Extra], carried: &[Carried]) -> Self {
+        build::Builder::new(mechanism, motion, extras, carried).trace()
     }
 
     /// The same for another load or another pace of the same recordings, which need not be passed again where the load
     /// is a sum of four parts with constant factors.
-    pub(crate) fn changed(&self, mechanism: &Mechanism, motion: &Motion, extras: &[Extra]) -> Self {
-        Self { is_changed: true, ..build::Builder::new(mechanism, motion, extras, &self.strips).trace() }
+    #[must_use]
+    pub fn changed(&self, mechanism: &Mechanism, motion: &Motion, extras: &[Extra], carried: &[Carried]) -> Self {
+        let builder = build::Builder::new(mechanism, motion, extras, carried);
+        Self { is_changed: true, ..builder.knowing(&self.strips).trace() }
+    }
+
+    /// Sums of the products of the signals over the whole cycle.
+    #[must_use]
+    #[inline]
+    pub const fn gram(&self) -> &Gram {
+        &self.gram
+    }
+
+    /// What each segment contributes.
+    #[must_use]
+    pub fn shares(&self) -> &[Share] {
+        &self.shares
+    }
+
+    /// Largest and smallest J_L on the way.
+    #[must_use]
+    pub fn inertia(&self) -> (MomentOfInertia, MomentOfInertia) {
+        (MomentOfInertia::from_si(self.inertia.0), MomentOfInertia::from_si(self.inertia.1))
+    }
+
+    /// Lowest and highest position.
+    #[must_use]
+    pub fn span(&self) -> (Angle, Angle) {
+        (Angle::from_si(self.span.0), Angle::from_si(self.span.1))
+    }
+
+    /// Largest magnitude of the torque that holds the load without friction at any instant, whoever holds it.
+    #[must_use]
+    pub fn holding(&self) -> Torque {
+        Torque::from_si(self.holding)
     }
 
     /// The panels of a block in the order of time.
-    pub(crate) fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
+    pub fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
         match &block.place {
             Place::Kept(range) => {
                 self.panels.get(range.clone()).unwrap_or_default().iter().for_each(|kept| look(self.panel(kept)));
@@ -367,33 +435,39 @@ impl Trace {
         }
     }
 
+    #[inline]
     fn panel(&self, kept: &Kept) -> Panel<'_> {
         let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
-        Panel { nodes, duration: kept.duration, bow: kept.bow }
+        Panel { nodes, duration_s: kept.duration, bow: kept.bow }
     }
 
     /// The nodes of a block in the order of time.
     #[cfg(test)]
-    pub(crate) fn within(&self, block: &Block, look: &mut impl FnMut(&Node)) {
+    fn within(&self, block: &Block, look: &mut impl FnMut(&Node)) {
         self.panels(block, &mut |panel| panel.nodes.iter().for_each(&mut *look));
     }
 
-    pub(crate) fn blocks(&self) -> &[Block] {
+    /// The blocks in the order of time.
+    #[must_use]
+    #[inline]
+    pub fn blocks(&self) -> &[Block] {
         &self.blocks
     }
 
     /// The recordings whose nodes are not kept.
-    pub(crate) fn strips(&self) -> &[Strip] {
+    #[inline]
+    pub fn strips(&self) -> &[Strip] {
         &self.strips
     }
 
     /// Whether so few nodes make the cycle that each may be looked at for every candidate.
-    pub(crate) fn is_short(&self) -> bool {
+    #[inline]
+    pub fn is_short(&self) -> bool {
         self.strips.is_empty() && self.nodes.len() <= 2 * BLOCK
     }
 
     #[cfg(test)]
-    pub(crate) fn nodes(&self) -> Vec<Node> {
+    fn nodes(&self) -> Vec<Node> {
         let mut nodes = Vec::new();
         self.blocks.iter().for_each(|block| self.within(block, &mut |node| nodes.push(*node)));
         nodes

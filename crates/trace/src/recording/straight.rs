@@ -1,17 +1,17 @@
 //! Blocks of straight intervals: their sums and bounds without a node.
 
 use super::{LANES, Strip, range};
-use crate::trace::{Block, Extent, Gram, Panel, Place};
+use crate::{Block, Extent, Gram, Panel, Place};
 use mechanism::Plain;
 use motion::Interval;
 use std::ops::Range;
 use wide::f64x4;
 
 impl Strip {
-    pub(in crate::trace) fn block(&self, intervals: Range<usize>) -> Block {
+    pub(crate) fn block(&self, intervals: Range<usize>) -> Block {
         let place = Place::Recorded { strip: 0, intervals: intervals.clone() };
         let mut block = Block::empty(place.clone());
-        block.from = self.surveyed.interval(intervals.start).map_or(0.0, |interval| interval.start_s);
+        block.from_s = self.surveyed.interval(intervals.start).map_or(0.0, |interval| interval.start_s);
         let mut from = intervals.start;
         while from < intervals.end {
             // Up to where the axis turns round, starts or stops; one interval at least.
@@ -119,8 +119,8 @@ impl Strip {
         Some(Block {
             place: place.clone(),
             times: 1.0,
-            from: *time.first()?,
-            duration,
+            from_s: *time.first()?,
+            duration_s: duration,
             extent: bounds(plain, direction, (a_low, a_high), (l_low, l_high), (slowest, fastest)),
             gram: sums.gram(plain, direction),
         })
@@ -184,10 +184,10 @@ pub(super) fn bounds(
     };
     let load = (torque.0 + plain.constant_nm, torque.1 + plain.constant_nm);
     Extent {
-        acceleration: wider(acceleration),
-        load: wider(load),
+        acceleration_rad_s2: wider(acceleration),
+        load_nm: wider(load),
         direction: (direction, direction),
-        speeds,
-        speed: f64::max(speeds.1, -speeds.0),
+        speeds_rad_s: speeds,
+        speed_rad_s: f64::max(speeds.1, -speeds.0),
     }
 }
