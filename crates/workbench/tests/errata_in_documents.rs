@@ -23,7 +23,9 @@ fn every_value_that_checks_replace_is_in_the_concept_of_numbers() {
 fn every_corrected_value_is_in_the_changelog() {
     let page = document("CHANGELOG.md");
     let corrected = |erratum: &&catalogue::Erratum| {
-        erratum.corrected_here && erratum.kind != catalogue::ErratumKind::Recovery && erratum.corrected != erratum.printed
+        erratum.corrected_here
+            && erratum.kind != catalogue::ErratumKind::Recovery
+            && erratum.corrected != erratum.printed
     };
     for erratum in catalogue::errata().iter().filter(corrected) {
         assert!(page.contains(erratum.id), "{} is not in CHANGELOG.md", erratum.id);
