@@ -40,6 +40,14 @@ fn every_answer_keeps_to_the_schema() {
     ask("torsion", &["torsion", "CHA-20A-100-H-C1024", "--torque", "60 N m"]);
     ask("battery", &["battery", "--hours-per-day", "10"]);
     ask("inertia", &["inertia", "disc diameter=200mm length=20mm mass=5kg", "point mass=1kg distance=100mm"]);
+    ask("code parse", &["code", "parse", "CHA-14A-50-E-RES-K-SP"]);
+    ask("code list", &["code", "list", "CHA-20A-*-H"]);
+    ask("code complete", &["code", "complete", "CHA-20A-120-H-C1024"]);
+    ask("data", &["data", "CHA-20A-100-H-M512P-B-EC-SP"]);
+    ask("errata", &["errata"]);
+    ask("catalogue export", &["catalogue", "export"]);
+    ask("faults of a code", &["code", "parse", "CHA-14A-120-H-D2048"]);
+    ask("faults of a code", &["code", "complete", "CHA-40A-30"]);
     ask("export --table", &["export", file, "--table", "checks"]);
     ask("export --out", &["export", file, "--table", "checks", "--out", &table]);
     ask("plot", &["plot", file, "--figure", "cycle", "--svg", &picture]);
@@ -52,7 +60,7 @@ fn every_answer_keeps_to_the_schema() {
         let mut arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
         arguments.push("--json");
         let answer = run(&arguments);
-        assert_eq!(answer.code == 2, command == "faults", "{arguments:?}: {}", answer.err);
+        assert_eq!(answer.code == 2, command.starts_with("faults"), "{arguments:?}: {}", answer.err);
         let value: Value = serde_json::from_str(&answer.out).unwrap_or_else(|fault| panic!("{arguments:?}: {fault}"));
         let mut compiler = boon::Compiler::new();
         compiler.add_resource("answer.json", schema_of(&schema, &command)).unwrap();

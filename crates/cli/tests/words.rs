@@ -32,7 +32,18 @@ shows! {
     codes_listed: ["code", "list", "CHA-58A-160-H-M512P-B"];
     data_sheet: ["data", "CHA-25A-50-H-M512P-B"];
     data_sheet_in_german: ["data", "CHA-17A-80-E-D2048", "--lang", "de"];
+    data_sheet_of_a_special_design_with_battery: ["data", "CHA-17A-50-E-M128S-SP"];
+    data_sheet_with_an_encoder_at_the_output: ["data", "CHA-58A-100-H-C1024-B-EC", "--lang", "de"];
     no_data: ["data", "CHA-58A-50-H-RES"];
+    code_with_a_longer_housing: ["code", "parse", "CHA-14A-50-E-RES-K", "--lang", "de"];
+    code_with_connectors_at_the_housing: ["code", "parse", "CHA-17A-120-E-D2048-B"];
+    code_without_completion: ["code", "complete", "CHA-20A-100-L"];
+    code_without_completion_as_json: ["code", "complete", "CHA-*-160-E", "--json", "--lang", "de"];
+    code_with_a_wrong_winding: ["code", "parse", "CHA-20A-100-X-C1024"];
+    errata_of_a_table: ["errata", "40.1"];
+    errata_of_a_text_in_german: ["errata", "text-ch3-torque-range", "--lang", "de"];
+    errata_as_json: ["errata", "T59.1-buffer-current", "--json"];
+    errata_of_what_is_not_known: ["errata", "77.2"];
     help_in_english: ["--help"];
     help_in_german: ["size", "--help", "--lang", "de"];
     unknown_command: ["siz", "x"];
