@@ -24,8 +24,8 @@ pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveK
 pub use check::{Check, CitedErratum, Derivation, Explained, Explanations, Node};
 pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
 pub use dossier::{
-    Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, MechanismKind, RejectionGroup,
-    ScrewJoint,
+    Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, MechanismKind, Missing,
+    RejectionGroup, ScrewJoint,
 };
 pub use fault::{Fault, Faults, Place};
 pub use files::{
