@@ -29,8 +29,8 @@ pub use check::{Check, CitedErratum, Derivation, Explained, Explanations, Node};
 pub use code::{Choice, CodeFault, CodeFaults, CodeField, CodeReading, Completion, ListedCode, OpenField};
 pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
 pub use dossier::{
-    Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, MechanismKind, RejectionGroup,
-    ScrewJoint,
+    Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, MechanismKind, Missing,
+    RejectionGroup, ScrewJoint,
 };
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
 pub use fault::{Fault, Faults, Place};

@@ -57,12 +57,10 @@ fn value(input: &Input, name: &str, language: Language) -> answers::Input {
         if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point).to_owned() } else { text }
     };
     let half = input.half_width.zip(input.amount);
-    // What follows the semicolon is for whoever writes the file.
-    let label = label(&input.path, language).unwrap_or_default();
-    let label = label.split(';').next().unwrap_or_default();
+    let label = label(&input.path, language).map(|label| short_label(&label)).unwrap_or_default();
     answers::Input {
         name: name.to_owned(),
-        label: label.to_owned(),
+        label,
         tolerance: half.map(|(half, (_, unit))| format!("± {}", with_unit(&short(half), half_unit(unit), language))),
         text: input.amount.map_or_else(
             || written(&input.path, &input.written, language),
@@ -76,6 +74,18 @@ fn label(path: &str, language: Language) -> Option<String> {
     input_label(path).map(|text| schema_text(text, language))
 }
 
+/// What a key says to a reader; the rest of its description is for whoever writes the file.
+fn short_label(label: &str) -> String {
+    let label = label.split(';').next().unwrap_or(label).trim_start_matches("true: ");
+    let label = label.replace(" (true)", "").replace(" (false)", "");
+    match label.split_once(", ") {
+        // Behind a symbol stands what it means, before the comma elsewhere.
+        Some((symbol, _)) if symbol.chars().count() <= 6 => label,
+        Some((head, _)) => head.to_owned(),
+        None => label,
+    }
+}
+
 /// The unit of a difference: temperatures differ by kelvins.
 fn half_unit(unit: &'static Unit) -> &'static str {
     if unit.symbol == "°C" { "K" } else { unit.symbol }
@@ -86,7 +96,7 @@ fn with_unit(digits: &str, unit: &str, language: Language) -> String {
     let digits = if language == Language::De { digits.replace('.', ",") } else { digits.to_owned() };
     let digits = digits.replace('-', "−");
     match unit {
-        "" => digits,
+        "" | "1" => digits,
         "°" => format!("{digits}°"),
         unit => format!("{digits} {unit}"),
     }
@@ -118,7 +128,9 @@ fn written(path: &str, text: &str, language: Language) -> String {
 }
 
 /// The words of the project file: key, word, in English, in German. Those without a key hold for any.
-const WORDS: [(&str, &str, &str, &str); 25] = [
+const WORDS: [(&str, &str, &str, &str); 27] = [
+    ("brake", "true", "with", "mit"),
+    ("brake", "false", "without", "ohne"),
     ("", "true", "yes", "ja"),
     ("", "false", "no", "nein"),
     ("hold", "motor", "by the motor", "durch den Motor"),
@@ -279,12 +291,14 @@ mod tests {
                 "Bewegung, Abschnitt 1|law|Rast",
                 "Bewegung, Abschnitt 1|time|1,5 s ± 0,15 s",
                 "Bewegung, Abschnitt 1|hold|durch den Motor",
-                "Anforderungen|brake|ja",
+                "Anforderungen|brake|mit",
                 "Anforderungen|feedback|C1024, M512P",
                 "Anforderungen|ambient|−5 °C ± 5 K",
             ]
         );
-        assert!(found.iter().flat_map(|table| &table.values).all(|value| !value.label.contains(';')));
+        let labels: Vec<&str> =
+            found.iter().flat_map(|table| &table.values).map(|value| value.label.as_str()).collect();
+        assert!(labels.iter().all(|label| !label.contains([';', '(', ','])), "{labels:?}");
     }
 
     #[test]
