@@ -55,7 +55,7 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     )
 }
 
-const fn sign(verdict: Verdict) -> plot::Verdict {
+pub(crate) const fn sign(verdict: Verdict) -> plot::Verdict {
     match verdict {
         Verdict::Pass => plot::Verdict::Pass,
         Verdict::Fail => plot::Verdict::Fail,
@@ -118,7 +118,7 @@ fn description(candidate: &Candidate<'_>, checks: &[&Check], language: Language)
         .collect();
     let head = match language {
         Language::En => format!("{} checks of {}: {}.", checks.len(), candidate.id, listed(&parts, language)),
-        Language::De => format!("{} Prüfungen von {}: {}.", checks.len(), candidate.id, listed(&parts, language)),
+        Language::De => format!("{} Nachweise von {}: {}.", checks.len(), candidate.id, listed(&parts, language)),
     };
     let named = |check: &&&Check| {
         Some(format!("{} {}", check_title(check.id, language), percent(check.utilisation?, language)))
