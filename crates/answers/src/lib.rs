@@ -5,8 +5,10 @@
 //! `title`, `name`, `meaning`, `message`, `hint`, `notes`, `source` … is a text in the language asked for. Nothing here
 //! computes, and no record is made from JSON.
 
+mod glossary;
 mod id;
 mod number;
 
+pub use glossary::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
 pub use id::{Availability, Fit, Id, Identified};
 pub use number::Number;

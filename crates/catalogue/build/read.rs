@@ -104,6 +104,19 @@ pub(crate) struct Term {
     pub(crate) note_de: Option<String>,
 }
 
+/// One word of the product in `glossary.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Word {
+    pub(crate) id: String,
+    pub(crate) en: String,
+    pub(crate) de: String,
+    pub(crate) about_en: String,
+    pub(crate) about_de: String,
+    pub(crate) not_en: Vec<String>,
+    pub(crate) not_de: Vec<String>,
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ErrataFile {
@@ -120,6 +133,7 @@ struct SourcesFile {
 #[serde(deny_unknown_fields)]
 struct GlossaryFile {
     term: Vec<Term>,
+    word: Vec<Word>,
 }
 
 /// All files of `data/`.
@@ -129,6 +143,7 @@ pub(crate) struct Data {
     pub(crate) errata: Vec<Erratum>,
     pub(crate) sources: Vec<Source>,
     pub(crate) glossary: Vec<Term>,
+    pub(crate) words: Vec<Word>,
 }
 
 fn read_file<T: for<'de> Deserialize<'de>>(path: &Path, faults: &mut Vec<String>) -> Option<T> {
@@ -195,6 +210,7 @@ pub(crate) fn read_all(root: &Path, faults: &mut Vec<String>) -> Data {
     }
     if let Some(file) = read_file::<GlossaryFile>(&root.join("glossary.toml"), faults) {
         data.glossary = file.term;
+        data.words = file.word;
     }
     data
 }

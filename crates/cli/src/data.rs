@@ -50,8 +50,8 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
             if cell.corrected != cell.printed {
                 let printed = decimal(cell.printed, language);
                 let _ = match language {
-                    Language::En => write!(value, " (printed {printed})"),
-                    Language::De => write!(value, " (gedruckt {printed})"),
+                    Language::En => write!(value, " (in print {printed})"),
+                    Language::De => write!(value, " (im Druck {printed})"),
                 };
             }
             if !cell.errata.is_empty() {

@@ -69,7 +69,7 @@ fn not_asked(id: CheckId, as_json: bool, language: Language) -> Answer {
     let title = check_title(id, language);
     let what = match language {
         Language::En => format!("{title}: this check is not part of this axis and actuator"),
-        Language::De => format!("{title}: diese Prüfung gehört nicht zu dieser Achse und diesem Antrieb"),
+        Language::De => format!("{title}: dieser Nachweis gehört nicht zu dieser Achse und diesem Antrieb"),
     };
     let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
     if as_json {
@@ -119,13 +119,11 @@ fn tree(node: &Node, indent: &str, out: &mut String, language: Language) {
     } else {
         trust(node, language)
     };
-    let _ = writeln!(out, "{indent}{} = {}{term}  [{trust}]", node.shown(), node.amount(language));
+    let line = |out: &mut String, text: &str| out.push_str(&paragraph(indent, text));
+    line(out, &format!("{} = {}{term}  [{trust}]", node.shown(), node.amount(language)));
     if !node.is_repeated {
-        if let Some(formula) = &node.formula {
-            let _ = writeln!(out, "{indent}  = {formula}");
-        }
-        if let Some(figures) = &node.figures {
-            let _ = writeln!(out, "{indent}  = {figures}");
+        for text in [&node.formula, &node.figures].into_iter().flatten() {
+            out.push_str(&paragraph(&format!("{indent}  = "), text));
         }
         for (id, evidence) in &node.errata {
             out.push_str(&paragraph(&format!("{indent}  ! {id}: "), evidence));

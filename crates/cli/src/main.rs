@@ -13,6 +13,7 @@ mod diff;
 mod explain;
 mod export;
 mod fault;
+mod glossary;
 mod inertia;
 mod judge;
 mod moves;
@@ -33,7 +34,8 @@ use workbench::Language;
 
 fn main() -> ExitCode {
     let language = command::language_of(std::env::args_os());
-    let matches = match command::build(language).try_get_matches() {
+    let arguments = command::with_help_asked(std::env::args_os());
+    let matches = match command::build(language).try_get_matches_from(arguments) {
         Ok(matches) => matches,
         Err(error) => {
             let code = if error.use_stderr() { 2 } else { 0 };
@@ -68,9 +70,10 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("plot", found)) => plot::plot(found, json, language),
         Some(("bearing", found)) => chapter::bearing(found, json, language),
         Some(("battery", found)) => chapter::battery(found, json, language),
-        Some(("new", found)) => chapter::template(found),
+        Some(("new", found)) => chapter::template(found, json, language),
         Some(("torsion", found)) => data::torsion(found, json, language),
         Some(("inertia", found)) => inertia::inertia(found, json, language),
+        Some(("glossary", found)) => glossary::glossary(found, json, language),
         Some(("schema", _)) => Answer::data(format!("{:#}\n", workbench::schema(language))),
         Some(("completions", found)) => command::completions(found, language),
         Some(("man", found)) => command::man(found, language),

@@ -3,7 +3,7 @@
 use crate::drawing::{Drawing, Figure};
 use crate::words::{amount, listed, percent, say, sentence};
 use plot::{Axis, Bar, BarChart};
-use workbench::text::{check_missing, check_title, unmet_text, verdict_word};
+use workbench::text::{check_missing, check_title, unmet_text, verdict_count, verdict_word};
 use workbench::{Candidate, Check, Direction, Language, Objection, Unmet, Verdict};
 
 /// Every check of a candidate: those that fail first, then by utilisation, then those whose utilisation tells no margin, then
@@ -114,7 +114,7 @@ fn description(candidate: &Candidate<'_>, checks: &[&Check], language: Language)
     let parts: Vec<String> = [Verdict::Pass, Verdict::Advice, Verdict::Fail, Verdict::NotChecked]
         .into_iter()
         .filter(|verdict| count(*verdict) > 0)
-        .map(|verdict| format!("{} {}", count(verdict), verdict_word(verdict, language)))
+        .map(|verdict| verdict_count(verdict, count(verdict), language))
         .collect();
     let head = match language {
         Language::En => format!("{} checks of {}: {}.", checks.len(), candidate.id, listed(&parts, language)),

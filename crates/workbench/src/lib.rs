@@ -11,6 +11,7 @@ mod explain;
 mod export;
 mod fingerprint;
 mod flange;
+mod glossary;
 mod inertia;
 pub mod json;
 mod limits;
@@ -19,12 +20,13 @@ mod plane;
 mod project;
 mod sheet;
 mod sizing_use;
+mod templates;
 pub mod text;
 mod tolerance;
 mod torsion;
 
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
-pub use chapters::{TEMPLATES, battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
+pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, completion, explain_code, list_codes, read_code, read_pattern};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
 pub use configurator::{Availability, Choice, Unmet};
@@ -33,6 +35,7 @@ pub use explain::{Explanation, Node, explanation, trust};
 pub use export::{EXPORT_COLUMNS, export_rows};
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
+pub use glossary::glossary;
 pub use inertia::{BODY_SHAPES, BodyAnswer, BodyShape, InertiaAnswer, inertia};
 pub use limits::{NeededLimit, limits_needed};
 pub use moves::{Move, Moves, SegmentLaw, moves};
@@ -51,6 +54,7 @@ pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, course, explain,
     explain_own, reserve_of, size,
 };
+pub use templates::{Template, template, template_kinds};
 pub use tolerance::{
     Assessment, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
 };

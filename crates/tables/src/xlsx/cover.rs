@@ -88,13 +88,13 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
     };
     page.sheet.write_string_with_format(page.row, 1, standing_text(chosen, l), &format.clone().set_bold())?;
     page.row += 1;
-    let label = t(l, ["ordering code", "Bestellcode"]);
+    let label = t(l, ["ordering code", "Bestellbezeichnung"]);
     page.sheet.write_string_with_format(page.row, 0, label, &page.styles.label)?;
     page.sheet.write_string_with_format(page.row, 1, chosen.id.to_string(), &page.styles.strong)?;
     page.row += 1;
     if let Some(check) = chosen.judgement.tightest() {
         let share = format_number(check.utilisation.unwrap_or(0.0) * 100.0, 1, l);
-        page.pair(["tightest check", "knappste Prüfung"], &format!("{}, {share} %", check_title(check.id, l)))?;
+        page.pair(["tightest check", "engster Nachweis"], &format!("{}, {share} %", check_title(check.id, l)))?;
     }
     page.pair(["open questions", "offene Fragen"], &chosen.open_questions().to_string())?;
     for objection in workbench::json::objections(chosen, l) {
@@ -127,7 +127,7 @@ fn effective_torque(page: &mut Page<'_>, tables: &[Table], front: &Front<'_>) ->
     let formula = format!("=SQRT(SUMPRODUCT(({t_1}-{t_0})*({a}^2+{a}*{b}+{b}^2)/3)/(MAX({all})-MIN({all})))");
     let exact = NEWTON_METRE.from_si(demand.torque_rms.si());
     let digits = page.styles.number(&format!("{}\" Nm\"", decimals(exact, 5)));
-    page.heading(["Effective torque, computed twice", "Effektives Drehmoment, zweimal gerechnet"])?;
+    page.heading(["Rms torque, computed twice", "Effektives Drehmoment, zweimal gerechnet"])?;
     let from = page.row;
     page.formula(
         t(l, ["T_rms from the course", "T_rms aus dem Verlauf"]),
@@ -136,8 +136,8 @@ fn effective_torque(page: &mut Page<'_>, tables: &[Table], front: &Front<'_>) ->
         t(
             l,
             [
-                "live formula over the sheet of the course, torque taken as straight between its instants",
-                "lebende Formel über das Blatt des Verlaufs, Drehmoment zwischen den Zeitpunkten als gerade genommen",
+                "formula over the sheet of the course, with straight lines between its instants",
+                "Formel über das Blatt des Verlaufs, zwischen den Zeitpunkten geradlinig",
             ],
         ),
     )?;
@@ -204,13 +204,13 @@ fn legend(page: &mut Page<'_>) -> Result<(), WriteError> {
     for (shown, format, words) in [
         ("62.0 %", &styles.fine, ["up to 80 % of a limit, or passed", "bis 80 % einer Grenze, oder erfüllt"]),
         ("● 91.0 %", &styles.near, ["above 80 % of a limit, or advice", "über 80 % einer Grenze, oder Hinweis"]),
-        ("▲ 104.0 %", &styles.over, ["above a limit, or failed", "über einer Grenze, oder verfehlt"]),
+        ("▲ 104.0 %", &styles.over, ["above a limit, or failed", "über einer Grenze oder nicht erfüllt"]),
         (
             "–",
             &styles.open,
             [
                 "not checked: a datum is missing; it counts as neither passed nor failed",
-                "nicht geprüft: eine Angabe fehlt; es zählt weder als erfüllt noch als verfehlt",
+                "nicht geprüft: eine Angabe fehlt; es zählt weder als erfüllt noch als nicht erfüllt",
             ],
         ),
     ] {

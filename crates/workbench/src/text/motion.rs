@@ -179,7 +179,7 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (&'st
                 "smoothing",
                 t(
                     "the smoothing window holds fewer than four samples somewhere",
-                    "im Glättungsfenster liegen stellenweise weniger als vier Messwerte",
+                    "im Glättungsfenster liegen stellenweise weniger als vier Abtastwerte",
                 ),
                 Some(either(language, format!("at least {least}"), format!("mindestens {least}"))),
             )
@@ -189,7 +189,7 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (&'st
             either(
                 language,
                 format!("the smoothing window holds more than {most} samples"),
-                format!("im Glättungsfenster liegen mehr als {most} Messwerte"),
+                format!("im Glättungsfenster liegen mehr als {most} Abtastwerte"),
             ),
             None,
         ),
@@ -210,7 +210,7 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (&'st
                 )),
             )
         }
-        _ => ("file", t("these samples are no motion", "diese Messwerte sind keine Bewegung"), None),
+        _ => ("file", t("these samples are no motion", "diese Abtastwerte sind keine Bewegung"), None),
     }
 }
 

@@ -415,7 +415,11 @@ impl Speak for Language {
     }
 
     fn more_faults(self, count: usize) -> String {
-        either(self, format!("and {count} more faults of this kind or others"), format!("und {count} weitere Fehler"))
+        if count == 1 {
+            either(self, "and 1 more fault", "und 1 weiterer Fehler")
+        } else {
+            either(self, format!("and {count} more faults"), format!("und {count} weitere Fehler"))
+        }
     }
 
     fn no_curve(self, fault: CurveFault) -> String {
