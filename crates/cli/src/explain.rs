@@ -4,7 +4,7 @@ use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::error_word;
 use crate::subject::{axes_of, refuse, together};
-use crate::table::paragraph;
+use crate::table::{hanging, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::text::{assumption_text, check_missing, check_title, note_text, verdict_word};
@@ -119,8 +119,7 @@ fn tree(node: &Node, indent: &str, out: &mut String, language: Language) {
     } else {
         trust(node, language)
     };
-    let line = |out: &mut String, text: &str| out.push_str(&paragraph(indent, text));
-    line(out, &format!("{} = {}{term}  [{trust}]", node.shown(), node.amount(language)));
+    out.push_str(&hanging(indent, &format!("{} = {}{term}  [{trust}]", node.shown(), node.amount(language))));
     if !node.is_repeated {
         for text in [&node.formula, &node.figures].into_iter().flatten() {
             out.push_str(&paragraph(&format!("{indent}  = "), text));

@@ -7,7 +7,7 @@ use crate::report;
 use crate::reserve::{assumptions_text, reserve_text};
 use crate::say::{figure, percent, shown, t};
 use crate::subject::{axes_of, refuse, together};
-use crate::table::{Align, Table, paragraph};
+use crate::table::{Align, Table, paragraph, width};
 use crate::tolerance;
 use anstyle::{AnsiColor, Style};
 use clap::ArgMatches;
@@ -362,7 +362,10 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
         (true, 0) => Verdict::Pass,
         (true, _) => Verdict::NotChecked,
     };
-    let _ = writeln!(out, "{}: {}", candidate.id, paint(&standing_text(candidate, language), colour));
+    let standing = standing_text(candidate, language);
+    let long = candidate.id.to_string().chars().count() + standing.chars().count() + 2 > width();
+    let between = if long { "\n  " } else { " " };
+    let _ = writeln!(out, "{}:{between}{}", candidate.id, paint(&standing, colour));
     if !candidate.on_request.is_empty() {
         let _ = writeln!(out, "{}", t(language, "on request only", "nur auf Anfrage"));
     }
@@ -476,7 +479,12 @@ fn check_axis(project: &Project, matches: &ArgMatches, as_json: bool, language: 
     } else {
         let reserve = reserve_text(&reserve, &candidate, language);
         let assumed = assumptions_text(&project.assumptions, language);
-        let head = if project.name.is_empty() { String::new() } else { format!("{} · ", project.name) };
+        let one_line = format!("{} · {}: {}", project.name, candidate.id, standing_text(&candidate, language));
+        let head = match (project.name.is_empty(), one_line.chars().count() > width()) {
+            (true, _) => String::new(),
+            (false, true) => paragraph("", &project.name),
+            (false, false) => format!("{} · ", project.name),
+        };
         let tolerances = assessment.map(|found| tolerance::detail(project, found, language)).unwrap_or_default();
         let moves = moves::text(&workbench::moves(project), language);
         format!("{head}{}{reserve}{moves}{tolerances}{assumed}", candidate_text(&candidate, language))

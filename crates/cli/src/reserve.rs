@@ -47,7 +47,7 @@ pub(crate) fn reserve_text(reserve: &Reserve, candidate: &Candidate<'_>, languag
                 "all checks pass up to, one at a time: ",
                 "alle Nachweise sind erfüllt bis zu, je für sich: ",
             ),
-            (false, true) => t(language, "would fit with one of: ", "geeignet mit einem von: "),
+            (false, true) => t(language, "would fit with one of: ", "wäre geeignet mit einem von: "),
             (false, false) => {
                 t(language, "all checks would pass with one of: ", "alle Nachweise wären erfüllt mit einem von: ")
             }

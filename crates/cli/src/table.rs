@@ -93,10 +93,11 @@ impl Table {
         self.line(&mut out, &rule, &widths);
         for row in &self.rows {
             self.line(&mut out, row, &widths);
-            for ((head, _), cell) in self.columns.iter().zip(row).skip(widths.len()) {
-                if !cell.is_empty() && cell != "–" {
-                    out.push_str(&paragraph_to(&format!("    {head}: "), cell, most));
-                }
+            let below = self.columns.iter().zip(row).skip(widths.len());
+            let below = below.filter(|(_, cell)| !cell.is_empty() && *cell != "–");
+            let below: Vec<String> = below.map(|((head, _), cell)| format!("{head}: {cell}")).collect();
+            if !below.is_empty() {
+                out.push_str(&paragraph_to("    ", &below.join(" · "), most));
             }
         }
         out
@@ -171,7 +172,7 @@ pub(crate) fn wrap(text: &str, width: usize) -> Vec<String> {
             lines.push(piece);
         }
     }
-    lines.iter().map(|line| line.replace(NO_BREAK, " ")).collect()
+    lines.iter().map(|line| line.trim_end().replace(NO_BREAK, " ")).collect()
 }
 
 /// Units as they stand behind a number.
@@ -251,6 +252,19 @@ fn syllable(head: &str) -> usize {
 /// A paragraph with a hanging indent, no line wider than the terminal.
 pub(crate) fn paragraph(head: &str, text: &str) -> String {
     paragraph_to(head, text, width())
+}
+
+/// A paragraph behind an indent whose further lines stand further in.
+pub(crate) fn hanging(indent: &str, text: &str) -> String {
+    let (room, further) = (width().saturating_sub(indent.chars().count()), "    ");
+    let mut out = String::new();
+    for (index, line) in wrap(text, room.saturating_sub(further.len())).iter().enumerate() {
+        out.push_str(indent);
+        out.push_str(if index == 0 { "" } else { further });
+        out.push_str(line);
+        out.push('\n');
+    }
+    out
 }
 
 /// A head longer than this is no column to hang a text from.

@@ -123,7 +123,7 @@ fn nothing(all: &[&Candidate<'_>], language: Language) -> String {
             "No candidate can be shown: each of the {count} misses its tightest limit by so much that its margin is below {floor}, or a figure of it is not known."
         ),
         Language::De => format!(
-            "Kein Kandidat lässt sich zeigen: Jeder der {count} verfehlt seine engste Grenze so weit, dass seine Reserve unter {floor} liegt, oder eine Angabe zu ihm ist nicht bekannt."
+            "Kein Kandidat lässt sich zeigen: Jeder der {count} überschreitet seine engste Grenze so weit, dass seine Reserve unter {floor} liegt, oder eine Angabe zu ihm ist nicht bekannt."
         ),
     }
 }

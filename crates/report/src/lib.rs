@@ -101,13 +101,13 @@ pub enum Fault {
         message: String,
     },
     /// The date is no calendar date.
-    #[error("`{text}` is no date")]
+    #[error("`{text}` is not a date")]
     Date {
         /// As given.
         text: String,
     },
     /// A file to be kept states when it was made, and there is no clock here.
-    #[error("a file to be kept (PDF/A) needs a date")]
+    #[error("a file for archiving (PDF/A) needs a date")]
     NoDate,
     /// The typesetting engine refused the document.
     #[error("the report cannot be typeset: {message}")]

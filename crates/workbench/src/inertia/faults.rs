@@ -121,7 +121,7 @@ impl<'t> Faults<'t> {
         let word = excerpt(line.shape);
         self.fault(
             line.shape_span.clone(),
-            format!("`{word}` is no shape"),
+            format!("`{word}` is not a shape"),
             format!("`{word}` ist keine Form"),
             Some(hint),
         );
@@ -156,7 +156,7 @@ impl<'t> Faults<'t> {
         let span = if pair.key.is_empty() { pair.value_span.clone() } else { pair.key_span.clone() };
         let (en, de) = match shape {
             Some(shape) => (
-                format!("`{key}` is no key of `{}`", shape.name),
+                format!("`{key}` is not a key of `{}`", shape.name),
                 format!("`{key}` ist kein Schlüssel von `{}`", shape.name),
             ),
             None => (format!("unknown key `{key}`"), format!("unbekannter Schlüssel `{key}`")),

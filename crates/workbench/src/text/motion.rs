@@ -165,7 +165,7 @@ pub(super) fn fault(fault: &MoveFault, language: Language) -> (String, Option<St
             format!("the recording begins {} from where the axis stands", shown(gap.si(), &DEGREE, language)),
             format!("die Aufzeichnung beginnt {} neben der Stellung der Achse", shown(gap.si(), &DEGREE, language)),
         )),
-        _ => plain(t("this is no motion", "das ist keine Bewegung")),
+        _ => plain(t("this is not a motion", "das ist keine Bewegung")),
     }
 }
 
@@ -210,7 +210,7 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (&'st
                 )),
             )
         }
-        _ => ("file", t("these samples are no motion", "diese Abtastwerte sind keine Bewegung"), None),
+        _ => ("file", t("these samples are not a motion", "diese Abtastwerte sind keine Bewegung"), None),
     }
 }
 

@@ -159,7 +159,7 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
     match note {
         Note::HangingLoad => either(
             language,
-            "the load hangs: a built-in holding brake is no safety brake; persons under it need a further, mechanical one",
+            "the load hangs: a built-in holding brake is not a safety brake; persons under it need a further, mechanical one",
             "hängende Last: eine eingebaute Haltebremse ist nicht funktional sicher; zum Schutz von Personen ist eine weitere, mechanische Bremse nötig",
         ),
         Note::Sag(angle) => {
@@ -273,7 +273,7 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
     match note {
         Note::ReferenceLost { turns } if *turns <= 1.0 => either(
             language,
-            "the axis turns endlessly: the encoder tells the angle within one turn of the motor only, and its absolute reference is lost, since 1/i is no whole number",
+            "the axis turns endlessly: the encoder tells the angle within one turn of the motor only, and its absolute reference is lost, since 1/i is not a whole number",
             "die Achse dreht endlos: der Geber kennt nur den Winkel innerhalb einer Motorumdrehung, der absolute Bezug geht verloren, da 1/i keine ganze Zahl ist",
         ),
         Note::ReferenceLost { turns } => {
@@ -281,7 +281,7 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
             either(
                 language,
                 format!(
-                    "the axis turns endlessly: where the encoder's turns overflow its absolute reference is lost, since {turns}/i is no whole number"
+                    "the axis turns endlessly: where the encoder's turns overflow its absolute reference is lost, since {turns}/i is not a whole number"
                 ),
                 format!(
                     "die Achse dreht endlos: beim Überlauf der Geberumdrehungen geht der absolute Bezug verloren, da {turns}/i keine ganze Zahl ist"

@@ -135,7 +135,7 @@ fn file_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
             },
             None,
         ),
-        _ => (either(language, "this is no recording", "das ist keine Aufzeichnung"), None),
+        _ => (either(language, "this is not a recording", "das ist keine Aufzeichnung"), None),
     }
 }
 
@@ -202,7 +202,7 @@ fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
         ),
         Fault::UnitUnknown { role, column, text, by, nearest } => (
             e(
-                format!("{} is no known unit ({}, {})", q(text), q(column), known_by(*by, language)),
+                format!("{} is not a known unit ({}, {})", q(text), q(column), known_by(*by, language)),
                 format!("{} ist keine bekannte Einheit ({}, {})", q(text), q(column), known_by(*by, language)),
             ),
             Some(match nearest {
