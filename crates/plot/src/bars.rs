@@ -418,7 +418,7 @@ fn draw_bar(canvas: &mut Canvas<'_>, bar: &Bar, laid: &Laid, columns: &Columns, 
     if !columns.beside {
         canvas.line((lane.left, lane.top), (lane.left, lane.bottom), &Stroke::solid(Colour::Ink, RULE));
         let limit = x_at(&lane, 100.0, hi);
-        canvas.line((limit, lane.top - 2.0), (limit, lane.bottom + 2.0), &Stroke::solid(Colour::Ink, 1.6));
+        canvas.line((limit, lane.top), (limit, lane.bottom + 2.0), &Stroke::solid(Colour::Ink, 1.6));
     }
     canvas.close();
 }
