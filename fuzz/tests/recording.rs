@@ -4,7 +4,7 @@ use fuzz::{any_edits, any_text, explore, mutate};
 use std::cell::Cell;
 use std::io::Read;
 use workbench::text::told;
-use workbench::{Files, Language, explain, json, size};
+use workbench::{Files, Language, answer, explain, size};
 
 const PROJECT: &str = "format = 1\n[load]\ninertia = \"0.5 kg m^2\"\nfriction_torque = \"1 N m\"\n[[motion]]\n\
                        law = \"recorded\"\nfile = \"run.csv\"\nstandstill = \"0.01 1/min\"\n\
@@ -47,7 +47,7 @@ fn hold(project: &str, file: &[u8]) -> bool {
                     && let workbench::CandidateId::Code(code) = best.id
                     && let Ok(explained) = explain(project, &code)
                 {
-                    explained.judgement.checks.iter().for_each(|check| drop(json::explain(check, language)));
+                    explained.judgement.checks.iter().for_each(|check| drop(answer::explained(check, language)));
                 }
             }
             true

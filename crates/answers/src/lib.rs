@@ -14,6 +14,7 @@ mod dossier;
 mod errata;
 mod fault;
 mod files;
+mod glossary;
 mod id;
 mod judged;
 mod motion;
@@ -38,6 +39,7 @@ pub use files::{
     AxisWritten, ColumnKind, ExportWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn, TableRow,
     TableWritten,
 };
+pub use glossary::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
 pub use id::{Availability, Fit, Id, Identified};
 pub use judged::{
     Assessed, Candidate, Influence, Judgement, NeededLimit, Quantiles, Ranked, Rejection, Reserve, Sizing, Stage,

@@ -311,6 +311,34 @@ fn a_workbook_opens_with_every_row_and_live_formulas() {
     }
 }
 
+/// One word for one thing in the workbook too: the glossary names the words that are not used.
+#[test]
+fn a_german_workbook_has_no_second_word_for_a_thing() {
+    let twins: Vec<String> =
+        catalogue::words().iter().flat_map(|word| word.not_de).map(|twin| twin.to_lowercase()).collect();
+    let mut cells = 0;
+    each(Language::De, 2, &mut |name, tables, front| {
+        let mut book: Xlsx<_> = Xlsx::new(Cursor::new(xlsx(tables, front).unwrap())).unwrap();
+        for sheet in book.sheet_names() {
+            let texts = book.worksheet_range(&sheet).unwrap();
+            assert!(!twins.contains(&sheet.to_lowercase()), "{sheet}");
+            let strings = texts.used_cells().filter_map(|(_, _, cell)| match cell {
+                Data::String(text) => Some(text.to_lowercase()),
+                _ => None,
+            });
+            for text in strings {
+                cells += 1;
+                let found = twins.iter().find(|twin| {
+                    text.match_indices(twin.as_str())
+                        .any(|(at, _)| !text[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '-'))
+                });
+                assert!(found.is_none(), "{name}, {sheet}: {found:?} in {text}");
+            }
+        }
+    });
+    assert!(cells > 500, "{cells}");
+}
+
 #[test]
 fn the_same_tables_give_the_same_bytes() {
     each(Language::De, 3, &mut |file, tables, front| {

@@ -34,13 +34,13 @@ pub(super) fn line_fault(fault: &Fault, language: Language) -> String {
         Fault::ShapeMissing => {
             t("the shape of the body is missing; it stands first", "die Form des Körpers fehlt; sie steht zuerst")
         }
-        Fault::NoShape { written } => e(format!("`{written}` is no shape"), format!("`{written}` ist keine Form")),
+        Fault::NoShape { written } => e(format!("`{written}` is not a shape"), format!("`{written}` ist keine Form")),
         Fault::NoKey { written } => e(
             format!("`{written}` has no key; expected: key=value"),
             format!("`{written}` hat keinen Schlüssel; erwartet: Schlüssel=Wert"),
         ),
         Fault::KeyOfAnotherShape { key, shape } => {
-            e(format!("`{key}` is no key of `{shape}`"), format!("`{key}` ist kein Schlüssel von `{shape}`"))
+            e(format!("`{key}` is not a key of `{shape}`"), format!("`{key}` ist kein Schlüssel von `{shape}`"))
         }
         Fault::Twice { key } => e(format!("`{key}` is given twice"), format!("`{key}` steht zweimal da")),
         Fault::Count { written } => e(

@@ -19,9 +19,28 @@ const GREEK: [(&str, &str); 12] = [
     ("theta", "ϑ"),
 ];
 
+/// Figures that the tables name in words, by the symbol that stands for them in a formula.
+const LONG: [(&str, &str); 12] = [
+    ("accuracy", "φ_acc"),
+    ("accuracy_out", "φ_acc,out"),
+    ("approvals", "N_appr"),
+    ("approvals_needed", "N_appr,req"),
+    ("dU", "ΔU"),
+    ("hysteresis_loss", "φ_hys"),
+    ("lost_motion", "φ_lm"),
+    ("repeatability", "φ_rep"),
+    ("resolution", "φ_res"),
+    ("resolution_out", "φ_res,out"),
+    ("transmission_accuracy", "φ_tr"),
+    ("transformation_ratio", "k_res"),
+];
+
 /// A symbol as people write it: `omega_1` is ω_1.
 #[must_use]
 pub fn symbol_shown(symbol: &str) -> String {
+    if let Some((_, shown)) = LONG.iter().find(|(name, _)| *name == symbol) {
+        return (*shown).to_owned();
+    }
     let (head, tail) = symbol.split_once('_').map_or((symbol, None), |(head, tail)| (head, Some(tail)));
     let head = GREEK.iter().find(|(name, _)| *name == head).map_or(head, |(_, letter)| letter);
     tail.map_or_else(|| head.to_owned(), |tail| format!("{head}_{tail}"))
@@ -110,6 +129,8 @@ const FOUND: &[(&str, &str)] = &[
         "upper bound of U_LL between this instant and the next",
         "obere Schranke von U_LL zwischen diesem und dem nächsten Zeitpunkt",
     ),
+    ("not known: counted as 0", "nicht bekannt: mit 0 angesetzt"),
+    ("in every segment in motion", "in jedem Abschnitt mit Bewegung"),
     (" where ", " wo "),
 ];
 
@@ -117,14 +138,45 @@ const FOUND: &[(&str, &str)] = &[
 #[must_use]
 pub fn found_text(text: &'static str, language: Language) -> String {
     let whole = FOUND.iter().find(|(en, _)| *en == text);
-    let words = match (whole, language) {
+    let words = with_shown_symbols(&match (whole, language) {
         (_, Language::En) => text.to_owned(),
         (Some((_, de)), Language::De) => (*de).to_owned(),
         // A formula with a few words around it.
         (None, Language::De) => FOUND.iter().fold(text.to_owned(), |text, (en, de)| text.replace(en, de)),
-    };
+    });
     either(language, words.clone(), words.replace("1.5 ", "1,5 "))
 }
+
+/// The symbols among the words of a text as people write them: `theta_g` is ϑ_g.
+fn with_shown_symbols(text: &str) -> String {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut shown = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(from) = rest.find(is_part) {
+        let (before, tail) = rest.split_at(from);
+        let (word, after) = tail.split_at(tail.find(|c| !is_part(c)).unwrap_or(tail.len()));
+        shown.push_str(before);
+        if word.contains('_') {
+            shown.push_str(&symbol_shown(word))
+        } else {
+            shown.push_str(word)
+        }
+        rest = after;
+    }
+    shown.push_str(rest);
+    shown
+}
+
+/// Symbols that mean something else in another unit: symbol, unit, English, German. They go before those below.
+const BY_UNIT: &[(&str, &str, &str, &str)] = &[
+    ("P_0", "W", "loss borne at standstill", "im Stillstand ertragener Verlust"),
+    ("P_0", "N", "static equivalent load", "statische Äquivalentlast"),
+    ("phi", "arcmin", "torsion of the gear", "Verdrehung des Getriebes"),
+    ("phi", "rad", "angle travelled over the cycle", "im Zyklus zurückgelegter Winkel"),
+    ("phi", "rev", "travel from the smallest to the largest position", "Weg von der kleinsten zur größten Lage"),
+    ("resolution", "arcsec", "resolution of the feedback at the motor", "Auflösung des Feedbacks am Motor"),
+    ("R", "ohm", "resistance of a phase, hot", "Strangwiderstand, warm"),
+];
 
 /// Symbols of derivations that are no printed cell: English, German.
 const TERMS: &[(&str, &str, &str)] = &[
@@ -159,7 +211,6 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("N_k", "collisions permitted", "zulässige Kollisionen"),
     ("n_r", "resonance speed", "Resonanzdrehzahl"),
     ("n_r_high", "resonance speed of the least inertia", "Resonanzdrehzahl des kleinsten Trägheitsmoments"),
-    ("P_0", "static equivalent load", "statische Äquivalentlast"),
     ("P_c", "dynamic equivalent load", "dynamische Äquivalentlast"),
     ("phi_max", "torsion permitted", "zulässige Torsion"),
     ("phi_perm", "angle permitted", "zulässiger Winkel"),
@@ -186,7 +237,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("t_store", "storage", "Lagerung"),
     ("theta_limit", "nearest end of the permitted range", "nächste Grenze des zulässigen Bereichs"),
     ("alpha", "angular acceleration", "Winkelbeschleunigung"),
-    ("alpha_rms", "effective acceleration", "effektive Beschleunigung"),
+    ("alpha_rms", "rms acceleration", "effektive Beschleunigung"),
     ("dtheta", "swing of the winding's temperature", "Temperaturschwankung der Wicklung"),
     ("dU", "rise of the DC link voltage", "Anstieg der Zwischenkreisspannung"),
     ("b", "edge of the estimate's band", "Rand des Bandes der Schätzung"),
@@ -214,6 +265,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("I_U", "current at the voltage limit", "Strom an der Spannungsgrenze"),
     ("i_q", "torque-forming current, peak of a phase", "momentbildender Strom, Scheitelwert eines Strangs"),
     ("J", "inertia of load and actuator", "Trägheit von Last und Antrieb"),
+    ("J_out", "moment of inertia of the actuator at the output", "Massenträgheitsmoment des Antriebs am Abtrieb"),
     ("J_L", "moment of inertia of the load", "Massenträgheitsmoment der Last"),
     ("J_L_min", "least moment of inertia of the load", "kleinstes Massenträgheitsmoment der Last"),
     ("J_L_rec", "recommended for high dynamics", "empfohlen für hohe Dynamik"),
@@ -235,14 +287,11 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("N_stops", "stops asked for", "geforderte Nothalte"),
     ("omega_1", "speed when the brake takes hold", "Drehzahl, wenn die Bremse greift"),
     ("omega_e", "electrical angular frequency", "elektrische Kreisfrequenz"),
-    ("P_0", "loss borne at standstill", "im Stillstand ertragener Verlust"),
     ("P_f", "loss by friction", "Reibverlust"),
     ("P_perm", "power that can be taken back", "aufnehmbare Leistung"),
     ("P_reg", "mean power given back", "mittlere Rückspeiseleistung"),
-    ("phi", "angle travelled", "zurückgelegter Winkel"),
     ("phi_stop", "stop by the brake alone", "Halt allein durch die Bremse"),
     ("psi", "flux linkage, peak of a phase", "Flussverkettung, Scheitelwert eines Strangs"),
-    ("R", "resistance of a phase, hot", "Strangwiderstand, warm"),
     ("R_hot", "resistance at 80 °C", "Widerstand bei 80 °C"),
     ("rho", "correlation of acceleration and load torque", "Korrelation von Beschleunigung und Lastmoment"),
     ("S", "holding safety", "Haltesicherheit"),
@@ -267,7 +316,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("T_j", "torque through the joint", "Moment durch die Verbindung"),
     ("t_life", "service life", "Betriebszeit"),
     ("T_L", "torque of the load", "Lastmoment"),
-    ("T_L_rms", "effective torque of the load", "effektives Lastmoment"),
+    ("T_L_rms", "rms torque of the load", "effektives Lastmoment"),
     ("T_need", "torque to be held, with its safety", "zu haltendes Moment mit Sicherheit"),
     ("T_peak", "peak torque", "Spitzenmoment"),
     (
@@ -275,7 +324,7 @@ const TERMS: &[(&str, &str, &str)] = &[
         "largest torque of the load at the output of the actuator",
         "größtes Moment der Last am Abtrieb des Antriebs",
     ),
-    ("T_rms", "effective torque", "effektives Drehmoment"),
+    ("T_rms", "rms torque", "effektives Drehmoment"),
     ("T_short", "short-time torque", "Kurzzeitdrehmoment"),
     ("T_th", "torque at the permissible loss", "Drehmoment beim zulässigen Verlust"),
     ("T_trans", "torque that the screws transmit", "von den Schrauben übertragbares Moment"),
@@ -296,11 +345,19 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("y", "overload integral", "Überlastintegral"),
 ];
 
-/// The word for a symbol that a derivation makes; empty where none is needed.
+/// What a symbol that a derivation makes means in its unit; empty where the glossary has to tell it.
 #[must_use]
-pub fn step_term(symbol: &str, language: Language) -> &'static str {
-    TERMS.iter().find(|(name, ..)| *name == symbol).map_or("", |(_, en, de)| match language {
+pub fn step_term(symbol: &str, unit: &str, language: Language) -> &'static str {
+    let of_unit = BY_UNIT.iter().find(|(name, of, ..)| *name == symbol && *of == unit).map(|(.., en, de)| (en, de));
+    let found = of_unit.or_else(|| TERMS.iter().find(|(name, ..)| *name == symbol).map(|(_, en, de)| (en, de)));
+    found.map_or("", |(en, de)| match language {
         Language::En => en,
         Language::De => de,
     })
+}
+
+/// Every symbol of the derivations with its meaning, English and German; one symbol may have several.
+#[must_use]
+pub fn step_terms() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    BY_UNIT.iter().map(|(symbol, _, en, de)| (*symbol, *en, *de)).chain(TERMS.iter().copied())
 }

@@ -19,14 +19,14 @@ mod stage;
 
 pub use bodies::shape_title;
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token, describe_uncovered};
-pub use derivation::{found_text, step_term, symbol_shown};
+pub use derivation::{found_text, step_term, step_terms, symbol_shown};
 pub use errata::{erratum_kind, erratum_place, erratum_status};
 pub use faults::{Told, battery_fault, fault_text, file_trouble, hint_text, told};
 pub use motion::law_text;
 pub use results::{
     assumption_text, check_missing, check_title, condition_text, curve_title, evidence_text, figure_term, grade_about,
     grade_word, note_text, ranking_rule, requirement_title, source_text, standing_text, symbol_term, unmet_text,
-    verdict_word,
+    verdict_count, verdict_word,
 };
 
 pub use schema::schema_text;

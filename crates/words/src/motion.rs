@@ -188,7 +188,7 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
             (
                 t(
                     "the smoothing window holds fewer than four samples somewhere",
-                    "im Glättungsfenster liegen stellenweise weniger als vier Messwerte",
+                    "im Glättungsfenster liegen stellenweise weniger als vier Abtastwerte",
                 ),
                 Some(either(language, format!("at least {least}"), format!("mindestens {least}"))),
             )
@@ -197,7 +197,7 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
             either(
                 language,
                 format!("the smoothing window holds more than {most} samples"),
-                format!("im Glättungsfenster liegen mehr als {most} Messwerte"),
+                format!("im Glättungsfenster liegen mehr als {most} Abtastwerte"),
             ),
             None,
         ),
@@ -221,7 +221,7 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
             either(
                 language,
                 format!("{samples} samples are no motion, at least three are needed"),
-                format!("{samples} Messwerte sind keine Bewegung, nötig sind mindestens drei"),
+                format!("{samples} Abtastwerte sind keine Bewegung, nötig sind mindestens drei"),
             ),
             None,
         ),
@@ -229,14 +229,14 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
             (t("neither position nor speed is recorded", "weder Lage noch Drehzahl ist aufgezeichnet"), None)
         }
         RecordedFault::Uneven => (
-            t("the columns do not have the same number of samples", "die Spalten haben nicht gleich viele Messwerte"),
+            t("the columns do not have the same number of samples", "die Spalten haben nicht gleich viele Abtastwerte"),
             None,
         ),
         RecordedFault::NotFinite { index } => (
             either(
                 language,
                 format!("sample {} is not a finite number", index + 1),
-                format!("Messwert {} ist keine endliche Zahl", index + 1),
+                format!("Abtastwert {} ist keine endliche Zahl", index + 1),
             ),
             None,
         ),
@@ -244,7 +244,7 @@ pub(super) fn recorded_fault(fault: &RecordedFault, language: Language) -> (Stri
             either(
                 language,
                 format!("sample {} is not later than the one before it", index + 1),
-                format!("Messwert {} liegt nicht nach dem vorigen", index + 1),
+                format!("Abtastwert {} liegt nicht nach dem vorigen", index + 1),
             ),
             None,
         ),

@@ -68,7 +68,7 @@ pub(super) fn heat(note: &Note, language: Language) -> String {
             either(
                 language,
                 format!(
-                    "with the stated rise the DC link reaches {to}. U_DCmax is the largest stationary voltage and may be exceeded for a short time while braking; by how much is not printed: ask the maker, or permit a rise of {free} at most"
+                    "with the stated rise the DC link reaches {to}. U_DCmax is the largest stationary voltage and may be exceeded for a short time while braking; by how much is not stated: ask the maker, or permit a rise of {free} at most"
                 ),
                 format!(
                     "mit dem angegebenen Anstieg erreicht der Zwischenkreis {to}. U_DCmax ist die größte stationäre Spannung und darf im Bremsbetrieb kurzfristig überschritten werden; um wie viel, ist nicht angegeben: beim Hersteller fragen oder höchstens {free} Anstieg zulassen"
@@ -113,7 +113,7 @@ pub(super) fn estimate(note: &Note, language: Language) -> String {
             either(
                 language,
                 format!(
-                    "below 20 °C no friction is printed: it is extrapolated and may be {low} to {high} times what is counted"
+                    "below 20 °C no friction is stated: it is extrapolated and may be {low} to {high} times what is counted"
                 ),
                 format!(
                     "unter 20 °C ist keine Reibung angegeben: sie ist extrapoliert und kann das {low}- bis {high}-Fache des Gerechneten sein"
@@ -159,7 +159,7 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
     match note {
         Note::HangingLoad => either(
             language,
-            "the load hangs: a built-in holding brake is no safety brake; persons under it need a further, mechanical one",
+            "the load hangs: a built-in holding brake is not a safety brake; persons under it need a further, mechanical one",
             "hängende Last: eine eingebaute Haltebremse ist nicht funktional sicher; zum Schutz von Personen ist eine weitere, mechanische Bremse nötig",
         ),
         Note::Sag(angle) => {
@@ -178,8 +178,8 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
                 || {
                     either(
                         language,
-                        "how many are permitted is not printed",
-                        "wie viele zulässig sind, ist nicht gedruckt",
+                        "the maker does not state how many are permitted",
+                        "wie viele zulässig sind, ist nicht angegeben",
                     )
                 },
                 |count| {
@@ -231,7 +231,7 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
         }
         Note::BrakeTimesAssumed => either(
             language,
-            "opening and closing time of this brake are not printed: while it closes and opens the motor holds the load for 70 ms and 110 ms, as printed for the larger sizes",
+            "opening and closing time of this brake are not stated: while it closes and opens the motor holds the load for 70 ms and 110 ms, as stated for the larger sizes",
             "Öffnungs- und Schließzeit dieser Bremse sind nicht angegeben: beim Schließen und Öffnen hält der Motor die Last 70 ms und 110 ms lang, wie für die größeren Baugrößen angegeben",
         ),
         Note::BrakingsLast { each_cycle, lasts } => {
@@ -244,7 +244,7 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
             let Some(lasts) = lasts else {
                 return either(
                     language,
-                    format!("the brake closes {times} per cycle; how often it may is not printed"),
+                    format!("the brake closes {times} per cycle; how often it may is not stated"),
                     format!("die Bremse schließt {times} je Zyklus; wie oft sie es darf, ist nicht angegeben"),
                 );
             };
@@ -273,7 +273,7 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
     match note {
         Note::ReferenceLost { turns } if *turns <= 1.0 => either(
             language,
-            "the axis turns on and on: the encoder tells the angle within one turn of the motor only, and its absolute reference is lost, since 1/i is no whole number",
+            "the axis turns endlessly: the encoder tells the angle within one turn of the motor only, and its absolute reference is lost, since 1/i is not a whole number",
             "die Achse dreht endlos: der Geber kennt nur den Winkel innerhalb einer Motorumdrehung, der absolute Bezug geht verloren, da 1/i keine ganze Zahl ist",
         ),
         Note::ReferenceLost { turns } => {
@@ -281,7 +281,7 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
             either(
                 language,
                 format!(
-                    "the axis turns on and on: where the encoder's turns overflow its absolute reference is lost, since {turns}/i is no whole number"
+                    "the axis turns endlessly: where the encoder's turns overflow its absolute reference is lost, since {turns}/i is not a whole number"
                 ),
                 format!(
                     "die Achse dreht endlos: beim Überlauf der Geberumdrehungen geht der absolute Bezug verloren, da {turns}/i keine ganze Zahl ist"
@@ -290,7 +290,7 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
         }
         Note::NeedsReferencing => either(
             language,
-            "the position is not absolute over the travel: it must be searched after switching on",
+            "the position is not absolute over the travel: it must be referenced after switching on",
             "die Lage ist über den Weg nicht absolut: nach dem Einschalten muss referenziert werden",
         ),
         Note::BatteryExchange { recommended, latest } => {

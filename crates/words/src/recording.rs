@@ -72,7 +72,7 @@ fn file_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
                 format!("line {line}: longer than {} KiB", most / 1024),
                 format!("Zeile {line}: länger als {} KiB", most / 1024),
             ),
-            t("is this a CSV with one sample per line?", "ist das eine CSV mit einem Messpunkt je Zeile?"),
+            t("is this a CSV with one sample per line?", "ist das eine CSV mit einem Abtastwert je Zeile?"),
         ),
         Fault::QuoteOpen { line } => (
             e(
@@ -102,12 +102,12 @@ fn file_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
             match outside {
                 0 => e(
                     format!("the file has {found} samples, at least {least} are needed"),
-                    format!("die Datei hat {found} Messpunkte, nötig sind mindestens {least}"),
+                    format!("die Datei hat {found} Abtastwerte, nötig sind mindestens {least}"),
                 ),
                 _ => e(
                     format!("{found} samples lie in the window and {outside} outside, at least {least} are needed"),
                     format!(
-                        "im Zeitfenster liegen {found} Messpunkte, außerhalb {outside}; nötig sind mindestens {least}"
+                        "im Zeitfenster liegen {found} Abtastwerte, außerhalb {outside}; nötig sind mindestens {least}"
                     ),
                 ),
             },
@@ -117,7 +117,7 @@ fn file_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
             }),
         ),
         Fault::TooManySamples { most } => (
-            e(format!("the file has more than {most} samples"), format!("die Datei hat mehr als {most} Messpunkte")),
+            e(format!("the file has more than {most} samples"), format!("die Datei hat mehr als {most} Abtastwerte")),
             t("select a part with from and to", "mit from und to einen Abschnitt wählen"),
         ),
         Fault::ParquetUnreadable { reason } => (
@@ -134,16 +134,22 @@ fn file_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
             (either(language, "the rest of the file was not read", "der Rest der Datei wurde nicht gelesen"), None)
         }
         Fault::More { count, stopped } => (
-            match stopped {
-                false => e(format!("and {count} more faults"), format!("und {count} weitere Fehler")),
-                true => e(
-                    format!("and {count} more faults; the rest of the file was not read"),
-                    format!("und {count} weitere Fehler; der Rest der Datei wurde nicht gelesen"),
-                ),
+            {
+                let (faults, further) = match count {
+                    1 => ("1 more fault".to_owned(), "1 weiterer Fehler".to_owned()),
+                    count => (format!("{count} more faults"), format!("{count} weitere Fehler")),
+                };
+                match stopped {
+                    false => e(format!("and {faults}"), format!("und {further}")),
+                    true => e(
+                        format!("and {faults}; the rest of the file was not read"),
+                        format!("und {further}; der Rest der Datei wurde nicht gelesen"),
+                    ),
+                }
             },
             None,
         ),
-        _ => (either(language, "this is no recording", "das ist keine Aufzeichnung"), None),
+        _ => (either(language, "this is not a recording", "das ist keine Aufzeichnung"), None),
     }
 }
 
@@ -190,7 +196,7 @@ fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
             (
                 e(
                     format!("several columns could be the {role}: {list}"),
-                    format!("mehrere Spalten passen für {role}: {list}"),
+                    format!("mehrere Spalten kommen für {role} in Frage: {list}"),
                 ),
                 Some(e(format!("name the one in columns.{key}"), format!("die richtige in columns.{key} nennen"))),
             )
@@ -210,7 +216,7 @@ fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
         ),
         Fault::UnitUnknown { role, column, text, by, nearest } => (
             e(
-                format!("{} is no known unit ({}, {})", q(text), q(column), known_by(*by, language)),
+                format!("{} is not a known unit ({}, {})", q(text), q(column), known_by(*by, language)),
                 format!("{} ist keine bekannte Einheit ({}, {})", q(text), q(column), known_by(*by, language)),
             ),
             Some(match nearest {
@@ -254,7 +260,7 @@ fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
             (
                 e(
                     format!("position and speed do not belong together: {position} and {speed}"),
-                    format!("Position und Geschwindigkeit passen nicht zusammen: {position} und {speed}"),
+                    format!("Position und Geschwindigkeit widersprechen sich: {position} und {speed}"),
                 ),
                 Some(either(language, "leave one of the two columns out", "eine der beiden Spalten weglassen")),
             )
@@ -361,7 +367,7 @@ fn sample_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
                         place(*at, language)
                     ),
                     format!(
-                        "{}: vor diesem Messpunkt liegt eine Lücke von {length}, mehr als das {factor}-Fache des mittleren \
+                        "{}: vor diesem Abtastwert liegt eine Lücke von {length}, mehr als das {factor}-Fache des mittleren \
                          Abstands (Median) von {median}",
                         place(*at, language)
                     ),

@@ -22,7 +22,7 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::Demagnetisation => ("demagnetisation", "Entmagnetisierung"),
         CheckId::Voltage => ("terminal voltage", "Klemmenspannung"),
         CheckId::InertiaRatio => ("inertia ratio", "Trägheitsverhältnis"),
-        CheckId::GearMeanTorque => ("gear mean torque", "mittl. Getriebemoment"),
+        CheckId::GearMeanTorque => ("mean gear torque", "mittleres Getriebemoment"),
         CheckId::GearLife => ("gear life", "Getriebelebensdauer"),
         CheckId::Torsion => ("torsion", "Torsionswinkel"),
         CheckId::NaturalFrequency => ("natural frequency", "Eigenfrequenz"),
@@ -36,7 +36,7 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::TorqueSpeedTrace => ("torque-speed trace", "Drehmomentverlauf"),
         CheckId::Thermal => ("winding temperature", "Wicklungstemperatur"),
         CheckId::OverloadI2t => ("overload I²t", "Überlast I²t"),
-        CheckId::GearMeanInputSpeed => ("gear input, mean", "Getriebeeing., mittl."),
+        CheckId::GearMeanInputSpeed => ("mean input speed", "mittlere Eingangsdrehzahl"),
         CheckId::CollisionTorque => ("collision torque", "Kollisionsmoment"),
         CheckId::ResonanceSpeed => ("resonance speed", "Resonanzdrehzahl"),
         CheckId::ErrorBudget => ("error budget", "Fehlersumme"),
@@ -78,19 +78,29 @@ pub fn curve_title(kind: &CurveKind, language: Language) -> String {
 pub fn verdict_word(verdict: Verdict, language: Language) -> String {
     let (en, de) = match verdict {
         Verdict::Pass => ("pass", "erfüllt"),
-        Verdict::Fail => ("FAIL", "VERFEHLT"),
+        Verdict::Fail => ("FAIL", "nicht erfüllt"),
         Verdict::Advice => ("advice", "Hinweis"),
         Verdict::NotChecked => ("not checked", "nicht geprüft"),
     };
     either(language, en, de)
 }
 
+/// How many checks came to a verdict.
+#[must_use]
+pub fn verdict_count(verdict: Verdict, count: usize, language: Language) -> String {
+    match (verdict, language) {
+        (Verdict::Advice, Language::De) if count != 1 => format!("{count} Hinweise"),
+        (Verdict::Fail, Language::En) => format!("{count} fail"),
+        _ => format!("{count} {}", verdict_word(verdict, language)),
+    }
+}
+
 /// Whether a candidate fits, and how many questions about it could not be answered: nothing else in the house words this.
 #[must_use]
 pub fn standing_text(fits: bool, open_questions: usize, language: Language) -> String {
     match (fits, open_questions) {
-        (false, _) => either(language, "does not fit", "passt nicht"),
-        (true, 0) => either(language, "fits", "passt"),
+        (false, _) => either(language, "does not fit", "nicht geeignet"),
+        (true, 0) => either(language, "fits", "geeignet"),
         (true, 1) => either(
             language,
             "nothing speaks against it; 1 question not answered",
@@ -111,7 +121,11 @@ pub fn symbol_term(symbol: &str, language: Language) -> String {
 }
 
 /// Words of table conditions in German, longer phrases before their parts.
-const CONDITIONS: [(&str, &str); 14] = [
+const CONDITIONS: [(&str, &str); 18] = [
+    ("series=", "Baureihe "),
+    ("ratio=", "i = "),
+    ("grease", "Fettschmierung"),
+    ("maximum", "Kurzzeit"),
     ("no condensation", "ohne Kondensation"),
     ("above sea level", "über NN"),
     ("aluminium, ambient", "Aluminium, Umgebung"),
@@ -137,7 +151,8 @@ pub fn condition_text(condition: &str, language: Language) -> String {
             text = text.replace(en, de);
         }
     } else {
-        text = with_points(&text.replace("sensor=", "sensor "));
+        let named = text.replace("sensor=", "sensor ").replace("series=", "series ").replace("ratio=", "i = ");
+        text = with_points(&named);
     }
     text
 }
@@ -200,7 +215,7 @@ pub fn evidence_text(id: &str, language: Language) -> &'static str {
 pub fn grade_word(grade: Grade, language: Language) -> &'static str {
     match (language, grade) {
         (Language::En, grade) => grade.id(),
-        (Language::De, Grade::Printed) => "gedruckt",
+        (Language::De, Grade::Printed) => "Herstellerangabe",
         (Language::De, Grade::Computed) => "berechnet",
         (Language::De, Grade::Published) => "veröffentlicht",
         (Language::De, Grade::Estimated) => "geschätzt",
@@ -217,10 +232,10 @@ pub fn note_text(note: &Note, language: Language) -> String {
             either(
                 language,
                 format!(
-                    "the cycle of {cycle} is not short against the winding's time constant of about 60 s: the effective value alone does not prove the thermal load"
+                    "the cycle of {cycle} is not short against the winding's time constant of about 60 s: the rms torque alone does not show whether the winding stays cool enough"
                 ),
                 format!(
-                    "der Zyklus von {cycle} ist nicht kurz gegen die Wicklungszeitkonstante von etwa 60 s: der Effektivwert allein beweist die thermische Belastung nicht"
+                    "der Zyklus von {cycle} ist nicht kurz gegen die Wicklungszeitkonstante von etwa 60 s: aus dem effektiven Drehmoment allein folgt nicht, ob die Wicklung kühl genug bleibt"
                 ),
             )
         }
@@ -245,8 +260,8 @@ pub fn note_text(note: &Note, language: Language) -> String {
         Note::SmallSwings { count, largest, share } => super::flange::small_swings(*count, *largest, *share, language),
         Note::RatingOfInterchangeableGear => either(
             language,
-            "the gear's rating is that of another maker's interchangeable gear with the same T_R; the manual prints none",
-            "die Getriebewerte sind die eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung druckt keine",
+            "the gear's rating is that of another maker's interchangeable gear with the same T_R; the manual states none",
+            "die Getriebewerte sind die eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung nennt keine",
         ),
         Note::LoadsOneAtATime => either(
             language,
@@ -285,7 +300,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
         | Note::Budget { .. }) => super::notes::rest(note, language),
         Note::Erratum(id) => {
             let evidence = evidence_text(id, language);
-            either(language, format!("erratum {id}: {evidence}"), format!("Erratum {id}: {evidence}"))
+            either(language, format!("erratum {id}: {evidence}"), format!("Druckfehler {id}: {evidence}"))
         }
     }
 }
@@ -299,7 +314,7 @@ pub fn requirement_title(unmet: &Unmet, language: Language) -> String {
         Unmet::HollowShaft { .. } => ("hollow shaft", "Hohlwelle"),
         Unmet::Length { .. } => ("length", "Länge"),
         Unmet::Mass { .. } => ("mass", "Masse"),
-        Unmet::SupplyTooLow { .. } => ("supply", "Versorgung"),
+        Unmet::SupplyTooLow { .. } => ("supply voltage", "Versorgungsspannung"),
         Unmet::NotKnown { symbol } => {
             let term = symbol_term(symbol, language);
             return either(language, format!("requirement open ({term})"), format!("Anforderung offen ({term})"));
@@ -317,8 +332,8 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
     match unmet {
         Unmet::Feedback(feedback) => either(
             language,
-            format!("feedback {feedback} is not asked for"),
-            format!("Feedback {feedback} ist nicht gefordert"),
+            format!("feedback {feedback} is not among those permitted"),
+            format!("Feedback {feedback} ist nicht zugelassen"),
         ),
         Unmet::Brake(Brake::Without) => either(language, "has no brake", "hat keine Bremse"),
         Unmet::Brake(Brake::With) => either(language, "has a brake", "hat eine Bremse"),
@@ -365,8 +380,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             ("no friction torque given: 0 Nm assumed", "kein Reibmoment angegeben: 0 Nm angenommen")
         }
         Assumption::AmbientWithinRange => (
-            "no ambient temperature given: 0 °C to 40 °C assumed, for which the printed data hold",
-            "keine Umgebungstemperatur angegeben: 0 °C bis 40 °C angenommen, dafür gelten die gedruckten Daten",
+            "no ambient temperature given: 0 °C to 40 °C assumed, the range that the maker's data hold for",
+            "keine Umgebungstemperatur angegeben: 0 °C bis 40 °C angenommen, dafür gelten die Herstellerangaben",
         ),
         Assumption::CoolingPlate => (
             "mounted on the aluminium plate of table 13.3: continuous data hold for it only",
@@ -405,8 +420,8 @@ pub fn assumption_text(assumption: Assumption, language: Language) -> String {
             "ein Trapez aus zwei Angaben beschleunigt, fährt und bremst je ein Drittel seiner Zeit",
         ),
         Assumption::SingleMoveRepeats => (
-            "the single move is judged as if it followed itself without a pause: the safe side for effective values",
-            "die einmalige Bewegung ist beurteilt, als folgte sie sich ohne Pause: für Effektivwerte die sichere Seite",
+            "the single move is judged as if it followed itself without a pause: which is on the safe side for the rms torque",
+            "die einmalige Bewegung ist beurteilt, als folgte sie sich ohne Pause: für das effektive Drehmoment ist das die sichere Seite",
         ),
         Assumption::OrdinaryApplication => (
             "no field of application that needs the maker's approval (section 2.4)",
@@ -459,11 +474,36 @@ pub fn source_text(source: &Source, language: Language) -> String {
         Source::Equation { number } => {
             either(language, format!("{MANUAL} eq. {number}"), format!("{MANUAL} Gl. {number}"))
         }
-        Source::Model { name } => either(language, format!("model {name}"), format!("Modell {name}")),
+        Source::Model { name } => {
+            let german = MODELS.iter().find(|(model, _)| model == name).map_or(*name, |(_, german)| german);
+            either(language, format!("model {name}"), format!("Modell {german}"))
+        }
         Source::Project { key } => either(language, format!("project {key}"), format!("Projekt {key}")),
         other => other.to_string(),
     }
 }
+
+/// Models by their names in German; the English ones are those of the pages in docs/theory.
+const MODELS: [(&str, &str); 18] = [
+    ("battery", "Batterie"),
+    ("brake", "Bremse"),
+    ("continuous-torque", "Dauerdrehmoment"),
+    ("current", "Motorstrom"),
+    ("demand", "Bedarf"),
+    ("energy", "Energie"),
+    ("error-budget", "Fehlersumme"),
+    ("feedback", "Feedback"),
+    ("flange-loads", "Flanschlasten"),
+    ("gear", "Getriebe"),
+    ("mechanisms", "Mechanismen"),
+    ("moments", "Zeitintegrale"),
+    ("output-bearing", "Abtriebslager"),
+    ("overload", "Überlast"),
+    ("short-time-torque", "Kurzzeitdrehmoment"),
+    ("stage", "Stufe"),
+    ("thermal", "Erwärmung"),
+    ("voltage", "Klemmenspannung"),
+];
 
 fn cell_text(cell: &CellRef, language: Language) -> String {
     let mut text = either(language, "table ", "Tabelle ");
@@ -484,8 +524,8 @@ fn cell_text(cell: &CellRef, language: Language) -> String {
 pub fn ranking_rule(language: Language) -> String {
     either(
         language,
-        "order: what fits first, then the smaller frame size, then the lower highest utilisation, then the lower mass",
-        "Reihenfolge: was passt zuerst, dann die kleinere Baugröße, dann die geringere höchste Auslastung, dann die geringere Masse",
+        "order: what fits comes first, then by smaller frame size, lower highest utilisation and lower mass",
+        "Reihenfolge: Geeignetes zuerst, dann nach kleinerer Baugröße, niedrigerer höchster Auslastung und geringerer Masse",
     )
 }
 
@@ -507,15 +547,15 @@ pub fn figure_term(symbol: &str, language: Language) -> String {
 #[must_use]
 pub fn grade_about(grade: Grade, language: Language) -> &'static str {
     match (language, grade) {
-        (Language::En, Grade::Printed) => "a value that the maker's manual prints",
-        (Language::De, Grade::Printed) => "ein Wert, den die Anleitung des Herstellers druckt",
-        (Language::En, Grade::Computed) => "computed from printed values with an equation of the manual",
-        (Language::De, Grade::Computed) => "aus gedruckten Werten mit einer Gleichung der Anleitung berechnet",
+        (Language::En, Grade::Printed) => "a value that the maker's manual states",
+        (Language::De, Grade::Printed) => "ein Wert, den die Anleitung des Herstellers nennt",
+        (Language::En, Grade::Computed) => "computed from the maker's values with an equation of the manual",
+        (Language::De, Grade::Computed) => "aus Herstellerangaben mit einer Gleichung der Anleitung berechnet",
         (Language::En, Grade::Published) => "a value of another document, or of your own data sheet",
         (Language::De, Grade::Published) => "ein Wert eines anderen Dokuments oder des eigenen Datenblatts",
         (Language::En, Grade::Estimated) => "a model of antrieb with a stated band",
         (Language::De, Grade::Estimated) => "ein Modell von antrieb mit angegebenem Band",
         (Language::En, Grade::Assumed) => "a default that nobody confirmed",
-        (Language::De, Grade::Assumed) => "eine Vorgabe, die niemand bestätigt hat",
+        (Language::De, Grade::Assumed) => "ein Standardwert, den niemand bestätigt hat",
     }
 }

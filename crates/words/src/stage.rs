@@ -14,14 +14,14 @@ pub fn ratios_text(ratios: &[RatioAnswer], language: Language) -> String {
             (Some(code), 1) => either(
                 language,
                 format!("{code} at {share} %, the only one that fits"),
-                format!("{code} bei {share} %, der einzige passende"),
+                format!("{code} bei {share} %, der einzige geeignete"),
             ),
             (Some(code), many) => either(
                 language,
                 format!("{code} at {share} %, {many} fit"),
-                format!("{code} bei {share} %, {many} passen"),
+                format!("{code} bei {share} %, {many} sind geeignet"),
             ),
-            (None, _) => either(language, "none fits", "keiner passt"),
+            (None, _) => either(language, "none fits", "keiner ist geeignet"),
         };
         let chosen = if answer.chosen { either(language, " (chosen)", " (gewählt)") } else { String::new() };
         format!("{ratio}: {found}{chosen}")

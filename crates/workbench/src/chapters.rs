@@ -63,13 +63,3 @@ pub fn bearing_of_each_size(project: &Project) -> Vec<(Size, Candidate<'_>)> {
     }
     found
 }
-
-/// The project files to begin with: name and text.
-pub static TEMPLATES: [(&str, &str); 6] = [
-    ("manual", include_str!("../../../examples/indexing-table.toml")),
-    ("table", include_str!("../../../examples/turntable.toml")),
-    ("arm", include_str!("../../../examples/tilting-arm.toml")),
-    ("screw", include_str!("../../../examples/screw-axis.toml")),
-    ("belt", include_str!("../../../examples/belt-axis.toml")),
-    ("recording", include_str!("../../../examples/robot-joint.toml")),
-];

@@ -13,18 +13,20 @@ mod explain;
 mod export;
 mod fingerprint;
 mod flange;
+mod glossary;
 mod limits;
 mod moves;
 mod plane;
 mod reading;
 mod sheet;
 mod sizing_use;
+mod templates;
 mod tolerance;
 mod torsion;
 
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
-pub use chapters::{TEMPLATES, battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
+pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
 pub use configurator::{Availability, Choice, Uncovered, Unmet, catalogue_actuators, uncovered};
@@ -33,6 +35,7 @@ pub use explain::{derivation, node_amount, trust};
 pub use export::{EXPORT_COLUMNS, export_rows};
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
+pub use glossary::glossary;
 pub use limits::{NeededLimit, limits_needed};
 pub use moves::{Move, Moves, moves};
 pub use order_code::{Field, OrderCode, Size};
@@ -52,6 +55,7 @@ pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, explain, explain_own, reserve_of,
     size,
 };
+pub use templates::{Template, template, template_kinds};
 pub use tolerance::{
     Assessment, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
 };

@@ -155,7 +155,7 @@ fn effective_torque(page: &mut Page<'_>, tables: &[Table], front: &Front<'_>) ->
     let formula = format!("=SQRT(SUMPRODUCT(({t_1}-{t_0})*({a}^2+{a}*{b}+{b}^2)/3)/(MAX({all})-MIN({all})))");
     let exact = NEWTON_METRE.from_si(demand.torque_rms.si());
     let digits = page.styles.number(&format!("{}\" Nm\"", decimals(exact, 5)));
-    page.heading(["Effective torque, computed twice", "Effektives Drehmoment, zweimal gerechnet"])?;
+    page.heading(["Rms torque, computed twice", "Effektives Drehmoment, zweimal gerechnet"])?;
     let from = page.row;
     page.formula(
         t(l, ["T_rms from the course", "T_rms aus dem Verlauf"]),
@@ -232,7 +232,7 @@ fn legend(page: &mut Page<'_>) -> Result<(), WriteError> {
     for (shown, format, words) in [
         ("62.0 %", &styles.fine, ["up to 80 % of a limit, or passed", "bis 80 % einer Grenze, oder erfüllt"]),
         ("● 91.0 %", &styles.near, ["above 80 % of a limit, or advice", "über 80 % einer Grenze, oder Hinweis"]),
-        ("▲ 104.0 %", &styles.over, ["above a limit, or failed", "über einer Grenze, oder nicht erfüllt"]),
+        ("▲ 104.0 %", &styles.over, ["above a limit, or failed", "über einer Grenze oder nicht erfüllt"]),
         (
             "–",
             &styles.open,
