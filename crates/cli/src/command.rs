@@ -10,6 +10,7 @@ const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod files;
+pub(crate) mod german;
 
 use files::{compare, curve, diff, export, plot, report, sheet};
 
@@ -83,7 +84,7 @@ pub(crate) fn build(language: Language) -> Command {
     let mut whole = headed(commands(language), language);
     if language == Language::De {
         whole.build();
-        whole = german_usage(whole);
+        whole = german::usage(whole);
     }
     whole
 }
@@ -100,7 +101,7 @@ fn headed(command: Command, language: Language) -> Command {
         })
         .subcommand_help_heading(t("Commands", "Befehle"))
         .mut_args(|argument| {
-            let argument = if language == Language::De { german_value(argument) } else { argument };
+            let argument = if language == Language::De { german::value(argument) } else { argument };
             let heading = if argument.is_positional() { t("Arguments", "Argumente") } else { t("Options", "Optionen") };
             let takes_value = argument.get_action().takes_values();
             argument.help_heading(heading).hide_default_value(takes_value).hide_possible_values(takes_value)
@@ -161,53 +162,6 @@ pub(crate) const EXAMPLES: [(&str, &str); 26] = [
     ("help", "antrieb help size"),
 ];
 
-/// What stands for a value, in German.
-const GERMAN_VALUES: [(&str, &str); 26] = [
-    ("AXIS", "ACHSE"),
-    ("BODY", "KÖRPER"),
-    ("CHECK", "NACHWEIS"),
-    ("COMMAND", "BEFEHL"),
-    ("DATE", "DATUM"),
-    ("FIGURE", "BILD"),
-    ("FILE", "DATEI"),
-    ("HOURS", "STUNDEN"),
-    ("KIND", "ART"),
-    ("LANG", "SPRACHE"),
-    ("LENGTH", "LÄNGE"),
-    ("NEW", "NEU"),
-    ("OLD", "ALT"),
-    ("PATTERN", "MUSTER"),
-    ("PROJECT", "PROJEKT"),
-    ("TERM", "BEGRIFF"),
-    ("THEME", "FARBEN"),
-    ("TIME", "ZEIT"),
-    ("TORQUE", "MOMENT"),
-    ("VOLTAGE", "SPANNUNG"),
-    ("WHAT", "WAS"),
-    ("shell", "SHELL"),
-    ("FORMAT", "FORMAT"),
-    ("CODE", "CODE"),
-    ("NAME", "NAME"),
-    ("TEXT", "TEXT"),
-];
-
-fn german_value(argument: Arg) -> Arg {
-    let Some([name]) = argument.get_value_names() else { return argument };
-    let german = GERMAN_VALUES.iter().find(|(en, _)| *en == name.as_str()).map(|(_, de)| *de);
-    match german {
-        Some(german) => argument.value_name(german),
-        None => argument,
-    }
-}
-
-/// The usage lines of a built command in German; the library writes its own words there.
-fn german_usage(mut command: Command) -> Command {
-    let usage = command.render_usage().to_string();
-    let usage = usage.trim_start_matches("Usage:").trim();
-    command = command.override_usage(usage.replace("[OPTIONS]", "[OPTIONEN]").replace("<COMMAND>", "<BEFEHL>"));
-    command.mut_subcommands(german_usage)
-}
-
 /// The arguments with `help COMMAND` as `COMMAND --help`, wherever options for all commands stand.
 pub(crate) fn with_help_asked(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
     let mut arguments: Vec<OsString> = arguments.collect();
@@ -229,41 +183,6 @@ pub(crate) fn with_help_asked(arguments: impl Iterator<Item = OsString>) -> Vec<
         }
     }
     arguments
-}
-
-/// A fault of the command line in German; the library speaks English only.
-pub(crate) fn german(error: &clap::Error) -> Option<String> {
-    use clap::error::{ContextKind, ContextValue, ErrorKind};
-    let context = |kind| match error.get(kind) {
-        Some(ContextValue::String(text)) => Some(text.clone()),
-        Some(ContextValue::Strings(texts)) => Some(texts.join(", ")),
-        _ => None,
-    };
-    let mut text = match error.kind() {
-        ErrorKind::InvalidSubcommand => {
-            format!("Fehler: unbekannter Befehl „{}“", context(ContextKind::InvalidSubcommand)?)
-        }
-        ErrorKind::UnknownArgument => format!("Fehler: unbekannte Option „{}“", context(ContextKind::InvalidArg)?),
-        ErrorKind::MissingRequiredArgument => format!("Fehler: es fehlt {}", context(ContextKind::InvalidArg)?),
-        ErrorKind::InvalidValue | ErrorKind::ValueValidation => format!(
-            "Fehler: „{}“ ist kein Wert für {}",
-            context(ContextKind::InvalidValue)?,
-            context(ContextKind::InvalidArg)?
-        ),
-        _ => return None,
-    };
-    for (kind, head) in [
-        (ContextKind::ValidValue, "gültig"),
-        (ContextKind::SuggestedSubcommand, "gemeint ist vielleicht"),
-        (ContextKind::SuggestedArg, "gemeint ist vielleicht"),
-        (ContextKind::SuggestedValue, "gemeint ist vielleicht"),
-    ] {
-        if let Some(found) = context(kind).filter(|found| !found.is_empty()) {
-            text.push_str(&format!("\n  {head}: {found}"));
-        }
-    }
-    text.push_str("\n\nMehr dazu: antrieb --help --lang de\n");
-    Some(text)
 }
 
 fn commands(language: Language) -> Command {
@@ -606,26 +525,7 @@ pub(crate) fn man(matches: &ArgMatches, language: Language) -> Answer {
     };
     let mut out = Vec::new();
     match clap_mangen::Man::new(page).render(&mut out) {
-        Ok(()) => Answer::data(headings(&String::from_utf8_lossy(&out), language)),
+        Ok(()) => Answer::data(german::headings(&String::from_utf8_lossy(&out), language)),
         Err(error) => Answer::fault(format!("antrieb: {error}\n")),
     }
-}
-
-/// The page with the headings of the language; the library writes English ones.
-fn headings(page: &str, language: Language) -> String {
-    const GERMAN: [(&str, &str); 8] = [
-        (".SH NAME", ".SH BEZEICHNUNG"),
-        (".SH SYNOPSIS", ".SH ÜBERSICHT"),
-        (".SH DESCRIPTION", ".SH BESCHREIBUNG"),
-        (".SH OPTIONS", ".SH OPTIONEN"),
-        (".SH ARGUMENTS", ".SH ARGUMENTE"),
-        (".SH SUBCOMMANDS", ".SH BEFEHLE"),
-        (".SH EXTRA", ".SH WEITERES"),
-        (".SH VERSION", ".SH VERSION"),
-    ];
-    let line = |line: &str| {
-        let german = GERMAN.iter().find(|(en, _)| *en == line.trim_end()).map(|(_, de)| *de);
-        format!("{}\n", german.filter(|_| language == Language::De).unwrap_or(line))
-    };
-    page.lines().map(line).collect()
 }

@@ -312,7 +312,7 @@ mod tests {
             let text = table.render_to(width);
             assert!(text.lines().all(|line| line.chars().count() <= width), "{width}:\n{text}");
             let letters = |text: &str| text.replace([' ', '\n', '-'], "");
-            assert!(letters(&text).contains(&letters("winding temperature").get(..7).unwrap()), "{text}");
+            assert!(letters(&text).contains("winding"), "{text}");
         }
         assert!(table.render_to(60).contains("grade, source of the limit: "));
         assert!(!table.render_to(200).contains("limit: "));
