@@ -6,7 +6,7 @@
 use benches::{Gates, against, numpy, sort};
 use std::hint::black_box;
 use std::process::ExitCode;
-use workbench::{Language, Project, size};
+use workbench::size;
 
 const PROJECT: &str = include_str!("../../examples/indexing-table.toml");
 

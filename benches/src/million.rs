@@ -18,7 +18,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::Arc;
 use std::time::Duration;
-use workbench::{CandidateId, Files, Language, Project, check, reserve_of, size};
+use workbench::{CandidateId, Files, check, reserve_of, size};
 
 const SAMPLES: usize = 1_000_000;
 

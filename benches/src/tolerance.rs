@@ -6,7 +6,7 @@
 use benches::{Gates, against};
 use std::hint::black_box;
 use std::process::ExitCode;
-use workbench::{Candidate, CandidateId, Language, Project, SAMPLES_USUAL, Sampling, assess, check, size};
+use workbench::{Candidate, CandidateId, Project, SAMPLES_USUAL, Sampling, assess, check, size};
 
 /// The worked example with three toleranced quantities.
 fn project() -> Project {

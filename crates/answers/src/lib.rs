@@ -36,7 +36,7 @@ pub use dossier::{
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
 pub use fault::{Fault, Faults, Place};
 pub use files::{
-    AxisWritten, ColumnKind, ExportWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn, TableRow,
+    AxisWritten, ColumnKind, ExportWritten, FilesWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn, TableRow,
     TableWritten,
 };
 pub use glossary::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};

@@ -9,7 +9,7 @@ use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
-use workbench::answers::Bearings;
+use workbench::answers::{Bearings, FilesWritten};
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
 use workbench::quantities::{ElectricPotential, Measure, Time, Torque, format_significant};
 use workbench::text::{check_title, curve_title, grade_word, source_text, verdict_word};
@@ -192,16 +192,11 @@ pub(crate) fn template(matches: &ArgMatches, as_json: bool, language: Language) 
     let mut files: Vec<(&Path, &[u8])> = vec![(out, template.text.as_bytes())];
     files.extend(beside.iter().map(|(path, text)| (path.as_path(), text.as_bytes())));
     if let Err(fault) = save(&files, matches.get_flag("force")) {
-        let what = fault.message(language);
-        let mut answer = Answer::fault(format!("{}: {what}\n", error_word(language)));
-        if as_json {
-            answer.data = format!("{:#}\n", serde_json::json!({ "errors": [{ "message": what }] }));
-        }
-        return answer;
+        return simple(&fault.message(language), as_json, language);
     }
     let paths: Vec<String> = files.iter().map(|(path, _)| path.display().to_string()).collect();
     if as_json {
-        return Answer::data(format!("{:#}\n", serde_json::json!({ "files": paths })));
+        return Answer::record(&FilesWritten { files: paths });
     }
     Answer::data(format!("{}\n", paths.join("\n")))
 }
