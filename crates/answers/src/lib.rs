@@ -36,8 +36,8 @@ pub use dossier::{
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
 pub use fault::{Fault, Faults, Place};
 pub use files::{
-    AxisWritten, ColumnKind, ExportWritten, FilesWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn, TableRow,
-    TableWritten,
+    AxisWritten, ColumnKind, ExportWritten, FilesWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn,
+    TableRow, TableWritten,
 };
 pub use glossary::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
 pub use id::{Availability, Fit, Id, Identified};

@@ -5,6 +5,7 @@ use crate::fault::error_word;
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use workbench::Language;
+use workbench::answers::{Fault, Faults};
 use workbench::text::symbol_shown;
 
 /// `antrieb glossary [TERM]`
@@ -15,10 +16,7 @@ pub(crate) fn glossary(matches: &ArgMatches, as_json: bool, language: Language) 
         Err(nearest) => return not_found(wanted.unwrap_or_default(), &nearest, as_json, language),
     };
     if as_json {
-        return match serde_json::to_string_pretty(&found) {
-            Ok(text) => Answer::data(text + "\n"),
-            Err(error) => Answer::fault(format!("{}: {error}\n", error_word(language))),
-        };
+        return Answer::record(&found);
     }
     let chosen = |en: &str, de: &str| if language == Language::De { de.to_owned() } else { en.to_owned() };
     let other = |en: &str, de: &str| if language == Language::De { en.to_owned() } else { de.to_owned() };
@@ -88,13 +86,6 @@ fn not_found(wanted: &str, nearest: &[String], as_json: bool, language: Language
         (nearest, Language::De) => Some(format!("ähnlich: {}", nearest.join(", "))),
     };
     let shown = hint.as_ref().map_or_else(String::new, |hint| format!("  {hint}\n"));
-    let mut answer = Answer::fault(format!("{}: {what}\n{shown}", error_word(language)));
-    if as_json {
-        let mut fault = serde_json::json!({ "message": what });
-        if let (Some(hint), Some(map)) = (hint, fault.as_object_mut()) {
-            map.insert("hint".into(), hint.into());
-        }
-        answer.data = format!("{:#}\n", serde_json::json!({ "errors": [fault] }));
-    }
-    answer
+    let talk = format!("{}: {what}\n{shown}", error_word(language));
+    Answer::refused(talk, Faults { errors: vec![Fault { message: what, hint, ..Fault::default() }] }, as_json)
 }

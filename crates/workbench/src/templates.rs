@@ -206,7 +206,7 @@ const GERMAN: &[(&str, &str)] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::project::{NoFiles, Project};
+    use crate::NoFiles;
 
     #[test]
     fn every_template_is_commented_in_german_too() {
@@ -238,7 +238,7 @@ mod tests {
                 );
                 assert_eq!(found.recording.is_some(), kind == "recording");
                 match &found.recording {
-                    None => assert!(Project::read_all(&found.text, &NoFiles, language).is_ok(), "{kind}"),
+                    None => assert!(crate::read_all(&found.text, &NoFiles).is_ok(), "{kind}"),
                     Some((name, text)) => {
                         assert!(found.text.contains("file = \"my axis.csv\"") && name == "my axis.csv");
                         assert!(text.lines().count() > 100);
