@@ -62,7 +62,7 @@ pub fn content(sample: Sample) -> Content {
 
 /// The report of a project, with its pictures or without.
 pub fn made(text: &str, code: Option<&str>, language: Language, pictures: bool) -> Content {
-    let projects = Project::read_all(text, &Recordings, language).unwrap();
+    let projects = workbench::read_all(text, &Recordings).unwrap();
     let axes = projects.iter().enumerate().map(|(place, project)| {
         let ranked = workbench::size(project);
         let code = code.map_or_else(|| ranked.candidates[0].id.to_string(), str::to_owned);
