@@ -315,8 +315,9 @@ impl Gains {
 /// Those for a time constant, by its bits.
 type Entry = (u64, Arc<Gains>);
 
-/// So many time constants are kept: more than a catalogue has.
-const TABLES: usize = 32;
+/// So many time constants are kept. Whoever judges one actuator after the other needs those of a size or two at a time; a
+/// catalogue has more of them, and each costs memory in proportion to the recording.
+const TABLES: usize = 12;
 
 /// A time constant without its last twelve bits, 10⁻¹²: equal ones of different actuators are rounded differently.
 pub(super) fn rounded(tau_s: f64) -> f64 {
@@ -331,20 +332,23 @@ impl GainTables {
     /// The gains for a time constant, made if it is the first time.
     pub(super) fn of(&self, tau_s: f64, make: impl FnOnce(f64) -> Vec<Gain>) -> Arc<Gains> {
         let entry = {
-            // What another thread left behind when it failed is whole: entries are only added.
+            // What another thread left behind when it failed is whole: entries are added, moved or taken out.
             let mut tables = self.0.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
             let key = rounded(tau_s).to_bits();
-            match tables.iter().find(|(known, _)| *known == key) {
-                Some((_, entry)) => Arc::clone(entry),
+            match tables.iter().position(|(known, _)| *known == key) {
+                Some(place) => {
+                    // The one asked for last goes last.
+                    let (_, latest) = tables.split_at_mut(place);
+                    latest.rotate_left(1);
+                }
                 None => {
                     if tables.len() == TABLES {
-                        tables.clear();
+                        tables.remove(0);
                     }
-                    let entry = Arc::new(Gains::default());
-                    tables.push((key, Arc::clone(&entry)));
-                    entry
+                    tables.push((key, Arc::default()));
                 }
             }
+            tables.last().map(|(_, entry)| Arc::clone(entry)).unwrap_or_default()
         };
         entry.known.get_or_init(|| {
             let stretches = make(rounded(tau_s));
@@ -352,5 +356,31 @@ impl GainTables {
             Known { stretches, parts }
         });
         entry
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is asked for again and again stays, what was asked for longest ago goes.
+    #[test]
+    fn the_oldest_table_gives_way() {
+        let tables = GainTables::default();
+        let made = std::cell::Cell::new(0);
+        let ask = |tau_s: f64| {
+            tables.of(tau_s, |_| {
+                made.set(made.get() + 1);
+                vec![Gain::NONE]
+            });
+        };
+        (0..TABLES).for_each(|k| ask(60.0 + k as f64));
+        ask(60.0);
+        ask(2400.0);
+        assert_eq!(made.get(), TABLES + 1);
+        ask(60.0);
+        assert_eq!(made.get(), TABLES + 1, "asked for lately");
+        ask(61.0);
+        assert_eq!(made.get(), TABLES + 2, "the oldest");
     }
 }
