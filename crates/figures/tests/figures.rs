@@ -210,7 +210,7 @@ fn a_map_tells_every_candidate_or_counts_it() {
 fn a_map_on_which_nothing_finds_a_place_says_so() {
     let text = std::fs::read_to_string(folder().join("indexing-table.toml")).unwrap();
     let text = text.replace("speed = \"40 1/min\"", "speed = \"40000 1/min\"");
-    let project = Project::read_all(&text, &Beside, Language::En).unwrap().swap_remove(0);
+    let project = workbench::read_all(&text, &Beside).unwrap().swap_remove(0);
     let sizing = workbench::size(&project);
     for (language, words) in [(Language::En, "No candidate"), (Language::De, "Kein Kandidat")] {
         let drawing = figures::candidate_map(&sizing, By::Mass, None, language);
