@@ -14,7 +14,7 @@ fn project(requirements: &str, actuator: &str) -> Project {
          resistance_ll = \"5.9 ohm\"\ninductance_ll = \"8 mH\"\npole_pairs = 5\nno_load_starting_current = \"0.17 A\"\n\
          no_load_current_constant_30 = \"4e-3 A/min^-1\"\nno_load_current_constant_80 = \"2e-3 A/min^-1\"\n{actuator}"
     );
-    Project::read(&text, Language::En).unwrap()
+    workbench::read(&text).unwrap()
 }
 
 fn check(project: &Project, id: CheckId) -> Check {
