@@ -183,8 +183,11 @@ impl LifeLaw {
     /// Life that half of the gears reach.
     #[must_use]
     pub fn l50(&self, rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
-        let faster = self.reference_speed.value.si() / speed_in_mean.si().abs();
-        Time::from_si(self.nominal.value.si() * faster * (rated.si() / mean.si()).powi(3))
+        let speed_rpm = speed_in_mean.si().abs() * 60.0 / std::f64::consts::TAU;
+        let (nominal, reference) =
+            (self.nominal.value.in_unit(&HOUR), self.reference_speed.value.in_unit(&REVOLUTION_PER_MINUTE));
+        let hours = nominal * reference / speed_rpm * (rated.si() / mean.si()).powi(3);
+        Time::from_si(hours * 3600.0)
     }
 
     /// Life that 90 % of the gears reach.
