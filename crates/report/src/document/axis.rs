@@ -14,6 +14,8 @@ use serde::Serialize;
 /// Everything about one axis that the template places.
 #[derive(Serialize)]
 pub(super) struct Axis {
+    /// From 1.
+    number: usize,
     name: String,
     cover: Cover,
     inputs: Vec<Group>,
@@ -136,6 +138,7 @@ impl Axis {
             check: capital(&each.check),
         };
         Self {
+            number: index + 1,
             name: judgement.axis.clone(),
             cover: cover(content, &checks, &titles, shown),
             inputs: groups(&dossier.inputs),

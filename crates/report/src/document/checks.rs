@@ -110,14 +110,16 @@ fn missing(check: &Check, dossier: &Dossier) -> Open {
     }
 }
 
-/// What failed stands first and what was not checked last; between them the utilisation decides.
+/// What failed stands first, then what is advised, and what was not checked last; between them stands what tells a margin
+/// before what is met or not.
 fn rank(check: &Check) -> u8 {
     match (*check.verdict, check.utilisation) {
         (Verdict::Fail, _) => 0,
-        (Verdict::NotChecked, _) => 4,
-        (_, Some(_)) => 1,
-        (Verdict::Advice, None) => 2,
-        (Verdict::Pass, None) => 3,
+        (Verdict::Advice, _) => 1,
+        (Verdict::Pass, Some(_)) if check.margin => 2,
+        (Verdict::Pass, Some(_)) => 3,
+        (Verdict::Pass, None) => 4,
+        (Verdict::NotChecked, _) => 5,
     }
 }
 

@@ -1,7 +1,7 @@
 //! The motion as it came out, and what it asks of the actuator.
 
 use super::shown::Shown;
-use answers::{DemandFigures, DemandMode, Dossier, Motion, MoveTorques, Number};
+use answers::{DemandFigures, DemandMode, Dossier, Motion, MoveTorques, Number, UnitBy};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -43,7 +43,11 @@ impl MotionTable {
             acceleration: number(segment.acceleration),
         });
         let recordings = motion.segments.iter().filter_map(|segment| segment.recording.as_ref()).map(|each| {
-            let columns = each.columns.iter().map(|column| format!("{} ({})", column.name, shown.unit(column.unit)));
+            let columns = each.columns.iter().map(|column| match column.unit_by {
+                // Then the name of the column has its unit in it.
+                UnitBy::Header => column.name.clone(),
+                _ => format!("{} ({})", column.name, shown.unit(column.unit)),
+            });
             Recorded {
                 file: each.file.clone(),
                 samples: each.samples.to_string(),

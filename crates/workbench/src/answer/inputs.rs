@@ -78,12 +78,15 @@ fn label(path: &str, language: Language) -> Option<String> {
 fn short_label(label: &str) -> String {
     let label = label.split(';').next().unwrap_or(label).trim_start_matches("true: ");
     let label = label.replace(" (true)", "").replace(" (false)", "");
-    match label.split_once(", ") {
-        // Behind a symbol stands what it means, before the comma elsewhere.
-        Some((symbol, _)) if symbol.chars().count() <= 6 => label,
-        Some((head, _)) => head.to_owned(),
-        None => label,
-    }
+    // The sign is told with the value.
+    const TAILS: [&str; 5] = [
+        ", rückwärts negativ",
+        ", negative backwards",
+        ", gegen die positive Richtung",
+        ", against the positive direction",
+        ", at the output or along the line",
+    ];
+    TAILS.iter().find_map(|tail| label.strip_suffix(tail)).map_or(label.clone(), str::to_owned)
 }
 
 /// The unit of a difference: temperatures differ by kelvins.
@@ -298,7 +301,7 @@ mod tests {
         );
         let labels: Vec<&str> =
             found.iter().flat_map(|table| &table.values).map(|value| value.label.as_str()).collect();
-        assert!(labels.iter().all(|label| !label.contains([';', '(', ','])), "{labels:?}");
+        assert!(labels.iter().all(|label| !label.contains([';', '('])), "{labels:?}");
     }
 
     #[test]
