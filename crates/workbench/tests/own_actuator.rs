@@ -3,7 +3,7 @@
 
 use provenance::Grade;
 use sizing::{Check, CheckId};
-use workbench::{Language, Project, check_own};
+use workbench::{Project, check_own};
 
 fn project(requirements: &str, actuator: &str) -> Project {
     let text = format!(

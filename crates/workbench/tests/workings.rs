@@ -183,12 +183,12 @@ fn every_step_has_its_words_in_both_languages() {
 /// One symbol with two meanings has that of its place.
 #[test]
 fn a_symbol_means_what_it_is_where_it_stands() {
-    let mut terms: BTreeMap<(&str, &str), Vec<(String, String)>> = BTreeMap::new();
+    let mut terms: BTreeMap<(String, &str), Vec<(String, String)>> = BTreeMap::new();
     for project in projects() {
         for (code, _) in catalogue_actuators().iter().step_by(29) {
             let Ok(candidate) = explain(&project, code) else { continue };
             for check in &candidate.judgement.checks {
-                let explained = explanation(check, Language::En);
+                let explained = derivation(check, Language::En);
                 for root in [&explained.value, &explained.limit].into_iter().flatten() {
                     collect(root, check.id.id(), &mut terms);
                 }
@@ -196,7 +196,7 @@ fn a_symbol_means_what_it_is_where_it_stands() {
         }
     }
     let meaning = |symbol: &str, unit: &str, check: &str| {
-        let found = terms.get(&(symbol, unit)).into_iter().flatten().find(|(id, _)| id == check);
+        let found = terms.get(&(symbol.to_owned(), unit)).into_iter().flatten().find(|(id, _)| id == check);
         found.map_or_else(String::new, |(_, term)| term.clone())
     };
     for (symbol, unit, check, expected) in [
@@ -214,8 +214,8 @@ fn a_symbol_means_what_it_is_where_it_stands() {
     }
 }
 
-fn collect(node: &Node, check: &str, terms: &mut BTreeMap<(&'static str, &'static str), Vec<(String, String)>>) {
-    let found = terms.entry((node.symbol, node.unit_json)).or_default();
+fn collect(node: &Node, check: &str, terms: &mut BTreeMap<(String, &'static str), Vec<(String, String)>>) {
+    let found = terms.entry((node.symbol.clone(), node.unit)).or_default();
     if !found.iter().any(|(id, term)| id == check && *term == node.term) {
         found.push((check.to_owned(), node.term.clone()));
     }
@@ -224,7 +224,7 @@ fn collect(node: &Node, check: &str, terms: &mut BTreeMap<(&'static str, &'stati
 
 /// A figure's name in code (`transmission_accuracy`, `dtheta`) is no symbol.
 fn look_for_raw_names(node: &Node, raw: &mut Vec<String>) {
-    let shown = node.shown();
+    let shown = workbench::text::symbol_shown(&node.symbol);
     let texts = [Some(&shown), node.formula.as_ref(), node.figures.as_ref()];
     for word in texts.into_iter().flatten().flat_map(|text| text.split(|c: char| !c.is_alphanumeric() && c != '_')) {
         let head = word.split('_').next().unwrap_or_default();
