@@ -357,7 +357,6 @@ pub fn step_term(symbol: &str, unit: &str, language: Language) -> &'static str {
 }
 
 /// Every symbol of the derivations with its meaning, English and German; one symbol may have several.
-#[must_use]
 pub fn step_terms() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     BY_UNIT.iter().map(|(symbol, _, en, de)| (*symbol, *en, *de)).chain(TERMS.iter().copied())
 }
