@@ -51,7 +51,10 @@ fn every_sample_says_all_that_its_records_say() {
                 says(&brief, text);
             }
             for value in dossier.inputs.iter().flat_map(|table| &table.values) {
-                says(&brief, if value.label.is_empty() { &value.name } else { &value.label });
+                // The bodies of a turntable stand in a table of their own, under one heading.
+                if !value.name.starts_with("bodies[") {
+                    says(&brief, if value.label.is_empty() { &value.name } else { &value.label });
+                }
                 says(&brief, &value.text);
                 says(&brief, value.tolerance.as_deref().unwrap_or_default());
             }
@@ -149,7 +152,7 @@ fn one_axis_takes_eight_pages_at_most_and_leaves_none_half_empty() {
         let content = content(sample);
         let pages = report::page_fills(&content, &settings()).unwrap();
         let most = if content.axes.len() == 1 { 8 } else { 1 + 7 * content.axes.len() };
-        assert!(pages.len() <= most, "{}: {} pages", sample.name, pages.len());
+        assert!(pages.len() <= most, "{}: {} pages, {pages:.0?}", sample.name, pages.len());
         // The last page ends where it ends, and so does that of an axis before the next.
         let within = pages.iter().rev().skip(1).rev();
         let poor = within.filter(|filled| **filled < 480.0).count();
@@ -254,7 +257,7 @@ fn what_is_missing_leaves_no_heading_without_content() {
     dossier.errata.clear();
     let pages = letters(&pages_of(&content, &Settings::default()));
     let gone = [
-        "Assumptions",
+        "Nobody stated these",
         "Torque-speed plane",
         "Tolerances",
         "Remarks",
@@ -263,7 +266,7 @@ fn what_is_missing_leaves_no_heading_without_content() {
         "Nearest misses",
         "Why the others",
         "Errata used",
-        "Demand",
+        "What the axis asks of the output shaft",
         "Appendix",
     ];
     for heading in gone {
