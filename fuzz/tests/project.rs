@@ -139,7 +139,8 @@ fn hold(text: &str) -> bool {
             let sizing = size(&project);
             sizing.candidates.iter().chain(&sizing.own).for_each(checks_are_finite);
             let best: Vec<&Candidate<'_>> = sizing.candidates.iter().take(2).chain(&sizing.own).collect();
-            let assessed: Vec<_> = assess(&project, &best, FEW).into_iter().zip(best).map(|(a, b)| (b, a)).collect();
+            let assessed: Vec<_> =
+                assess(&project, &best, FEW).into_iter().zip(best).map(|(found, of)| (of.id.clone(), found)).collect();
             assert_eq!(assessed.is_empty(), project.tolerances.is_empty());
             for (_, found) in &assessed {
                 assessment_is_sound(&project, found);

@@ -2,7 +2,6 @@
 
 use crate::answer::Answer;
 use crate::code::parse_for_use;
-use crate::fault::simple;
 use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{hanging, paragraph};
 use clap::ArgMatches;
@@ -27,25 +26,18 @@ fn axis(
     as_json: bool,
     language: Language,
 ) -> Result<Part<Explanations>, Answer> {
-    let mut talk = String::new();
-    let judged = match matches.get_one::<String>("code") {
-        None => workbench::explain_own(project),
+    let (code, talk) = match matches.get_one::<String>("code") {
+        None => (None, String::new()),
         Some(text) => {
             let (reading, note) = parse_for_use(text, as_json, language)?;
-            talk = note;
-            workbench::explain(project, &reading.parsed.code)
+            (Some(reading.parsed.code), note)
         }
     };
-    let candidate = judged.map_err(|refusal| refuse(&refusal, as_json, language))?;
     let wanted = matches.get_one::<String>("check").and_then(|id| CheckId::ALL.iter().find(|each| each.id() == id));
-    let checks: Vec<&Check> =
-        candidate.judgement.checks.iter().filter(|check| wanted.is_none_or(|id| check.id == *id)).collect();
-    if let (Some(id), true) = (wanted, checks.is_empty()) {
-        return Err(not_asked(*id, as_json, language));
-    }
-    let record = || workbench::answer::explanations(project, &candidate, &checks, language);
-    let text = || derivations(project, &candidate, &checks, language);
-    Ok(Part::of(as_json, candidate.fits(), record, text).with_talk(talk))
+    let found = workbench::explanation(project, code.as_ref(), wanted.copied())
+        .map_err(|refusal| refuse(&refusal, as_json, language))?;
+    let text = || derivations(project, &found.candidate, &found.checks(), language);
+    Ok(Part::of(as_json, found.candidate.fits(), || found.record(language), text).with_talk(talk))
 }
 
 fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
@@ -60,15 +52,6 @@ fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], 
         out.push_str(&paragraph(head, &assumption_text(*assumption, language)));
     }
     out
-}
-
-fn not_asked(id: CheckId, as_json: bool, language: Language) -> Answer {
-    let title = check_title(id, language);
-    let what = match language {
-        Language::En => format!("{title}: this check is not part of this axis and actuator"),
-        Language::De => format!("{title}: dieser Nachweis gehört nicht zu dieser Achse und diesem Antrieb"),
-    };
-    simple(&what, as_json, language)
 }
 
 fn heading(check: &Check, language: Language) -> String {

@@ -20,8 +20,7 @@ use workbench::text::{
     source_text, standing_text, unmet_text, verdict_word,
 };
 use workbench::{
-    Assessment, Candidate, CandidateId, Check, Demand, Language, Objection, Project, Reserve, Sizing, Verdict, answer,
-    answers,
+    Candidate, CandidateId, Check, Demand, Language, Objection, Project, Ranking, Reserve, Sizing, Verdict, answers,
 };
 
 fn paint(text: &str, verdict: Verdict) -> String {
@@ -52,24 +51,17 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
     let all = matches.get_flag("all");
     let top = if all { usize::MAX } else { usize::from(matches.get_one::<u16>("top").copied().unwrap_or(10)) };
     let parts = projects.iter().map(|project| {
-        let sizing = workbench::size(project);
-        let best = sizing.candidates.iter().filter(|candidate| candidate.fits()).take(top);
-        let assessed = tolerance::assess(project, best, sizing.own.as_ref(), tolerance::sampling(matches));
-        let record = || answer::sizing(&sizing, project, &assessed, top, language);
-        let text = || sizing_text(&sizing, project, &assessed, (top, all), language);
-        Ok(Part::of(as_json, sizing.fits(), record, text))
+        let found = workbench::ranking(project, top, tolerance::sampling(matches));
+        let (record, text) = (|| found.record(language), || sizing_text(&found, all, language));
+        Ok(Part::of(as_json, found.sizing.fits(), record, text))
     });
     let answer = together(parts.collect(), as_json);
     Answer { talk: answer.talk.clone() + &talk, ..answer }
 }
 
-fn sizing_text(
-    sizing: &Sizing<'_>,
-    project: &Project,
-    assessed: &[(&Candidate<'_>, Assessment)],
-    (top, all): (usize, bool),
-    language: Language,
-) -> String {
+fn sizing_text(found: &Ranking<'_>, all: bool, language: Language) -> String {
+    let Ranking { project, sizing, top, .. } = found;
+    let top = *top;
     let mut out = String::new();
     let total = sizing.candidates.len();
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits()).count();
@@ -116,7 +108,7 @@ fn sizing_text(
         }
         out.push('\n');
     }
-    out.push_str(&tolerance::table(project, assessed, language));
+    out.push_str(&tolerance::table(found, language));
     if let Some(best) = sizing.answer() {
         let open: Vec<String> = best
             .not_checked()
@@ -441,32 +433,30 @@ fn check_axis(
     as_json: bool,
     language: Language,
 ) -> Result<Part<answers::Judgement>, Answer> {
-    let mut talk = String::new();
-    let judged = match matches.get_one::<String>("code") {
-        None => workbench::check_own(project),
+    let (code, talk) = match matches.get_one::<String>("code") {
+        None => (None, String::new()),
         Some(text) => {
             let (reading, note) = parse_for_use(text, as_json, language)?;
-            talk = note;
-            workbench::check(project, &reading.parsed.code)
+            (Some(reading.parsed.code), note)
         }
     };
-    let candidate = judged.map_err(|refusal| refuse(&refusal, as_json, language))?;
-    let reserve = workbench::reserve_of(project, &candidate);
-    let assessed = tolerance::assess(project, std::iter::once(&candidate), None, tolerance::sampling(matches));
-    let assessment = assessed.first().map(|(_, assessment)| assessment);
-    let record = || answer::judgement(project, &candidate, &reserve, assessment, language);
+    let found = workbench::verification(project, code.as_ref(), tolerance::sampling(matches))
+        .map_err(|refusal| refuse(&refusal, as_json, language))?;
+    let candidate = &found.candidate;
+    let record = || found.record(language);
     let text = || {
-        let reserve = reserve_text(&reserve, &candidate, language);
+        let reserve = reserve_text(&found.reserve, candidate, language);
         let assumed = assumptions_text(&project.assumptions, language);
-        let one_line = format!("{} · {}: {}", project.name, candidate.id, standing_text(&candidate, language));
+        let one_line = format!("{} · {}: {}", project.name, candidate.id, standing_text(candidate, language));
         let head = match (project.name.is_empty(), one_line.chars().count() > width()) {
             (true, _) => String::new(),
             (false, true) => paragraph("", &project.name),
             (false, false) => format!("{} · ", project.name),
         };
-        let tolerances = assessment.map(|found| tolerance::detail(project, found, language)).unwrap_or_default();
+        let tolerances = found.assessment.as_ref();
+        let tolerances = tolerances.map(|found| tolerance::detail(project, found, language)).unwrap_or_default();
         let moves = moves::text(&workbench::moves(project), language);
-        format!("{head}{}{reserve}{moves}{tolerances}{assumed}", candidate_text(&candidate, language))
+        format!("{head}{}{reserve}{moves}{tolerances}{assumed}", candidate_text(candidate, language))
     };
     Ok(Part::of(as_json, candidate.fits(), record, text).with_talk(talk))
 }

@@ -8,6 +8,7 @@ use clap::ArgMatches;
 use serde::Serialize;
 use std::path::PathBuf;
 use workbench::answers::{Answered, Axes, Fault, Faults, Fit};
+use workbench::text::check_title;
 use workbench::{Candidate, CandidateId, Language, Project, Refusal};
 
 /// The axes of the project, or the one that is asked for.
@@ -142,6 +143,14 @@ pub(crate) fn candidate<'p>(
 /// Why an actuator cannot be judged.
 pub(crate) fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> Answer {
     let what = match refusal {
+        Refusal::NotAsked(id) => {
+            let title = check_title(*id, language);
+            t(
+                language,
+                &format!("{title}: this check is not part of this axis and actuator"),
+                &format!("{title}: dieser Nachweis gehört nicht zu dieser Achse und diesem Antrieb"),
+            )
+        }
         Refusal::NoActuator => t(
             language,
             "the project has no [actuator]; name one of the catalogue with --code",

@@ -13,6 +13,9 @@ const WIDEST_TERMINAL: usize = 200;
 /// A column is not wrapped to less than this.
 const NARROWEST: usize = 14;
 
+/// The last of several columns tells in words what the others count: narrower than this it stands below its row.
+const NARROWEST_WORDS: usize = 30;
+
 /// A blank that a line is not broken at; it is printed as a blank.
 const NO_BREAK: char = '\u{a0}';
 
@@ -78,10 +81,10 @@ impl Table {
         let mut widths: Vec<usize> = (0..self.columns.len()).map(widest).collect();
         loop {
             let room = most.saturating_sub(2 * widths.len().saturating_sub(1));
-            let least = widths.iter().zip(&self.columns);
-            let least: usize = least.map(|(width, (_, align))| least_of(*width, *align)).sum();
+            let floors: Vec<usize> = (0..widths.len()).map(|index| self.floor(index)).collect();
+            let least: usize = widths.iter().zip(&floors).map(|(width, floor)| *width.min(floor)).sum();
             if least <= room || widths.len() <= 1 {
-                shrink(&mut widths, &self.columns, room);
+                shrink(&mut widths, &floors, room);
                 break;
             }
             widths.pop();
@@ -101,6 +104,16 @@ impl Table {
             }
         }
         out
+    }
+
+    /// The width below which a column is not wrapped; numbers are not.
+    fn floor(&self, index: usize) -> usize {
+        let words = index > 3 && index + 1 == self.columns.len();
+        match self.columns.get(index) {
+            Some((_, Align::Left)) if words => NARROWEST_WORDS,
+            Some((_, Align::Left)) => NARROWEST,
+            _ => usize::MAX,
+        }
     }
 
     fn line(&self, out: &mut String, cells: &[String], widths: &[usize]) {
@@ -133,20 +146,11 @@ impl Table {
     }
 }
 
-/// What a column needs at least.
-fn least_of(width: usize, align: Align) -> usize {
-    if align == Align::Left { width.min(NARROWEST) } else { width }
-}
-
-/// Makes columns on the left narrower, the widest first, until all of them have room.
-fn shrink(widths: &mut [usize], columns: &[(String, Align)], room: usize) {
+/// Makes columns narrower, the widest first and none below its floor, until all of them have room.
+fn shrink(widths: &mut [usize], floors: &[usize], room: usize) {
     while widths.iter().sum::<usize>() > room {
-        let widest = widths
-            .iter_mut()
-            .zip(columns)
-            .filter(|(width, (_, align))| *align == Align::Left && **width > NARROWEST)
-            .max_by_key(|(width, _)| **width);
-        match widest {
+        let wide = widths.iter_mut().zip(floors).filter(|(width, floor)| **width > **floor);
+        match wide.max_by_key(|(width, _)| **width) {
             Some((width, _)) => *width -= 1,
             None => break,
         }

@@ -7,11 +7,8 @@ use std::fmt::Write as _;
 use workbench::quantities::{Unit, format_number, format_significant};
 use workbench::text::check_title;
 use workbench::{
-    ALL_CORNERS_MOST, Assessment, Candidate, Language, Place, Project, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst,
+    ALL_CORNERS_MOST, Assessment, Language, Place, Project, Ranking, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst,
 };
-
-/// Of so many candidates at most the tolerances are judged.
-const CANDIDATES_MOST: usize = 10;
 
 fn percent(share: f64, language: Language) -> String {
     if share.is_finite() { format_number(share * 100.0, 1, language) } else { "∞".to_owned() }
@@ -33,22 +30,6 @@ pub(crate) fn sampling(matches: &ArgMatches) -> Sampling {
         samples: samples.unwrap_or(SAMPLES_USUAL),
         seed: matches.get_one::<u64>("seed").copied().unwrap_or(SEED_USUAL),
     }
-}
-
-/// The tolerances judged for the best candidates of a ranking and the project's own actuator; nothing without
-/// tolerances.
-pub(crate) fn assess<'c>(
-    project: &Project,
-    ranking: impl Iterator<Item = &'c Candidate<'c>>,
-    own: Option<&'c Candidate<'c>>,
-    sampling: Sampling,
-) -> Vec<(&'c Candidate<'c>, Assessment)> {
-    if project.tolerances.is_empty() {
-        return Vec::new();
-    }
-    let chosen: Vec<&Candidate<'_>> = ranking.take(CANDIDATES_MOST).chain(own).collect();
-    let answers = workbench::assess(project, &chosen, sampling);
-    chosen.into_iter().zip(answers).collect()
 }
 
 fn head(sampling: Sampling, language: Language) -> String {
@@ -82,7 +63,8 @@ fn dominating(project: &Project, assessment: &Assessment, language: Language) ->
 }
 
 /// The table behind a ranking; empty without tolerances.
-pub(crate) fn table(project: &Project, assessed: &[(&Candidate<'_>, Assessment)], language: Language) -> String {
+pub(crate) fn table(ranking: &Ranking<'_>, language: Language) -> String {
+    let (project, assessed) = (ranking.project, &ranking.assessed);
     let Some((_, first)) = assessed.first() else { return String::new() };
     let heads: [&str; 7] = match language {
         Language::En => {
@@ -108,7 +90,7 @@ pub(crate) fn table(project: &Project, assessed: &[(&Candidate<'_>, Assessment)]
         (by, Align::Left),
         (by_share, Align::Right),
     ]);
-    for (candidate, assessment) in assessed {
+    for (candidate, assessment) in ranking.assessed() {
         let [by, by_share] = dominating(project, assessment, language);
         table.row([
             candidate.id.to_string(),

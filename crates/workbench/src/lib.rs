@@ -4,6 +4,7 @@
 //! records ([`answer`]). Nothing here touches a file, the clock, the environment or the terminal.
 
 pub mod answer;
+mod ask;
 mod chapters;
 mod cited;
 mod codes;
@@ -26,6 +27,7 @@ mod torsion;
 
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
+pub use ask::{Explanation, Ranking, Request, Response, Verification, ask, explanation, ranking, verification};
 pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};

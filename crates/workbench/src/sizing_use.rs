@@ -6,7 +6,7 @@ use configurator::{BrokenRule, Unmet, actuators, availability};
 use order_code::{Field, Option1, OrderCode};
 use project::{Assumption, OwnActuator, Project};
 use quantities::Measure;
-use sizing::{Check, Course, Depth, Judgement, Reserve, Standing, Verdict, judge, rank, reserve};
+use sizing::{Check, CheckId, Course, Depth, Judgement, Reserve, Standing, Verdict, judge, rank, reserve};
 
 /// What a candidate is called.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -124,7 +124,6 @@ impl<'p> Sizing<'p> {
 
 /// Why an actuator cannot be judged.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Refusal {
     /// The code breaks rules of the ordering tables.
     Broken(Vec<BrokenRule>),
@@ -132,6 +131,8 @@ pub enum Refusal {
     NoData,
     /// The project describes no actuator of its own, and no code is given.
     NoActuator,
+    /// This check is not part of the judgement of this axis and actuator.
+    NotAsked(CheckId),
 }
 
 /// The actuators of the catalogue with the curves of a project.

@@ -103,13 +103,13 @@ fn rejection(candidate: &Candidate<'_>, language: Language) -> Rejection {
 pub fn sizing(
     sizing: &Sizing<'_>,
     project: &Project,
-    assessed: &[(&Candidate<'_>, Assessment)],
+    assessed: &[(CandidateId, Assessment)],
     top: usize,
     language: Language,
 ) -> answers::Sizing {
     let judged = |each: &Candidate<'_>| Assessed {
         candidate: candidate(each, language),
-        tolerance: assessed.iter().find(|(of, _)| of.id == each.id).map(|(_, found)| tolerance(project, found)),
+        tolerance: assessed.iter().find(|(of, _)| *of == each.id).map(|(_, found)| tolerance(project, found)),
     };
     let fitting = || sizing.candidates.iter().enumerate().filter(|(_, candidate)| candidate.fits());
     answers::Sizing {
