@@ -7,7 +7,7 @@ use parquet::record::Field;
 use recording::{Bytes, Layout};
 use std::io::{Cursor, Read};
 use std::path::PathBuf;
-use tables::{Cell, Front, Kind, NAMES, Subject, Table, csv, json, parquet as to_parquet, xlsx};
+use tables::{Cell, Front, Kind, NAMES, Subject, Table, csv, parquet as to_parquet, record, xlsx};
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use workbench::{Candidate, Files, Language, Project};
 
@@ -171,7 +171,7 @@ fn csv_comes_back_as_it_was() {
 fn json_holds_the_columns_and_a_record_for_each_row() {
     each(Language::En, 3, &mut |_, tables, _| {
         for table in tables {
-            let value: serde_json::Value = serde_json::from_str(&json(table).to_string()).unwrap();
+            let value: serde_json::Value = serde_json::to_value(record(table)).unwrap();
             assert_eq!(value["table"], table.name);
             assert_eq!(value["columns"].as_array().unwrap().len(), table.columns.len());
             let rows = value["rows"].as_array().unwrap();

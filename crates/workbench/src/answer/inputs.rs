@@ -115,7 +115,7 @@ fn written(path: &str, text: &str, language: Language) -> String {
     }
     let list = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
     if let Some(list) = list {
-        return list.replace('"', "").replace('\'', "").trim().trim_end_matches(',').to_owned();
+        return list.replace(['"', '\''], "").trim().trim_end_matches(',').to_owned();
     }
     if let Some((_, _, en, de)) = WORDS.iter().find(|(key, word, ..)| (key.is_empty() || *key == name) && *word == text)
     {
