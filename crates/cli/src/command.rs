@@ -133,7 +133,7 @@ fn headed(command: Command, language: Language) -> Command {
 }
 
 /// One call of each command; every one of them runs.
-pub(crate) const EXAMPLES: [(&str, &str); 26] = [
+pub(crate) const EXAMPLES: [(&str, &str); 27] = [
     ("antrieb", "antrieb new screw --out axis.toml && antrieb size axis.toml"),
     ("size", "antrieb size axis.toml --top 5"),
     ("check", "antrieb check axis.toml --code CHA-25A-50-H-C1024"),
@@ -148,6 +148,7 @@ pub(crate) const EXAMPLES: [(&str, &str); 26] = [
     ("complete", "antrieb code complete CHA-14A-100-N"),
     ("data", "antrieb data CHA-20A-100-H-C1024"),
     ("catalogue", "antrieb catalogue export --format csv"),
+    ("errata", "antrieb errata CHA-25A-50-H-M512P"),
     ("torsion", "antrieb torsion CHA-20A-100-H-C1024 --torque \"60 N m\""),
     ("inertia", "antrieb inertia \"disc diameter=200mm length=20mm density=7850kg/m^3\""),
     ("curve", "antrieb curve CHA-20A-100-H-C1024 --voltage \"220 V\""),
