@@ -17,7 +17,7 @@ pub struct ScrewJoint {
     pub bolt_circle: Datum<Length>,
     /// Tightening torque of one screw.
     pub tightening_torque: Datum<Torque>,
-    /// Torque that the joint transmits by friction; printed for a dry joint and a coefficient of 0.15.
+    /// Torque that the joint transmits by friction; printed for completely degreased faces and a coefficient of 0.15.
     pub transmissible_torque: Datum<Torque>,
 }
 
