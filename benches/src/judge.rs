@@ -6,7 +6,7 @@
 use benches::{Gates, against, numpy, sort};
 use std::hint::black_box;
 use std::process::ExitCode;
-use workbench::{Language, Project, size};
+use workbench::size;
 
 const PROJECT: &str = include_str!("../../examples/indexing-table.toml");
 
@@ -19,7 +19,7 @@ fn with_moves(count: usize) -> String {
 
 fn main() -> ExitCode {
     let mut gates = Gates::default();
-    let project = Project::read(PROJECT, Language::En).expect("the example is valid");
+    let project = workbench::read(PROJECT).expect("the example is valid");
     let judged = size(&project).candidates.len();
     let whole = against(
         400,
@@ -51,7 +51,7 @@ fn main() -> ExitCode {
     }
     println!("  per actuator: {:.0} ns", whole.measured.median.as_secs_f64() * 1e9 / judged as f64);
     for (count, promise) in [(10, 6.0), (100, 15.0), (1000, 60.0)] {
-        let many = Project::read(&with_moves(count), Language::En).expect("the repeated example is valid");
+        let many = workbench::read(&with_moves(count)).expect("the repeated example is valid");
         let one = || {
             black_box(size(black_box(&project)));
         };

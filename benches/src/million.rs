@@ -18,7 +18,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::Arc;
 use std::time::Duration;
-use workbench::{CandidateId, Files, Language, Project, check, reserve_of, size};
+use workbench::{CandidateId, Files, check, reserve_of, size};
 
 const SAMPLES: usize = 1_000_000;
 
@@ -72,7 +72,7 @@ fn main() -> ExitCode {
     let mut gates = Gates::default();
     let text = Arc::new(recording());
     let files = Given(Arc::clone(&text));
-    let read = || Project::read_all(PROJECT, &files, Language::En).expect("the project is valid");
+    let read = || workbench::read_all(PROJECT, &files).expect("the project is valid");
     // Each time anew, since what is known of a recording serves every later question.
     let mut reserves = Vec::new();
     let sized: Vec<_> = (0..ROUNDS)

@@ -6,7 +6,7 @@
 use benches::{Gates, against};
 use std::hint::black_box;
 use std::process::ExitCode;
-use workbench::{Candidate, CandidateId, Language, Project, SAMPLES_USUAL, Sampling, assess, check, size};
+use workbench::{Candidate, CandidateId, Project, SAMPLES_USUAL, Sampling, assess, check, size};
 
 /// The worked example with three toleranced quantities.
 fn project() -> Project {
@@ -14,7 +14,7 @@ fn project() -> Project {
     for (exact, half) in [("1.3 kg m^2", "10 %"), ("5 N m", "20 %"), ("40 1/min", "1 1/min")] {
         text = text.replacen(&format!("\"{exact}\""), &format!("\"{exact} ± {half}\""), 1);
     }
-    Project::read(&text, Language::En).expect("the example is valid")
+    workbench::read(&text).expect("the example is valid")
 }
 
 fn main() -> ExitCode {

@@ -17,7 +17,8 @@ fn hold(text: &str) {
         assert!(faults.iter().all(|fault| text.get(fault.span()).is_some()), "{text:?}");
     }
     for language in [Language::En, Language::De] {
-        if let Err((faults, _)) = read_code(text, language) {
+        if let Err(refusal) = read_code(text, language) {
+            let faults = refusal.faults;
             assert!(!faults.is_empty());
             assert!(faults.iter().all(|fault| text.get(fault.span.clone()).is_some() && !fault.message.is_empty()));
         }

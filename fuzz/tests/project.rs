@@ -3,6 +3,7 @@
 use fuzz::{any_edits, any_text, explore, mutate};
 use workbench::answers::{self, Number};
 use workbench::quantities::Measure;
+use workbench::text::told;
 use workbench::{
     Assessment, Candidate, CandidateId, Language, Project, Sampling, Verdict, answer, assess, place, size,
 };
@@ -133,7 +134,7 @@ fn assessment_is_sound(project: &Project, found: &Assessment) {
 
 /// Holds a project to its promises in both languages; says whether it was read.
 fn hold(text: &str) -> bool {
-    let refused = [Language::En, Language::De].map(|language| match Project::read(text, language) {
+    let refused = [Language::En, Language::De].map(|language| match workbench::read(text) {
         Ok(project) => {
             let sizing = size(&project);
             sizing.candidates.iter().chain(&sizing.own).for_each(checks_are_finite);
@@ -152,6 +153,7 @@ fn hold(text: &str) -> bool {
             None
         }
         Err(faults) => {
+            let faults = told(&faults, language);
             assert!(!faults.is_empty());
             for fault in &faults {
                 assert!(fault.line >= 1 && fault.column >= 1 && !fault.message.is_empty(), "{fault:?}");
@@ -228,7 +230,7 @@ fn projects_with_tolerances() {
 #[test]
 fn the_starting_points_are_valid() {
     for start in STARTS {
-        assert!(Project::read(start, Language::En).is_ok());
+        assert!(workbench::read(start).is_ok());
         hold(start);
     }
 }

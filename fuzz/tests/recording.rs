@@ -3,7 +3,8 @@
 use fuzz::{any_edits, any_text, explore, mutate};
 use std::cell::Cell;
 use std::io::Read;
-use workbench::{Files, Language, Project, explain, json, size};
+use workbench::text::told;
+use workbench::{Files, Language, answer, explain, size};
 
 const PROJECT: &str = "format = 1\n[load]\ninertia = \"0.5 kg m^2\"\nfriction_torque = \"1 N m\"\n[[motion]]\n\
                        law = \"recorded\"\nfile = \"run.csv\"\nstandstill = \"0.01 1/min\"\n\
@@ -32,7 +33,7 @@ impl Files for Only<'_> {
 }
 
 fn hold(project: &str, file: &[u8]) -> bool {
-    let read = [Language::En, Language::De].map(|language| match Project::read_all(project, &Only(file), language) {
+    let read = [Language::En, Language::De].map(|language| match workbench::read_all(project, &Only(file)) {
         Ok(projects) => {
             for project in &projects {
                 let sizing = size(project);
@@ -46,12 +47,13 @@ fn hold(project: &str, file: &[u8]) -> bool {
                     && let workbench::CandidateId::Code(code) = best.id
                     && let Ok(explained) = explain(project, &code)
                 {
-                    explained.judgement.checks.iter().for_each(|check| drop(json::explain(check, language)));
+                    explained.judgement.checks.iter().for_each(|check| drop(answer::explained(check, language)));
                 }
             }
             true
         }
         Err(faults) => {
+            let faults = told(&faults, language);
             assert!(!faults.is_empty() && faults.iter().all(|fault| !fault.message.is_empty()));
             false
         }

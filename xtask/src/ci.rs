@@ -39,13 +39,24 @@ const STEPS: [Step; 16] = [
     step("fuzz", Cost::on_one(150), fuzz::run),
 ];
 
-/// Runs every step, announced on stderr with its time: beforehand what is to be expected, at the end what it was.
+/// Runs every step, or those named, announced on stderr with its time: beforehand what is to be expected, at the end what it was.
 ///
 /// # Errors
-/// The first step that fails, by name; the steps after it do not run.
-pub fn run(root: &Path) -> Result<(), Error> {
+/// The first step that fails, by name; the steps after it do not run. A name that no step has.
+pub fn run(root: &Path, names: &[String]) -> Result<(), Error> {
+    let steps = named(names)?;
     let target = Workspace::ask(root)?.target;
-    all(&STEPS, root, Forecast::read(&target), is_ci())
+    all(&steps, root, Forecast::read(&target), is_ci())
+}
+
+/// The steps of these names in the order of CI; all of them without a name.
+fn named(names: &[String]) -> Result<Vec<Step>, Error> {
+    let is = |step: &Step, name: &String| step.name == name;
+    if let Some(unknown) = names.iter().find(|name| !STEPS.iter().any(|step| is(step, name))) {
+        let known = STEPS.map(|step| step.name).join(" ");
+        return Err(Error::NoStep { name: unknown.clone(), known });
+    }
+    Ok(STEPS.into_iter().filter(|step| names.is_empty() || names.iter().any(|name| is(step, name))).collect())
 }
 
 /// Whether this is a run of CI, where a tool that is missing is a failure.
@@ -123,6 +134,17 @@ mod tests {
         assert!(all(&steps, Path::new("."), Forecast::default(), false).is_ok());
         let error = all(&steps, Path::new("."), Forecast::default(), true).unwrap_err();
         assert!(error.to_string().contains("cargo install --locked typos-cli"), "{error}");
+    }
+
+    #[test]
+    fn steps_may_be_named() {
+        let names = |words: &[&str]| {
+            let words: Vec<String> = words.iter().map(|word| (*word).to_owned()).collect();
+            named(&words).map(|steps| steps.iter().map(|step| step.name).collect::<Vec<_>>())
+        };
+        assert_eq!(names(&["links", "typos"]).unwrap(), ["typos", "links"]);
+        assert_eq!(names(&[]).unwrap().len(), STEPS.len());
+        assert!(names(&["lint"]).unwrap_err().to_string().contains("clippy"));
     }
 
     #[test]

@@ -94,6 +94,13 @@ pub enum Error {
         /// How many findings.
         count: usize,
     },
+    /// `ci` has no step of this name.
+    NoStep {
+        /// The name given.
+        name: String,
+        /// The names that there are.
+        known: String,
+    },
     /// A step of `ci` failed.
     Step {
         /// Name of the step.
@@ -140,6 +147,7 @@ impl fmt::Display for Error {
             }
             Self::Untidy { count: 1 } => write!(f, "1 finding"),
             Self::Untidy { count } => write!(f, "{count} findings"),
+            Self::NoStep { name, known } => write!(f, "no step `{name}`; there are: {known}"),
             Self::Step { name, source } => write!(f, "step `{name}` failed: {source}"),
         }
     }

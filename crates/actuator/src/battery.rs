@@ -2,25 +2,24 @@
 
 use provenance::{Grade, Source, Sourced};
 use quantities::unit::{HOUR, YEAR};
-use quantities::{Measure, Time};
+use quantities::{Measure, Ratio, Time};
 
-/// Years that the battery gives when it is always on load and was never stored, times the load of a day.
-const CAPACITY_A: f64 = 6.481;
-
-/// Years of that capacity that one year of storage takes.
-const STORAGE_SHARE: f64 = 1.065;
-
-/// Self-discharge in shares of the load of a day.
-const SELF_DISCHARGE: f64 = 0.065;
-
-/// Years after delivery at which the encoder is to be replaced at the latest (cha-manual table 59.1, remark).
-const LATEST_A: f64 = 10.0;
-
-/// Years after which its replacement is recommended (cha-manual table 59.1).
-const RECOMMENDED_A: f64 = 6.0;
-
-/// Longest storage of the published diagram in years.
-const STORAGE_MAX_A: f64 = 3.0;
+/// The battery of an encoder, as a model of its load, and the rules of its maker.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Battery {
+    /// C: life always on load, never stored.
+    pub capacity: Time,
+    /// Load of storage over that of a drive that is always off.
+    pub storage_load: Ratio,
+    /// Self-discharge over the load of a drive that is always off.
+    pub self_discharge: Ratio,
+    /// Longest storage that the model covers.
+    pub storage_max: Time,
+    /// Interval after which replacing the encoder is recommended.
+    pub exchange_recommended: Time,
+    /// Time after delivery at which the encoder must be replaced at the latest.
+    pub exchange_latest: Time,
+}
 
 /// How long the battery lasts, and the two rules of replacement. Both rules hold beside the model.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +36,6 @@ pub struct BatteryLife {
 
 /// Why the model gives no answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum BatteryFault {
     /// A day has 0 h to 24 h of operation.
     OperationOutOfRange {
@@ -66,45 +64,60 @@ impl std::fmt::Display for BatteryFault {
 
 impl std::error::Error for BatteryFault {}
 
-/// Life of the buffer battery in use.
-///
-/// L = (6.481 − 1.065 s) / ((24 − h)/24 + 0.065), s + L ≤ 10
-///
-/// # Symbols  L life \[a\], h operation per day \[h\], s storage before use \[a\]
-/// # Source   docs/theory/battery.md; calibrated on the printed 10 a at 10 h/d
-/// # Valid    0 ≤ h ≤ 24, 0 ≤ s ≤ 3, battery at 25 °C, self-discharge 1 % per year
-/// # Errors
-/// [`BatteryFault`] outside these ranges.
-pub fn battery_life(operation_per_day: Time, storage: Time) -> Result<BatteryLife, BatteryFault> {
-    let (hours, stored) = (operation_per_day.in_unit(&HOUR), storage.in_unit(&YEAR));
-    // Room for the rounding of a conversion, a billionth of the range.
-    if !(-24e-9..=24.0 + 24e-9).contains(&hours) {
-        return Err(BatteryFault::OperationOutOfRange { per_day: operation_per_day });
+impl Battery {
+    /// Life of the buffer battery in use.
+    ///
+    /// L = (C − c s)/((24 − h)/24 + d), s + L ≤ L_max
+    ///
+    /// # Symbols  L life \[a\], h operation per day \[h\], s storage before use \[a\], C capacity \[a\], c load of storage,
+    ///   d self-discharge, L_max latest replacement \[a\]
+    /// # Source   docs/theory/battery.md; calibrated on the printed 10 a at 10 h/d
+    /// # Valid    0 ≤ h ≤ 24, s up to the longest storage covered, battery at 25 °C, self-discharge 1 % per year
+    /// # Errors
+    /// [`BatteryFault`] outside these ranges.
+    pub fn life(&self, operation_per_day: Time, storage: Time) -> Result<BatteryLife, BatteryFault> {
+        let (hours, stored) = (operation_per_day.in_unit(&HOUR), storage.in_unit(&YEAR));
+        // Room for the rounding of a conversion, a billionth of the range.
+        if !(-24e-9..=24.0 + 24e-9).contains(&hours) {
+            return Err(BatteryFault::OperationOutOfRange { per_day: operation_per_day });
+        }
+        if !(-3e-9..=self.storage_max.in_unit(&YEAR) + 3e-9).contains(&stored) {
+            return Err(BatteryFault::StorageOutOfRange { storage });
+        }
+        let left_of_it = self.capacity.in_unit(&YEAR) - self.storage_load.si() * stored;
+        let years = left_of_it / ((24.0 - hours) / 24.0 + self.self_discharge.si());
+        let left = self.exchange_latest.in_unit(&YEAR) - stored;
+        Ok(BatteryLife {
+            life: Sourced {
+                value: Time::new_in(years.min(left), &YEAR),
+                source: Source::Model { name: "battery" },
+                grade: Grade::Estimated,
+                errata: &[],
+            },
+            exchange_recommended: self.exchange_recommended,
+            exchange_latest: self.exchange_latest,
+            capped: years > left,
+        })
     }
-    if !(-3e-9..=STORAGE_MAX_A + 3e-9).contains(&stored) {
-        return Err(BatteryFault::StorageOutOfRange { storage });
-    }
-    let years = (CAPACITY_A - STORAGE_SHARE * stored) / ((24.0 - hours) / 24.0 + SELF_DISCHARGE);
-    let left = LATEST_A - stored;
-    Ok(BatteryLife {
-        life: Sourced {
-            value: Time::new_in(years.min(left), &YEAR),
-            source: Source::Model { name: "battery" },
-            grade: Grade::Estimated,
-            errata: &[],
-        },
-        exchange_recommended: Time::new_in(RECOMMENDED_A, &YEAR),
-        exchange_latest: Time::new_in(LATEST_A, &YEAR),
-        capped: years > left,
-    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn battery() -> Battery {
+        Battery {
+            capacity: Time::new_in(6.481, &YEAR),
+            storage_load: Ratio::from_si(1.065),
+            self_discharge: Ratio::from_si(0.065),
+            storage_max: Time::new_in(3.0, &YEAR),
+            exchange_recommended: Time::new_in(6.0, &YEAR),
+            exchange_latest: Time::new_in(10.0, &YEAR),
+        }
+    }
+
     fn years(hours: f64, stored: f64) -> f64 {
-        let life = battery_life(Time::new_in(hours, &HOUR), Time::new_in(stored, &YEAR)).unwrap();
+        let life = battery().life(Time::new_in(hours, &HOUR), Time::new_in(stored, &YEAR)).unwrap();
         life.life.value.in_unit(&YEAR)
     }
 
@@ -123,7 +136,7 @@ mod tests {
         for stored in [0.0, 0.5, 3.0] {
             assert!((years(24.0, stored) + stored - 10.0).abs() < 1e-9);
         }
-        let life = battery_life(Time::new_in(24.0, &HOUR), Time::new_in(0.0, &YEAR)).unwrap();
+        let life = battery().life(Time::new_in(24.0, &HOUR), Time::new_in(0.0, &YEAR)).unwrap();
         assert!(life.capped);
         assert!((life.exchange_recommended.in_unit(&YEAR) - 6.0).abs() < 1e-12);
         assert!((life.exchange_latest.in_unit(&YEAR) - 10.0).abs() < 1e-12);
@@ -140,7 +153,7 @@ mod tests {
 
     #[test]
     fn outside_the_diagram_there_is_no_answer() {
-        let ask = |h, s| battery_life(Time::new_in(h, &HOUR), Time::new_in(s, &YEAR)).unwrap_err();
+        let ask = |h, s| battery().life(Time::new_in(h, &HOUR), Time::new_in(s, &YEAR)).unwrap_err();
         assert_eq!(ask(25.0, 0.0).to_string(), "25 h of operation per day, possible are 0 h to 24 h");
         assert!(ask(8.0, 4.0).to_string().ends_with("the battery model covers 0 a to 3 a"));
         assert!(matches!(ask(f64::NAN, 0.0), BatteryFault::OperationOutOfRange { .. }));

@@ -61,12 +61,6 @@ impl Brake {
     }
 }
 
-/// t_c: time to close \[s\], the same for every brake of the series that it is printed for.
-pub const BRAKE_CLOSING_TIME: f64 = 0.07;
-
-/// t_o: time to open \[s\], the same for every brake of the series that it is printed for.
-pub const BRAKE_OPENING_TIME: f64 = 0.11;
-
 /// Mean heat of the coil over a cycle, at most.
 ///
 /// P = U_Br I_HBr s

@@ -19,7 +19,6 @@ pub struct Curve {
 
 /// Why a list of points is no limit curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum CurveFault {
     /// Fewer than two points.
     TooFewPoints,

@@ -1,5 +1,6 @@
 //! What the position feedback tells: resolution, accuracy, absolute range.
 
+use crate::battery::Battery;
 use provenance::{Datum, Grade, Sourced};
 use quantities::{Angle, Measure, Time};
 
@@ -30,6 +31,8 @@ pub struct Feedback {
     pub single_turn_absolute: bool,
     /// Whether a battery keeps the count of the turns.
     pub buffered_by_battery: bool,
+    /// That battery; not applicable without one.
+    pub battery: Datum<Battery>,
     /// Life of that battery that planning takes (an erratum may lower the printed typical one); not applicable without one.
     pub battery_life_typical: Datum<Time>,
     /// Recommended interval of replacing an encoder with a battery; not applicable without one.
@@ -48,6 +51,7 @@ impl Feedback {
             turns_absolute: Datum::NotPrinted,
             single_turn_absolute: false,
             buffered_by_battery: false,
+            battery: Datum::NotPrinted,
             battery_life_typical: Datum::NotPrinted,
             exchange_interval: Datum::NotPrinted,
         }
@@ -64,6 +68,7 @@ impl Feedback {
             turns_absolute: Datum::NotApplicable,
             single_turn_absolute: false,
             buffered_by_battery: false,
+            battery: Datum::NotApplicable,
             battery_life_typical: Datum::NotApplicable,
             exchange_interval: Datum::NotApplicable,
         }

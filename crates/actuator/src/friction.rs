@@ -15,11 +15,6 @@ pub const COLD_START: f64 = PRINTED_K.0;
 /// Below this temperature, 20 °C in kelvin, the law is an extrapolation: nothing is printed for the 680 V windings.
 const EXTRAPOLATED_BELOW_K: f64 = 293.15;
 
-/// Growth of the printed starting currents of the 48 V windings from +20 °C downwards, per kelvin: 1.9 % to 5.1 %.
-///
-/// # Source   cha-manual tables 14.1 and 20.1, rows I_NLS: ln(I_cold/I_20)/ΔT over all ratios
-const COLD_GROWTH_PER_K: (f64, f64) = (0.019, 0.052);
-
 /// The law of the no-load friction of one actuator.
 ///
 /// I_f = I_NLS + K(ϑ) |n|, K(ϑ) = K_30 (K_80/K_30)^((ϑ − 30 °C)/50 K)
@@ -43,6 +38,8 @@ pub struct NoLoadFriction {
     constant_30: f64,
     /// ln(K_30/K_80)/50 K [1/K]
     decay_per_k: f64,
+    /// Between these growths per kelvin friction may lie where it is extrapolated into the cold.
+    cold_growth_per_k: Option<(f64, f64)>,
 }
 
 /// Friction at one temperature, as currents.
@@ -70,7 +67,8 @@ impl NoLoadFriction {
         let both = cold > 0.0 && warm > 0.0;
         let decay_per_k = if both { (cold / warm).ln() / (PRINTED_K.1 - PRINTED_K.0) } else { 0.0 };
         let counted = if actuator.stall_current_includes_friction { 1.0 } else { 0.0 };
-        Ok(Self { starting_a: starting, counted, constant_30: cold, decay_per_k })
+        let cold_growth_per_k = actuator.friction_cold_growth.known().map(|growth| growth.value);
+        Ok(Self { starting_a: starting, counted, constant_30: cold, decay_per_k, cold_growth_per_k })
     }
 
     /// The friction at a temperature of the gear.
@@ -104,15 +102,20 @@ impl NoLoadFriction {
 
     /// By which factors friction may lie beside the extrapolation below 20 °C; `None` from 20 °C on.
     ///
-    /// The printed starting currents of the 48 V windings grow by 1.9 % to 5.2 % per kelvin towards the cold, the
+    /// Towards the cold starting currents grow between two rates per kelvin, see [`Parameters::friction_cold_growth`], the
     /// extrapolation by ln(K_30/K_80)/50 K: the quotient over the span below 20 °C.
-    #[must_use]
-    pub fn cold_band(&self, temperature: ThermodynamicTemperature) -> Option<(f64, f64)> {
+    ///
+    /// # Errors
+    /// [`Missing`] where the law is extrapolated and its band is not known.
+    pub fn cold_band(&self, temperature: ThermodynamicTemperature) -> Result<Option<(f64, f64)>, Missing> {
         let cold = EXTRAPOLATED_BELOW_K - temperature.si();
-        let (low, high) = COLD_GROWTH_PER_K;
-        let beside = |growth: f64| ((growth - self.decay_per_k) * cold).exp();
         // A difference of a nanokelvin is the rounding of a unit.
-        (cold > 1e-9).then(|| (beside(low).min(1.0), beside(high).max(1.0)))
+        if cold <= 1e-9 {
+            return Ok(None);
+        }
+        let (low, high) = self.cold_growth_per_k.ok_or(Missing { symbol: "cold_growth_low" })?;
+        let beside = |growth: f64| ((growth - self.decay_per_k) * cold).exp();
+        Ok(Some((beside(low).min(1.0), beside(high).max(1.0))))
     }
 }
 
@@ -134,8 +137,13 @@ impl FrictionAt {
 mod tests {
     use super::*;
 
-    const LAW: NoLoadFriction =
-        NoLoadFriction { starting_a: 0.2, counted: 1.0, constant_30: 0.04, decay_per_k: 0.020_794_415_416_798_36 };
+    const LAW: NoLoadFriction = NoLoadFriction {
+        starting_a: 0.2,
+        counted: 1.0,
+        constant_30: 0.04,
+        decay_per_k: 0.020_794_415_416_798_36,
+        cold_growth_per_k: Some((0.019, 0.052)),
+    };
 
     fn at(celsius: f64) -> FrictionAt {
         LAW.at(ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS))
@@ -155,9 +163,12 @@ mod tests {
     fn in_the_cold_both_grow_and_the_band_is_told() {
         assert!((at(0.0).starting.si() / 0.2 - (0.020_794_4_f64 * 20.0).exp()).abs() < 1e-4);
         let band = |celsius: f64| LAW.cold_band(ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS));
-        assert_eq!(band(20.0), None);
-        let (low, high) = band(0.0).unwrap();
+        assert_eq!(band(20.0), Ok(None));
+        let (low, high) = band(0.0).unwrap().unwrap();
         assert!((low - ((0.019_f64 - 0.020_794_4) * 20.0).exp()).abs() < 1e-4);
         assert!((high - ((0.052_f64 - 0.020_794_4) * 20.0).exp()).abs() < 1e-4);
+        let unknown = NoLoadFriction { cold_growth_per_k: None, ..LAW };
+        assert_eq!(unknown.cold_band(ThermodynamicTemperature::new_in(30.0, &DEGREE_CELSIUS)), Ok(None));
+        assert!(unknown.cold_band(ThermodynamicTemperature::new_in(0.0, &DEGREE_CELSIUS)).is_err());
     }
 }

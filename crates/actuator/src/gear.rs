@@ -1,7 +1,7 @@
 //! The strain-wave gear: torsion, natural frequency, mean torque, life of the wave-generator bearing.
 
 use derivation::Workings;
-use provenance::{CellRef, Datum, Grade, Source};
+use provenance::{Datum, Missing, Source, Sourced};
 use quantities::unit::{HOUR, REVOLUTION_PER_MINUTE};
 use quantities::{Angle, AngularVelocity, Frequency, Measure, MomentOfInertia, Time, Torque, TorsionalStiffness};
 
@@ -20,6 +20,14 @@ pub struct Gear {
     pub average_torque_max: Datum<Torque>,
     /// T_M: limit of the momentary peak torque, in a collision or an emergency stop.
     pub collision_torque_max: Datum<Torque>,
+    /// N_0: load cycles of a tooth under the torque of a collision that the gear stands.
+    pub collision_cycles: Datum<f64>,
+    /// L_n: nominal life of the wave-generator bearing, which half of the gears reach at T_N and n_N.
+    pub nominal_life: Datum<Time>,
+    /// n_N: input speed of the nominal life.
+    pub life_reference_speed: Datum<AngularVelocity>,
+    /// L_50 / L_10
+    pub life_ratio: Datum<f64>,
     /// Torque at which the teeth of a cup-type gear of the same size jump; orientation only.
     pub ratcheting_torque: Datum<Torque>,
     /// Torque at which its flexspline buckles; orientation only.
@@ -41,6 +49,10 @@ impl Gear {
             rated_torque: Datum::NotPrinted,
             average_torque_max: Datum::NotPrinted,
             collision_torque_max: Datum::NotPrinted,
+            collision_cycles: Datum::NotPrinted,
+            nominal_life: Datum::NotPrinted,
+            life_reference_speed: Datum::NotPrinted,
+            life_ratio: Datum::NotPrinted,
             ratcheting_torque: Datum::NotPrinted,
             buckling_torque: Datum::NotPrinted,
             input_speed_max: Datum::NotPrinted,
@@ -141,90 +153,74 @@ pub fn cubic_mean_torque(parts: impl Iterator<Item = (Torque, Angle)>) -> Torque
     Torque::from_si(if travelled > 0.0 { (cubes / travelled).cbrt() } else { 0.0 })
 }
 
-/// L_n: nominal life of the wave-generator bearing of the CPU series, 35 000 h (gear-life; the CHA is built on CPU-H).
-const NOMINAL_LIFE_H: f64 = 35_000.0;
-
-/// n_N: reference input speed of the life equation, 2000 1/min.
-const REFERENCE_SPEED_RPM: f64 = 2_000.0;
-
-/// L_50 / L_10
-const LIFE_RATIO: f64 = 5.0;
-
-/// Life of the wave-generator bearing that half of the gears reach.
+/// The life of the wave-generator bearing.
 ///
-/// L_50 = L_n (n_N / n_in,av) (T_N / T_av)³
+/// L_50 = L_n (n_N / n_in,av) (T_N / T_av)³, L_10 = L_50 / r
 ///
-/// # Symbols  n_in,av mean input speed, T_N rated torque, T_av cubic mean torque
-/// # Source   csd-2a-engineering-data; constants in the table gear-life
+/// # Symbols  n_in,av mean input speed, T_N rated torque, T_av cubic mean torque, L_n, n_N and r see [`Gear`]
+/// # Source   csd-2a-engineering-data
 /// # Valid    n_in,av > 0 and T_av > 0
-#[must_use]
-pub fn wave_generator_life_l50(rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
-    let speed_rpm = speed_in_mean.si().abs() * 60.0 / std::f64::consts::TAU;
-    let hours = NOMINAL_LIFE_H * REFERENCE_SPEED_RPM / speed_rpm * (rated.si() / mean.si()).powi(3);
-    Time::from_si(hours * 3600.0)
+#[derive(Clone, Debug, PartialEq)]
+pub struct LifeLaw {
+    nominal: Sourced<Time>,
+    reference_speed: Sourced<AngularVelocity>,
+    ratio: f64,
 }
 
-/// Life of the wave-generator bearing that 90 % of the gears reach.
-///
-/// L_10 = L_50 / 5
-///
-/// # Symbols  n_in,av mean input speed, T_N rated torque, T_av cubic mean torque
-/// # Source   csd-2a-engineering-data; constants in the table gear-life
-/// # Valid    n_in,av > 0 and T_av > 0
-#[must_use]
-pub fn wave_generator_life(rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
-    wave_generator_life_with(rated, mean, speed_in_mean, &mut Workings::off())
-}
-
-/// A constant of the life in our table of published gear data.
-const fn published(symbol: &'static str, condition: &'static str) -> CellRef {
-    CellRef { document: "csd-2a-engineering-data", table: "gear-life", symbol, condition, drive: "", ratio: "" }
-}
-
-/// Where the nominal life stands.
-const NOMINAL_LIFE: CellRef = published("L_n", "series=HFUC, HFUS, CSD, CPU, CSF, SHD");
-
-/// Where the speed stands that it holds for.
-const REFERENCE_SPEED: CellRef = published("n_N_gear", "");
-
-/// [`wave_generator_life`] with its workings; the result is `L_10`, from `T_N`, `T_av` and `n_in` that the caller notes.
-#[must_use]
-pub fn wave_generator_life_with(
-    rated: Torque,
-    mean: Torque,
-    speed_in_mean: AngularVelocity,
-    work: &mut Workings,
-) -> Time {
-    let half = wave_generator_life_l50(rated, mean, speed_in_mean);
-    let life = Time::from_si(half.si() / LIFE_RATIO);
-    if work.is_on() {
-        let source = Source::Model { name: "gear" };
-        let nominal = Time::new_in(NOMINAL_LIFE_H, &HOUR);
-        work.figure("L_n", &HOUR, nominal.si(), &Source::Published(&NOMINAL_LIFE), Grade::Published);
-        let reference = AngularVelocity::new_in(REFERENCE_SPEED_RPM, &REVOLUTION_PER_MINUTE);
-        let stated = Source::Published(&REFERENCE_SPEED);
-        work.figure("n_N_gear", &REVOLUTION_PER_MINUTE, reference.si(), &stated, Grade::Published);
-        work.formula("L_50", &HOUR, half.si(), "L_n*n_N_gear/n_in*(T_N/T_av)^3", &source);
-        work.formula("L_10", &HOUR, life.si(), "L_50/5", &source);
+impl LifeLaw {
+    /// The law of a gear.
+    ///
+    /// # Errors
+    /// [`Missing`] with the first constant that is not known.
+    pub fn of(gear: &Gear) -> Result<Self, Missing> {
+        Ok(Self {
+            nominal: gear.nominal_life.require("L_n")?.clone(),
+            reference_speed: gear.life_reference_speed.require("n_N_gear")?.clone(),
+            ratio: gear.life_ratio.require("life_ratio_50_10")?.value,
+        })
     }
-    life
-}
 
-/// Revolutions of the wave generator's lobes under collision torque that the gear stands.
-const COLLISION_LOAD_CYCLES: f64 = 1e4;
+    /// Life that half of the gears reach.
+    #[must_use]
+    pub fn l50(&self, rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
+        let faster = self.reference_speed.value.si() / speed_in_mean.si().abs();
+        Time::from_si(self.nominal.value.si() * faster * (rated.si() / mean.si()).powi(3))
+    }
+
+    /// Life that 90 % of the gears reach.
+    #[must_use]
+    pub fn l10(&self, rated: Torque, mean: Torque, speed_in_mean: AngularVelocity) -> Time {
+        Time::from_si(self.l50(rated, mean, speed_in_mean).si() / self.ratio)
+    }
+
+    /// [`LifeLaw::l10`] with its workings; the result is `L_10`, from `T_N`, `T_av` and `n_in` that the caller notes.
+    #[must_use]
+    pub fn l10_with(&self, rated: Torque, mean: Torque, speed_in_mean: AngularVelocity, work: &mut Workings) -> Time {
+        let life = self.l10(rated, mean, speed_in_mean);
+        if work.is_on() {
+            let source = Source::Model { name: "gear" };
+            work.given("L_n", &HOUR, &self.nominal);
+            work.given("n_N_gear", &REVOLUTION_PER_MINUTE, &self.reference_speed);
+            let half = self.l50(rated, mean, speed_in_mean);
+            work.formula("L_50", &HOUR, half.si(), "L_n*n_N_gear/n_in*(T_N/T_av)^3", &source);
+            work.formula("L_10", &HOUR, life.si(), "L_50/5", &source);
+        }
+        life
+    }
+}
 
 /// Number of collisions that the gear stands.
 ///
-/// N = 10⁴ / (2 n i t / 60), at most 10⁴
+/// N = N_0 / (2 n i t / 60), at most N_0
 ///
-/// # Symbols  n output speed during the collision [1/min], i ratio, t duration of one collision \[s\]
+/// # Symbols  N_0 load cycles of a tooth under such a torque, see [`Gear::collision_cycles`], n output speed during the collision [1/min], i ratio, t duration of one collision \[s\]
 /// # Source   csd-2a-engineering-data, momentary peak torque
-/// # Valid    T ≤ T_M; 10⁴ also for a collision without motion
+/// # Valid    T ≤ T_M; N_0 also for a collision without motion
 #[must_use]
-pub fn collision_count_max(speed_out: AngularVelocity, ratio: f64, duration: Time) -> f64 {
+pub fn collision_count_max(cycles: f64, speed_out: AngularVelocity, ratio: f64, duration: Time) -> f64 {
     let turns_in = speed_out.si().abs() * ratio * duration.si() / std::f64::consts::TAU;
     // The wave generator has two lobes: each of its turns loads a tooth twice.
-    (COLLISION_LOAD_CYCLES / (2.0 * turns_in)).min(COLLISION_LOAD_CYCLES)
+    (cycles / (2.0 * turns_in)).min(cycles)
 }
 
 /// Output speed at which the wave generator excites a natural frequency.
@@ -325,11 +321,24 @@ mod tests {
         assert!(cubic_mean_torque(std::iter::empty()).si().abs() < 1e-15);
     }
 
+    /// L_n = 35 000 h at 2000 1/min, L_50/L_10 = 5.
+    fn law() -> LifeLaw {
+        fn known<T>(value: T) -> Sourced<T> {
+            let source = Source::Model { name: "test" };
+            Sourced { value, source, grade: provenance::Grade::Published, errata: &[] }
+        }
+        LifeLaw {
+            nominal: known(Time::new_in(35_000.0, &HOUR)),
+            reference_speed: known(AngularVelocity::new_in(2000.0, &REVOLUTION_PER_MINUTE)),
+            ratio: 5.0,
+        }
+    }
+
     /// At rated torque and reference speed the gear reaches L_n/5 = 7000 h; twice the torque takes an eighth.
     #[test]
     fn the_life_at_the_reference_point() {
         let speed = AngularVelocity::new_in(2000.0, &REVOLUTION_PER_MINUTE);
-        let life = |mean| wave_generator_life(Torque::from_si(25.0), Torque::from_si(mean), speed).in_unit(&HOUR);
+        let life = |mean| law().l10(Torque::from_si(25.0), Torque::from_si(mean), speed).in_unit(&HOUR);
         assert!((life(25.0) - 7000.0).abs() < 1e-6);
         assert!((life(50.0) - 875.0).abs() < 1e-6);
     }
@@ -338,7 +347,7 @@ mod tests {
     #[test]
     fn the_number_of_collisions_by_hand() {
         let speed = |n| AngularVelocity::new_in(n, &REVOLUTION_PER_MINUTE);
-        let count = |n, t| collision_count_max(speed(n), 100.0, Time::from_si(t));
+        let count = |n, t| collision_count_max(1e4, speed(n), 100.0, Time::from_si(t));
         assert!((count(5.0, 0.15) - 4000.0).abs() < 1e-9);
         assert!((count(-5.0, 0.15) - 4000.0).abs() < 1e-9);
         assert_eq!(count(0.0, 0.15), 1e4);
@@ -356,6 +365,6 @@ mod tests {
     fn half_of_the_gears_live_five_times_as_long() {
         let speed = AngularVelocity::new_in(2000.0, &REVOLUTION_PER_MINUTE);
         let rated = Torque::from_si(25.0);
-        assert!((wave_generator_life_l50(rated, rated, speed).in_unit(&HOUR) - 35_000.0).abs() < 1e-6);
+        assert!((law().l50(rated, rated, speed).in_unit(&HOUR) - 35_000.0).abs() < 1e-6);
     }
 }

@@ -3,23 +3,11 @@
 //! One model serves the continuous curve, intermittent duty, the temperature of a cycle and the overload supervision.
 
 use crate::friction::{FrictionAt, NoLoadFriction};
-use crate::motor::copper_resistance;
+use crate::instant::LossLaw;
 use crate::parameters::Parameters;
 use crate::temperature::{Losses, Network};
 use provenance::{Datum, Missing};
 use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, ThermodynamicTemperature, Time, Torque};
-
-/// Winding temperature of continuous duty: the warning threshold of table 62.3, 80 °C, in kelvin.
-pub const WINDING_TEMPERATURE_CONTINUOUS: f64 = 353.15;
-
-/// The ambient temperature up to which the printed data hold, 40 °C, in kelvin: assumed where none is stated.
-pub const AMBIENT_REFERENCE: f64 = 313.15;
-
-/// Rise of the winding in continuous duty, 40 K: from the reference ambient to the warning threshold. The maker gives the
-/// same rise as a guide for mounts other than the plate.
-///
-/// # Source   cha-manual table 62.3 and section 6.1; hma-manual
-const RISE_PERMITTED: f64 = WINDING_TEMPERATURE_CONTINUOUS - AMBIENT_REFERENCE;
 
 /// What the family's heat model is calibrated with; another maker's actuator has none of it unless its owner states it.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +21,14 @@ pub struct Heat {
     pub loss_band: Datum<(f64, f64)>,
     /// Upper edge of that band in intermittent duty of one minute.
     pub intermittent_band_high: Datum<f64>,
+    /// Half width of the band about the gear's limit of intermittent duty, as a share of it.
+    pub gear_band: Datum<f64>,
+    /// Ambient temperature up to which the data of the actuator hold, and for which its stall torque is stated.
+    pub ambient_reference: Datum<ThermodynamicTemperature>,
+    /// Winding temperature of continuous duty, at which the supervision warns.
+    pub winding_warning: Datum<ThermodynamicTemperature>,
+    /// Winding temperature at which the supervision shuts down: the hottest winding in operation.
+    pub winding_shutdown: Datum<ThermodynamicTemperature>,
     /// τ_w = R_wh C_w.
     pub winding_time_constant: Datum<Time>,
     /// τ_h = R_ha C_h.
@@ -48,6 +44,10 @@ impl Heat {
             stall_loss_factor: Datum::NotPrinted,
             loss_band: Datum::NotPrinted,
             intermittent_band_high: Datum::NotPrinted,
+            gear_band: Datum::NotPrinted,
+            ambient_reference: Datum::NotPrinted,
+            winding_warning: Datum::NotPrinted,
+            winding_shutdown: Datum::NotPrinted,
             winding_time_constant: Datum::NotPrinted,
             housing_time_constant: Datum::NotPrinted,
         }
@@ -103,24 +103,27 @@ pub struct Settled {
 
 /// The heat model of one actuator.
 ///
-/// P_cu = 1.5 R I², P_f = (I_NLS + K(ϑ_h)|n|) k_TM ω_mot; R_wh + R_ha = 40 K/P_0, P_0 = F · 1.5 R I_0², R_ha = w (R_wh + R_ha)
+/// P_cu = 1.5 R I², P_f = (I_NLS + K(ϑ_h)|n|) k_TM ω_mot; R_wh + R_ha = Δϑ/P_0, P_0 = F · 1.5 R I_0², R_ha = w (R_wh + R_ha)
 ///
-/// # Symbols  R = R_LL at 80 °C \[Ω\] (1.5 R_LL I² is the copper loss of a star winding), I_0 largest stall current of the
-///   drive over its ratios \[A\], F and w see [`Heat`], ϑ_h temperature of the housing
+/// # Symbols  R = R_LL at the temperature of continuous duty \[Ω\] (1.5 R_LL I² is the copper loss of a star winding),
+///   Δϑ from the reference ambient to that temperature \[K\], I_0 largest stall current of the drive over its ratios \[A\],
+///   F and w see [`Heat`], ϑ_h temperature of the housing
 /// # Source   docs/theory/thermal.md
-/// # Valid    on the plate of table 13.3; resistance of 80 °C, the safe side as long as the winding is cooler
+/// # Valid    on the plate of table 13.3; resistance of continuous duty, the safe side as long as the winding is cooler
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeatModel {
     friction: NoLoadFriction,
     torque_constant: f64,
-    copper_ohm: f64,
-    /// k_TM i: friction loss per friction current and output speed [V/(rad/s)].
-    friction_vs: f64,
+    losses: LossLaw,
     stall_loss_w: f64,
     network: Network,
     band: (f64, f64),
     /// n_N/i [rad/s]
     rated: f64,
+    /// Reference ambient temperature \[K\].
+    ambient_k: f64,
+    /// Winding temperature of continuous duty \[K\].
+    limit_k: f64,
     winding_time_constant: Time,
 }
 
@@ -135,31 +138,55 @@ impl HeatModel {
             Some(motor) => motor,
             None => actuator.stall_current.require("I_0")?,
         };
-        let copper_ohm = copper_ohm(actuator)?;
+        actuator.resistance_ll.require("R_LL")?;
         let factor = heat.stall_loss_factor.require("stall_loss_factor")?.value;
-        let stall_loss_w = factor * copper_ohm * current.value.si() * current.value.si();
         let share = heat.housing_share.require("housing_share")?.value;
-        let total = RISE_PERMITTED / stall_loss_w;
         let winding_time_constant = heat.winding_time_constant.require("tau_w")?.value;
         let tau = [winding_time_constant, heat.housing_time_constant.require("tau_h")?.value];
         let ratio = actuator.ratio.require("i")?.value;
+        let friction = NoLoadFriction::of(actuator)?;
+        let torque_constant = actuator.torque_constant_out.require("k_Tout")?.value.si();
+        let limit = heat.winding_warning.require("T_KTY")?.value;
+        let ambient_k = heat.ambient_reference.require("ambient_temperature_operation")?.value.si();
+        let losses = LossLaw::of(actuator, limit)?;
+        let stall_loss_w = factor * losses.copper_ohm() * current.value.si() * current.value.si();
+        let total = (limit.si() - ambient_k) / stall_loss_w;
         Ok(Self {
-            friction: NoLoadFriction::of(actuator)?,
-            torque_constant: actuator.torque_constant_out.require("k_Tout")?.value.si(),
-            copper_ohm,
-            friction_vs: actuator.torque_constant_motor.require("k_TM")?.value.si() * ratio,
+            friction,
+            torque_constant,
+            losses,
             stall_loss_w,
             network: Network::new([(1.0 - share) * total, share * total], tau),
             band: heat.loss_band.require("loss_band")?.value,
             rated: actuator.speed_motor_rated.require("n_N")?.value.si() / ratio,
+            ambient_k,
+            limit_k: limit.si(),
             winding_time_constant,
         })
     }
 
-    /// P_0: loss of the winding at standstill that warms it by 40 K.
+    /// P_0: loss of the winding at standstill that warms it by the permitted rise.
     #[must_use]
     pub fn stall_loss(&self) -> Power {
         Power::from_si(self.stall_loss_w)
+    }
+
+    /// The ambient temperature that counts where none is stated: that up to which the data of the actuator hold.
+    #[must_use]
+    pub fn ambient_reference(&self) -> ThermodynamicTemperature {
+        ThermodynamicTemperature::from_si(self.ambient_k)
+    }
+
+    /// The winding temperature of continuous duty.
+    #[must_use]
+    pub fn winding_limit(&self) -> ThermodynamicTemperature {
+        ThermodynamicTemperature::from_si(self.limit_k)
+    }
+
+    /// From the reference ambient to the temperature of continuous duty \[K\]. The maker gives the same rise, 40 K, as a
+    /// guide for mounts other than the plate (cha-manual section 6.1).
+    fn rise_permitted(&self) -> f64 {
+        self.limit_k - self.ambient_k
     }
 
     /// The law of the friction.
@@ -180,16 +207,10 @@ impl HeatModel {
         self.winding_time_constant
     }
 
-    /// 1.5 R: copper loss per square of the current \[Ω\].
+    /// The losses of an instant, the winding at the temperature of continuous duty.
     #[must_use]
-    pub const fn copper_ohm(&self) -> f64 {
-        self.copper_ohm
-    }
-
-    /// k_TM i: friction loss per friction current and output speed [V/(rad/s)].
-    #[must_use]
-    pub const fn friction_v_s_per_rad(&self) -> f64 {
-        self.friction_vs
+    pub const fn losses(&self) -> &LossLaw {
+        &self.losses
     }
 
     /// Edges of the band of the permitted loss at a mean speed, as multiples of it.
@@ -203,7 +224,7 @@ impl HeatModel {
     }
 
     /// Both losses for a friction, as means over a cycle.
-    fn losses(&self, means: &LossMeans, starting: f64, constant: f64) -> Losses {
+    fn mean_losses(&self, means: &LossMeans, starting: f64, constant: f64) -> Losses {
         let counted = self.friction.counted(starting);
         let square = means.torque_current_square
             + counted * counted * means.moving
@@ -212,7 +233,8 @@ impl HeatModel {
             + 2.0 * constant * means.torque_current_speed
             + 2.0 * counted * constant * means.speed_magnitude;
         let friction = starting * means.speed_magnitude + constant * means.speed_square;
-        Losses { copper_w: self.copper_ohm * square.max(0.0), friction_w: self.friction_vs * friction }
+        let law = &self.losses;
+        Losses { copper_w: law.copper_ohm() * square.max(0.0), friction_w: law.friction_v_s_per_rad() * friction }
     }
 
     /// The temperature of the housing that a cycle settles to, and the friction and losses that go with it.
@@ -226,17 +248,17 @@ impl HeatModel {
     pub fn settle(&self, means: &LossMeans, further: Power, ambient: ThermodynamicTemperature) -> Settled {
         let [_, r_ha] = self.network.resistances_k_per_w();
         let housing = self.balance(ambient.si(), |starting, constant, slope| {
-            let losses = self.losses(means, starting, constant);
+            let losses = self.mean_losses(means, starting, constant);
             let counted = self.friction.counted(starting);
             let by_constant = 2.0
-                * self.copper_ohm
+                * self.losses.copper_ohm()
                 * (means.torque_current_speed + counted * means.speed_magnitude + constant * means.speed_square)
-                + self.friction_vs * means.speed_square;
+                + self.losses.friction_v_s_per_rad() * means.speed_square;
             let rise = r_ha * (losses.copper_w + losses.friction_w + further.si());
             (rise, -slope * by_constant * r_ha)
         });
         let (starting, constant, _) = self.friction.state(housing);
-        let losses = self.losses(means, starting, constant);
+        let losses = self.mean_losses(means, starting, constant);
         let housing = ThermodynamicTemperature::from_si(housing);
         Settled {
             housing,
@@ -277,7 +299,7 @@ impl HeatModel {
     /// Torque at a constant speed at which the winding reaches a multiple of its permitted rise, at the reference ambient
     /// temperature, while it runs for a share of each cycle and rests without loss for the remainder; not negative.
     ///
-    /// A P_cu + B P_f = b · 40 K with A, B of [`Network::intermittent`]; T = k_Tout (√(P_cu/1.5R) − I_s − K n)
+    /// A P_cu + B P_f = b Δϑ with A, B of [`Network::intermittent`]; T = k_Tout (√(P_cu/1.5R) − I_s − K n)
     ///
     /// # Symbols  b edge of the band; friction at the housing's mean temperature ϑ_a + R_ha ED (P_cu + P_f)
     /// # Source   docs/theory/continuous-torque.md, docs/theory/short-time-torque.md
@@ -286,28 +308,29 @@ impl HeatModel {
         let n = speed.si().abs();
         let [_, r_ha] = self.network.resistances_k_per_w();
         let (a, b) = self.network.intermittent(duty, cycle);
-        let permitted = edge * RISE_PERMITTED;
-        let friction_loss = |starting: f64, constant: f64| self.friction_vs * (starting + constant * n) * n;
+        let permitted = edge * self.rise_permitted();
+        let friction_loss =
+            |starting: f64, constant: f64| self.losses.friction_v_s_per_rad() * (starting + constant * n) * n;
         let copper = |friction: f64| ((permitted - b * friction) / a).max(0.0);
-        let housing = self.balance(AMBIENT_REFERENCE, |starting, constant, slope| {
+        let housing = self.balance(self.ambient_k, |starting, constant, slope| {
             let friction = friction_loss(starting, constant);
             let copper_w = copper(friction);
             let by_friction = if copper_w > 0.0 { 1.0 - b / a } else { 1.0 };
             let rise = r_ha * duty * (copper_w + friction);
-            (rise, -slope * self.friction_vs * n * n * by_friction * r_ha * duty)
+            (rise, -slope * self.losses.friction_v_s_per_rad() * n * n * by_friction * r_ha * duty)
         });
         let (starting, constant, _) = self.friction.state(housing);
         let friction_w = friction_loss(starting, constant);
         let copper_w = copper(friction_w);
         let counted = self.friction.counted(starting);
-        let current = (copper_w / self.copper_ohm).sqrt() - counted - constant * n;
+        let current = (copper_w / self.losses.copper_ohm()).sqrt() - counted - constant * n;
         let housing = ThermodynamicTemperature::from_si(housing);
         let settled = Settled { housing, friction: self.friction.at(housing), losses: Losses { copper_w, friction_w } };
         (Torque::from_si((self.torque_constant * current).max(0.0)), settled)
     }
 
     /// Rise of the winding at the end of each operation of an intermittent duty at a constant torque and speed, at the
-    /// reference ambient temperature, as a share of the permitted 40 K, and what the duty settles to; duty one is
+    /// reference ambient temperature, as a share of the permitted one, and what the duty settles to; duty one is
     /// continuous duty.
     ///
     /// # Source   docs/theory/thermal.md
@@ -315,10 +338,9 @@ impl HeatModel {
     pub fn rise_share(&self, torque: Torque, speed: AngularVelocity, duty: f64, cycle: Time) -> (f64, Settled) {
         let (a, b) = self.network.intermittent(duty, cycle);
         let means = LossMeans::intermittent(torque.si() / self.torque_constant, speed.si().abs(), duty);
-        let ambient = ThermodynamicTemperature::from_si(AMBIENT_REFERENCE);
-        let settled = self.settle(&means, Power::from_si(0.0), ambient);
+        let settled = self.settle(&means, Power::from_si(0.0), self.ambient_reference());
         let rise = (a * settled.losses.copper_w + b * settled.losses.friction_w) / duty;
-        (rise / RISE_PERMITTED, settled)
+        (rise / self.rise_permitted(), settled)
     }
 
     /// Current of a torque at a speed in steady state, friction at a temperature found before; driving.
@@ -326,16 +348,6 @@ impl HeatModel {
     pub fn current(&self, torque: Torque, speed: AngularVelocity, friction: &FrictionAt) -> ElectricCurrent {
         ElectricCurrent::from_si(torque.si() / self.torque_constant + friction.current(speed).si())
     }
-}
-
-/// 1.5 R_LL at 80 °C: copper loss of a star winding per square of the current \[Ω\].
-///
-/// # Errors
-/// [`Missing`] if R_LL is not known.
-pub fn copper_ohm(actuator: &Parameters) -> Result<f64, Missing> {
-    let resistance = actuator.resistance_ll.require("R_LL")?.value;
-    let hot = ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_CONTINUOUS);
-    Ok(1.5 * copper_resistance(resistance, hot).si())
 }
 
 #[cfg(test)]

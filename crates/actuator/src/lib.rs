@@ -10,6 +10,7 @@ mod feedback;
 mod friction;
 mod gear;
 mod heat;
+mod instant;
 mod motor;
 mod output_bearing;
 mod overload;
@@ -23,19 +24,17 @@ pub use accuracy::{
     Accuracy, BudgetCase, Contribution, ErrorBudget, ErrorKind, PositionLoop, deviation_at, error_budget,
 };
 pub use agreement::{PublishedDuty, published_duty};
-pub use battery::{BatteryFault, BatteryLife, battery_life};
-pub use brake::{
-    BRAKE_CLOSING_TIME, BRAKE_OPENING_TIME, Brake, EmergencyStop, StopOutcome, coil_power, emergency_stop, sag_angle,
-    sag_speed,
-};
+pub use battery::{Battery, BatteryFault, BatteryLife};
+pub use brake::{Brake, EmergencyStop, StopOutcome, coil_power, emergency_stop, sag_angle, sag_speed};
 pub use curve::{Curve, CurveFault, CurvePoint};
 pub use feedback::{Feedback, FeedbackSide};
 pub use friction::{COLD_START, FrictionAt, NoLoadFriction};
 pub use gear::{
-    Gear, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, natural_frequency_free, resonance_speed,
-    wave_generator_life, wave_generator_life_l50, wave_generator_life_with,
+    Gear, LifeLaw, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, natural_frequency_free,
+    resonance_speed,
 };
-pub use heat::{AMBIENT_REFERENCE, Heat, HeatModel, LossMeans, Settled, WINDING_TEMPERATURE_CONTINUOUS, copper_ohm};
+pub use heat::{Heat, HeatModel, LossMeans, Settled};
+pub use instant::{LossLaw, MotorCurrent, OperatingPoint, TerminalPower};
 pub use motor::{
     ContinuousLimit, continuous_torque, continuous_torque_with, copper_resistance, driven_share,
     estimated_continuous_torque, explain_friction, explain_stall_loss, speed_max, speed_max_with, speed_rated_out,
@@ -45,11 +44,11 @@ pub use output_bearing::{
     BearingType, FlangeLoad, OutputBearing, bearing_life, dynamic_equivalent_load, dynamic_load_factors, mean_load,
     static_safety, tilt_angle, tilting_moment,
 };
-pub use overload::overload_course;
+pub use overload::{overload_course, overload_slope};
 pub use parameters::Parameters;
 pub use plane::{
     CurveKind, PerformanceCurve, intermittent_torque, performance_curves, short_time_torque, short_time_torque_with,
 };
 pub use screw_joint::{ScrewJoint, joint_friction_force, joint_utilisation};
-pub use temperature::{Gains, Losses, Network, Temperatures};
+pub use temperature::{Gains, HeatFlows, Losses, Network, Temperatures};
 pub use voltage::MotorVoltage;

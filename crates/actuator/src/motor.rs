@@ -233,7 +233,7 @@ fn explain_continuous(
     work.formula("I_f", &AMPERE, friction, text, &source);
     let text = "(I_NLS + K*abs(n))*k_TM*i*abs(n)*2*pi/60";
     work.formula("P_f", &WATT, settled.losses.friction_w, text, &source);
-    let current = (settled.losses.copper_w / model.copper_ohm()).sqrt();
+    let current = (settled.losses.copper_w / model.losses().copper_ohm()).sqrt();
     work.estimate("I_th", &AMPERE, current, "sqrt(max(b*P_0 - w*P_f, 0)/(1.5*R_hot))", &source);
 }
 
@@ -242,12 +242,13 @@ pub fn explain_stall_loss(actuator: &Parameters, work: &mut Workings) {
     let current = actuator.stall_current_motor.known().or_else(|| actuator.stall_current.known());
     let resistance = actuator.resistance_ll.known();
     let factor = actuator.heat.stall_loss_factor.known();
-    let (Some(current), Some(resistance), Some(factor), true) = (current, resistance, factor, work.is_on()) else {
+    let (Some(current), Some(resistance), Some(factor), Some(limit), true) =
+        (current, resistance, factor, actuator.heat.winding_warning.known(), work.is_on())
+    else {
         return;
     };
     let source = Source::Model { name: "thermal" };
-    let hot =
-        copper_resistance(resistance.value, ThermodynamicTemperature::from_si(crate::WINDING_TEMPERATURE_CONTINUOUS));
+    let hot = copper_resistance(resistance.value, limit.value);
     work.given("I_0", &AMPERE, current);
     work.given("R_LL", &OHM, resistance);
     work.given_number("F", factor);

@@ -17,6 +17,10 @@ fn heat() -> crate::Heat {
         stall_loss_factor: known(1.0),
         loss_band: known((0.85, 1.15)),
         intermittent_band_high: Datum::NotPrinted,
+        gear_band: known(0.02),
+        ambient_reference: known(ThermodynamicTemperature::from_si(313.15)),
+        winding_warning: known(ThermodynamicTemperature::from_si(353.15)),
+        winding_shutdown: known(ThermodynamicTemperature::from_si(363.15)),
         winding_time_constant: known(Time::from_si(60.0)),
         housing_time_constant: known(Time::from_si(2400.0)),
     }

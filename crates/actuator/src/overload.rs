@@ -1,6 +1,6 @@
 //! Overload of the winding as a first-order lag of (I/I_0)² in a cycle repeated for ever.
 
-use quantities::{Measure, Ratio, Time};
+use quantities::{ElectricCurrent, Measure, Ratio, Time};
 
 /// Output of a first-order lag at the start of every piece of a periodic input, in steady periodic state.
 ///
@@ -24,6 +24,19 @@ pub(crate) fn periodic_lag(pieces: &[(f64, f64)], tau_s: f64) -> Vec<f64> {
         value = input + (value - input) * decay;
     }
     decays
+}
+
+/// How fast the state of the overload supervision changes at an instant [1/s].
+///
+/// y' = ((I/I_0)² − y)/τ
+///
+/// # Symbols  y state, I motor current, I_0 stall current, τ time constant of the winding \[s\]
+/// # Source   docs/theory/overload.md
+/// # Valid    I_0 > 0, τ > 0
+#[must_use]
+pub fn overload_slope(state: Ratio, current: ElectricCurrent, stall: ElectricCurrent, time_constant: Time) -> f64 {
+    let share = current.si() / stall.si();
+    (share * share - state.si()) / time_constant.si()
 }
 
 /// The lag of (I/I_0)² at the start of every piece of a cycle repeated for ever.
@@ -75,6 +88,20 @@ mod tests {
         assert!((peak(&[(5.0, 0.7), (9.0, 0.7)]).0 - 0.7).abs() < 1e-12);
         assert_eq!(peak(&[]), (0.0, 0.0));
         assert_eq!(peak(&[(0.0, 5.0)]), (0.0, 0.0));
+    }
+
+    /// 60 s at twice the stall current, in small steps: the lag of a constant, 4 (1 − 1/e).
+    #[test]
+    fn the_slope_leads_to_the_lag() {
+        let (current, stall, tau) = (ElectricCurrent::from_si(3.0), ElectricCurrent::from_si(1.5), Time::from_si(60.0));
+        let (mut state, step) = (0.0, 1e-3);
+        for _ in 0..60_000 {
+            // Heun's rule: the slope at both ends of the step.
+            let slope = |state: f64| overload_slope(Ratio::from_si(state), current, stall, tau);
+            let first = slope(state);
+            state += 0.5 * step * (first + slope(state + step * first));
+        }
+        assert!((state - 4.0 * (1.0 - (-1.0_f64).exp())).abs() < 1e-8, "{state}");
     }
 
     #[test]

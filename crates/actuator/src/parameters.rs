@@ -45,6 +45,9 @@ pub struct Parameters {
     pub no_load_current_constant_30: Datum<NoLoadCurrentConstant>,
     /// K_INL at 80 °C.
     pub no_load_current_constant_80: Datum<NoLoadCurrentConstant>,
+    /// Least and largest growth of friction per kelvin below +20 °C, where nothing is printed at 680 V: the band of its
+    /// extrapolation.
+    pub friction_cold_growth: Datum<(f64, f64)>,
     /// k_Tout: torque constant at the output, gear losses included.
     pub torque_constant_out: Datum<TorqueConstant>,
     /// k_TM: torque constant of the motor.
@@ -116,6 +119,7 @@ impl Parameters {
             no_load_starting_current: Datum::NotPrinted,
             no_load_current_constant_30: Datum::NotPrinted,
             no_load_current_constant_80: Datum::NotPrinted,
+            friction_cold_growth: Datum::NotPrinted,
             torque_constant_out: Datum::NotPrinted,
             torque_constant_motor: Datum::NotPrinted,
             voltage_constant_motor: Datum::NotPrinted,

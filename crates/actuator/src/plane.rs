@@ -14,9 +14,6 @@ use quantities::{AngularVelocity, ElectricPotential, Measure, Ratio, Thermodynam
 /// The cycle of intermittent duty in the manual's curves: 1 min, in seconds.
 const S3_CYCLE: f64 = 60.0;
 
-/// Half width of the band of the gear's limit under intermittent duty: the published points lie within.
-const S3_GEAR_BAND: f64 = 0.02;
-
 /// Parts into which an estimated curve is cut.
 const PARTS: u32 = 32;
 
@@ -318,6 +315,7 @@ pub fn intermittent_torque(
     let model = HeatModel::of(actuator)?;
     let (low, high) = model.band(AngularVelocity::from_si(duty.si() * speed.si()));
     let high = actuator.heat.intermittent_band_high.known().map_or(high, |edge| edge.value.max(high));
+    let gear_band = actuator.heat.gear_band.require("s3_gear_band")?.value;
     let thermal = |edge: f64| model.torque(speed, duty.si(), Time::from_si(S3_CYCLE), edge).0.si();
     let short_time = short_time_torque(actuator, speed, terminal_voltage, &cold_friction(actuator)?)?;
     let stall = actuator.stall_torque.require("T_0")?;
@@ -326,13 +324,13 @@ pub fn intermittent_torque(
     let average = actuator.gear.average_torque_max.known().map(|known| known.value.si());
     // T_0 never exceeds T_A: a lower bound where T_A is not known, which the upper edge must not use.
     let gear = duty.si().powf(-1.0 / 3.0) * average.map_or(stall.value.si(), |average| average.max(stall.value.si()));
-    let gear_upper = if average.is_some() { gear * (1.0 + S3_GEAR_BAND) } else { f64::INFINITY };
+    let gear_upper = if average.is_some() { gear * (1.0 + gear_band) } else { f64::INFINITY };
     let bounded = |torque: f64, gear: f64, short_time: Torque| {
         Torque::from_si(if inside { torque.min(gear).min(short_time.si()) } else { 0.0 })
     };
     Ok(ContinuousLimit {
         limit: Sourced {
-            value: bounded(thermal(low), gear * (1.0 - S3_GEAR_BAND), short_time.limit.value),
+            value: bounded(thermal(low), gear * (1.0 - gear_band), short_time.limit.value),
             source: Source::Model { name: "short-time-torque" },
             grade: short_time.limit.grade.worst(Grade::Estimated),
             errata: stall.errata,

@@ -42,6 +42,10 @@ fn actuator() -> Parameters {
             stall_loss_factor: known(1.0),
             loss_band: known((0.85, 1.15)),
             intermittent_band_high: Datum::NotPrinted,
+            gear_band: known(0.02),
+            ambient_reference: known(ThermodynamicTemperature::from_si(313.15)),
+            winding_warning: known(ThermodynamicTemperature::from_si(353.15)),
+            winding_shutdown: known(ThermodynamicTemperature::from_si(363.15)),
             winding_time_constant: known(Time::from_si(60.0)),
             housing_time_constant: known(Time::from_si(2400.0)),
         },
@@ -120,7 +124,7 @@ fn intermittent_duty_by_hand() {
     let share = |tau: f64| 1.0 / (1.0 + (-30.0 / tau).exp());
     let [g_quick, g_slow] = model.network().winding().copper;
     let per_watt = g_quick * share(quick) + g_slow * share(slow);
-    let current = |edge: f64| (edge * 40.0 / per_watt / model.copper_ohm()).sqrt();
+    let current = |edge: f64| (edge * 40.0 / per_watt / model.losses().copper_ohm()).sqrt();
     // T_0 is printed at rest, so the lower edge has no distance there; the upper one has.
     assert!((limit.limit.value.si() - 16.0 * (current(1.0) - 0.2)).abs() < 1e-9, "{}", limit.limit.value.si());
     assert!((limit.upper.si() - 16.0 * (current(1.15) - 0.2)).abs() < 1e-9, "{}", limit.upper.si());

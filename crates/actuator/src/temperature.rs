@@ -29,6 +29,19 @@ pub struct Gains {
     pub friction: [f64; 2],
 }
 
+/// Heat that flows at an instant, and how fast it changes both temperatures.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct HeatFlows {
+    /// From the winding to the housing \[W\].
+    pub winding_to_housing_w: f64,
+    /// From the housing to the ambient air \[W\].
+    pub housing_to_ambient_w: f64,
+    /// ϑ_w' \[K/s\]
+    pub winding_k_per_s: f64,
+    /// ϑ_h' \[K/s\]
+    pub housing_k_per_s: f64,
+}
+
 /// Winding and housing as a thermal network.
 ///
 /// C_w ϑ_w' = P_cu − (ϑ_w − ϑ_h)/R_wh, C_h ϑ_h' = P_f + (ϑ_w − ϑ_h)/R_wh − (ϑ_h − ϑ_a)/R_ha
@@ -41,6 +54,8 @@ pub struct Gains {
 pub struct Network {
     /// R_wh, R_ha \[K/W\]
     resistance_k_per_w: [f64; 2],
+    /// C_w, C_h \[J/K\]
+    capacity_j_per_k: [f64; 2],
     /// Time constants of the two modes \[s\], the quick one first.
     tau_s: [f64; 2],
     winding: Gains,
@@ -67,6 +82,7 @@ impl Network {
         let across = gains(&|own, other| c / (c_w * (own - other)));
         Self {
             resistance_k_per_w: [r_wh, r_ha],
+            capacity_j_per_k: [c_w, c_h],
             tau_s,
             winding: Gains { copper: gains(&|own, other| (own + c + d) / (c_w * (own - other))), friction: across },
             housing: Gains { copper: across, friction: gains(&|own, other| (own + a) / (c_h * (own - other))) },
@@ -77,6 +93,29 @@ impl Network {
     #[must_use]
     pub const fn resistances_k_per_w(&self) -> [f64; 2] {
         self.resistance_k_per_w
+    }
+
+    /// C_w, C_h \[J/K\].
+    #[must_use]
+    pub const fn capacities_j_per_k(&self) -> [f64; 2] {
+        self.capacity_j_per_k
+    }
+
+    /// The flows of heat at an instant, and what they change.
+    ///
+    /// # Source   docs/theory/thermal.md; the equations of [`Network`]
+    #[must_use]
+    pub fn flows(&self, state: &Temperatures, losses: Losses, ambient: ThermodynamicTemperature) -> HeatFlows {
+        let ([r_wh, r_ha], [c_w, c_h]) = (self.resistance_k_per_w, self.capacity_j_per_k);
+        let (winding, housing) = (state.winding.si(), state.housing.si());
+        let winding_to_housing_w = (winding - housing) / r_wh;
+        let housing_to_ambient_w = (housing - ambient.si()) / r_ha;
+        HeatFlows {
+            winding_to_housing_w,
+            housing_to_ambient_w,
+            winding_k_per_s: (losses.copper_w - winding_to_housing_w) / c_w,
+            housing_k_per_s: (losses.friction_w + winding_to_housing_w - housing_to_ambient_w) / c_h,
+        }
     }
 
     /// Time constants of the two modes, the quick one first.

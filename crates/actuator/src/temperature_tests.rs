@@ -114,3 +114,37 @@ fn warming_up_takes_longer_the_nearer_the_threshold_is_to_the_end() {
     let there = network.course(&pieces, celsius(40.0)).get(1).unwrap().winding.si();
     assert!((there - celsius(60.0).si()).abs() < 1e-6);
 }
+
+/// What is lost is stored or leaves to the air; in the steady state nothing is stored.
+#[test]
+fn flows_keep_the_energy_and_vanish_in_the_steady_state() {
+    let (network, ambient, load) = (network(), celsius(25.0), losses(20.0, 30.0));
+    let [c_w, c_h] = network.capacities_j_per_k();
+    let state = Temperatures { winding: celsius(70.0), housing: celsius(40.0) };
+    let flows = network.flows(&state, load, ambient);
+    let stored = c_w * flows.winding_k_per_s + c_h * flows.housing_k_per_s;
+    assert!((stored + flows.housing_to_ambient_w - 50.0).abs() < 1e-9);
+    assert!((flows.winding_to_housing_w - 30.0 / 0.45).abs() < 1e-9);
+    let steady = network.flows(&network.steady(load, ambient), load, ambient);
+    assert!(steady.winding_k_per_s.abs() < 1e-12 && steady.housing_k_per_s.abs() < 1e-12);
+}
+
+/// Stepped by its own slopes the network takes the course in closed form: half a minute of loss, half a minute of rest.
+#[test]
+fn the_flows_make_the_course() {
+    let (network, ambient) = (network(), celsius(25.0));
+    let pieces = [(Time::from_si(30.0), losses(80.0, 10.0)), (Time::from_si(30.0), losses(0.0, 0.0))];
+    let course = network.course(&pieces, ambient);
+    let (mut state, step) = (course[0], 1e-3);
+    for _ in 0..30_000 {
+        let moved = |state: &Temperatures, slope: &HeatFlows, time: f64| Temperatures {
+            winding: ThermodynamicTemperature::from_si(state.winding.si() + time * slope.winding_k_per_s),
+            housing: ThermodynamicTemperature::from_si(state.housing.si() + time * slope.housing_k_per_s),
+        };
+        let first = network.flows(&state, losses(80.0, 10.0), ambient);
+        let middle = network.flows(&moved(&state, &first, 0.5 * step), losses(80.0, 10.0), ambient);
+        state = moved(&state, &middle, step);
+    }
+    assert!((state.winding.si() - course[1].winding.si()).abs() < 1e-6);
+    assert!((state.housing.si() - course[1].housing.si()).abs() < 1e-6);
+}

@@ -5,13 +5,12 @@ use crate::parameters::Parameters;
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{
-    AMPERE, HENRY, OHM, RADIAN_PER_SECOND, VOLT, VOLT_PER_THOUSAND_REVOLUTIONS, VOLT_SECOND_PER_RADIAN,
+    AMPERE, DEGREE_CELSIUS, HENRY, OHM, RADIAN_PER_SECOND, VOLT, VOLT_PER_THOUSAND_REVOLUTIONS, VOLT_SECOND_PER_RADIAN,
 };
 use quantities::{AngularVelocity, ElectricCurrent, ElectricPotential, Measure, ThermodynamicTemperature};
 
-/// Winding temperature of the voltage check, 90 °C in kelvin: the shutdown threshold of table 62.3, where the
-/// resistance is largest.
-const WINDING_TEMPERATURE_HOT: f64 = 363.15;
+/// The temperature that the workings of the resistance write as a number, 90 °C in kelvin: that of the printed actuators.
+const PRINTED_HOT: f64 = 363.15;
 
 /// The electrical constants of a motor, per phase of the star.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +19,9 @@ pub struct MotorVoltage {
     ratio: f64,
     /// p: pole pairs.
     pole_pairs: f64,
-    /// R = R_LL/2 at 90 °C \[Ω\]
+    /// Temperature of the winding \[K\].
+    winding_k: f64,
+    /// R = R_LL/2 at the temperature of the winding \[Ω\]
     resistance_ohm: f64,
     /// L = L_LL/2 \[H\]
     inductance_h: f64,
@@ -31,23 +32,35 @@ pub struct MotorVoltage {
 }
 
 impl MotorVoltage {
-    /// The constants of an actuator's motor, winding hot.
+    /// The constants of an actuator's motor, its winding as hot as the supervision lets it become, where the resistance is
+    /// largest.
+    ///
+    /// # Errors
+    /// [`Missing`] with the first datum that is not known.
+    pub fn of(actuator: &Parameters) -> Result<Self, Missing> {
+        let hot = actuator.heat.winding_shutdown.require("T_KTY")?;
+        let motor = Self::with_winding(actuator, hot.value)?;
+        Ok(Self { grade: motor.grade.worst(hot.grade), ..motor })
+    }
+
+    /// The constants of an actuator's motor, its winding at a temperature.
     ///
     /// ψ = k_EM √(2/3) / p, with k_EM the rms voltage line to line per mechanical angular velocity
     ///
     /// # Errors
     /// [`Missing`] with the first datum that is not known.
-    pub fn of(actuator: &Parameters) -> Result<Self, Missing> {
+    pub fn with_winding(actuator: &Parameters, winding: ThermodynamicTemperature) -> Result<Self, Missing> {
         let ratio = actuator.ratio.require("i")?;
         let pole_pairs = actuator.pole_pairs.require("p")?;
         let resistance = actuator.resistance_ll.require("R_LL")?;
         let inductance = actuator.inductance_ll.require("L_LL")?;
         let constant = actuator.voltage_constant_motor.require("k_EM")?;
-        let hot = copper_resistance(resistance.value, ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_HOT));
+        let resistance_ll = copper_resistance(resistance.value, winding);
         Ok(Self {
             ratio: ratio.value,
             pole_pairs: pole_pairs.value,
-            resistance_ohm: hot.si() / 2.0,
+            winding_k: winding.si(),
+            resistance_ohm: resistance_ll.si() / 2.0,
             inductance_h: inductance.value.si() / 2.0,
             flux_vs: constant.value.si() * (2.0_f64 / 3.0).sqrt() / pole_pairs.value,
             grade: [pole_pairs.grade, resistance.grade, inductance.grade, constant.grade]
@@ -108,7 +121,15 @@ impl MotorVoltage {
         let omega_e = self.pole_pairs * self.ratio * speed_out.si();
         let i_q = std::f64::consts::SQRT_2 * current.si();
         let (u_d, u_q) = self.components(speed_out, current);
-        work.formula("R", &OHM, self.resistance_ohm, "R_LL*(1 + 3.93e-3*(90 - 20))/2", &source);
+        let stated = actuator.heat.winding_shutdown.known().filter(|_| (self.winding_k - PRINTED_HOT).abs() > 1e-9);
+        let text = match stated {
+            Some(hot) => {
+                work.given("theta_max", &DEGREE_CELSIUS, hot);
+                "R_LL*(1 + 3.93e-3*(theta_max - 20))/2"
+            }
+            None => "R_LL*(1 + 3.93e-3*(90 - 20))/2",
+        };
+        work.formula("R", &OHM, self.resistance_ohm, text, &source);
         work.formula("L", &HENRY, self.inductance_h, "L_LL/2", &source);
         work.formula("psi", &VOLT_SECOND_PER_RADIAN, self.flux_vs, "k_EM*sqrt(2/3)/(p*2*pi*1000/60)", &source);
         work.formula("omega_e", &RADIAN_PER_SECOND, omega_e, "p*i*n*2*pi/60", &source);
@@ -184,6 +205,10 @@ mod tests {
             resistance_ll: known(ElectricalResistance::new_in(resistance, &OHM)),
             inductance_ll: known(Inductance::new_in(inductance, &MILLIHENRY)),
             voltage_constant_motor: known(VoltageConstant::new_in(23.0, &VOLT_PER_THOUSAND_REVOLUTIONS)),
+            heat: crate::Heat {
+                winding_shutdown: known(ThermodynamicTemperature::from_si(363.15)),
+                ..crate::Heat::unknown()
+            },
             ..Parameters::unknown()
         })
         .unwrap()

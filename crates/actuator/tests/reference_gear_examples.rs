@@ -31,6 +31,7 @@ fn the_example_of_the_gear_catalogues() {
 fn the_example_of_honpine() {
     let parts = [[150.0, 10.0, 0.2], [82.0, 20.0, 3.0], [130.0, 10.0, 0.3], [0.0, 0.0, 0.2]];
     assert!((mean_torque(&parts) - 89.4).abs() < 0.05, "{}", mean_torque(&parts));
-    let count = collision_count_max(AngularVelocity::new_in(20.0, &REVOLUTION_PER_MINUTE), 100.0, Time::from_si(0.15));
+    let count =
+        collision_count_max(1e4, AngularVelocity::new_in(20.0, &REVOLUTION_PER_MINUTE), 100.0, Time::from_si(0.15));
     assert!((count - 1000.0).abs() < 1e-9, "{count}");
 }

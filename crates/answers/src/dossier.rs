@@ -1,8 +1,9 @@
 //! All that a report lays out.
 
-use crate::{CitedErratum, Explained, Inertia, Judgement, Number, Sizing};
+use crate::{CitedErratum, Explained, Id, Inertia, Judgement, Number, Sizing};
 use schemars::JsonSchema;
 use serde::Serialize;
+use sizing::CheckId;
 
 /// An axis with everything there is to tell of it and of the actuator chosen.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -19,6 +20,8 @@ pub struct Dossier {
     pub mechanism: Mechanism,
     /// The checks with their derivations.
     pub explained: Vec<Explained>,
+    /// What the checks lack that could not be made or have no limit.
+    pub missing: Vec<Missing>,
     /// What is ordered.
     pub bill_of_material: Vec<Item>,
     /// How it is screwed on.
@@ -96,6 +99,15 @@ pub struct Mechanism {
     pub travel_mm_per_rev: Option<Number>,
     /// The bodies with their masses and inertias; only of a turntable.
     pub bodies: Option<Inertia>,
+}
+
+/// What a check lacks.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Missing {
+    /// Which check.
+    pub check: Id<CheckId>,
+    /// What it lacks, in words.
+    pub text: String,
 }
 
 /// A line of the bill of material.

@@ -55,6 +55,13 @@ pub struct TableWritten {
     pub rows: usize,
 }
 
+/// `new --out`: the files that were written.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct FilesWritten {
+    /// Their paths.
+    pub files: Vec<String>,
+}
+
 /// `plot`: the picture that was written.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PlotWritten {

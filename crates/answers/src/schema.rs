@@ -2,8 +2,8 @@
 
 use crate::{
     Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, Comparison, Completion, Curves, Difference, Errata,
-    Explanations, ExportWritten, Faults, Fit, Inertia, Judgement, ListedCode, PlotWritten, ReportWritten, Sheet,
-    Sizing, Table, Torsion,
+    Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia, Judgement, ListedCode, PlotWritten,
+    ReportWritten, Sheet, Sizing, Table, Torsion,
 };
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
@@ -55,6 +55,8 @@ const ENTRIES: &[Entry] = &[
     one::<Torsion>("torsion"),
     one::<Battery>("battery"),
     one::<Inertia>("inertia"),
+    one::<Glossary>("glossary"),
+    one::<FilesWritten>("new --out"),
     one::<ReportWritten>("report"),
     one::<ExportWritten>("export --out"),
     one::<Table>("export --table"),

@@ -258,6 +258,11 @@ fn unique(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
             faults.push(format!("glossary: {} stands twice", term.symbol));
         }
     }
+    for word in &data.words {
+        if seen.insert(("word", word.id.clone()), ()).is_some() {
+            faults.push(format!("glossary: the word {} stands twice", word.id));
+        }
+    }
     let mut keys: BTreeMap<(usize, &[String; 5]), usize> = BTreeMap::new();
     for cell in cells {
         if let Some(row) = keys.insert((cell.table, &cell.keys), cell.row) {
@@ -433,6 +438,14 @@ fn write_all(out: &mut String, data: &Data, cells: &[Cell<'_>], ranges: &[(usize
     let _ = writeln!(out, "];\npub(crate) static TEXTS: &[(&str, &str)] = &[");
     for text in &data.texts {
         let _ = writeln!(out, "({:?}, {:?}),", text.printed, text.en);
+    }
+    let _ = writeln!(out, "];\npub(crate) static WORDS: &[Word] = &[");
+    for word in &data.words {
+        let _ = writeln!(
+            out,
+            "Word {{ id: {:?}, en: {:?}, de: {:?}, about_en: {:?}, about_de: {:?}, not_en: &{:?}, not_de: &{:?} }},",
+            word.id, word.en, word.de, word.about_en, word.about_de, word.not_en, word.not_de,
+        );
     }
     let _ = writeln!(out, "];");
 }

@@ -125,6 +125,19 @@ struct TextsFile {
     text: Vec<Text>,
 }
 
+/// One word of the product in `glossary.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Word {
+    pub(crate) id: String,
+    pub(crate) en: String,
+    pub(crate) de: String,
+    pub(crate) about_en: String,
+    pub(crate) about_de: String,
+    pub(crate) not_en: Vec<String>,
+    pub(crate) not_de: Vec<String>,
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ErrataFile {
@@ -141,6 +154,7 @@ struct SourcesFile {
 #[serde(deny_unknown_fields)]
 struct GlossaryFile {
     term: Vec<Term>,
+    word: Vec<Word>,
 }
 
 /// All files of `data/`.
@@ -151,6 +165,7 @@ pub(crate) struct Data {
     pub(crate) sources: Vec<Source>,
     pub(crate) glossary: Vec<Term>,
     pub(crate) texts: Vec<Text>,
+    pub(crate) words: Vec<Word>,
 }
 
 fn read_file<T: for<'de> Deserialize<'de>>(path: &Path, faults: &mut Vec<String>) -> Option<T> {
@@ -217,6 +232,7 @@ pub(crate) fn read_all(root: &Path, faults: &mut Vec<String>) -> Data {
     }
     if let Some(file) = read_file::<GlossaryFile>(&root.join("glossary.toml"), faults) {
         data.glossary = file.term;
+        data.words = file.word;
     }
     if let Some(file) = read_file::<TextsFile>(&root.join("cha/texts.toml"), faults) {
         data.texts = file.text;

@@ -8,10 +8,10 @@ mod drive;
 mod record;
 
 pub use drive::{Drive, cells_about, datum_of, drive, drives, size_cell};
-pub use record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value};
+pub use record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value, Word};
 
 mod embedded {
-    use crate::record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value};
+    use crate::record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value, Word};
     use provenance::CellRef;
     include!(concat!(env!("OUT_DIR"), "/data.rs"));
 }
@@ -56,6 +56,12 @@ pub fn glossary() -> &'static [Term] {
 #[must_use]
 pub fn term(symbol: &str) -> Option<&'static Term> {
     embedded::GLOSSARY.iter().find(|term| term.symbol == symbol)
+}
+
+/// The words of the product: one for one thing, in both languages.
+#[must_use]
+pub fn words() -> &'static [Word] {
+    embedded::WORDS
 }
 
 /// Every document that a number comes from.

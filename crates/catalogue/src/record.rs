@@ -283,3 +283,22 @@ pub struct Term {
     /// German remark; may be empty.
     pub note_de: &'static str,
 }
+
+/// A word of the product: one for one thing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Word {
+    /// Identifier.
+    pub id: &'static str,
+    /// English word.
+    pub en: &'static str,
+    /// German word.
+    pub de: &'static str,
+    /// What it means, in English.
+    pub about_en: &'static str,
+    /// What it means, in German.
+    pub about_de: &'static str,
+    /// English words that are not used for it.
+    pub not_en: &'static [&'static str],
+    /// German words that are not used for it.
+    pub not_de: &'static [&'static str],
+}

@@ -4,10 +4,12 @@ use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::{option_fault, quantity, simple};
 use crate::plot;
+use crate::save::save;
 use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table};
 use clap::ArgMatches;
-use workbench::answers::Bearings;
+use std::path::{Path, PathBuf};
+use workbench::answers::{Bearings, FilesWritten};
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
 use workbench::quantities::{ElectricPotential, Measure, Time, Torque, format_significant};
 use workbench::text::{check_title, curve_title, grade_word, source_text, verdict_word};
@@ -95,7 +97,7 @@ fn bearing_of(project: &workbench::Project, as_json: bool, language: Language) -
 fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
     let heads = match language {
         Language::En => ["size", "check", "verdict", "value", "limit", "unit", "util. %"],
-        Language::De => ["Größe", "Prüfung", "Urteil", "Wert", "Grenze", "Einheit", "Ausl. %"],
+        Language::De => ["Größe", "Nachweis", "Urteil", "Wert", "Grenze", "Einheit", "Ausl. %"],
     };
     let [size, check, verdict, value, limit, unit, util] = heads;
     let mut table = Table::new([
@@ -167,8 +169,37 @@ pub(crate) fn battery(matches: &ArgMatches, as_json: bool, language: Language) -
 }
 
 /// `antrieb new KIND`
-pub(crate) fn template(matches: &ArgMatches) -> Answer {
+pub(crate) fn template(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     let kind = matches.get_one::<String>("kind").map_or("", String::as_str);
-    let text = workbench::TEMPLATES.iter().find(|(name, _)| *name == kind).map_or("", |(_, text)| *text);
-    Answer::data(text.to_owned())
+    let out = matches.get_one::<PathBuf>("out").filter(|path| path.as_os_str() != "-");
+    let name = out.and_then(|path| path.file_name()).map_or_else(|| USUAL_NAME.into(), |name| name.to_string_lossy());
+    let Some(template) = workbench::template(kind, &name, language) else { return Answer::none() };
+    let Some(out) = out else {
+        let mut answer = Answer::data(template.text);
+        if let Some((recording, _)) = template.recording {
+            answer.talk = match language {
+                Language::En => format!(
+                    "{recording} is not written to standard output; `antrieb new {kind} --out FILE` writes both\n"
+                ),
+                Language::De => format!(
+                    "{recording} geht nicht auf die Standardausgabe; `antrieb new {kind} --out DATEI` schreibt beide\n"
+                ),
+            };
+        }
+        return answer;
+    };
+    let beside = template.recording.map(|(name, text)| (out.with_file_name(name), text));
+    let mut files: Vec<(&Path, &[u8])> = vec![(out, template.text.as_bytes())];
+    files.extend(beside.iter().map(|(path, text)| (path.as_path(), text.as_bytes())));
+    if let Err(fault) = save(&files, matches.get_flag("force")) {
+        return simple(&fault.message(language), as_json, language);
+    }
+    let paths: Vec<String> = files.iter().map(|(path, _)| path.display().to_string()).collect();
+    if as_json {
+        return Answer::record(&FilesWritten { files: paths });
+    }
+    Answer::data(format!("{}\n", paths.join("\n")))
 }
+
+/// What the header of a project on standard output calls its file.
+const USUAL_NAME: &str = "axis.toml";

@@ -7,8 +7,8 @@ use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::answer::{code_faults, code_reading, completion, listed};
-use workbench::text::{describe_field, describe_uncovered};
-use workbench::{CodeReading, CodeRefusal, Diagnostic, Language, uncovered};
+use workbench::text::{Told, describe_field, describe_uncovered};
+use workbench::{CodeReading, CodeRefusal, Language, uncovered};
 
 pub(crate) fn dispatch(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     match matches.subcommand() {
@@ -47,10 +47,13 @@ fn understood(reading: &CodeReading, language: Language) -> String {
 
 /// Why a text is no code, with the nearest that are.
 pub(crate) fn refused(text: &str, refusal: &CodeRefusal, as_json: bool, language: Language) -> Answer {
-    let faults: Vec<Diagnostic> = refusal
+    let faults: Vec<Told> = refusal
         .faults
         .iter()
-        .map(|fault| Diagnostic::at(text, fault.span.clone(), fault.message.clone(), fault.hint.clone()))
+        .map(|fault| {
+            let id = if fault.table.is_some() { "code_rule" } else { "code_spelling" };
+            Told::at(text, fault.span.clone(), id, fault.message.clone(), fault.hint.clone())
+        })
         .collect();
     let name = match language {
         Language::En => "code",

@@ -10,6 +10,7 @@ const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod files;
+pub(crate) mod german;
 
 use files::{compare, curve, diff, export, plot, report, sheet};
 
@@ -80,7 +81,12 @@ fn sampling(command: Command, language: Language) -> Command {
 
 /// The whole command line.
 pub(crate) fn build(language: Language) -> Command {
-    headed(commands(language), language)
+    let mut whole = headed(commands(language), language);
+    if language == Language::De {
+        whole.build();
+        whole = german::usage(whole);
+    }
+    whole
 }
 
 /// Gives a command and all its subcommands the headings of the language and a help flag in it.
@@ -95,6 +101,7 @@ fn headed(command: Command, language: Language) -> Command {
         })
         .subcommand_help_heading(t("Commands", "Befehle"))
         .mut_args(|argument| {
+            let argument = if language == Language::De { german::value(argument) } else { argument };
             let heading = if argument.is_positional() { t("Arguments", "Argumente") } else { t("Options", "Optionen") };
             let takes_value = argument.get_action().takes_values();
             argument.help_heading(heading).hide_default_value(takes_value).hide_possible_values(takes_value)
@@ -117,42 +124,65 @@ fn headed(command: Command, language: Language) -> Command {
                 .help(t("Print the version", "Die Version zeigen")),
         );
     }
+    let example = EXAMPLES.iter().find(|(name, _)| *name == command.get_name());
+    if let Some((_, call)) = example {
+        let told = command.get_after_help().map(|text| format!("{text}\n\n")).unwrap_or_default();
+        command = command.after_help(format!("{told}{}\n  {call}", t("Example:", "Beispiel:")));
+    }
     command.mut_subcommands(|subcommand| headed(subcommand, language))
 }
 
-/// A fault of the command line in German; the library speaks English only.
-pub(crate) fn german(error: &clap::Error) -> Option<String> {
-    use clap::error::{ContextKind, ContextValue, ErrorKind};
-    let context = |kind| match error.get(kind) {
-        Some(ContextValue::String(text)) => Some(text.clone()),
-        Some(ContextValue::Strings(texts)) => Some(texts.join(", ")),
-        _ => None,
-    };
-    let mut text = match error.kind() {
-        ErrorKind::InvalidSubcommand => {
-            format!("Fehler: unbekannter Befehl „{}“", context(ContextKind::InvalidSubcommand)?)
-        }
-        ErrorKind::UnknownArgument => format!("Fehler: unbekannte Option „{}“", context(ContextKind::InvalidArg)?),
-        ErrorKind::MissingRequiredArgument => format!("Fehler: es fehlt {}", context(ContextKind::InvalidArg)?),
-        ErrorKind::InvalidValue | ErrorKind::ValueValidation => format!(
-            "Fehler: „{}“ ist kein Wert für {}",
-            context(ContextKind::InvalidValue)?,
-            context(ContextKind::InvalidArg)?
-        ),
-        _ => return None,
-    };
-    for (kind, head) in [
-        (ContextKind::ValidValue, "gültig"),
-        (ContextKind::SuggestedSubcommand, "gemeint ist vielleicht"),
-        (ContextKind::SuggestedArg, "gemeint ist vielleicht"),
-        (ContextKind::SuggestedValue, "gemeint ist vielleicht"),
-    ] {
-        if let Some(found) = context(kind).filter(|found| !found.is_empty()) {
-            text.push_str(&format!("\n  {head}: {found}"));
+/// One call of each command; every one of them runs.
+pub(crate) const EXAMPLES: [(&str, &str); 26] = [
+    ("antrieb", "antrieb new screw --out axis.toml && antrieb size axis.toml"),
+    ("size", "antrieb size axis.toml --top 5"),
+    ("check", "antrieb check axis.toml --code CHA-25A-50-H-C1024"),
+    ("explain", "antrieb explain axis.toml --code CHA-25A-50-H-C1024 --check continuous_torque"),
+    ("report", "antrieb report axis.toml --out axis.pdf"),
+    ("compare", "antrieb compare axis.toml --code CHA-25A-50-H-C1024 --code CHA-32A-50-H-C1024"),
+    ("diff", "antrieb diff before.toml after.toml"),
+    ("export", "antrieb export axis.toml --out axis.xlsx"),
+    ("code", "antrieb code parse CHA-20A-100-H-C1024-B"),
+    ("parse", "antrieb code parse CHA-20A-100-H-C1024-B"),
+    ("list", "antrieb code list CHA-20A-*-H --available"),
+    ("complete", "antrieb code complete CHA-14A-100-N"),
+    ("data", "antrieb data CHA-20A-100-H-C1024"),
+    ("catalogue", "antrieb catalogue export --format csv"),
+    ("torsion", "antrieb torsion CHA-20A-100-H-C1024 --torque \"60 N m\""),
+    ("inertia", "antrieb inertia \"disc diameter=200mm length=20mm density=7850kg/m^3\""),
+    ("curve", "antrieb curve CHA-20A-100-H-C1024 --voltage \"220 V\""),
+    ("plot", "antrieb plot axis.toml --figure torque_speed --svg plane.svg"),
+    ("bearing", "antrieb bearing axis.toml"),
+    ("battery", "antrieb battery --hours-per-day 10"),
+    ("new", "antrieb new arm --out axis.toml"),
+    ("glossary", "antrieb glossary T_rms"),
+    ("schema", "antrieb schema"),
+    ("completions", "antrieb completions bash"),
+    ("man", "antrieb man size"),
+    ("help", "antrieb help size"),
+];
+
+/// The arguments with `help COMMAND` as `COMMAND --help`, wherever options for all commands stand.
+pub(crate) fn with_help_asked(arguments: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut arguments: Vec<OsString> = arguments.collect();
+    let mut index = 1;
+    while let Some(argument) = arguments.get(index).and_then(|argument| argument.to_str()) {
+        match argument {
+            "--lang" => index += 2,
+            "--json" => index += 1,
+            "help" => {
+                let _ = arguments.remove(index);
+                // The flag before what follows: what is asked about need not be whole.
+                let words = arguments.iter().skip(index).take_while(|word| !word.to_string_lossy().starts_with('-'));
+                let end = index + words.count();
+                arguments.insert(end, "--help".into());
+                return arguments;
+            }
+            other if other.starts_with("--lang=") => index += 1,
+            _ => return arguments,
         }
     }
-    text.push_str("\n\nMehr dazu: antrieb --help --lang de\n");
-    Some(text)
+    arguments
 }
 
 fn commands(language: Language) -> Command {
@@ -167,11 +197,11 @@ fn commands(language: Language) -> Command {
                 .value_name("N")
                 .default_value("10")
                 .value_parser(value_parser!(u16).range(1..))
-                .help(t("How many fitting actuators to show (10)", "Wie viele passende Antriebe gezeigt werden (10)")),
+                .help(t("How many fitting actuators to show (10)", "Wie viele geeignete Antriebe gezeigt werden (10)")),
         )
         .arg(Arg::new("all").long("all").action(ArgAction::SetTrue).help(t(
             "Show every actuator, the rejected ones with their reason",
-            "Alle Antriebe zeigen, die abgelehnten mit Grund",
+            "Alle Antriebe zeigen, die verworfenen mit Grund",
         )));
     let size = size.arg(
         Arg::new("report").long("report").value_name("FILE").value_parser(value_parser!(std::path::PathBuf)).help(
@@ -182,25 +212,25 @@ fn commands(language: Language) -> Command {
     let check = Command::new("check")
         .about(t(
             "Judge one actuator, every check with its margin",
-            "Einen Antrieb beurteilen, jede Prüfung mit ihrer Reserve",
+            "Einen Antrieb beurteilen, jeden Nachweis mit seiner Reserve",
         ))
         .arg(project(language))
         .arg(axis(language))
         .arg(Arg::new("code").long("code").value_name("CODE").help(t(
             "Ordering code; without it the project's own [actuator] is judged",
-            "Bestellcode; ohne ihn wird der eigene [actuator] des Projekts beurteilt",
+            "Bestellbezeichnung; ohne sie wird der eigene [actuator] des Projekts beurteilt",
         )));
     let check = sampling(check, language);
     let explain = Command::new("explain")
         .about(t(
             "Derive the checks of one actuator, figures put in",
-            "Die Prüfungen eines Antriebs herleiten, mit eingesetzten Zahlen",
+            "Die Nachweise eines Antriebs herleiten, mit eingesetzten Zahlen",
         ))
         .arg(project(language))
         .arg(axis(language))
         .arg(Arg::new("code").long("code").value_name("CODE").help(t(
             "Ordering code; without it the project's own [actuator] is explained",
-            "Bestellcode; ohne ihn wird der eigene [actuator] des Projekts hergeleitet",
+            "Bestellbezeichnung; ohne sie wird der eigene [actuator] des Projekts hergeleitet",
         )))
         .arg(
             Arg::new("check")
@@ -210,12 +240,12 @@ fn commands(language: Language) -> Command {
                 .hide_possible_values(true)
                 .help(t(
                     "One check, for example continuous_torque; all without it",
-                    "Eine Prüfung, zum Beispiel continuous_torque; ohne Angabe alle",
+                    "Einen Nachweis, zum Beispiel continuous_torque; ohne Angabe alle",
                 )),
         );
     let code_arg = |help| Arg::new("code").value_name("CODE").required(true).num_args(1..).help(help);
     let code = Command::new("code")
-        .about(t("Read, list and complete ordering codes", "Bestellcodes lesen, auflisten und ergänzen"))
+        .about(t("Read, list and complete ordering codes", "Bestellbezeichnungen lesen, auflisten und ergänzen"))
         .subcommand_required(true)
         .arg_required_else_help(true)
         .subcommand(
@@ -223,7 +253,7 @@ fn commands(language: Language) -> Command {
                 .about(t("Read a code and explain each field", "Einen Code lesen und jedes Feld erklären"))
                 .arg(code_arg(t(
                     "Ordering code, for example CHA-20A-100-H-C1024-B",
-                    "Bestellcode, zum Beispiel CHA-20A-100-H-C1024-B",
+                    "Bestellbezeichnung, zum Beispiel CHA-20A-100-H-C1024-B",
                 ))),
         )
         .subcommand(
@@ -254,7 +284,7 @@ fn commands(language: Language) -> Command {
             "Data sheet of one actuator, each value with its table",
             "Datenblatt eines Antriebs, jeder Wert mit seiner Tabelle",
         ))
-        .arg(code_arg(t("Ordering code", "Bestellcode")));
+        .arg(code_arg(t("Ordering code", "Bestellbezeichnung")));
     let errata = Command::new("errata")
         .about(t(
             "What is wrong or in doubt in the print, and what is used",
@@ -262,7 +292,7 @@ fn commands(language: Language) -> Command {
         ))
         .arg(Arg::new("about").value_name("CODE | TABLE | ID").num_args(0..).help(t(
             "Ordering code, number of a table, or id of an erratum; all without it",
-            "Bestellcode, Nummer einer Tabelle oder Name eines Erratums; ohne Angabe alle",
+            "Bestellbezeichnung, Nummer einer Tabelle oder Name eines Druckfehlers; ohne Angabe alle",
         )));
     let catalogue = Command::new("catalogue")
         .about(t("The whole catalogue", "Der ganze Katalog"))
@@ -270,7 +300,10 @@ fn commands(language: Language) -> Command {
         .arg_required_else_help(true)
         .subcommand(
             Command::new("export")
-                .about(t("Every printed cell in long form", "Jede gedruckte Zelle in langer Form"))
+                .about(t(
+                    "Every cell of the maker's tables in long form",
+                    "Jede Zelle der Herstellertabellen in langer Form",
+                ))
                 .arg(
                     Arg::new("format")
                         .long("format")
@@ -289,7 +322,7 @@ fn commands(language: Language) -> Command {
         ))
         .after_help(t(
             "Exit code: 0 fits or answered, 1 does not fit, 2 the question could not be answered.",
-            "Rückgabewert: 0 passt oder beantwortet, 1 passt nicht, 2 die Frage ließ sich nicht beantworten.",
+            "Rückgabewert: 0 geeignet oder beantwortet, 1 nicht geeignet, 2 die Frage ließ sich nicht beantworten.",
         ))
         .styles(Styles::styled())
         .subcommand_required(true)
@@ -326,7 +359,7 @@ fn commands(language: Language) -> Command {
         .subcommand(
             Command::new("torsion")
                 .about(t("Torsion of the gear under a torque", "Torsion des Getriebes unter einem Drehmoment"))
-                .arg(Arg::new("code").value_name("CODE").required(true).help(t("Ordering code", "Bestellcode")))
+                .arg(Arg::new("code").value_name("CODE").required(true).help(t("Ordering code", "Bestellbezeichnung")))
                 .arg(
                     Arg::new("torque")
                         .long("torque")
@@ -373,15 +406,46 @@ fn commands(language: Language) -> Command {
                     Arg::new("kind")
                         .value_name("KIND")
                         .required(true)
-                        .value_parser(PossibleValuesParser::new(workbench::TEMPLATES.iter().map(|(name, _)| *name)))
-                        .help("manual, table, arm, screw, belt"),
-                ),
+                        .value_parser(PossibleValuesParser::new(workbench::template_kinds()))
+                        .help("manual, table, arm, screw, belt, recording"),
+                )
+                .arg(
+                    Arg::new("out")
+                        .long("out")
+                        .short('o')
+                        .value_name("FILE")
+                        .value_parser(value_parser!(std::path::PathBuf))
+                        .help(t(
+                            "Project file to write, with an example recording beside it for kind recording",
+                            "Zu schreibende Projektdatei; bei der Art recording mit einer Beispielaufzeichnung daneben",
+                        )),
+                )
+                .arg(files::force(language)),
+        )
+        .subcommand(
+            Command::new("glossary")
+                .about(t(
+                    "Words and symbols with their meaning, in both languages",
+                    "Wörter und Zeichen mit ihrer Bedeutung, in beiden Sprachen",
+                ))
+                .arg(Arg::new("term").value_name("TERM").help(t(
+                    "Symbol, name or word, for example T_rms; all without it",
+                    "Zeichen, Name oder Wort, zum Beispiel T_rms; ohne Angabe alle",
+                ))),
         )
         .subcommand(schema(language))
         .subcommand(
             Command::new("completions")
                 .about(t("Completion script for a shell", "Vervollständigung für eine Shell"))
                 .arg(Arg::new("shell").required(true).value_parser(shells).help("bash, elvish, fish, powershell, zsh")),
+        )
+        .subcommand(
+            Command::new("help").about(t("Help on a command", "Hilfe zu einem Befehl")).arg(
+                Arg::new("command")
+                    .value_name("COMMAND")
+                    .num_args(0..)
+                    .help(t("Command; all of them without it", "Befehl; ohne ihn alle")),
+            ),
         )
         .subcommand(
             Command::new("man").about(t("Manual page (roff)", "Handbuchseite (roff)")).arg(
@@ -461,7 +525,7 @@ pub(crate) fn man(matches: &ArgMatches, language: Language) -> Answer {
     };
     let mut out = Vec::new();
     match clap_mangen::Man::new(page).render(&mut out) {
-        Ok(()) => Answer::data(String::from_utf8_lossy(&out).into_owned()),
+        Ok(()) => Answer::data(german::headings(&String::from_utf8_lossy(&out), language)),
         Err(error) => Answer::fault(format!("antrieb: {error}\n")),
     }
 }

@@ -104,7 +104,7 @@ fn text(found: &Comparison<'_>, project: &Project, language: Language) -> String
 }
 
 pub(crate) fn verdict(candidate: &Candidate<'_>, language: Language) -> String {
-    if candidate.fits() { t(language, "fits", "passt") } else { t(language, "does not fit", "passt nicht") }
+    if candidate.fits() { t(language, "fits", "geeignet") } else { t(language, "does not fit", "nicht geeignet") }
 }
 
 fn letter(index: usize) -> char {
@@ -121,7 +121,8 @@ const fn sign(verdict: Verdict) -> char {
 }
 
 fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String {
-    let mut heads = vec![(t(language, "check", "Prüfung"), Align::Left), (t(language, "unit", "Einheit"), Align::Left)];
+    let mut heads =
+        vec![(t(language, "check", "Nachweis"), Align::Left), (t(language, "unit", "Einheit"), Align::Left)];
     for index in part {
         let letter = letter(*index);
         heads.push((format!("{letter} {}", t(language, "value", "Wert")), Align::Right));

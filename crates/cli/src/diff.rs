@@ -113,7 +113,7 @@ fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: La
         share(found.before.standing.utilisation),
         share(found.after.standing.utilisation),
     );
-    let none = t(language, "none fits", "keiner passt");
+    let none = t(language, "none fits", "keiner ist geeignet");
     let best = |id: &Option<CandidateId>| id.as_ref().map_or_else(|| none.clone(), ToString::to_string);
     let word = t(language, "best of the catalogue", "bester des Katalogs");
     let (first, second) = (best(&found.best_before), best(&found.best_after));
@@ -151,10 +151,10 @@ fn changed_inputs(inputs: &[InputChange], language: Language) -> String {
 fn demand(found: &Difference<'_>, language: Language) -> String {
     let rows: Vec<_> = found.demand.iter().filter(|row| !row.is_same()).collect();
     if rows.is_empty() {
-        return format!("{}\n\n", t(language, "the demand is the same", "die Anforderung ist dieselbe"));
+        return format!("{}\n\n", t(language, "the demand is the same", "der Bedarf ist derselbe"));
     }
     let mut table = Table::of(vec![
-        (t(language, "demand", "Anforderung"), Align::Left),
+        (t(language, "demand", "Bedarf"), Align::Left),
         (t(language, "unit", "Einheit"), Align::Left),
         (t(language, "before", "vorher"), Align::Right),
         (t(language, "after", "nachher"), Align::Right),
@@ -173,7 +173,7 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
     if !other.is_empty() {
         let (before, after) = (t(language, "before", "vorher"), t(language, "after", "nachher"));
         let mut table = Table::of(vec![
-            (t(language, "check", "Prüfung"), Align::Left),
+            (t(language, "check", "Nachweis"), Align::Left),
             (t(language, "verdict", "Urteil"), Align::Left),
             (before.clone(), Align::Right),
             (after.clone(), Align::Right),

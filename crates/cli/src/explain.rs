@@ -4,7 +4,7 @@ use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::simple;
 use crate::subject::{Part, axes_of, refuse, together};
-use crate::table::paragraph;
+use crate::table::{hanging, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::answers::Explanations;
@@ -66,7 +66,7 @@ fn not_asked(id: CheckId, as_json: bool, language: Language) -> Answer {
     let title = check_title(id, language);
     let what = match language {
         Language::En => format!("{title}: this check is not part of this axis and actuator"),
-        Language::De => format!("{title}: diese Prüfung gehört nicht zu dieser Achse und diesem Antrieb"),
+        Language::De => format!("{title}: dieser Nachweis gehört nicht zu dieser Achse und diesem Antrieb"),
     };
     simple(&what, as_json, language)
 }
@@ -112,13 +112,11 @@ fn tree(node: &Node, indent: &str, out: &mut String, language: Language) {
     } else {
         trust(node, language)
     };
-    let _ = writeln!(out, "{indent}{} = {}{term}  [{trust}]", symbol_shown(&node.symbol), node_amount(node, language));
+    let line = format!("{} = {}{term}  [{trust}]", symbol_shown(&node.symbol), node_amount(node, language));
+    out.push_str(&hanging(indent, &line));
     if !node.repeated {
-        if let Some(formula) = &node.formula {
-            let _ = writeln!(out, "{indent}  = {formula}");
-        }
-        if let Some(figures) = &node.figures {
-            let _ = writeln!(out, "{indent}  = {figures}");
+        for text in [&node.formula, &node.figures].into_iter().flatten() {
+            out.push_str(&paragraph(&format!("{indent}  = "), text));
         }
         for erratum in &node.errata {
             out.push_str(&paragraph(&format!("{indent}  ! {}: ", erratum.id), &erratum.evidence));

@@ -7,8 +7,8 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use workbench::answers::{Fault, Faults};
 use workbench::quantities::Measure;
-use workbench::text::file_trouble;
-use workbench::{Diagnostic, Files, Language, PROJECT_MAX_BYTES, Project};
+use workbench::text::{Told, file_trouble, told};
+use workbench::{Files, Language, PROJECT_MAX_BYTES, Project};
 
 /// Longest line that is shown with an underline; a longer one is cut out of the picture.
 const LINE_MAX: usize = 400;
@@ -54,8 +54,8 @@ impl Source {
 
     /// All its axes; a fault is the finished answer.
     pub(crate) fn projects(&self, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
-        Project::read_all(&self.text, &Beside(&self.folder), language)
-            .map_err(|faults| report(&self.name, &self.text, &faults, as_json, language))
+        workbench::read_all(&self.text, &Beside(&self.folder))
+            .map_err(|faults| report(&self.name, &self.text, &told(&faults, language), as_json, language))
     }
 }
 
@@ -117,7 +117,7 @@ const fn help_word(language: Language) -> &'static str {
 }
 
 /// Every fault of a text, underlined.
-pub(crate) fn report(file: &str, text: &str, faults: &[Diagnostic], as_json: bool, language: Language) -> Answer {
+pub(crate) fn report(file: &str, text: &str, faults: &[Told], as_json: bool, language: Language) -> Answer {
     let mut talk = String::new();
     for fault in faults {
         talk.push_str(&render(file, text, fault, language));
@@ -133,7 +133,7 @@ pub(crate) fn report(file: &str, text: &str, faults: &[Diagnostic], as_json: boo
     Answer::refused(talk, workbench::answer::faults(file, faults), as_json)
 }
 
-fn render(file: &str, text: &str, fault: &Diagnostic, language: Language) -> String {
+fn render(file: &str, text: &str, fault: &Told, language: Language) -> String {
     let place = format!("{file}:{}:{}", fault.line, fault.column);
     let line = text.lines().nth(fault.line.saturating_sub(1)).unwrap_or_default();
     let long = line.len() > LINE_MAX || fault.span.len() > LINE_MAX;

@@ -6,6 +6,7 @@ use crate::table::{Align, Table};
 use clap::ArgMatches;
 use workbench::quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE};
 use workbench::quantities::{Measure, format_significant};
+use workbench::text::{shape_title, told};
 use workbench::{InertiaAnswer, Language};
 
 /// `antrieb inertia "disc diameter=200mm length=20mm density=7850kg/m^3" …`
@@ -15,10 +16,10 @@ pub(crate) fn inertia(matches: &ArgMatches, as_json: bool, language: Language) -
     let text = bodies.join("\n");
     // In data it has one name in both languages.
     let name = if as_json { "body" } else { body_word(language) };
-    match workbench::inertia(&text, language) {
+    match workbench::inertia(&text) {
         Ok(answer) if as_json => Answer::record(&workbench::answer::inertia(&answer)),
         Ok(answer) => Answer::data(shown(&answer, language)),
-        Err(faults) => report(name, &text, &faults, as_json, language),
+        Err(faults) => report(name, &text, &told(&faults, language), as_json, language),
     }
 }
 
@@ -45,7 +46,7 @@ fn shown(answer: &InertiaAnswer, language: Language) -> String {
     for (index, each) in answer.bodies.iter().enumerate() {
         table.row([
             (index + 1).to_string(),
-            each.shape.title(language).to_owned(),
+            shape_title(each.shape, language).to_owned(),
             each.body.count.to_string(),
             number(each.parts.mass.si()),
             number(each.body.distance.in_unit(&MILLIMETRE)),

@@ -7,7 +7,7 @@ use crate::report;
 use crate::reserve::{assumptions_text, reserve_text};
 use crate::say::{figure, percent, shown, t};
 use crate::subject::{Part, axes_of, refuse, together};
-use crate::table::{Align, Table, paragraph};
+use crate::table::{Align, Table, paragraph, width};
 use crate::tolerance;
 use anstyle::{AnsiColor, Style};
 use clap::ArgMatches;
@@ -16,8 +16,8 @@ use std::path::PathBuf;
 use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
 use workbench::quantities::{Measure, format_number, format_significant};
 use workbench::text::{
-    check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, ratios_text, source_text,
-    standing_text, unmet_text, verdict_word,
+    check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, ratios_text, requirement_title,
+    source_text, standing_text, unmet_text, verdict_word,
 };
 use workbench::{
     Assessment, Candidate, CandidateId, Check, Demand, Language, Objection, Project, Reserve, Sizing, Verdict, answer,
@@ -79,14 +79,17 @@ fn sizing_text(
         None => writeln!(
             out,
             "{name}: {}",
-            paint(&t(language, "no actuator of the catalogue fits", "kein Antrieb des Katalogs passt"), Verdict::Fail)
+            paint(
+                &t(language, "no actuator of the catalogue fits", "kein Antrieb des Katalogs ist geeignet"),
+                Verdict::Fail
+            )
         ),
     };
     let judged = match language {
         Language::En if fitting == 1 => format!("{total} actuators judged, 1 fits"),
         Language::En => format!("{total} actuators judged, {fitting} fit"),
-        Language::De if fitting == 1 => format!("{total} Antriebe beurteilt, 1 passt"),
-        Language::De => format!("{total} Antriebe beurteilt, {fitting} passen"),
+        Language::De if fitting == 1 => format!("{total} Antriebe beurteilt, 1 geeignet"),
+        Language::De => format!("{total} Antriebe beurteilt, {fitting} geeignet"),
     };
     let _ = writeln!(out, "{judged}\n");
     if !project.ratios.is_empty() {
@@ -107,7 +110,7 @@ fn sizing_text(
             let more = fitting - top;
             let line = match language {
                 Language::En => format!("{more} more fit; --top N or --all shows them"),
-                Language::De => format!("{more} weitere passen; --top N oder --all zeigt sie"),
+                Language::De => format!("{more} weitere sind geeignet; --top N oder --all zeigt sie"),
             };
             let _ = writeln!(out, "{line}");
         }
@@ -121,10 +124,17 @@ fn sizing_text(
             .filter(|check| check.value.is_none())
             .map(|check| format!("{} ({})", check_title(check.id, language), missing(check, language)))
             .collect();
-        if !open.is_empty() {
-            out.push_str(&paragraph(&t(language, "not checked: ", "nicht geprüft: "), &open.join("; ")));
+        let told = remarks(best, "  ", language);
+        if !open.is_empty() || !told.is_empty() {
+            let _ = match language {
+                Language::En => writeln!(out, "remarks on {}:", best.id),
+                Language::De => writeln!(out, "Bemerkungen zu {}:", best.id),
+            };
         }
-        out.push_str(&remarks(best, language));
+        if !open.is_empty() {
+            out.push_str(&paragraph(&t(language, "  not checked: ", "  nicht geprüft: "), &open.join("; ")));
+        }
+        out.push_str(&told);
     }
     out.push_str(&rejected_text(sizing, project, all, language));
     if let Some(own) = &sizing.own {
@@ -138,7 +148,7 @@ fn sizing_text(
 fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
     let (rank, code, util, tightest, mass) = match language {
         Language::En => ("#", "ordering code", "util. %", "tightest check", "m kg"),
-        Language::De => ("#", "Bestellcode", "Ausl. %", "engste Prüfung", "m kg"),
+        Language::De => ("#", "Bestellbezeichnung", "Ausl. %", "engster Nachweis", "m kg"),
     };
     let note = t(language, "remark", "Bemerkung");
     let mut table = Table::new([
@@ -207,7 +217,7 @@ fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: La
     }
     let mut out = String::new();
     if all {
-        let code = t(language, "rejected", "abgelehnt");
+        let code = t(language, "rejected", "verworfen");
         let why = t(language, "reason", "Grund");
         let mut table = Table::new([(code.as_str(), Align::Left), (why.as_str(), Align::Left)]);
         for candidate in rejected {
@@ -218,19 +228,21 @@ fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: La
     }
     let mut counts: Vec<(String, usize)> = Vec::new();
     for candidate in &rejected {
-        let what = candidate
-            .worst_failure()
-            .map_or_else(|| t(language, "requirement", "Anforderung"), |check| check_title(check.id, language));
+        let what = match (candidate.worst_failure(), candidate.objections.first()) {
+            (Some(check), _) => check_title(check.id, language),
+            (None, Some(Objection::Unmet(unmet))) => requirement_title(unmet, language),
+            (None, _) => t(language, "ordering rule", "Bestellregel"),
+        };
         match counts.iter_mut().find(|(name, _)| *name == what) {
             Some((_, count)) => *count += 1,
             None => counts.push((what, 1)),
         }
     }
     counts.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
-    let parts: Vec<String> = counts.iter().map(|(name, count)| format!("{name} {count}")).collect();
+    let parts: Vec<String> = counts.iter().map(|(name, count)| format!("{name}: {count}")).collect();
     let head = match language {
         Language::En => format!("rejected {}: ", rejected.len()),
-        Language::De => format!("abgelehnt {}: ", rejected.len()),
+        Language::De => format!("verworfen {}: ", rejected.len()),
     };
     let tail = t(language, " (--all shows each with its reason)", " (--all zeigt jeden mit Grund)");
     out.push_str(&paragraph(&head, &format!("{}{tail}", parts.join(", "))));
@@ -259,16 +271,18 @@ fn missing(check: &Check, language: Language) -> String {
     check.missing.map(|symbol| check_missing(symbol, language)).unwrap_or_default()
 }
 
+/// The demand in one line, in several on a narrow terminal.
 fn demand_line(name: &str, demand: &Demand, language: Language) -> String {
-    format!(
-        "{name:<10} T_rms {} Nm · T_peak {} Nm · n_av {} {rpm} · n_peak {} {rpm} · ED {} %\n",
-        shown(demand.torque_rms.si(), &NEWTON_METRE, language),
-        shown(demand.torque_peak.si(), &NEWTON_METRE, language),
-        shown(demand.speed_mean.si(), &REVOLUTION_PER_MINUTE, language),
-        shown(demand.speed_peak.si(), &REVOLUTION_PER_MINUTE, language),
-        format_number(PERCENT.from_si(demand.duty_factor), 2, language),
-        rpm = REVOLUTION_PER_MINUTE.symbol,
-    )
+    let rpm = REVOLUTION_PER_MINUTE.symbol;
+    let parts = [
+        format!("T_rms {} Nm", shown(demand.torque_rms.si(), &NEWTON_METRE, language)),
+        format!("T_peak {} Nm", shown(demand.torque_peak.si(), &NEWTON_METRE, language)),
+        format!("n_av {} {rpm}", shown(demand.speed_mean.si(), &REVOLUTION_PER_MINUTE, language)),
+        format!("n_peak {} {rpm}", shown(demand.speed_peak.si(), &REVOLUTION_PER_MINUTE, language)),
+        format!("ED {} %", format_number(PERCENT.from_si(demand.duty_factor), 2, language)),
+    ];
+    // A symbol stays with its value.
+    paragraph(&format!("  {name:<10} "), &parts.map(|part| part.replace(' ', "\u{a0}")).join(" · "))
 }
 
 /// The demand in both modes; the exact integral is shown where it says something else.
@@ -279,7 +293,7 @@ fn demand_text(candidate: &Candidate<'_>, language: Language) -> String {
     }
     let name = match language {
         Language::En => format!("demand on {}", candidate.id),
-        Language::De => format!("Anforderung an {}", candidate.id),
+        Language::De => format!("Bedarf an {}", candidate.id),
     };
     let _ = writeln!(out, "{name}");
     if let Some(manual) = &candidate.judgement.manual {
@@ -297,17 +311,18 @@ fn demand_text(candidate: &Candidate<'_>, language: Language) -> String {
                 shown(each.brake.si(), &NEWTON_METRE, language),
             );
         }
-        out.push_str("  ");
-        out.push_str(&demand_line("manual", &manual.demand, language));
+        let name = t(language, "manual", "Anleitung");
+        out.push_str(&demand_line(&name, &manual.demand, language));
     }
     if let Some(demand) = &candidate.judgement.demand {
-        out.push_str("  ");
-        out.push_str(&demand_line("integral", demand, language));
+        let name = t(language, "integral", "Integral");
+        out.push_str(&demand_line(&name, demand, language));
     }
     out
 }
 
-fn remarks(candidate: &Candidate<'_>, language: Language) -> String {
+/// Remarks on the checks, each line behind an indent.
+fn remarks(candidate: &Candidate<'_>, indent: &str, language: Language) -> String {
     let mut out = String::new();
     let mut seen: Vec<String> = Vec::new();
     for check in &candidate.judgement.checks {
@@ -319,7 +334,7 @@ fn remarks(candidate: &Candidate<'_>, language: Language) -> String {
             }
             let text = note_text(note, language);
             if !text.is_empty() && !seen.contains(&text) {
-                out.push_str(&paragraph(&format!("{}: ", check_title(check.id, language)), &text));
+                out.push_str(&paragraph(&format!("{indent}{}: ", check_title(check.id, language)), &text));
                 seen.push(text);
             }
         }
@@ -335,7 +350,10 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
         (true, 0) => Verdict::Pass,
         (true, _) => Verdict::NotChecked,
     };
-    let _ = writeln!(out, "{}: {}", candidate.id, paint(&standing_text(candidate, language), colour));
+    let standing = standing_text(candidate, language);
+    let long = candidate.id.to_string().chars().count() + standing.chars().count() + 2 > width();
+    let between = if long { "\n  " } else { " " };
+    let _ = writeln!(out, "{}:{between}{}", candidate.id, paint(&standing, colour));
     if !candidate.on_request.is_empty() {
         let _ = writeln!(out, "{}", t(language, "on request only", "nur auf Anfrage"));
     }
@@ -344,7 +362,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     let heads: [&str; 8] = match language {
         Language::En => ["check", "verdict", "value", "limit", "unit", "util. %", "at s", "grade, source of the limit"],
         Language::De => {
-            ["Prüfung", "Urteil", "Wert", "Grenze", "Einheit", "Ausl. %", "bei s", "Güte, Quelle der Grenze"]
+            ["Nachweis", "Urteil", "Wert", "Grenze", "Einheit", "Ausl. %", "bei s", "Güte, Quelle der Grenze"]
         }
     };
     let [check, word, value, limit, unit, util, at, source] = heads;
@@ -358,7 +376,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
         (at, Align::Right),
         (source, Align::Left),
     ]);
-    for check in &candidate.judgement.checks {
+    for check in by_importance(&candidate.judgement.checks) {
         let source = match (&check.limit_source, check.grade) {
             (Some(source), Some(grade)) => {
                 format!("{}, {}", grade_word(grade, language), source_text(source, language))
@@ -389,8 +407,22 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
         };
         out.push_str(&paragraph(&head, &objection_text(candidate, objection, language)));
     }
-    out.push_str(&remarks(candidate, language));
+    out.push_str(&remarks(candidate, "", language));
     out
+}
+
+/// What fails first, then advice, then what is not checked, then the rest; within each by utilisation.
+fn by_importance(checks: &[Check]) -> Vec<&Check> {
+    let rank = |check: &Check| match check.verdict {
+        Verdict::Fail => 0,
+        Verdict::Advice => 1,
+        Verdict::NotChecked => 2,
+        Verdict::Pass => 3,
+    };
+    let share = |check: &Check| check.utilisation.unwrap_or(f64::NEG_INFINITY);
+    let mut sorted: Vec<&Check> = checks.iter().collect();
+    sorted.sort_by(|a, b| rank(a).cmp(&rank(b)).then_with(|| share(b).total_cmp(&share(a))));
+    sorted
 }
 
 /// `antrieb check PROJECT --code CODE`
@@ -426,7 +458,12 @@ fn check_axis(
     let text = || {
         let reserve = reserve_text(&reserve, &candidate, language);
         let assumed = assumptions_text(&project.assumptions, language);
-        let head = if project.name.is_empty() { String::new() } else { format!("{} · ", project.name) };
+        let one_line = format!("{} · {}: {}", project.name, candidate.id, standing_text(&candidate, language));
+        let head = match (project.name.is_empty(), one_line.chars().count() > width()) {
+            (true, _) => String::new(),
+            (false, true) => paragraph("", &project.name),
+            (false, false) => format!("{} · ", project.name),
+        };
         let tolerances = assessment.map(|found| tolerance::detail(project, found, language)).unwrap_or_default();
         let moves = moves::text(&workbench::moves(project), language);
         format!("{head}{}{reserve}{moves}{tolerances}{assumed}", candidate_text(&candidate, language))

@@ -14,6 +14,7 @@ mod errata;
 mod explain;
 mod export;
 mod fault;
+mod glossary;
 mod inertia;
 mod judge;
 mod moves;
@@ -35,11 +36,12 @@ use workbench::Language;
 
 fn main() -> ExitCode {
     let language = command::language_of(std::env::args_os());
-    let matches = match command::build(language).try_get_matches() {
+    let arguments = command::with_help_asked(std::env::args_os());
+    let matches = match command::build(language).try_get_matches_from(arguments) {
         Ok(matches) => matches,
         Err(error) => {
             let code = if error.use_stderr() { 2 } else { 0 };
-            if let Some(text) = (language == Language::De).then(|| command::german(&error)).flatten() {
+            if let Some(text) = (language == Language::De).then(|| command::german::fault(&error)).flatten() {
                 return Answer::fault(text).write();
             }
             // A closed pipe is the reader's business.
@@ -71,9 +73,10 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("plot", found)) => plot::plot(found, json, language),
         Some(("bearing", found)) => chapter::bearing(found, json, language),
         Some(("battery", found)) => chapter::battery(found, json, language),
-        Some(("new", found)) => chapter::template(found),
+        Some(("new", found)) => chapter::template(found, json, language),
         Some(("torsion", found)) => data::torsion(found, json, language),
         Some(("inertia", found)) => inertia::inertia(found, json, language),
+        Some(("glossary", found)) => glossary::glossary(found, json, language),
         Some(("schema", found)) if found.get_flag("answers") => Answer::record(&workbench::answers::schema()),
         Some(("schema", _)) => Answer::record(&workbench::schema(language)),
         Some(("completions", found)) => command::completions(found, language),

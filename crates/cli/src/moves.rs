@@ -71,7 +71,7 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
         let left = read.recording.left_out_before + read.recording.left_out_after;
         let (head, mut what) = match language {
             Language::En => ("recording: ", format!("{}, {count} samples, {columns}", read.file)),
-            Language::De => ("Aufzeichnung: ", format!("{}, {count} Messwerte, {columns}", read.file)),
+            Language::De => ("Aufzeichnung: ", format!("{}, {count} Abtastwerte, {columns}", read.file)),
         };
         if left > 0 {
             what.push_str(&match language {

@@ -41,15 +41,15 @@ pub(crate) fn reserve_text(reserve: &Reserve, candidate: &Candidate<'_>, languag
     let mut out = String::new();
     if !parts.is_empty() {
         let head = match (candidate.judgement_fits(), candidate.objections.is_empty()) {
-            (true, true) => t(language, "fits up to, one at a time: ", "passt bis zu, je für sich: "),
+            (true, true) => t(language, "fits up to, one at a time: ", "geeignet bis zu, je für sich: "),
             (true, false) => t(
                 language,
                 "all checks pass up to, one at a time: ",
-                "alle Prüfungen sind erfüllt bis zu, je für sich: ",
+                "alle Nachweise sind erfüllt bis zu, je für sich: ",
             ),
-            (false, true) => t(language, "would fit with one of: ", "würde passen mit einem von: "),
+            (false, true) => t(language, "would fit with one of: ", "wäre geeignet mit einem von: "),
             (false, false) => {
-                t(language, "all checks would pass with one of: ", "alle Prüfungen wären erfüllt mit einem von: ")
+                t(language, "all checks would pass with one of: ", "alle Nachweise wären erfüllt mit einem von: ")
             }
         };
         out.push_str(&paragraph(&head, &parts.join("; ")));
@@ -60,7 +60,7 @@ pub(crate) fn reserve_text(reserve: &Reserve, candidate: &Candidate<'_>, languag
             format!("{} {} {}", needed.key, number(needed.enough.value()), unit.symbol)
         };
         let all: Vec<String> = needed.iter().map(each).collect();
-        let head = t(language, "would fit with this asked for: ", "würde passen, wenn dies gefordert wäre: ");
+        let head = t(language, "would fit with this asked for: ", "wäre geeignet, wenn nur dies gefordert wäre: ");
         out.push_str(&paragraph(&head, &all.join("; ")));
     }
     out

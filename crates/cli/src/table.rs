@@ -1,10 +1,34 @@
-//! Tables for people: aligned columns, units in the head, at most 100 columns wide.
+//! Tables and paragraphs for people: aligned columns, units in the head, no line wider than the terminal.
 
-/// Widest line.
-pub(crate) const WIDTH: usize = 100;
+use std::io::IsTerminal;
+use std::sync::OnceLock;
+
+/// The width where there is no terminal to ask.
+const USUAL: usize = 100;
+
+/// Widths that a terminal may have.
+const NARROWEST_TERMINAL: usize = 60;
+const WIDEST_TERMINAL: usize = 200;
 
 /// A column is not wrapped to less than this.
-const NARROWEST: usize = 18;
+const NARROWEST: usize = 14;
+
+/// A blank that a line is not broken at; it is printed as a blank.
+const NO_BREAK: char = '\u{a0}';
+
+/// Widest line: the variable `COLUMNS`, else the terminal, within bounds; 100 where the answer goes elsewhere.
+pub(crate) fn width() -> usize {
+    static WIDTH: OnceLock<usize> = OnceLock::new();
+    *WIDTH.get_or_init(|| {
+        let stated = std::env::var("COLUMNS").ok().and_then(|columns| columns.trim().parse::<usize>().ok());
+        let terminal = || {
+            let asked = std::io::stdout().is_terminal().then(terminal_size::terminal_size).flatten();
+            asked.map(|(columns, _)| usize::from(columns.0))
+        };
+        let found = stated.filter(|columns| *columns > 0).or_else(terminal);
+        found.map_or(USUAL, |columns| columns.clamp(NARROWEST_TERMINAL, WIDEST_TERMINAL))
+    })
+}
 
 /// How a column is aligned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,33 +62,43 @@ impl Table {
         self.rows.push(cells);
     }
 
-    /// The table as text. Columns on the left are wrapped, the widest first, so that no line is wider than [`WIDTH`].
+    /// The table as text, no line wider than the terminal.
     pub(crate) fn render(&self) -> String {
-        let width = |index: usize| {
+        self.render_to(width())
+    }
+
+    /// The table in a width. Columns on the left are wrapped, the widest first; where that does not do, the last columns
+    /// stand below their row, each with its head.
+    fn render_to(&self, most: usize) -> String {
+        let widest = |index: usize| {
             let head = self.columns.get(index).map_or(0, |(head, _)| head.chars().count());
             let cells = self.rows.iter().filter_map(|row| row.get(index)).map(|cell| cell.chars().count());
             cells.max().unwrap_or(0).max(head)
         };
-        let mut widths: Vec<usize> = (0..self.columns.len()).map(width).collect();
-        let room = WIDTH.saturating_sub(2 * widths.len().saturating_sub(1));
-        while widths.iter().sum::<usize>() > room {
-            let widest = widths
-                .iter_mut()
-                .zip(&self.columns)
-                .filter(|(width, (_, align))| *align == Align::Left && **width > NARROWEST)
-                .max_by_key(|(width, _)| **width);
-            match widest {
-                Some((width, _)) => *width -= 1,
-                None => break,
+        let mut widths: Vec<usize> = (0..self.columns.len()).map(widest).collect();
+        loop {
+            let room = most.saturating_sub(2 * widths.len().saturating_sub(1));
+            let least = widths.iter().zip(&self.columns);
+            let least: usize = least.map(|(width, (_, align))| least_of(*width, *align)).sum();
+            if least <= room || widths.len() <= 1 {
+                shrink(&mut widths, &self.columns, room);
+                break;
             }
+            widths.pop();
         }
-        let heads: Vec<String> = self.columns.iter().map(|(head, _)| head.clone()).collect();
+        let heads: Vec<String> = self.columns.iter().take(widths.len()).map(|(head, _)| head.clone()).collect();
         let mut out = String::new();
         self.line(&mut out, &heads, &widths);
         let rule: Vec<String> = widths.iter().map(|width| "─".repeat(*width)).collect();
         self.line(&mut out, &rule, &widths);
         for row in &self.rows {
             self.line(&mut out, row, &widths);
+            let below = self.columns.iter().zip(row).skip(widths.len());
+            let below = below.filter(|(_, cell)| !cell.is_empty() && *cell != "–");
+            let below: Vec<String> = below.map(|((head, _), cell)| format!("{head}: {cell}")).collect();
+            if !below.is_empty() {
+                out.push_str(&paragraph_to("    ", &below.join(" · "), most));
+            }
         }
         out
     }
@@ -99,10 +133,31 @@ impl Table {
     }
 }
 
-/// Breaks a text at spaces, and longer words behind a point, a slash or an underscore, so that no line is wider than
-/// `width`.
+/// What a column needs at least.
+fn least_of(width: usize, align: Align) -> usize {
+    if align == Align::Left { width.min(NARROWEST) } else { width }
+}
+
+/// Makes columns on the left narrower, the widest first, until all of them have room.
+fn shrink(widths: &mut [usize], columns: &[(String, Align)], room: usize) {
+    while widths.iter().sum::<usize>() > room {
+        let widest = widths
+            .iter_mut()
+            .zip(columns)
+            .filter(|(width, (_, align))| *align == Align::Left && **width > NARROWEST)
+            .max_by_key(|(width, _)| **width);
+        match widest {
+            Some((width, _)) => *width -= 1,
+            None => break,
+        }
+    }
+}
+
+/// Breaks a text at blanks so that no line is wider than `width`. A number and its unit stay together; a word longer than
+/// a line is broken behind a joint, else with a hyphen.
 pub(crate) fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
+    let text = kept_together(text);
     for word in text.split(' ').flat_map(|word| pieces(word, width)) {
         let (piece, glued) = word;
         let Some(line) = lines.last_mut() else { continue };
@@ -117,36 +172,117 @@ pub(crate) fn wrap(text: &str, width: usize) -> Vec<String> {
             lines.push(piece);
         }
     }
-    lines
+    lines.iter().map(|line| line.trim_end().replace(NO_BREAK, " ")).collect()
+}
+
+/// Units as they stand behind a number.
+const UNITS: [&str; 36] = [
+    "%", "°", "°C", "K", "Nm", "N", "kN", "min⁻¹", "1/min", "rad/s", "rad/s²", "m/s", "m/s²", "m", "mm", "kg", "kgm²",
+    "s", "ms", "min", "h", "a", "V", "A", "W", "kW", "J", "kJ", "Hz", "kHz", "mF", "Ω", "arcmin", "arcsec", "Nm/A",
+    "′",
+];
+
+/// Words that a number belongs to.
+const NUMBERED: [&str; 12] =
+    ["table", "Tabelle", "eq.", "Gl.", "section", "Abschnitt", "footnote", "Fußnote", "page", "Seite", "Teil", "part"];
+
+/// The text with a blank that is not broken at between a number and its unit, and between "table" and its number.
+fn kept_together(text: &str) -> String {
+    let bare = |word: &str| word.trim_matches(['(', ')', '[', ']', ',', ';', '.', ':']).to_owned();
+    let mut out = String::with_capacity(text.len());
+    let mut before = "";
+    for (index, word) in text.split(' ').enumerate() {
+        if index > 0 {
+            let is_number = before.ends_with(|c: char| c.is_ascii_digit() || "⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c))
+                && before.starts_with(|c: char| c.is_ascii_digit() || "(−-±≥≤~".contains(c));
+            let unit = is_number && UNITS.contains(&bare(word).as_str());
+            let sign = matches!(before, "≥" | "≤" | "×" | "i" | "=");
+            let number = word.starts_with(|c: char| c.is_ascii_digit() || c == '−');
+            let numbered = number && (sign || NUMBERED.contains(&before.trim_start_matches('(')));
+            out.push(if unit || numbered { NO_BREAK } else { ' ' });
+        }
+        out.push_str(word);
+        before = word;
+    }
+    out
 }
 
 /// A word in pieces of at most `width` characters; each with whether it belongs to the piece before it.
 fn pieces(word: &str, width: usize) -> Vec<(String, bool)> {
     let mut found: Vec<(String, bool)> = Vec::new();
     let mut rest = word;
-    while rest.chars().count() > width.max(1) {
-        let end = rest.char_indices().nth(width.max(1)).map_or(rest.len(), |(at, _)| at);
-        let head = rest.get(..end).unwrap_or(rest);
-        let cut = head.rfind(['.', '/', '_']).map_or(end, |at| at + 1);
+    while rest.chars().count() > width.max(2) {
+        let end = |count: usize| rest.char_indices().nth(count).map_or(rest.len(), |(at, _)| at);
+        let head = rest.get(..end(width.max(2))).unwrap_or(rest);
+        // A number is let go from its unit before it is cut.
+        let joint = head.rfind(NO_BREAK).map(|at| (at, at + NO_BREAK.len_utf8(), false));
+        let joint = joint.or_else(|| head.rfind(['.', '/', '_', '-']).map(|at| (at + 1, at + 1, true)));
+        if let Some((cut, next, glued_on)) = joint.filter(|(cut, ..)| *cut > 0) {
+            let glued = !found.is_empty();
+            found.push((rest.get(..cut).unwrap_or_default().to_owned(), glued));
+            rest = rest.get(next..).unwrap_or_default();
+            if !glued_on {
+                found.extend(pieces(rest, width));
+                return found;
+            }
+            continue;
+        }
+        let cut = end(syllable(head));
         let (piece, tail) = rest.split_at(cut);
-        found.push((piece.to_owned(), !found.is_empty()));
+        found.push((format!("{piece}-"), !found.is_empty()));
         rest = tail;
     }
     found.push((rest.to_owned(), !found.is_empty()));
     found
 }
 
-/// A paragraph with a hanging indent.
+/// How many letters of a word too long for its line stay before a hyphen: up to a consonant that a vowel follows.
+fn syllable(head: &str) -> usize {
+    let letters: Vec<char> = head.chars().collect();
+    let most = letters.len().saturating_sub(1).max(1);
+    let is_vowel = |at: usize| letters.get(at).is_some_and(|c| "aeiouyäöüAEIOUYÄÖÜ".contains(*c));
+    let pair = |at: usize| {
+        let two: String = letters.iter().skip(at.saturating_sub(1)).take(2).collect();
+        matches!(two.as_str(), "ch" | "ck" | "sh" | "th" | "ph" | "qu")
+    };
+    let fits = |at: &usize| !is_vowel(*at) && is_vowel(*at + 1) && !pair(*at);
+    (3..=most).rev().find(fits).unwrap_or(most)
+}
+
+/// A paragraph with a hanging indent, no line wider than the terminal.
 pub(crate) fn paragraph(head: &str, text: &str) -> String {
-    let indent = head.chars().count();
-    let lines = wrap(text, WIDTH.saturating_sub(indent));
+    paragraph_to(head, text, width())
+}
+
+/// A paragraph behind an indent whose further lines stand further in.
+pub(crate) fn hanging(indent: &str, text: &str) -> String {
+    let (room, further) = (width().saturating_sub(indent.chars().count()), "    ");
     let mut out = String::new();
-    for (index, line) in lines.iter().enumerate() {
-        if index == 0 {
-            out.push_str(head);
-        } else {
-            out.push_str(&" ".repeat(indent));
-        }
+    for (index, line) in wrap(text, room.saturating_sub(further.len())).iter().enumerate() {
+        out.push_str(indent);
+        out.push_str(if index == 0 { "" } else { further });
+        out.push_str(line);
+        out.push('\n');
+    }
+    out
+}
+
+/// A head longer than this is no column to hang a text from.
+const INDENT_MOST: usize = 30;
+
+fn paragraph_to(head: &str, text: &str, most: usize) -> String {
+    let long = head.chars().count() > INDENT_MOST;
+    let blank = head.chars().take_while(|c| *c == ' ').count();
+    // A long head begins the text; what follows hangs two blanks in.
+    let (indent, text) = if long {
+        (blank + 2, format!("{}{text}", head.trim_start_matches(' ')))
+    } else {
+        (head.chars().count(), text.to_owned())
+    };
+    let first = if long { " ".repeat(blank) } else { head.to_owned() };
+    let mut out = String::new();
+    for (index, line) in wrap(&text, most.saturating_sub(indent)).iter().enumerate() {
+        out.push_str(&if index == 0 { first.clone() } else { " ".repeat(indent) });
         out.push_str(line);
         out.push('\n');
     }
@@ -158,19 +294,56 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_line_is_wider_than_the_width_and_the_last_column_wraps() {
-        let mut table = Table::new([("code", Align::Left), ("%", Align::Right), ("reason", Align::Left)]);
-        table.row(["CHA-14A-30-E-RES".into(), "120".into(), "word ".repeat(60).trim().into()]);
-        let text = table.render();
-        assert!(text.lines().all(|line| line.chars().count() <= WIDTH), "{text}");
-        assert!(text.lines().count() > 4);
+    fn no_line_is_wider_than_the_terminal_whatever_its_width() {
+        let mut table = Table::new([
+            ("check", Align::Left),
+            ("verdict", Align::Left),
+            ("value", Align::Right),
+            ("limit", Align::Right),
+            ("unit", Align::Left),
+            ("util. %", Align::Right),
+            ("at s", Align::Right),
+            ("grade, source of the limit", Align::Left),
+        ]);
+        let source = "estimated, model thermal and a very long word Zwischenkreisspannungsüberwachungsfunktion";
+        let row = ["winding temperature", "not checked", "1234.5", "2345.6", "min⁻¹", "104.5", "0.123", source];
+        table.row(row.map(str::to_owned));
+        for width in 60..=200 {
+            let text = table.render_to(width);
+            assert!(text.lines().all(|line| line.chars().count() <= width), "{width}:\n{text}");
+            let letters = |text: &str| text.replace([' ', '\n', '-'], "");
+            assert!(letters(&text).contains("winding"), "{text}");
+        }
+        assert!(table.render_to(60).contains("grade, source of the limit: "));
+        assert!(!table.render_to(200).contains("limit: "));
     }
 
     #[test]
-    fn long_words_are_broken_where_they_have_joints() {
+    fn a_number_keeps_its_unit_and_a_table_its_number() {
+        for width in 8..60 {
+            for line in
+                wrap("the winding reaches 80.5 °C after 12 min (table 12.1), with 3 Nm at i = 100; so it is", width)
+            {
+                let end = line.split(' ').next_back().unwrap_or_default();
+                assert!(!["80.5", "12", "(table", "3", "="].contains(&end), "{width}: {line}");
+            }
+        }
+    }
+
+    #[test]
+    fn long_words_are_broken_at_joints_or_with_a_hyphen() {
         assert_eq!(wrap("project requirements.bearing_life_min", 16), ["project", "requirements.", "bearing_life_min"]);
-        assert_eq!(wrap("aaaaaaaaaa", 4), ["aaaa", "aaaa", "aa"]);
+        assert_eq!(wrap("CHA-25A-100-H-C1024-B", 12), ["CHA-25A-100-", "H-C1024-B"]);
+        assert_eq!(wrap("Zwischenkreisspannung", 18), ["Zwischenkreisspan-", "nung"]);
+        assert_eq!(wrap("aaaaaaaaaa", 4), ["aaa-", "aaa-", "aaaa"]);
         assert_eq!(wrap("", 4), [""]);
+    }
+
+    #[test]
+    fn a_long_head_begins_its_paragraph() {
+        let text = paragraph_to("a head that is so long that nothing could hang from it: ", "and a text behind it", 60);
+        assert_eq!(text, "a head that is so long that nothing could hang from it: and\n  a text behind it\n");
+        assert_eq!(paragraph_to("note: ", "one two", 9), "note: one\n      two\n");
     }
 
     #[test]

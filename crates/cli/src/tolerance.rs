@@ -60,7 +60,8 @@ fn head(sampling: Sampling, language: Language) -> String {
 }
 
 fn worst_word(worst: &Worst, language: Language) -> String {
-    let verdict = if worst.fits { t(language, "fits", "passt") } else { t(language, "does not fit", "passt nicht") };
+    let verdict =
+        if worst.fits { t(language, "fits", "geeignet") } else { t(language, "does not fit", "nicht geeignet") };
     let check = worst
         .check
         .map_or_else(|| t(language, "no axis possible", "keine Achse möglich"), |check| check_title(check, language));
@@ -87,9 +88,15 @@ pub(crate) fn table(project: &Project, assessed: &[(&Candidate<'_>, Assessment)]
         Language::En => {
             ["ordering code", "util. %", "worst %", "at the worst corner", "passes %", "dominated by", "by %"]
         }
-        Language::De => {
-            ["Bestellcode", "Ausl. %", "Ecke %", "in der schlimmsten Ecke", "passt %", "bestimmt durch", "zu %"]
-        }
+        Language::De => [
+            "Bestellbezeichnung",
+            "Ausl. %",
+            "Ecke %",
+            "in der schlimmsten Ecke",
+            "geeignet %",
+            "bestimmt durch",
+            "zu %",
+        ],
     };
     let [code, nominal, worst, word, passes, by, by_share] = heads;
     let mut table = Table::new([
@@ -136,7 +143,7 @@ pub(crate) fn detail(project: &Project, assessment: &Assessment, language: Langu
         ),
         Language::De => writeln!(
             out,
-            "{head}\n  passt bei {passes} % der Stichproben, 95-%-Intervall {low} % bis {high} %\n  \
+            "{head}\n  geeignet bei {passes} % der Stichproben, 95-%-Intervall {low} % bis {high} %\n  \
              Auslastung {p05} %, {p50} %, {p95} % bei 5, 50, 95 % der Stichproben, größte {max} %\n  \
              schlimmste Ecke {worst} %, {word}"
         ),
@@ -145,7 +152,9 @@ pub(crate) fn detail(project: &Project, assessment: &Assessment, language: Langu
         let count = assessment.impossible;
         let _ = match language {
             Language::En => writeln!(out, "  with {count} samples no axis is possible; none of them passes"),
-            Language::De => writeln!(out, "  bei {count} Stichproben ist keine Achse möglich; keine davon passt"),
+            Language::De => {
+                writeln!(out, "  bei {count} Stichproben ist keine Achse möglich; bei keiner ist er geeignet")
+            }
         };
     }
     if project.tolerances.len() > ALL_CORNERS_MOST {

@@ -2,7 +2,9 @@
 //!
 //! The rules are read from the manual's tables 11.2, 11.3 and 12.1 at first use; none is written a second time in code.
 
+mod actuators;
 mod codes;
+mod family;
 mod matrix;
 mod nearest;
 mod parameters;
@@ -10,7 +12,9 @@ mod parts;
 mod requirements;
 mod rules;
 
+pub use actuators::{actuators, catalogue_actuators};
 pub use codes::{Choice, all, broken_by_all, choices, complete, tokens_of_size};
+pub use family::{Assumed, assumed, battery, brake_times};
 pub use nearest::{nearest, nearest_to};
 pub use parameters::{parameters, published_curve_points};
 pub use requirements::{Requirements, Unmet};

@@ -1,12 +1,13 @@
 //! From an ordering code to the parameters of its actuator.
 
+use crate::family;
 use crate::parts;
 use actuator::{BearingType, Curve, CurvePoint, Gear, Heat, OutputBearing, Parameters};
 use catalogue::Drive;
 use order_code::{Brake, OrderCode, Ratio, Size, Winding};
 use provenance::{CellRef, Datum, Grade, Source, Sourced};
 use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use quantities::{AngularVelocity, ElectricCurrent, Measure, ThermodynamicTemperature, Time, Torque};
+use quantities::{AngularVelocity, ElectricCurrent, Measure, ThermodynamicTemperature, Torque};
 
 /// Where the ratios stand.
 const RATIOS: CellRef = CellRef::of_the_manual("12.1", "i", "");
@@ -42,6 +43,7 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
         no_load_starting_current: drive.datum("I_NLS", starting, feedback, ratio),
         no_load_current_constant_30: drive.datum("K_INL", "30 degC", feedback, ratio),
         no_load_current_constant_80: drive.datum("K_INL", "80 degC", feedback, ratio),
+        friction_cold_growth: family::cold_growth(),
         torque_constant_out: drive.datum("k_Tout", "", feedback, ratio),
         torque_constant_motor: drive.datum("k_TM", "", feedback, ratio),
         voltage_constant_motor: drive.datum("k_EM", "20 degC", feedback, ratio),
@@ -60,7 +62,7 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
         output_bearing: output_bearing(code),
         s3_curves: [published_curve(code.size, ratio, "s3_50"), published_curve(code.size, ratio, "s3_25")],
         short_time_curve: published_curve(code.size, ratio, "maximum"),
-        heat: heat(drive),
+        heat: heat(drive, code),
         brake: parts::brake(drive, code),
         feedback: parts::feedback(code),
         feedback_out: parts::feedback_out(code),
@@ -86,31 +88,19 @@ fn largest_stall_current(drive: &Drive, code: &OrderCode) -> Datum<ElectricCurre
 }
 
 /// The calibration of the heat model for a drive: that of its winding, or of its size where all windings share it.
-fn heat(drive: &Drive) -> Heat {
-    let cells = catalogue::table("family").map(catalogue::Table::cells).unwrap_or_default();
-    let cell = |symbol: &str| {
-        let of = |drive: &str| cells.iter().find(|cell| cell.place.symbol == symbol && cell.place.drive == drive);
-        // Headed by the drive, by its size without the feedback, or once for all.
-        let size = drive.name.rsplit_once('-').map_or(drive.name, |(size, _)| size);
-        of(drive.name).or_else(|| of(size)).or_else(|| of(""))
-    };
-    let estimated = |datum: Datum<f64>| match datum {
-        Datum::Known(known) => Datum::Known(of_the_family(known)),
-        other => other,
-    };
-    let time = |symbol| match cell(symbol).map_or(Datum::NotPrinted, catalogue::datum_of::<Time>) {
-        Datum::Known(known) => Datum::Known(of_the_family(known)),
-        other => other,
-    };
-    let number = |symbol| estimated(parts::number_of(cell(symbol)));
-    let loss_band = match (number("loss_band_low"), number("loss_band_high")) {
-        (Datum::Known(low), Datum::Known(high)) => {
-            let high = high.value;
-            Datum::Known(low.map(|low| (low, high)))
-        }
+fn heat(drive: &Drive, code: &OrderCode) -> Heat {
+    let number = |symbol| family::number(drive.name, symbol);
+    let time = |symbol| family::quantity(drive.name, symbol);
+    let loss_band = family::band(drive.name, "loss_band_low", "loss_band_high");
+    let ambient_reference = match ambient_range(code.winding) {
+        Datum::Known(range) => Datum::Known(range.map(|(_, highest)| highest)),
         _ => Datum::NotPrinted,
     };
     Heat {
+        gear_band: number("s3_gear_band"),
+        ambient_reference,
+        winding_warning: family::winding_threshold("warning"),
+        winding_shutdown: family::winding_threshold("shutdown"),
         housing_share: number("housing_share"),
         stall_loss_factor: number("stall_loss_factor"),
         loss_band,
@@ -118,15 +108,6 @@ fn heat(drive: &Drive) -> Heat {
         winding_time_constant: time("tau_w"),
         housing_time_constant: time("tau_h"),
     }
-}
-
-/// A calibration is ours: an estimate, cited by its cell.
-fn of_the_family<T>(known: Sourced<T>) -> Sourced<T> {
-    let source = match known.source {
-        Source::Cell(cell) => Source::Published(cell),
-        other => other,
-    };
-    Sourced { source, grade: Grade::Estimated, ..known }
 }
 
 /// The lower end of the printed range of the terminal voltage: `220 ... 430`.
@@ -187,11 +168,26 @@ fn gear(code: &OrderCode) -> Gear {
         rated_torque: published_rating(code, "T_N"),
         average_torque_max: published_rating(code, "T_A"),
         collision_torque_max: published_rating(code, "T_M"),
+        collision_cycles: of_the_life("collision_cycles", "", parts::number_of),
+        nominal_life: of_the_life("L_n", "CPU", |cell| cell.map_or(Datum::NotPrinted, catalogue::datum_of)),
+        life_reference_speed: of_the_life("n_N_gear", "", |cell| cell.map_or(Datum::NotPrinted, catalogue::datum_of)),
+        life_ratio: of_the_life("life_ratio_50_10", "", parts::number_of),
         ratcheting_torque: published("ratcheting-torque", "T_ratchet", code, code.ratio.as_str()),
         buckling_torque: published("ratcheting-torque", "T_buckle", code, ""),
         input_speed_max: published_input_speed(code, "n_in_max"),
         input_speed_mean_max: published_input_speed(code, "n_in_av"),
     }
+}
+
+/// A constant of the life of the wave-generator bearing, which the CHA has of the CPU series, by another maker's catalogue.
+fn of_the_life<T>(
+    symbol: &str,
+    series: &str,
+    value: impl Fn(Option<&'static catalogue::Cell>) -> Datum<T>,
+) -> Datum<T> {
+    let cells = catalogue::table("gear-life").map(catalogue::Table::cells).unwrap_or_default();
+    let found = cells.iter().find(|cell| cell.place.symbol == symbol && cell.place.condition.contains(series));
+    published_as(value(found))
 }
 
 /// A rating of the interchangeable gear with the same T_R, from another maker's catalogue.
@@ -212,7 +208,12 @@ fn published<Q: Measure>(table: &str, symbol: &str, code: &OrderCode, ratio: &st
         .cells()
         .iter()
         .find(|cell| cell.place.symbol == symbol && cell.place.drive == head && cell.place.ratio == ratio);
-    match cell.map_or(Datum::NotPrinted, catalogue::datum_of::<Q>) {
+    published_as(cell.map_or(Datum::NotPrinted, catalogue::datum_of::<Q>))
+}
+
+/// A value of a published table, cited as such.
+fn published_as<T>(datum: Datum<T>) -> Datum<T> {
+    match datum {
         Datum::Known(mut known) => {
             if let Source::Cell(cell) = known.source {
                 known.source = Source::Published(cell);

@@ -41,7 +41,7 @@ pub(crate) fn brake(drive: &Drive, code: &OrderCode) -> Brake {
 }
 
 /// A cell of the tables of a feedback (section 6.22, 6.25 for EC) that holds at every ratio.
-fn feedback_cell(name: &str, symbol: &str) -> Option<&'static Cell> {
+pub(crate) fn feedback_cell(name: &str, symbol: &str) -> Option<&'static Cell> {
     catalogue::tables()
         .iter()
         .filter(|table| table.section.starts_with("6.22") || table.section.starts_with("6.25"))
@@ -92,6 +92,7 @@ fn printed_feedback(ordered: order_code::Feedback) -> Feedback {
         // The resolver has one pole pair (table 58.2), so its angle is one of a whole turn.
         single_turn_absolute: matches!(ordered, M512P | M128S | RES),
         buffered_by_battery: cell("turns_memory").is_some(),
+        battery: if cell("turns_memory").is_some() { crate::family::battery() } else { Datum::NotApplicable },
         battery_life_typical: if_printed(value("battery_life_typical")),
         exchange_interval: if_printed(value("encoder_exchange_interval")),
     }

@@ -25,7 +25,6 @@ pub struct Requirements {
 
 /// A requirement that an actuator does not meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Unmet {
     /// The feedback is not among the permitted ones.
     Feedback(Feedback),

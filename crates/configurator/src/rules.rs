@@ -31,7 +31,6 @@ pub struct BrokenRule {
 
 /// What an ordering table demands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Rule {
     /// The matrix has a dash for this field at this size.
     NotForSize,

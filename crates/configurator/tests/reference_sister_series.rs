@@ -46,7 +46,8 @@ fn sister(cha: &str, ratio: f64, constant_out: f64, resistance_phase: f64) -> Pa
         with(datum, quantities::NoLoadCurrentConstant::from_si(value))
     };
     let stalled = own.stall_current_motor.known().unwrap();
-    let (hot, cold) = (HeatModel::of(&own).unwrap().copper_ohm(), own.resistance_ll.known().unwrap().value.si());
+    let (hot, cold) =
+        (HeatModel::of(&own).unwrap().losses().copper_ohm(), own.resistance_ll.known().unwrap().value.si());
     // The permitted loss is that of the CHA: 1.5 R I_0² as before, whatever the sister's motor.
     let resistance_ll = 2.0 * resistance_phase;
     let stall = stalled.value.si() * (cold / resistance_ll).sqrt();
@@ -124,8 +125,8 @@ fn the_points_of_the_small_sister_lie_in_the_band_of_14a() {
         // What is left of the printed current after the torque is friction, at the printed speed.
         let friction_a = of("I_cont") - of("T_cont") / constant;
         let speed = of("n_cont") * std::f64::consts::TAU / 60.0;
-        let copper = model.copper_ohm() * of("I_cont") * of("I_cont");
-        let friction = friction_a * model.friction_v_s_per_rad() * speed;
+        let copper = model.losses().copper_ohm() * of("I_cont") * of("I_cont");
+        let friction = friction_a * model.losses().friction_v_s_per_rad() * speed;
         let share = actuator.heat.housing_share.known().unwrap().value;
         let found = (copper + share * friction) / model.stall_loss().si();
         let (low, high) = actuator.heat.loss_band.known().unwrap().value;

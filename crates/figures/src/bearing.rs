@@ -1,13 +1,14 @@
 //! The loads on the output bearing over the cycle.
 
-use crate::cycle::{LIMIT_NEAR, segments};
+use crate::cycle::segments;
 use crate::drawing::{Drawing, Figure};
 use crate::fault::NoFigure;
-use crate::words::{amount, listed, say, subject};
-use plot::{Axis, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
+use crate::utilisation::sign;
+use crate::words::{amount, listed, percent, say, subject};
+use plot::{Axis, Bar, BarChart, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
 use workbench::quantities::unit::{NEWTON, NEWTON_METRE, SECOND};
 use workbench::quantities::{Language, Measure, Unit};
-use workbench::{Candidate, CheckId, FlangeSample, Project};
+use workbench::{Candidate, Check, CheckId, FlangeSample, Project};
 
 type Load = fn(&FlangeSample) -> Option<f64>;
 
@@ -18,7 +19,7 @@ type Load = fn(&FlangeSample) -> Option<f64>;
 pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Language) -> Result<Drawing, NoFigure> {
     let course = workbench::flange_course(project, candidate).ok_or(NoFigure::NoFlangeLoads)?;
     let t = |en, de| say(language, en, de);
-    let kinds: [(Axis, &Unit, CheckId, &str, Load, &str); 3] = [
+    let kinds: [(Axis, &'static Unit, CheckId, &'static str, Load, &'static str); 3] = [
         (
             Axis::new("F_r", NEWTON.symbol).name(t("Radial force", "Radialkraft")),
             &NEWTON,
@@ -44,59 +45,104 @@ pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Lang
             t("the tilting moment", "das Kippmoment"),
         ),
     ];
+    let loads: Vec<Found<'_>> = kinds
+        .into_iter()
+        .filter_map(|(axis, unit, id, symbol, of, name)| {
+            let values: Vec<(f64, f64)> = course.iter().filter_map(|load| Some((load.time.si(), of(load)?))).collect();
+            let least = values.iter().map(|(_, value)| *value).fold(f64::INFINITY, f64::min);
+            let largest = values.iter().map(|(_, value)| *value).fold(f64::NEG_INFINITY, f64::max);
+            let check = candidate.judgement.checks.iter().find(|check| check.id == id)?;
+            (!values.is_empty()).then_some(Found { axis, unit, check, symbol, name, values, least, largest })
+        })
+        .collect();
+    let told: Vec<String> = loads.iter().map(|load| load.told(language)).collect();
+    let description = format!("{}.", crate::words::sentence(&listed(&told, language)));
+    let drawing = |size| Drawing::new(Figure::BearingLoad, &subject(candidate, &project.name), size, language);
+    let about = t(
+        "Loads as the project states them, or as they follow from the mechanism; the tilting moment is about the middle of the bearing. The limits hold one at a time.",
+        "Lasten, wie das Projekt sie angibt oder wie sie aus dem Mechanismus folgen; das Kippmoment gilt für die Mitte des Lagers. Die Grenzen gelten je für sich.",
+    );
+    if loads.iter().all(Found::is_constant) {
+        let constant = t("Each load is constant over the cycle.", "Jede Last ist über den Zyklus konstant.");
+        let axis = Axis::new("", "%").name(t("Utilisation of the limit", "Auslastung der Grenze"));
+        let chart = loads.iter().fold(BarChart::new(axis), |chart, load| chart.bar(load.bar(language)));
+        return Ok(drawing((165.0, 55.0)).bars(format!("{constant} {about}"), description, chart));
+    }
     let mut chart = StackedChart::new(Axis::new("t", SECOND.symbol).name(t("Time", "Zeit")).minor_ticks());
     for (from, to, name) in segments(project, language) {
         chart = chart.segment(from, to, name);
     }
-    let mut told = Vec::new();
-    for (axis, unit, id, symbol, of, name) in kinds {
-        let steps = course.iter().filter_map(|load| Some((load.time.si(), unit.from_si(of(load)?))));
-        let steps: Vec<(f64, f64)> = steps.collect();
-        if steps.is_empty() {
-            continue;
-        }
-        let largest = course.iter().filter_map(of).fold(0.0, f64::max);
-        let check = candidate.judgement.checks.iter().find(|check| check.id == id);
-        let limit = check.and_then(|check| check.limit);
-        let mut line = Line::new(steps).tone(Tone::Trace);
-        let mut panel = Panel::new(axis);
-        let shown = amount(largest, unit, language);
-        if let Some(limit) = limit {
-            let text = amount(limit.si, limit.unit, language);
-            // A limit far above would press the load onto the axis.
-            if largest >= LIMIT_NEAR * limit.si {
-                panel = panel.with(
-                    Reference::horizontal(limit.value())
-                        .tone(Tone::Continuous)
-                        .dash(Dash::Dashed)
-                        .label(Label::symbol(symbol).text(&format!(" = {text}"))),
-                );
-            }
-            line = line.label(match language {
-                Language::En => format!("at most {shown} of {text}"),
-                Language::De => format!("höchstens {shown} von {text}"),
-            });
-            told.push(match language {
-                Language::En => format!("{name} reaches {shown} of {text}"),
-                Language::De => format!("{name} erreicht {shown} von {text}"),
-            });
-        } else {
-            told.push(match language {
-                Language::En => format!("{name} reaches {shown}"),
-                Language::De => format!("{name} erreicht {shown}"),
-            });
-        }
-        panel = panel.with(line);
-        chart = chart.panel(panel);
+    for load in loads {
+        chart = chart.panel(load.panel(language));
     }
-    let description = format!("{}.", crate::words::sentence(&listed(&told, language)));
-    let caption = t(
-        "Loads as the project states them, or as they follow from the mechanism; the tilting moment is about the middle of the bearing. The limits hold one at a time; one far above the load is named and not drawn.",
-        "Lasten, wie das Projekt sie angibt oder wie sie aus dem Mechanismus folgen; das Kippmoment gilt für die Mitte des Lagers. Die Grenzen gelten je für sich; eine weit über der Last ist genannt und nicht gezeichnet.",
-    );
-    Ok(Drawing::new(Figure::BearingLoad, &subject(candidate, &project.name), (165.0, 115.0), language).stacked(
-        caption.to_owned(),
-        description,
-        chart,
-    ))
+    Ok(drawing((165.0, 115.0)).stacked(about.to_owned(), description, chart))
+}
+
+/// One load over the cycle, with its check.
+struct Found<'a> {
+    axis: Axis,
+    unit: &'static Unit,
+    check: &'a Check,
+    symbol: &'static str,
+    name: &'static str,
+    /// Instant and value in SI.
+    values: Vec<(f64, f64)>,
+    least: f64,
+    largest: f64,
+}
+
+impl Found<'_> {
+    fn is_constant(&self) -> bool {
+        self.largest - self.least <= 1e-9 * self.largest.abs().max(self.least.abs())
+    }
+
+    fn limit(&self, language: Language) -> Option<String> {
+        self.check.limit.map(|limit| amount(limit.si, limit.unit, language))
+    }
+
+    fn told(&self, language: Language) -> String {
+        let (name, shown) = (self.name, amount(self.largest, self.unit, language));
+        let (limit, of) = (self.limit(language), say(language, "of", "von"));
+        let of = limit.map_or_else(String::new, |limit| format!(" {of} {limit}"));
+        match (self.is_constant(), language) {
+            (true, Language::En) => format!("{name} is constant at {shown}{of}"),
+            (true, Language::De) => format!("{name} beträgt konstant {shown}{of}"),
+            (false, Language::En) => format!("{name} reaches {shown}{of}"),
+            (false, Language::De) => format!("{name} erreicht {shown}{of}"),
+        }
+    }
+
+    /// The load against its limit, where it does not change.
+    fn bar(&self, language: Language) -> Bar {
+        let name = self.axis.quantity();
+        let (value, limit) = (amount(self.largest, self.unit, language), self.limit(language));
+        let numbers = limit.map_or_else(|| value.clone(), |limit| format!("{value} / {limit}"));
+        let bar = Bar::new(name, sign(self.check.verdict)).data("check", self.check.id.id());
+        match self.check.utilisation {
+            Some(share) => bar.percent(share * 100.0).text(format!("{} · {numbers}", percent(share, language))),
+            None => bar.text(numbers),
+        }
+    }
+
+    fn panel(self, language: Language) -> Panel {
+        let (shown, limit) = (amount(self.largest, self.unit, language), self.limit(language));
+        let label = match (self.is_constant(), language) {
+            (true, Language::En) => format!("constant: {shown}"),
+            (true, Language::De) => format!("konstant: {shown}"),
+            (false, Language::En) => format!("at most {shown}"),
+            (false, Language::De) => format!("höchstens {shown}"),
+        };
+        let points = self.values.iter().map(|(time, value)| (*time, self.unit.from_si(*value)));
+        let line = Line::new(points).tone(Tone::Trace).label(label);
+        let mut panel = Panel::new(self.axis);
+        if let (Some(limit), Some(text)) = (self.check.limit, limit) {
+            panel = panel.with(
+                Reference::horizontal(limit.value())
+                    .tone(Tone::Continuous)
+                    .dash(Dash::Dashed)
+                    .label(Label::symbol(self.symbol).text(&format!(" = {text}"))),
+            );
+        }
+        panel.with(line)
+    }
 }

@@ -18,7 +18,7 @@ const FRAME_MM: f64 = 26.0;
 const PANEL_MM: f64 = 25.5;
 
 /// A limit is drawn where the course comes this near to it; one far above would press the course flat.
-pub(crate) const LIMIT_NEAR: f64 = 0.2;
+const LIMIT_NEAR: f64 = 0.2;
 
 /// Beyond the last thing in a panel.
 const ROOM: f64 = 1.12;

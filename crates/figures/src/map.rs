@@ -69,7 +69,8 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     };
     let mut chart =
         MapChart::new(axis, Axis::new("", "%").name(t("Margin to the tightest limit", "Reserve zur engsten Grenze")))
-            .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid));
+            .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid))
+            .nothing(nothing(&all, language));
     let advised = |candidate: &Candidate<'_>| {
         candidate.fits() && candidate.judgement.checks.iter().any(|check| check.verdict == Verdict::Advice)
     };
@@ -85,8 +86,8 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
             Tone::Muted,
             points(&|candidate| !candidate.fits() && candidate.judgement_fits()),
         ),
-        (t("fits", "passt"), Tone::Series(2), points(&|candidate| candidate.fits() && !advised(candidate))),
-        (t("fits, with advice", "passt, mit Hinweis"), Tone::Series(4), points(&advised)),
+        (t("fits", "geeignet"), Tone::Series(2), points(&|candidate| candidate.fits() && !advised(candidate))),
+        (t("fits, with advice", "geeignet, mit Hinweis"), Tone::Series(4), points(&advised)),
     ] {
         // A class without a point keeps its marker and has no place in the legend.
         chart = chart.class(if points.is_empty() { "" } else { name }, tone, points);
@@ -95,7 +96,8 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     if let Some(candidate) = marked
         && let Some((x, y)) = place(candidate)
     {
-        let markers = Markers::new([(x, y)]).shape(Shape::Diamond).label(candidate.id.to_string());
+        // Around the marker of its class, which stays to be seen.
+        let markers = Markers::new([(x, y)]).shape(Shape::Ring).label(candidate.id.to_string());
         chart = chart.with(markers.class("marked")).with(Note::new(x, y, candidate.id.to_string()));
     }
     let left_out = all.iter().filter(|candidate| place(candidate).is_none()).count();
@@ -111,6 +113,19 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     let description = description(sizing, &all, by, marked.copied(), language);
     let of = if sizing.name.is_empty() { t("axis", "Achse") } else { sizing.name };
     Drawing::new(Figure::CandidateMap, of, (165.0, 115.0), language).map(caption, description, chart)
+}
+
+/// What stands in place of a map on which no candidate finds a place.
+fn nothing(all: &[&Candidate<'_>], language: Language) -> String {
+    let (count, floor) = (all.len(), percent(MARGIN_MIN, language));
+    match language {
+        Language::En => format!(
+            "No candidate can be shown: each of the {count} misses its tightest limit by so much that its margin is below {floor}, or a figure of it is not known."
+        ),
+        Language::De => format!(
+            "Kein Kandidat lässt sich zeigen: Jeder der {count} überschreitet seine engste Grenze so weit, dass seine Reserve unter {floor} liegt, oder eine Angabe zu ihm ist nicht bekannt."
+        ),
+    }
 }
 
 /// A code without the name of the series, which all share.
@@ -129,11 +144,18 @@ fn description(
     let fitting = all.iter().filter(|candidate| candidate.fits()).count();
     let mut text = match language {
         Language::En => format!("{} actuators, {fitting} fit.", all.len()),
-        Language::De => format!("{} Antriebe, {fitting} passen.", all.len()),
+        Language::De => format!("{} Antriebe, {fitting} davon geeignet.", all.len()),
     };
     let told = |candidate: &Candidate<'_>| {
         let figure = by.of(candidate).map_or_else(|| "–".to_owned(), |si| amount(si, by.unit(), language));
-        let margin = percent(1.0 - candidate.standing.utilisation, language);
+        let margin = 1.0 - candidate.standing.utilisation;
+        if !margin.is_finite() {
+            return match language {
+                Language::En => format!("{}, {figure}, without margin: a limit is zero", candidate.id),
+                Language::De => format!("{}, {figure}, ohne Reserve: eine Grenze ist null", candidate.id),
+            };
+        }
+        let margin = percent(margin, language);
         match language {
             Language::En => format!("{}, {figure}, margin {margin}", candidate.id),
             Language::De => format!("{}, {figure}, Reserve {margin}", candidate.id),

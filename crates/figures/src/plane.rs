@@ -2,9 +2,9 @@
 
 use crate::drawing::{Drawing, Figure};
 use crate::words::{amount, listed, say, subject};
-use plot::{Area, Axis, Dash, Hatch, Label, Line, Markers, Note, Shape, Tone, Width, XyChart};
+use plot::{Area, Axis, Dash, Hatch, Label, Line, Markers, Note, Reference, Shape, Tone, Width, XyChart};
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
-use workbench::quantities::{AngularVelocity, Language, Measure, Torque, format_number};
+use workbench::quantities::{AngularVelocity, Language, Measure, Torque, format_number, format_significant};
 use workbench::{
     Candidate, CheckId, Course, CurveKind, CurvePoint, OrderCode, PerformanceCurve, Plane, Project, Sample,
 };
@@ -22,6 +22,9 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
     let mut chart = empty(language);
     if let Some(plane) = &plane {
         chart = with_limits(chart, plane, language);
+    }
+    if !plane.as_ref().is_some_and(has_short_time) {
+        chart = with_known(chart, candidate, language);
     }
     chart = chart.with(
         Line::new(course.samples.iter().map(|sample| at(sample.speed_rad_s, sample.torque_nm)))
@@ -52,7 +55,18 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
         told.push(say_demand(demand, language));
     }
     told.extend(say_limits(candidate, language));
-    let caption = caption(plane.as_ref(), language);
+    let caption = match &plane {
+        Some(plane) if has_short_time(plane) => caption(plane, language),
+        Some(plane) => {
+            let frame = say(
+                language,
+                "Of the short-time limit only the largest torque and the largest speed are known, each as far as it is drawn.",
+                "Von der Kurzzeitgrenze sind nur größtes Drehmoment und größte Drehzahl bekannt, soweit gezeichnet.",
+            );
+            format!("{} {frame}", caption(plane, language))
+        }
+        None => caption_of_known(candidate, language),
+    };
     Drawing::new(Figure::TorqueSpeed, &subject(candidate, &project.name), SIZE_MM, language).xy(
         caption,
         told.join(" "),
@@ -91,7 +105,7 @@ pub fn curves(code: &OrderCode, plane: &Plane, language: Language) -> Drawing {
         Language::De => format!("Grenzen von {code}: {}.", listed(&kinds, language)),
     };
     Drawing::new(Figure::TorqueSpeed, &code.to_string(), SIZE_MM, language).xy(
-        caption(Some(plane), language),
+        caption(plane, language),
         description,
         chart,
     )
@@ -299,11 +313,81 @@ fn say_limits(candidate: &Candidate<'_>, language: Language) -> Vec<String> {
     vec![format!("{head}: {}.", listed(&parts, language))]
 }
 
-fn caption(plane: Option<&Plane>, language: Language) -> String {
-    let Some(plane) = plane else {
-        return say(language, "No limit of this actuator is known.", "Keine Grenze dieses Antriebs ist bekannt.")
-            .into();
+fn has_short_time(plane: &Plane) -> bool {
+    plane.curves.iter().any(|curve| curve.kind == CurveKind::ShortTime)
+}
+
+/// Largest torque and largest speed of an actuator whose curves cannot be drawn, each where it is known.
+fn known(candidate: &Candidate<'_>) -> [Option<(f64, &'static str, String)>; 2] {
+    let of = |id: CheckId, unit: &'static workbench::quantities::Unit, symbol: &'static str| {
+        let check = candidate.judgement.checks.iter().find(|check| check.id == id)?;
+        let limit = check.limit.filter(|limit| limit.si > 0.0)?;
+        Some((unit.from_si(limit.si), symbol, check.id.id().to_owned()))
     };
+    [of(CheckId::PeakTorque, &NEWTON_METRE, "T_max"), of(CheckId::PeakSpeed, &REVOLUTION_PER_MINUTE, "n_max")]
+}
+
+/// The limits that are known one by one: a frame where both are, else lines across the plane.
+fn with_known(mut chart: XyChart, candidate: &Candidate<'_>, language: Language) -> XyChart {
+    let [torque, speed] = known(candidate);
+    let number = |value: f64, unit: &str| format!(" = {} {unit}", format_significant(value, 4, language));
+    if let (Some((torque, ..)), Some((speed, ..))) = (&torque, &speed) {
+        let frame = [(*speed, *torque), (*speed, -torque), (-speed, -torque), (-speed, *torque)];
+        let line = Line::new(frame).closed().tone(Tone::ShortTime);
+        let name = say(language, "largest torque and speed", "größtes Drehmoment und größte Drehzahl");
+        chart = chart.with(line.label(name).class("known-limits"));
+    }
+    let both = torque.is_some() && speed.is_some();
+    if let Some((value, symbol, check)) = torque {
+        let label = Label::symbol(symbol).text(&number(value, NEWTON_METRE.symbol));
+        for (value, label) in [(value, label), (-value, Label::default())] {
+            if both && !label.is_empty() {
+                chart = chart.with(Note::new(0.0, value, label).tone(Tone::ShortTime).data("check", &check));
+            } else if !both {
+                let line = Reference::horizontal(value).tone(Tone::ShortTime).dash(Dash::Dashed);
+                chart = chart.with(line.label(label).data("check", &check));
+            }
+        }
+    }
+    if let Some((value, symbol, check)) = speed {
+        let label = Label::symbol(symbol).text(&number(value, REVOLUTION_PER_MINUTE.symbol));
+        for (value, label) in [(value, label), (-value, Label::default())] {
+            if both && !label.is_empty() {
+                chart = chart.with(Note::new(value, 0.0, label).tone(Tone::ShortTime).data("check", &check));
+            } else if !both {
+                let line = Reference::vertical(value).tone(Tone::ShortTime).dash(Dash::Dashed);
+                chart = chart.with(line.label(label).data("check", &check));
+            }
+        }
+    }
+    chart
+}
+
+fn caption_of_known(candidate: &Candidate<'_>, language: Language) -> String {
+    let parts = match known(candidate) {
+        [Some(_), Some(_)] => say(
+            language,
+            "Only the largest torque and the largest speed of this actuator are known, not how one limits the other, and no limit of continuous duty.",
+            "Von diesem Antrieb sind nur das größte Drehmoment und die größte Drehzahl bekannt, nicht wie eines das andere begrenzt, und keine Grenze des Dauerbetriebs.",
+        ),
+        [Some(_), None] => say(
+            language,
+            "Of this actuator only the largest torque is known.",
+            "Von diesem Antrieb ist nur das größte Drehmoment bekannt.",
+        ),
+        [None, Some(_)] => say(
+            language,
+            "Of this actuator only the largest speed is known.",
+            "Von diesem Antrieb ist nur die größte Drehzahl bekannt.",
+        ),
+        [None, None] => {
+            say(language, "No limit of this actuator is known.", "Keine Grenze dieses Antriebs ist bekannt.")
+        }
+    };
+    parts.to_owned()
+}
+
+fn caption(plane: &Plane, language: Language) -> String {
     let mut parts = vec![say(
         language,
         "Driving in the first and third quadrant, braking in the others. Red: continuous duty; blue: acceleration and braking.",
@@ -320,7 +404,7 @@ fn caption(plane: Option<&Plane>, language: Language) -> String {
         parts.push(say(
             language,
             "Hatched: between the edges of an estimate; the checks use the lower one.",
-            "Schraffiert: zwischen den Rändern einer Schätzung; die Prüfungen nehmen den unteren.",
+            "Schraffiert: zwischen den Rändern einer Schätzung; die Nachweise nehmen den unteren.",
         ));
     }
     if plane.braking.is_some() {

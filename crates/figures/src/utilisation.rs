@@ -3,7 +3,7 @@
 use crate::drawing::{Drawing, Figure};
 use crate::words::{amount, listed, percent, say, sentence};
 use plot::{Axis, Bar, BarChart};
-use workbench::text::{check_missing, check_title, unmet_text, verdict_word};
+use workbench::text::{check_missing, check_title, unmet_text, verdict_count, verdict_word};
 use workbench::{Candidate, Check, Direction, Language, Objection, Unmet, Verdict};
 
 /// Every check of a candidate: those that fail first, then by utilisation, then those whose utilisation tells no margin, then
@@ -55,7 +55,7 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     )
 }
 
-const fn sign(verdict: Verdict) -> plot::Verdict {
+pub(crate) const fn sign(verdict: Verdict) -> plot::Verdict {
     match verdict {
         Verdict::Pass => plot::Verdict::Pass,
         Verdict::Fail => plot::Verdict::Fail,
@@ -114,11 +114,11 @@ fn description(candidate: &Candidate<'_>, checks: &[&Check], language: Language)
     let parts: Vec<String> = [Verdict::Pass, Verdict::Advice, Verdict::Fail, Verdict::NotChecked]
         .into_iter()
         .filter(|verdict| count(*verdict) > 0)
-        .map(|verdict| format!("{} {}", count(verdict), verdict_word(verdict, language)))
+        .map(|verdict| verdict_count(verdict, count(verdict), language))
         .collect();
     let head = match language {
         Language::En => format!("{} checks of {}: {}.", checks.len(), candidate.id, listed(&parts, language)),
-        Language::De => format!("{} Prüfungen von {}: {}.", checks.len(), candidate.id, listed(&parts, language)),
+        Language::De => format!("{} Nachweise von {}: {}.", checks.len(), candidate.id, listed(&parts, language)),
     };
     let named = |check: &&&Check| {
         Some(format!("{} {}", check_title(check.id, language), percent(check.utilisation?, language)))

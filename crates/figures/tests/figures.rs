@@ -1,7 +1,7 @@
 //! Every figure of every example: a picture that is whole, and points where the checks say.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
-use figures::{By, Drawing, Figure, NoFigure, Picture, Style, draw};
+use figures::{By, Drawing, Figure, NoFigure, Picture, Size, Style, draw};
 use roxmltree::{Document, Node};
 use std::path::PathBuf;
 use workbench::quantities::unit::{ARCMINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
@@ -27,8 +27,7 @@ fn examples() -> Vec<Project> {
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     paths.sort();
     assert!(paths.len() >= 10);
-    let read =
-        |path: &PathBuf| Project::read_all(&std::fs::read_to_string(path).unwrap(), &Beside, Language::En).unwrap();
+    let read = |path: &PathBuf| workbench::read_all(&std::fs::read_to_string(path).unwrap(), &Beside).unwrap();
     paths.iter().flat_map(read).collect()
 }
 
@@ -46,7 +45,7 @@ fn picture(drawing: &Drawing, language: Language) -> Picture {
 
 fn example(name: &str) -> Project {
     let text = std::fs::read_to_string(folder().join(name)).unwrap();
-    Project::read_all(&text, &Beside, Language::En).unwrap().swap_remove(0)
+    workbench::read_all(&text, &Beside).unwrap().swap_remove(0)
 }
 
 /// The points of the markers of a class.
@@ -95,6 +94,17 @@ fn every_figure_of_every_example_is_whole() {
                     assert!(drawing.caption.ends_with('.') && drawing.description.ends_with('.'), "{what}");
                     if figure != Figure::CandidateMap {
                         assert!(picture.hidden_labels().is_empty(), "{what}: {:?}", picture.hidden_labels());
+                    }
+                    let narrow = Style::new(Size::millimetres(80.0, 110.0)).language(language);
+                    let narrow = drawing.render(&narrow);
+                    if figure != Figure::CandidateMap {
+                        let hidden = narrow.hidden_labels();
+                        // Of a segment too short for its number nothing can be written.
+                        let segment = |label: &String| label.starts_with(|c: char| c.is_ascii_digit());
+                        assert!(hidden.iter().all(segment), "{what} at 80 mm: {hidden:?}");
+                    }
+                    for text in narrow.texts() {
+                        assert!(!text.text.contains('…'), "{what} at 80 mm: {}", text.text);
                     }
                     let texts = picture.texts();
                     for (index, one) in texts.iter().enumerate() {
@@ -193,6 +203,45 @@ fn a_map_tells_every_candidate_or_counts_it() {
         let shown = document.descendants().filter(|node| node.attribute("class") == Some("marker")).count();
         let left_out: usize = drawing.caption.split_whitespace().find_map(|word| word.parse().ok()).unwrap();
         assert_eq!(shown + left_out, sizing.candidates.len(), "{}", drawing.caption);
+    }
+}
+
+#[test]
+fn a_map_on_which_nothing_finds_a_place_says_so() {
+    let text = std::fs::read_to_string(folder().join("indexing-table.toml")).unwrap();
+    let text = text.replace("speed = \"40 1/min\"", "speed = \"40000 1/min\"");
+    let project = Project::read_all(&text, &Beside, Language::En).unwrap().swap_remove(0);
+    let sizing = workbench::size(&project);
+    for (language, words) in [(Language::En, "No candidate"), (Language::De, "Kein Kandidat")] {
+        let drawing = figures::candidate_map(&sizing, By::Mass, None, language);
+        let picture = picture(&drawing, language);
+        assert!(picture.texts().iter().any(|text| text.text.starts_with(words)), "{:?}", picture.texts());
+        assert!(!drawing.description.contains('∞'), "{}", drawing.description);
+    }
+}
+
+#[test]
+fn what_is_known_of_an_own_actuator_is_drawn() {
+    let project = example("manual-example.toml");
+    let own = workbench::check_own(&project).unwrap();
+    let picture = picture(&figures::torque_speed(&project, &own, Language::En), Language::En);
+    let texts: Vec<&str> = picture.texts().iter().map(|text| text.text.as_str()).collect();
+    assert!(texts.contains(&"T_max = 127.0 Nm") && texts.contains(&"n_max = 112.0 min⁻¹"), "{texts:?}");
+    assert!(picture.svg().contains("known-limits"));
+}
+
+#[test]
+fn loads_on_the_bearing_are_drawn_with_their_limits_or_told_as_constant() {
+    let constant = example("robot-joint.toml");
+    let candidate = candidates(&constant).swap_remove(0);
+    let drawing = draw(Figure::BearingLoad, &constant, &candidate, By::Mass, Language::En).unwrap();
+    assert!(drawing.caption.contains("constant") && drawing.description.contains("constant at 110.0 N"));
+    let varying = example("slewing-arm.toml");
+    let candidate = candidates(&varying).swap_remove(0);
+    let drawing = draw(Figure::BearingLoad, &varying, &candidate, By::Mass, Language::En).unwrap();
+    let picture = picture(&drawing, Language::En);
+    for symbol in ["F_R,dyn(max) = ", "F_A,dyn(max) = ", "M_dyn(max) = "] {
+        assert!(picture.texts().iter().any(|text| text.text.starts_with(symbol)), "{symbol}");
     }
 }
 

@@ -21,7 +21,6 @@ pub enum Orientation {
 /// The form of a homogeneous body. Each one's moment of inertia is that about the axis through its centre of mass,
 /// parallel to the axis of rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Shape {
     /// Solid cylinder; a disc is a short one.
     Cylinder {

@@ -16,7 +16,6 @@ pub struct TablePoint {
 
 /// Why points make no table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum TableFault {
     /// Fewer than two points.
     TooFewPoints,

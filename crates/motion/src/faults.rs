@@ -21,7 +21,6 @@ pub enum Needed {
 
 /// What is wrong with one move.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum MoveFault {
     /// There is no segment at all.
     NoSegment,
@@ -93,7 +92,6 @@ pub enum MoveFault {
 
 /// Why samples are no motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum RecordedFault {
     /// Fewer than three samples.
     TooFew {

@@ -8,7 +8,6 @@ use std::f64::consts::PI;
 
 /// A law of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Law {
     /// Constant acceleration, constant speed, constant deceleration.
     Trapezoid,

@@ -8,7 +8,6 @@ use thiserror::Error;
 ///
 /// The hint is apart from the message: [`Self::nearest`] or else [`Self::expected`].
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
 pub enum CodeError {
     /// There is nothing.
     #[error("the code is empty")]

@@ -137,34 +137,42 @@ impl BarChart {
         let mut style = style.clone();
         let head = EDGE + title_height(&Canvas::new(&style), &self.title) + 2.0;
         let legend = self.legend_rows(style.size.width);
-        let foot = X_BELOW + EDGE + legend.iter().map(|_| LEGEND_ROW).sum::<f64>();
+        let foot = X_BELOW + EDGE + rows_height(&legend);
+        let columns = self.columns(&style);
+        let laid: Vec<Laid> = self.rows.iter().map(|row| Laid::of(row, &columns)).collect();
+        let extra: f64 = laid.iter().map(|row| row.extra).sum();
         let units: f64 = self.rows.iter().map(Row::height).sum::<f64>().max(1.0);
-        let row = ((style.size.height - head - foot) / units).clamp(ROW_MIN, ROW_MAX);
-        style.size.height = row.mul_add(units, head + foot);
+        let row = ((style.size.height - head - foot - extra) / units).clamp(ROW_MIN, ROW_MAX);
+        style.size.height = row.mul_add(units, extra + head + foot);
         let style = &style;
         let mut canvas = Canvas::new(style);
-        let area = self.area(style, head, row.mul_add(units, head));
+        let (left, right) = (columns.left, columns.right);
+        let area = Rect { left, right, top: head, bottom: row.mul_add(units, extra + head) };
         let ticks = Ticks::new(0.0, self.end(), 6, false);
         title(&mut canvas, &self.title);
-        self.grid(&mut canvas, &area, &ticks);
+        // Where texts stand above their bars, no line may run through them.
+        let lined = Rect { top: if columns.beside { area.top } else { area.bottom - 3.0 }, ..area };
+        self.grid(&mut canvas, &lined, &ticks);
+        let limit = x_at(&area, 100.0, ticks.hi);
         let mut top = head;
-        for entry in &self.rows {
-            let height = row * entry.height();
+        for (entry, laid) in self.rows.iter().zip(&laid) {
+            let height = row.mul_add(entry.height(), laid.extra);
             match entry {
-                Row::Heading(label) => {
-                    let label = label.elided(style.size.width - 2.0 * EDGE, TEXT, true);
-                    let at = (EDGE, TEXT.mul_add(-0.3, top + height));
-                    canvas.text(at, &label, Setting::new(TEXT, Colour::Ink, Anchor::Start).bold());
+                Row::Heading(_) => {
+                    let lines = laid.label.iter().map(|_| LINE).sum::<f64>() - LINE;
+                    let mut base = TEXT.mul_add(-0.3, top + height) - lines;
+                    for line in &laid.label {
+                        canvas.text((EDGE, base), line, Setting::new(TEXT, Colour::Ink, Anchor::Start).bold());
+                        base += LINE;
+                    }
                 }
-                Row::Bar(bar) => self.draw_bar(&mut canvas, bar, &area, (top, height), ticks.hi),
+                Row::Bar(bar) => draw_bar(&mut canvas, bar, laid, &columns, (top, height), ticks.hi),
             }
             top += height;
         }
-        let limit = x_at(&area, 100.0, ticks.hi);
-        canvas.line((limit, area.top), (limit, area.bottom + TICK), &Stroke::solid(Colour::Ink, 1.6));
-        let title = self.axis.title(0).elided(area.right - EDGE, crate::canvas::AXIS, false);
-        let setting = Setting::new(crate::canvas::AXIS, Colour::Ink, Anchor::End);
-        canvas.text((area.right, area.bottom + X_TITLE), &title, setting);
+        canvas.line((limit, lined.top), (limit, area.bottom + TICK), &Stroke::solid(Colour::Ink, 1.6));
+        let (title, size) = self.axis.title_within(0, area.right - EDGE);
+        canvas.text((area.right, area.bottom + X_TITLE), &title, Setting::new(size, Colour::Ink, Anchor::End));
         draw_legend(&mut canvas, &legend, area.bottom + X_BELOW + 4.0);
         canvas.finish("bars", &self.title.plain(), &self.description)
     }
@@ -182,15 +190,19 @@ impl BarChart {
         (longest * 1.05).clamp(110.0, self.longest)
     }
 
-    /// The area of the bars between the labels and the texts.
-    fn area(&self, style: &Style, top: f64, bottom: f64) -> Rect {
+    /// Where labels, bars and texts stand: beside each other, or above the bars where a picture is too narrow.
+    fn columns(&self, style: &Style) -> Columns {
         let width = style.size.width;
+        if width < BESIDE_MIN {
+            let (left, right) = (EDGE + SIGN, width - EDGE);
+            return Columns { beside: false, left, right, labels: right - left, texts: right - left, width };
+        }
         let widest = |of: fn(&Bar) -> f64| self.bars().map(of).fold(0.0, f64::max);
         let labels = widest(|bar| bar.label.width(TEXT, false)).min(width * 0.42);
         let texts = widest(|bar| bar.text.width(TEXT, bar.verdict == Verdict::Fail)).min(width * 0.32);
         let left = EDGE + SIGN + labels + GAP;
         let right = (width - EDGE - texts - GAP).max(left + 30.0);
-        Rect { left, right, top, bottom }
+        Columns { beside: true, left, right, labels, texts, width }
     }
 
     fn grid(&self, canvas: &mut Canvas<'_>, area: &Rect, ticks: &Ticks) {
@@ -214,70 +226,77 @@ impl BarChart {
         canvas.close();
     }
 
-    fn draw_bar(&self, canvas: &mut Canvas<'_>, bar: &Bar, area: &Rect, (top, height): (f64, f64), hi: f64) {
-        let dropped = usize::from(bar.percent.is_some_and(|percent| !percent.is_finite()));
-        canvas.open_item(&format!("bar {}", bar.verdict.class()), &bar.tags, &bar.label, dropped);
-        let middle = top + height / 2.0;
-        let base = TEXT.mul_add(CAP_HEIGHT / 2.0, middle);
-        draw_sign(canvas, bar.verdict, (EDGE + 5.0, middle));
-        let label = bar.label.elided(area.left - GAP - EDGE - SIGN + ROUNDING, TEXT, false);
-        canvas.text((EDGE + SIGN, base), &label, Setting::new(TEXT, Colour::Ink, Anchor::Start));
-        let thick = (height * 0.58).min(13.0);
-        let lane = Rect { left: area.left, right: area.right, top: middle - thick / 2.0, bottom: middle + thick / 2.0 };
-        match (bar.verdict, bar.length()) {
-            (Verdict::NotChecked, _) => {
-                let fill = canvas.hatch(Colour::Unchecked, Hatch::Dots);
-                canvas.rect(&lane, 0.0, &fill, None);
-            }
-            // Decided, but by no ratio: sign and text tell it.
-            (_, None) => {}
-            (verdict, Some(percent)) => {
-                // A pixel at least: a bar of nothing is still a bar.
-                let end = x_at(area, percent.min(hi), hi).max(area.left + 1.0);
-                let drawn = Rect { right: end, ..lane };
-                let colour = verdict.colour();
-                match verdict {
-                    Verdict::Advice | Verdict::Fail => {
-                        let hatch = if verdict == Verdict::Fail { Hatch::Crossed } else { Hatch::Rising };
-                        let lines = canvas.hatch(colour, hatch);
-                        canvas.rect(&drawn, 0.0, &Fill::Flat(colour, 0.3), None);
-                        canvas.rect(&drawn, 0.0, &lines, Some(&Stroke::solid(colour, RULE)));
-                    }
-                    Verdict::Pass | Verdict::NotChecked => {
-                        canvas.rect(&drawn, 0.0, &Fill::Flat(colour, 0.85), Some(&Stroke::solid(colour, RULE)));
-                    }
-                }
-                if percent > hi {
-                    draw_break(canvas, &drawn);
-                }
-            }
-        }
-        let room = canvas.style.size.width - EDGE - area.right - GAP + ROUNDING;
-        let fail = bar.verdict == Verdict::Fail;
-        let colour = if bar.verdict == Verdict::NotChecked { Colour::Soft } else { Colour::Ink };
-        let setting = Setting::new(TEXT, colour, Anchor::End);
-        let text = bar.text.elided(room, TEXT, fail);
-        canvas.text((canvas.style.size.width - EDGE, base), &text, if fail { setting.bold() } else { setting });
-        canvas.close();
-    }
-
-    /// The explained verdicts in rows, each with its place from the left.
-    fn legend_rows(&self, width: f64) -> Vec<Vec<(f64, Verdict, Label)>> {
-        let mut rows: Vec<Vec<(f64, Verdict, Label)>> = Vec::new();
+    /// The explained verdicts in rows, each with its place from the left and its text in lines.
+    fn legend_rows(&self, width: f64) -> Vec<Vec<(f64, Verdict, Vec<Label>)>> {
+        let mut rows: Vec<Vec<(f64, Verdict, Vec<Label>)>> = Vec::new();
         let mut x = f64::INFINITY;
         for (verdict, label) in &self.legend {
-            let label = label.elided(width - 2.0 * EDGE - SIGN, TEXT, false);
-            let wide = SIGN + label.width(TEXT, false);
+            let lines = label.wrapped(width - 2.0 * EDGE - SIGN, TEXT, false);
+            let wide = SIGN + lines.iter().map(|line| line.width(TEXT, false)).fold(0.0, f64::max);
             if x + wide > width - EDGE {
                 rows.push(Vec::new());
                 x = EDGE;
             }
             if let Some(row) = rows.last_mut() {
-                row.push((x, *verdict, label));
+                row.push((x, *verdict, lines));
             }
             x += wide + 18.0;
         }
         rows
+    }
+}
+
+/// Where labels, bars and texts stand.
+struct Columns {
+    /// Beside each other; else the bar stands below its texts.
+    beside: bool,
+    /// The bars.
+    left: f64,
+    right: f64,
+    /// Room of labels and of texts.
+    labels: f64,
+    texts: f64,
+    /// Of the picture.
+    width: f64,
+}
+
+/// Label and text of a row in lines, and what they take beyond one line.
+struct Laid {
+    label: Vec<Label>,
+    text: Vec<Label>,
+    extra: f64,
+}
+
+impl Laid {
+    fn of(row: &Row, columns: &Columns) -> Self {
+        let count = |lines: &[Label]| lines.iter().map(|_| 1.0).sum::<f64>();
+        let bar = match row {
+            Row::Heading(label) => {
+                let label = label.wrapped(columns.width - 2.0 * EDGE, TEXT, true);
+                return Self { extra: LINE * (count(&label) - 1.0).max(0.0), label, text: Vec::new() };
+            }
+            Row::Bar(bar) => bar,
+        };
+        let bold = bar.verdict == Verdict::Fail;
+        let label = bar.label.wrapped(columns.labels + ROUNDING, TEXT, false);
+        let text = bar.text.wrapped(columns.texts + ROUNDING, TEXT, bold);
+        let extra = if columns.beside {
+            LINE * (count(&label).max(count(&text)) - 1.0).max(0.0)
+        } else if one_line(&label, &text, columns, bold) {
+            LINE
+        } else {
+            LINE * (count(&label) + count(&text))
+        };
+        Self { label, text, extra }
+    }
+}
+
+/// Whether label and text stand in one line above their bar.
+fn one_line(label: &[Label], text: &[Label], columns: &Columns, bold: bool) -> bool {
+    match (label, text) {
+        ([_], []) => true,
+        ([label], [text]) => label.width(TEXT, false) + text.width(TEXT, bold) + GAP <= columns.labels,
+        _ => false,
     }
 }
 
@@ -287,6 +306,10 @@ const GAP: f64 = 10.0;
 const ROW_MIN: f64 = 16.0;
 const ROW_MAX: f64 = 23.0;
 const LEGEND_ROW: f64 = 16.0;
+/// Distance of two lines of one text.
+const LINE: f64 = 13.5;
+/// A picture narrower than this has its labels above the bars.
+const BESIDE_MIN: f64 = 400.0;
 /// A width added up in another order differs in the last digit.
 const ROUNDING: f64 = 1e-6;
 
@@ -328,6 +351,85 @@ impl Verdict {
 
 fn x_at(area: &Rect, percent: f64, hi: f64) -> f64 {
     (percent / hi).mul_add(area.width(), area.left)
+}
+
+fn draw_bar(canvas: &mut Canvas<'_>, bar: &Bar, laid: &Laid, columns: &Columns, (top, height): (f64, f64), hi: f64) {
+    let dropped = usize::from(bar.percent.is_some_and(|percent| !percent.is_finite()));
+    canvas.open_item(&format!("bar {}", bar.verdict.class()), &bar.tags, &bar.label, dropped);
+    let fail = bar.verdict == Verdict::Fail;
+    let (ink, soft) = (Colour::Ink, if bar.verdict == Verdict::NotChecked { Colour::Soft } else { Colour::Ink });
+    let text = |anchor: Anchor| {
+        let setting = Setting::new(TEXT, soft, anchor);
+        if fail { setting.bold() } else { setting }
+    };
+    let row = height - laid.extra;
+    let base_of = |middle: f64| TEXT.mul_add(CAP_HEIGHT / 2.0, middle);
+    let middle = if columns.beside {
+        let middle = top + height / 2.0;
+        draw_sign(canvas, bar.verdict, (EDGE + 5.0, middle));
+        let first = |lines: &[Label]| base_of(middle) - (lines.iter().map(|_| LINE).sum::<f64>() - LINE).max(0.0) / 2.0;
+        let start = Setting::new(TEXT, ink, Anchor::Start);
+        write_lines(canvas, &laid.label, (EDGE + SIGN, first(&laid.label)), start);
+        write_lines(canvas, &laid.text, (columns.width - EDGE, first(&laid.text)), text(Anchor::End));
+        middle
+    } else {
+        let first = top + LINE / 2.0 + 3.0;
+        draw_sign(canvas, bar.verdict, (EDGE + 5.0, first));
+        let start = Setting::new(TEXT, ink, Anchor::Start);
+        let below = write_lines(canvas, &laid.label, (EDGE + SIGN, base_of(first)), start);
+        if one_line(&laid.label, &laid.text, columns, fail) {
+            write_lines(canvas, &laid.text, (columns.right, base_of(first)), text(Anchor::End));
+        } else {
+            write_lines(canvas, &laid.text, (EDGE + SIGN, below), text(Anchor::Start));
+        }
+        top + laid.extra + row / 2.0 + 1.0
+    };
+    let thick = (row * 0.58).min(13.0);
+    let lane =
+        Rect { left: columns.left, right: columns.right, top: middle - thick / 2.0, bottom: middle + thick / 2.0 };
+    match (bar.verdict, bar.length()) {
+        (Verdict::NotChecked, _) => {
+            let fill = canvas.hatch(Colour::Unchecked, Hatch::Dots);
+            canvas.rect(&lane, 0.0, &fill, None);
+        }
+        // Decided, but by no ratio: sign and text tell it.
+        (_, None) => {}
+        (verdict, Some(percent)) => {
+            // A pixel at least: a bar of nothing is still a bar.
+            let end = x_at(&lane, percent.min(hi), hi).max(lane.left + 1.0);
+            let drawn = Rect { right: end, ..lane };
+            let colour = verdict.colour();
+            match verdict {
+                Verdict::Advice | Verdict::Fail => {
+                    let hatch = if verdict == Verdict::Fail { Hatch::Crossed } else { Hatch::Rising };
+                    let lines = canvas.hatch(colour, hatch);
+                    canvas.rect(&drawn, 0.0, &Fill::Flat(colour, 0.3), None);
+                    canvas.rect(&drawn, 0.0, &lines, Some(&Stroke::solid(colour, RULE)));
+                }
+                Verdict::Pass | Verdict::NotChecked => {
+                    canvas.rect(&drawn, 0.0, &Fill::Flat(colour, 0.85), Some(&Stroke::solid(colour, RULE)));
+                }
+            }
+            if percent > hi {
+                draw_break(canvas, &drawn);
+            }
+        }
+    }
+    if !columns.beside {
+        canvas.line((lane.left, lane.top), (lane.left, lane.bottom), &Stroke::solid(Colour::Ink, RULE));
+        let limit = x_at(&lane, 100.0, hi);
+        canvas.line((limit, lane.top), (limit, lane.bottom + 2.0), &Stroke::solid(Colour::Ink, 1.6));
+    }
+    canvas.close();
+}
+
+/// Writes lines one below the other; gives the base line of the next.
+fn write_lines(canvas: &mut Canvas<'_>, lines: &[Label], (x, mut base): Point, setting: Setting) -> f64 {
+    for line in lines {
+        canvas.text((x, base), line, setting);
+        base += LINE;
+    }
+    base
 }
 
 /// The sign of a verdict around a point.
@@ -382,19 +484,28 @@ fn draw_break(canvas: &mut Canvas<'_>, bar: &Rect) {
     }
 }
 
-fn draw_legend(canvas: &mut Canvas<'_>, rows: &[Vec<(f64, Verdict, Label)>], top: f64) {
+/// What the rows of the legend take.
+fn rows_height(rows: &[Vec<(f64, Verdict, Vec<Label>)>]) -> f64 {
+    rows.iter().map(|row| row_height(row)).sum()
+}
+
+fn row_height(row: &[(f64, Verdict, Vec<Label>)]) -> f64 {
+    row.iter().map(|(.., lines)| lines.iter().map(|_| LEGEND_ROW).sum::<f64>()).fold(LEGEND_ROW, f64::max)
+}
+
+fn draw_legend(canvas: &mut Canvas<'_>, rows: &[Vec<(f64, Verdict, Vec<Label>)>], top: f64) {
     if rows.is_empty() {
         return;
     }
     canvas.open("legend");
     let mut y = top + LEGEND_ROW / 2.0;
     for row in rows {
-        for (x, verdict, label) in row {
+        for (x, verdict, lines) in row {
             draw_sign(canvas, *verdict, (x + 5.0, y));
             let at = (x + SIGN, TEXT.mul_add(CAP_HEIGHT / 2.0, y));
-            canvas.text(at, label, Setting::new(TEXT, Colour::Ink, Anchor::Start));
+            write_lines(canvas, lines, at, Setting::new(TEXT, Colour::Ink, Anchor::Start));
         }
-        y += LEGEND_ROW;
+        y += row_height(row);
     }
     canvas.close();
 }

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use crate::font::{ASCENT, DESCENT, FONT_FAMILY};
 use crate::geometry::Rect;
 use crate::item::Tags;
-use crate::label::{Kind, Label, is_drawable};
+use crate::label::{Kind, Label, Run, is_drawable};
 use crate::picture::{Picture, TextBox};
 use crate::style::{Colour, Style, Theme};
 
@@ -246,11 +246,21 @@ impl<'a> Canvas<'a> {
             return;
         }
         self.texts.push(TextBox { area, text: label.plain() });
-        let _ = write!(self.out, "<text x=\"{}\" y=\"{}\"", number(at.0), number(at.1));
-        match setting.anchor {
+        let label = &label.clone().merged();
+        // Several runs stand each at its own place, so that a face of other widths moves none into its neighbour.
+        let whole = match label.runs.as_slice() {
+            [only] if only.kind == Kind::Plain => Some(only),
+            _ => None,
+        };
+        let (x, anchor) = if whole.is_some() { (at.0, setting.anchor) } else { (area.left, Anchor::Start) };
+        let _ = write!(self.out, "<text x=\"{}\" y=\"{}\"", number(x), number(at.1));
+        match anchor {
             Anchor::Start => {}
             Anchor::Middle => self.out.push_str(" text-anchor=\"middle\""),
             Anchor::End => self.out.push_str(" text-anchor=\"end\""),
+        }
+        if let Some(run) = whole {
+            self.out.push_str(&length(run, setting));
         }
         let theme = self.style.theme;
         let _ = write!(self.out, " font-size=\"{}\" fill=\"{}\"", number(setting.size), theme.colour(setting.colour));
@@ -265,33 +275,28 @@ impl<'a> Canvas<'a> {
             );
         }
         self.out.push('>');
-        self.runs(label, setting.size);
+        match whole {
+            Some(run) => self.out.push_str(&escaped(&run.text)),
+            None => self.runs(label, (area.left, at.1), setting),
+        }
         self.out.push_str("</text>\n");
     }
 
-    fn runs(&mut self, label: &Label, size: f64) {
-        let mut lowered = 0.0;
+    fn runs(&mut self, label: &Label, (left, base): (f64, f64), setting: Setting) {
+        let mut x = left;
         for run in &label.runs {
-            let target = if run.kind == Kind::Index { size * 0.24 } else { 0.0 };
-            let shift: f64 = target - lowered;
-            lowered = target;
-            let text = escaped(&run.text);
-            let mut attributes = String::new();
-            if shift != 0.0 {
-                let _ = write!(attributes, " dy=\"{}\"", number(shift));
-            }
+            let lowered = if run.kind == Kind::Index { setting.size * 0.24 } else { 0.0 };
+            let _ = write!(self.out, "<tspan x=\"{}\" y=\"{}\"", number(x), number(base + lowered));
             match run.kind {
                 Kind::Plain => {}
-                Kind::Symbol => attributes.push_str(" font-style=\"italic\" font-weight=\"400\""),
+                Kind::Symbol => self.out.push_str(" font-style=\"italic\" font-weight=\"400\""),
                 Kind::Index => {
-                    let _ = write!(attributes, " font-size=\"{}\"", number(run.size(size)));
+                    let _ = write!(self.out, " font-size=\"{}\"", number(run.size(setting.size)));
                 }
             }
-            if attributes.is_empty() {
-                self.out.push_str(&text);
-            } else {
-                let _ = write!(self.out, "<tspan{attributes}>{text}</tspan>");
-            }
+            self.out.push_str(&length(run, setting));
+            let _ = write!(self.out, ">{}</tspan>", escaped(&run.text));
+            x += run.width(setting.size, setting.bold);
         }
     }
 
@@ -346,6 +351,18 @@ impl<'a> Canvas<'a> {
             texts: self.texts,
         }
     }
+}
+
+/// Characters up to which the width of a text is left to its face: another one differs by a pixel or two.
+const SHORT: usize = 3;
+
+/// The attribute that keeps a run as wide as it was laid out, whatever face draws it: the picture does not carry the font.
+fn length(run: &Run, setting: Setting) -> String {
+    if run.text.chars().count() <= SHORT {
+        return String::new();
+    }
+    let width = number(run.width(setting.size, setting.bold));
+    format!(" textLength=\"{width}\" lengthAdjust=\"spacingAndGlyphs\"")
 }
 
 /// The box of a text with its anchor on the base line.

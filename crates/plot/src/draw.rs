@@ -15,7 +15,7 @@ use crate::style::Colour;
 const MARKERS_MAX: usize = 2000;
 /// A name that would cover or cross something is left to the tooltip; a note is there because somebody wants it read.
 const NAME: Near = Near { gap: MARKER + 1.5, reach: 60.0, worst: 60.0 };
-const NOTE: Near = Near { gap: 5.0, reach: 110.0, worst: f64::INFINITY };
+const NOTE: Near = Near { gap: 6.5, reach: 110.0, worst: f64::INFINITY };
 /// Between a reference line and its label: more than a cell of the field, or the line would stand in its own way.
 const CLEAR: f64 = 4.6;
 
@@ -47,13 +47,8 @@ pub(crate) fn lines(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item]) {
     }
 }
 
-/// Labels of references, notes, and names of points, each where there is room.
+/// Notes and names of points, each where there is room.
 pub(crate) fn texts(canvas: &mut Canvas<'_>, plane: &Plane, items: &[Item], field: &mut Field) {
-    for item in items {
-        if let Item::Reference(reference) = item {
-            label_reference(canvas, plane, reference, field);
-        }
-    }
     for item in items {
         if let Item::Note(note) = item {
             draw_note(canvas, plane, note, field);
@@ -207,38 +202,56 @@ fn draw_reference(canvas: &mut Canvas<'_>, plane: &Plane, reference: &Reference)
     canvas.close();
 }
 
-fn label_reference(canvas: &mut Canvas<'_>, plane: &Plane, reference: &Reference, field: &mut Field) {
+/// Where the label of each reference goes, taken from the field; `None` has no label or no room.
+pub(crate) fn reference_places(plane: &Plane, items: &[Item], field: &mut Field) -> Vec<Option<(Rect, Label)>> {
+    let references = items.iter().filter_map(|item| match item {
+        Item::Reference(reference) => Some(reference),
+        _ => None,
+    });
+    references.map(|reference| reference_place(plane, reference, field)).collect()
+}
+
+fn reference_place(plane: &Plane, reference: &Reference, field: &mut Field) -> Option<(Rect, Label)> {
     let [from, to] = ends(plane, reference);
     if reference.label.is_empty() || plane.area.cut(from, to).is_none() || !from.0.is_finite() || !from.1.is_finite() {
-        return;
+        return None;
     }
-    let label = reference.label.elided(plane.area.width() * 0.6, TEXT, false);
+    let label = reference.label.elided(plane.area.width() - 8.0, TEXT, false);
     let (width, height) = (label.width(TEXT, false), TEXT * (ASCENT + DESCENT));
     let box_at = |left: f64, top: f64| Rect { left, right: left + width, top, bottom: top + height };
     let area = plane.area;
-    let shares = [0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0];
+    let shares = (0..=24_u8).map(|step| f64::from(step) / 24.0);
     let boxes: Vec<Rect> = match reference.at {
         At::Y(_) => shares
-            .into_iter()
             .flat_map(|share| {
                 let left = (area.right - 4.0 - width) - share * (area.width() - width - 8.0);
                 [box_at(left, from.1 - CLEAR - height), box_at(left, from.1 + CLEAR)]
             })
             .collect(),
         At::X(_) => shares
-            .into_iter()
             .flat_map(|share| {
                 let top = area.top + 4.0 + share * (area.height() - height - 8.0);
                 [box_at(from.0 + CLEAR, top), box_at(from.0 - CLEAR - width, top)]
             })
             .collect(),
     };
-    match field.best(boxes) {
-        Some((area, _)) => {
-            field.text(area);
-            write_in(canvas, &area, &label, colour(reference.tone));
+    let (area, _) = field.best(boxes)?;
+    field.text(area);
+    Some((area, label))
+}
+
+/// Writes the labels of references where [`reference_places`] found room.
+pub(crate) fn reference_labels(canvas: &mut Canvas<'_>, items: &[Item], places: &[Option<(Rect, Label)>]) {
+    let references = items.iter().filter_map(|item| match item {
+        Item::Reference(reference) => Some(reference),
+        _ => None,
+    });
+    for (reference, place) in references.zip(places) {
+        match place {
+            Some((area, label)) => write_in(canvas, area, label, colour(reference.tone)),
+            None if reference.label.is_empty() => {}
+            None => canvas.hide(&reference.label),
         }
-        None => canvas.hide(&reference.label),
     }
 }
 

@@ -300,6 +300,8 @@ pub enum Shape {
     Square,
     /// △
     Triangle,
+    /// A wide ring, never filled: it marks another marker and lets it be seen.
+    Ring,
 }
 
 /// Single points.

@@ -138,23 +138,73 @@ impl Label {
         kept.with("…", Kind::Plain)
     }
 
-    /// The text in lines of at most `limit`, broken at blanks; the last of `lines` is shortened if need be.
-    pub(crate) fn wrapped(&self, limit: f64, size: f64, bold: bool, lines: usize) -> Vec<Self> {
+    /// The text in lines of at most `limit`, broken at blanks, and within a word where it is longer than a line. Nothing of it
+    /// is left out.
+    pub(crate) fn wrapped(&self, limit: f64, size: f64, bold: bool) -> Vec<Self> {
         let mut done: Vec<Self> = Vec::new();
         let mut line = Self::default();
         for word in self.words() {
             let longer = line.clone().joined(&word);
-            if line.is_empty() || longer.width(size, bold) <= limit || done.len() + 1 >= lines {
-                line = if line.is_empty() { word.without_leading_blank() } else { longer };
-            } else {
+            if longer.width(size, bold) <= limit {
+                line = longer;
+                continue;
+            }
+            if !line.is_empty() {
                 done.push(line);
-                line = word.without_leading_blank();
+            }
+            line = Self::default();
+            for piece in word.without_leading_blank().pieces(limit, size, bold) {
+                if !line.is_empty() {
+                    done.push(line);
+                }
+                line = piece;
             }
         }
         if !line.is_empty() {
             done.push(line);
         }
-        done.iter().map(|line| line.elided(limit, size, bold)).collect()
+        done
+    }
+
+    /// The label in parts of at most `limit`, cut after a hyphen, comma or stroke where there is one, else anywhere.
+    fn pieces(self, limit: f64, size: f64, bold: bool) -> Vec<Self> {
+        if self.width(size, bold) <= limit {
+            return vec![self];
+        }
+        let atoms: Vec<Self> = self
+            .runs
+            .iter()
+            .flat_map(|run| run.text.split_inclusive(['-', ',', '/', '\u{ad}']).map(|part| (part, run.kind)))
+            .map(|(part, kind)| Self::default().with(part, kind))
+            .flat_map(|part| if part.width(size, bold) <= limit { vec![part] } else { part.letters() })
+            .collect();
+        let mut parts: Vec<Self> = Vec::new();
+        for atom in atoms {
+            match parts.last_mut() {
+                Some(last) if last.clone().joined(&atom).width(size, bold) <= limit => {
+                    *last = std::mem::take(last).joined(&atom);
+                }
+                _ => parts.push(atom),
+            }
+        }
+        parts.into_iter().map(Self::merged).collect()
+    }
+
+    fn letters(&self) -> Vec<Self> {
+        let letters = self.runs.iter().flat_map(|run| run.text.chars().map(|c| (c, run.kind)));
+        letters.map(|(c, kind)| Self::default().with(c.encode_utf8(&mut [0; 4]), kind)).collect()
+    }
+
+    /// Neighbours of one kind as one run.
+    pub(crate) fn merged(self) -> Self {
+        let mut merged = Self::default();
+        for run in self.runs {
+            match merged.runs.last_mut() {
+                Some(last) if last.kind == run.kind => last.text.push_str(&run.text),
+                _ => merged.runs.push(run),
+            }
+        }
+        merged
     }
 
     /// Pieces that stay together; each but the first begins with its blank.
@@ -175,7 +225,7 @@ impl Label {
 
     fn joined(mut self, other: &Self) -> Self {
         self.runs.extend(other.runs.iter().cloned());
-        self
+        self.merged()
     }
 
     fn without_leading_blank(mut self) -> Self {
@@ -203,7 +253,7 @@ impl Run {
         if self.kind == Kind::Index { (size * SUBSCRIPT_SCALE).max(SIZE_MIN) } else { size }
     }
 
-    fn width(&self, size: f64, bold: bool) -> f64 {
+    pub(crate) fn width(&self, size: f64, bold: bool) -> f64 {
         font::width(&self.text, cut(self.kind, bold), self.size(size))
     }
 }
@@ -246,11 +296,20 @@ mod tests {
     #[test]
     fn lines_are_broken_at_blanks_and_lose_nothing() {
         let label = Label::from("mean input speed of the gear ").and_symbol("n_in");
-        let lines = label.wrapped(90.0, 12.0, false, 9);
+        let lines = label.wrapped(90.0, 12.0, false);
         assert!(lines.len() > 1);
         let plain: Vec<String> = lines.iter().map(Label::plain).collect();
         assert_eq!(plain.join(" "), "mean input speed of the gear n_in");
-        assert_eq!(label.wrapped(90.0, 12.0, false, 2).len(), 2);
+        for limit in [12.0, 25.0, 40.0, 70.0] {
+            let lines = label.wrapped(limit, 12.0, false);
+            assert!(lines.iter().all(|line| line.width(12.0, false) <= limit), "{limit}: {lines:?}");
+            let letters = |text: &str| text.replace([' ', '_'], "");
+            let found: String = lines.iter().map(|line| letters(&line.plain())).collect();
+            assert_eq!(found, letters(&label.plain()));
+        }
+        let code: Vec<String> =
+            Label::from("CHA-25A-100-H-C1024-B").wrapped(70.0, 12.0, true).iter().map(Label::plain).collect();
+        assert!(code.len() > 1 && code.iter().rev().skip(1).all(|line| line.ends_with('-')), "{code:?}");
     }
 
     #[test]

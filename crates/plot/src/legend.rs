@@ -89,48 +89,71 @@ pub(crate) fn column(canvas: &mut Canvas<'_>, entries: &[Entry], area: &Rect) {
     canvas.rect(area, 2.0, &Fill::Flat(Colour::Paper, 0.9), Some(&Stroke::solid(Colour::Grid, HAIR)));
     let mut y = area.top + PAD + ROW / 2.0 - 1.5;
     for entry in entries {
-        draw(canvas, entry, (area.left + PAD, y), f64::INFINITY);
+        draw(canvas, entry, (area.left + PAD, y), std::slice::from_ref(&entry.label));
         y += ROW;
     }
     canvas.close();
 }
 
-/// The entries in rows of a width: for each row the entries and their widths.
-pub(crate) fn rows(entries: &[Entry], width: f64) -> Vec<Vec<(&Entry, f64)>> {
-    let mut rows: Vec<Vec<(&Entry, f64)>> = Vec::new();
+/// A line of a legend: entries side by side, or one whose label takes several lines.
+pub(crate) struct Row<'a> {
+    entries: Vec<(&'a Entry, f64, Vec<Label>)>,
+}
+
+impl Row<'_> {
+    pub(crate) fn height(&self) -> f64 {
+        self.entries.iter().map(|(.., lines)| lines.iter().map(|_| ROW).sum::<f64>()).fold(ROW, f64::max)
+    }
+
+    pub(crate) fn width(&self) -> f64 {
+        self.entries.iter().map(|(_, width, _)| width + COLUMN_GAP).sum::<f64>() - COLUMN_GAP
+    }
+}
+
+/// The entries in rows of a width; a label too long for one line is broken, never cut.
+pub(crate) fn rows(entries: &[Entry], width: f64) -> Vec<Row<'_>> {
+    let mut rows: Vec<Row<'_>> = Vec::new();
     let mut taken = f64::INFINITY;
     for entry in entries {
-        let wide = (SAMPLE + SAMPLE_GAP + entry.label.width(TEXT, false)).min(width);
+        let room = width - SAMPLE - SAMPLE_GAP + ROUNDING;
+        let lines = entry.label.wrapped(room, TEXT, false);
+        let widest = lines.iter().map(|line| line.width(TEXT, false)).fold(0.0, f64::max);
+        let wide = SAMPLE + SAMPLE_GAP + widest;
         if taken + COLUMN_GAP + wide > width {
-            rows.push(Vec::new());
+            rows.push(Row { entries: Vec::new() });
             taken = wide;
         } else {
             taken += COLUMN_GAP + wide;
         }
         if let Some(row) = rows.last_mut() {
-            row.push((entry, wide));
+            row.entries.push((entry, wide, lines));
         }
     }
     rows
 }
 
+/// What rows take from top to bottom.
+pub(crate) fn rows_height(rows: &[Row<'_>]) -> f64 {
+    rows.iter().map(Row::height).sum()
+}
+
 /// Draws rows from a left end and an upper end downwards.
-pub(crate) fn draw_rows(canvas: &mut Canvas<'_>, rows: &[Vec<(&Entry, f64)>], (left, top): Point) {
+pub(crate) fn draw_rows(canvas: &mut Canvas<'_>, rows: &[Row<'_>], (left, top): Point) {
     canvas.open("legend");
     let mut y = top + ROW / 2.0;
     for row in rows {
         let mut x = left;
-        for (entry, width) in row {
-            draw(canvas, entry, (x, y), *width);
+        for (entry, width, lines) in &row.entries {
+            draw(canvas, entry, (x, y), lines);
             x += width + COLUMN_GAP;
         }
-        y += ROW;
+        y += row.height();
     }
     canvas.close();
 }
 
-/// Draws one entry with its middle at a height.
-fn draw(canvas: &mut Canvas<'_>, entry: &Entry, (x, y): Point, width: f64) {
+/// Draws one entry with the middle of its first line at a height.
+fn draw(canvas: &mut Canvas<'_>, entry: &Entry, (x, y): Point, lines: &[Label]) {
     match &entry.sample {
         Sample::Line(stroke) => canvas.line((x, y), (x + SAMPLE, y), stroke),
         Sample::Patch(fill, stroke) => {
@@ -139,13 +162,17 @@ fn draw(canvas: &mut Canvas<'_>, entry: &Entry, (x, y): Point, width: f64) {
         }
         Sample::Marker(shape, colour, hollow) => draw_marker(canvas, *shape, (x + SAMPLE / 2.0, y), *colour, *hollow),
     }
-    let label = entry.label.elided(width - SAMPLE - SAMPLE_GAP + ROUNDING, TEXT, false);
-    let setting = Setting::new(TEXT, Colour::Ink, Anchor::Start);
-    canvas.text((x + SAMPLE + SAMPLE_GAP, TEXT.mul_add(CAP_HEIGHT / 2.0, y)), &label, setting);
+    let mut base = TEXT.mul_add(CAP_HEIGHT / 2.0, y);
+    for line in lines {
+        canvas.text((x + SAMPLE + SAMPLE_GAP, base), line, Setting::new(TEXT, Colour::Ink, Anchor::Start));
+        base += ROW;
+    }
 }
 
 /// Radius of a marker.
 pub(crate) const MARKER: f64 = 3.4;
+/// Radius of a ring around another marker.
+const RING: f64 = 6.8;
 
 /// Draws a marker.
 pub(crate) fn draw_marker(canvas: &mut Canvas<'_>, shape: Shape, (x, y): Point, colour: Colour, hollow: bool) {
@@ -164,6 +191,11 @@ pub(crate) fn draw_marker(canvas: &mut Canvas<'_>, shape: Shape, (x, y): Point, 
             let across = number(2.0 * MARKER);
             format!("M{} {}a{r} {r} 0 1 0 {across} 0a{r} {r} 0 1 0 -{across} 0Z", number(x - MARKER), number(y))
         }
+        Shape::Ring => {
+            let r = number(RING);
+            let across = number(2.0 * RING);
+            format!("M{} {}a{r} {r} 0 1 0 {across} 0a{r} {r} 0 1 0 -{across} 0Z", number(x - RING), number(y))
+        }
         Shape::Diamond => polygon(&[(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)]),
         Shape::Square => polygon(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)]),
         Shape::Triangle => polygon(&[(0.0, -1.25), (1.15, 0.8), (-1.15, 0.8)]),
@@ -172,7 +204,7 @@ pub(crate) fn draw_marker(canvas: &mut Canvas<'_>, shape: Shape, (x, y): Point, 
             format!("M{l} {t}L{r} {b}M{l} {b}L{r} {t}")
         }
     };
-    if shape == Shape::Cross {
+    if matches!(shape, Shape::Ring | Shape::Cross) {
         canvas.path(&d, &Fill::None, Some(&Stroke::solid(colour, 1.6)));
     } else if hollow {
         canvas.path(&d, &Fill::Flat(Colour::Paper, 1.0), Some(&Stroke::solid(colour, 1.3)));

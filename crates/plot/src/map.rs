@@ -71,6 +71,12 @@ impl MapChart {
         Self { chart: self.chart.with(item), ..self }
     }
 
+    /// Sets what stands in place of the plane if there is no point to be shown in it.
+    #[must_use]
+    pub fn nothing(self, text: impl Into<Label>) -> Self {
+        Self { chart: self.chart.nothing(text), ..self }
+    }
+
     /// Draws the map.
     #[must_use]
     pub fn render(&self, style: &Style) -> Picture {

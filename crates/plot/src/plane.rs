@@ -3,7 +3,7 @@
 use crate::canvas::{AXIS, Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT, number};
 use crate::font::CAP_HEIGHT;
 use crate::geometry::{Point, Rect};
-use crate::label::Label;
+use crate::label::{Kind, Label, Run, SIZE_MIN};
 use crate::style::Colour;
 use crate::ticks::{LARGEST, Ticks};
 
@@ -66,6 +66,12 @@ impl Axis {
         self
     }
 
+    /// Name and symbol of the quantity, without its unit.
+    #[must_use]
+    pub fn quantity(&self) -> Label {
+        self.name.clone()
+    }
+
     /// What stands beside the axis, with the power of ten taken out of its numbers.
     pub(crate) fn title(&self, exponent: i32) -> Label {
         let power = match exponent {
@@ -84,6 +90,25 @@ impl Axis {
             (true, false) => Label::from(unit),
             (false, false) => self.name.clone().text(&format!(" / {unit}")),
         }
+    }
+
+    /// The title at a room, with its font size: whole, smaller, or without the name of the quantity. Symbol and unit stay.
+    pub(crate) fn title_within(&self, exponent: i32, room: f64) -> (Label, f64) {
+        let whole = self.title(exponent);
+        let least = SIZE_MIN;
+        if whole.width(AXIS, false) <= room {
+            return (whole, AXIS);
+        }
+        if whole.width(least, false) <= room {
+            return (whole, least);
+        }
+        let symbol: Vec<Run> = self.name.runs.iter().filter(|run| run.kind != Kind::Plain).cloned().collect();
+        if symbol.is_empty() {
+            return (whole, least);
+        }
+        let short = Self { name: Label { runs: symbol }, ..self.clone() }.title(exponent);
+        let size = if short.width(AXIS, false) <= room { AXIS } else { least };
+        (short, size)
     }
 
     /// The range to show for data, and whether it may be widened to the next tick.
@@ -245,19 +270,19 @@ impl Plane {
         canvas.close();
     }
 
-    /// The title of the y axis, level above its numbers.
-    pub(crate) fn y_title(&self, canvas: &mut Canvas<'_>, axis: &Axis, room: f64) {
-        let title = axis.title(self.y.exponent).elided(room, AXIS, false);
-        canvas.text((EDGE, self.area.top - 8.0), &title, Setting::new(AXIS, Colour::Ink, Anchor::Start));
+    /// The title of the y axis, level above its numbers, on a base line.
+    pub(crate) fn y_title(&self, canvas: &mut Canvas<'_>, axis: &Axis, room: f64, at: f64) {
+        let (title, size) = axis.title_within(self.y.exponent, room);
+        canvas.text((EDGE, at), &title, Setting::new(size, Colour::Ink, Anchor::Start));
     }
 
     /// The title of the x axis, below its end.
     pub(crate) fn x_title(&self, canvas: &mut Canvas<'_>, axis: &Axis) {
-        let title = axis.title(self.x.exponent).elided(self.area.right - EDGE, AXIS, false);
+        let (title, size) = axis.title_within(self.x.exponent, self.area.right - EDGE);
         canvas.text(
             (self.area.right, self.area.bottom + X_TITLE),
             &title,
-            Setting::new(AXIS, Colour::Ink, Anchor::End),
+            Setting::new(size, Colour::Ink, Anchor::End),
         );
     }
 }
@@ -325,6 +350,16 @@ mod tests {
         assert_eq!(Axis::new("", "%").title(0).plain(), "%");
         assert_eq!(Axis::new("", "").name("Rank").title(0).plain(), "Rank");
         assert_eq!(Axis::new("i", "").title(6).plain(), "i / 10⁶");
+    }
+
+    #[test]
+    fn a_title_without_room_keeps_symbol_and_unit() {
+        let axis = Axis::new("T_rms", "Nm").name("Torque at the output");
+        let whole = axis.title(0).width(AXIS, false);
+        assert_eq!(axis.title_within(0, whole + 1.0), (axis.title(0), AXIS));
+        assert_eq!(axis.title_within(0, whole * 0.8), (axis.title(0), SIZE_MIN));
+        assert_eq!(axis.title_within(3, whole * 0.5).0.plain(), "T_rms / 10³ Nm");
+        assert_eq!(axis.title_within(0, 1.0).0.plain(), "T_rms / Nm");
     }
 
     #[test]

@@ -5,7 +5,7 @@ use crate::draw;
 use crate::geometry::Rect;
 use crate::item::{Item, Tags};
 use crate::label::Label;
-use crate::legend::{self, Entry};
+use crate::legend::{self, Entry, Row};
 use crate::picture::Picture;
 use crate::place::Field;
 use crate::plane::{Axis, EDGE, Plane, X_BELOW, x_ticks, y_margin, y_ticks};
@@ -54,7 +54,40 @@ const PANEL_MIN: f64 = 28.0;
 struct Laid<'a> {
     plane: Plane,
     panel: &'a Panel,
+    head: Head,
+}
+
+/// Title and legend of a panel: side by side, or one below the other where the picture is too narrow for that.
+struct Head {
     entries: Vec<Entry>,
+    beside: bool,
+}
+
+impl Head {
+    fn of(canvas: &mut Canvas<'_>, panel: &Panel) -> Self {
+        let entries = legend::entries(canvas, &panel.items);
+        // Whether numbers take out a power of ten is known only later: room for one.
+        let title = panel.y.title(-3).width(AXIS, false);
+        let room = canvas.style.size.width - 2.0 * EDGE - title - legend::COLUMN_GAP;
+        let whole = legend::rows(&entries, f64::MAX);
+        let beside = entries.is_empty() || whole.iter().all(|row| row.width() <= room);
+        Self { entries, beside }
+    }
+
+    fn rows(&self, style: &Style) -> Vec<Row<'_>> {
+        let room = if self.beside { f64::MAX } else { style.size.width - 2.0 * EDGE };
+        legend::rows(&self.entries, room)
+    }
+
+    fn title_room(&self, style: &Style) -> f64 {
+        let legend: f64 =
+            if self.beside { self.rows(style).iter().map(|row| row.width() + legend::COLUMN_GAP).sum() } else { 0.0 };
+        style.size.width - 2.0 * EDGE - legend
+    }
+
+    fn height(&self, style: &Style) -> f64 {
+        HEADER + if self.beside { 0.0 } else { legend::rows_height(&self.rows(style)) }
+    }
 }
 
 impl StackedChart {
@@ -109,10 +142,17 @@ impl StackedChart {
         title(&mut canvas, &self.title);
         self.draw_segments(&mut canvas, &laid);
         for (index, part) in laid.iter().enumerate() {
-            let Laid { plane, panel, entries } = part;
+            let Laid { plane, panel, head } = part;
+            let mut field = Field::new(plane.area);
+            draw::stamp(&mut field, plane, &panel.items);
+            for x in self.borders_in(plane) {
+                field.line(&[(x, plane.area.top), (x, plane.area.bottom)]);
+            }
+            let places = draw::reference_places(plane, &panel.items, &mut field);
             canvas.open_plane("plane panel", &plane.area, (plane.x.lo, plane.x.hi), (plane.y.lo, plane.y.hi));
             plane.grid(&mut canvas);
-            self.draw_borders(&mut canvas, plane);
+            let labels: Vec<Rect> = places.iter().flatten().map(|(area, _)| area.grown(1.0)).collect();
+            self.draw_borders(&mut canvas, plane, &labels);
             draw::areas(&mut canvas, plane, &panel.items);
             plane.y_axis(&mut canvas, &panel.y);
             if index + 1 == laid.len() {
@@ -122,19 +162,17 @@ impl StackedChart {
                 canvas.line((left, bottom), (right, bottom), &Stroke::solid(Colour::Soft, HAIR));
             }
             draw::lines(&mut canvas, plane, &panel.items);
-            let mut field = Field::new(plane.area);
-            draw::stamp(&mut field, plane, &panel.items);
+            draw::reference_labels(&mut canvas, &panel.items, &places);
             draw::texts(&mut canvas, plane, &panel.items, &mut field);
             canvas.close();
-            plane.y_title(&mut canvas, &panel.y, title_room(style));
-            let room = style.size.width - EDGE - legend_left(&panel.y, &plane.y, style);
-            if let Some(row) = legend::rows(entries, room).into_iter().next() {
-                let width = row.iter().map(|(_, width)| width + legend::COLUMN_GAP).sum::<f64>() - legend::COLUMN_GAP;
-                let left = plane.area.right - width;
-                for (entry, _) in entries.iter().skip(row.len()).map(|entry| (entry, 0)) {
-                    canvas.hide(&entry.label);
-                }
-                legend::draw_rows(&mut canvas, &[row], (left, plane.area.top - legend::ROW - 4.0));
+            let below = if head.beside { 0.0 } else { legend::rows_height(&head.rows(style)) };
+            plane.y_title(&mut canvas, &panel.y, head.title_room(style), plane.area.top - 8.0 - below);
+            let rows = head.rows(style);
+            if head.beside {
+                let left = plane.area.right - rows.iter().map(Row::width).fold(0.0, f64::max);
+                legend::draw_rows(&mut canvas, &rows, (left, plane.area.top - legend::ROW - 4.0));
+            } else if !rows.is_empty() {
+                legend::draw_rows(&mut canvas, &rows, (EDGE, plane.area.top - below - 4.0));
             }
         }
         if let Some(last) = laid.last() {
@@ -146,8 +184,11 @@ impl StackedChart {
     /// The style with the height that the panels need.
     fn grown(&self, style: &Style) -> Style {
         let mut style = style.clone();
-        let canvas = Canvas::new(&style);
-        let panels: f64 = self.panels.iter().map(|_| HEADER + PANEL_MIN).sum();
+        let scratch = style.clone();
+        let mut canvas = Canvas::new(&scratch);
+        // Panels share the height, so that the highest head decides.
+        let head = self.panels.iter().map(|panel| Head::of(&mut canvas, panel).height(&scratch)).fold(0.0, f64::max);
+        let panels: f64 = self.panels.iter().map(|_| head + PANEL_MIN).sum();
         let least = 2.0 * EDGE + title_height(&canvas, &self.title) + self.segment_row() + panels + X_BELOW;
         style.size.height = style.size.height.max(least);
         style
@@ -163,20 +204,22 @@ impl StackedChart {
         let bottom = size.height - EDGE / 2.0 - X_BELOW;
         let share = (bottom - top) / self.panels.iter().map(|_| 1.0).sum::<f64>().max(1.0);
         let mut xs: Vec<f64> = self.segments.iter().flat_map(|(from, to, _)| [*from, *to]).collect();
-        let mut parts: Vec<(&Panel, Ticks, Vec<Entry>)> = Vec::new();
+        let style = canvas.style;
+        let mut parts: Vec<(&Panel, Ticks, Head)> = Vec::new();
         for panel in &self.panels {
             let (x, y): (Vec<Vec<f64>>, Vec<Vec<f64>>) = panel.items.iter().map(Item::reach).unzip();
             xs.extend(x.concat());
-            let ticks = y_ticks(panel.y.span(&y.concat(), false), share - HEADER);
-            parts.push((panel, ticks, legend::entries(canvas, &panel.items)));
+            let head = Head::of(canvas, panel);
+            let ticks = y_ticks(panel.y.span(&y.concat(), false), share - head.height(style));
+            parts.push((panel, ticks, head));
         }
         let left = parts.iter().map(|(_, ticks, _)| y_margin(canvas, ticks)).fold(0.0, f64::max).min(size.width / 2.0);
         let (x, right) = x_ticks(canvas, self.x.span(&xs, false), left, size.width - EDGE - 4.0);
         let mut y = top;
         let mut laid = Vec::new();
-        for (panel, ticks, entries) in parts {
-            let area = Rect { left, right, top: y + HEADER, bottom: y + share };
-            laid.push(Laid { plane: Plane { area, x: x.clone(), y: ticks }, panel, entries });
+        for (panel, ticks, head) in parts {
+            let area = Rect { left, right, top: y + head.height(style), bottom: y + share };
+            laid.push(Laid { plane: Plane { area, x: x.clone(), y: ticks }, panel, head });
             y += share;
         }
         laid
@@ -190,11 +233,28 @@ impl StackedChart {
         borders
     }
 
-    fn draw_borders(&self, canvas: &mut Canvas<'_>, plane: &Plane) {
-        for x in self.borders().into_iter().filter(|x| *x > plane.x.lo && *x < plane.x.hi) {
-            let x = plane.x_at(x);
-            let from = (x, plane.area.top - 2.0);
-            canvas.line(from, (x, plane.area.bottom), &Stroke { colour: Colour::Soft, width: HAIR, dash: "3 2" });
+    /// Borders within a plane, in px.
+    fn borders_in(&self, plane: &Plane) -> Vec<f64> {
+        let inside = self.borders().into_iter().filter(|x| *x > plane.x.lo && *x < plane.x.hi);
+        inside.map(|x| plane.x_at(x)).collect()
+    }
+
+    /// Borders of segments, broken where a label stands.
+    fn draw_borders(&self, canvas: &mut Canvas<'_>, plane: &Plane, labels: &[Rect]) {
+        let pen = Stroke { colour: Colour::Soft, width: HAIR, dash: "3 2" };
+        for x in self.borders_in(plane) {
+            let mut crossed: Vec<&Rect> = labels.iter().filter(|label| label.left < x && x < label.right).collect();
+            crossed.sort_by(|a, b| a.top.total_cmp(&b.top));
+            let mut top = plane.area.top - 2.0;
+            for label in crossed {
+                if label.top > top {
+                    canvas.line((x, top), (x, label.top), &pen);
+                }
+                top = top.max(label.bottom);
+            }
+            if plane.area.bottom > top {
+                canvas.line((x, top), (x, plane.area.bottom), &pen);
+            }
         }
     }
 
@@ -202,7 +262,7 @@ impl StackedChart {
     fn draw_segments(&self, canvas: &mut Canvas<'_>, laid: &[Laid<'_>]) {
         let Some(first) = laid.first() else { return };
         let plane = &first.plane;
-        let base = plane.area.top - HEADER;
+        let base = plane.area.top - first.head.height(canvas.style);
         let mut until = f64::NEG_INFINITY;
         for (from, to, name) in &self.segments {
             let (from, to) = (plane.x_at(*from), plane.x_at(*to));
@@ -228,12 +288,4 @@ impl StackedChart {
             canvas.close();
         }
     }
-}
-
-fn title_room(style: &Style) -> f64 {
-    (style.size.width - 2.0 * EDGE) * 0.6
-}
-
-fn legend_left(axis: &Axis, ticks: &Ticks, style: &Style) -> f64 {
-    EDGE + axis.title(ticks.exponent).width(AXIS, false).min(title_room(style)) + legend::COLUMN_GAP
 }

@@ -1,6 +1,6 @@
 //! Charts of one plane: curves, areas and points over two axes.
 
-use crate::canvas::{Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT, TITLE};
+use crate::canvas::{AXIS, Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT, TITLE};
 use crate::draw;
 use crate::geometry::Rect;
 use crate::item::{Item, colour};
@@ -31,6 +31,7 @@ pub struct XyChart {
     pub(crate) legend: Legend,
     pub(crate) four_quadrant: bool,
     pub(crate) items: Vec<Item>,
+    pub(crate) nothing: Label,
 }
 
 impl XyChart {
@@ -45,6 +46,7 @@ impl XyChart {
             legend: Legend::Auto,
             four_quadrant: false,
             items: Vec::new(),
+            nothing: Label::default(),
         }
     }
 
@@ -76,6 +78,13 @@ impl XyChart {
         self
     }
 
+    /// Sets what stands in place of the plane if there is no point to be shown in it.
+    #[must_use]
+    pub fn nothing(mut self, text: impl Into<Label>) -> Self {
+        self.nothing = text.into();
+        self
+    }
+
     /// Adds an item. Areas are drawn first, then references, lines, markers and notes, each kind in its order.
     #[must_use]
     pub fn with(mut self, item: impl Into<Item>) -> Self {
@@ -97,6 +106,9 @@ impl XyChart {
     }
 
     pub(crate) fn render_as(&self, kind: &str, style: &Style) -> Picture {
+        if !self.nothing.is_empty() && !self.items.iter().any(has_points) {
+            return self.say_nothing(kind, style);
+        }
         let style = &self.grown(style);
         let mut canvas = Canvas::new(style);
         let entries = self.entries(&mut canvas);
@@ -133,14 +145,33 @@ impl XyChart {
         if let Some(area) = &corner {
             legend::column(&mut canvas, &entries, area);
         }
+        let places = draw::reference_places(&plane, &self.items, &mut field);
+        draw::reference_labels(&mut canvas, &self.items, &places);
         draw::texts(&mut canvas, &plane, &self.items, &mut field);
         self.end_labels(&mut canvas, &plane);
         canvas.close();
-        plane.y_title(&mut canvas, &self.y, style.size.width - 2.0 * EDGE);
+        plane.y_title(&mut canvas, &self.y, style.size.width - 2.0 * EDGE, plane.area.top - 8.0);
         plane.x_title(&mut canvas, &self.x);
         if below {
             let rows = legend::rows(&entries, style.size.width - 2.0 * EDGE);
             legend::draw_rows(&mut canvas, &rows, (EDGE, plane.area.bottom + X_BELOW + 4.0));
+        }
+        canvas.finish(kind, &self.title.plain(), &self.description)
+    }
+
+    /// The sentence in place of a plane without a point.
+    fn say_nothing(&self, kind: &str, style: &Style) -> Picture {
+        let mut style = style.clone();
+        let lines = self.nothing.wrapped(style.size.width - 2.0 * EDGE, AXIS, false);
+        let text: f64 = lines.iter().map(|_| TITLE_ROW).sum();
+        let above = EDGE + title_height(&Canvas::new(&style), &self.title);
+        style.size.height = above + text + 2.0 * EDGE;
+        let mut canvas = Canvas::new(&style);
+        title(&mut canvas, &self.title);
+        let mut base = above + TITLE_ROW * 0.7;
+        for line in &lines {
+            canvas.text((EDGE, base), line, Setting::new(AXIS, Colour::Ink, Anchor::Start));
+            base += TITLE_ROW;
         }
         canvas.finish(kind, &self.title.plain(), &self.description)
     }
@@ -225,10 +256,15 @@ impl XyChart {
     }
 }
 
+/// Whether an item has a point of its own; a line across the plane and a note have none.
+fn has_points(item: &Item) -> bool {
+    !matches!(item, Item::Reference(_) | Item::Note(_)) && !item.reach().0.is_empty()
+}
+
 /// What axis and legend take below a plane.
 fn below(canvas: &Canvas<'_>, entries: &[Entry]) -> f64 {
     let rows = legend::rows(entries, canvas.style.size.width - 2.0 * EDGE);
-    let legend = rows.iter().map(|_| legend::ROW).sum::<f64>();
+    let legend = legend::rows_height(&rows);
     X_BELOW + EDGE / 2.0 + if legend > 0.0 { legend + 4.0 } else { 0.0 }
 }
 
@@ -252,12 +288,10 @@ fn legend_corner(field: &Field, area: &Rect, entries: &[Entry]) -> Option<Rect> 
     field.best(boxes).filter(|(_, cost)| *cost == 0.0).map(|(area, _)| area)
 }
 
-/// Lines of a title.
-const TITLE_LINES: usize = 2;
 const TITLE_ROW: f64 = 19.0;
 
 fn title_lines(canvas: &Canvas<'_>, title: &Label) -> Vec<Label> {
-    title.wrapped(canvas.style.size.width - 2.0 * EDGE, TITLE, true, TITLE_LINES)
+    title.wrapped(canvas.style.size.width - 2.0 * EDGE, TITLE, true)
 }
 
 /// What a title takes above the chart.

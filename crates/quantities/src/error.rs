@@ -11,7 +11,6 @@ use thiserror::Error;
 /// `Display` is the English message; [`message`](Self::message) and [`hint`](Self::hint) speak both languages.
 /// The texts in `found` are shortened to 40 characters.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
 pub enum QuantityError {
     /// The text is empty or blank.
     #[error("empty, expected {} such as \"{}\"", en(*expected), expected.example())]

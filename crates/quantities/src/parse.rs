@@ -116,8 +116,12 @@ fn no_end_of_number(trimmed: &str, number: &str, start: usize, expected: Dimensi
         return None;
     }
     let tail = |c: char| c.is_ascii_digit() || c.is_whitespace() || ",.'’_".contains(c);
-    let run =
-        trimmed.get(..number.len() + rest.len() - rest.trim_start_matches(tail).len()).unwrap_or(trimmed).trim_end();
+    let run = trimmed.get(..number.len() + rest.len() - rest.trim_start_matches(tail).len()).unwrap_or(trimmed);
+    // A unit may begin with a digit, `40,5 1/min`: it is no part of the number.
+    let unit = run.match_indices(char::is_whitespace).map(|(at, _)| at);
+    let unit =
+        unit.into_iter().find(|at| is_unit_with_digits_first(trimmed.get(*at..).unwrap_or_default().trim_start()));
+    let run = unit.and_then(|at| run.get(..at)).unwrap_or(run).trim_end();
     let fraction = rest.strip_prefix(',').map_or(0, digits);
     if fraction > 0 && run.len() == number.len() + 1 + fraction && !number.contains(['.', 'e', 'E']) {
         let length = run.len() + exponent_length(trimmed.get(run.len()..).unwrap_or_default());

@@ -102,6 +102,11 @@ fn every_fault_has_its_kind_and_place() {
         assert_eq!(kind_and_place(Dimension::Torque, text), (kind, place), "{text:?}");
     }
     assert_eq!(kind_and_place(Dimension::Ratio, "1 000"), ("number unreadable", "1 000"));
+    // A unit that begins with a digit is no part of the number before it.
+    assert_eq!(kind_and_place(Dimension::AngularVelocity, "40,5 1/min"), ("comma", "40,5"));
+    assert_eq!(kind_and_place(Dimension::MomentOfInertia, "1,12 10^-4 kgm^2"), ("comma", "1,12"));
+    assert_eq!(kind_and_place(Dimension::AngularVelocity, "1 000 1/min"), ("number unreadable", "1 000"));
+    assert_eq!(kind_and_place(Dimension::AngularVelocity, "1.000,5 1/min"), ("number unreadable", "1.000,5"));
     assert_eq!(kind_and_place(Dimension::AngularVelocity, "401/min"), ("unit unknown", "/min"));
 }
 

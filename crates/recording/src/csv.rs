@@ -1,11 +1,12 @@
 //! Reading CSV.
 
 use crate::columns::{Heading, Picks, Said, decide, pick};
+use crate::encoding;
 use crate::faults::{Fault, Faults, excerpt};
 use crate::gather::{Gather, Sample, check_window};
 use crate::layout::{Layout, Role};
 use crate::lines::Lines;
-use crate::number::{Bad, Decimals, Tick, finite};
+use crate::number::{Bad, Decimals, Tick, finite, is_grouped};
 use crate::series::{KnownBy, Recording};
 use csv_core::{ReadRecordResult, ReaderBuilder};
 use memchr::{memchr, memchr_iter};
@@ -18,6 +19,8 @@ use std::ops::Range;
 /// else a tab, else `,`. With `;` and tab the numbers may have decimal commas, all or none. A unit stands in the header
 /// (`q [deg]`), in a row of units under it, or in the layout. Columns that no role needs may hold any text. Of samples
 /// outside the window only the time is read. A cell in quotes must end in its line.
+///
+/// The text is UTF-8, UTF-16 with its mark at the beginning, or Latin-1.
 ///
 /// # Errors
 /// All faults of the file.
@@ -36,12 +39,7 @@ fn read(source: impl Read, layout: &Layout, faults: &mut Faults) -> Option<Recor
     }
     let mut cells = Cells::new(delimiter(lines.line()));
     let header = cells.all(lines.line(), lines.number(), faults)?;
-    let Ok(headings) =
-        header.iter().map(|cell| std::str::from_utf8(cell).map(Heading::new)).collect::<Result<Vec<_>, _>>()
-    else {
-        faults.push(Fault::HeaderNotUtf8 { line: lines.number() });
-        return None;
-    };
+    let headings: Vec<Heading> = header.iter().map(|cell| Heading::new(&encoding::text(cell))).collect();
     let picks = pick(&headings, layout, faults);
 
     let mut more = advance(&mut lines, faults)?;
@@ -98,7 +96,7 @@ fn delimiter(header: &[u8]) -> u8 {
 
 /// The row as units, if no cell in use is a number.
 fn unit_row(row: &[Vec<u8>], picks: &Picks) -> Option<Vec<String>> {
-    let texts: Vec<String> = row.iter().map(|cell| unbracketed(&String::from_utf8_lossy(cell))).collect();
+    let texts: Vec<String> = row.iter().map(|cell| unbracketed(&encoding::text(cell))).collect();
     let mut used =
         picks.iter().flatten().filter_map(|index| texts.get(*index)).filter(|text| !text.is_empty()).peekable();
     // A missing value of the first sample is no unit.
@@ -170,6 +168,7 @@ fn told(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
     let (at, column) = (crate::Place::Line(line), column.to_owned());
     let text = excerpt(String::from_utf8_lossy(cell).trim());
     match bad {
+        Bad::Unreadable | Bad::Mixed(_) if is_grouped(&text) => Fault::ThousandsGrouped { at, column, text },
         Bad::Missing => Fault::ValueMissing { at, column },
         Bad::Unreadable => Fault::ValueUnreadable { at, column, text },
         Bad::NotFinite => Fault::ValueNotFinite { at, column, text },

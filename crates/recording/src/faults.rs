@@ -6,6 +6,7 @@ use crate::{FAULTS_MAX, SAMPLES_MAX};
 use quantities::{Dimension, Time, Unit};
 use std::fmt;
 use std::io::ErrorKind;
+use std::mem::Discriminant;
 use thiserror::Error;
 
 /// Where in a file.
@@ -43,7 +44,6 @@ impl fmt::Display for Stamp {
 
 /// Why a file is no recording. Texts out of the file are shortened to 40 characters.
 #[derive(Clone, Debug, PartialEq, Error)]
-#[non_exhaustive]
 pub enum Fault {
     /// The source cannot be read on.
     #[error("line {line}: the source cannot be read: {kind}")]
@@ -56,12 +56,6 @@ pub enum Fault {
     /// There is no header.
     #[error("the file has no header")]
     NoHeader,
-    /// The header is not UTF-8.
-    #[error("line {line}: the header is not UTF-8")]
-    HeaderNotUtf8 {
-        /// Line of the header.
-        line: u64,
-    },
     /// A line is longer than is read.
     #[error("line {line}: longer than {most} bytes")]
     LineTooLong {
@@ -226,6 +220,16 @@ pub enum Fault {
         /// The line that decided the decimal sign.
         decided: u64,
     },
+    /// A number has signs between its thousands.
+    #[error("{at}: \"{text}\" in \"{column}\" has signs between its thousands")]
+    ThousandsGrouped {
+        /// Where.
+        at: Place,
+        /// The column.
+        column: String,
+        /// The cell as written.
+        text: String,
+    },
     /// A column holds something else than plain numbers.
     #[error("the column \"{column}\" holds {found}, no numbers")]
     ColumnType {
@@ -288,6 +292,14 @@ pub enum Fault {
         /// What the library says.
         reason: String,
     },
+    /// A fault that many lines have.
+    #[error("{first}; {more} more like it")]
+    Repeated {
+        /// The first of them.
+        first: Box<Fault>,
+        /// How many more there are.
+        more: u64,
+    },
     /// There are more faults.
     #[error("{count} more faults")]
     More {
@@ -299,6 +311,24 @@ pub enum Fault {
 }
 
 impl Fault {
+    /// The kind of a fault of a line or of its cells.
+    fn kind(&self) -> Option<Kind> {
+        let column = match self {
+            Self::ValueMissing { column, .. }
+            | Self::ValueUnreadable { column, .. }
+            | Self::ValueNotFinite { column, .. }
+            | Self::DecimalMixed { column, .. }
+            | Self::ThousandsGrouped { column, .. } => Some(column.clone()),
+            Self::Ragged { .. }
+            | Self::QuoteOpen { .. }
+            | Self::Backwards { .. }
+            | Self::SameTime { .. }
+            | Self::Gap { .. } => None,
+            _ => return None,
+        };
+        Some((std::mem::discriminant(self), column))
+    }
+
     pub(crate) const fn too_many_samples() -> Self {
         Self::TooManySamples { most: SAMPLES_MAX }
     }
@@ -307,20 +337,65 @@ impl Fault {
 /// Beyond so many faults the rest of a file tells nothing new, and its reading stops.
 const COUNTED_MAX: u64 = 10_000;
 
+/// So many equal faults are told one by one; of more the first stands for all.
+const EQUAL_MAX: u64 = 3;
+
+/// What makes faults equal: their kind, and the column.
+type Kind = (Discriminant<Fault>, Option<String>);
+
 /// The faults of a file, in the order found.
 #[derive(Debug, Default)]
 pub(crate) struct Faults {
     told: Vec<Fault>,
+    /// The kinds of those that can repeat, and how often each was found.
+    kinds: Vec<(Kind, u64)>,
+    /// How many were found and not kept.
     more: u64,
+    /// Of these, how many belong to a kind of which the first is kept.
+    repeated: u64,
 }
 
 impl Faults {
     pub(crate) fn push(&mut self, fault: Fault) {
+        if let Some(kind) = fault.kind() {
+            match self.kinds.iter_mut().find(|(known, _)| *known == kind) {
+                Some((_, count)) => {
+                    *count = count.saturating_add(1);
+                    if *count > EQUAL_MAX {
+                        self.more = self.more.saturating_add(1);
+                        self.repeated = self.repeated.saturating_add(1);
+                        return;
+                    }
+                }
+                None if self.told.len() < FAULTS_MAX => self.kinds.push((kind, 1)),
+                None => {}
+            }
+        }
         if self.told.len() < FAULTS_MAX {
             self.told.push(fault);
         } else {
             self.more = self.more.saturating_add(1);
         }
+    }
+
+    /// What is kept, with one fault in the place of many equal ones.
+    fn grouped(&mut self) -> Vec<Fault> {
+        let mut grouped: Vec<Fault> = Vec::new();
+        let mut begun: Vec<Kind> = Vec::new();
+        for fault in std::mem::take(&mut self.told) {
+            let kind = fault.kind();
+            let count = kind.as_ref().and_then(|kind| self.kinds.iter().find(|(known, _)| known == kind));
+            match (kind.clone(), count) {
+                (Some(kind), Some((_, count))) if *count > EQUAL_MAX => {
+                    if !begun.contains(&kind) {
+                        begun.push(kind);
+                        grouped.push(Fault::Repeated { first: Box::new(fault), more: count - 1 });
+                    }
+                }
+                _ => grouped.push(fault),
+            }
+        }
+        grouped
     }
 
     pub(crate) const fn none(&self) -> bool {
@@ -338,10 +413,12 @@ impl Faults {
             Some(answer) if self.told.is_empty() => Ok(answer),
             _ => {
                 let stopped = self.enough();
-                if self.more > 0 {
-                    self.told.push(Fault::More { count: self.more, stopped });
+                let mut told = self.grouped();
+                let count = self.more - self.repeated;
+                if count > 0 || stopped {
+                    told.push(Fault::More { count, stopped });
                 }
-                Err(self.told)
+                Err(told)
             }
         }
     }

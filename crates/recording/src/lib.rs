@@ -18,6 +18,7 @@
 
 mod columns;
 mod csv;
+mod encoding;
 mod faults;
 mod gather;
 mod layout;

@@ -1,6 +1,7 @@
 //! The lines of a text of any length, in a bounded buffer.
 
 use crate::LINE_BYTES_MAX;
+use crate::encoding::Utf8;
 use crate::faults::Fault;
 use memchr::memchr;
 use std::io::{ErrorKind, Read};
@@ -11,7 +12,7 @@ const BUFFER_BYTES: usize = 4 * LINE_BYTES_MAX;
 
 /// Lines that say something: comments (`#`) and empty lines are passed over, but counted.
 pub(crate) struct Lines<R> {
-    source: R,
+    source: Utf8<R>,
     buffer: Vec<u8>,
     /// What is read and not yet told.
     rest: Range<usize>,
@@ -22,7 +23,14 @@ pub(crate) struct Lines<R> {
 
 impl<R: Read> Lines<R> {
     pub(crate) fn new(source: R) -> Self {
-        Self { source, buffer: vec![0; BUFFER_BYTES], rest: 0..0, line: 0..0, number: 0, at_end: false }
+        Self {
+            source: Utf8::new(source),
+            buffer: vec![0; BUFFER_BYTES],
+            rest: 0..0,
+            line: 0..0,
+            number: 0,
+            at_end: false,
+        }
     }
 
     /// The line without its end.

@@ -55,8 +55,28 @@ impl Decimals {
 
     /// Whether a cell looks like a number, decided or not.
     pub(crate) fn is_number(cell: &str) -> bool {
-        cell.trim().replacen(',', ".", 1).parse::<f64>().is_ok()
+        cell.trim().replacen(',', ".", 1).parse::<f64>().is_ok() || is_grouped(cell.trim())
     }
+}
+
+/// Whether thousands are set apart beyond doubt, asked of what is no number: `1.234,5`, `1,234.5`, `1'234`, `1.234.567`. Of `1.234` nobody knows.
+pub(crate) fn is_grouped(text: &str) -> bool {
+    let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+    ['.', ',', '\'', '’', ' ', '\u{a0}', '\u{202f}'].into_iter().any(|sign| {
+        let mut groups = unsigned.split(sign);
+        let leading = groups.next().unwrap_or_default();
+        let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        if !digits(leading) || leading.len() > 3 {
+            return false;
+        }
+        let rest: Vec<&str> = groups.collect();
+        let Some((last, between)) = rest.split_last() else { return false };
+        let (whole, fraction) = last.split_at(last.len() - last.trim_start_matches(|c: char| c.is_ascii_digit()).len());
+        let decimal = fraction.strip_prefix(['.', ',']).filter(|part| digits(part) && !fraction.starts_with(sign));
+        let sound = between.iter().chain([&whole]).all(|group| group.len() == 3 && digits(group));
+        let certain = decimal.is_some() || !between.is_empty() || !['.', ','].contains(&sign);
+        sound && certain && (fraction.is_empty() || decimal.is_some())
+    })
 }
 
 /// A finite number.
@@ -148,6 +168,17 @@ mod tests {
         assert_eq!(Tick::read("123456789.5.5"), Err(Bad::Unreadable));
         assert_eq!(Tick::read("NaN"), Err(Bad::NotFinite));
         assert_eq!(Tick::read("1e999"), Err(Bad::NotFinite));
+    }
+
+    #[test]
+    fn thousands_are_known_where_nothing_else_can_be_meant() {
+        for text in ["1.234,5", "-1,234.5", "12'345", "1 234 567,25", "1.234.567", "123\u{202f}456"] {
+            assert!(is_grouped(text), "{text}");
+        }
+        for text in ["1.234", "1,234", "1234,5", "12.34,5", "1.2345,6", "1.234,", ",5", "1.234e5", "2024 12", "a.123,4"]
+        {
+            assert!(!is_grouped(text), "{text}");
+        }
     }
 
     #[test]

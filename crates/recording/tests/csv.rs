@@ -242,7 +242,7 @@ fn one_decimal_sign_holds_for_a_file() {
     assert_eq!(faults("t [s];q [deg]\n0;1,5\n1;1.500\n2;3\n"), [mixed(3, "1.500", 2)]);
     assert_eq!(faults("t [s];q [deg]\n0.5;1\n1;1,5\n2;3\n"), [mixed(3, "1,5", 2)]);
     let found = faults("t [s];q [deg]\n0;1.000,5\n1;1,5\n2;3\n");
-    assert!(matches!(found.as_slice(), [Fault::ValueUnreadable { at: Place::Line(2), .. }]));
+    assert!(matches!(found.as_slice(), [Fault::ThousandsGrouped { at: Place::Line(2), .. }]));
 }
 
 #[test]
@@ -300,26 +300,51 @@ fn two_samples_are_no_recording() {
 }
 
 #[test]
-fn faults_are_capped() {
-    let mut text = String::from("t [s],q [deg]\n");
-    for line in 0..80 {
-        text += &format!("{line},x\n");
-    }
-    let found = faults(&text);
-    assert_eq!(found.len(), FAULTS_MAX + 1);
-    assert_eq!(found.last(), Some(&Fault::More { count: 30, stopped: false }));
-    for line in 80..20_000 {
-        text += &format!("{line},x\n");
-    }
-    assert_eq!(faults(&text).last(), Some(&Fault::More { count: 10_000, stopped: true }));
+fn equal_faults_are_told_once_with_their_number() {
+    let rows = |count: usize| (0..count).map(|line| format!("{line};1.234,5;x\n")).collect::<String>();
+    let head = "t [s];q [deg];M [Nm]\n";
+    assert_eq!(faults(&format!("{head}{}", rows(3))).len(), 6, "three of each are told one by one");
+    let found = faults(&format!("{head}{}", rows(80)));
+    let [Fault::Repeated { first, more: 79 }, Fault::Repeated { first: second, more: 79 }] = found.as_slice() else {
+        panic!("{found:?}")
+    };
+    assert!(matches!(first.as_ref(), Fault::ThousandsGrouped { at: Place::Line(2), column, text }
+        if column == "q [deg]" && text == "1.234,5"));
+    assert!(matches!(second.as_ref(), Fault::ValueUnreadable { at: Place::Line(2), .. }));
+    // Beyond ten thousand the reading stops.
+    let found = faults(&format!("{head}{}", rows(20_000)));
+    assert_eq!(found.last(), Some(&Fault::More { count: 0, stopped: true }));
+    assert_eq!(found.len(), 3);
 }
 
 #[test]
-fn a_header_that_is_not_utf8_is_refused() {
-    let found = read_csv(b"\nZeit [s],Stra\xdfe,q [deg]\n0,1,2\n".as_slice(), &Layout::default()).unwrap_err();
-    assert_eq!(found, [Fault::HeaderNotUtf8 { line: 2 }]);
-    let utf16 = read_csv(b"\xff\xfet\0,\0q\0\n\0".as_slice(), &Layout::default()).unwrap_err();
-    assert_eq!(utf16, [Fault::HeaderNotUtf8 { line: 1 }]);
+fn many_different_faults_are_capped() {
+    let columns = 2 * FAULTS_MAX;
+    let head: String = (0..columns).map(|column| format!(",c{column}")).collect();
+    let found = read_csv(format!("t [s],q [deg]{head}\n0\n").as_bytes(), &Layout::default()).unwrap_err();
+    assert!(matches!(found.as_slice(), [Fault::Ragged { .. }]), "{found:?}");
+    // Times that run back are of one kind, whatever the column.
+    let text: String = (0..100).map(|line| format!("{},1\n", 100 - line)).collect();
+    let found = faults(&format!("t [s],q [deg]\n{text}"));
+    assert!(matches!(found.as_slice(), [Fault::Repeated { more: 98, .. }]), "{found:?}");
+}
+
+#[test]
+fn latin_1_and_utf_16_are_read() {
+    let text = "Zeit [s];Straße;φ;Winkel [°]\n0;ä;0;1,5\n1;ö;0;2,5\n2;ü;0;3,5\n";
+    let expected = read_csv(text.as_bytes(), &Layout::default()).unwrap().course.position.unwrap();
+    let latin: Vec<u8> = text.replace('φ', "k").chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
+    assert!(std::str::from_utf8(&latin).is_err());
+    let units: Vec<u16> = [0xfeff].into_iter().chain(text.encode_utf16()).collect();
+    let little: Vec<u8> = units.iter().flat_map(|unit| unit.to_le_bytes()).collect();
+    let big: Vec<u8> = units.iter().flat_map(|unit| unit.to_be_bytes()).collect();
+    for bytes in [latin, little, big] {
+        let found = read_csv(bytes.as_slice(), &Layout::default()).unwrap();
+        assert_eq!(found.course.position.unwrap(), expected);
+    }
+    // A row of units in Latin-1.
+    let units = b"t;q\ns;\xb0\n0;1\n1;2\n2;3\n".as_slice();
+    assert!(read_csv(units, &Layout::default()).is_ok());
     let text = b"t [s],where,q [deg]\n0,Stra\xdfe,2\n1,,3\n2,,4\n".as_slice();
     assert!(read_csv(text, &Layout::default()).is_ok(), "a column that is not in use holds what it likes");
     let cell = read_csv(b"t [s],q [deg]\n0,\xb5\n".as_slice(), &Layout::default()).unwrap_err();

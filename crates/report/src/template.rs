@@ -11,7 +11,7 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("sketches.typ", include_str!("../template/sketches.typ")),
     ("motion.typ", include_str!("../template/motion.typ")),
     ("checks.typ", include_str!("../template/checks.typ")),
-    ("parts.typ", include_str!("../template/parts.typ")),
+    ("tolerances.typ", include_str!("../template/tolerances.typ")),
     ("alternatives.typ", include_str!("../template/alternatives.typ")),
     ("build.typ", include_str!("../template/build.typ")),
     ("sources.typ", include_str!("../template/sources.typ")),

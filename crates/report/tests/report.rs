@@ -1,77 +1,103 @@
-//! The report of real answers, of poor ones and of hostile ones.
+//! The report of the examples, of poor records and of hostile ones.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test that cannot panic cannot fail")]
 
 mod samples;
 
+use answers::{Check, Item, MechanismKind, ScrewJoint};
 use quantities::Language;
-use report::{Content, Fault, Figure, Settings};
-use serde_json::{Value, json};
+use report::{Content, Fault, Figure, Place, Settings};
+use samples::{SAMPLES, content, full, made, named, settings};
 
 /// Letters and digits only: line breaks, indices and narrow spaces are a matter of setting.
 fn letters(text: &str) -> String {
     text.chars().filter(|sign| sign.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
-fn text_of(content: &Content) -> String {
-    letters(&report::page_texts(content, &samples::settings()).unwrap().concat())
+fn pages_of(content: &Content, settings: &Settings) -> String {
+    report::page_texts(content, settings).unwrap().concat()
 }
 
-fn bare(data: Value) -> Content {
-    Content { language: Language::En, data, figures: Vec::new() }
+/// A report with few checks, without pictures: enough for what every page has, and quick to set.
+fn short() -> Content {
+    let text = "format = 1\n[axis]\nname = \"short\"\n[load]\ninertia = \"1.3 kg m^2\"\nfriction_torque = \"5 N m\"\n\
+        [[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\n\
+        pause = \"1 s\"\n";
+    let mut content = made(text, Some("CHA-25A-100-H-C1024-B"), Language::En, false);
+    let dossier = &mut content.axes[0].dossier;
+    dossier.judgement.candidate.checks.truncate(4);
+    dossier.explained.truncate(2);
+    dossier.sizing.ranking.truncate(2);
+    content
 }
 
-fn sample(name: &str) -> Content {
-    let (_, answers, project, language) = samples::SAMPLES.into_iter().find(|sample| sample.0 == name).unwrap();
-    samples::content(answers, project, language)
-}
-
-/// A sample with few checks and nothing else: enough for what every page has, and quick to set.
-fn short(name: &str) -> Value {
-    let mut data = sample(name).data;
-    let check = data["check"].take();
-    let mut short = json!({ "check": check, "inputs": data["inputs"] });
-    short["check"]["checks"].as_array_mut().unwrap().truncate(3);
-    short
+fn checks(content: &Content) -> impl Iterator<Item = &Check> {
+    content.axes.iter().flat_map(|axis| &axis.dossier.judgement.candidate.checks)
 }
 
 #[test]
-fn every_sample_says_all_that_its_data_say() {
-    for (name, answers, project, language) in samples::SAMPLES {
-        let content = samples::content(answers, project, language);
-        let text = text_of(&content);
-        let says = |part: &str| assert!(text.contains(&letters(part)), "{name}: {part}");
-        let check = &content.data["check"];
-        says(check["code"].as_str().unwrap());
-        for each in check["checks"].as_array().unwrap() {
-            says(each["title"].as_str().unwrap());
-            if each["verdict"] == "not_checked" {
-                says(each["missing"].as_str().unwrap());
+fn every_sample_says_all_that_its_records_say() {
+    for sample in SAMPLES {
+        let content = content(sample);
+        let brief = letters(&pages_of(&content, &settings()));
+        let whole = letters(&pages_of(&content, &full()));
+        let name = sample.name;
+        let says = |text: &str, part: &str| assert!(text.contains(&letters(part)), "{name}: {part}");
+        for axis in &content.axes {
+            let dossier = &axis.dossier;
+            says(&brief, &dossier.judgement.axis);
+            says(&brief, dossier.judgement.candidate.called());
+            for text in dossier.judgement.assumptions.iter().chain(&dossier.judgement.candidate.objections) {
+                says(&brief, text);
             }
-            for note in each["notes"].as_array().unwrap() {
-                says(note.as_str().unwrap());
+            for value in dossier.inputs.iter().flat_map(|table| &table.values) {
+                says(&brief, if value.label.is_empty() { &value.name } else { &value.label });
+                says(&brief, &value.text);
+                says(&brief, value.tolerance.as_deref().unwrap_or_default());
             }
-            for source in each["source"].as_str().unwrap_or_default().split("; ") {
-                says(source);
+            for missing in &dossier.missing {
+                let shown = dossier
+                    .judgement
+                    .candidate
+                    .checks
+                    .iter()
+                    .any(|check| *check.id == *missing.check && check.value.is_some());
+                says(&brief, if shown { "" } else { &missing.text });
+            }
+            for document in &dossier.documents {
+                for part in [&document.id, &document.title, &document.edition, &document.publisher] {
+                    says(&brief, part);
+                }
+            }
+            for erratum in &dossier.errata {
+                says(&brief, &erratum.erratum.id);
+                says(&brief, &erratum.erratum.evidence);
+            }
+            for item in &dossier.bill_of_material {
+                says(&brief, &item.code);
+            }
+            for part in [&dossier.fingerprints.project, &dossier.fingerprints.catalogue, &dossier.fingerprints.program]
+            {
+                says(&brief, part);
+            }
+            for rejected in &dossier.sizing.rejected {
+                says(&whole, &rejected.code);
+            }
+            for source in dossier.explained.iter().flat_map(|each| &each.check.sources) {
+                says(&whole, source);
+            }
+            for figure in &axis.figures {
+                says(&brief, &figure.caption);
             }
         }
-        for assumption in check["assumptions"].as_array().unwrap() {
-            says(assumption.as_str().unwrap());
+        for check in checks(&content) {
+            says(&brief, &check.title);
+            for note in &check.notes {
+                says(&brief, note);
+            }
         }
-        for rejected in content.data["sizing"]["rejected"].as_array().unwrap() {
-            says(rejected["code"].as_str().unwrap());
-        }
-        for input in report::inputs(project).unwrap() {
-            says(input.key.rsplit('.').next().unwrap());
-        }
-        if name == "indexing-table-en" {
-            says("32A-C1024-I_0-50 T_0/k_Tout");
-        }
-        for figure in &content.figures {
-            says(&figure.caption);
-        }
-        for part in ["AX-4711-02", "E. Example", content.data["hash"]["project"].as_str().unwrap()] {
-            says(part);
+        for part in ["AX-4711-02", "E. Example"] {
+            says(&brief, part);
         }
     }
 }
@@ -81,7 +107,7 @@ fn dense(text: &str) -> String {
     text.chars().filter(|sign| !sign.is_whitespace()).collect()
 }
 
-/// A figure of the JSON as a reader of that language finds it: four digits, no zeros at the end.
+/// A figure as a reader of that language finds it: four digits, no zeros at the end.
 fn printed(value: f64, language: Language) -> String {
     let text = quantities::format_significant(value, 4, language);
     let point = if language == Language::De { ',' } else { '.' };
@@ -93,65 +119,116 @@ fn printed(value: f64, language: Language) -> String {
 
 #[test]
 fn every_number_of_a_check_stands_in_the_report_as_it_is_in_the_answer() {
-    for (name, answers, project, language) in samples::SAMPLES {
-        let content = samples::content(answers, project, language);
-        let text = dense(&report::page_texts(&content, &samples::settings()).unwrap().concat());
+    for sample in SAMPLES {
+        let content = content(sample);
+        let text = dense(&pages_of(&content, &settings()));
         let mut numbers = 0;
-        for check in content.data["check"]["checks"].as_array().unwrap() {
-            let unit = match check["unit"].as_str() {
+        for check in checks(&content) {
+            let unit = match check.unit {
                 None | Some("1") => "",
                 Some("deg") => "°",
                 Some(unit) => quantities::Unit::of(unit).map_or(unit, |unit| unit.symbol),
             };
-            for key in ["value", "limit"] {
-                let Some(value) = check[key].as_f64() else { continue };
-                let figure = format!("{}{unit}", printed(value, language));
-                assert!(text.contains(&dense(&figure)), "{name}, {} {key}: {figure}", check["id"]);
+            for value in [check.value, check.limit].into_iter().flatten() {
+                let figure = format!("{}{unit}", printed(value.0, sample.language));
+                assert!(text.contains(&dense(&figure)), "{}, {}: {figure}", sample.name, check.title);
                 numbers += 1;
             }
-            if let Some(share) = check["utilisation"].as_f64().filter(|share| *share * 100.0 >= 0.05) {
-                let percent = dense(&format!("{}%", quantities::format_number(share * 100.0, 1, language)));
-                assert!(text.contains(&percent), "{name}, {}: {percent}", check["id"]);
+            if let Some(share) = check.utilisation.and_then(|share| share.written()).filter(|share| *share >= 0.0005) {
+                let percent = dense(&format!("{}%", quantities::format_number(share * 100.0, 1, sample.language)));
+                assert!(text.contains(&percent), "{}, {}: {percent}", sample.name, check.title);
             }
         }
-        assert!(numbers > 30, "{name}: {numbers}");
+        assert!(numbers > 30, "{}: {numbers}", sample.name);
+    }
+}
+
+#[test]
+fn one_axis_takes_eight_pages_at_most_and_leaves_none_half_empty() {
+    for sample in SAMPLES {
+        let content = content(sample);
+        let pages = report::page_fills(&content, &settings()).unwrap();
+        let most = if content.axes.len() == 1 { 8 } else { 1 + 7 * content.axes.len() };
+        assert!(pages.len() <= most, "{}: {} pages", sample.name, pages.len());
+        // The last page ends where it ends, and so does that of an axis before the next.
+        let within = pages.iter().rev().skip(1).rev();
+        let poor = within.filter(|filled| **filled < 480.0).count();
+        assert!(poor < content.axes.len(), "{}: {pages:.0?}", sample.name);
+    }
+}
+
+#[test]
+fn open_points_are_counted_once_and_for_all() {
+    for sample in SAMPLES {
+        let content = content(sample);
+        let cover = letters(&report::page_texts(&content, &settings()).unwrap()[0]);
+        for axis in content.axes.iter().filter(|_| content.axes.len() == 1) {
+            let candidate = &axis.dossier.judgement.candidate;
+            let (open, de) = (candidate.open_questions, sample.language == Language::De);
+            let words = match (open, de) {
+                (0, _) => continue,
+                (1, true) => "Frage ließ sich nicht prüfen",
+                (1, false) => "question could not be checked",
+                (_, true) => "Fragen ließen sich nicht prüfen",
+                (_, false) => "questions could not be checked",
+            };
+            assert!(cover.contains(&letters(&format!("{open} {words}"))), "{}: {open}", sample.name);
+            let may = candidate.checks.iter().filter(|check| {
+                *check.verdict == answers::Verdict::NotChecked && check.value.is_none() && !check.id.is_recommendation()
+            });
+            for check in may {
+                assert!(cover.contains(&letters(&check.title)), "{}: {}", sample.name, check.title);
+            }
+        }
     }
 }
 
 #[test]
 fn the_language_is_that_of_headings_and_numbers() {
-    let mut content = sample("indexing-table-en");
-    let pages = report::page_texts(&content, &samples::settings()).unwrap().concat();
-    assert!(pages.contains("Sizing report") && pages.contains("110.6"));
+    let mut content = content(named("indexing-table-en"));
+    let pages = pages_of(&content, &settings());
+    assert!(pages.contains("Sizing report") && pages.contains("2026-11-21"));
+    let value = checks(&content).find_map(|check| check.value.map(|value| printed(value.0, Language::En))).unwrap();
+    assert!(value.contains('.') && pages.contains(&value), "{value}");
     content.language = Language::De;
-    let pages = report::page_texts(&content, &samples::settings()).unwrap().concat();
-    assert!(pages.contains("Auslegungsbericht") && pages.contains("110,6") && pages.contains("21.11.2026"));
-    assert!(!pages.contains("110.6"));
+    let pages = pages_of(&content, &settings());
+    assert!(pages.contains("Auslegungsbericht") && pages.contains("21.11.2026"));
+    assert!(pages.contains(&value.replace('.', ",")) && !pages.contains(&value));
 }
 
 #[test]
 fn no_text_stands_upon_another() {
-    for (name, answers, project, language) in samples::SAMPLES {
-        let mut content = samples::content(answers, project, language);
-        let source = "Tabelle 79.1, transmissible_torque_load (entfettete Fuge, Reibungszahl 0,15), i = 100";
-        let text = "Schrauben zwischen Gehäuse und Maschine; Länge nach dem verschraubten Teil";
-        let row = json!({ "joint": "Gehäuse", "screws": "12 × M3, 12.9", "circle": "80 mm", "torque": "2,3 Nm",
-            "text": "überträgt 158 Nm, trocken", "source": source });
-        content.data["screws"] = json!([row, row]);
-        let item = json!({ "item": "1", "quantity": "12", "code": "CHA-17A-100-H-M128S-B-EC-K", "text": text, "source": source });
-        content.data["bill_of_material"] = json!([item, item]);
-        let pin = json!({ "connector": "X1", "pin": "12", "signal": "U_REF", "colour": "weiß-grün", "text": text, "source": source });
-        content.data["wiring"] = json!([pin]);
-        let found = report::overlaps(&content, &samples::settings()).unwrap();
-        assert!(found.is_empty(), "{name}: {found:#?}");
+    for sample in SAMPLES {
+        let mut content = content(sample);
+        let source =
+            Some("Tabelle 79.1, transmissible_torque_load (entfettete Fuge, Reibungszahl 0,15), i = 100".to_owned());
+        let joint = ScrewJoint {
+            joint: "Gehäuse".to_owned(),
+            screws: "12 × M3, 12.9".to_owned(),
+            circle: "80 mm".to_owned(),
+            torque: "2,3 Nm".to_owned(),
+            text: "überträgt 158 Nm, trocken".to_owned(),
+            source: source.clone(),
+        };
+        let item = Item {
+            item: "1".to_owned(),
+            quantity: "12".to_owned(),
+            code: "CHA-17A-100-H-M128S-B-EC-K".to_owned(),
+            text: "Schrauben zwischen Gehäuse und Maschine; Länge nach dem verschraubten Teil".to_owned(),
+            source,
+        };
+        content.axes[0].dossier.screws = vec![joint; 2];
+        content.axes[0].dossier.bill_of_material = vec![item; 2];
+        let found = report::overlaps(&content, &full()).unwrap();
+        assert!(found.is_empty(), "{}: {found:#?}", sample.name);
     }
 }
 
 #[test]
 fn the_same_input_gives_the_same_bytes() {
-    let content = sample("screw-axis-de");
-    let first = report::pdf(&content, &samples::settings()).unwrap();
-    let second = report::pdf(&content, &samples::settings()).unwrap();
+    let content = content(named("two-axes-en"));
+    let first = report::pdf(&content, &settings()).unwrap();
+    let second = report::pdf(&content, &settings()).unwrap();
     assert!(first == second, "two runs differ");
     let has = |part: &str| first.windows(part.len()).any(|window| window == part.as_bytes());
     assert!(first.starts_with(b"%PDF-1.7"));
@@ -161,51 +238,82 @@ fn the_same_input_gives_the_same_bytes() {
 }
 
 #[test]
-fn what_is_missing_leaves_a_report_without_it() {
-    let date = Some("2026-11-21".to_owned());
-    let settings = Settings { date, pdf_a: true, ..Settings::default() };
-    for data in [Value::Null, json!({}), json!({ "check": null, "sizing": null, "inputs": [] })] {
-        let bytes = report::pdf(&bare(data), &settings).unwrap();
-        assert!(bytes.starts_with(b"%PDF"));
+fn what_is_missing_leaves_no_heading_without_content() {
+    let mut content = short();
+    let dossier = &mut content.axes[0].dossier;
+    dossier.judgement.candidate.checks.retain(|check| check.value.is_some());
+    for check in &mut dossier.judgement.candidate.checks {
+        check.notes.clear();
     }
-    let plain = report::pdf(&bare(json!({})), &Settings::default()).unwrap();
-    assert!(plain.starts_with(b"%PDF"));
-}
-
-#[test]
-fn each_part_of_the_data_may_be_left_out() {
-    let whole = sample("indexing-table-fails-en");
-    for key in ["check", "sizing", "explain"] {
-        let mut content = whole.clone();
-        content.data.as_object_mut().unwrap().remove(key);
-        content.figures.clear();
-        assert!(!report::page_texts(&content, &samples::settings()).unwrap().is_empty(), "{key}");
+    dossier.judgement.candidate.demand = None;
+    dossier.judgement.assumptions.clear();
+    dossier.sizing.ranking.clear();
+    dossier.sizing.rejected.clear();
+    dossier.rejections.clear();
+    dossier.screws.clear();
+    dossier.errata.clear();
+    let pages = letters(&pages_of(&content, &Settings::default()));
+    let gone = [
+        "Assumptions",
+        "Torque-speed plane",
+        "Tolerances",
+        "Remarks",
+        "Not checked",
+        "What fits",
+        "Nearest misses",
+        "Why the others",
+        "Errata used",
+        "Demand",
+        "Appendix",
+    ];
+    for heading in gone {
+        assert!(!pages.contains(&letters(heading)), "{heading}");
     }
+    assert!(pages.contains(&letters("Bill of material")));
+    assert!(report::pdf(&content, &Settings::default()).unwrap().starts_with(b"%PDF"));
 }
 
 #[test]
 fn every_mechanism_has_its_drawing() {
-    for (kind, keys) in samples::MECHANISMS {
-        let text = text_of(&samples::mechanism(kind, keys, Language::En));
-        assert!(text.contains(&letters("Principle, not to scale")), "{kind}");
+    use MechanismKind::{Arm, Belt, Conveyor, Joint, Load, Screw, SliderCrank, Table, Turntable};
+    for kind in [Load, Turntable, Arm, Screw, Belt, Conveyor, SliderCrank, Joint, Table] {
+        let mut content = short();
+        content.axes[0].dossier.mechanism.kind = kind;
+        let text = letters(&pages_of(&content, &settings()));
+        assert!(text.contains(&letters("Principle, not to scale")), "{kind:?}");
     }
-    let text = text_of(&samples::mechanism("ferris_wheel", &["gondolas"], Language::De));
-    assert!(text.contains("gondolas") && !text.contains(&letters("Prinzipskizze")));
 }
 
 #[test]
-fn what_the_later_chapters_bring_is_set() {
-    let text = text_of(&bare(json!({
-        "bill_of_material": [{ "item": "1", "quantity": "2", "code": "CHA-X", "text": "cable", "source": "table 90.1" }],
-        "wiring": [{ "connector": "X1", "pin": "7", "signal": "sine plus", "colour": "green" }],
-        "screws": [{ "joint": "load side", "screws": "8 × M5", "torque": "9 Nm" }],
-        "errata": [{ "id": "25A-M512P-m", "text": "4.9 kg should read 5.9 kg" }],
-        "sources": [{ "id": "cha-manual", "title": "Project planning manual" }],
-        "recordings": [{ "file": "run.csv", "samples": 12, "note": "two columns" }],
-    })));
-    for part in ["CHA-X", "sine plus", "8 × M5", "should read", "planning manual", "run.csv"] {
-        assert!(text.contains(&letters(part)), "{part}");
+fn a_linear_axis_is_told_along_its_line_and_a_turntable_by_its_bodies() {
+    let screw = dense(&pages_of(&content(named("screw-axis-de")), &settings()));
+    let travel = content(named("screw-axis-de")).axes[0].dossier.mechanism.travel_mm_per_rev.unwrap();
+    assert!((travel.0 - 40.0).abs() < 1e-9, "{travel:?}");
+    // 60 mm/s at a lead of 40 mm are 90 turns per minute.
+    assert!(screw.contains("90min⁻¹") && screw.contains("60mm/s") && screw.contains("LängsderFührung"));
+    let table = content(named("turntable-en"));
+    let bodies = table.axes[0].dossier.mechanism.bodies.clone().unwrap();
+    let text = dense(&pages_of(&table, &settings()));
+    for value in [bodies.inertia.0, bodies.mass.0] {
+        assert!(text.contains(&printed(value, Language::En)), "{value}");
     }
+    assert!(text.contains("disc,diameter420mm") && !text.contains("diameter=420mm"));
+}
+
+#[test]
+fn several_axes_have_a_summary_and_a_part_each() {
+    let content = content(named("two-axes-en"));
+    let pages = report::page_texts(&content, &settings()).unwrap();
+    for axis in &content.axes {
+        let judgement = &axis.dossier.judgement;
+        for part in [judgement.axis.as_str(), judgement.candidate.called()] {
+            assert!(letters(&pages[0]).contains(&letters(part)), "{part}");
+        }
+    }
+    let all = letters(&pages.concat());
+    assert_eq!(all.matches(&letters("Bill of material and screws")).count(), 2);
+    let none = Content { language: Language::En, axes: Vec::new() };
+    assert!(matches!(report::pdf(&none, &settings()), Err(Fault::NoAxis)));
 }
 
 #[test]
@@ -220,26 +328,33 @@ fn hostile_texts_stay_data() {
         "ציר חלול".to_owned(),
         "中空轴 🤖 \u{0}\u{7}\n\r\t\u{202e}\u{feff}".to_owned(),
     ];
+    let clean = short();
     for name in names {
-        let mut data = short("indexing-table-en");
-        data["check"]["axis"] = json!(name);
-        data["check"]["code"] = json!(name);
-        data["check"]["objections"] = json!([name]);
-        data["check"]["checks"][0]["title"] = json!(name);
-        data["check"]["checks"][0]["notes"] = json!([name]);
-        data["inputs"][1]["text"] = json!(name);
-        data["inputs"][1]["key"] = json!(name);
-        data["sizing"] = json!({ "rejected": [{ "code": name, "objections": [name] }] });
+        let mut content = clean.clone();
+        let dossier = &mut content.axes[0].dossier;
+        dossier.judgement.axis.clone_from(&name);
+        dossier.judgement.candidate.code = Some(name.clone());
+        dossier.judgement.candidate.objections = vec![name.clone()];
+        let check = &mut dossier.judgement.candidate.checks[0];
+        check.title.clone_from(&name);
+        check.notes = vec![name.clone()];
+        for table in &mut dossier.inputs {
+            table.title.clone_from(&name);
+            table.values[0].text.clone_from(&name);
+            table.values[0].label.clone_from(&name);
+        }
+        dossier.sizing.rejected[0].code.clone_from(&name);
+        dossier.rejections[0].reason.clone_from(&name);
+        dossier.rejections[0].codes[0].clone_from(&name);
         let settings = Settings {
             project: name.clone(),
             revision: name.clone(),
             author: name.clone(),
             number: name.clone(),
-            ..samples::settings()
+            ..full()
         };
-        let content = bare(data);
         report::pdf(&content, &settings).unwrap_or_else(|fault| panic!("{name:?}: {fault}"));
-        let text = report::page_texts(&content, &settings).unwrap().concat();
+        let text = pages_of(&content, &settings);
         if name.is_ascii() {
             assert!(letters(&text).contains(&letters(&name)), "{name}");
         }
@@ -248,15 +363,20 @@ fn hostile_texts_stay_data() {
 
 #[test]
 fn no_text_leaves_the_page() {
-    let mut content = bare(short("indexing-table-fails-en"));
+    let mut content = short();
     let long = "Verschraubungsdrehmomentgrenzwert".repeat(8);
-    content.data["check"]["axis"] = json!(long);
-    content.data["check"]["checks"][0]["title"] = json!(long);
-    content.data["check"]["checks"][0]["notes"] = json!([long]);
-    content.data["check"]["checks"][0]["source"] = json!(long);
-    content.data["inputs"][2]["key"] = json!(format!("load.{long}"));
-    content.data["inputs"][2]["text"] = json!(long);
-    let settings = Settings { project: long.clone(), author: long.clone(), ..samples::settings() };
+    let dossier = &mut content.axes[0].dossier;
+    dossier.judgement.axis.clone_from(&long);
+    let check = &mut dossier.judgement.candidate.checks[0];
+    check.title.clone_from(&long);
+    check.notes = vec![long.clone()];
+    check.sources = vec![long.clone()];
+    for table in &mut dossier.inputs {
+        table.title.clone_from(&long);
+        table.values[0].label.clone_from(&long);
+        table.values[0].text.clone_from(&long);
+    }
+    let settings = Settings { project: long.clone(), author: long.clone(), ..full() };
     for (page, right) in report::right_edges(&content, &settings).unwrap().into_iter().enumerate() {
         assert!(right < 595.3, "page {}: {right}", page + 1);
     }
@@ -264,27 +384,17 @@ fn no_text_leaves_the_page() {
 
 #[test]
 fn what_cannot_be_set_is_a_fault() {
-    let wrong = bare(json!({ "check": { "checks": "none" } }));
-    assert!(matches!(report::pdf(&wrong, &samples::settings()), Err(Fault::Data { .. })));
-    let no_date = Settings { date: Some("yesterday".to_owned()), ..samples::settings() };
-    assert!(matches!(report::pdf(&bare(json!({})), &no_date), Err(Fault::Date { .. })));
+    let content = short();
+    let no_date = Settings { date: Some("yesterday".to_owned()), ..settings() };
+    assert!(matches!(report::pdf(&content, &no_date), Err(Fault::Date { .. })));
     let undated = Settings { pdf_a: true, ..Settings::default() };
-    assert!(matches!(report::pdf(&bare(json!({})), &undated), Err(Fault::NoDate)));
-    let figure = Figure {
-        name: "motion".to_owned(),
+    assert!(matches!(report::pdf(&content, &undated), Err(Fault::NoDate)));
+    let mut broken = content.clone();
+    broken.axes[0].figures = vec![Figure {
+        place: Place::Motion,
         svg: "<svg".to_owned(),
         caption: String::new(),
         alternative_text: String::new(),
-    };
-    let broken = Content { figures: vec![figure], ..bare(json!({})) };
-    assert!(matches!(report::pdf(&broken, &samples::settings()), Err(Fault::Typesetting { .. })));
-    assert!(matches!(report::inputs("a = ["), Err(Fault::Project { .. })));
-}
-
-#[test]
-fn inputs_stand_in_the_order_of_the_file_as_written() {
-    let inputs =
-        report::inputs("b = \"1.30 kg m^2\"\na = 2.50\n[[motion]]\nlaw = \"dwell\"\n[[motion]]\nz = [1, 2]\n").unwrap();
-    let found: Vec<(&str, &str)> = inputs.iter().map(|input| (input.key.as_str(), input.text.as_str())).collect();
-    assert_eq!(found, [("b", "1.30 kg m^2"), ("a", "2.50"), ("motion[1].law", "dwell"), ("motion[2].z", "[1, 2]")]);
+    }];
+    assert!(matches!(report::pdf(&broken, &settings()), Err(Fault::Typesetting { .. })));
 }

@@ -1,9 +1,9 @@
 //! The axis: load and motion, prepared once for all candidates.
 
+use crate::brake_times::{BrakeTimes, carried};
 use crate::flange::{DerivedLoads, Known};
 use crate::resonance::{self, Held};
 use crate::swings::SmallSwings;
-use crate::trace::{Convex, Extent, Node, TorqueWith, Trace};
 use actuator::FlangeLoad;
 use mechanism::{Endless, Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion};
@@ -12,6 +12,7 @@ use quantities::{
     ThermodynamicTemperature, Time, Torque,
 };
 use std::sync::OnceLock;
+use trace::{Convex, Extent, Node, TorqueWith, Trace};
 
 /// Operating condition of the output bearing (table 76.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,20 +86,23 @@ pub struct Moments {
 impl Moments {
     fn of(trace: &Trace, motion: &Motion) -> Self {
         let (speed, speed_at) =
-            trace.largest_once(&Convex(|extent: &Extent| extent.speed, |node: &Node| node.speed.abs()));
-        let (load, load_at) = trace.largest_once(&TorqueWith { inertia: 0.0 });
+            trace.largest_once(&Convex(|extent: &Extent| extent.speed_rad_s, |node: &Node| node.speed_rad_s.abs()));
+        let (load, load_at) = trace.largest_once(&TorqueWith { inertia_kgm2: 0.0 });
         Self {
             duration: motion.duration(),
-            moving: Time::from_si(trace.gram.moving()),
-            angle_travelled: Angle::from_si(trace.gram.travelled()),
+            moving: Time::from_si(trace.gram().moving()),
+            angle_travelled: Angle::from_si(trace.gram().travelled()),
             angle_net: motion.net(),
-            angle_swing: Angle::from_si(trace.span.1 - trace.span.0),
+            angle_swing: {
+                let (lowest, highest) = trace.span();
+                highest - lowest
+            },
             speed_peak: AngularVelocity::from_si(speed),
-            speed_peak_at: Time::from_si(speed_at.time),
-            inertia_max: MomentOfInertia::from_si(trace.inertia.0),
+            speed_peak_at: Time::from_si(speed_at.time_s),
+            inertia_max: trace.inertia().0,
             load_peak: Torque::from_si(load),
-            load_peak_at: Time::from_si(load_at.time),
-            holding_torque: Torque::from_si(trace.holding),
+            load_peak_at: Time::from_si(load_at.time_s),
+            holding_torque: trace.holding(),
         }
     }
 
@@ -215,6 +219,7 @@ pub struct Axis {
     pub supply: Option<(ElectricPotential, f64)>,
     /// What else is asked.
     pub asked: Asked,
+    pub(crate) brake_times: Option<BrakeTimes>,
     pub(crate) moments: Moments,
     pub(crate) trace: Trace,
     pub(crate) held: OnceLock<Vec<Held>>,
@@ -226,11 +231,21 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Prepares an axis: one pass over the motion.
+    /// Prepares an axis without a brake, whose motor holds through every dwell: one pass over the motion.
     #[must_use]
     pub fn new(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>) -> Self {
-        let trace = Trace::of(&mechanism, &motion, &extras);
-        Self::with_trace(mechanism, motion, extras, trace)
+        Self::prepared(mechanism, motion, extras, None)
+    }
+
+    /// Prepares an axis whose dwells may be held by a brake: one pass over the motion.
+    #[must_use]
+    pub fn braked(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>, times: BrakeTimes) -> Self {
+        Self::prepared(mechanism, motion, extras, Some(times))
+    }
+
+    fn prepared(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>, times: Option<BrakeTimes>) -> Self {
+        let trace = Trace::of(&mechanism, &motion, &extras, &carried(&motion, times.as_ref()));
+        Self { brake_times: times, ..Self::with_trace(mechanism, motion, extras, trace) }
     }
 
     pub(crate) fn with_trace(mechanism: Mechanism, motion: Motion, extras: Vec<Extra>, trace: Trace) -> Self {
@@ -245,6 +260,7 @@ impl Axis {
             bearing: None,
             supply: None,
             asked: Asked::default(),
+            brake_times: None,
             moments,
             trace,
             flange_known: Known::default(),
@@ -257,10 +273,10 @@ impl Axis {
     /// of them, where they are more than can be looked at: an axis is not made of such a motion.
     #[must_use]
     pub fn too_many_revolutions(mechanism: &Mechanism, motion: &Motion) -> Option<TooManyRevolutions> {
-        let found = crate::trace::build::revolutions(mechanism, motion);
+        let found = trace::revolutions(mechanism, motion);
         let revolutions = found.iter().map(|(_, count)| count).sum::<f64>();
         let (segment, _) = found.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
-        let most = crate::trace::build::REVOLUTIONS_MOST;
+        let most = trace::REVOLUTIONS_MOST;
         (revolutions > most).then_some(TooManyRevolutions { segment: *segment, revolutions, most })
     }
 
@@ -295,7 +311,7 @@ impl Axis {
 
     /// Cubic mean of the torque of the load over the angle travelled: (∫|T|³|ω| dt / ∫|ω| dt)^(1/3).
     pub(crate) fn load_cubic_mean(&self) -> Torque {
-        let travelled = self.trace.gram.travelled();
+        let travelled = self.trace.gram().travelled();
         Torque::from_si(if travelled > 0.0 { (self.trace.cubes() / travelled).cbrt() } else { 0.0 })
     }
 

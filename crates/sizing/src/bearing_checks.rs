@@ -198,10 +198,10 @@ impl MeanLoad {
         }
         // Segments one after the other often carry the same.
         let mut parts: Vec<(&FlangeLoad, f64)> = Vec::new();
-        for (load, share) in duty.loads.iter().zip(&axis.trace.shares) {
+        for (load, share) in duty.loads.iter().zip(axis.trace.shares()) {
             match parts.last_mut().filter(|(last, _)| *last == load) {
-                Some((_, travelled)) => *travelled += share.travelled,
-                None => parts.push((load, share.travelled)),
+                Some((_, travelled)) => *travelled += share.travelled.si(),
+                None => parts.push((load, share.travelled.si())),
             }
         }
         let by_radial = |load: &FlangeLoad| load.radial_force.si() * (load.radial_distance.si() + offset.si());
@@ -239,8 +239,8 @@ fn only_load<'a>(axis: &Axis, duty: &'a BearingDuty) -> Option<&'a FlangeLoad> {
     if duty.derived.is_some() {
         return None;
     }
-    let shares = duty.loads.iter().zip(&axis.trace.shares);
-    let mut moving = shares.filter(|(_, share)| share.travelled != 0.0).map(|(load, _)| load);
+    let shares = duty.loads.iter().zip(axis.trace.shares());
+    let mut moving = shares.filter(|(_, share)| share.travelled.si() != 0.0).map(|(load, _)| load);
     moving.next().filter(|first| moving.all(|load| load == *first))
 }
 

@@ -127,7 +127,7 @@ fn total_inertia(axis: &Axis, actuator: &Parameters) -> Result<MomentOfInertia, 
     // The lightest load moves most while the brake closes.
     // Of a joint only the largest inertia is stated.
     let joint = matches!(axis.mechanism.kind, mechanism::Kind::Joint(_));
-    let least = MomentOfInertia::from_si(if joint { 0.0 } else { axis.trace.inertia.1 });
+    let least = if joint { MomentOfInertia::from_si(0.0) } else { axis.trace.inertia().1 };
     Ok(actuator.inertia_out.require("J_out")?.value + least)
 }
 
@@ -178,10 +178,11 @@ fn holding(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Working
         let unknown = brake.closing_time.known().is_none() || brake.opening_time.known().is_none();
         notes.extend((unknown && hangs(axis)).then_some(Note::BrakeTimesAssumed));
     }
-    notes.extend(brakings.too_short.filter(|_| hangs(axis)).map(|shortest| Note::DwellTooShortForBrake {
-        shortest,
-        needed: Time::from_si(actuator::BRAKE_CLOSING_TIME + actuator::BRAKE_OPENING_TIME),
-    }));
+    let too_short = brakings.too_short.filter(|_| hangs(axis)).zip(axis.brake_times);
+    notes.extend(
+        too_short
+            .map(|(shortest, times)| Note::DwellTooShortForBrake { shortest, needed: times.closing + times.opening }),
+    );
     check
 }
 

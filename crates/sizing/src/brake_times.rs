@@ -1,9 +1,18 @@
 //! Dwells that the brake holds: what the motor must hold of them, how often the brake closes, how long it is open.
 
 use crate::axis::Axis;
-use actuator::{BRAKE_CLOSING_TIME, BRAKE_OPENING_TIME};
 use motion::{Hold, Motion};
 use quantities::{Measure, Ratio, Time};
+use trace::Carried;
+
+/// How long the brake of an axis takes, the same for every candidate: the demand is worked out once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BrakeTimes {
+    /// t_c: time to close.
+    pub closing: Time,
+    /// t_o: time to open.
+    pub opening: Time,
+}
 
 /// Times at the beginning and at the end of a dwell in which the motor holds the load though the brake is to do so.
 ///
@@ -11,7 +20,7 @@ use quantities::{Measure, Ratio, Time};
 /// than both together. Where the segment before or after is held by the brake too, the brake stays closed between them.
 ///
 /// # Source   docs/theory/brake.md
-pub(crate) fn held_by_the_motor(motion: &Motion, segment: usize) -> (f64, f64) {
+fn held_by_the_motor(motion: &Motion, segment: usize, times: &BrakeTimes) -> (f64, f64) {
     let stretches = motion.stretches();
     let is_held = |index: usize| stretches.get(index).is_some_and(|stretch| stretch.hold == Hold::Brake);
     let last = stretches.len().saturating_sub(1);
@@ -20,9 +29,27 @@ pub(crate) fn held_by_the_motor(motion: &Motion, segment: usize) -> (f64, f64) {
     let after = if segment == last { 0 } else { segment + 1 };
     let alone = |neighbour: usize| neighbour == segment || !is_held(neighbour);
     let duration = stretches.get(segment).map_or(0.0, |stretch| stretch.duration.si());
-    let closing = if alone(before) { BRAKE_CLOSING_TIME } else { 0.0 };
-    let opening = if alone(after) { BRAKE_OPENING_TIME } else { 0.0 };
+    let closing = if alone(before) { times.closing.si() } else { 0.0 };
+    let opening = if alone(after) { times.opening.si() } else { 0.0 };
     if closing + opening >= duration { (duration, 0.0) } else { (closing, opening) }
+}
+
+/// How the motor carries the load in each segment at rest.
+pub(crate) fn carried(motion: &Motion, times: Option<&BrakeTimes>) -> Vec<Carried> {
+    (0..motion.stretches().len()).map(|segment| carried_in(motion, segment, times)).collect()
+}
+
+/// How the motor carries the load in a segment at rest: where the brake is to hold, until it has closed and while it opens;
+/// all the time where there is no brake.
+pub(crate) fn carried_in(motion: &Motion, segment: usize, times: Option<&BrakeTimes>) -> Carried {
+    match (motion.stretches().get(segment).map_or(Hold::Motor, |stretch| stretch.hold), times) {
+        (Hold::Brake, Some(times)) => {
+            let (closing, opening) = held_by_the_motor(motion, segment, times);
+            Carried::AtItsEnds { first: Time::from_si(closing), last: Time::from_si(opening) }
+        }
+        (Hold::Motor | Hold::Brake, _) => Carried::Throughout,
+        (Hold::Free, _) => Carried::Never,
+    }
 }
 
 /// What the cycle asks of the brake.
@@ -38,8 +65,9 @@ pub(crate) struct Brakings {
 pub(crate) fn brakings(axis: &Axis) -> Brakings {
     let stretches = axis.motion.stretches();
     let mut found = Brakings { each_cycle: 0.0, too_short: None };
+    let Some(times) = &axis.brake_times else { return found };
     for (index, stretch) in stretches.iter().enumerate().filter(|(_, stretch)| stretch.hold == Hold::Brake) {
-        let (closing, opening) = held_by_the_motor(&axis.motion, index);
+        let (closing, opening) = held_by_the_motor(&axis.motion, index, times);
         if closing + opening >= stretch.duration.si() {
             let shorter = found.too_short.is_none_or(|shortest| stretch.duration.si() < shortest.si());
             found.too_short = if shorter { Some(stretch.duration) } else { found.too_short };
@@ -59,10 +87,11 @@ impl Axis {
     /// of such a dwell until the brake begins to open
     #[must_use]
     pub fn brake_open_share(&self) -> Ratio {
+        let Some(times) = &self.brake_times else { return Ratio::from_si(1.0) };
         let stretches = self.motion.stretches().iter().enumerate();
         let closed: f64 = stretches
             .filter(|(_, stretch)| stretch.hold == Hold::Brake)
-            .map(|(index, stretch)| match held_by_the_motor(&self.motion, index) {
+            .map(|(index, stretch)| match held_by_the_motor(&self.motion, index, times) {
                 // Too short to close: the coil had better stay on.
                 (closing, opening) if closing + opening >= stretch.duration.si() => 0.0,
                 (_, opening) => stretch.duration.si() - opening,

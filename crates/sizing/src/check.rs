@@ -304,7 +304,6 @@ impl Figure {
 
 /// What a reader must know about a check beyond its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Note {
     /// Friction counts with the gear as cold as the air and with the gear as warm as the cycle makes it, if that is known;
     /// the larger current decides.

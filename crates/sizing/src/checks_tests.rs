@@ -54,7 +54,8 @@ fn axis(segments: &[SegmentSpec]) -> Axis {
     let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(3.0));
     let mut pull = Extra::none();
     pull.torque = Torque::from_si(39.0);
-    Axis::new(load, Motion::new(segments, None, Closing::Speed).unwrap(), vec![pull; segments.len()])
+    let times = crate::BrakeTimes { closing: Time::from_si(0.07), opening: Time::from_si(0.11) };
+    Axis::braked(load, Motion::new(segments, None, Closing::Speed).unwrap(), vec![pull; segments.len()], times)
 }
 
 fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Check {

@@ -1,14 +1,13 @@
 //! The cycle as time series, for pictures and tables: what is judged is the trace, this is how it looks.
 
 use crate::axis::Axis;
-use crate::brake_times::held_by_the_motor;
+use crate::brake_times::carried_in;
 use crate::currents::Currents;
-use crate::energy::TerminalPower;
-use crate::trace::Node;
-use actuator::{AMBIENT_REFERENCE, Losses, Parameters};
+use crate::energy::CyclePower;
+use actuator::{Losses, Parameters};
 use mechanism::{Extra, Output};
-use motion::Hold;
-use quantities::{Measure, Ratio, ThermodynamicTemperature, Time, Torque};
+use quantities::{Measure, Ratio, Time, Torque};
+use trace::Node;
 
 /// Samples in one piece of a law.
 const PER_PIECE: u32 = 32;
@@ -55,16 +54,16 @@ impl Course {
     pub fn of(axis: &Axis, actuator: &Parameters) -> Self {
         let inertia = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
         let currents = Currents::of(axis, actuator);
-        let power = TerminalPower::of(actuator, currents.as_ref());
+        let power = CyclePower::of(actuator, currents.as_ref());
         let mut samples = Vec::new();
         let mut losses = Vec::new();
         instants(axis, &mut |position_rad, node| {
             samples.push(Sample {
-                time_s: node.time,
+                time_s: node.time_s,
                 position_rad,
-                speed_rad_s: node.speed,
-                acceleration_rad_s2: node.acceleration,
-                torque_nm: inertia * node.acceleration + node.load,
+                speed_rad_s: node.speed_rad_s,
+                acceleration_rad_s2: node.acceleration_rad_s2,
+                torque_nm: inertia * node.acceleration_rad_s2 + node.load_nm,
                 current_a: currents.as_ref().ok().map(|currents| currents.at(node)),
                 power_w: power.as_ref().ok().map(|power| power.at(node)),
                 ..Sample::default()
@@ -101,7 +100,17 @@ fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
                 let extra = Extra { torque: extra.torque + Torque::from_si(torque), ..*extra };
                 let time = interval.start_s + u * interval.duration_s;
                 let load = axis.mechanism.torque(&output, &extra);
-                look(position, &Node { time, weight: 0.0, acceleration, speed, direction, load });
+                look(
+                    position,
+                    &Node {
+                        time_s: time,
+                        weight_s: 0.0,
+                        acceleration_rad_s2: acceleration,
+                        speed_rad_s: speed,
+                        direction,
+                        load_nm: load,
+                    },
+                );
             }
         }
     };
@@ -109,19 +118,13 @@ fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
         while let Some(placed) = recordings.next_if(|placed| placed.start_s < piece.start_s) {
             recorded(placed, look);
         }
-        let hold = axis.motion.stretches().get(piece.segment).map_or(Hold::Motor, |stretch| stretch.hold);
         let (rests, runs) = (piece.is_rest(), piece.runs());
         let parts = if rests { 1 } else { PER_PIECE };
         let mut instants: Vec<f64> =
             (0..=parts).map(|part| piece.duration_s * f64::from(part) / f64::from(parts)).collect();
         instants.extend(piece.reversals().into_iter().flat_map(|t| [t, t]));
-        // Until the brake has closed and while it opens the motor holds.
-        let (closing, opening) = match hold {
-            Hold::Motor => (piece.duration_s, 0.0),
-            Hold::Brake => held_by_the_motor(&axis.motion, piece.segment),
-            Hold::Free => (0.0, 0.0),
-        };
-        let opens = piece.duration_s - opening;
+        let (closing, opens) =
+            carried_in(&axis.motion, piece.segment, axis.brake_times.as_ref()).ends(piece.duration_s);
         if rests {
             let inside = |t: &f64| *t > 0.0 && *t < piece.duration_s;
             instants.extend([closing, opens].into_iter().filter(inside).flat_map(|t| [t, t]));
@@ -145,12 +148,12 @@ fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
             look(
                 state.position_rad,
                 &Node {
-                    time: piece.start_s + t,
-                    weight: 0.0,
-                    acceleration: state.acceleration_rad_s2,
-                    speed: state.speed_rad_s,
+                    time_s: piece.start_s + t,
+                    weight_s: 0.0,
+                    acceleration_rad_s2: state.acceleration_rad_s2,
+                    speed_rad_s: state.speed_rad_s,
                     direction,
-                    load,
+                    load_nm: load,
                 },
             );
         }
@@ -177,7 +180,7 @@ fn heat(samples: &mut [Sample], losses: &[Losses], axis: &Axis, currents: &Curre
     if losses.len() != samples.len() {
         return;
     }
-    let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
+    let ambient = axis.ambient.unwrap_or_else(|| model.ambient_reference());
     let copper: Vec<f64> = losses.iter().map(|losses| losses.copper_w).collect();
     let friction: Vec<f64> = losses.iter().map(|losses| losses.friction_w).collect();
     let pieces: Vec<(Time, Losses)> = gaps(samples)
@@ -240,7 +243,7 @@ mod tests {
                 (pair[1].time_s - pair[0].time_s) * (a * a + a * b + b * b) / 3.0
             })
             .sum();
-        assert!((square - axis.trace.gram.square([0.0, 1.0, 0.0, 0.0])).abs() < 1e-9);
+        assert!((square - axis.trace.gram().square([0.0, 1.0, 0.0, 0.0])).abs() < 1e-9);
         assert!((course.duration_s - 1.6).abs() < 1e-12);
         assert_eq!(course.borders_s, [0.0]);
         let travelled = course.samples.last().unwrap().position_rad;

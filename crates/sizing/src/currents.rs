@@ -3,11 +3,10 @@
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note, Notes, Verdict};
 use crate::comparison::{Comparison, cite, explained, not_checked};
-use crate::trace::{Convex, Extent, Form, Node, Sought};
 use crate::workings;
 use actuator::{
-    AMBIENT_REFERENCE, COLD_START, FrictionAt, HeatModel, LossMeans, Losses, MotorVoltage, NoLoadFriction, Parameters,
-    Settled,
+    COLD_START, FrictionAt, HeatModel, LossMeans, Losses, MotorCurrent, MotorVoltage, NoLoadFriction, OperatingPoint,
+    Parameters, Settled,
 };
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
@@ -16,6 +15,7 @@ use quantities::unit::{
 };
 use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, ThermodynamicTemperature, Time};
 use std::borrow::Cow;
+use trace::{Convex, Extent, Form, Node, Sought};
 
 /// The gear's temperature where no heat model tells it: the warmest for which friction is printed, 80 °C, in kelvin.
 const WARMEST: f64 = 353.15;
@@ -29,7 +29,7 @@ pub(crate) const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 /// I = T/k_Tout + σ (I_s + K |n|), a weighted sum of (α, T_L, σ, ω) in either state
 pub(crate) struct Currents {
     pub(crate) inertia: f64,
-    torque_constant: f64,
+    motor: MotorCurrent,
     /// Friction at the ambient temperature.
     cold: FrictionAt,
     /// Friction in the settled cycle.
@@ -46,14 +46,19 @@ impl Currents {
     pub(crate) fn of(axis: &Axis, actuator: &Parameters) -> Result<Self, Missing> {
         let inertia = actuator.inertia_out.require("J_out")?;
         let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
+        let motor = MotorCurrent::of(actuator)?;
         let law = NoLoadFriction::of(actuator)?;
-        let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
         // The temperature stated is that of the hottest day; a gear starts no warmer than the print has it.
         let cold = ThermodynamicTemperature::from_si(axis.ambient.map_or(COLD_START, |air| air.si().min(COLD_START)));
-        let grades = [inertia.grade, torque_constant.grade];
+        let cold_band = law.cold_band(cold)?;
+        // A growth that is only taken over from another maker's actuators is told by its grade.
+        let growth = actuator.friction_cold_growth.known().filter(|growth| growth.grade == Grade::Assumed);
+        let grade_of_the_cold = growth.filter(|_| cold_band.is_some()).map_or(Grade::Computed, |growth| growth.grade);
+        let grades = [inertia.grade, torque_constant.grade, grade_of_the_cold];
         let (own, constant) = (inertia.value.si(), torque_constant.value.si());
         let heat = HeatModel::of(actuator).map(|model| {
             let further = coil_loss(axis, actuator);
+            let ambient = axis.ambient.unwrap_or_else(|| model.ambient_reference());
             let settled = model.settle(&loss_means(axis, [own / constant, 1.0 / constant, 0.0, 0.0]), further, ambient);
             (model, settled)
         });
@@ -63,10 +68,10 @@ impl Currents {
         };
         Ok(Self {
             inertia: own,
-            torque_constant: constant,
+            motor,
             cold: law.at(cold),
             warm,
-            cold_band: law.cold_band(cold),
+            cold_band,
             heat,
             grade: grades.into_iter().fold(Grade::Computed, Grade::worst),
             errata: [inertia.errata, torque_constant.errata],
@@ -101,13 +106,21 @@ impl Currents {
 
     /// The current as a weighted sum of (α, T_L, σ, ω) for a friction.
     fn weights(&self, friction: &FrictionAt) -> [f64; 4] {
-        let per_torque = 1.0 / self.torque_constant;
-        [self.inertia * per_torque, per_torque, friction.counted.si(), friction.constant.si()]
+        self.motor.weights(self.inertia, friction)
     }
 
     /// The current in the settled cycle as a weighted sum of (α, T_L, σ, ω).
     pub(crate) fn settled_weights(&self) -> [f64; 4] {
         self.weights(&self.warm)
+    }
+
+    /// The output at an instant, with the torque of the own inertia.
+    pub(crate) fn point(&self, node: &Node) -> OperatingPoint {
+        OperatingPoint {
+            torque_nm: self.inertia * node.acceleration_rad_s2 + node.load_nm,
+            speed_rad_s: node.speed_rad_s,
+            direction: node.direction,
+        }
     }
 
     /// The current in the settled cycle at an instant \[A\].
@@ -116,14 +129,12 @@ impl Currents {
     }
 
     fn in_state(&self, node: &Node, friction: &FrictionAt) -> f64 {
-        let torque = self.inertia * node.acceleration + node.load;
-        torque / self.torque_constant
-            + node.direction * (friction.counted.si() + friction.constant.si() * node.speed.abs())
+        self.motor.at(&self.point(node), friction)
     }
 
     /// Of the two states the one with the larger current at an instant.
     fn larger(&self, node: &Node) -> &FrictionAt {
-        let torque = self.inertia * node.acceleration + node.load;
+        let torque = self.point(node).torque_nm;
         // Friction helps while braking: less of it asks for more current.
         let driving = self.in_state(node, &self.cold).abs() >= self.in_state(node, &self.warm).abs();
         if driving || torque == 0.0 { &self.cold } else { &self.warm }
@@ -137,12 +148,7 @@ impl Currents {
     /// Both losses at an instant of the settled cycle, if there is a heat model.
     pub(crate) fn losses(&self, node: &Node) -> Option<Losses> {
         let (model, _) = self.heat().ok()?;
-        let (current, speed) = (self.at(node), node.speed.abs());
-        let friction = node.direction.abs() * self.warm.starting.si() + self.warm.constant.si() * speed;
-        Some(Losses {
-            copper_w: model.copper_ohm() * current * current,
-            friction_w: model.friction_v_s_per_rad() * friction * speed,
-        })
+        Some(model.losses().at(&self.point(node), self.at(node), &self.warm))
     }
 
     /// Friction loss as a form, for a voltage per friction current and output speed: k i (I_NLS σ + K ω) ω.
@@ -161,7 +167,7 @@ impl Currents {
     fn bound(&self, extent: &Extent) -> f64 {
         let constant = self.cold.constant.si().max(self.warm.constant.si());
         let counted = self.cold.counted.si().max(self.warm.counted.si());
-        extent.torque(self.inertia) / self.torque_constant + counted + constant * extent.speed
+        self.motor.of_torque(extent.torque(self.inertia)) + counted + constant * extent.speed_rad_s
     }
 
     /// The workings of the current at an instant in one of the states; the result is `I`.
@@ -184,7 +190,7 @@ impl Currents {
         work.found("I_s", &AMPERE, friction.counted.si(), text, &source, Grade::Estimated);
         let constant = friction.constant.si();
         work.found("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, text, &source, Grade::Estimated);
-        work.found("n", &REVOLUTION_PER_MINUTE, node.speed, "speed at t", &workings::DEMAND, Grade::Computed);
+        work.found("n", &REVOLUTION_PER_MINUTE, node.speed_rad_s, "speed at t", &workings::DEMAND, Grade::Computed);
         work.found("sigma", &ONE, node.direction, "direction at t", &workings::DEMAND, Grade::Computed);
         let text = "T/k_Tout + sigma*(I_s + K*abs(n))";
         work.formula("I", &AMPERE, self.in_state(node, friction), text, &source);
@@ -202,7 +208,7 @@ pub(crate) fn coil_loss(axis: &Axis, actuator: &Parameters) -> Power {
 /// The means of the products of torque current, direction and speed over the cycle.
 fn loss_means(axis: &Axis, torque_current: [f64; 4]) -> LossMeans {
     let duration = axis.moments.duration.si();
-    let gram = &axis.trace.gram;
+    let gram = axis.trace.gram();
     let direction = [0.0, 0.0, 1.0, 0.0];
     let mean = |a, b| gram.product(a, b) / duration;
     LossMeans {
@@ -225,7 +231,7 @@ struct Terminal<'a> {
 impl Terminal<'_> {
     fn at(&self, node: &Node, friction: &FrictionAt) -> f64 {
         let current = ElectricCurrent::from_si(self.currents.in_state(node, friction));
-        self.motor.at(AngularVelocity::from_si(node.speed), current).si()
+        self.motor.at(AngularVelocity::from_si(node.speed_rad_s), current).si()
     }
 
     fn states(&self) -> [&FrictionAt; 2] {
@@ -236,7 +242,7 @@ impl Terminal<'_> {
 impl Sought for Terminal<'_> {
     /// In current and in speed by themselves the voltage is convex: within bounds it is largest at a corner.
     fn bound(&self, extent: &Extent) -> f64 {
-        let ((low, high), (back, forth)) = (self.currents.range(extent), extent.speeds);
+        let ((low, high), (back, forth)) = (self.currents.range(extent), extent.speeds_rad_s);
         let at = |speed: f64, current: f64| {
             self.motor.at(AngularVelocity::from_si(speed), ElectricCurrent::from_si(current)).si()
         };
@@ -252,7 +258,7 @@ impl Sought for Terminal<'_> {
         let bound = |friction: &FrictionAt| {
             let end = |node: &Node| {
                 let current = ElectricCurrent::from_si(self.currents.in_state(node, friction));
-                (AngularVelocity::from_si(node.speed), current)
+                (AngularVelocity::from_si(node.speed_rad_s), current)
             };
             self.motor.bound_on_line([end(a), end(b)]).si()
         };
@@ -290,7 +296,7 @@ impl<'a> Overcurrent<'a> {
             // Where the curve's current falls below the printed limit.
             for friction in states {
                 let [from, to] =
-                    [a, b].map(|p| p.torque.si() / currents.torque_constant + friction.current(p.speed).si() - printed);
+                    [a, b].map(|p| currents.motor.of_torque(p.torque.si()) + friction.current(p.speed).si() - printed);
                 if from * to < 0.0 {
                     corners.push(a.speed.si() + from / (from - to) * (b.speed.si() - a.speed.si()));
                 }
@@ -303,13 +309,13 @@ impl<'a> Overcurrent<'a> {
 
     /// What is permitted at the speed of an instant \[A\].
     fn permitted(&self, node: &Node, friction: &FrictionAt) -> f64 {
-        self.permitted_at(node.speed, friction)
+        self.permitted_at(node.speed_rad_s, friction)
     }
 
     fn permitted_at(&self, speed: f64, friction: &FrictionAt) -> f64 {
         let Some(curve) = self.curve else { return self.printed };
         let speed = AngularVelocity::from_si(speed);
-        self.printed.max(curve.at(speed).si() / self.currents.torque_constant + friction.current(speed).si())
+        self.printed.max(self.currents.motor.of_torque(curve.at(speed).si()) + friction.current(speed).si())
     }
 
     /// Of the states the one that asks for more at an instant.
@@ -329,10 +335,10 @@ impl Sought for Overcurrent<'_> {
     /// The current of the largest torque over what is permitted, both straight over |ω| between the corners: largest at one of
     /// them or at the slowest or the fastest instant.
     fn bound(&self, extent: &Extent) -> f64 {
-        let (back, forth) = extent.speeds;
+        let (back, forth) = extent.speeds_rad_s;
         let slowest = back.max(-forth).max(0.0);
-        let within = self.corners.iter().copied().filter(|corner| *corner > slowest && *corner < extent.speed);
-        let speeds = || within.clone().chain([slowest, extent.speed]);
+        let within = self.corners.iter().copied().filter(|corner| *corner > slowest && *corner < extent.speed_rad_s);
+        let speeds = || within.clone().chain([slowest, extent.speed_rad_s]);
         let of = |friction: &&FrictionAt| {
             let [acceleration, load, direction, speed] = self.currents.weights(friction);
             let (low, high) = extent.range([acceleration, load, direction, 0.0]);
@@ -382,7 +388,7 @@ pub(crate) fn voltage(
     let friction = if terminal.at(&at, cold) >= terminal.at(&at, warm) { cold } else { warm };
     currents.explain(&at, friction, actuator, work);
     let current = ElectricCurrent::from_si(currents.in_state(&at, friction));
-    motor.explain(actuator, AngularVelocity::from_si(at.speed), current, work);
+    motor.explain(actuator, AngularVelocity::from_si(at.speed_rad_s), current, work);
     let model = Source::Model { name: "voltage" };
     let limit = supply.si() / std::f64::consts::SQRT_2 * reserve;
     if work.is_on() {
@@ -399,7 +405,7 @@ pub(crate) fn voltage(
         unit: &VOLT,
         value: worst,
         value_source: Source::Model { name: "voltage" },
-        at: Some(Time::from_si(at.time)),
+        at: Some(Time::from_si(at.time_s)),
         limit,
         limit_source: &Source::Project { key: "requirements.supply".into() },
         grade: motor.grade.worst(currents.grade),
@@ -481,7 +487,7 @@ fn current_check(
         unit: &AMPERE,
         value: current,
         value_source: source,
-        at: Some(Time::from_si(node.time)),
+        at: Some(Time::from_si(node.time_s)),
         limit: most,
         limit_source,
         grade: currents.grade.worst(limit.grade),

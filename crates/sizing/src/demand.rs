@@ -1,8 +1,8 @@
 //! What an axis asks of an actuator: the manual's procedure and the exact integrals.
 
 use crate::axis::Axis;
-use crate::trace::TorqueWith;
 use quantities::{AngularVelocity, Measure, MomentOfInertia, Time, Torque};
+use trace::TorqueWith;
 
 /// What an axis asks of one actuator, whose own inertia is part of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,12 +59,12 @@ impl Axis {
     pub fn demand(&self, inertia_out: MomentOfInertia) -> Demand {
         let moments = &self.moments;
         let inertia = inertia_out.si();
-        let square = self.trace.gram.square([inertia, 1.0, 0.0, 0.0]) / moments.duration.si();
-        let (peak, at) = self.trace.largest(&TorqueWith { inertia });
+        let square = self.trace.gram().square([inertia, 1.0, 0.0, 0.0]) / moments.duration.si();
+        let (peak, at) = self.trace.largest(&TorqueWith { inertia_kgm2: inertia });
         Demand {
             torque_rms: Torque::from_si(square.sqrt()),
             torque_peak: Torque::from_si(peak),
-            torque_peak_at: Time::from_si(at.time),
+            torque_peak_at: Time::from_si(at.time_s),
             speed_mean: moments.speed_mean(),
             speed_peak: moments.speed_peak,
             speed_peak_at: moments.speed_peak_at,

@@ -4,7 +4,6 @@ use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note, Verdict};
 use crate::comparison::{Comparison, Edges, not_checked};
 use crate::currents::Currents;
-use crate::trace::{Any, Extent, Node};
 use crate::workings;
 use actuator::Parameters;
 use derivation::Workings;
@@ -12,6 +11,7 @@ use provenance::{Grade, Missing, Source};
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{AngularVelocity, ElectricPotential, Measure, Time};
 use std::borrow::Cow;
+use trace::{Any, Extent, Node};
 
 /// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
 /// braking (glossary of the manual), nobody says how far and how long: with the rise that the project permits above
@@ -116,7 +116,7 @@ pub(crate) fn torque_speed_trace(
         actuator::short_time_torque(actuator, speed, terminal, currents.cold())
             .map_or((0.0, 0.0), |limit| (limit.limit.value.si(), limit.upper.si()))
     };
-    let torque = |node: &Node| inertia * node.acceleration + node.load;
+    let torque = |node: &Node| inertia * node.acceleration_rad_s2 + node.load_nm;
     // Neighbouring instants often share their speed.
     let last = std::cell::Cell::new((0.0, (first.limit.value.si(), first.upper.si())));
     let at_speed = |speed: f64| {
@@ -150,9 +150,9 @@ pub(crate) fn torque_speed_trace(
         axis.trace.largest(&Any(
             |extent: &Extent| {
                 // Between two instants the exact limit decides sooner.
-                let (low, high) = extent.speeds;
+                let (low, high) = extent.speeds_rad_s;
                 let close = high - low <= CLOSE * axis.moments.speed_peak.si();
-                let limits = if close { at_speed(extent.speed) } else { below(extent.speed) };
+                let limits = if close { at_speed(extent.speed_rad_s) } else { below(extent.speed_rad_s) };
                 share(extent.torque(inertia), edge(limits))
             },
             |node: &Node| {
@@ -160,9 +160,9 @@ pub(crate) fn torque_speed_trace(
                 if braking(node) {
                     return seen(share(torque, most));
                 }
-                let above = share(torque, edge(below(node.speed.abs())));
+                let above = share(torque, edge(below(node.speed_rad_s.abs())));
                 // What is not the largest even so need not be exact.
-                if above < highest.get() { above } else { seen(share(torque, edge(at_speed(node.speed)))) }
+                if above < highest.get() { above } else { seen(share(torque, edge(at_speed(node.speed_rad_s)))) }
             },
         ))
     };
@@ -173,13 +173,13 @@ pub(crate) fn torque_speed_trace(
         work.formula("T_at", &NEWTON_METRE, torque(&worst).abs(), "abs(T)", &workings::DEMAND);
         work.value("T_at");
     }
-    let speed = AngularVelocity::from_si(worst.speed);
+    let speed = AngularVelocity::from_si(worst.speed_rad_s);
     let curve = if braking(&worst) {
         work.given("T_max", &NEWTON_METRE, highest);
         Ok(actuator::ContinuousLimit { limit: highest.clone(), upper: highest.value })
     } else {
         let source = &workings::DEMAND;
-        work.found("n", &REVOLUTION_PER_MINUTE, worst.speed, "speed at t", source, Grade::Computed);
+        work.found("n", &REVOLUTION_PER_MINUTE, worst.speed_rad_s, "speed at t", source, Grade::Computed);
         actuator::short_time_torque_with(actuator, speed, terminal, currents.cold(), work)
     };
     let curve = match curve {
@@ -193,7 +193,7 @@ pub(crate) fn torque_speed_trace(
     let upper = if beyond { limit } else { curve.upper.si().max(value) };
     let edges = Edges { limit, upper, unit: &NEWTON_METRE };
     Comparison {
-        at: Some(Time::from_si(worst.time)),
+        at: Some(Time::from_si(worst.time_s)),
         ..Comparison::with(id, &NEWTON_METRE, value, Source::Model { name: "demand" }, &curve.limit)
     }
     .between(edges)

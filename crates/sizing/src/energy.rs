@@ -6,81 +6,73 @@ use crate::axis::Axis;
 use crate::check::{Check, CheckId, Note};
 use crate::comparison::{Asking, against_asked, not_checked};
 use crate::currents::{Currents, SPEED};
-use crate::trace::{Block, Cell, Extent, Inside, Node, Panel, Sought, Strip};
-use actuator::Parameters;
+use actuator::{Parameters, TerminalPower};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{JOULE, SECOND, WATT};
-use quantities::{Energy, Measure, Power};
+use quantities::{Energy, Measure, Power, ThermodynamicTemperature};
+use trace::{Block, Cell, Extent, Inside, Node, Panel, Sought, Strip};
 
-/// Power at the motor terminals, winding cold: P = 1.5 R I² + k_TM I ω_mot, friction that of the settled cycle.
-///
-/// Driven by the load the gear passes on 2 − 1/η of its torque, driving it takes 1/η: its loss is the same share of the
-/// torque either way, η = k_Tout/(i k_TM) (docs/theory/energy.md).
-pub(crate) struct TerminalPower<'a> {
+/// A winding as cold as its resistance is printed for, 20 °C in kelvin: the least of the copper loss, so the most comes back.
+const COLD_WINDING: f64 = 293.15;
+
+/// Power at the motor terminals, winding cold, friction that of the settled cycle.
+pub(crate) struct CyclePower<'a> {
     currents: &'a Currents,
-    copper_ohm: f64,
-    constant_vs: f64,
-    /// η (2 − 1/η): current per torque while driven, over that while driving.
-    driven: f64,
+    motor: TerminalPower,
 }
 
-impl<'a> TerminalPower<'a> {
+impl<'a> CyclePower<'a> {
     pub(crate) fn of(actuator: &Parameters, currents: Result<&'a Currents, &Missing>) -> Result<Self, Missing> {
         let currents = currents.map_err(|missing| *missing)?;
-        let resistance = actuator.resistance_ll.require("R_LL")?;
-        let constant = actuator.torque_constant_motor.require("k_TM")?;
-        let ratio = actuator.ratio.require("i")?;
-        let constant_vs = constant.value.si() * ratio.value;
-        let out = actuator.torque_constant_out.require("k_Tout")?;
-        Ok(Self {
-            currents,
-            copper_ohm: 1.5 * resistance.value.si(),
-            constant_vs,
-            driven: actuator::driven_share(out.value, constant.value, ratio.value),
-        })
+        Ok(Self { currents, motor: TerminalPower::of(actuator, ThermodynamicTemperature::from_si(COLD_WINDING))? })
     }
 
     /// Current at an instant within a time in which the load drives, or does not \[A\].
     fn current(&self, node: &Node, driven: bool) -> f64 {
-        let [inertia, load, direction, speed] = self.weights(if driven { -1.0 } else { 1.0 });
-        inertia * node.acceleration + load * node.load + direction * node.direction + speed * node.speed
+        let [inertia, load, direction, speed] = self.weights(driven);
+        inertia * node.acceleration_rad_s2 + load * node.load_nm + direction * node.direction + speed * node.speed_rad_s
     }
 
-    /// The current as a weighted sum of (α, T_L, σ, ω) where T σ has one sign.
-    fn weights(&self, power_sign: f64) -> [f64; 4] {
+    /// The current as a weighted sum of (α, T_L, σ, ω) where the load drives, or does not.
+    fn weights(&self, driven: bool) -> [f64; 4] {
         let [inertia, load, direction, speed] = self.currents.settled_weights();
-        let passed = if power_sign < 0.0 { self.driven } else { 1.0 };
+        let passed = self.motor.passed(driven);
         [passed * inertia, passed * load, direction, speed]
     }
 
     /// At an instant \[W\].
     pub(crate) fn at(&self, node: &Node) -> f64 {
-        self.with(node, self.torque(node) * node.direction < 0.0)
+        self.with(node, self.currents.point(node).is_driven())
     }
 
     /// At an instant within a time in which the load drives, or does not \[W\].
     fn with(&self, node: &Node, driven: bool) -> f64 {
-        let current = self.current(node, driven);
-        (self.copper_ohm * current + self.constant_vs * node.speed) * current
+        self.motor.with(self.current(node, driven), node.speed_rad_s)
     }
 
     /// J_out α + T_L \[Nm\]
     fn torque(&self, node: &Node) -> f64 {
-        self.currents.inertia * node.acceleration + node.load
+        self.currents.point(node).torque_nm
+    }
+
+    /// 1.5 R \[Ω\] and k_TM i [V/(rad/s)].
+    fn constants(&self) -> (f64, f64) {
+        (self.motor.copper_ohm(), self.motor.constant_v_s_per_rad())
     }
 
     /// Its integral over a block in which the load is only driven \[J\].
     fn driving(&self, block: &Block) -> f64 {
-        let weights = self.weights(1.0);
-        self.copper_ohm * block.gram.square(weights) + self.constant_vs * block.gram.product(weights, SPEED)
+        let weights = self.weights(false);
+        let (r, k) = self.constants();
+        r * block.gram.square(weights) + k * block.gram.product(weights, SPEED)
     }
 
     /// Over a gap between two instants, torque and speed taken as straight in it: cut where the torque passes zero,
     /// since friction counts otherwise there.
     fn gap(&self, a: &Node, b: &Node, take: &mut impl FnMut(&Arc)) {
         let inertia = self.currents.inertia;
-        let [from, to] = [a, b].map(|node| inertia * node.acceleration + node.load);
+        let [from, to] = [a, b].map(|node| inertia * node.acceleration_rad_s2 + node.load_nm);
         if from * to < 0.0 {
             let zero = a.towards(b, from / (from - to));
             self.arc(a, &zero, from, take);
@@ -94,10 +86,10 @@ impl<'a> TerminalPower<'a> {
     fn arc(&self, a: &Node, b: &Node, torque: f64, take: &mut impl FnMut(&Arc)) {
         let braking = torque * a.direction < 0.0;
         let (i0, i1) = (self.current(a, braking), self.current(b, braking));
-        let (w0, dw, di) = (a.speed, b.speed - a.speed, i1 - i0);
-        let (r, k) = (self.copper_ohm, self.constant_vs);
+        let (w0, dw, di) = (a.speed_rad_s, b.speed_rad_s - a.speed_rad_s, i1 - i0);
+        let (r, k) = self.constants();
         take(&Arc {
-            duration: b.time - a.time,
+            duration: b.time_s - a.time_s,
             power: [(r * i0 + k * w0) * i0, 2.0 * r * i0 * di + k * (i0 * dw + w0 * di), (r * di + k * dw) * di],
         });
     }
@@ -192,7 +184,7 @@ struct Balance {
 
 impl Balance {
     /// Over a cycle, with what a bank must hold or without: only that asks for the order in time of what is recorded.
-    fn of(axis: &Axis, power: &TerminalPower<'_>, with_bank: bool) -> Self {
+    fn of(axis: &Axis, power: &CyclePower<'_>, with_bank: bool) -> Self {
         let mut balance = Self::default();
         if !with_bank {
             for strip in axis.trace.strips() {
@@ -226,14 +218,14 @@ impl Balance {
     }
 
     /// Through the panels of a block, once.
-    fn pass(&mut self, axis: &Axis, power: &TerminalPower<'_>, block: &Block) {
+    fn pass(&mut self, axis: &Axis, power: &CyclePower<'_>, block: &Block) {
         axis.trace.panels(block, &mut |panel| self.panel(&panel, power));
     }
 
-    fn panel(&mut self, panel: &Panel<'_>, power: &TerminalPower<'_>) {
+    fn panel(&mut self, panel: &Panel<'_>, power: &CyclePower<'_>) {
         match panel.nodes {
             [a, .., b] if panel.is_straight() => {
-                if b.time > a.time {
+                if b.time_s > a.time_s {
                     power.gap(a, b, &mut |arc| self.take(arc));
                 }
             }
@@ -242,7 +234,7 @@ impl Balance {
     }
 
     /// What the further periods of a block do to the bank: from the second on each adds as much as the one before.
-    fn repeat(&mut self, axis: &Axis, power: &TerminalPower<'_>, block: &Block) {
+    fn repeat(&mut self, axis: &Axis, power: &CyclePower<'_>, block: &Block) {
         let (whole, back) = (self.whole, self.back);
         let first = self.bank.held;
         self.pass(axis, power, block);
@@ -268,7 +260,7 @@ impl Balance {
 
 /// Power of the cells of a recording: where torque and power keep their sign all through a cell its sums serve.
 struct CellPower<'a> {
-    power: &'a TerminalPower<'a>,
+    power: &'a CyclePower<'a>,
     strip: &'a Strip,
     /// Weights of torque, current driving, current driven and speed, in the signals of the cells.
     torque: [f64; 4],
@@ -278,13 +270,13 @@ struct CellPower<'a> {
 }
 
 impl<'a> CellPower<'a> {
-    fn of(strip: &'a Strip, power: &'a TerminalPower<'a>) -> Self {
+    fn of(strip: &'a Strip, power: &'a CyclePower<'a>) -> Self {
         Self {
             power,
             strip,
             torque: strip.weights([power.currents.inertia, 1.0, 0.0, 0.0]),
-            driving: strip.weights(power.weights(1.0)),
-            driven: strip.weights(power.weights(-1.0)),
+            driving: strip.weights(power.weights(false)),
+            driven: strip.weights(power.weights(true)),
             speed: strip.weights(SPEED),
         }
     }
@@ -298,10 +290,9 @@ impl<'a> CellPower<'a> {
         }
         if (low >= 0.0 && forth <= 0.0) || (high <= 0.0 && back >= 0.0) {
             let current = cell.extent.range(self.driven);
-            let volt = std::array::from_fn(|k| {
-                self.power.copper_ohm * self.driven.get(k).unwrap_or(&0.0)
-                    + self.power.constant_vs * self.speed.get(k).unwrap_or(&0.0)
-            });
+            let (r, k) = self.power.constants();
+            let volt =
+                std::array::from_fn(|n| r * self.driven.get(n).unwrap_or(&0.0) + k * self.speed.get(n).unwrap_or(&0.0));
             let volt = cell.extent.range(volt);
             let (plus, minus) = (|range: (f64, f64)| range.0 >= 0.0, |range: (f64, f64)| range.1 <= 0.0);
             let one_sign = (plus(current) || minus(current)) && (plus(volt) || minus(volt));
@@ -321,19 +312,19 @@ impl<'a> CellPower<'a> {
 
     /// ∫P dt with one sign of the torque \[J\]
     fn energy(&self, cell: &Cell, current: [f64; 4]) -> f64 {
-        let (r, k) = (self.power.copper_ohm, self.power.constant_vs);
+        let (r, k) = self.power.constants();
         self.strip.stretch() * (r * cell.gram.square(current) + k * cell.gram.product(current, self.speed))
     }
 }
 
 /// −P: what the motor gives back at an instant \[W\].
-struct Returned<'a>(&'a TerminalPower<'a>);
+struct Returned<'a>(&'a CyclePower<'a>);
 
 impl Sought for Returned<'_> {
     /// −P = −R I² − k ω I: the second largest at a corner, the first where |I| is least. While driving nothing comes back.
     fn bound(&self, extent: &Extent) -> f64 {
-        let (low, high) = extent.range(self.0.weights(-1.0));
-        let (back, forth) = extent.speeds;
+        let (low, high) = extent.range(self.0.weights(true));
+        let (back, forth) = extent.speeds_rad_s;
         let corners = [back * low, back * high, forth * low, forth * high];
         let least = if low > 0.0 {
             low
@@ -342,8 +333,9 @@ impl Sought for Returned<'_> {
         } else {
             0.0
         };
-        let returned = -self.0.constant_vs * corners.into_iter().fold(f64::INFINITY, f64::min);
-        (returned - self.0.copper_ohm * least * least).max(0.0)
+        let (r, k) = self.0.constants();
+        let returned = -k * corners.into_iter().fold(f64::INFINITY, f64::min);
+        (returned - r * least * least).max(0.0)
     }
 
     fn value(&self, node: &Node) -> f64 {
@@ -368,7 +360,7 @@ pub(crate) fn regeneration(
     work: &mut Workings,
 ) -> Check {
     let id = CheckId::Regeneration;
-    let power = match TerminalPower::of(actuator, currents) {
+    let power = match CyclePower::of(actuator, currents) {
         Ok(power) => power,
         Err(missing) => return not_checked(id, missing),
     };

@@ -19,7 +19,7 @@ pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool) -> Vec<Ch
     }
     checks.push(explained(explain, |work| resolution(axis, actuator, work)));
     if actuator.feedback.buffered_by_battery {
-        checks.push(explained(explain, |work| battery(axis, work)));
+        checks.push(explained(explain, |work| battery(axis, &actuator.feedback, work)));
     }
     checks
 }
@@ -119,13 +119,17 @@ fn resolution(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check 
 }
 
 /// Life of the encoder's battery for the stated operation a day and storage before.
-fn battery(axis: &Axis, work: &mut Workings) -> Check {
+fn battery(axis: &Axis, feedback: &Feedback, work: &mut Workings) -> Check {
     let id = CheckId::Battery;
     let Some(operation) = axis.asked.operation_per_day else {
         return not_checked(id, Missing { symbol: "requirements.operation_per_day" });
     };
     let storage = axis.asked.storage.unwrap_or_else(|| Time::from_si(0.0));
-    match actuator::battery_life(operation, storage) {
+    let model = match feedback.battery.require("battery_capacity") {
+        Ok(model) => model,
+        Err(missing) => return not_checked(id, missing),
+    };
+    match model.value.life(operation, storage) {
         Ok(battery) => {
             let asked = axis.asked.battery_life_min.map(Measure::si);
             let key = "requirements.battery_life_min";

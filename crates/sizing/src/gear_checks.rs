@@ -7,7 +7,7 @@ use crate::comparison::{Asking, Comparison, against_asked, equation, explained, 
 use crate::resonance;
 use crate::stage;
 use crate::workings;
-use actuator::{BudgetCase, ErrorBudget, ErrorKind, Feedback, FeedbackSide, Gear, Parameters, PositionLoop};
+use actuator::{BudgetCase, ErrorBudget, ErrorKind, Feedback, FeedbackSide, Gear, LifeLaw, Parameters, PositionLoop};
 use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{
@@ -118,11 +118,10 @@ fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Work
     let mut check = Comparison::with(id, &NEWTON_METRE, torque.si(), key("requirements.collision_torque"), limit)
         .answer(Verdict::Fail);
     // At the peak speed a collision lasts for the most turns of the wave generator.
-    let permitted = axis
-        .asked
-        .collision_time
-        .zip(actuator.ratio.known())
-        .map(|(time, ratio)| actuator::collision_count_max(axis.moments().speed_peak, ratio.value, time));
+    let stands = axis.asked.collision_time.zip(actuator.ratio.known()).zip(gear.collision_cycles.known());
+    let permitted = stands.map(|((time, ratio), cycles)| {
+        actuator::collision_count_max(cycles.value, axis.moments().speed_peak, ratio.value, time)
+    });
     let mut by_number = false;
     if let (Some(count), Some(permitted)) = (axis.asked.collisions, permitted) {
         let most = Sourced { value: Ratio::from_si(permitted), source: MODEL, grade: limit.grade, errata: &[] };
@@ -368,7 +367,8 @@ fn life(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
             explain_mean_torque(mean, work);
             work.given("T_N", &NEWTON_METRE, rated);
         }
-        Ok((actuator::wave_generator_life_with(rated.value, mean, speed, work), rated.grade))
+        let law = LifeLaw::of(&actuator.gear)?;
+        Ok((law.l10_with(rated.value, mean, speed, work), rated.grade))
     })();
     match found {
         Ok((life, grade)) => {

@@ -5,14 +5,14 @@ use crate::check::{Check, CheckId, Note};
 use crate::checks::Demands;
 use crate::comparison::{Comparison, Edges, cite, not_checked};
 use crate::currents::{Currents, coil_loss};
-use crate::trace::{Form, Lag};
 use crate::workings;
-use actuator::{AMBIENT_REFERENCE, ContinuousLimit, Gains, Parameters, PublishedDuty, WINDING_TEMPERATURE_CONTINUOUS};
+use actuator::{ContinuousLimit, Gains, Parameters, PublishedDuty};
 use derivation::Workings;
-use provenance::{CellRef, Grade, Missing, Source};
+use provenance::{Grade, Missing, Source};
+use quantities::Measure;
 use quantities::unit::{AMPERE, DEGREE_CELSIUS, KELVIN_DIFFERENCE, NEWTON_METRE, ONE, SECOND, WATT};
-use quantities::{Measure, ThermodynamicTemperature};
 use std::borrow::Cow;
+use trace::{Form, Lag};
 
 /// Above this share of the winding's time constant a cycle is no longer short: the winding's temperature swings by
 /// more than a tenth of its rise, so the effective value alone says too little.
@@ -68,11 +68,11 @@ fn published(axis: &Axis, actuator: &Parameters, currents: &Currents) -> Option<
 /// The two lags whose sum is a temperature above that of the air: each mode has its share of both losses.
 fn temperature_lags(currents: &Currents, gains: Gains) -> Result<[Lag; 2], Missing> {
     let (model, _) = currents.heat()?;
-    let copper = Form::square(currents.settled_weights()).scale(model.copper_ohm());
-    let friction = currents.friction_form(model.friction_v_s_per_rad());
+    let copper = Form::square(currents.settled_weights()).scale(model.losses().copper_ohm());
+    let friction = currents.friction_form(model.losses().friction_v_s_per_rad());
     let [quick, slow] = model.network().time_constants();
     let ([cu_quick, cu_slow], [f_quick, f_slow]) = (gains.copper, gains.friction);
-    let form = |of_copper: f64, of_friction: f64| copper.scale(of_copper).add(&friction.scale(of_friction));
+    let form = |of_copper: f64, of_friction: f64| copper.scale(of_copper).plus(&friction.scale(of_friction));
     Ok([
         Lag { tau_s: quick.si(), form: form(cu_quick, f_quick) },
         Lag { tau_s: slow.si(), form: form(cu_slow, f_slow) },
@@ -98,7 +98,7 @@ pub(crate) fn thermal(
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let ambient = axis.ambient.unwrap_or_else(|| ThermodynamicTemperature::from_si(AMBIENT_REFERENCE));
+    let ambient = axis.ambient.unwrap_or_else(|| model.ambient_reference());
     // The coil of an open brake warms the housing; its mean counts.
     let coil = coil_loss(axis, actuator).si();
     let [_, r_ha] = model.network().resistances_k_per_w();
@@ -107,7 +107,7 @@ pub(crate) fn thermal(
     let scale = published.map_or(1.0, |published| 1.0 / published.rise_share);
     let rise = (peak.value + coil * r_ha) * scale;
     let (low, high) = if published.is_some() { (1.0, 1.0) } else { model.band(axis.moments.speed_mean()) };
-    let threshold = ThermodynamicTemperature::from_si(WINDING_TEMPERATURE_CONTINUOUS);
+    let threshold = model.winding_limit();
     let room = threshold.si() - ambient.si();
     if work.is_on() {
         let key = Source::Project { key: "requirements.ambient".into() };
@@ -132,8 +132,9 @@ pub(crate) fn thermal(
         let text = "theta_a + c*(theta_m + dtheta - theta_a)";
         work.estimate("theta_w", &DEGREE_CELSIUS, ambient.si() + rise, text, &THERMAL);
         work.value("theta_w");
-        const THRESHOLD: CellRef = CellRef::of_the_manual("62.3", "T_KTY", "");
-        work.figure("theta_warn", &DEGREE_CELSIUS, threshold.si(), &Source::Cell(&THRESHOLD), Grade::Printed);
+        if let Some(threshold) = actuator.heat.winding_warning.known() {
+            work.given("theta_warn", &DEGREE_CELSIUS, threshold);
+        }
         work.found("b", &ONE, low, "lower edge of the band at n_av", &THERMAL, Grade::Estimated);
         let text = "theta_a + b*(theta_warn - theta_a)";
         work.estimate("theta_perm", &DEGREE_CELSIUS, ambient.si() + low * room, text, &THERMAL);
@@ -194,7 +195,7 @@ pub(crate) fn overload(
     };
     let low = filtered(limit.value).max(1.0).max(permitted.map_or(1.0, |published| published.overload));
     let (_, band) = model.band(axis.moments.speed_mean());
-    let by_heat = band * model.stall_loss().si() / (model.copper_ohm() * stalled);
+    let by_heat = band * model.stall_loss().si() / (model.losses().copper_ohm() * stalled);
     let high = if limit.grade == Grade::Estimated { low.max(filtered(*upper)).max(by_heat) } else { low };
     let source = Source::Model { name: "overload" };
     work.given("I_0", &AMPERE, stall);

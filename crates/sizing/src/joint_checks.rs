@@ -3,13 +3,13 @@
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Note, Verdict};
 use crate::comparison::{Comparison, explained, not_checked};
-use crate::trace::TorqueWith;
 use crate::workings;
 use actuator::{Parameters, ScrewJoint};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{NEWTON_METRE, ONE, RADIAN_PER_SECOND_SQUARED, SECOND};
 use quantities::{Measure, Time, Torque};
+use trace::TorqueWith;
 
 /// Both joints, and the field of application where a special one is stated.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool, checks: &mut Vec<Check>) {
@@ -76,7 +76,7 @@ fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Re
     // Of an own actuator the ratio may not be known: without a gear the whole of J_out acts on the housing, the most.
     let ratio = actuator.ratio.known();
     let inertia = own / ratio.map_or(1.0, |ratio| ratio.value);
-    let worst = |inertia: f64| axis.trace.largest(&TorqueWith { inertia });
+    let worst = |inertia: f64| axis.trace.largest(&TorqueWith { inertia_kgm2: inertia });
     let (forward, backward) = (worst(inertia), worst(-inertia));
     let (torque, node) = if backward.0 > forward.0 { backward } else { forward };
     if let Some(collision) = collision(axis, torque, work) {
@@ -85,16 +85,16 @@ fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Re
     if work.is_on() {
         let demand = &workings::DEMAND;
         workings::own_inertia(actuator, work);
-        work.figure("t", &SECOND, node.time, demand, Grade::Computed);
+        work.figure("t", &SECOND, node.time_s, demand, Grade::Computed);
         work.found(
             "alpha",
             &RADIAN_PER_SECOND_SQUARED,
-            node.acceleration,
+            node.acceleration_rad_s2,
             "acceleration at t",
             demand,
             Grade::Computed,
         );
-        work.found("T_L", &NEWTON_METRE, node.load, "torque of the load at t", demand, Grade::Computed);
+        work.found("T_L", &NEWTON_METRE, node.load_nm, "torque of the load at t", demand, Grade::Computed);
         let text = match ratio {
             Some(ratio) => {
                 work.given_number("i", ratio);
@@ -104,7 +104,7 @@ fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Re
         };
         work.formula("T_j", &NEWTON_METRE, torque, text, &Source::Model { name: "gear" });
     }
-    Ok((Torque::from_si(torque), Some(Time::from_si(node.time)), "T_j"))
+    Ok((Torque::from_si(torque), Some(Time::from_si(node.time_s)), "T_j"))
 }
 
 /// The torque through a joint ≤ what its screws transmit by friction (table 79.1).

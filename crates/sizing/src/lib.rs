@@ -28,10 +28,10 @@ mod resonance;
 mod reversal_tests;
 mod stage;
 mod swings;
-mod trace;
 mod workings;
 
 pub use axis::{Asked, Axis, BearingDuty, Moments, OperatingCondition, SpecialApplication, TooManyRevolutions};
+pub use brake_times::BrakeTimes;
 pub use check::{Check, CheckId, Direction, Figure, Margin, Note, Notes, Part, Verdict};
 pub use checks::{Depth, Judgement, explain, judge};
 pub use course::{Course, Sample};

@@ -1,6 +1,7 @@
 //! How far an axis may be changed until an actuator just fits: load, payload, cycle time, ambient temperature.
 
 use crate::axis::Axis;
+use crate::brake_times::carried;
 use crate::check::Verdict;
 use crate::checks::{Depth, judge};
 use actuator::Parameters;
@@ -190,13 +191,14 @@ impl Axis {
 
     /// What is asked stays.
     fn changed(&self, mechanism: mechanism::Mechanism, motion: motion::Motion, extras: Vec<mechanism::Extra>) -> Self {
-        let trace = self.trace.changed(&mechanism, &motion, &extras);
+        let trace = self.trace.changed(&mechanism, &motion, &extras, &carried(&motion, self.brake_times.as_ref()));
         let prepared = Self::with_trace(mechanism, motion, extras, trace);
         Self {
             ambient: self.ambient,
             bearing: self.bearing.clone(),
             supply: self.supply,
             asked: self.asked.clone(),
+            brake_times: self.brake_times,
             ..prepared
         }
     }

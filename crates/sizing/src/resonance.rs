@@ -225,7 +225,8 @@ pub(crate) fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings)
 
 /// The resonance speeds over every inertia of the cycle.
 fn speeds_note(axis: &Axis, stiffness: &[&Sourced<TorsionalStiffness>; 3], ratio: f64, own: Option<f64>) -> Note {
-    let (largest, least) = axis.trace.inertia;
+    let (largest, least) = axis.trace.inertia();
+    let (largest, least) = (largest.si(), least.si());
     // Without inertia there is no resonance; that of a joint is stated once for all positions.
     let least = if least.is_finite() && least > 0.0 { least.min(largest) } else { largest };
     let speeds = |rotor| {

@@ -2,7 +2,6 @@
 
 use crate::axis::Axis;
 use crate::demand::{Demand, ManualDemand};
-use crate::trace::{Node, TorqueWith};
 use actuator::Parameters;
 use derivation::Workings;
 use provenance::{Grade, Source};
@@ -10,6 +9,7 @@ use quantities::Measure;
 use quantities::unit::{
     KILOGRAM_SQUARE_METRE, NEWTON_METRE, ONE, RADIAN, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
 };
+use trace::{Node, TorqueWith};
 
 /// The model of the load and its motion.
 pub(crate) const DEMAND: Source = Source::Model { name: "demand" };
@@ -32,10 +32,17 @@ pub(crate) fn torque_at(node: &Node, actuator: &Parameters, work: &mut Workings)
     }
     own_inertia(actuator, work);
     let inertia = actuator.inertia_out.known().map_or(0.0, |inertia| inertia.value.si());
-    work.figure("t", &SECOND, node.time, &DEMAND, Grade::Computed);
-    work.found("alpha", &RADIAN_PER_SECOND_SQUARED, node.acceleration, "acceleration at t", &DEMAND, Grade::Computed);
-    work.found("T_L", &NEWTON_METRE, node.load, "torque of the load at t", &DEMAND, Grade::Computed);
-    work.formula("T", &NEWTON_METRE, inertia * node.acceleration + node.load, "J_out*alpha + T_L", &DEMAND);
+    work.figure("t", &SECOND, node.time_s, &DEMAND, Grade::Computed);
+    work.found(
+        "alpha",
+        &RADIAN_PER_SECOND_SQUARED,
+        node.acceleration_rad_s2,
+        "acceleration at t",
+        &DEMAND,
+        Grade::Computed,
+    );
+    work.found("T_L", &NEWTON_METRE, node.load_nm, "torque of the load at t", &DEMAND, Grade::Computed);
+    work.formula("T", &NEWTON_METRE, inertia * node.acceleration_rad_s2 + node.load_nm, "J_out*alpha + T_L", &DEMAND);
 }
 
 /// The largest torque, `T_peak`.
@@ -44,7 +51,7 @@ pub(crate) fn peak_torque(axis: &Axis, actuator: &Parameters, demand: &Demand, w
         return;
     }
     let inertia = actuator.inertia_out.known().map_or(0.0, |inertia| inertia.value.si());
-    let (_, node) = axis.trace.largest(&TorqueWith { inertia });
+    let (_, node) = axis.trace.largest(&TorqueWith { inertia_kgm2: inertia });
     torque_at(&node, actuator, work);
     work.formula("T_peak", &NEWTON_METRE, demand.torque_peak.si(), "abs(T)", &DEMAND);
 }
@@ -94,7 +101,7 @@ pub(crate) fn effective_torque(
         return;
     }
     let duration = axis.moments().duration.si();
-    let gram = &axis.trace.gram;
+    let gram = axis.trace.gram();
     let (acceleration, load) = ([1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]);
     let effective = |of| (gram.square(of) / duration).sqrt();
     let (alpha, torque) = (effective(acceleration), effective(load));

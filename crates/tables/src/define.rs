@@ -294,7 +294,7 @@ impl Subject<'_> {
                 &DEGREE_CELSIUS,
                 [
                     "temperature in the steady cycle; estimated, model thermal",
-                    "Temperatur im eingeschwungenen Zyklus; geschätzt, Modell thermal",
+                    "Temperatur im eingeschwungenen Zyklus; geschätzt, Modell Erwärmung",
                 ],
                 |s| s.winding_k,
             ),
@@ -304,7 +304,7 @@ impl Subject<'_> {
                 &DEGREE_CELSIUS,
                 [
                     "temperature in the steady cycle; estimated, model thermal",
-                    "Temperatur im eingeschwungenen Zyklus; geschätzt, Modell thermal",
+                    "Temperatur im eingeschwungenen Zyklus; geschätzt, Modell Erwärmung",
                 ],
                 |s| s.housing_k,
             ),
@@ -314,7 +314,7 @@ impl Subject<'_> {
                 &ONE,
                 [
                     "filtered square of the current over that of I_0, 1 is the limit; model overload",
-                    "gefiltertes Quadrat des Stroms über dem von I_0, 1 ist die Grenze; Modell overload",
+                    "gefiltertes Quadrat des Stroms über dem von I_0, 1 ist die Grenze; Modell Überlast",
                 ],
                 |s| s.overload,
             ),

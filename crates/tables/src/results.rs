@@ -18,13 +18,14 @@ pub(crate) fn fits(candidate: &Candidate<'_>, language: Language) -> Cell {
 }
 
 /// Nothing speaks against it.
-pub(crate) const FITS: Both = ["fits", "passt"];
+pub(crate) const FITS: Both = ["fits", "geeignet"];
 /// Something speaks against it.
 pub(crate) const DOES_NOT_FIT: Both = ["DOES NOT FIT", "PASST NICHT"];
 
 fn code(language: Language) -> Column {
-    let about = ["ordering code, or name of the project's own actuator", "Bestellcode oder Name des eigenen Antriebs"];
-    column("code", ["ordering code", "Bestellcode"], Kind::Text, None, about, language)
+    let about =
+        ["ordering code, or name of the project's own actuator", "Bestellbezeichnung oder Name des eigenen Antriebs"];
+    column("code", ["ordering code", "Bestellbezeichnung"], Kind::Text, None, about, language)
 }
 
 pub(crate) fn demand(subject: &Subject<'_>) -> Table {
@@ -84,7 +85,7 @@ pub(crate) fn demand(subject: &Subject<'_>) -> Table {
         "what the axis asks of each candidate, by the manual's equations and by exact integrals",
         "was die Achse von jedem Kandidaten verlangt, nach den Gleichungen der Anleitung und nach exakten Integralen",
     ];
-    let mut table = subject.empty("demand", ["Demand", "Anforderung"], about, columns);
+    let mut table = subject.empty("demand", ["Demand", "Bedarf"], about, columns);
     for (_, candidate) in subject.shown() {
         let judgement = &candidate.judgement;
         let mut row = |mode: &str, demand: &Demand, moves: [Cell; 4]| {
@@ -137,7 +138,10 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
             ["rank", "Rang"],
             Kind::Count,
             None,
-            ["place in the ranking; none where it does not fit", "Platz in der Reihenfolge; keiner, wo er nicht passt"],
+            [
+                "place in the ranking; none where it does not fit",
+                "Platz in der Reihenfolge; keiner, wo er nicht geeignet ist",
+            ],
             l,
         ),
         code(l),
@@ -159,10 +163,10 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
         ),
         column(
             "tightest",
-            ["tightest check", "knappste Prüfung"],
+            ["tightest check", "engster Nachweis"],
             Kind::Text,
             None,
-            ["id of the check that it belongs to", "Kennung der Prüfung, zu der sie gehört"],
+            ["id of the check that it belongs to", "Kennung des Nachweises, zu dem sie gehört"],
             l,
         ),
         column(
@@ -208,14 +212,17 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
             name: id.id().to_owned(),
             title: check_title(*id, l),
             unit: Some(&ONE),
-            about: t(l, ["utilisation of this check, 1 is the limit", "Auslastung dieser Prüfung, 1 ist die Grenze"])
-                .to_owned(),
+            about: t(
+                l,
+                ["utilisation of this check, 1 is the limit", "Auslastung dieses Nachweises, 1 ist die Grenze"],
+            )
+            .to_owned(),
             kind: Kind::Share,
         }
     }));
     let about = [
         "the candidates in their order, with the utilisation of every check",
-        "die Kandidaten in ihrer Reihenfolge, mit der Auslastung jeder Prüfung",
+        "die Kandidaten in ihrer Reihenfolge, mit der Auslastung jedes Nachweises",
     ];
     let mut table = subject.empty("candidates", ["Candidates", "Kandidaten"], about, columns);
     #[allow(clippy::cast_precision_loss, reason = "counts of a few hundred")]
@@ -260,8 +267,8 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
     let l = subject.language;
     let columns = vec![
         code(l),
-        column("check", ["id", "Kennung"], Kind::Text, None, ["id of the check", "Kennung der Prüfung"], l),
-        column("title", ["check", "Prüfung"], Kind::Text, None, ["its title", "ihr Titel"], l),
+        column("check", ["id", "Kennung"], Kind::Text, None, ["id of the check", "Kennung des Nachweises"], l),
+        column("title", ["check", "Nachweis"], Kind::Text, None, ["its title", "ihr Titel"], l),
         column(
             "verdict",
             ["verdict", "Urteil"],
@@ -343,7 +350,7 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
             ["missing", "fehlt"],
             Kind::Text,
             None,
-            ["what a check that is not answered lacks", "was einer nicht beantworteten Prüfung fehlt"],
+            ["what a check that is not answered lacks", "was einem nicht geführten Nachweis fehlt"],
             l,
         ),
         column(
@@ -355,8 +362,8 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
             l,
         ),
     ];
-    let about = ["every check of the candidates shown", "jede Prüfung der gezeigten Kandidaten"];
-    let mut table = subject.empty("checks", ["Checks", "Prüfungen"], about, columns);
+    let about = ["every check of the candidates shown", "jeder Nachweis der gezeigten Kandidaten"];
+    let mut table = subject.empty("checks", ["Checks", "Nachweise"], about, columns);
     let chosen = &subject.chosen.id;
     let mut shown = subject.shown();
     // The chosen one stands first: its checks are what most readers look for.

@@ -1,5 +1,6 @@
 //! A whole workbook.
 
+mod charts;
 mod cover;
 mod sheet;
 mod style;
@@ -50,6 +51,9 @@ pub fn xlsx(tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>, WriteError> 
     for table in tables.iter().filter(|table| table.rows.len() <= SHEET_ROWS_MOST) {
         workbook.push_worksheet(sheet::sheet(table, &links, &styles, language)?);
     }
+    if let Some(charts) = charts::sheet(tables, &front.chosen.id.to_string(), language)? {
+        workbook.push_worksheet(charts);
+    }
     workbook.push_worksheet(meanings(tables, &styles, language)?);
     Ok(workbook.save_to_buffer()?)
 }
@@ -76,7 +80,8 @@ fn meanings(tables: &[Table], styles: &Styles, language: Language) -> Result<Wor
         ["unit", "Einheit"],
         ["meaning and source", "Bedeutung und Quelle"],
     ];
-    for ((column, head), width) in (0_u16..).zip(heads).zip([16.0, 30.0, 30.0, 12.0, 90.0]) {
+    let widths = [16.0, 30.0, 30.0, 12.0, 60.0];
+    for ((column, head), width) in (0_u16..).zip(heads).zip(widths) {
         sheet.write_string_with_format(0, column, t(language, head), &styles.head)?;
         sheet.set_column_width(column, width)?;
     }
@@ -84,16 +89,87 @@ fn meanings(tables: &[Table], styles: &Styles, language: Language) -> Result<Wor
     for (row, (table, column)) in (1_u32..).zip(columns) {
         let name = format!("{}.{}", table.name, column.name);
         let unit = column.unit.map_or("", |unit| unit.symbol);
-        for (at, text) in (0_u16..).zip([&table.title, &column.title, &name, unit, &column.about]) {
+        let texts = [&table.title, &column.title, &name, unit, &column.about];
+        for (at, text) in (0_u16..).zip(texts) {
             sheet.write_string_with_format(row, at, text, &styles.text)?;
         }
+        let most = texts.iter().zip(widths).map(|(text, wide)| lines(text, wide)).max();
+        sheet.set_row_height(row, height(most.unwrap_or(1)))?;
     }
     sheet.set_freeze_panes(1, 0)?;
-    page(&mut sheet);
+    Paper::for_width(widths.iter().sum()).set(&mut sheet);
     Ok(sheet)
 }
 
-/// A4 across, one page wide, the head on every page.
-fn page(sheet: &mut Worksheet) {
-    sheet.set_paper_size(9).set_landscape().set_print_fit_to_pages(1, 0);
+/// How many lines a text takes in a column of so many characters, a little more rather than less: a line too many is empty,
+/// one too few is cut off.
+fn lines(text: &str, characters: f64) -> u32 {
+    let mut lines = 0;
+    for paragraph in text.split('\n') {
+        let (mut used, mut rows) = (0.0, 1);
+        for word in paragraph.split(' ') {
+            #[allow(clippy::cast_precision_loss, reason = "the length of a word")]
+            let long = word.chars().count() as f64 * 1.08;
+            let space = if used > 0.0 { 1.0 } else { 0.0 };
+            if used + space + long <= characters {
+                used += space + long;
+            } else {
+                rows += u32::from(used > 0.0);
+                // A word longer than the column is broken.
+                let mut rest = long;
+                while rest > characters {
+                    rest -= characters;
+                    rows += 1;
+                }
+                used = rest;
+            }
+        }
+        lines += rows;
+    }
+    lines
+}
+
+/// The height of a row of so many lines, in points; a sheet knows none above 409.
+fn height(lines: u32) -> f64 {
+    (f64::from(lines) * 15.0).min(409.0)
+}
+
+/// The paper on which a sheet is printed, one page wide, the head on every page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Paper {
+    /// A4 across.
+    A4,
+    /// A3 across, for what would be illegible on A4.
+    A3,
+}
+
+impl Paper {
+    /// The smallest paper on which columns of so many characters in all stay legible: that is a scale of sixty per cent, on
+    /// which A4 across holds 240.
+    fn for_width(characters: f64) -> Self {
+        if characters <= 240.0 { Self::A4 } else { Self::A3 }
+    }
+
+    fn set(self, sheet: &mut Worksheet) {
+        let number = match self {
+            Self::A4 => 9,
+            Self::A3 => 8,
+        };
+        sheet.set_paper_size(number).set_landscape().set_print_fit_to_pages(1, 0);
+        sheet.set_margins(0.4, 0.4, 0.5, 0.5, 0.3, 0.3);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_takes_the_lines_that_its_words_need() {
+        assert_eq!(lines("", 10.0), 1);
+        assert_eq!(lines("one two", 10.0), 1);
+        assert_eq!(lines("one two three four", 10.0), 2);
+        assert_eq!(lines("a\nb", 10.0), 2);
+        assert_eq!(lines(&"x".repeat(25), 10.0), 3);
+    }
 }

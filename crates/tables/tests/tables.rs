@@ -7,9 +7,9 @@ use parquet::record::Field;
 use recording::{Bytes, Layout};
 use std::io::{Cursor, Read};
 use std::path::PathBuf;
-use tables::{Cell, Front, Kind, NAMES, Subject, Table, csv, json, parquet as to_parquet, xlsx};
+use tables::{Cell, Front, Kind, NAMES, Subject, Table, csv, parquet as to_parquet, record, xlsx};
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use workbench::{Candidate, Files, Language, Project};
+use workbench::{Candidate, Files, Language};
 
 struct Beside(PathBuf);
 
@@ -32,7 +32,7 @@ fn each(language: Language, top: usize, look: &mut dyn FnMut(&str, &[Table], &Fr
     for path in files {
         let text = std::fs::read_to_string(&path).unwrap();
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        let projects = Project::read_all(&text, &Beside(folder.clone()), language).unwrap();
+        let projects = workbench::read_all(&text, &Beside(folder.clone())).unwrap();
         for (axis, project) in projects.iter().enumerate() {
             let sizing = workbench::size(project);
             let chosen: Candidate<'_> = match &sizing.own {
@@ -171,7 +171,7 @@ fn csv_comes_back_as_it_was() {
 fn json_holds_the_columns_and_a_record_for_each_row() {
     each(Language::En, 3, &mut |_, tables, _| {
         for table in tables {
-            let value: serde_json::Value = serde_json::from_str(&json(table).to_string()).unwrap();
+            let value: serde_json::Value = serde_json::to_value(record(table)).unwrap();
             assert_eq!(value["table"], table.name);
             assert_eq!(value["columns"].as_array().unwrap().len(), table.columns.len());
             let rows = value["rows"].as_array().unwrap();
@@ -309,6 +309,34 @@ fn a_workbook_opens_with_every_row_and_live_formulas() {
             assert!((course / exact - 1.0).abs() < 2e-3, "{file}: {course} {exact}");
         });
     }
+}
+
+/// One word for one thing in the workbook too: the glossary names the words that are not used.
+#[test]
+fn a_german_workbook_has_no_second_word_for_a_thing() {
+    let twins: Vec<String> =
+        catalogue::words().iter().flat_map(|word| word.not_de).map(|twin| twin.to_lowercase()).collect();
+    let mut cells = 0;
+    each(Language::De, 2, &mut |name, tables, front| {
+        let mut book: Xlsx<_> = Xlsx::new(Cursor::new(xlsx(tables, front).unwrap())).unwrap();
+        for sheet in book.sheet_names() {
+            let texts = book.worksheet_range(&sheet).unwrap();
+            assert!(!twins.contains(&sheet.to_lowercase()), "{sheet}");
+            let strings = texts.used_cells().filter_map(|(_, _, cell)| match cell {
+                Data::String(text) => Some(text.to_lowercase()),
+                _ => None,
+            });
+            for text in strings {
+                cells += 1;
+                let found = twins.iter().find(|twin| {
+                    text.match_indices(twin.as_str())
+                        .any(|(at, _)| !text[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '-'))
+                });
+                assert!(found.is_none(), "{name}, {sheet}: {found:?} in {text}");
+            }
+        }
+    });
+    assert!(cells > 500, "{cells}");
 }
 
 #[test]

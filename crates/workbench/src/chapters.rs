@@ -1,10 +1,10 @@
 //! Single chapters answered alone: torque-speed curves, output bearing, battery.
 
-use crate::project::Project;
-use crate::sizing_use::{Candidate, catalogue_actuators, check};
-use crate::text::Speak;
+use crate::sizing_use::{Candidate, check};
 use actuator::{BatteryLife, PerformanceCurve};
+use configurator::catalogue_actuators;
 use order_code::{OrderCode, Size};
+use project::Project;
 use provenance::Missing;
 use quantities::{ElectricPotential, Language, Measure, Time, parse_as};
 use sizing::{Check, CheckId};
@@ -30,7 +30,9 @@ pub fn read_quantity<Q: Measure>(text: &str, language: Language) -> Result<Q, (S
 /// # Errors
 /// What is out of range.
 pub fn battery(operation_per_day: Time, storage: Time, language: Language) -> Result<BatteryLife, String> {
-    actuator::battery_life(operation_per_day, storage).map_err(|fault| language.battery_fault(&fault))
+    let battery = configurator::battery();
+    let model = battery.require("battery_capacity").map_err(|missing| missing.symbol.to_owned())?;
+    model.value.life(operation_per_day, storage).map_err(|fault| words::battery_fault(&fault, language))
 }
 
 /// The checks of the output bearing for one code.
@@ -61,13 +63,3 @@ pub fn bearing_of_each_size(project: &Project) -> Vec<(Size, Candidate<'_>)> {
     }
     found
 }
-
-/// The project files to begin with: name and text.
-pub static TEMPLATES: [(&str, &str); 6] = [
-    ("manual", include_str!("../../../examples/indexing-table.toml")),
-    ("table", include_str!("../../../examples/turntable.toml")),
-    ("arm", include_str!("../../../examples/tilting-arm.toml")),
-    ("screw", include_str!("../../../examples/screw-axis.toml")),
-    ("belt", include_str!("../../../examples/belt-axis.toml")),
-    ("recording", include_str!("../../../examples/robot-joint.toml")),
-];

@@ -1,10 +1,10 @@
 //! Reading, listing and completing ordering codes.
 
-use crate::text::{describe_code_error, describe_field, describe_rule, describe_token, either};
 use configurator::{Availability, BrokenRule, Choice, availability};
 use order_code::{CodeError, CodeErrors, Field, OrderCode, Parsed, Pattern, Size};
 use quantities::Language;
 use std::ops::Range;
+use words::{describe_code_error, describe_field, describe_rule, describe_token, either};
 
 /// A code as it was understood.
 #[derive(Clone, Debug)]

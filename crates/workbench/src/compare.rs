@@ -1,8 +1,8 @@
 //! Several actuators on one axis, and one actuator on two revisions of it.
 
-use crate::project::Project;
 use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own, size};
 use order_code::OrderCode;
+use project::Project;
 use provenance::Datum;
 use quantities::unit::{
     AMPERE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, ONE,

@@ -3,9 +3,9 @@
 use crate::codes::CodeRefusal;
 use crate::codes::read_code;
 use crate::sheet::sheet;
-use crate::text::either;
 use catalogue::Erratum;
 use quantities::Language;
+use words::either;
 
 /// What was asked about, and the errata on it.
 #[derive(Clone, Debug)]

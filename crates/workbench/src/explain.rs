@@ -1,11 +1,11 @@
 //! The derivation of a check as a tree: formula, figures put in, value, source and grade of everything.
 
-use crate::text::{evidence_text, found_text, grade_word, source_text, step_term, symbol_shown, symbol_term};
 use answers::{CitedErratum, Derivation, Id, Node, Number};
 use provenance::{Grade, Source};
 use quantities::{Language, Unit, format_significant};
 use sizing::Check;
 use sizing::derivation::{Formula, How, Part, Step};
+use words::{evidence_text, found_text, grade_word, source_text, step_term, symbol_shown, symbol_term};
 
 /// Digits of the figures in a derivation: as many as a pocket calculator needs to come to the same answer.
 const DIGITS: usize = 6;
@@ -109,10 +109,13 @@ fn is_stated(step: &Step) -> bool {
 fn term(step: &Step, language: Language) -> String {
     if let Source::Cell(cell) | Source::Published(cell) = &step.source
         && step.how == How::Given
-        && cell.symbol.starts_with(step.symbol)
+        && cell.symbol.strip_prefix(step.symbol).is_some_and(|rest| matches!(rest, "" | "_brake"))
     {
-        let term = symbol_term(cell.symbol, language);
-        return if term == cell.symbol { String::new() } else { term };
+        return symbol_term(cell.symbol, language);
     }
-    step_term(step.symbol, language).to_owned()
+    match step_term(step.symbol, step.unit.json, language) {
+        // What the user gave of an own actuator has the word of the glossary.
+        "" => Some(symbol_term(step.symbol, language)).filter(|term| term != step.symbol).unwrap_or_default(),
+        term => term.to_owned(),
+    }
 }

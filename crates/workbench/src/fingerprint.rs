@@ -1,7 +1,7 @@
 //! What a result was made from, as fingerprints: the project with its recordings, and the catalogue.
 
 use crate::export::{EXPORT_COLUMNS, export_rows};
-use crate::project::RecordingRead;
+use project::RecordingRead;
 
 /// Digits of a fingerprint: sixteen of BLAKE3's, 64 bits.
 const DIGITS: usize = 16;

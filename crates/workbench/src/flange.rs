@@ -1,7 +1,7 @@
 //! The loads on the output bearing over the cycle.
 
-use crate::project::Project;
 use crate::sizing_use::Candidate;
+use project::Project;
 use sizing::FlangeSample;
 
 /// The loads on the output bearing of a candidate at instants over the cycle; `None` where the project names none.

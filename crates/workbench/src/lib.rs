@@ -5,59 +5,74 @@
 
 pub mod answer;
 mod chapters;
+mod cited;
 mod codes;
 mod compare;
-mod diagnostic;
 mod errata;
 mod explain;
 mod export;
 mod fingerprint;
 mod flange;
-mod inertia;
+mod glossary;
 mod limits;
 mod moves;
 mod plane;
-mod project;
+mod reading;
 mod sheet;
 mod sizing_use;
-pub mod text;
+mod templates;
 mod tolerance;
 mod torsion;
 
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
-pub use chapters::{TEMPLATES, battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
+pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
-pub use configurator::{Availability, Choice, Uncovered, Unmet, uncovered};
-pub use diagnostic::{Diagnostic, place};
+pub use configurator::{Availability, Choice, Uncovered, Unmet, catalogue_actuators, uncovered};
 pub use errata::{ErrataFound, ErrataRefusal, errata_about};
 pub use explain::{derivation, node_amount, trust};
 pub use export::{EXPORT_COLUMNS, export_rows};
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
-pub use inertia::{BODY_SHAPES, BodyAnswer, BodyShape, InertiaAnswer, inertia};
+pub use glossary::glossary;
 pub use limits::{NeededLimit, limits_needed};
-pub use moves::{Move, Moves, SegmentLaw, moves};
+pub use moves::{Move, Moves, moves};
 pub use order_code::{Field, OrderCode, Size};
 pub use plane::{Plane, curve_rows, plane, plane_of};
 pub use project::{
-    ALL_CORNERS_MOST, Assumption, Files, Input, InputChange, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project,
-    RatioAnswer, RecordingRead, Tolerance, input_changes, input_label, inputs, schema,
+    ALL_CORNERS_MOST, Assumption, BODY_SHAPES, BodyAnswer, BodyShape, Diagnostic, Fault, Files, Hint, InertiaAnswer,
+    Input, InputChange, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project, RatioAnswer, RecordingRead, SegmentLaw,
+    Tolerance, inertia, input_changes, inputs, place,
 };
 pub use provenance::Grade;
 pub use quantities::{self, Language};
+pub use reading::{read, read_all, schema};
 pub use sheet::{Sheet, SheetNote, SheetRow, SheetSection, sheet};
 pub use sizing::derivation as workings;
 pub use sizing::{Check, CheckId, Course, Demand, Direction, Figure, FlangeSample, Part, Reserve, Sample, Verdict};
 pub use sizing_use::{
-    Candidate, CandidateId, Objection, Refusal, Sizing, catalogue_actuators, check, check_own, course, explain,
-    explain_own, reserve_of, size,
+    Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, explain, explain_own, reserve_of,
+    size,
 };
+pub use templates::{Template, template, template_kinds};
 pub use tolerance::{
     Assessment, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
 };
 pub use torsion::{TorsionAnswer, TorsionCurve, read_torque, torsion, torsion_of};
+
+/// The words of the house, and those of a whole candidate.
+pub mod text {
+    use crate::{Candidate, Language};
+
+    pub use words::*;
+
+    /// Whether a candidate fits, and how many questions about it could not be answered.
+    #[must_use]
+    pub fn standing_text(candidate: &Candidate<'_>, language: Language) -> String {
+        words::standing_text(candidate.fits(), candidate.open_questions(), language)
+    }
+}
 
 #[cfg(test)]
 mod tests {

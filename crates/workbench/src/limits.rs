@@ -60,7 +60,9 @@ pub fn limits_needed(candidate: &Candidate<'_>) -> Option<Vec<NeededLimit>> {
     }
     for check in candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail) {
         let Some(Source::Project { key }) = &check.limit_source else { return None };
-        let asked = key.starts_with("requirements.") && (key.ends_with("_max") || key.ends_with("_min"));
+        // Of one axis of several the key is told as it stands within the axis, like that of an objection.
+        let key = key.find("requirements.").and_then(|at| key.get(at..))?;
+        let asked = key.ends_with("_max") || key.ends_with("_min");
         needed.push(NeededLimit::of(key, check.value.filter(|_| asked)?));
     }
     (!needed.is_empty()).then_some(needed)

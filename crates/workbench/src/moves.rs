@@ -1,37 +1,10 @@
 //! The motion as it came out: every segment with what was given and what followed from it.
 
-use crate::project::{Project, RecordingRead};
-use motion::Law;
+use project::{Project, RecordingRead, SegmentLaw};
 use quantities::unit::{
     DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
 };
 use quantities::{Measure, Time, Unit};
-
-/// What a segment follows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SegmentLaw {
-    /// A law of motion.
-    Law(Law),
-    /// The manual's move: a trapezoid with a pause.
-    Manual,
-    /// Rest.
-    Dwell,
-    /// A recording.
-    Recorded,
-}
-
-impl SegmentLaw {
-    /// The identifier used in project files and data exchange.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Law(law) => law.id(),
-            Self::Manual => "manual",
-            Self::Dwell => "dwell",
-            Self::Recorded => "recorded",
-        }
-    }
-}
 
 /// One segment of the motion.
 #[derive(Clone, Debug)]

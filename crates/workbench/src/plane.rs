@@ -1,9 +1,9 @@
 //! The limits of the torque-speed plane, for pictures.
 
-use crate::project::Project;
 use crate::sizing_use::Candidate;
 use actuator::{CurveKind, CurvePoint, Parameters, PerformanceCurve};
 use order_code::OrderCode;
+use project::Project;
 use provenance::Missing;
 use quantities::{AngularVelocity, ElectricPotential, Measure, Torque};
 

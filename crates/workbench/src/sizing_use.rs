@@ -1,12 +1,12 @@
 //! Ranking the catalogue for an axis, and judging one actuator.
 
-use crate::project::{Assumption, OwnActuator, Project};
+use crate::cited::cite;
 use actuator::Parameters;
-use configurator::{BrokenRule, Unmet, availability};
+use configurator::{BrokenRule, Unmet, actuators, availability};
 use order_code::{Field, Option1, OrderCode};
+use project::{Assumption, OwnActuator, Project};
 use quantities::Measure;
 use sizing::{Check, Course, Depth, Judgement, Reserve, Standing, Verdict, judge, rank, reserve};
-use std::sync::LazyLock;
 
 /// What a candidate is called.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -134,32 +134,6 @@ pub enum Refusal {
     NoActuator,
 }
 
-/// Every actuator of the catalogue that has printed data and can be had without asking, with its parameters:
-/// each size, ratio, winding, feedback and brake, without options.
-pub fn catalogue_actuators() -> &'static [(OrderCode, Parameters)] {
-    static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(None));
-    &ACTUATORS
-}
-
-/// The same actuators with the encoder at the output.
-fn actuators_with_output_encoder() -> &'static [(OrderCode, Parameters)] {
-    static ACTUATORS: LazyLock<Vec<(OrderCode, Parameters)>> = LazyLock::new(|| actuators_with(Some(Option1::EC)));
-    &ACTUATORS
-}
-
-/// Each code is the bare one, its parameters those with the option.
-fn actuators_with(option_1: Option<Option1>) -> Vec<(OrderCode, Parameters)> {
-    configurator::all()
-        .iter()
-        .filter(|(code, found)| code.option_1.is_none() && code.option_2.is_none() && found.is_available())
-        .filter_map(|(code, _)| Some((*code, configurator::parameters(&OrderCode { option_1, ..*code })?)))
-        .collect()
-}
-
-pub(crate) fn actuators(option_1: Option<Option1>) -> &'static [(OrderCode, Parameters)] {
-    if option_1.is_some() { actuators_with_output_encoder() } else { catalogue_actuators() }
-}
-
 /// The actuators of the catalogue with the curves of a project.
 fn actuators_of(project: &Project, option_1: Option<Option1>) -> &[(OrderCode, Parameters)] {
     match &project.own_catalogue {
@@ -232,6 +206,7 @@ pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>
 pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
     let mut candidate = check(project, code)?;
     candidate.judgement = sizing::explain(&project.axis, candidate.parameters);
+    cite(project, &mut candidate.judgement);
     Ok(candidate)
 }
 
@@ -242,6 +217,7 @@ pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'
 pub fn explain_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
     let mut candidate = check_own(project)?;
     candidate.judgement = sizing::explain(&project.axis, candidate.parameters);
+    cite(project, &mut candidate.judgement);
     Ok(candidate)
 }
 
@@ -266,7 +242,8 @@ pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
 }
 
 fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Parameters, depth: Depth) -> Candidate<'p> {
-    let judgement = judge(&project.axis, parameters, depth);
+    let mut judgement = judge(&project.axis, parameters, depth);
+    cite(project, &mut judgement);
     let mut objections: Vec<Objection> =
         project.requirements.unmet(&code, parameters).into_iter().map(Objection::Unmet).collect();
     // Without options the code stands in the catalogue because it is available; only options can change that.
@@ -285,7 +262,8 @@ fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Paramete
 }
 
 fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p> {
-    let judgement = judge(&project.axis, &own.parameters, Depth::Full);
+    let mut judgement = judge(&project.axis, &own.parameters, Depth::Full);
+    cite(project, &mut judgement);
     let objections: Vec<Objection> =
         project.requirements.unmet_by_data(&own.parameters).into_iter().map(Objection::Unmet).collect();
     let mass = own.parameters.mass.known().map(|mass| mass.value.si());

@@ -5,9 +5,9 @@ mod corners;
 mod draws;
 mod statistics;
 
-use crate::project::{Project, Variant, Varied};
 use crate::sizing_use::{Candidate, CandidateId, Objection};
 use draws::Draws;
+use project::{Project, Variant, Varied};
 use sizing::{CheckId, Depth, Judgement, judge};
 use statistics::{Ranks, wilson};
 use std::ops::Range;

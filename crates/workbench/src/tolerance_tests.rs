@@ -1,5 +1,5 @@
 use super::*;
-use crate::{Language, check_own, size};
+use crate::{check_own, size};
 
 /// Only T_max limits: (J_L + J_out) n_2/t_1 + T_L = (1.3 + 1) · 10/0.1 + 5 = 235 Nm of 240 Nm.
 fn own(inertia: &str, friction: &str, rest: &str) -> Project {
@@ -8,7 +8,7 @@ fn own(inertia: &str, friction: &str, rest: &str) -> Project {
          speed = \"10 rad/s\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n\
          [actuator]\nname = \"own\"\ninertia_out = \"1 kg m^2\"\ntorque_max = \"240 N m\"\n{rest}"
     );
-    Project::read(&text, Language::En).unwrap_or_else(|faults| panic!("{faults:#?}"))
+    crate::read(&text).unwrap_or_else(|faults| panic!("{faults:#?}"))
 }
 
 fn assess_own(project: &Project, sampling: Sampling, threads: usize) -> Assessment {
@@ -144,7 +144,7 @@ fn a_sample_that_is_worse_than_every_corner_is_told() {
                 centre_distance = \"200 mm\"\naxis_tilt = \"90 deg\"\nstart_angle = \"0 deg ± 60 deg\"\n[[motion]]\n\
                 law = \"dwell\"\ntime = \"1 s\"\n[actuator]\nname = \"own\"\ninertia_out = \"1 kg m^2\"\n\
                 torque_max = \"15 N m\"\n";
-    let project = Project::read(text, Language::En).unwrap_or_else(|faults| panic!("{faults:#?}"));
+    let project = crate::read(text).unwrap_or_else(|faults| panic!("{faults:#?}"));
     let found = assess_own(&project, Sampling { samples: 1000, seed: 1 }, 2);
     assert_eq!((found.worst.place, found.worst.fits), (Place::Sample, false), "{found:?}");
     assert!(found.worst.values[0].abs() < 0.02, "{:?}", found.worst);
@@ -179,7 +179,7 @@ fn the_margins_alone_give_the_verdict_and_the_utilisation_of_every_check() {
         include_str!("../../../examples/tilting-arm.toml").to_owned(),
         include_str!("../../../examples/two-way-shuttle.toml").to_owned(),
     ] {
-        let project = Project::read(&text, Language::En).unwrap();
+        let project = crate::read(&text).unwrap();
         for (code, parameters) in crate::catalogue_actuators() {
             let [full, margins] = [Depth::Full, Depth::Margins].map(|depth| judge(&project.axis, parameters, depth));
             let said = |judgement: &Judgement| {

@@ -1,9 +1,9 @@
 //! The torsion of a gear under a torque, alone.
 
-use crate::project::Project;
 use crate::sizing_use::Candidate;
 use actuator::Torsion;
 use order_code::OrderCode;
+use project::Project;
 use quantities::{Angle, Language, QuantityError, Torque, parse_as};
 
 /// The torsion of one code's gear under a torque.

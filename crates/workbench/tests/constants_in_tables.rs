@@ -1,11 +1,18 @@
 //! Every constant that the physics holds in code stands in a table of the data, and is the same there.
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 
-use actuator::{BearingType, FlangeLoad};
+use actuator::{BearingType, FlangeLoad, LifeLaw, Parameters};
 use catalogue::Value;
-use quantities::unit::HOUR;
-use quantities::{AngularVelocity, Force, Length, Measure, Torque};
+use provenance::Datum;
+use quantities::unit::{DEGREE_CELSIUS, HOUR};
+use quantities::{AngularVelocity, Force, Length, Measure, ThermodynamicTemperature, Torque};
 use sizing::OperatingCondition;
+
+/// Those of CHA-20A-50; what is looked at here is the same for every code.
+fn parameters() -> Parameters {
+    let code = order_code::parse("CHA-20A-50-H-M512P").unwrap().code;
+    configurator::parameters(&code).unwrap()
+}
 
 /// The cell of a table with this symbol whose condition begins like this.
 fn cell(table: &str, symbol: &str, condition: &str) -> &'static catalogue::Cell {
@@ -60,16 +67,22 @@ fn recommendation_and_temperatures() {
         let value = cell(table, "ambient_temperature_operation", "").value;
         assert_eq!(value, Value::Range { low: 0.0, high: 40.0 });
     }
-    let warning =
-        catalogue::table("62.3").unwrap().cells().iter().find(|cell| cell.place.condition.contains("warning")).unwrap();
-    assert!((warning.value.number().unwrap() + 273.15 - actuator::WINDING_TEMPERATURE_CONTINUOUS).abs() < 1e-9);
+    let heat = parameters().heat;
+    let celsius = |datum: &Datum<ThermodynamicTemperature>| datum.known().unwrap().value.in_unit(&DEGREE_CELSIUS);
+    for (found, condition) in [(&heat.winding_warning, "warning"), (&heat.winding_shutdown, "shutdown")] {
+        let cells = catalogue::table("62.3").unwrap().cells();
+        let printed = cells.iter().find(|cell| cell.place.condition == condition).unwrap();
+        assert!((celsius(found) - printed.value.number().unwrap()).abs() < 1e-9, "{condition}");
+    }
+    assert!((celsius(&heat.ambient_reference) - 40.0).abs() < 1e-9);
 }
 
 /// L_10 at T_N and n_N is L_n / 5 of the table gear-life.
 #[test]
 fn constants_of_the_gear_life() {
     let speed = AngularVelocity::from_si(number("gear-life", "n_N_gear", "") * std::f64::consts::TAU / 60.0);
-    let life = actuator::wave_generator_life(Torque::from_si(1.0), Torque::from_si(1.0), speed).in_unit(&HOUR);
+    let law = LifeLaw::of(&parameters().gear).unwrap();
+    let life = law.l10(Torque::from_si(1.0), Torque::from_si(1.0), speed).in_unit(&HOUR);
     let expected = number("gear-life", "L_n", "CPU") / number("gear-life", "life_ratio_50_10", "");
     assert!((life - expected).abs() < 1e-6, "{life} {expected}");
 }
@@ -78,7 +91,9 @@ fn constants_of_the_gear_life() {
 #[test]
 fn times_of_the_brake() {
     let mut printed = 0;
-    for (symbol, expected) in [("t_c", actuator::BRAKE_CLOSING_TIME), ("t_o", actuator::BRAKE_OPENING_TIME)] {
+    let (closing, opening) = configurator::brake_times().unwrap();
+    assert!((closing.si() - 0.07).abs() < 1e-12 && (opening.si() - 0.11).abs() < 1e-12);
+    for (symbol, expected) in [("t_c", closing.si()), ("t_o", opening.si())] {
         let tables = catalogue::tables().iter().flat_map(catalogue::Table::cells);
         for cell in tables.filter(|cell| cell.place.symbol == symbol) {
             let Some(value) = cell.value.number() else { continue };

@@ -1,7 +1,7 @@
 //! Direction, relation, utilisation and verdict of every check say the same, for every example on every actuator.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
 
-use workbench::{Check, CheckId, Direction, Files, Language, Project, Verdict, size};
+use workbench::{Check, CheckId, Direction, Files, Verdict, size};
 
 struct Examples;
 
@@ -50,7 +50,7 @@ fn direction_relation_utilisation_and_verdict_agree() {
             "[requirements]\ngear_life_min = \"1e7 h\"\nnatural_frequency_min = \"1e5 Hz\"\n",
         );
         for (text, as_it_is) in [(text, true), (harder, false)] {
-            let read = Project::read_all(&text, &Examples, Language::En);
+            let read = workbench::read_all(&text, &Examples);
             // What is asked twice is refused; every example by itself is valid.
             assert!(read.is_ok() || !as_it_is, "{}", file.display());
             let Ok(projects) = read else { continue };

@@ -7,7 +7,7 @@ use workbench::{Language, Project, check, limits_needed};
 fn table(requirements: &str) -> Project {
     let text = include_str!("../../../examples/indexing-table.toml");
     let text = text.replace("bearing_life_min = \"30000 h\"\n", &format!("{requirements}\n"));
-    Project::read(&text, Language::En).unwrap()
+    workbench::read(&text).unwrap()
 }
 
 fn code(text: &str) -> order_code::OrderCode {
@@ -58,8 +58,8 @@ fn too_many_revolutions_at_changing_speed_are_refused() {
     };
     let slow = arm("law = \"trapezoid\"\ndistance = \"2000000 deg\"\ntime = \"20000 s\"");
     for (language, words) in [(Language::En, "at most 2000 are"), (Language::De, "höchstens 2000 Umdrehungen")] {
-        let faults = Project::read(&slow, language).unwrap_err();
+        let faults = words::told(&workbench::read(&slow).unwrap_err(), language);
         assert!(faults.iter().any(|fault| fault.message.contains(words)), "{faults:?}");
     }
-    assert!(Project::read(&arm("law = \"constant\"\nspeed = \"20 1/min\"\ntime = \"100000 s\""), Language::En).is_ok());
+    assert!(workbench::read(&arm("law = \"constant\"\nspeed = \"20 1/min\"\ntime = \"100000 s\"")).is_ok());
 }

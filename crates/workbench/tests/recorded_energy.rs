@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
 
 use std::fmt::Write as _;
-use workbench::{Check, CheckId, Files, Language, Project, check};
+use workbench::{Check, CheckId, Files, check};
 
 struct Given(String);
 
@@ -31,7 +31,7 @@ fn regeneration(mechanism: &str, files: &Given, requirements: &str) -> Check {
         "format = 1\n[axis]\nname = \"noise\"\n{mechanism}\n[[motion]]\nlaw = \"recorded\"\nfile = \"r.csv\"\n\
          units = {{ time = \"s\", position = \"rad\" }}\n[requirements]\nsupply = \"560 V\"\n{requirements}\n"
     );
-    let projects = Project::read_all(&text, files, Language::En).unwrap();
+    let projects = workbench::read_all(&text, files).unwrap();
     let code = order_code::parse("CHA-32A-100-H-C1024").unwrap().code;
     let checked = check(&projects[0], &code).unwrap();
     checked.judgement.checks.into_iter().find(|check| check.id == CheckId::Regeneration).unwrap()

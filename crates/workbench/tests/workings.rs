@@ -27,7 +27,7 @@ fn projects() -> Vec<Project> {
     let mut found = Vec::new();
     for path in names.iter().filter(|path| path.extension().is_some_and(|kind| kind == "toml")) {
         let text = std::fs::read_to_string(path).unwrap();
-        found.extend(Project::read_all(&text, &Beside, Language::En).unwrap());
+        found.extend(workbench::read_all(&text, &Beside).unwrap());
     }
     let asked = std::fs::read_to_string(examples().join("tilting-arm.toml")).unwrap();
     let (head, _) = asked.split_once("[requirements]").unwrap();
@@ -40,7 +40,7 @@ fn projects() -> Vec<Project> {
          emergency_stops = 20\nholding_safety = 1.5\nregeneration_power_max = \"50 W\"\ndc_link_rise = \"60 V\"\n\
          special_application = \"medical\"\n"
     );
-    found.push(Project::read(&everything, Language::En).unwrap());
+    found.push(workbench::read(&everything).unwrap());
     // The brake holds often and over a long life, the link rises above its limit, nothing is carried.
     let often = "format = 1\n[mechanism.arm]\ninertia = \"1 kg m^2\"\nmass = \"10 kg\"\ncentre_distance = \"0.1 m\"\n\
         axis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\n\
@@ -48,10 +48,10 @@ fn projects() -> Vec<Project> {
         [[motion]]\nlaw = \"dwell\"\ntime = \"50 ms\"\nhold = \"brake\"\n\
         [requirements]\nbrake = true\nsupply = \"560 V\"\ndc_link_rise = \"200 V\"\nservice_life = \"90000 h\"\n\
         collision_torque = \"900 N m\"\n";
-    found.push(Project::read(often, Language::En).unwrap());
+    found.push(workbench::read(often).unwrap());
     let idle = "format = 1\n[load]\ninertia = \"1 kg m^2\"\n\
         [[motion]]\nlaw = \"constant\"\nspeed = \"10 1/min\"\ntime = \"1 s\"\n";
-    found.push(Project::read(idle, Language::En).unwrap());
+    found.push(workbench::read(idle).unwrap());
     found
 }
 
@@ -162,6 +162,7 @@ fn every_cell_that_is_cited_exists() {
 fn every_step_has_its_words_in_both_languages() {
     let mut english: Vec<String> = Vec::new();
     let mut wordless: Vec<String> = Vec::new();
+    let mut raw: Vec<String> = Vec::new();
     for project in projects() {
         for (code, _) in catalogue_actuators().iter().step_by(17) {
             let Ok(candidate) = explain(&project, code) else { continue };
@@ -169,12 +170,71 @@ fn every_step_has_its_words_in_both_languages() {
                 let explained = derivation(check, Language::De);
                 for root in [&explained.value, &explained.limit].into_iter().flatten() {
                     look(root, &mut english, &mut wordless);
+                    look_for_raw_names(root, &mut raw);
                 }
             }
         }
     }
     assert!(english.is_empty(), "still English in German: {english:#?}");
     assert!(wordless.is_empty(), "symbols without a word: {wordless:?}");
+    assert!(raw.is_empty(), "names of figures instead of symbols: {raw:?}");
+}
+
+/// One symbol with two meanings has that of its place.
+#[test]
+fn a_symbol_means_what_it_is_where_it_stands() {
+    let mut terms: BTreeMap<(&str, &str), Vec<(String, String)>> = BTreeMap::new();
+    for project in projects() {
+        for (code, _) in catalogue_actuators().iter().step_by(29) {
+            let Ok(candidate) = explain(&project, code) else { continue };
+            for check in &candidate.judgement.checks {
+                let explained = explanation(check, Language::En);
+                for root in [&explained.value, &explained.limit].into_iter().flatten() {
+                    collect(root, check.id.id(), &mut terms);
+                }
+            }
+        }
+    }
+    let meaning = |symbol: &str, unit: &str, check: &str| {
+        let found = terms.get(&(symbol, unit)).into_iter().flatten().find(|(id, _)| id == check);
+        found.map_or_else(String::new, |(_, term)| term.clone())
+    };
+    for (symbol, unit, check, expected) in [
+        ("P_0", "W", "thermal", "loss borne at standstill"),
+        ("P_0", "N", "bearing_static", "static equivalent load"),
+        ("phi", "arcmin", "torsion", "torsion of the gear"),
+        ("phi", "rad", "mean_speed", "angle travelled over the cycle"),
+        ("resolution", "arcsec", "error_budget", "resolution of the feedback at the motor"),
+        ("T_1", "Nm", "torsion", "limit torque between stiffness regions 1 and 2"),
+        ("T_1", "Nm", "peak_torque", "torque while accelerating"),
+        ("R", "m", "bearing_static", "offset of the bearing centre from the output flange"),
+        ("R", "ohm", "voltage", "resistance of a phase, hot"),
+    ] {
+        assert_eq!(meaning(symbol, unit, check), expected, "{symbol} in {unit}, {check}");
+    }
+}
+
+fn collect(node: &Node, check: &str, terms: &mut BTreeMap<(&'static str, &'static str), Vec<(String, String)>>) {
+    let found = terms.entry((node.symbol, node.unit_json)).or_default();
+    if !found.iter().any(|(id, term)| id == check && *term == node.term) {
+        found.push((check.to_owned(), node.term.clone()));
+    }
+    node.operands.iter().for_each(|operand| collect(operand, check, terms));
+}
+
+/// A figure's name in code (`transmission_accuracy`, `dtheta`) is no symbol.
+fn look_for_raw_names(node: &Node, raw: &mut Vec<String>) {
+    let shown = node.shown();
+    let texts = [Some(&shown), node.formula.as_ref(), node.figures.as_ref()];
+    for word in texts.into_iter().flatten().flat_map(|text| text.split(|c: char| !c.is_alphanumeric() && c != '_')) {
+        let head = word.split('_').next().unwrap_or_default();
+        let spelled = ["alpha", "dtheta", "gamma", "omega", "phi", "psi", "rho", "sigma", "tau", "theta"];
+        let is_name = word.contains('_') && head.is_ascii() && head.len() > 3;
+        if (is_name || spelled.contains(&head)) && !raw.contains(&word.to_owned()) {
+            raw.push(word.to_owned());
+        }
+    }
+    node.operands.iter().for_each(|operand| look_for_raw_names(operand, raw));
 }
 
 const ENGLISH: [&str; 14] = [

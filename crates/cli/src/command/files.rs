@@ -9,10 +9,10 @@ pub(super) fn curve(language: Language) -> Command {
     let t = |en, de| either(language, en, de);
     let command = Command::new("curve")
         .about(t("Curves of the torque-speed plane", "Kennlinien in der Drehmoment-Drehzahl-Ebene"))
-        .arg(Arg::new("code").value_name("CODE").required(true).help(t("Ordering code", "Bestellcode")))
+        .arg(Arg::new("code").value_name("CODE").required(true).help(t("Ordering code", "Bestellbezeichnung")))
         .arg(Arg::new("voltage").long("voltage").value_name("VOLTAGE").help(t(
-            "Terminal voltage of the motor, rms, for example \"220 V\"; without it the printed range holds",
-            "Klemmenspannung des Motors, effektiv, zum Beispiel \"220 V\"; ohne sie gilt der gedruckte Bereich",
+            "Terminal voltage of the motor, rms, for example \"220 V\"; without it the maker's range holds",
+            "Klemmenspannung des Motors, effektiv, zum Beispiel \"220 V\"; ohne sie gilt der Bereich der Herstellerangaben",
         )));
     picture(command, language)
 }
@@ -28,7 +28,7 @@ pub(super) fn plot(language: Language) -> Command {
         .arg(axis(language))
         .arg(Arg::new("code").long("code").value_name("CODE").help(t(
             "Ordering code; without it the project's own [actuator], else the best of the catalogue",
-            "Bestellcode; ohne ihn der eigene [actuator] des Projekts, sonst der beste des Katalogs",
+            "Bestellbezeichnung; ohne sie der eigene [actuator] des Projekts, sonst der beste des Katalogs",
         )))
         .arg(
             Arg::new("figure")
@@ -98,16 +98,14 @@ pub(super) fn compare(language: Language) -> Command {
     Command::new("compare")
         .about(t(
             "Two to five actuators side by side, check by check",
-            "Zwei bis fünf Antriebe nebeneinander, Prüfung für Prüfung",
+            "Zwei bis fünf Antriebe nebeneinander, Nachweis für Nachweis",
         ))
         .arg(project(language))
         .arg(axis(language))
-        .arg(
-            Arg::new("code").long("code").value_name("CODE").required(true).action(ArgAction::Append).help(t(
-                "Ordering code; given once for each actuator",
-                "Bestellcode; für jeden Antrieb einmal anzugeben",
-            )),
-        )
+        .arg(Arg::new("code").long("code").value_name("CODE").required(true).action(ArgAction::Append).help(t(
+            "Ordering code; given once for each actuator",
+            "Bestellbezeichnung; für jeden Antrieb einmal anzugeben",
+        )))
 }
 
 pub(super) fn diff(language: Language) -> Command {
@@ -118,7 +116,7 @@ pub(super) fn diff(language: Language) -> Command {
     Command::new("diff")
         .about(t(
             "What another revision of a project changes in each check",
-            "Was ein anderer Stand eines Projekts an jeder Prüfung ändert",
+            "Was ein anderer Stand eines Projekts an jedem Nachweis ändert",
         ))
         .arg(file("old", "OLD", t("Project file before", "Projektdatei vorher")))
         .arg(
@@ -135,7 +133,7 @@ pub(super) fn diff(language: Language) -> Command {
         .arg(axis(language))
         .arg(Arg::new("code").long("code").value_name("CODE").help(t(
             "Ordering code; without it the project's own [actuator], else the best before",
-            "Bestellcode; ohne ihn der eigene [actuator] des Projekts, sonst der beste vorher",
+            "Bestellbezeichnung; ohne sie der eigene [actuator] des Projekts, sonst der beste vorher",
         )))
 }
 
@@ -151,7 +149,7 @@ pub(super) fn export(language: Language) -> Command {
         .arg(axis(language))
         .arg(text("code", "CODE", t(
             "Ordering code; without it the project's own [actuator], else the best",
-            "Bestellcode; ohne ihn der eigene [actuator] des Projekts, sonst der beste",
+            "Bestellbezeichnung; ohne sie der eigene [actuator] des Projekts, sonst der beste",
         )))
         .arg(
             text("out", "FILE", t(
@@ -193,7 +191,7 @@ pub(super) fn report(language: Language) -> Command {
             "CODE",
             t(
                 "Ordering code; without it the project's own [actuator], else the best of the catalogue",
-                "Bestellcode; ohne ihn der eigene [actuator] des Projekts, sonst der beste des Katalogs",
+                "Bestellbezeichnung; ohne sie der eigene [actuator] des Projekts, sonst der beste des Katalogs",
             ),
         ))
         .arg(
@@ -231,7 +229,7 @@ pub(super) fn sheet(command: Command, language: Language) -> Command {
             Arg::new("archive")
                 .long("archive")
                 .action(ArgAction::SetTrue)
-                .help(t("As PDF/A, to be kept; needs --date", "Als PDF/A zum Aufbewahren; braucht --date")),
+                .help(t("As PDF/A for archiving; needs --date", "Als PDF/A zum Archivieren; braucht --date")),
         )
         .arg(force(language))
 }

@@ -21,12 +21,21 @@ pub(crate) fn run(arguments: &[&str]) -> Run {
 }
 
 pub(crate) fn run_with(arguments: &[&str], input: &[u8]) -> Run {
+    run_as(arguments, input, "100")
+}
+
+/// On a terminal of so many columns.
+pub(crate) fn run_in(arguments: &[&str], columns: &str) -> Run {
+    run_as(arguments, b"", columns)
+}
+
+fn run_as(arguments: &[&str], input: &[u8], columns: &str) -> Run {
     let mut child = Command::new(env!("CARGO_BIN_EXE_antrieb"))
         .args(arguments)
         .current_dir(root())
         .env_remove("ANTRIEB_LANG")
         .env_remove("CLICOLOR_FORCE")
-        .env("COLUMNS", "100")
+        .env("COLUMNS", columns)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

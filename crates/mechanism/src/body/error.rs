@@ -5,7 +5,6 @@ use std::fmt;
 
 /// Why a body cannot be.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum BodyError {
     /// A dimension is zero, negative or not finite.
     DimensionOutOfRange {

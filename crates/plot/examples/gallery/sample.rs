@@ -271,9 +271,9 @@ fn map(language: Language, style: &Style) -> Picture {
         Axis::new("", "%").name(say(language, "Highest utilisation", "Höchste Auslastung")),
     )
     .title(say(language, "Candidates", "Kandidaten"))
-    .class(say(language, "fits", "passt"), Tone::Series(0), of(0.0, 80.0))
-    .class(say(language, "fits, with advice", "passt, mit Hinweis"), Tone::Series(4), of(80.0, 100.0))
-    .class(say(language, "does not fit", "passt nicht"), Tone::Series(1), of(100.0, 1e9))
+    .class(say(language, "fits", "geeignet"), Tone::Series(0), of(0.0, 80.0))
+    .class(say(language, "fits, with advice", "geeignet, mit Hinweis"), Tone::Series(4), of(80.0, 100.0))
+    .class(say(language, "does not fit", "nicht geeignet"), Tone::Series(1), of(100.0, 1e9))
     .with(Reference::horizontal(100.0).tone(Tone::Continuous).dash(Dash::Solid))
     .render(style)
 }

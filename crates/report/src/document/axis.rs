@@ -8,7 +8,7 @@ use super::inputs::{Group, Mechanism, groups};
 use super::origins::{Derived, Source, derived, sources};
 use super::shown::{Shown, tied};
 use crate::{AxisContent, Figure, Place};
-use answers::{Fit, Item, Number, ScrewJoint, Tolerance};
+use answers::{Candidate, Check, CheckId, Dossier, Fit, Item, Number, ScrewJoint, Tolerance};
 use serde::Serialize;
 
 /// Everything about one axis that the template places.
@@ -143,7 +143,7 @@ impl Axis {
             mechanism: Mechanism::build(dossier, shown),
             motion: MotionTable::build(&judgement.motion, shown),
             demand: DemandTable::build(dossier, shown),
-            tolerance: judgement.tolerance.as_ref().map(|found| scatter(found, &titles, shown)),
+            tolerance: judgement.tolerance.as_ref().map(|found| scatter(found, dossier, &titles, shown)),
             alternatives: Alternatives::build(dossier, &titles, full, shown),
             bill_of_material: dossier.bill_of_material.clone(),
             screws: dossier.screws.iter().map(tied_joint).collect(),
@@ -188,7 +188,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
     .filter_map(|(what, value, unit)| Some(Reserved { what, key: String::new(), value: shown.figure(value?, unit) }));
     let limits = judgement.reserve.limits.iter().flatten().map(|limit| Reserved {
         what: Reserve::Limits,
-        key: limit.key.clone(),
+        key: words_of(&limit.key, &content.dossier),
         value: shown.figure(limit.value, limit.unit),
     });
     let cycle: f64 = judgement.motion.segments.iter().map(|segment| segment.duration.0).sum();
@@ -209,7 +209,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         passed: counts.passed,
         utilisation: shown.share(candidate.utilisation),
         share: candidate.utilisation.written().unwrap_or_default(),
-        tightest: candidate.tightest.map(|id| capital(&titles.of(*id))).unwrap_or_default(),
+        tightest: highest(candidate).map(|id| capital(&titles.of(id))).unwrap_or_default(),
         mass: candidate.mass_kg.map(|mass| shown.figure(mass, "kg")).unwrap_or_default(),
         cycle: shown.figure(Number(cycle), "s"),
         on_request: candidate.on_request.clone(),
@@ -218,7 +218,27 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
     }
 }
 
-fn scatter(found: &Tolerance, titles: &Titles, shown: &Shown) -> Scatter {
+/// The check to which the highest utilisation belongs: where a class such as the voltage is exceeded, that is not the
+/// tightest margin.
+fn highest(candidate: &Candidate) -> Option<CheckId> {
+    let of = |check: &&Check| check.utilisation == Some(candidate.utilisation);
+    let told = candidate.checks.iter().filter(of).map(|check| *check.id);
+    let tightest = candidate.tightest.map(|id| *id);
+    told.clone().find(|id| Some(*id) == tightest).or_else(|| told.clone().next()).or(tightest)
+}
+
+/// A key of the project in the words of its inputs, with its table; the key itself where the inputs have none.
+fn words_of(key: &str, dossier: &Dossier) -> String {
+    let inside = key.split_once("].").filter(|(axis, _)| axis.starts_with("axis[")).map_or(key, |(_, inside)| inside);
+    let found = dossier.inputs.iter().find_map(|table| {
+        let name = inside.strip_prefix(table.key.as_str())?.strip_prefix('.')?;
+        let value = table.values.iter().find(|value| value.name == name)?;
+        (!value.label.is_empty()).then(|| format!("{} ({})", capital(&value.label), table.title))
+    });
+    found.unwrap_or_else(|| key.to_owned())
+}
+
+fn scatter(found: &Tolerance, dossier: &Dossier, titles: &Titles, shown: &Shown) -> Scatter {
     let worst = &found.worst_corner;
     let quantiles = found.utilisation;
     Scatter {
@@ -238,14 +258,14 @@ fn scatter(found: &Tolerance, titles: &Titles, shown: &Shown) -> Scatter {
             values: worst
                 .values
                 .iter()
-                .map(|each| [each.quantity.clone(), shown.figure(each.value, each.unit)])
+                .map(|each| [words_of(&each.quantity, dossier), shown.figure(each.value, each.unit)])
                 .collect(),
         },
         influence: found
             .influence
             .iter()
             .map(|each| Influence {
-                quantity: each.quantity.clone(),
+                quantity: words_of(&each.quantity, dossier),
                 share: each.share.written().unwrap_or_default(),
                 percent: shown.share(each.share),
             })

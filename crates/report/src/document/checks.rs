@@ -84,7 +84,7 @@ impl Checks {
             let own = own.collect();
             rows.push(row(check, own, travel, shown));
         }
-        Self { rows, notes, open: open.into_iter().map(missing).collect() }
+        Self { rows, notes, open: open.into_iter().map(|check| missing(check, dossier)).collect() }
     }
 
     pub(super) fn counts(&self) -> Counts {
@@ -100,10 +100,11 @@ impl Checks {
     }
 }
 
-fn missing(check: &Check) -> Open {
+fn missing(check: &Check, dossier: &Dossier) -> Open {
+    let missing = dossier.missing.iter().find(|missing| *missing.check == *check.id);
     Open {
         title: capital(&check.title),
-        missing: check.missing.as_deref().map(tied).unwrap_or_default(),
+        missing: missing.map(|missing| tied(&missing.text)).unwrap_or_default(),
         rejects: !check.id.is_recommendation(),
         notes: check.notes.iter().map(|note| tied(note)).collect(),
     }

@@ -1,67 +1,107 @@
-//! Real answers of the tool, with their projects, as reports. Shared by the tests and the example that draws pages.
+//! Reports of the examples of this repository, made with the workbench of today. Shared by the tests and the example that
+//! draws pages.
 
 #![allow(dead_code, missing_docs, unreachable_pub, reason = "two users, each with a part of it")]
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a sample that cannot be read shall fail")]
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a sample that cannot be made shall fail")]
 
-use report::{Content, Figure, Settings};
-use serde_json::{Value, json};
+use figures::{By, Style, Theme};
+use quantities::Language;
+use report::{AxisContent, Content, Figure, Place, Settings};
+use std::io::Read;
+use workbench::{Candidate, Project, Sampling, Sizing};
 
-/// Name, answers of the tool, project, language.
-pub const SAMPLES: [(&str, &str, &str, quantities::Language); 4] = [
-    (
-        "indexing-table-en",
-        include_str!("../data/indexing-table-en.json"),
-        include_str!("../../../../examples/indexing-table.toml"),
-        quantities::Language::En,
-    ),
-    (
-        "indexing-table-fails-en",
-        include_str!("../data/indexing-table-fails-en.json"),
-        include_str!("../../../../examples/indexing-table.toml"),
-        quantities::Language::En,
-    ),
-    (
-        "robot-joint-de",
-        include_str!("../data/robot-joint-de.json"),
-        include_str!("../../../../examples/robot-joint.toml"),
-        quantities::Language::De,
-    ),
-    (
-        "screw-axis-de",
-        include_str!("../data/screw-axis-de.json"),
-        include_str!("../../../../examples/screw-axis.toml"),
-        quantities::Language::De,
-    ),
+/// A project to report on.
+#[derive(Clone, Copy)]
+pub struct Sample {
+    pub name: &'static str,
+    pub text: &'static str,
+    /// The actuator; without it the best of the catalogue.
+    pub code: Option<&'static str>,
+    pub language: Language,
+}
+
+macro_rules! sample {
+    ($name:literal, $file:literal, $code:expr, $language:ident) => {
+        Sample {
+            name: $name,
+            text: include_str!(concat!("../../../../examples/", $file, ".toml")),
+            code: $code,
+            language: Language::$language,
+        }
+    };
+}
+
+pub const SAMPLES: [Sample; 8] = [
+    sample!("indexing-table-en", "indexing-table", None, En),
+    sample!("indexing-table-fails-de", "indexing-table", Some("CHA-14A-30-E-D2048"), De),
+    sample!("robot-joint-de", "robot-joint", None, De),
+    sample!("screw-axis-de", "screw-axis", None, De),
+    sample!("turntable-en", "turntable", None, En),
+    sample!("tolerances-de", "tolerances", None, De),
+    sample!("two-axes-en", "two-axes", None, En),
+    sample!("stage-axis-de", "stage-axis", None, De),
 ];
 
-/// A diagram of the width and family of the real ones.
-fn figure(name: &str, caption: &str) -> Figure {
-    let svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 640 300' font-family='Inter' font-size='12'>\
-        <rect x='60' y='16' width='560' height='236' fill='none' stroke='#444'/>\
-        <path d='M60 252 L180 60 L420 60 L620 252' fill='none' stroke='#a2222b' stroke-width='2'/>\
-        <path d='M60 200 H620' stroke='#1f4e9c' stroke-width='2' stroke-dasharray='6 4'/>\
-        <text x='340' y='285' text-anchor='middle'>n / min⁻¹</text><text x='14' y='30'>T / Nm</text></svg>";
-    Figure {
-        name: name.to_owned(),
-        svg: svg.to_owned(),
-        caption: caption.to_owned(),
-        alternative_text: format!("placeholder of {name}"),
+pub fn named(name: &str) -> Sample {
+    SAMPLES.into_iter().find(|sample| sample.name == name).unwrap()
+}
+
+/// The recordings of the examples.
+struct Recordings;
+
+impl workbench::Files for Recordings {
+    fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
+        assert_eq!(name, "robot-joint.csv");
+        Ok(Box::new(&include_bytes!("../../../../examples/robot-joint.csv")[..]))
     }
 }
 
-pub fn content(answers: &str, project: &str, language: quantities::Language) -> Content {
-    let mut data: Value = serde_json::from_str(answers).unwrap();
-    data["inputs"] = json!(report::inputs(project).unwrap());
-    data["hash"] = json!({
-        "project": "3f1c0b7a54d2e98811c6a7705be3f2d49a6b8e0c71d5f3a2947be86d10c2f5ab",
-        "catalogue": "9be2770c41aa5d3e8f60b12c4d97e3a85f0c6d21b7e4a9380d5c6f1e2b3a4978",
+pub fn content(sample: Sample) -> Content {
+    made(sample.text, sample.code, sample.language, true)
+}
+
+/// The report of a project, with its pictures or without.
+pub fn made(text: &str, code: Option<&str>, language: Language, pictures: bool) -> Content {
+    let projects = workbench::read_all(text, &Recordings).unwrap();
+    let axes = projects.iter().enumerate().map(|(place, project)| {
+        let ranked = workbench::size(project);
+        let code = code.map_or_else(|| ranked.candidates[0].id.to_string(), str::to_owned);
+        let code = workbench::read_code(&code, language).unwrap().parsed.code;
+        let chosen = workbench::check(project, &code).unwrap();
+        let reserve = workbench::reserve_of(project, &chosen);
+        let assessed = workbench::assess(project, &[&chosen], Sampling::default());
+        let (text, program) = ((text, place, "antrieb of the tests"), (&reserve, assessed.first()));
+        let dossier = workbench::answer::dossier(project, &ranked, &chosen, program, text, language);
+        let figures = if pictures { figures_of(project, &ranked, &chosen, language) } else { Vec::new() };
+        AxisContent { dossier, figures }
     });
-    let figures = vec![
-        figure("motion:speed", "Angle, speed and acceleration over one cycle"),
-        figure("torque_speed", "Torque-speed plane with T_max and n_max: continuous, short-time, cycle"),
-        figure("thermal", "Winding and housing over one cycle"),
+    Content { language, axes: axes.collect() }
+}
+
+fn figures_of(project: &Project, ranked: &Sizing<'_>, chosen: &Candidate<'_>, language: Language) -> Vec<Figure> {
+    let kinds = [
+        (Place::Motion, figures::Figure::Cycle),
+        (Place::TorqueSpeed, figures::Figure::TorqueSpeed),
+        (Place::OutputBearing, figures::Figure::BearingLoad),
+        (Place::Gear, figures::Figure::Torsion),
     ];
-    Content { language, data, figures }
+    let drawn = kinds
+        .iter()
+        .filter_map(|(place, kind)| Some((*place, figures::draw(*kind, project, chosen, By::Mass, language).ok()?)));
+    let map = figures::candidate_map(ranked, By::Mass, Some(&chosen.id), language);
+    drawn
+        .chain([(Place::Alternatives, map)])
+        .enumerate()
+        .map(|(index, (place, drawing))| {
+            let style = Style::new(drawing.size()).theme(Theme::Light).language(language).id(&format!("f{index}"));
+            Figure {
+                place,
+                svg: drawing.render(&style).into_svg(),
+                caption: drawing.caption.clone(),
+                alternative_text: drawing.description.clone(),
+            }
+        })
+        .collect()
 }
 
 pub fn settings() -> Settings {
@@ -73,40 +113,11 @@ pub fn settings() -> Settings {
         author: "E. Example".to_owned(),
         company: "Example Engineering".to_owned(),
         pdf_a: true,
+        full: false,
     }
 }
 
-/// Every mechanism with the keys its drawing can call out.
-pub const MECHANISMS: [(&str, &[&str]); 9] = [
-    ("load", &["inertia", "friction_torque", "viscous_friction", "external_torque"]),
-    (
-        "turntable",
-        &["bodies[1].mass", "payload_distance", "friction_torque", "axis_tilt", "start_angle", "external_torque"],
-    ),
-    (
-        "arm",
-        &[
-            "inertia",
-            "mass",
-            "centre_distance",
-            "payload_distance",
-            "start_angle",
-            "friction_torque",
-            "external_torque",
-        ],
-    ),
-    ("screw", &["lead", "mass", "inertia", "friction_force", "process_force", "inclination", "efficiency"]),
-    ("belt", &["pulley_diameter", "mass", "inertia", "friction_force", "process_force", "inclination"]),
-    ("conveyor", &["roller_diameter", "mass", "inertia", "friction_force", "process_force"]),
-    ("slider_crank", &["crank", "rod", "mass", "inertia", "start_angle", "process_force"]),
-    ("joint", &["inertia", "holding_torque"]),
-    ("table", &["points[1].position", "start_angle", "friction_torque"]),
-];
-
-/// A report of nothing but a mechanism.
-pub fn mechanism(kind: &str, keys: &[&str], language: quantities::Language) -> Content {
-    let prefix = if kind == "load" { "load".to_owned() } else { format!("mechanism.{kind}") };
-    let inputs: Vec<Value> =
-        keys.iter().map(|key| json!({ "key": format!("{prefix}.{key}"), "text": "1.5 kg" })).collect();
-    Content { language, data: json!({ "inputs": inputs }), figures: Vec::new() }
+/// With all appendices.
+pub fn full() -> Settings {
+    Settings { full: true, ..settings() }
 }

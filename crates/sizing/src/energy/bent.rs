@@ -1,8 +1,8 @@
 //! Power over a panel in which the signals are no straight lines: cut where the torque or the power turns its sign.
 
-use super::{Balance, TerminalPower};
-use crate::trace::{Node, Panel};
+use super::{Balance, CyclePower};
 use motion::lobatto;
+use trace::{Node, Panel};
 
 /// Nodes of the rule for a part of a panel: exact for the power of signals of the sixth degree.
 const NODES: usize = 8;
@@ -13,7 +13,7 @@ const CLOSE: f64 = 1e-8;
 /// A way through one panel.
 pub(super) struct Walk<'a, 'p> {
     panel: &'a Panel<'p>,
-    power: &'a TerminalPower<'a>,
+    power: &'a CyclePower<'a>,
     balance: &'a mut Balance,
     /// Where the part with one sign of torque and power began.
     from: f64,
@@ -22,7 +22,7 @@ pub(super) struct Walk<'a, 'p> {
 }
 
 impl<'a, 'p> Walk<'a, 'p> {
-    pub(super) fn through(panel: &'a Panel<'p>, power: &'a TerminalPower<'a>, balance: &'a mut Balance) {
+    pub(super) fn through(panel: &'a Panel<'p>, power: &'a CyclePower<'a>, balance: &'a mut Balance) {
         let driven = |node: &Node| power.torque(node) * node.direction < 0.0;
         let rule = lobatto(panel.nodes.len());
         let mut walk = Walk { panel, power, balance, from: 0.0, driven: panel.nodes.first().is_some_and(driven) };
@@ -46,7 +46,7 @@ impl<'a, 'p> Walk<'a, 'p> {
 
     fn duration(&self) -> f64 {
         match self.panel.nodes {
-            [first, .., last] => last.time - first.time,
+            [first, .., last] => last.time_s - first.time_s,
             _ => 0.0,
         }
     }

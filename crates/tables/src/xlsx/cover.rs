@@ -2,12 +2,12 @@
 
 use super::sheet::FIRST;
 use super::style::{Styles, decimals};
-use super::{Front, SHEET_ROWS_MOST};
+use super::{Front, Paper, SHEET_ROWS_MOST, height, lines};
 use crate::error::WriteError;
 use crate::table::Table;
 use crate::words::{Both, t};
 use rust_xlsxwriter::utility::row_col_to_cell;
-use rust_xlsxwriter::{Format, Formula, Url, Worksheet};
+use rust_xlsxwriter::{ExcelDateTime, Format, Formula, Url, Worksheet};
 use workbench::quantities::Measure;
 use workbench::quantities::format_number;
 use workbench::quantities::unit::NEWTON_METRE;
@@ -15,6 +15,9 @@ use workbench::text::{check_title, grade_about, grade_word, standing_text};
 use workbench::{Grade, Language};
 
 const GRADES: [Grade; 5] = [Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
+
+/// Widths of the three columns, in characters.
+const WIDTHS: [f64; 3] = [30.0, 34.0, 80.0];
 
 /// A sheet that is written from the top down.
 struct Page<'s> {
@@ -25,6 +28,14 @@ struct Page<'s> {
 }
 
 impl Page<'_> {
+    /// Makes the current row as high as its texts need, and goes on to the next.
+    fn next(&mut self, texts: [&str; 3]) -> Result<(), WriteError> {
+        let most = texts.into_iter().zip(WIDTHS).map(|(text, wide)| lines(text, wide)).max();
+        self.sheet.set_row_height(self.row, height(most.unwrap_or(1)))?;
+        self.row += 1;
+        Ok(())
+    }
+
     fn heading(&mut self, words: Both) -> Result<(), WriteError> {
         self.row += 1;
         for column in 0..3 {
@@ -39,8 +50,23 @@ impl Page<'_> {
         let format = &self.styles.plain;
         self.sheet.write_string_with_format(self.row, 0, t(self.language, label), &self.styles.label)?;
         self.sheet.write_string_with_format(self.row, 1, value, format)?;
-        self.row += 1;
-        Ok(())
+        self.next(["", value, ""])
+    }
+
+    /// The date as one, where it is one of the calendar; else as it is written.
+    fn date(&mut self, text: &str) -> Result<(), WriteError> {
+        let label = ["date", "Datum"];
+        let mut parts = text.splitn(3, '-').map(str::parse::<u16>);
+        let mut next = || parts.next().and_then(Result::ok);
+        let found = next().zip(next()).zip(next()).and_then(|((year, month), day)| {
+            ExcelDateTime::from_ymd(year, u8::try_from(month).ok()?, u8::try_from(day).ok()?).ok()
+        });
+        let Some(date) = found else { return self.pair(label, text) };
+        let form = t(self.language, ["yyyy-mm-dd", "dd.mm.yyyy"]);
+        self.sheet.write_string_with_format(self.row, 0, t(self.language, label), &self.styles.label)?;
+        let format = self.styles.date.clone().set_num_format(form);
+        self.sheet.write_datetime_with_format(self.row, 1, &date, &format)?;
+        self.next([""; 3])
     }
 
     /// A formula with its value, a unit and a remark.
@@ -48,8 +74,7 @@ impl Page<'_> {
         self.sheet.write_string_with_format(self.row, 0, label, &self.styles.label)?;
         self.sheet.write_formula_with_format(self.row, 1, formula, format)?;
         self.sheet.write_string_with_format(self.row, 2, about, &self.styles.plain)?;
-        self.row += 1;
-        Ok(())
+        self.next(["", "", about])
     }
 }
 
@@ -57,11 +82,12 @@ pub(super) fn sheet(tables: &[Table], front: &Front<'_>, styles: &Styles) -> Res
     let l = front.language;
     let mut page = Page { sheet: Worksheet::new(), row: 0, styles, language: l };
     page.sheet.set_name(t(l, ["Overview", "Übersicht"]))?;
-    for (column, width) in (0_u16..).zip([30.0, 34.0, 92.0]) {
+    for (column, width) in (0_u16..).zip(WIDTHS) {
         page.sheet.set_column_width(column, width)?;
     }
     let name = if front.project.name.is_empty() { front.file } else { &front.project.name };
     page.sheet.write_string_with_format(0, 0, name, &styles.title)?;
+    page.sheet.set_row_height(0, 30)?;
     page.row = 1;
     answer(&mut page, front)?;
     effective_torque(&mut page, tables, front)?;
@@ -73,7 +99,7 @@ pub(super) fn sheet(tables: &[Table], front: &Front<'_>, styles: &Styles) -> Res
         "antrieb ist ein offenes Auslegungswerkzeug für Hohlwellen-Servoantriebe; es steht in keiner Verbindung zu deren Hersteller.",
     ];
     page.sheet.write_string_with_format(page.row, 0, t(l, sentence), &styles.label)?;
-    super::page(&mut page.sheet);
+    Paper::A4.set(&mut page.sheet);
     Ok(page.sheet)
 }
 
@@ -86,25 +112,27 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
         (true, 0) => &page.styles.fine,
         (true, _) => &page.styles.text,
     };
-    page.sheet.write_string_with_format(page.row, 1, standing_text(chosen, l), &format.clone().set_bold())?;
-    page.row += 1;
-    let label = t(l, ["ordering code", "Bestellcode"]);
+    let standing = standing_text(chosen, l);
+    page.sheet.write_string_with_format(page.row, 1, &standing, &format.clone().set_bold().set_text_wrap())?;
+    page.next(["", &standing, ""])?;
+    let label = t(l, ["ordering code", "Bestellbezeichnung"]);
     page.sheet.write_string_with_format(page.row, 0, label, &page.styles.label)?;
     page.sheet.write_string_with_format(page.row, 1, chosen.id.to_string(), &page.styles.strong)?;
     page.row += 1;
     if let Some(check) = chosen.judgement.tightest() {
         let share = format_number(check.utilisation.unwrap_or(0.0) * 100.0, 1, l);
-        page.pair(["tightest check", "knappste Prüfung"], &format!("{}, {share} %", check_title(check.id, l)))?;
+        page.pair(["tightest check", "engster Nachweis"], &format!("{}, {share} %", check_title(check.id, l)))?;
     }
     page.pair(["open questions", "offene Fragen"], &chosen.open_questions().to_string())?;
     for objection in workbench::answer::objections(chosen, l) {
         page.pair(["requirement not met", "Anforderung nicht erfüllt"], &objection)?;
     }
     page.pair(["project file", "Projektdatei"], front.file)?;
-    for (label, value) in [(["revision", "Revision"], front.revision), (["date", "Datum"], front.date)] {
-        if let Some(value) = value {
-            page.pair(label, value)?;
-        }
+    if let Some(revision) = front.revision {
+        page.pair(["revision", "Revision"], revision)?;
+    }
+    if let Some(date) = front.date {
+        page.date(date)?;
     }
     page.pair(["antrieb, version", "antrieb, Version"], env!("CARGO_PKG_VERSION"))
 }
@@ -127,7 +155,7 @@ fn effective_torque(page: &mut Page<'_>, tables: &[Table], front: &Front<'_>) ->
     let formula = format!("=SQRT(SUMPRODUCT(({t_1}-{t_0})*({a}^2+{a}*{b}+{b}^2)/3)/(MAX({all})-MIN({all})))");
     let exact = NEWTON_METRE.from_si(demand.torque_rms.si());
     let digits = page.styles.number(&format!("{}\" Nm\"", decimals(exact, 5)));
-    page.heading(["Effective torque, computed twice", "Effektives Drehmoment, zweimal gerechnet"])?;
+    page.heading(["Rms torque, computed twice", "Effektives Drehmoment, zweimal gerechnet"])?;
     let from = page.row;
     page.formula(
         t(l, ["T_rms from the course", "T_rms aus dem Verlauf"]),
@@ -136,8 +164,8 @@ fn effective_torque(page: &mut Page<'_>, tables: &[Table], front: &Front<'_>) ->
         t(
             l,
             [
-                "live formula over the sheet of the course, torque taken as straight between its instants",
-                "lebende Formel über das Blatt des Verlaufs, Drehmoment zwischen den Zeitpunkten als gerade genommen",
+                "formula over the sheet of the course, torque linear between its instants",
+                "Formel über das Blatt „Verlauf“, Drehmoment zwischen den Zeitpunkten linear",
             ],
         ),
     )?;
@@ -192,7 +220,7 @@ fn contents(page: &mut Page<'_>, tables: &[Table]) -> Result<(), WriteError> {
             page.sheet.write_string_with_format(page.row, 1, left, &page.styles.plain)?;
         }
         page.sheet.write_string_with_format(page.row, 2, table.about.as_str(), &page.styles.plain)?;
-        page.row += 1;
+        page.next(["", "", &table.about])?;
     }
     Ok(())
 }
@@ -204,26 +232,26 @@ fn legend(page: &mut Page<'_>) -> Result<(), WriteError> {
     for (shown, format, words) in [
         ("62.0 %", &styles.fine, ["up to 80 % of a limit, or passed", "bis 80 % einer Grenze, oder erfüllt"]),
         ("● 91.0 %", &styles.near, ["above 80 % of a limit, or advice", "über 80 % einer Grenze, oder Hinweis"]),
-        ("▲ 104.0 %", &styles.over, ["above a limit, or failed", "über einer Grenze, oder verfehlt"]),
+        ("▲ 104.0 %", &styles.over, ["above a limit, or failed", "über einer Grenze oder nicht erfüllt"]),
         (
             "–",
             &styles.open,
             [
                 "not checked: a datum is missing; it counts as neither passed nor failed",
-                "nicht geprüft: eine Angabe fehlt; es zählt weder als erfüllt noch als verfehlt",
+                "nicht geprüft: eine Angabe fehlt; es zählt weder als erfüllt noch als nicht erfüllt",
             ],
         ),
     ] {
         let shown = if l == Language::De { shown.replace('.', ",") } else { shown.to_owned() };
         page.sheet.write_string_with_format(page.row, 0, shown, format)?;
         page.sheet.write_string_with_format(page.row, 2, t(l, words), &styles.plain)?;
-        page.row += 1;
+        page.next(["", "", t(l, words)])?;
     }
     for grade in GRADES {
         page.sheet.write_string_with_format(page.row, 0, t(l, ["grade", "Güte"]), &styles.label)?;
         page.sheet.write_string_with_format(page.row, 1, grade_word(grade, l), &styles.plain)?;
         page.sheet.write_string_with_format(page.row, 2, grade_about(grade, l), &styles.plain)?;
-        page.row += 1;
+        page.next(["", "", grade_about(grade, l)])?;
     }
     Ok(())
 }

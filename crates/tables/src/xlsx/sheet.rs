@@ -1,7 +1,7 @@
 //! One table on a sheet.
 
-use super::page;
 use super::style::{MARGIN, NEAR, SHARE, Styles, decimals, single};
+use super::{Paper, height, lines};
 use crate::error::WriteError;
 use crate::results::{DOES_NOT_FIT, FITS};
 use crate::table::{Cell, Column, Derived, Kind, Table};
@@ -15,8 +15,8 @@ use workbench::{Direction, Language, Verdict};
 /// The row of the first record: heading and unit stand above it.
 pub(super) const FIRST: u32 = 2;
 
-/// Widest and narrowest column in characters.
-const WIDTHS: (usize, usize) = (9, 64);
+/// Narrowest and widest column in characters; a longer text takes more lines, so that a page across stays legible.
+const WIDTHS: (usize, usize) = (9, 34);
 
 /// Rows after which the width of a column is no longer looked for.
 const LOOK: usize = 2000;
@@ -62,12 +62,15 @@ pub(super) fn sheet(
 ) -> Result<Worksheet, WriteError> {
     let mut sheet = Worksheet::new();
     sheet.set_name(table.title.as_str())?;
+    let mut widths: Vec<f64> = Vec::new();
     let last = FIRST + u32::try_from(table.rows.len()).unwrap_or(u32::MAX - FIRST).max(1) - 1;
     for (at, column) in (0_u16..).zip(&table.columns) {
         let index = usize::from(at);
         sheet.write_string_with_format(0, at, column.title.as_str(), &styles.head)?;
         sheet.write_string_with_format(1, at, unit(column), &styles.unit)?;
-        sheet.set_column_width(at, width(table, index, column))?;
+        let wide = width(table, index, column);
+        sheet.set_column_width(at, wide)?;
+        widths.push(wide);
         let derived = table.derived.iter().find(|derived| derived.column() == index);
         let format = column_format(table, index, column, derived, styles);
         for (row, cells) in (FIRST..).zip(&table.rows) {
@@ -77,12 +80,21 @@ pub(super) fn sheet(
         }
         colour(&mut sheet, column, derived, (at, last), styles, language)?;
     }
+    let title = table.columns.iter().zip(&widths).map(|(column, wide)| lines(&column.title, *wide)).max();
+    sheet.set_row_height(0, height(title.unwrap_or(1)))?;
+    for (row, cells) in (FIRST..).zip(&table.rows) {
+        let most = cells.iter().zip(&widths).map(|(cell, wide)| cell.as_text().map_or(1, |text| lines(text, *wide)));
+        // What stands on one line has the height that a program gives a row by itself.
+        if let Some(most) = most.max().filter(|most| *most > 1) {
+            sheet.set_row_height(row, height(most))?;
+        }
+    }
     let right = u16::try_from(table.columns.len()).unwrap_or(1).max(1) - 1;
     sheet.autofilter(1, 0, last, right)?;
     let held = table.column("code").map_or(1, |code| u16::try_from(code).unwrap_or(0) + 1);
     sheet.set_freeze_panes(FIRST, held)?;
     sheet.set_repeat_rows(0, 1)?;
-    page(&mut sheet);
+    Paper::for_width(widths.iter().sum()).set(&mut sheet);
     Ok(sheet)
 }
 

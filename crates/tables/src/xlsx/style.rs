@@ -27,6 +27,7 @@ pub(super) struct Styles {
     pub(super) near: Format,
     pub(super) over: Format,
     pub(super) open: Format,
+    pub(super) date: Format,
 }
 
 impl Styles {
@@ -54,6 +55,7 @@ impl Styles {
             near: filled(0xFA_E3_B8),
             over: filled(0xF6_CD_B4).set_bold(),
             open: filled(0xE6_E6_E6).set_italic(),
+            date: base().set_align(FormatAlign::Left),
         }
     }
 

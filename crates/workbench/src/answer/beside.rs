@@ -3,11 +3,11 @@
 use super::check::check;
 use super::judged::{fit, objections};
 use crate::compare::{CheckChange, Comparison, DatumRow, Difference};
-use crate::project::InputChange;
 use crate::sizing_use::Candidate;
-use crate::text::check_title;
 use answers::{CheckRow, DatumChange, Head, Id, Number};
+use project::InputChange;
 use quantities::Language;
+use words::check_title;
 
 fn head(candidate: &Candidate<'_>, language: Language) -> Head {
     Head {

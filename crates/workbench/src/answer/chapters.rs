@@ -1,20 +1,20 @@
 //! Curves, torsion, bearing, battery and inertia as records.
 
 use super::check::check;
-use crate::inertia::{BodyAnswer, InertiaAnswer};
 use crate::sizing_use::Candidate;
-use crate::text::{curve_title, source_text};
 use crate::torsion::TorsionAnswer;
 use actuator::{BatteryLife, CurvePoint, PerformanceCurve};
 use answers::{
     Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Id, Inertia, Number, Torsion, Units,
 };
 use order_code::{OrderCode, Size};
+use project::{BodyAnswer, InertiaAnswer};
 use quantities::unit::{
     ARCMINUTE, DEGREE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_RADIAN, PERCENT,
     RADIAN, REVOLUTION_PER_MINUTE, VOLT, YEAR,
 };
 use quantities::{Language, Measure};
+use words::{curve_title, source_text};
 
 fn points(points: &[CurvePoint]) -> Vec<[Number; 2]> {
     let point = |point: &CurvePoint| {

@@ -1,13 +1,13 @@
 //! A check, and what an axis demands, as records.
 
 use crate::explain::derivation;
-use crate::project::Project;
 use crate::sizing_use::Candidate;
-use crate::text::{assumption_text, check_title, note_text, source_text};
 use answers::{DemandFigures, DemandMode, Id, IntegralDemand, MoveTorques, Number, Units};
+use project::Project;
 use quantities::unit::{NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Check, Demand, Figure, ManualDemand, Note};
+use words::{assumption_text, check_title, note_text, source_text};
 
 /// One check.
 #[must_use]
@@ -66,7 +66,7 @@ pub fn explanations(
 }
 
 /// The assumptions in words.
-pub(super) fn assumptions(assumptions: &[crate::Assumption], language: Language) -> Vec<String> {
+pub(super) fn assumptions(assumptions: &[project::Assumption], language: Language) -> Vec<String> {
     assumptions.iter().map(|assumption| assumption_text(*assumption, language)).collect()
 }
 

@@ -1,10 +1,10 @@
 //! Ordering codes as records.
 
 use crate::codes::{CodeReading, CodeRefusal, completion as fields_of, explain_code};
-use crate::text::{describe_field, describe_uncovered};
 use answers::{Availability, Choice, CodeFault, CodeFaults, CodeField, Completion, Id, ListedCode, OpenField};
 use order_code::{Field, OrderCode, Pattern};
 use quantities::Language;
+use words::{describe_field, describe_uncovered};
 
 fn names(fields: &[Field], language: Language) -> Vec<String> {
     fields.iter().map(|field| describe_field(*field, language).to_owned()).collect()

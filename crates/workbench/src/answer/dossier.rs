@@ -3,19 +3,19 @@
 use super::check::explained;
 use super::inputs::{inputs_of_axis, mechanism, tables};
 use super::judged::{judgement, sizing};
-use crate::project::Project;
 use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
-use crate::text::{check_title, describe_token, either, evidence_text, source_text, unmet_text};
 use crate::tolerance::Assessment;
 use crate::{catalogue_fingerprint, project_fingerprint};
 use actuator::ScrewJoint;
-use answers::{CitedErratum, Document, Dossier, ErratumUsed, Fingerprints, Item, RejectionGroup};
+use answers::{CitedErratum, Document, Dossier, ErratumUsed, Fingerprints, Id, Item, Missing, RejectionGroup};
 use configurator::Unmet;
 use order_code::Field;
+use project::Project;
 use provenance::{Datum, MANUAL, Source};
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, Unit, format_number, format_significant};
 use sizing::{Check, Reserve};
+use words::{check_missing, check_title, describe_token, either, evidence_text, source_text, unmet_text};
 
 /// An axis with everything there is to tell of it and of the actuator chosen.
 ///
@@ -41,9 +41,10 @@ pub fn dossier(
         judgement: judgement(project, chosen, found, assessment, language),
         sizing: sizing(ranked, project, &[], usize::MAX, language),
         rejections: rejections(ranked, language),
-        mechanism: mechanism(project, &inputs, language),
+        mechanism: mechanism(project, &inputs),
         inputs: tables(&inputs, language),
         explained: checks.iter().map(|check| explained(check, language)).collect(),
+        missing: missing(chosen, language),
         bill_of_material: bill_of_material(chosen, language),
         screws: screws(chosen, language),
         documents: documents(checks),
@@ -54,6 +55,12 @@ pub fn dossier(
             catalogue: catalogue_fingerprint(),
         },
     }
+}
+
+/// What each check lacks.
+fn missing(chosen: &Candidate<'_>, language: Language) -> Vec<Missing> {
+    let lacking = chosen.judgement.checks.iter().filter_map(|check| Some((check.id, check.missing?)));
+    lacking.map(|(id, symbol)| Missing { check: Id(id), text: check_missing(symbol, language) }).collect()
 }
 
 /// Every rejected actuator of the catalogue at its first reason.

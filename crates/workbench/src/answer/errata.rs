@@ -1,10 +1,10 @@
 //! Errata as records.
 
 use crate::errata::ErrataFound;
-use crate::text::evidence_text;
 use answers::{Errata, ErratumCell, ErratumKind, ErratumStatus};
 use catalogue::Erratum;
 use quantities::Language;
+use words::evidence_text;
 
 /// The errata asked for.
 #[must_use]
@@ -27,7 +27,7 @@ pub fn erratum(erratum: &'static Erratum, language: Language) -> answers::Erratu
             ratio: cell.place.ratio,
             condition: cell.place.condition,
         }),
-        place: crate::text::erratum_place(erratum, language),
+        place: words::erratum_place(erratum, language),
         kind: match erratum.kind {
             catalogue::ErratumKind::Recovery => ErratumKind::Recovery,
             catalogue::ErratumKind::PrintError => ErratumKind::PrintError,

@@ -1,12 +1,13 @@
 //! Faults of an input file as records.
 
-use crate::diagnostic::Diagnostic;
 use answers::{Fault, Faults, Place};
+use words::Told;
 
 /// Faults of an input file.
 #[must_use]
-pub fn faults(file: &str, faults: &[Diagnostic]) -> Faults {
-    let fault = |fault: &Diagnostic| Fault {
+pub fn faults(file: &str, faults: &[Told]) -> Faults {
+    let fault = |fault: &Told| Fault {
+        id: Some(fault.id),
         file: Some(file.to_owned()),
         place: Some(Place { line: fault.line, column: fault.column, span: [fault.span.start, fault.span.end] }),
         message: fault.message.clone(),

@@ -1,16 +1,14 @@
 //! The project as it was written, in the words of a language, and the mechanism that it describes.
 
 use super::chapters::inertia;
-use crate::inertia::{BODY_SHAPES, toleranced};
-use crate::moves::SegmentLaw;
-use crate::project::{Input, Project, input_label};
-use crate::text::law_text;
 use answers::{InputTable, Mechanism, MechanismKind, Number};
 use mechanism::{Kind, LinearKind};
 use motion::Law;
+use project::{BODY_SHAPES, Input, Project, SegmentLaw, input_label};
 use quantities::unit::{DEGREE, MILLIMETRE};
 use quantities::{Language, Measure, Unit, format_significant};
 use std::f64::consts::TAU;
+use words::{law_text, schema_text, shape_title};
 
 /// The values of one axis of a project file, with the keys as if it stood alone.
 pub(super) fn inputs_of_axis(text: &str, place: usize) -> Vec<Input> {
@@ -59,16 +57,32 @@ fn value(input: &Input, name: &str, language: Language) -> answers::Input {
         if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point).to_owned() } else { text }
     };
     let half = input.half_width.zip(input.amount);
-    // What follows the semicolon is for whoever writes the file.
-    let label = input_label(&input.path, language).and_then(|label| label.split(';').next()).unwrap_or_default();
+    let label = label(&input.path, language).map(|label| short_label(&label)).unwrap_or_default();
     answers::Input {
         name: name.to_owned(),
-        label: label.to_owned(),
+        label,
         tolerance: half.map(|(half, (_, unit))| format!("± {}", with_unit(&short(half), half_unit(unit), language))),
         text: input.amount.map_or_else(
             || written(&input.path, &input.written, language),
             |(value, unit)| with_unit(&format!("{value}"), unit.symbol, language),
         ),
+    }
+}
+
+/// What a key is for.
+fn label(path: &str, language: Language) -> Option<String> {
+    input_label(path).map(|text| schema_text(text, language))
+}
+
+/// What a key says to a reader; the rest of its description is for whoever writes the file.
+fn short_label(label: &str) -> String {
+    let label = label.split(';').next().unwrap_or(label).trim_start_matches("true: ");
+    let label = label.replace(" (true)", "").replace(" (false)", "");
+    match label.split_once(", ") {
+        // Behind a symbol stands what it means, before the comma elsewhere.
+        Some((symbol, _)) if symbol.chars().count() <= 6 => label,
+        Some((head, _)) => head.to_owned(),
+        None => label,
     }
 }
 
@@ -82,7 +96,7 @@ fn with_unit(digits: &str, unit: &str, language: Language) -> String {
     let digits = if language == Language::De { digits.replace('.', ",") } else { digits.to_owned() };
     let digits = digits.replace('-', "−");
     match unit {
-        "" => digits,
+        "" | "1" => digits,
         "°" => format!("{digits}°"),
         unit => format!("{digits} {unit}"),
     }
@@ -114,7 +128,9 @@ fn written(path: &str, text: &str, language: Language) -> String {
 }
 
 /// The words of the project file: key, word, in English, in German. Those without a key hold for any.
-const WORDS: [(&str, &str, &str, &str); 25] = [
+const WORDS: [(&str, &str, &str, &str); 27] = [
+    ("brake", "true", "with", "mit"),
+    ("brake", "false", "without", "ohne"),
     ("", "true", "yes", "ja"),
     ("", "false", "no", "nein"),
     ("hold", "motor", "by the motor", "durch den Motor"),
@@ -163,7 +179,11 @@ const BODY_KEYS: [(&str, &str, &str); 13] = [
 fn body(text: &str, language: Language) -> String {
     let de = language == Language::De;
     let parts = text.split_whitespace().map(|part| match part.split_once('=') {
-        None => BODY_SHAPES.iter().find(|shape| shape.name == part).map_or(part, |shape| shape.title(language)).into(),
+        None => BODY_SHAPES
+            .iter()
+            .find(|shape| shape.name == part)
+            .map_or(part, |shape| shape_title(shape, language))
+            .into(),
         Some((key, value)) => {
             let known = BODY_KEYS.iter().find(|(name, ..)| *name == key);
             let key = known.map_or(key, |(_, in_english, in_german)| if de { in_german } else { in_english });
@@ -202,7 +222,7 @@ fn table_title(table: &str, language: Language) -> String {
         let number = part.split_once('[').map_or("", |(_, rest)| rest.trim_end_matches(']'));
         let words = title(part).map(|(en, de)| if language == Language::De { de } else { en }.to_owned());
         let words = words.or_else(|| {
-            let label = input_label(&format!("mechanism.{part}"), language)?;
+            let label = label(&format!("mechanism.{part}"), language)?;
             let mut signs = label.chars();
             Some(signs.next()?.to_uppercase().chain(signs).collect())
         });
@@ -213,7 +233,7 @@ fn table_title(table: &str, language: Language) -> String {
 }
 
 /// What hangs on the flange.
-pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language) -> Mechanism {
+pub(super) fn mechanism(project: &Project, inputs: &[Input]) -> Mechanism {
     let load = &project.axis.mechanism;
     let inside = |table: &str| inputs.iter().any(|input| input.path.starts_with(table));
     let kind = match &load.kind {
@@ -233,17 +253,11 @@ pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language)
         Kind::Linear(linear) => Some(Number::in_unit(linear.inclination.si(), &DEGREE)),
         _ => None,
     };
-    let bodies: Vec<&str> = inputs
-        .iter()
-        .filter(|input| input.path.starts_with("mechanism.turntable.bodies["))
-        .map(|input| input.written.as_str())
-        .collect();
-    let answer = (!bodies.is_empty()).then(|| toleranced(&bodies.join("\n"), language).ok()).flatten();
     Mechanism {
         kind,
         inclination_deg: inclination,
         travel_mm_per_rev: load.travel_m_per_rad().map(|travel| Number::in_unit(travel * TAU, &MILLIMETRE)),
-        bodies: answer.map(|(answer, _)| inertia(&answer)),
+        bodies: project.bodies().map(|answer| inertia(&answer)),
     }
 }
 
@@ -277,12 +291,14 @@ mod tests {
                 "Bewegung, Abschnitt 1|law|Rast",
                 "Bewegung, Abschnitt 1|time|1,5 s ± 0,15 s",
                 "Bewegung, Abschnitt 1|hold|durch den Motor",
-                "Anforderungen|brake|ja",
+                "Anforderungen|brake|mit",
                 "Anforderungen|feedback|C1024, M512P",
                 "Anforderungen|ambient|−5 °C ± 5 K",
             ]
         );
-        assert!(found.iter().flat_map(|table| &table.values).all(|value| !value.label.contains(';')));
+        let labels: Vec<&str> =
+            found.iter().flat_map(|table| &table.values).map(|value| value.label.as_str()).collect();
+        assert!(labels.iter().all(|label| !label.contains([';', '(', ','])), "{labels:?}");
     }
 
     #[test]

@@ -3,18 +3,18 @@
 use super::check::{assumptions, check, demand};
 use super::motion;
 use crate::limits::{NeededLimit, limits_needed};
-use crate::project::{ALL_CORNERS_MOST, Project};
 use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
-use crate::text::{describe_field, describe_rule, ranking_rule, unmet_text};
 use crate::tolerance::{Assessment, Place};
 use answers::{
     Assessed, Fit, Id, Influence, Judgement, Number, Quantiles, Ranked, Rejection, Stage, StageRatio, Tolerance,
     ToleratedValue, Units, WorstCorner,
 };
 use order_code::Field;
+use project::{ALL_CORNERS_MOST, Project};
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM, SECOND};
 use quantities::{Language, Measure};
 use sizing::{Reserve, Verdict};
+use words::{describe_field, describe_rule, ranking_rule, unmet_text};
 
 fn objection(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> String {
     match (objection, &candidate.id) {

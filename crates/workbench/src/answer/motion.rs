@@ -1,12 +1,12 @@
 //! The motion as a record.
 
 use crate::moves::{Move, Moves};
-use crate::project::RecordingRead;
-use crate::text::law_text;
 use answers::{ColumnRole, Number, RecordedColumn, Recording, Segment, UnitBy, Units};
+use project::RecordingRead;
 use quantities::unit::SECOND;
 use quantities::{Language, Measure};
 use recording::{KnownBy, Role};
+use words::law_text;
 
 /// Every segment with what was given and what followed from it.
 #[must_use]

@@ -1,11 +1,11 @@
 //! Data sheet and catalogue as records.
 
 use crate::sheet::{Sheet, SheetNote, SheetRow, SheetSection};
-use crate::text::{describe_uncovered, symbol_term};
 use answers::{CatalogueCell, Id, NoteBy, Number, SheetValue, TableCell};
 use catalogue::{Cell, Value};
 use provenance::Grade;
 use quantities::Language;
+use words::{describe_uncovered, symbol_term};
 
 /// A data sheet.
 #[must_use]

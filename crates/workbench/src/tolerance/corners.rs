@@ -1,7 +1,7 @@
 //! The worst corner of the bands.
 
 use super::{Judged, Place, Point, Worst};
-use crate::project::{ALL_CORNERS_MOST, Project, Varied, sign};
+use project::{ALL_CORNERS_MOST, Project, Varied, sign};
 
 /// Passes over all quantities of a search; each but the last has found something worse.
 const PASSES_MOST: usize = 20;

@@ -1,6 +1,6 @@
 //! The samples: one stream of numbers from a seed, of which sample i takes the draws i k to i k + k − 1.
 
-use crate::project::Tolerance;
+use project::Tolerance;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 

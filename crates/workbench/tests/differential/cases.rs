@@ -7,7 +7,7 @@ use sizing::{Check, Note};
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::sync::LazyLock;
-use workbench::{Files, Language, Project, check};
+use workbench::{Files, Project, check};
 
 /// Results by name, in the unit that people read them in.
 pub(crate) type Figures = BTreeMap<String, f64>;
@@ -85,7 +85,7 @@ impl Case {
 
     /// The project, read.
     pub(crate) fn read(&self) -> Project {
-        let read = Project::read_all(&self.project, &Kept(&self.files), Language::En);
+        let read = workbench::read_all(&self.project, &Kept(&self.files));
         let mut axes = read.unwrap_or_else(|faults| panic!("{}: {faults:?}\n{}", self.name, self.project));
         axes.pop().unwrap()
     }

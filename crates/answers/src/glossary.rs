@@ -1,0 +1,66 @@
+//! The answer of `glossary`.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Words and symbols, all of them or those that were asked for.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Glossary {
+    /// Words of the product: one for one thing.
+    pub words: Vec<GlossaryWord>,
+    /// Symbols of the tables.
+    pub terms: Vec<GlossaryTerm>,
+    /// Symbols of the derivations. One that means several things stands several times.
+    pub symbols: Vec<GlossarySymbol>,
+}
+
+impl Glossary {
+    /// Whether nothing was found.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.words.is_empty() && self.terms.is_empty() && self.symbols.is_empty()
+    }
+}
+
+/// A word of the product.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct GlossaryWord {
+    /// Identifier.
+    pub id: String,
+    /// English word.
+    pub en: String,
+    /// German word.
+    pub de: String,
+    /// What it means, in the language asked for.
+    pub meaning: String,
+}
+
+/// A symbol of the tables.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct GlossaryTerm {
+    /// Symbol in ASCII, as in the catalogue's export: `T_max`.
+    pub symbol: String,
+    /// Long name, as in project files.
+    pub identifier: String,
+    /// Unit of the print; empty for a bare number or a text.
+    pub unit: String,
+    /// English term.
+    pub en: String,
+    /// German term.
+    pub de: String,
+    /// Remark in the language asked for; may be empty.
+    pub remark: String,
+}
+
+/// A symbol of the derivations that `explain` gives.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct GlossarySymbol {
+    /// Symbol in ASCII.
+    pub symbol: String,
+    /// Symbol as formulas show it.
+    pub shown: String,
+    /// English meaning.
+    pub en: String,
+    /// German meaning.
+    pub de: String,
+}

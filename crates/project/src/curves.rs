@@ -1,0 +1,127 @@
+//! Curves that the user measured or digitised, for actuators of the catalogue.
+
+use crate::Fault;
+use crate::read::Reader;
+use crate::section::Section;
+use actuator::{Curve, CurvePoint, Parameters};
+use configurator::{actuators, catalogue_actuators};
+use order_code::{Option1, OrderCode, Pattern};
+use provenance::{Datum, Grade, Source, Sourced};
+use quantities::{AngularVelocity, Measure, Torque};
+use std::sync::Arc;
+
+/// What a curve limits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Continuous,
+    Half,
+    Quarter,
+    ShortTime,
+}
+
+/// The catalogue with the user's curves in the place of its own.
+#[derive(Clone, Debug)]
+pub struct OwnCatalogue {
+    /// Without options, and with the encoder at the output.
+    actuators: [Vec<(OrderCode, Parameters)>; 2],
+}
+
+impl OwnCatalogue {
+    /// Its actuators, with or without the encoder at the output.
+    #[must_use]
+    pub fn actuators(&self, output_encoder: bool) -> &[(OrderCode, Parameters)] {
+        let [plain, encoder] = &self.actuators;
+        if output_encoder { encoder } else { plain }
+    }
+
+    fn with(curves: &[UserCurve]) -> Self {
+        let changed = |option_1| {
+            let mut actuators = actuators(option_1).to_vec();
+            for (code, parameters) in &mut actuators {
+                curves.iter().filter(|curve| curve.pattern.matches(code)).for_each(|curve| curve.apply(parameters));
+            }
+            actuators
+        };
+        Self { actuators: [changed(None), changed(Some(Option1::EC))] }
+    }
+}
+
+/// A curve with the codes that it holds for.
+struct UserCurve {
+    /// Its number in the file, from one.
+    index: usize,
+    pattern: Pattern,
+    kind: Kind,
+    curve: Curve,
+    source: String,
+}
+
+impl UserCurve {
+    /// Puts the curve in the place of the catalogue's.
+    fn apply(&self, parameters: &mut Parameters) {
+        let known = Datum::Known(Sourced {
+            value: self.curve.clone(),
+            source: Source::Project { key: format!("curve[{}].points, {}", self.index, self.source).into() },
+            grade: Grade::Published,
+            errata: &[],
+        });
+        let [half, quarter] = &mut parameters.s3_curves;
+        let place = match self.kind {
+            Kind::Continuous => &mut parameters.continuous_curve,
+            Kind::Half => half,
+            Kind::Quarter => quarter,
+            Kind::ShortTime => &mut parameters.short_time_curve,
+        };
+        *place = known;
+    }
+}
+
+/// The catalogue with the curves of a project file; faults are told.
+pub(crate) fn read(root: &Section, reader: &mut Reader<'_>) -> Option<Arc<OwnCatalogue>> {
+    let mut found = Vec::new();
+    for (index, section) in root.tables("curve").iter().enumerate().filter(|(_, section)| section.is_whole()) {
+        let kind = match section.text("kind") {
+            Some("continuous") => Kind::Continuous,
+            Some("s3_50") => Kind::Half,
+            Some("s3_25") => Kind::Quarter,
+            _ => Kind::ShortTime,
+        };
+        let Some(code) = section.text("code") else { continue };
+        let pattern = match Pattern::parse(code) {
+            Ok(pattern) => pattern,
+            Err(errors) => {
+                for error in errors.iter() {
+                    reader.fault(section.span_of("code"), Fault::Code(error.clone()), None);
+                }
+                continue;
+            }
+        };
+        if !catalogue_actuators().iter().any(|(code, _)| pattern.matches(code)) {
+            reader.fault(section.span_of("code"), Fault::NoSuchCode { written: code.to_owned() }, None);
+            continue;
+        }
+        let source = section.text("source").unwrap_or_default().to_owned();
+        if let Some(curve) = curve(section, "points", reader) {
+            found.push(UserCurve { index: index + 1, pattern, kind, curve, source });
+        }
+    }
+    (!found.is_empty()).then(|| Arc::new(OwnCatalogue::with(&found)))
+}
+
+/// A curve by its corner points.
+pub(crate) fn curve(section: &Section, key: &str, reader: &mut Reader<'_>) -> Option<Curve> {
+    section.get(key)?;
+    let points = section.rows(key).iter().filter_map(|row| match row.as_slice() {
+        [speed, torque] => {
+            Some(CurvePoint { speed: AngularVelocity::from_si(*speed), torque: Torque::from_si(*torque) })
+        }
+        _ => None,
+    });
+    match Curve::new(points.collect()) {
+        Ok(curve) => Some(curve),
+        Err(fault) => {
+            reader.fault(section.span_of(key), Fault::Curve(fault), None);
+            None
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! A fault of the input, with its place and what would have been right.
+
+use crate::{Fault, Hint};
+use std::ops::Range;
+
+/// One fault of a text that the user wrote.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagnostic {
+    /// Offending part of the text, in bytes.
+    pub span: Range<usize>,
+    /// Line, from one.
+    pub line: usize,
+    /// Column in characters, from one.
+    pub column: usize,
+    /// What is wrong.
+    pub fault: Fault,
+    /// What was expected, or the nearest valid choice, where the fault itself does not say it.
+    pub hint: Option<Hint>,
+}
+
+/// Line and column of a byte offset, both from one; the column counts characters.
+#[must_use]
+pub fn place(text: &str, offset: usize) -> (usize, usize) {
+    let mut offset = offset.min(text.len());
+    while !text.is_char_boundary(offset) {
+        offset -= 1;
+    }
+    let before = text.get(..offset).unwrap_or_default();
+    let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+    (before.matches('\n').count() + 1, before.get(line_start..).unwrap_or_default().chars().count() + 1)
+}
+
+impl Diagnostic {
+    /// A fault at a place of a text.
+    #[must_use]
+    pub fn at(text: &str, span: Range<usize>, fault: Fault, hint: Option<Hint>) -> Self {
+        let (line, column) = place(text, span.start);
+        Self { span, line, column, fault, hint }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_count_from_one_and_in_characters() {
+        assert_eq!(place("ab\ncd", 0), (1, 1));
+        assert_eq!(place("ab\ncd", 4), (2, 2));
+        assert_eq!(place("äö\nü", 5), (2, 1));
+        assert_eq!(place("äö", 1), (1, 1), "inside a character");
+        assert_eq!(place("", 9), (1, 1));
+    }
+}

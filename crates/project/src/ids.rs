@@ -1,0 +1,126 @@
+//! The identifiers of the faults that lower rooms find: with these the rooms themselves need none.
+
+use mechanism::BodyError;
+use motion::{MoveFault, RecordedFault};
+use order_code::CodeError;
+use quantities::QuantityError;
+
+/// Of a text that is no quantity.
+pub(crate) const fn quantity(error: &QuantityError) -> &'static str {
+    match error {
+        QuantityError::Empty { .. } => "quantity_empty",
+        QuantityError::NumberMissing { .. } => "number_missing",
+        QuantityError::NumberUnreadable { .. } => "number_unreadable",
+        QuantityError::DecimalComma { .. } => "decimal_comma",
+        QuantityError::NotFinite { .. } => "not_finite",
+        QuantityError::UnitMissing { .. } => "unit_missing",
+        QuantityError::UnitUnknown { .. } => "unit_unknown",
+        QuantityError::WrongQuantity { .. } => "unit_of_another_quantity",
+        QuantityError::ToleranceMissing { .. } => "tolerance_missing",
+        QuantityError::ToleranceNegative { .. } => "tolerance_negative",
+        QuantityError::ToleranceOfOffsetScale { .. } => "tolerance_of_offset_scale",
+    }
+}
+
+/// Of a code that cannot be read.
+pub(crate) const fn code(error: &CodeError) -> &'static str {
+    match error {
+        CodeError::Empty => "code_empty",
+        CodeError::TooLong { .. } => "code_too_long",
+        CodeError::EmptyPart { .. } => "code_empty_part",
+        CodeError::UnknownToken { .. } => "code_unknown_token",
+        CodeError::OutOfOrder { .. } => "code_out_of_order",
+        CodeError::Repeated { .. } => "code_repeated",
+        CodeError::Missing { .. } => "code_missing",
+        CodeError::Ambiguous { .. } => "code_ambiguous",
+    }
+}
+
+/// Of a motion that cannot be.
+pub(crate) const fn motion(fault: &MoveFault) -> &'static str {
+    match fault {
+        MoveFault::NoSegment => "motion_empty",
+        MoveFault::NoDuration => "motion_without_duration",
+        MoveFault::NoTimeToChangeSpeed { .. } => "no_time_to_change_speed",
+        MoveFault::NotDetermined { .. } => "move_not_determined",
+        MoveFault::OutOfRange => "move_out_of_range",
+        MoveFault::SpeedTooLow { .. } => "move_speed_too_low",
+        MoveFault::SpeedTooHigh { .. } => "move_speed_too_high",
+        MoveFault::AccelerationTooLow { .. } => "move_acceleration_too_low",
+        MoveFault::RestToRestOnly => "rest_to_rest_only",
+        MoveFault::EndSpeedAboveLimit => "end_speed_above_limit",
+        MoveFault::StillMoving { .. } => "still_moving",
+        MoveFault::RecordingSpeedJumps { .. } => "recording_speed_jumps",
+        MoveFault::RecordingPositionJumps { .. } => "recording_position_jumps",
+        MoveFault::SpeedNotClosed { .. } => "speed_not_closed",
+        MoveFault::PositionNotClosed { .. } => "position_not_closed",
+    }
+}
+
+/// Of samples that are no motion.
+pub(crate) const fn recorded(fault: &RecordedFault) -> &'static str {
+    match fault {
+        RecordedFault::TooFew { .. } => "samples_too_few",
+        RecordedFault::NoCourse => "samples_without_course",
+        RecordedFault::Uneven => "samples_uneven",
+        RecordedFault::NotFinite { .. } => "samples_not_finite",
+        RecordedFault::NotIncreasing { .. } => "samples_not_increasing",
+        RecordedFault::WindowTooShort { .. } => "smoothing_too_short",
+        RecordedFault::WindowTooLong { .. } => "smoothing_too_long",
+        RecordedFault::Contradiction { .. } => "position_and_speed_contradict",
+    }
+}
+
+/// Of a file that is no recording.
+pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
+    use recording::Fault;
+    match fault {
+        Fault::ReadFailed { .. } => "recording_read_failed",
+        Fault::NoHeader => "recording_no_header",
+        Fault::LineTooLong { .. } => "recording_line_too_long",
+        Fault::QuoteOpen { .. } => "recording_quote_open",
+        Fault::Ragged { .. } => "recording_ragged",
+        Fault::ColumnUnknown { .. } => "recording_column_unknown",
+        Fault::ColumnTwice { .. } => "recording_column_twice",
+        Fault::TimeMissing { .. } => "recording_time_missing",
+        Fault::CourseMissing { .. } => "recording_course_missing",
+        Fault::Ambiguous { .. } => "recording_columns_ambiguous",
+        Fault::UnitMissing { .. } => "recording_unit_missing",
+        Fault::UnitUnknown { .. } => "recording_unit_unknown",
+        Fault::UnitWrong { .. } => "recording_unit_wrong",
+        Fault::UnitContradiction { .. } => "recording_unit_contradiction",
+        Fault::CourseMixed { .. } => "recording_course_mixed",
+        Fault::WindowReversed { .. } => "recording_window_reversed",
+        Fault::ValueMissing { .. } => "recording_value_missing",
+        Fault::ValueUnreadable { .. } => "recording_value_unreadable",
+        Fault::ValueNotFinite { .. } => "recording_value_not_finite",
+        Fault::DecimalMixed { .. } => "recording_decimal_mixed",
+        Fault::ThousandsGrouped { .. } => "recording_thousands_grouped",
+        Fault::ColumnType { .. } => "recording_column_type",
+        Fault::Backwards { .. } => "recording_time_backwards",
+        Fault::SameTime { .. } => "recording_same_time",
+        Fault::Gap { .. } => "recording_gap",
+        Fault::TooFewSamples { .. } => "recording_too_few_samples",
+        Fault::TooManySamples { .. } => "recording_too_many_samples",
+        Fault::ParquetUnreadable { .. } => "recording_parquet_unreadable",
+        Fault::Repeated { first, .. } => recording(first),
+        Fault::More { .. } => "recording_more_faults",
+    }
+}
+
+/// Of a body that cannot be.
+pub(crate) const fn body(error: &BodyError) -> &'static str {
+    match error {
+        BodyError::DimensionOutOfRange { .. } => "body_dimension_out_of_range",
+        BodyError::InnerNotBelowOuter { .. } => "body_inner_not_below_outer",
+        BodyError::NoMass => "body_without_mass",
+        BodyError::MassAndDensity { .. } => "body_mass_and_density",
+        BodyError::NoVolume => "body_without_volume",
+        BodyError::MassOutOfRange { .. } => "body_mass_out_of_range",
+        BodyError::DensityOutOfRange { .. } => "body_density_out_of_range",
+        BodyError::DistanceOutOfRange { .. } => "body_distance_out_of_range",
+        BodyError::AngleNotFinite => "body_angle_not_finite",
+        BodyError::NoPiece => "body_no_piece",
+        BodyError::BeyondNumbers => "body_beyond_numbers",
+    }
+}

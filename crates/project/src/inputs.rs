@@ -1,0 +1,195 @@
+//! Every key of a project file with what is written there.
+
+use crate::read::Reader;
+use quantities::Unit;
+use std::collections::BTreeMap;
+use std::ops::Range as Span;
+
+/// One value of a project file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Input {
+    /// Its key: `load.inertia`, `motion[2].speed`, `mechanism.table.points[1][3]`, `axis[1].requirements.supply`.
+    pub path: String,
+    /// What is written there, without the quotes.
+    pub written: String,
+    /// The number in its unit as written; `None` for what is no number.
+    pub amount: Option<(f64, &'static Unit)>,
+    /// Half-width of its tolerance, in the same unit.
+    pub half_width: Option<f64>,
+    /// Its place in the file, in bytes.
+    pub span: Span<usize>,
+}
+
+impl Input {
+    /// Whether another value says the same: `"0.1 s"` and `"100 ms"` do.
+    fn says_the_same(&self, other: &Self) -> bool {
+        let si = |input: &Self| {
+            let (value, unit) = input.amount?;
+            let half = input.half_width.map_or(0.0, |half| unit.to_si(value + half) - unit.to_si(value));
+            Some((unit.to_si(value), half, unit.dimension))
+        };
+        match (si(self), si(other)) {
+            (Some((a, half_a, of_a)), Some((b, half_b, of_b))) => {
+                let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(b.abs());
+                // A half-width is a difference: it is as exact as the values that it is taken from.
+                let half = (half_a - half_b).abs() <= 1e-12 * a.abs().max(half_a.abs()).max(half_b.abs());
+                of_a == of_b && near(a, b) && half
+            }
+            _ => self.written == other.written,
+        }
+    }
+}
+
+/// Every value of a project file in the order of the file; what the reader refuses is left out.
+///
+/// Files that the project refers to stand there by their names.
+#[must_use]
+pub fn inputs(text: &str) -> Vec<Input> {
+    let mut reader = Reader::noting(text);
+    reader.read();
+    let mut found = std::mem::take(&mut reader.inputs).unwrap_or_default();
+    for tolerance in &reader.tolerances {
+        let Some(input) = found.iter_mut().find(|input| input.path == tolerance.path) else { continue };
+        let of = |si: f64| tolerance.unit.from_si(si);
+        input.half_width = Some(of(tolerance.nominal + tolerance.half_width) - of(tolerance.nominal));
+    }
+    found.sort_by_key(|input| (input.span.start, input.span.end));
+    found
+}
+
+/// A value that is not the same in two project files.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InputChange {
+    /// Its key.
+    pub path: String,
+    /// As written in the first file; `None` where it is not there.
+    pub old: Option<String>,
+    /// As written in the second file; `None` where it is not there.
+    pub new: Option<String>,
+}
+
+/// The values that differ between two project files, in the order of the second; what is gone comes last.
+///
+/// Keys are compared by what they say: another spelling of the same quantity is no change. Of several axes one of
+/// each file is looked at, with its keys as if it stood alone.
+#[must_use]
+pub fn input_changes(old: (&str, usize), new: (&str, usize)) -> Vec<InputChange> {
+    let of_axis = |(text, axis): (&str, usize)| -> Vec<Input> {
+        let own = format!("axis[{}].", axis + 1);
+        let path = |path: &str| match path.strip_prefix(own.as_str()) {
+            None if path.starts_with("axis[") => None,
+            inside => Some(inside.unwrap_or(path).to_owned()),
+        };
+        inputs(text).into_iter().filter_map(|input| Some(Input { path: path(&input.path)?, ..input })).collect()
+    };
+    let (old, new) = (of_axis(old), of_axis(new));
+    let by_path = |inputs: &[Input]| -> BTreeMap<String, Input> {
+        inputs.iter().map(|input| (input.path.clone(), input.clone())).collect()
+    };
+    let (before, after) = (by_path(&old), by_path(&new));
+    let mut changes: Vec<InputChange> = new
+        .iter()
+        .filter(|input| !before.get(&input.path).is_some_and(|old| old.says_the_same(input)))
+        .map(|input| InputChange {
+            path: input.path.clone(),
+            old: before.get(&input.path).map(|old| old.written.clone()),
+            new: Some(input.written.clone()),
+        })
+        .collect();
+    let gone = old.into_iter().filter(|input| !after.contains_key(&input.path));
+    changes.extend(gone.map(|input| InputChange { path: input.path, old: Some(input.written), new: None }));
+    changes
+}
+
+impl<'t> Reader<'t> {
+    /// A reader that notes every value it accepts.
+    fn noting(text: &'t str) -> Self {
+        let mut reader = Self::new(text);
+        reader.inputs = Some(Vec::new());
+        reader
+    }
+
+    /// Notes a value if that is asked for.
+    pub(crate) fn input(&mut self, path: &str, span: &Span<usize>, amount: Option<(f64, &'static Unit)>) {
+        let Some(inputs) = &mut self.inputs else { return };
+        let raw = self.text.get(span.clone()).unwrap_or_default();
+        let written = ["\"\"\"", "'''", "\"", "'"]
+            .iter()
+            .find_map(|quote| raw.strip_prefix(quote)?.strip_suffix(quote))
+            .unwrap_or(raw)
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        inputs.push(Input { path: path.to_owned(), written, amount, half_width: None, span: span.clone() });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const OLD: &str = "format = 1\n[load]\ninertia = \"1.3 kg m^2 ± 10 %\"\nfriction_torque = \"5 N m\"\n\
+        [[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\n\
+        pause = \"1 s\"\n[requirements]\nfeedback = [\"C1024\",\n  \"M512P\"]\nambient = \"20 degC ± 5 K\"\n";
+
+    #[test]
+    fn every_value_is_told_with_path_number_unit_and_tolerance() {
+        let found = inputs(OLD);
+        let told: Vec<(&str, &str)> =
+            found.iter().map(|input| (input.path.as_str(), input.written.as_str())).take(4).collect();
+        assert_eq!(
+            told,
+            [
+                ("format", "1"),
+                ("load.inertia", "1.3 kg m^2 ± 10 %"),
+                ("load.friction_torque", "5 N m"),
+                ("motion[1].law", "manual")
+            ]
+        );
+        let of = |path: &str| found.iter().find(|input| input.path == path).unwrap();
+        let (value, unit) = of("motion[1].speed").amount.unwrap();
+        assert_eq!((value, unit.json), (40.0, "1/min"));
+        assert!((of("load.inertia").half_width.unwrap() - 0.13).abs() < 1e-12);
+        assert!((of("requirements.ambient").half_width.unwrap() - 5.0).abs() < 1e-9);
+        assert_eq!(of("requirements.feedback").written, "[\"C1024\", \"M512P\"]");
+        assert_eq!(of("requirements.feedback").amount, None);
+    }
+
+    #[test]
+    fn rows_and_bodies_are_told_one_by_one() {
+        let text = "[mechanism.table]\npoints = [[\"0 deg\", \"1 N m\"], [\"9 deg\", \"2 N m ± 1 N m\"]]\n\
+            [mechanism.turntable]\nbodies = [\"point mass=1kg distance=1m\"]\n";
+        let found = inputs(text);
+        let paths: Vec<&str> = found.iter().map(|input| input.path.as_str()).collect();
+        assert!(paths.contains(&"mechanism.turntable.bodies[1]"), "{paths:?}");
+        let body = found.iter().find(|input| input.path == "mechanism.turntable.bodies[1]").unwrap();
+        assert_eq!((body.written.as_str(), body.amount), ("point mass=1kg distance=1m", None));
+    }
+
+    #[test]
+    fn axes_are_compared_by_themselves_wherever_they_stand() {
+        let one = "[[axis]]\nname = \"a\"\n[axis.load]\ninertia = \"1 kg m^2\"\n";
+        let two = "[[axis]]\nname = \"b\"\n[axis.load]\ninertia = \"2 kg m^2\"\n";
+        let (before, after) = (format!("format = 1\n{one}{two}"), format!("format = 1\n{two}{one}"));
+        assert_eq!(input_changes((&before, 0), (&after, 1)), []);
+        let changes = input_changes((&before, 0), (&after, 0));
+        assert_eq!(changes.iter().map(|change| change.path.as_str()).collect::<Vec<_>>(), ["name", "load.inertia"]);
+    }
+
+    #[test]
+    fn another_spelling_of_the_same_is_no_change() {
+        let new = OLD.replace("accelerate = \"0.1 s\"", "accelerate = \"100 ms\"");
+        assert_eq!(input_changes((OLD, 0), (&new, 0)), []);
+        let new = OLD.replace("± 10 %", "").replace("5 N m", "6 N m").replace("pause = \"1 s\"\n", "");
+        let told: Vec<_> = input_changes((OLD, 0), (&new, 0)).into_iter().map(|c| (c.path, c.old, c.new)).collect();
+        let some = |text: &str| Some(text.to_owned());
+        assert_eq!(
+            told,
+            [
+                ("load.inertia".to_owned(), some("1.3 kg m^2 ± 10 %"), some("1.3 kg m^2")),
+                ("load.friction_torque".to_owned(), some("5 N m"), some("6 N m")),
+                ("motion[1].pause".to_owned(), some("1 s"), None),
+            ]
+        );
+    }
+}

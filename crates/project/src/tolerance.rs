@@ -1,0 +1,170 @@
+//! Quantities with a tolerance: where they stand, and the project with other values in their place.
+
+use crate::read::Reader;
+use crate::section::Section;
+use crate::{Diagnostic, Fault, Hint};
+use crate::{OwnActuator, Project, build_actuator, finish, prepare, requirements};
+use configurator::Requirements;
+use quantities::Unit;
+use sizing::Axis;
+use std::ops::Range as Span;
+
+/// Most quantities of a file that may carry a tolerance.
+pub(crate) const TOLERANCES_MOST: usize = 64;
+
+/// Up to so many toleranced quantities every corner of their bands is looked at: 2¹⁰ of them.
+pub const ALL_CORNERS_MOST: usize = 10;
+
+/// A quantity of a project that may lie anywhere within nominal ± half-width.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Its key: `load.inertia`, `motion[2].speed`, `mechanism.table.points[1][3]`, `mechanism.turntable.bodies[1].mass`.
+    pub path: String,
+    /// The value as written, in SI.
+    pub nominal: f64,
+    /// Half-width of the band, in SI, greater than zero.
+    pub half_width: f64,
+    /// The unit in which the value is written.
+    pub unit: &'static Unit,
+    /// Place of the half-width in the file, in bytes.
+    pub span: Span<usize>,
+}
+
+impl Tolerance {
+    /// The value at a share of the half-width from nominal, −1 to 1; in SI.
+    #[must_use]
+    pub fn at(&self, share: f64) -> f64 {
+        self.nominal + share * self.half_width
+    }
+}
+
+/// The tolerances of one axis out of those of a file, under the keys that they have within the axis.
+pub(crate) fn of_axis(all: &[Tolerance], index: Option<usize>) -> Vec<Tolerance> {
+    let Some(index) = index else { return all.to_vec() };
+    let prefix = format!("axis[{}].", index + 1);
+    let inside = |each: &Tolerance| {
+        let path = each.path.strip_prefix(&prefix)?.to_owned();
+        Some(Tolerance { path, ..each.clone() })
+    };
+    all.iter().filter_map(inside).collect()
+}
+
+/// The signs of a corner: bit k says whether quantity k is at its upper end.
+#[must_use]
+pub const fn sign(corner: usize, quantity: usize) -> f64 {
+    if corner >> quantity & 1 == 1 { 1.0 } else { -1.0 }
+}
+
+/// Tells the first tolerance within which the project cannot be built: each quantity at its ends with the others
+/// nominal, and then, where these are possible, the corners.
+pub(crate) fn hold(root: &Section, tolerances: &[Tolerance], reader: &mut Reader<'_>) {
+    let mut root = root.clone();
+    let mut fails = |values: &[(&Tolerance, f64)], reader: &Reader<'_>| {
+        for (tolerance, share) in values {
+            let _ = root.set(&tolerance.path, tolerance.at(*share));
+        }
+        let mut trial = reader.trial();
+        let own = values.iter().any(|(tolerance, _)| tolerance.path.starts_with("actuator."));
+        let built = prepare(&root, &mut trial).is_some();
+        if own {
+            build_actuator(&root, &mut trial);
+        }
+        for (tolerance, _) in values {
+            let _ = root.set(&tolerance.path, tolerance.nominal);
+        }
+        let fault = trial.into_faults().into_iter().next();
+        if built && fault.is_none() { None } else { Some(fault) }
+    };
+    let mut sound = true;
+    for tolerance in tolerances {
+        let found = [-1.0, 1.0].iter().find_map(|end| Some((*end, fails(&[(tolerance, *end)], reader)?)));
+        if let Some((end, fault)) = found {
+            sound = false;
+            let (fault, hint) = impossible(&[(tolerance, end)], fault);
+            reader.fault(tolerance.span.clone(), fault, hint);
+        }
+    }
+    if !sound || tolerances.len() < 2 {
+        return;
+    }
+    let all = tolerances.len() <= ALL_CORNERS_MOST;
+    // Of very many corners only the two at which everything is low or high.
+    let corners = if all { 0..1 << tolerances.len() } else { 0..2 };
+    for corner in corners {
+        let end = |index: usize| if all { sign(corner, index) } else { sign(corner, 0) };
+        let values: Vec<(&Tolerance, f64)> =
+            tolerances.iter().enumerate().map(|(index, each)| (each, end(index))).collect();
+        if let Some(fault) = fails(&values, reader) {
+            let (fault, hint) = impossible(&values, fault);
+            let place = tolerances.first().map(|first| first.span.clone()).unwrap_or_default();
+            reader.fault(place, fault, hint);
+            return;
+        }
+    }
+}
+
+/// The fault of values within the tolerances at which there is no such axis.
+fn impossible(values: &[(&Tolerance, f64)], found: Option<Diagnostic>) -> (Fault, Option<Hint>) {
+    let (why, hint) = found.map_or((None, None), |found| (Some(Box::new(found.fault)), found.hint));
+    let named = |(tolerance, end): &(&Tolerance, f64)| (tolerance.path.clone(), tolerance.at(*end), tolerance.unit);
+    (Fault::ImpossibleWithin { values: values.iter().map(named).collect(), why }, hint)
+}
+
+/// A project whose toleranced quantities can be given other values again and again, without reading the file anew.
+#[derive(Clone, Debug)]
+pub struct Varied<'p> {
+    project: &'p Project,
+    root: Section,
+    of_requirements: bool,
+    of_actuator: bool,
+}
+
+/// What other values make of a project; what they do not touch is `None`.
+#[derive(Debug)]
+pub struct Variant {
+    /// Load and motion.
+    pub axis: Axis,
+    /// What the actuator must have.
+    pub requirements: Option<Requirements>,
+    /// The user's own actuator.
+    pub actuator: Option<OwnActuator>,
+}
+
+impl<'p> Varied<'p> {
+    /// `None` for a project without tolerances.
+    #[must_use]
+    pub fn new(project: &'p Project) -> Option<Self> {
+        let touches = |table: &str| project.tolerances.iter().any(|tolerance| tolerance.path.starts_with(table));
+        Some(Self {
+            root: (!project.tolerances.is_empty()).then(|| project.root.clone())?,
+            project,
+            of_requirements: touches("requirements."),
+            of_actuator: touches("actuator."),
+        })
+    }
+
+    /// The project as it is stated.
+    #[must_use]
+    pub const fn project(&self) -> &'p Project {
+        self.project
+    }
+
+    /// The project with one value, in SI, for each tolerance in their order; `None` where it cannot be built.
+    pub fn at(&mut self, values: &[f64]) -> Option<Variant> {
+        for (tolerance, value) in self.project.tolerances.iter().zip(values) {
+            self.root.set(&tolerance.path, *value)?;
+        }
+        // The faults are counted only: no text, no place.
+        let mut reader = Reader::new("");
+        let draft = prepare(&self.root, &mut reader)?;
+        let actuator = self.of_actuator.then(|| build_actuator(&self.root, &mut reader));
+        if reader.fault_count() > 0 {
+            return None;
+        }
+        Some(Variant {
+            axis: finish(&self.root, draft),
+            requirements: self.of_requirements.then(|| requirements(&self.root)),
+            actuator: actuator.flatten(),
+        })
+    }
+}

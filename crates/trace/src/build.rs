@@ -1,0 +1,472 @@
+//! The pass over the motion that makes the trace.
+
+use super::recording::Strip;
+use super::rule::{MOST, rule};
+use super::{BLOCK, Block, Carried, Extent, GROUP, Gram, Group, Kept, Node, Panel, Place, Run, Share, Trace};
+use mechanism::{Endless, Extra, Mechanism, Output};
+use motion::{Motion, Piece, Placed, Runs, lobatto};
+use quantities::{Angle, Measure};
+use std::f64::consts::TAU;
+use std::sync::{Arc, OnceLock};
+
+pub(super) struct Builder<'a> {
+    mechanism: &'a Mechanism,
+    motion: &'a Motion,
+    extras: &'a [Extra],
+    carried: &'a [Carried],
+    /// Strips of a trace of the same recordings.
+    known: &'a [Strip],
+    nodes: Vec<Node>,
+    panels: Vec<Kept>,
+    strips: Vec<Strip>,
+    blocks: Vec<Block>,
+    /// Nodes and panels before these are in a block.
+    blocked: (usize, usize),
+    /// How often what is being added follows upon itself.
+    times: f64,
+    shares: Vec<Share>,
+    inertia: (f64, f64),
+    span: (f64, f64),
+    holding: f64,
+    /// Whether the load has kinks over the position.
+    kinked: bool,
+}
+
+/// Where the load depends on the position a panel covers at most this angle, so that sixteen nodes leave an error near
+/// the last bit: 30° is a twelfth of the period of what gravity and a crank make (docs/theory/moments.md gives the error).
+const PANEL_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
+
+/// Over so many panels of [`PANEL_ANGLE`] one search for roots runs, with 64 steps: more than ten to a half turn.
+const PANELS_PER_SEARCH: f64 = 12.0;
+
+/// A panel covers at most this phase of the harmonic of its law.
+const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
+
+/// Revolutions of one cycle at changing speed under a load that depends on the position: beyond, the cycle is refused.
+pub const REVOLUTIONS_MOST: f64 = 2_000.0;
+
+/// Most panels of one piece, those of so many revolutions.
+const PANELS_MOST: f64 = REVOLUTIONS_MOST * TAU / PANEL_ANGLE;
+
+/// A panel of so many nodes holds signals that are straight over time.
+const STRAIGHT: usize = 4;
+
+/// The nodes of a recording of at most so many intervals are kept: they are looked at many times for every candidate, and
+/// a few megabytes hold them. Those of a longer one would cost more to store and load than to make.
+const KEPT: usize = 1 << 13;
+
+impl<'a> Builder<'a> {
+    pub(super) fn new(
+        mechanism: &'a Mechanism,
+        motion: &'a Motion,
+        extras: &'a [Extra],
+        carried: &'a [Carried],
+    ) -> Self {
+        Self {
+            mechanism,
+            motion,
+            extras,
+            carried,
+            known: &[],
+            nodes: Vec::with_capacity(4 * motion.pieces().len()),
+            panels: Vec::with_capacity(motion.pieces().len()),
+            strips: Vec::new(),
+            blocks: Vec::new(),
+            blocked: (0, 0),
+            times: 1.0,
+            shares: vec![Share::default(); motion.stretches().len()],
+            inertia: (0.0, f64::INFINITY),
+            span: (f64::INFINITY, f64::NEG_INFINITY),
+            holding: 0.0,
+            kinked: !mechanism.kinks().is_empty(),
+        }
+    }
+
+    /// With the strips of a trace of the same recordings.
+    pub(super) fn knowing(self, known: &'a [Strip]) -> Self {
+        Self { known, ..self }
+    }
+
+    pub(super) fn trace(mut self) -> Trace {
+        let none = Extra::none();
+        let mut recordings = self.motion.recordings().iter().peekable();
+        for piece in self.motion.pieces() {
+            while let Some(placed) = recordings.next_if(|placed| placed.start_s < piece.start_s) {
+                self.recording(placed);
+            }
+            let extra = self.extras.get(piece.segment).unwrap_or(&none);
+            self.piece(piece, extra);
+        }
+        for placed in recordings {
+            self.recording(placed);
+        }
+        self.close_block();
+        let mut gram = Gram::default();
+        self.blocks.iter().for_each(|block| gram.join(&block.gram));
+        Trace {
+            groups: groups(&self.blocks),
+            is_changed: false,
+            lags: Arc::default(),
+            runs: runs(&self.blocks),
+            duration: self.blocks.iter().map(|block| block.duration_s).sum(),
+            nodes: self.nodes,
+            panels: self.panels,
+            strips: self.strips,
+            blocks: self.blocks,
+            gram,
+            cubes: OnceLock::new(),
+            shares: self.shares,
+            inertia: self.inertia,
+            span: self.span,
+            holding: self.holding,
+        }
+    }
+
+    /// Makes a block of the nodes since the last one.
+    fn close_block(&mut self) {
+        let (nodes, panels) = self.blocked;
+        if panels == self.panels.len() {
+            return;
+        }
+        self.blocked = (self.nodes.len(), self.panels.len());
+        let mut block = Block::empty(Place::Kept(panels..self.panels.len()));
+        block.times = self.times;
+        block.from_s = self.nodes.get(nodes).map_or(0.0, |node| node.time_s);
+        for kept in self.panels.get(panels..).unwrap_or_default() {
+            let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
+            block.add(&Panel { nodes, duration_s: kept.duration, bow: kept.bow });
+        }
+        self.blocks.push(block);
+    }
+
+    fn recording(&mut self, placed: &Placed) {
+        self.close_block();
+        let none = Extra::none();
+        let extra = self.extras.get(placed.segment).unwrap_or(&none);
+        let strip = Strip::new(placed.clone(), self.mechanism.clone(), *extra, self.known);
+        let mut survey = strip.found(self.strips.len());
+        if let Some(share) = self.shares.get_mut(placed.segment) {
+            let travelled = survey.blocks.iter().map(|block| block.gram.travelled()).sum::<f64>();
+            share.travelled += Angle::from_si(travelled);
+        }
+        let both = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
+        self.inertia = (self.inertia.0.max(survey.inertia.1), self.inertia.1.min(survey.inertia.0));
+        self.span = both(self.span, survey.span);
+        self.holding = self.holding.max(survey.holding);
+        if strip.intervals() <= KEPT {
+            let (nodes, panels) = (&mut self.nodes, &mut self.panels);
+            survey.blocks.iter_mut().for_each(|block| strip.keep(block, nodes, panels));
+            self.blocked = (self.nodes.len(), self.panels.len());
+        } else {
+            self.strips.push(strip);
+        }
+        self.blocks.extend(survey.blocks);
+    }
+
+    fn piece(&mut self, piece: &Piece, extra: &Extra) {
+        if piece.is_rest() {
+            self.rest(piece, extra);
+            return;
+        }
+        if let Some(revolutions) = whole_revolutions(self.mechanism, piece) {
+            self.revolutions(piece, extra, revolutions);
+            return;
+        }
+        self.turning(piece, extra);
+    }
+
+    /// Whole revolutions at constant speed under a load that repeats with each: one of them stands for all, and what is
+    /// left over follows.
+    fn revolutions(&mut self, piece: &Piece, extra: &Extra, times: f64) {
+        self.close_block();
+        // Of the load; the stage between it and the actuator turns the output farther.
+        let angle = TAU * self.mechanism.stage_ratio().abs();
+        let period = angle / piece.speed_rad_s.abs();
+        self.times = times;
+        self.turning(&Piece { duration_s: period, ..*piece }, extra);
+        self.close_block();
+        self.times = 1.0;
+        let left = piece.duration_s - times * period;
+        if left > 1e-12 * piece.duration_s {
+            let position_rad = piece.position_rad + times * angle * piece.speed_rad_s.signum();
+            let start_s = piece.start_s + times * period;
+            self.turning(&Piece { start_s, duration_s: left, position_rad, ..*piece }, extra);
+        } else {
+            self.see(&self.output(piece, piece.duration_s, piece.speed_rad_s.signum()), extra);
+        }
+    }
+
+    fn turning(&mut self, piece: &Piece, extra: &Extra) {
+        let runs = piece.runs();
+        let cuts = self.cuts(piece, extra, &runs);
+        let nodes = self.nodes_per_panel(piece);
+        for pair in cuts.windows(2) {
+            if let [from, to] = pair {
+                self.panel(piece, extra, (*from, *to, runs.direction(0.5 * (from + to))), nodes);
+                // What repeats is one block.
+                if self.times == 1.0 && self.nodes.len() - self.blocked.0 >= BLOCK {
+                    self.close_block();
+                }
+            }
+        }
+    }
+
+    fn rest(&mut self, piece: &Piece, extra: &Extra) {
+        let output = self.output(piece, 0.0, 0.0);
+        let holding = self.mechanism.torque(&output, extra);
+        let carried = self.carried.get(piece.segment).copied().unwrap_or_default();
+        let (until, again) = carried.ends(piece.duration_s);
+        for (from, to, load) in [(0.0, until, holding), (until, again, 0.0), (again, piece.duration_s, holding)] {
+            if to <= from {
+                continue;
+            }
+            let first = self.nodes.len();
+            for at in [from, to] {
+                self.nodes.push(Node {
+                    time_s: piece.start_s + at,
+                    weight_s: 0.5 * (to - from),
+                    acceleration_rad_s2: 0.0,
+                    speed_rad_s: 0.0,
+                    direction: 0.0,
+                    load_nm: load,
+                });
+            }
+            self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow: [0.0; 4] });
+        }
+        self.see(&output, extra);
+    }
+
+    fn output(&self, piece: &Piece, t: f64, direction: f64) -> Output {
+        let state = piece.at(t);
+        Output {
+            position_rad: state.position_rad,
+            speed_rad_s: state.speed_rad_s,
+            acceleration_rad_s2: state.acceleration_rad_s2,
+            direction,
+        }
+    }
+
+    /// Notes extremes at an instant.
+    fn see(&mut self, output: &Output, extra: &Extra) {
+        let inertia = Measure::si(self.mechanism.inertia(output.position_rad, extra));
+        self.inertia = (self.inertia.0.max(inertia), self.inertia.1.min(inertia));
+        self.span = (self.span.0.min(output.position_rad), self.span.1.max(output.position_rad));
+        let holding = Measure::si(self.mechanism.holding_torque(output.position_rad, extra));
+        self.holding = self.holding.max(holding.abs());
+    }
+
+    /// Panel borders: reversals, changes of sign of the torque and kinks of the load, and then as many equal parts as a
+    /// smooth integrand needs.
+    fn cuts(&self, piece: &Piece, extra: &Extra, runs: &Runs) -> Vec<f64> {
+        let mut cuts = vec![0.0];
+        cuts.extend(piece.reversals());
+        let ramp = piece.speed_degree().is_some_and(|degree| degree <= 1);
+        if !ramp {
+            // The extremes of speed and acceleration become nodes.
+            cuts.extend(motion::roots(|t| piece.at(t).acceleration_rad_s2, piece.duration_s));
+            cuts.extend(motion::roots(|t| piece.jerk(t), piece.duration_s));
+        }
+        if !(ramp && self.mechanism.is_constant_over_ramps()) {
+            // So many spans that no two roots fall into one step of the search.
+            let spans = (self.parts(piece) / PANELS_PER_SEARCH).ceil().max(1.0);
+            let span = piece.duration_s / spans;
+            // A root on the border of two spans lies inside neither.
+            let mut border = 1.0;
+            while border < spans {
+                cuts.push(border * span);
+                border += 1.0;
+            }
+            let search = |f: &dyn Fn(f64) -> f64, cuts: &mut Vec<f64>| {
+                let mut k = 0.0;
+                while k < spans {
+                    cuts.extend(motion::roots(|t| f(k * span + t), span).into_iter().map(|t| k * span + t));
+                    k += 1.0;
+                }
+            };
+            search(&|t| self.mechanism.useful_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
+            search(&|t| self.mechanism.torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
+            if self.mechanism.stage.is_some() {
+                search(&|t| self.mechanism.stage_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
+            }
+            for kink in self.mechanism.kinks() {
+                search(&|t| wrapped(piece.at(t).position_rad / self.mechanism.stage_ratio() - kink), &mut cuts);
+            }
+        }
+        cuts.push(piece.duration_s);
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * piece.duration_s);
+        let parts = self.parts(piece);
+        if parts <= 1.0 {
+            return cuts;
+        }
+        let longest = piece.duration_s / parts;
+        let mut fine = vec![0.0];
+        for pair in cuts.windows(2) {
+            if let [from, to] = pair {
+                let count = ((to - from) / longest).ceil().max(1.0);
+                let mut k = 1.0;
+                while k < count {
+                    fine.push(from + (to - from) * k / count);
+                    k += 1.0;
+                }
+                fine.push(*to);
+            }
+        }
+        fine
+    }
+
+    fn parts(&self, piece: &Piece) -> f64 {
+        let [amplitude, frequency, _] = piece.harmonic;
+        let phase = if amplitude == 0.0 { 0.0 } else { frequency * piece.duration_s / PANEL_PHASE };
+        let angle =
+            if self.mechanism.depends_on_position() { turned(self.mechanism, piece) * TAU / PANEL_ANGLE } else { 0.0 };
+        phase.max(angle).min(PANELS_MOST).ceil()
+    }
+
+    /// So many nodes that T², I² and T³ω are integrated exactly where they are polynomials of time.
+    fn nodes_per_panel(&self, piece: &Piece) -> usize {
+        if self.mechanism.depends_on_position() {
+            return 16;
+        }
+        let viscous = !self.mechanism.is_constant_over_ramps();
+        match piece.speed_degree() {
+            // Constant speed: everything is constant.
+            Some(0) => 2,
+            // T constant: T³ω and I² up to degree 2; with viscous friction T³ω has degree 4.
+            Some(1) => {
+                if viscous {
+                    4
+                } else {
+                    3
+                }
+            }
+            // ω² and T³ω: degree 5 without viscous friction, 8 with it.
+            Some(2) => 6,
+            Some(3) => 8,
+            Some(_) => 11,
+            None => 16,
+        }
+    }
+
+    fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to, direction): (f64, f64, f64), nodes: usize) {
+        let mut travelled = 0.0;
+        let (kinked, beside) = (self.kinked, 1e-9 * (to - from));
+        let first = self.nodes.len();
+        for (u, weight) in lobatto(nodes) {
+            // The end is met to the last bit, so that time never runs back into the next panel.
+            let t = if *u == 1.0 { to } else { from + u * (to - from) };
+            // At a kink of the load each panel takes the slope of its own side.
+            let beside = if kinked { (t.max(from + beside)).min(to - beside) } else { t };
+            let output = self.output(piece, beside, direction);
+            self.nodes.push(Node {
+                time_s: piece.start_s + t,
+                weight_s: weight * (to - from) * self.times,
+                acceleration_rad_s2: output.acceleration_rad_s2,
+                speed_rad_s: output.speed_rad_s,
+                direction,
+                load_nm: self.mechanism.torque(&output, extra),
+            });
+            travelled += self.times * weight * (to - from) * output.speed_rad_s * direction;
+            self.see(&output, extra);
+        }
+        let bow = bow(self.nodes.get(first..).unwrap_or_default());
+        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow });
+        if let Some(share) = self.shares.get_mut(piece.segment) {
+            share.travelled += Angle::from_si(travelled);
+        }
+    }
+}
+
+/// How far each signal may leave the straight line between two neighbouring nodes of a panel.
+///
+/// g²/8 Σ |a_j| P_j''(1), P_j''(1) = (j − 1) j (j + 1) (j + 2)/8
+///
+/// # Symbols  g widest gap on −1…1, a_j factors of the Legendre polynomials P_j, whose second derivative is largest at 1
+/// # Source   docs/theory/moments.md
+/// # Valid    with up to four nodes the signals of a law are straight
+fn bow(nodes: &[Node]) -> [f64; 4] {
+    let mut bow = [0.0; 4];
+    if nodes.len() <= STRAIGHT {
+        return bow;
+    }
+    let rule = rule(nodes.len());
+    let shares = rule.nodes();
+    let gap = shares.iter().zip(shares.iter().skip(1)).map(|(a, b)| 2.0 * (b - a)).fold(0.0, f64::max);
+    for (index, bow) in bow.iter_mut().enumerate() {
+        let mut values = [0.0; MOST];
+        let of = |node: &Node| node.signals().get(index).copied().unwrap_or(0.0);
+        values.iter_mut().zip(nodes).for_each(|(value, node)| *value = of(node));
+        let mut j = 0.0;
+        for a in rule.coefficients(&values) {
+            *bow += a.abs() * (j - 1.0) * j * (j + 1.0) * (j + 2.0) / 8.0;
+            j += 1.0;
+        }
+        *bow *= gap * gap / 8.0;
+    }
+    bow
+}
+
+/// How many whole revolutions of the load a piece makes at constant speed, if it repeats with each and there are several.
+fn whole_revolutions(mechanism: &Mechanism, piece: &Piece) -> Option<f64> {
+    let repeats = mechanism.depends_on_position()
+        && mechanism.endless() == Endless::EachRevolution
+        && piece.speed_degree() == Some(0)
+        && piece.speed_rad_s != 0.0;
+    let times = (turned(mechanism, piece) * (1.0 + 1e-14)).floor();
+    (repeats && times >= 2.0).then_some(times)
+}
+
+/// Revolutions of the load in a piece. They are at most those at the largest speed; the ends and the quarters of the piece
+/// bound it closely.
+fn turned(mechanism: &Mechanism, piece: &Piece) -> f64 {
+    let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s).speed_rad_s.abs());
+    speed.into_iter().fold(0.0, f64::max) * piece.duration_s / (TAU * mechanism.stage_ratio().abs())
+}
+
+/// Revolutions that each piece makes where the load must be looked at along all of them, by segment.
+pub fn revolutions(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
+    if !mechanism.depends_on_position() {
+        return Vec::new();
+    }
+    let pieces = motion.pieces().iter();
+    let counted = pieces.filter(|piece| !piece.is_rest() && whole_revolutions(mechanism, piece).is_none());
+    counted.map(|piece| (piece.segment, turned(mechanism, piece))).collect()
+}
+
+/// The blocks as runs of kept panels and whole recordings.
+fn runs(blocks: &[Block]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for block in blocks {
+        match (&block.place, runs.last_mut()) {
+            (Place::Kept(range), _) if block.times > 1.0 => runs.push(Run::Repeated(range.clone(), block.times)),
+            (Place::Kept(range), Some(Run::Kept(run))) => run.end = range.end,
+            (Place::Kept(range), _) => runs.push(Run::Kept(range.clone())),
+            (Place::Recorded { strip, .. }, Some(Run::Recorded(run))) if run == strip => {}
+            (Place::Recorded { strip, .. }, _) => runs.push(Run::Recorded(*strip)),
+        }
+    }
+    runs
+}
+
+/// The blocks in groups, those of recordings by themselves.
+fn groups(blocks: &[Block]) -> Vec<Group> {
+    let mut groups = Vec::with_capacity(blocks.len() / GROUP + 1);
+    let mut from = 0;
+    for alike in blocks.chunk_by(|a, b| a.is_recorded() == b.is_recorded()) {
+        for part in alike.chunks(GROUP) {
+            let mut extent = Extent::NONE;
+            part.iter().for_each(|block| extent.join(&block.extent));
+            let blocks = from..from + part.len();
+            from = blocks.end;
+            let (start, recorded) = part.first().map_or((0.0, false), |block| (block.from_s, block.is_recorded()));
+            groups.push(Group { blocks, extent, from: start, recorded });
+        }
+    }
+    groups
+}
+
+/// An angle brought to ±180°, for kinks that repeat with each revolution; its own jump is no kink.
+fn wrapped(angle: f64) -> f64 {
+    // The sine has the same roots at whole revolutions, and those at half ones cut a panel where nothing happens.
+    (0.5 * angle).sin() * (0.5 * angle).cos()
+}

@@ -1,0 +1,560 @@
+//! First-order lags of quadratic forms over a cycle that repeats for ever.
+
+use super::gains::{Gain, GainTables, Gains, Products, largest, rounded, sum, sum_of_magnitudes, swing};
+use super::recording::Strip;
+use super::rule::{MOST, SHORT, Values, dot, lagged, rule, short};
+use super::{Form, Node, Panel, Run, Trace};
+use std::sync::{Arc, OnceLock};
+
+/// One first-order lag y' = (u − y)/τ of a form, in the steady periodic state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lag {
+    /// τ \[s\], greater than zero.
+    pub tau_s: f64,
+    /// u
+    pub form: Form,
+}
+
+/// A largest value and when in the cycle it is reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// The value.
+    pub value: f64,
+    /// Instant from the start of the cycle \[s\].
+    pub at_s: f64,
+}
+
+/// What lags need of the panels that are kept.
+#[derive(Debug, Default)]
+pub(super) struct LagCache {
+    swings: OnceLock<Vec<Products>>,
+    gains: GainTables,
+}
+
+/// A lag over one panel.
+struct Course {
+    tau_s: f64,
+    /// Duration of the panel over τ.
+    lambda: f64,
+    /// e^(−λ)
+    decay: f64,
+    /// Nodes of the panel.
+    count: usize,
+    /// u at the nodes.
+    input: Values,
+    /// What the panel adds until its end.
+    gain: f64,
+}
+
+impl Course {
+    fn of(lag: &Lag, panel: &Panel<'_>) -> Self {
+        let (lambda, count) = (panel.duration_s / lag.tau_s, panel.nodes.len());
+        let mut input = [0.0; MOST];
+        input.iter_mut().zip(panel.nodes).for_each(|(u, node)| *u = lag.form.at(node));
+        let gain = dot(&rule(count).weights(lambda), &input);
+        Self { tau_s: lag.tau_s, lambda, decay: (-lambda).exp(), count, input, gain }
+    }
+
+    /// y at the end.
+    fn end(&self, start: f64) -> f64 {
+        start * self.decay + self.gain
+    }
+
+    /// y at a share of the panel.
+    fn at(&self, start: f64, s: f64) -> f64 {
+        let (rule, lambda) = (rule(self.count), s * self.lambda);
+        let part = rule.coefficients(&rule.first_part(&self.input, s));
+        start * (-lambda).exp() + lambda * dot(&lagged(lambda, self.count), &part)
+    }
+
+    /// y' at a share of the panel.
+    fn slope(&self, start: f64, s: f64) -> f64 {
+        (dot(&rule(self.count).shares(s), &self.input) - self.at(start, s)) / self.tau_s
+    }
+
+    /// Between these lies y' all through the panel.
+    fn slopes(&self, start: f64) -> (f64, f64) {
+        slopes(self.input.iter().take(self.count).copied(), (start, self.end(start)), self.lambda, self.tau_s)
+    }
+}
+
+/// Between these lies y' of a lag all through a panel, by its input at the nodes and its own ends.
+fn slopes(inputs: impl Iterator<Item = f64>, (start, end): (f64, f64), lambda: f64, tau_s: f64) -> (f64, f64) {
+    let (low, high) = inputs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));
+    let room = 0.125 * (high - low);
+    let (low, high) = (low - room, high + room);
+    // y strays from the straight line by less than λ/4 of what drives it.
+    let stray = 0.25 * lambda * (high - low + (end - start).abs());
+    ((low - start.max(end) - stray) / tau_s, (high - start.min(end) + stray) / tau_s)
+}
+
+/// Whether slopes between these two may fall from above zero to below.
+fn turns(lowest: f64, highest: f64) -> bool {
+    lowest < 0.0 && highest > 0.0
+}
+
+/// Into so many parts a panel is cut to see whether the sum of the lags turns within it.
+const PARTS: u32 = 16;
+
+/// What is not higher by more than this share is not looked for: far below what any reader sees, above what rounding makes.
+const NEGLIGIBLE: f64 = 1e-10;
+
+/// What one period of a stretch that repeats does to a lag.
+struct Period {
+    /// Duration over τ.
+    lambda: f64,
+    gain: f64,
+}
+
+impl Period {
+    fn of(gains: &[Gain], factors: &Products, tau_s: f64, duration: f64) -> Self {
+        let gain = gains.iter().fold(0.0, |state, gain| state * gain.decay + sum(factors, &gain.gain));
+        Self { lambda: duration / tau_s, gain }
+    }
+
+    /// The state that each period brings back.
+    fn steady(&self) -> f64 {
+        self.gain / -(-self.lambda).exp_m1()
+    }
+
+    /// What is left of the state after some periods.
+    fn decay(&self, times: f64) -> f64 {
+        (-times * self.lambda).exp()
+    }
+
+    /// What some periods add: the geometric sum of their gains.
+    fn added(&self, times: f64) -> f64 {
+        self.steady() * -(-times * self.lambda).exp_m1()
+    }
+}
+
+/// One lag through the stretches of a run.
+struct Flow {
+    tau_s: f64,
+    /// e^(−λ) and what is added, of each stretch.
+    stretches: Vec<(f64, f64)>,
+    /// The factors of the products in the signals of each run, and what these gain.
+    factors: Vec<Products>,
+    gains: Vec<Arc<Gains>>,
+    /// y at the start of the cycle.
+    start: f64,
+}
+
+impl Flow {
+    /// e^(−λ) and what is added, of one stretch.
+    fn stretch(&self, index: usize) -> (f64, f64) {
+        self.stretches.get(index).copied().unwrap_or((1.0, 0.0))
+    }
+}
+
+impl Trace {
+    /// Mean of a form over the cycle.
+    #[cfg(test)]
+    pub fn mean(&self, form: &Form) -> f64 {
+        let sum = self.gram.0.iter().flatten().zip(form.0.iter().flatten()).map(|(g, q)| g * q).sum::<f64>();
+        sum / self.duration
+    }
+
+    /// The largest value over the cycle of the sum of some lags, in the steady periodic state, and its first instant.
+    ///
+    /// y_k(0) = (∫_0^T e^(−(T−t)/τ_k) u_k(t)/τ_k dt)/(1 − e^(−T/τ_k)); within a panel u is the polynomial through its nodes,
+    /// which has a lag in closed form
+    ///
+    /// # Source   docs/theory/moments.md
+    pub fn peak_of_lags(&self, lags: &[Lag]) -> Peak {
+        let flows: Vec<Flow> = lags.iter().map(|lag| self.flow(lag)).collect();
+        let count = flows.first().map_or(0, |flow| flow.stretches.len());
+        let mut states: Vec<f64> = flows.iter().map(|flow| flow.start).collect();
+        let mut best = Peak { value: states.iter().sum(), at_s: 0.0 };
+        let mut highest = None;
+        for index in 0..count {
+            for (state, flow) in states.iter_mut().zip(&flows) {
+                if let Some((decay, gain)) = flow.stretches.get(index) {
+                    *state = *state * decay + gain;
+                }
+            }
+            let here = states.iter().sum();
+            if here > best.value {
+                best.value = here;
+                highest = Some(index);
+            }
+        }
+        if let Some(index) = highest {
+            best.at_s = self.end_of_stretch(index);
+        }
+        let starts = flows.iter().map(|flow| flow.start).collect();
+        Search { trace: self, lags, flows: &flows, states: starts, best }.search()
+    }
+
+    /// The lag through all stretches: panels that are kept, blocks of recordings.
+    fn flow(&self, lag: &Lag) -> Flow {
+        let mut stretches = Vec::with_capacity(self.panels.len());
+        let (mut factors, mut gains) = (Vec::with_capacity(self.runs.len()), Vec::with_capacity(self.runs.len()));
+        for run in &self.runs {
+            let (q, found) = match run {
+                Run::Recorded(strip) => {
+                    let Some(strip) = self.strips.get(*strip) else { continue };
+                    let (q, tau_s) = (strip.view().form(&lag.form).factors(), lag.tau_s / strip.view().stretch());
+                    (q, strip.survey().gains.of(tau_s, |tau_s| strip.gains(tau_s)))
+                }
+                Run::Kept(_) | Run::Repeated(..) => {
+                    (lag.form.factors(), self.lags.gains.of(lag.tau_s, |tau_s| self.kept_gains(tau_s)))
+                }
+            };
+            let within = |range: &std::ops::Range<usize>| found.stretches().get(range.clone()).unwrap_or_default();
+            let through = |gain: &Gain| (gain.decay, sum(&q, &gain.gain));
+            match run {
+                Run::Kept(range) => stretches.extend(within(range).iter().map(through)),
+                Run::Repeated(range, times) => {
+                    let period = Period::of(within(range), &q, lag.tau_s, self.duration_of(range));
+                    stretches.push((period.decay(*times), period.added(*times)));
+                }
+                Run::Recorded(_) => stretches.extend(found.stretches().iter().map(through)),
+            }
+            factors.push(q);
+            gains.push(found);
+        }
+        let gathered = stretches.iter().fold(0.0, |state, (decay, gain)| state * decay + gain);
+        Flow { tau_s: lag.tau_s, stretches, factors, gains, start: gathered / -(-self.duration / lag.tau_s).exp_m1() }
+    }
+
+    /// Duration of some kept panels, once \[s\].
+    fn duration_of(&self, range: &std::ops::Range<usize>) -> f64 {
+        self.panels.get(range.clone()).unwrap_or_default().iter().map(|kept| kept.duration).sum()
+    }
+
+    fn kept_gains(&self, tau_s: f64) -> Vec<Gain> {
+        let gain = |kept| {
+            let mut gain = Gain::NONE;
+            gain.pass(&self.panel(kept), tau_s);
+            gain
+        };
+        self.panels.iter().map(gain).collect()
+    }
+
+    fn kept_swings(&self) -> &[Products] {
+        self.lags.swings.get_or_init(|| self.panels.iter().map(|kept| swing(&self.panel(kept))).collect())
+    }
+
+    /// Instant at which a stretch of the lags ends \[s\].
+    fn end_of_stretch(&self, index: usize) -> f64 {
+        let mut before = 0;
+        for run in &self.runs {
+            let within = index - before;
+            match run {
+                Run::Kept(range) => {
+                    if within < range.len() {
+                        return self.panels.get(range.start + within).map_or(0.0, |kept| {
+                            self.nodes.get(kept.nodes.clone()).and_then(<[Node]>::last).map_or(0.0, |node| node.time_s)
+                        });
+                    }
+                    before += range.len();
+                }
+                Run::Repeated(range, times) => {
+                    if within == 0 {
+                        let first = self.panels.get(range.start).and_then(|kept| self.nodes.get(kept.nodes.start));
+                        return first.map_or(0.0, |node| node.time_s) + times * self.duration_of(range);
+                    }
+                    before += 1;
+                }
+                Run::Recorded(strip) => {
+                    let blocks = self.strips.get(*strip).map_or(&[][..], |strip| strip.raw_blocks());
+                    if within < blocks.len() {
+                        let mut last = 0.0;
+                        if let (Some(block), Some(strip)) = (blocks.get(within), self.strips.get(*strip)) {
+                            strip
+                                .panels(block, &mut |panel| last = panel.nodes.last().map_or(last, |node| node.time_s));
+                        }
+                        return last;
+                    }
+                    before += blocks.len();
+                }
+            }
+        }
+        self.duration
+    }
+}
+
+/// The search within the stretches whose bound lies above what is found.
+struct Search<'a> {
+    trace: &'a Trace,
+    lags: &'a [Lag],
+    flows: &'a [Flow],
+    states: Vec<f64>,
+    best: Peak,
+}
+
+impl Search<'_> {
+    fn search(mut self) -> Peak {
+        let mut index = 0;
+        for (number, run) in self.trace.runs.iter().enumerate() {
+            match run {
+                Run::Kept(range) => {
+                    let swings = self.trace.kept_swings().get(range.clone()).unwrap_or_default();
+                    let kept = self.trace.panels.get(range.clone()).unwrap_or_default();
+                    let most = self.rise(number, &largest(swings.iter()), 1.0);
+                    for (kept, swing) in kept.iter().zip(swings) {
+                        let (through, own) = (|flow: &Flow| flow.stretch(index), || self.rise(number, swing, 1.0));
+                        if self.may_rise(&self.states, through, kept.duration, most, own) {
+                            let panel = self.trace.panel(kept);
+                            if self.may_turn(&panel, index) {
+                                let mut states = self.states.clone();
+                                self.inside(&panel, &mut states);
+                            }
+                        }
+                        self.step(index);
+                        index += 1;
+                    }
+                }
+                Run::Repeated(range, times) => {
+                    self.inside_repeated(number, range, *times);
+                    self.step(index);
+                    index += 1;
+                }
+                Run::Recorded(strip) => {
+                    let Some(strip) = self.trace.strips.get(*strip) else { continue };
+                    let stretch = strip.view().stretch();
+                    let most = self.rise(number, strip.largest_swings(), stretch);
+                    for (place, lags) in strip.lag_blocks().iter().enumerate() {
+                        let own = || self.rise(number, &lags.swing, stretch);
+                        let through = |flow: &Flow| flow.stretch(index);
+                        if self.may_rise(&self.states, through, lags.duration * stretch, most, own) {
+                            self.inside_block(number, strip, place);
+                        }
+                        self.step(index);
+                        index += 1;
+                    }
+                }
+            }
+        }
+        self.best
+    }
+
+    fn step(&mut self, index: usize) {
+        for (state, flow) in self.states.iter_mut().zip(self.flows) {
+            let (decay, gain) = flow.stretch(index);
+            *state = *state * decay + gain;
+        }
+    }
+
+    /// Through the parts of a block of a recording.
+    fn inside_block(&mut self, run: usize, strip: &Strip, block: usize) {
+        let stretch = strip.view().stretch();
+        let mut states = self.states.clone();
+        for (place, part) in strip.lag_parts(block).iter().enumerate() {
+            let through = |flow: &Flow| {
+                let make = || strip.part_gains(block, rounded(flow.tau_s / stretch));
+                let (q, gains) = (flow.factors.get(run)?, flow.gains.get(run)?);
+                let gain = gains.parts(block, make).get(place)?;
+                Some((gain.decay, sum(q, &gain.gain)))
+            };
+            let through = |flow: &Flow| through(flow).unwrap_or((1.0, 0.0));
+            let rise = self.rise(run, &part.lag.swing, stretch);
+            if self.may_rise(&states, through, part.lag.duration * stretch, rise, || rise) {
+                let mut look = |panel: Panel<'_>| self.inside_interval(&panel, &mut states);
+                part.intervals.clone().for_each(|index| strip.interval(index, &mut look));
+            } else {
+                for (state, flow) in states.iter_mut().zip(self.flows) {
+                    let (decay, gain) = through(flow);
+                    *state = *state * decay + gain;
+                }
+                let end = states.iter().sum();
+                if end > self.enough() {
+                    let at_s = strip.end_of(part);
+                    self.best = Peak { value: end, at_s };
+                }
+            }
+        }
+    }
+
+    /// Whether the sum of the lags may be higher within a stretch than what is found: its higher end, and what the inputs
+    /// and the lags themselves may swing on the way.
+    fn may_rise(
+        &self,
+        states: &[f64],
+        through: impl Fn(&Flow) -> (f64, f64),
+        duration: f64,
+        most: f64,
+        own: impl FnOnce() -> f64,
+    ) -> bool {
+        let (mut start, mut end, mut moved, mut ends, mut quickest) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        for (state, flow) in states.iter().zip(self.flows) {
+            let (decay, gain) = through(flow);
+            let (next, lambda) = (state * decay + gain, duration / flow.tau_s);
+            start += state;
+            end += next;
+            // From the straight line between its ends a lag of the mean strays by so much at most, and it never leaves them.
+            moved += 0.25 * lambda * (next - state).abs();
+            ends += next.max(*state);
+            quickest = f64::max(quickest, lambda);
+        }
+        let left = self.enough() - f64::min(f64::max(start, end) + moved, ends);
+        let swung = |rise: f64| rise * (1.0 + 2.0 * quickest) > left;
+        // First with the largest swings of the run, which are known.
+        swung(most) && swung(own())
+    }
+
+    /// Whether the slope of the sum of the lags may change from rising to falling within a kept panel so that it is higher
+    /// there than what is found; its ends are known.
+    fn may_turn(&self, panel: &Panel<'_>, index: usize) -> bool {
+        let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
+        for ((state, flow), lag) in self.states.iter().zip(self.flows).zip(self.lags) {
+            let (decay, gain) = flow.stretch(index);
+            let next = state * decay + gain;
+            let inputs = panel.nodes.iter().map(|node| lag.form.at(node));
+            let (low, high) = slopes(inputs, (*state, next), panel.duration_s / lag.tau_s, lag.tau_s);
+            lowest += low;
+            highest += high;
+            start += state;
+            end += next;
+        }
+        turns(lowest, highest) && f64::max(start, end) + 0.25 * panel.duration_s * (highest - lowest) > self.enough()
+    }
+
+    /// How far the sum of the lags may rise by the swings of what drives them.
+    fn rise(&self, run: usize, swings: &Products, stretch: f64) -> f64 {
+        let of = |flow: &Flow| {
+            flow.factors.get(run).map_or(f64::INFINITY, |q| sum_of_magnitudes(q, swings) * stretch / flow.tau_s)
+        };
+        self.flows.iter().map(of).sum()
+    }
+
+    /// Through an interval of a recording, short against every time constant; only where the sum of the lags turns within
+    /// it, and may be higher there, it is looked at like any panel.
+    fn inside_interval(&mut self, panel: &Panel<'_>, states: &mut [f64]) {
+        let ([a, b, c], false) = (panel.nodes, self.is_long(panel)) else {
+            self.inside(panel, states);
+            return;
+        };
+        let (mut before, mut after, mut slopes) = (0.0, 0.0, [0.0; 3]);
+        let mut ends = [0.0; LAGS];
+        for ((state, lag), end) in states.iter().zip(self.lags).zip(&mut ends) {
+            let u = [a, b, c].map(|node| lag.form.at(node));
+            let (decay, weights) = short(panel.duration_s / lag.tau_s);
+            *end = state * decay + weights.iter().zip(u).map(|(w, u)| w * u).sum::<f64>();
+            before += state;
+            after += *end;
+            let y = [*state, 0.5 * (state + *end), *end];
+            for (slope, (u, y)) in slopes.iter_mut().zip(u.into_iter().zip(y)) {
+                *slope += (u - y) / lag.tau_s;
+            }
+        }
+        let [first, middle, last] = slopes;
+        let turns = (first > 0.0 && middle.min(last) < 0.0) || (middle > 0.0 && last < 0.0);
+        let steep = slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
+        if turns && before.max(after) + 0.75 * panel.duration_s * steep > self.enough() {
+            self.inside(panel, states);
+            return;
+        }
+        states.iter_mut().zip(ends).for_each(|(state, end)| *state = end);
+        if after > self.enough() {
+            self.best = Peak { value: after, at_s: c.time_s };
+        }
+    }
+
+    fn is_long(&self, panel: &Panel<'_>) -> bool {
+        self.lags.len() > LAGS || self.lags.iter().any(|lag| panel.duration_s > SHORT * lag.tau_s)
+    }
+
+    /// Through the periods in which the sum of the lags may be largest. From one period to the next each lag comes nearer to
+    /// the state that repeats itself, y = y_∞ + (y_0 − y_∞) e^(−jT/τ): the sum of two has its largest value in the first or the
+    /// last period or about the one where its derivative to j is zero.
+    fn inside_repeated(&mut self, run: usize, range: &std::ops::Range<usize>, times: f64) {
+        let trace = self.trace;
+        let once = trace.duration_of(range);
+        let mut periods = Vec::with_capacity(self.lags.len());
+        for (flow, lag) in self.flows.iter().zip(self.lags) {
+            let (Some(factors), Some(gains)) = (flow.factors.get(run), flow.gains.get(run)) else { return };
+            let gains = gains.stretches().get(range.clone()).unwrap_or_default();
+            periods.push(Period::of(gains, factors, lag.tau_s, once));
+        }
+        let last = times - 1.0;
+        let mut looked = vec![0.0, 1.0, last];
+        let away: Vec<(f64, f64)> =
+            periods.iter().zip(&self.states).map(|(period, state)| (state - period.steady(), period.lambda)).collect();
+        if let [(a, quick), (b, slow)] = away.as_slice() {
+            let turn = (-(a * quick) / (b * slow)).ln() / (quick - slow);
+            if turn.is_finite() {
+                looked.extend([-1.0, 0.0, 1.0].map(|beside| turn.floor() + beside));
+            }
+        }
+        looked.retain(|j| (0.0..=last).contains(j));
+        looked.sort_by(f64::total_cmp);
+        looked.dedup();
+        for j in looked {
+            let states = periods.iter().zip(&self.states);
+            let mut states: Vec<f64> =
+                states.map(|(period, state)| state * period.decay(j) + period.added(j)).collect();
+            let before = self.best;
+            for kept in trace.panels.get(range.clone()).unwrap_or_default() {
+                self.inside(&trace.panel(kept), &mut states);
+            }
+            if self.best != before {
+                self.best.at_s += j * once;
+            }
+        }
+    }
+
+    /// What a value must exceed to count.
+    fn enough(&self) -> f64 {
+        self.best.value + NEGLIGIBLE * self.best.value.abs()
+    }
+
+    /// Through a panel from its start: the states become those at its end.
+    fn inside(&mut self, panel: &Panel<'_>, states: &mut [f64]) {
+        let courses: Vec<Course> = self.lags.iter().map(|lag| Course::of(lag, panel)).collect();
+        let start = panel.nodes.first().map_or(0.0, |node| node.time_s);
+        if let Some((s, value)) = turn(&courses, states, panel.duration_s, self.enough()) {
+            self.best = Peak { value, at_s: start + s * panel.duration_s };
+        }
+        for (state, course) in states.iter_mut().zip(&courses) {
+            *state = course.end(*state);
+        }
+        let value = states.iter().sum();
+        if value > self.enough() {
+            self.best = Peak { value, at_s: start + panel.duration_s };
+        }
+    }
+}
+
+/// Most lags in one sum; further ones are looked at like any panel.
+const LAGS: usize = 4;
+
+/// Where within a panel the sum of lags turns from rising to falling, with the highest value, if that exceeds the least.
+fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64) -> Option<(f64, f64)> {
+    let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
+    for (course, state) in courses.iter().zip(states) {
+        let (low, high) = course.slopes(*state);
+        lowest += low;
+        highest += high;
+        start += state;
+        end += course.end(*state);
+    }
+    // A slope between these two takes the sum no further above its ends than that.
+    if !turns(lowest, highest) || f64::max(start, end) + 0.25 * duration * (highest - lowest) <= least {
+        return None;
+    }
+    let sum = |of: &dyn Fn(&Course, f64) -> f64| courses.iter().zip(states).map(|(c, y)| of(c, *y)).sum::<f64>();
+    let slope = |s: f64| sum(&|course, start| course.slope(start, s));
+    let mut last = (0.0, slope(0.0));
+    let mut best = None;
+    let mut most = least;
+    for part in 1..=PARTS {
+        let s = f64::from(part) / f64::from(PARTS);
+        let here = (s, slope(s));
+        if last.1 > 0.0 && here.1 < 0.0 {
+            let (mut low, mut high) = (last.0, s);
+            for _ in 0..50 {
+                let middle = 0.5 * (low + high);
+                if slope(middle) > 0.0 { low = middle } else { high = middle }
+            }
+            let value = sum(&|course, start| course.at(start, low));
+            if value > most {
+                most = value;
+                best = Some((low, value));
+            }
+        }
+        last = here;
+    }
+    best
+}

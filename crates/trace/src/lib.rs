@@ -1,0 +1,487 @@
+//! A cycle as weighted instants: a motion under its load in blocks with their sums of products and bounds.
+//!
+//! [`Trace::of`] passes a motion once. Whatever is a form of the four signals (α, T_L, σ, ω), such as torque, current, loss or
+//! voltage, is then integrated, searched for its largest value or sent through a first-order lag without another pass. Of what
+//! drives the motion nothing is known here, only how long it carries the load at rest ([`Carried`]).
+
+mod build;
+mod carried;
+mod cubes;
+mod form;
+mod gains;
+mod lags;
+mod recording;
+mod rule;
+mod search;
+
+pub use build::{REVOLUTIONS_MOST, revolutions};
+pub use carried::Carried;
+pub use form::Form;
+pub use lags::{Lag, Peak};
+pub use recording::{Cell, Inside, Strip};
+pub use search::{Any, Convex, Sought, TorqueWith};
+
+use lags::LagCache;
+use mechanism::{Extra, Mechanism};
+use motion::Motion;
+use quantities::{Angle, Measure, MomentOfInertia, Torque};
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
+
+/// One instant with its share of the cycle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Node {
+    /// Instant from the start of the cycle \[s\].
+    pub time_s: f64,
+    /// Weight of the quadrature \[s\]; the weights sum to the duration.
+    pub weight_s: f64,
+    /// α [rad/s²]
+    pub acceleration_rad_s2: f64,
+    /// ω [rad/s]
+    pub speed_rad_s: f64,
+    /// σ: +1, −1, 0 at rest.
+    pub direction: f64,
+    /// Torque that the load asks of the actuator, without the actuator's own inertia \[Nm\]; zero where the brake holds.
+    pub load_nm: f64,
+}
+
+impl Node {
+    /// x = (α, T_L, σ, ω)
+    #[inline]
+    pub const fn signals(&self) -> [f64; 4] {
+        [self.acceleration_rad_s2, self.load_nm, self.direction, self.speed_rad_s]
+    }
+
+    /// The instant at a share of the way to the next one, everything taken as straight in between.
+    #[inline]
+    pub fn towards(&self, next: &Self, share: f64) -> Self {
+        let between = |a: f64, b: f64| a + share * (b - a);
+        Self {
+            time_s: between(self.time_s, next.time_s),
+            weight_s: 0.0,
+            acceleration_rad_s2: between(self.acceleration_rad_s2, next.acceleration_rad_s2),
+            speed_rad_s: between(self.speed_rad_s, next.speed_rad_s),
+            direction: self.direction,
+            load_nm: between(self.load_nm, next.load_nm),
+        }
+    }
+}
+
+/// Bounds of some nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// α [rad/s²]
+    pub acceleration_rad_s2: (f64, f64),
+    /// T_L \[Nm\]
+    pub load_nm: (f64, f64),
+    /// σ
+    pub direction: (f64, f64),
+    /// ω [rad/s]
+    pub speeds_rad_s: (f64, f64),
+    /// Largest |ω| [rad/s].
+    pub speed_rad_s: f64,
+}
+
+impl Extent {
+    const NONE: Self = Self {
+        acceleration_rad_s2: (f64::INFINITY, f64::NEG_INFINITY),
+        load_nm: (f64::INFINITY, f64::NEG_INFINITY),
+        direction: (f64::INFINITY, f64::NEG_INFINITY),
+        speeds_rad_s: (f64::INFINITY, f64::NEG_INFINITY),
+        speed_rad_s: 0.0,
+    };
+
+    #[inline]
+    fn widen(&mut self, node: &Node) {
+        let wider = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
+        self.acceleration_rad_s2 = wider(self.acceleration_rad_s2, node.acceleration_rad_s2);
+        self.load_nm = wider(self.load_nm, node.load_nm);
+        self.direction = wider(self.direction, node.direction);
+        self.speeds_rad_s = wider(self.speeds_rad_s, node.speed_rad_s);
+        self.speed_rad_s = self.speed_rad_s.max(node.speed_rad_s.abs());
+    }
+
+    /// Of what lies between two neighbouring nodes of a panel.
+    #[inline]
+    fn between(a: &Node, b: &Node, bow: &[f64; 4]) -> Self {
+        let mut extent = Self::NONE;
+        extent.widen(a);
+        extent.widen(b);
+        extent.bend(bow);
+        extent
+    }
+
+    /// Wider by how far the signals bend beyond their nodes.
+    #[inline]
+    fn bend(&mut self, [acceleration, load, _, speed]: &[f64; 4]) {
+        for ((low, high), bow) in
+            [(&mut self.acceleration_rad_s2, acceleration), (&mut self.load_nm, load), (&mut self.speeds_rad_s, speed)]
+                .map(|((low, high), bow)| ((low, high), bow))
+        {
+            *low -= bow;
+            *high += bow;
+        }
+        self.speed_rad_s += speed;
+    }
+
+    #[inline]
+    fn join(&mut self, other: &Self) {
+        let both = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
+        self.acceleration_rad_s2 = both(self.acceleration_rad_s2, other.acceleration_rad_s2);
+        self.load_nm = both(self.load_nm, other.load_nm);
+        self.direction = both(self.direction, other.direction);
+        self.speeds_rad_s = both(self.speeds_rad_s, other.speeds_rad_s);
+        self.speed_rad_s = self.speed_rad_s.max(other.speed_rad_s);
+    }
+
+    /// All c·x lie between these.
+    #[inline]
+    pub fn range(&self, c: [f64; 4]) -> (f64, f64) {
+        let ranges = [self.acceleration_rad_s2, self.load_nm, self.direction, self.speeds_rad_s];
+        c.into_iter().zip(ranges).fold((0.0, 0.0), |(low, high), (c, (from, to))| {
+            (low + (c * from).min(c * to), high + (c * from).max(c * to))
+        })
+    }
+
+    /// No |J α + T_L| of the nodes is above this.
+    #[inline]
+    pub fn torque(&self, inertia: f64) -> f64 {
+        let (low, high) = self.torques(inertia);
+        high.max(-low)
+    }
+
+    /// All J α + T_L of the nodes lie between these.
+    #[inline]
+    fn torques(&self, inertia: f64) -> (f64, f64) {
+        // A joint that takes T_L − J α asks with a negative inertia.
+        let (a, b) = (inertia * self.acceleration_rad_s2.0, inertia * self.acceleration_rad_s2.1);
+        (a.min(b) + self.load_nm.0, a.max(b) + self.load_nm.1)
+    }
+
+    /// Whether (J α + T_L) σ has one sign over all nodes: +1 if nowhere negative, −1 if nowhere positive.
+    #[inline]
+    pub fn power_sign(&self, inertia: f64) -> Option<f64> {
+        let ((low, high), (back, forth)) = (self.torques(inertia), self.direction);
+        if (low >= 0.0 && back >= 0.0) || (high <= 0.0 && forth <= 0.0) {
+            Some(1.0)
+        } else if (low >= 0.0 && forth <= 0.0) || (high <= 0.0 && back >= 0.0) {
+            Some(-1.0)
+        } else {
+            None
+        }
+    }
+}
+
+/// The load in the direction of the motion: sums of products of (α, T_L, σ, ω) over a time.
+///
+/// G_ij = ∫ x_i x_j dt with x = (α, T_L, σ, ω). Any signal that is a weighted sum s = Σ c_i x_i, such as torque and
+/// current, has ∫s² dt = cᵀ G c: one pass over the motion, then ten products per candidate.
+///
+/// # Source   own derivation, docs/theory/moments.md
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Gram([[f64; 4]; 4]);
+
+impl Gram {
+    fn add(&mut self, node: &Node) {
+        let x = node.signals();
+        for (row, a) in self.0.iter_mut().zip(x) {
+            let scaled = a * node.weight_s;
+            for (sum, b) in row.iter_mut().zip(x) {
+                *sum += scaled * b;
+            }
+        }
+    }
+
+    #[inline]
+    fn join(&mut self, other: &Self) {
+        for (row, others) in self.0.iter_mut().zip(&other.0) {
+            for (sum, other) in row.iter_mut().zip(others) {
+                *sum += other;
+            }
+        }
+    }
+
+    /// cᵀ G c
+    #[inline]
+    pub fn square(&self, c: [f64; 4]) -> f64 {
+        // Rounding may leave a tiny negative sum where the signal vanishes.
+        self.product(c, c).max(0.0)
+    }
+
+    /// aᵀ G b
+    #[inline]
+    pub fn product(&self, a: [f64; 4], b: [f64; 4]) -> f64 {
+        self.0.iter().zip(a).map(|(row, a)| a * row.iter().zip(b).map(|(g, b)| g * b).sum::<f64>()).sum()
+    }
+
+    /// ∫σ² dt: time in motion.
+    #[inline]
+    pub const fn moving(&self) -> f64 {
+        self.0[2][2]
+    }
+
+    /// ∫σ ω dt = ∫|ω| dt: angle travelled.
+    #[inline]
+    pub const fn travelled(&self) -> f64 {
+        self.0[2][3]
+    }
+}
+
+/// What one segment contributes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Share {
+    /// ∫|ω| dt
+    pub travelled: Angle,
+}
+
+/// A smooth part of the cycle: between its nodes every signal is the polynomial through them.
+#[derive(Clone, Copy, Debug)]
+pub struct Panel<'a> {
+    /// The nodes of a Gauss-Lobatto rule, two to sixteen.
+    pub nodes: &'a [Node],
+    /// Duration \[s\].
+    pub duration_s: f64,
+    /// Between two neighbouring nodes no signal leaves the straight line by more than this.
+    pub bow: [f64; 4],
+}
+
+impl Panel<'_> {
+    /// The instant at a share of the panel.
+    #[inline]
+    pub fn at(&self, share: f64) -> Node {
+        rule::between(self.nodes, share)
+    }
+
+    /// Whether every signal is straight.
+    #[inline]
+    pub fn is_straight(&self) -> bool {
+        self.bow == [0.0; 4]
+    }
+}
+
+/// A panel whose nodes are kept.
+#[derive(Clone, Debug, PartialEq)]
+struct Kept {
+    nodes: Range<usize>,
+    duration: f64,
+    bow: [f64; 4],
+}
+
+/// Where the panels of a block are.
+#[derive(Clone, Debug, PartialEq)]
+enum Place {
+    /// Kept, between two indices.
+    Kept(Range<usize>),
+    /// Made from the intervals of a recording whenever they are looked at.
+    Recorded { strip: usize, intervals: Range<usize> },
+}
+
+/// Panels or blocks in the order of time.
+#[derive(Clone, Debug, PartialEq)]
+enum Run {
+    /// Kept panels between two indices.
+    Kept(Range<usize>),
+    /// Kept panels that follow upon each other several times: the revolutions at constant speed.
+    Repeated(Range<usize>, f64),
+    /// All blocks of a strip.
+    Recorded(usize),
+}
+
+/// Neighbouring nodes with their bounds and sums.
+#[derive(Clone, Debug)]
+pub struct Block {
+    place: Place,
+    /// Instant at which it begins \[s\].
+    pub from_s: f64,
+    /// Duration of all of them \[s\].
+    pub duration_s: f64,
+    /// How often its panels follow upon each other; their nodes bear the weight of all.
+    pub times: f64,
+    /// Bounds of its nodes and of what lies between them.
+    pub extent: Extent,
+    /// Sums of the products of the signals.
+    pub gram: Gram,
+}
+
+impl Block {
+    const fn empty(place: Place) -> Self {
+        Self { place, from_s: 0.0, duration_s: 0.0, times: 1.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
+    }
+
+    /// Whether its nodes are made from a recording whenever they are looked at.
+    #[inline]
+    pub const fn is_recorded(&self) -> bool {
+        matches!(self.place, Place::Recorded { .. })
+    }
+
+    #[inline]
+    fn join(&mut self, other: &Self) {
+        self.duration_s += other.duration_s;
+        self.extent.join(&other.extent);
+        self.gram.join(&other.gram);
+    }
+
+    fn add(&mut self, panel: &Panel<'_>) {
+        self.duration_s += self.times * panel.duration_s;
+        let mut extent = Extent::NONE;
+        for node in panel.nodes {
+            extent.widen(node);
+            self.gram.add(node);
+        }
+        extent.bend(&panel.bow);
+        self.extent.join(&extent);
+    }
+}
+
+/// A block holds about so many nodes.
+const BLOCK: usize = 128;
+
+/// So many blocks share one extent.
+const GROUP: usize = 64;
+
+/// Neighbouring blocks with what bounds them all.
+#[derive(Clone, Debug)]
+struct Group {
+    blocks: Range<usize>,
+    extent: Extent,
+    /// Instant at which it begins \[s\].
+    from: f64,
+    /// Whether its blocks are those of a recording.
+    recorded: bool,
+}
+
+/// The motion under its load.
+#[derive(Clone, Debug)]
+pub struct Trace {
+    nodes: Vec<Node>,
+    panels: Vec<Kept>,
+    strips: Vec<Strip>,
+    blocks: Vec<Block>,
+    groups: Vec<Group>,
+    /// Whether it is made from another one of the same recordings, whose cells serve it.
+    is_changed: bool,
+    runs: Vec<Run>,
+    lags: Arc<LagCache>,
+    /// Sum of the weights \[s\].
+    duration: f64,
+    gram: Gram,
+    cubes: OnceLock<f64>,
+    shares: Vec<Share>,
+    /// Largest and smallest J_L on the way.
+    inertia: (f64, f64),
+    /// Lowest and highest position.
+    span: (f64, f64),
+    holding: f64,
+}
+
+impl Trace {
+    /// One pass over a motion under its load: what each segment adds to the load, and how it is carried in those at rest. A
+    /// segment without an entry has nothing added, and its load is carried throughout.
+    #[must_use]
+    pub fn of(mechanism: &Mechanism, motion: &Motion, extras: &[Extra], carried: &[Carried]) -> Self {
+        build::Builder::new(mechanism, motion, extras, carried).trace()
+    }
+
+    /// The same for another load or another pace of the same recordings, which need not be passed again where the load
+    /// is a sum of four parts with constant factors.
+    #[must_use]
+    pub fn changed(&self, mechanism: &Mechanism, motion: &Motion, extras: &[Extra], carried: &[Carried]) -> Self {
+        let builder = build::Builder::new(mechanism, motion, extras, carried);
+        Self { is_changed: true, ..builder.knowing(&self.strips).trace() }
+    }
+
+    /// Sums of the products of the signals over the whole cycle.
+    #[must_use]
+    #[inline]
+    pub const fn gram(&self) -> &Gram {
+        &self.gram
+    }
+
+    /// What each segment contributes.
+    #[must_use]
+    pub fn shares(&self) -> &[Share] {
+        &self.shares
+    }
+
+    /// Largest and smallest J_L on the way.
+    #[must_use]
+    pub fn inertia(&self) -> (MomentOfInertia, MomentOfInertia) {
+        (MomentOfInertia::from_si(self.inertia.0), MomentOfInertia::from_si(self.inertia.1))
+    }
+
+    /// Lowest and highest position.
+    #[must_use]
+    pub fn span(&self) -> (Angle, Angle) {
+        (Angle::from_si(self.span.0), Angle::from_si(self.span.1))
+    }
+
+    /// Largest magnitude of the torque that holds the load without friction at any instant, whoever holds it.
+    #[must_use]
+    pub fn holding(&self) -> Torque {
+        Torque::from_si(self.holding)
+    }
+
+    /// The panels of a block in the order of time.
+    pub fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
+        match &block.place {
+            Place::Kept(range) => {
+                self.panels.get(range.clone()).unwrap_or_default().iter().for_each(|kept| look(self.panel(kept)));
+            }
+            Place::Recorded { strip, intervals } => {
+                if let Some(strip) = self.strips.get(*strip) {
+                    intervals.clone().for_each(|index| strip.interval(index, look));
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn panel(&self, kept: &Kept) -> Panel<'_> {
+        let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
+        Panel { nodes, duration_s: kept.duration, bow: kept.bow }
+    }
+
+    /// The nodes of a block in the order of time.
+    #[cfg(test)]
+    fn within(&self, block: &Block, look: &mut impl FnMut(&Node)) {
+        self.panels(block, &mut |panel| panel.nodes.iter().for_each(&mut *look));
+    }
+
+    /// The blocks in the order of time.
+    #[must_use]
+    #[inline]
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// The recordings whose nodes are not kept.
+    #[inline]
+    pub fn strips(&self) -> &[Strip] {
+        &self.strips
+    }
+
+    /// Whether so few nodes make the cycle that each may be looked at for every candidate.
+    #[inline]
+    pub fn is_short(&self) -> bool {
+        self.strips.is_empty() && self.nodes.len() <= 2 * BLOCK
+    }
+
+    #[cfg(test)]
+    fn nodes(&self) -> Vec<Node> {
+        let mut nodes = Vec::new();
+        self.blocks.iter().for_each(|block| self.within(block, &mut |node| nodes.push(*node)));
+        nodes
+    }
+}
+
+#[cfg(test)]
+#[path = "trace_tests.rs"]
+mod tests;
+
+#[cfg(test)]
+#[path = "lag_tests.rs"]
+mod lag_tests;
+
+#[cfg(test)]
+#[path = "cells_tests.rs"]
+mod cells_tests;

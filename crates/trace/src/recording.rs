@@ -1,0 +1,390 @@
+//! A recording under its load: bounds and sums of its blocks in one pass; the nodes of a long one are made when they are
+//! looked at.
+
+mod bent;
+mod cells;
+mod lagging;
+mod straight;
+mod view;
+
+use view::View;
+
+pub use cells::{Cell, Inside};
+
+use super::cubes::Moments;
+use super::gains::{GainTables, LagBlock, Products};
+use super::{Block, Extent, Kept, Node, Panel, Place};
+use cells::Cells;
+use lagging::LagPart;
+use mechanism::{Extra, Mechanism, Plain};
+use motion::{Interval, Placed};
+use quantities::Measure;
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
+
+/// From so many intervals two threads share the pass; the sums are those of one thread to the last bit.
+const SHARED_FROM: usize = 1 << 16;
+
+/// A block holds at most so many intervals of a recording.
+pub(super) const INTERVALS: usize = 256;
+
+/// And lasts about so long at most \[s\], unless that were less than [`INTERVALS_LEAST`]: short enough that the models of
+/// heat may take it as a whole.
+const BLOCK_S: f64 = 0.5;
+
+/// So many intervals a block holds at least.
+const INTERVALS_LEAST: usize = 16;
+
+/// A recording with what it moves.
+#[derive(Clone, Debug)]
+pub struct Strip {
+    placed: Placed,
+    /// What the survey looks at: of a plain mechanism the recording by itself.
+    surveyed: Placed,
+    mechanism: Mechanism,
+    extra: Extra,
+    plain: Option<Plain>,
+    /// Positions at which the load has a corner.
+    kinks: Vec<f64>,
+    view: View,
+    survey: Arc<Survey>,
+}
+
+/// What one pass over a recording finds, in the signals before the view.
+#[derive(Debug)]
+pub(super) struct Survey {
+    blocks: Vec<Block>,
+    /// Smallest and largest J_L \[kgm²\] and holding torque \[Nm\] over the positions; of a plain mechanism not needed.
+    by_position: Option<((f64, f64), f64)>,
+    /// Lowest and highest recorded position \[rad\].
+    span: (f64, f64),
+    lags: OnceLock<Vec<LagBlock>>,
+    largest_swings: OnceLock<Products>,
+    lag_parts: Vec<OnceLock<Vec<LagPart>>>,
+    cubes: OnceLock<Vec<Moments>>,
+    cells: OnceLock<Cells>,
+    pub(super) gains: GainTables,
+}
+
+/// What a recording contributes to a trace.
+pub(super) struct Found {
+    pub(super) blocks: Vec<Block>,
+    /// Smallest and largest J_L \[kgm²\].
+    pub(super) inertia: (f64, f64),
+    /// Lowest and highest position \[rad\].
+    pub(super) span: (f64, f64),
+    /// Largest magnitude of the holding torque \[Nm\].
+    pub(super) holding: f64,
+}
+
+/// A part of an interval in which the direction does not change, from one share of it to another.
+type Part = (f64, f64, f64);
+
+impl Strip {
+    /// A recording under a load; the survey of one of the known strips serves if only the view differs.
+    pub(super) fn new(placed: Placed, mechanism: Mechanism, extra: Extra, known: &[Self]) -> Self {
+        let plain = mechanism.plain(&extra);
+        let view = match &plain {
+            Some(plain) => View {
+                inertia: plain.inertia_kgm2,
+                coulomb: plain.coulomb_nm,
+                viscous: plain.viscous_nms,
+                stretch: placed.stretch,
+                start: placed.start_s,
+            },
+            None => View { inertia: 0.0, coulomb: 0.0, viscous: 0.0, stretch: 1.0, start: 0.0 },
+        };
+        let same = |other: &&Self| {
+            let constant = |plain: &Option<Plain>| plain.map(|plain| plain.constant_nm);
+            plain.is_some()
+                && constant(&other.plain) == constant(&plain)
+                && Arc::ptr_eq(&other.placed.recorded, &placed.recorded)
+        };
+        let known = known.iter().find(same).map(|other| Arc::clone(&other.survey));
+        let surveyed = match &plain {
+            Some(_) => Placed { start_s: 0.0, offset_rad: 0.0, stretch: 1.0, ..placed.clone() },
+            None => placed.clone(),
+        };
+        let kinks = mechanism.kinks();
+        let mut strip =
+            Self { placed, surveyed, mechanism, extra, plain, kinks, view, survey: Arc::new(Survey::empty()) };
+        strip.survey = known.unwrap_or_else(|| Arc::new(strip.look()));
+        strip
+    }
+
+    /// The panels of an interval, one for each direction: both ends and the middle with the weights of Simpson's rule. Where
+    /// the load depends on the position or has losses there are more, see [`Self::bent_interval`].
+    pub(super) fn interval(&self, index: usize, look: &mut impl FnMut(Panel<'_>)) {
+        if self.plain.is_none() {
+            self.raw_interval(index, look);
+            return;
+        }
+        self.raw_interval(index, &mut |panel| {
+            if let [a, b, c] = panel.nodes {
+                let nodes = [a, b, c].map(|node| self.view.node(node));
+                look(Panel { nodes: &nodes, duration_s: panel.duration_s * self.view.stretch, bow: panel.bow });
+            }
+        });
+    }
+
+    /// The same in the signals of the survey: of a plain mechanism those of the recording by itself.
+    fn raw_interval(&self, index: usize, look: &mut impl FnMut(Panel<'_>)) {
+        let Some(interval) = self.surveyed.interval(index) else { return };
+        let Some(plain) = &self.plain else {
+            self.bent_interval(&interval, look);
+            return;
+        };
+        let acceleration = interval.acceleration_rad_s2();
+        for (from, to, direction) in parts(&interval) {
+            let duration = (to - from) * interval.duration_s;
+            let nodes = [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)].map(|(share, weight)| {
+                let u = if share == 1.0 { to } else { from + share * (to - from) };
+                let (_, speed, torque) = interval.at(u);
+                Node {
+                    time_s: interval.start_s + u * interval.duration_s,
+                    weight_s: weight * duration,
+                    acceleration_rad_s2: acceleration,
+                    speed_rad_s: speed,
+                    direction,
+                    load_nm: torque + plain.constant_nm,
+                }
+            });
+            look(Panel { nodes: &nodes, duration_s: duration, bow: [0.0; 4] });
+        }
+    }
+
+    pub(super) fn intervals(&self) -> usize {
+        self.placed.intervals()
+    }
+
+    /// Makes the panels of a block once and for all.
+    pub(super) fn keep(&self, block: &mut Block, nodes: &mut Vec<Node>, panels: &mut Vec<Kept>) {
+        if let Place::Recorded { intervals, .. } = &block.place {
+            let from = panels.len();
+            for index in intervals.clone() {
+                self.interval(index, &mut |panel| {
+                    let first = nodes.len();
+                    nodes.extend_from_slice(panel.nodes);
+                    panels.push(Kept { nodes: first..nodes.len(), duration: panel.duration_s, bow: panel.bow });
+                });
+            }
+            block.place = Place::Kept(from..panels.len());
+        }
+    }
+
+    /// So many intervals make a block.
+    pub(super) fn block_intervals(&self) -> usize {
+        let time = self.placed.recorded.time_s();
+        let whole = time.last().zip(time.first()).map_or(0.0, |(last, first)| last - first);
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "a count; what is out of range is clamped"
+        )]
+        let fitting = (BLOCK_S / whole * self.placed.intervals() as f64) as usize;
+        fitting.clamp(INTERVALS_LEAST, INTERVALS) / LANES * LANES
+    }
+
+    /// One pass over all samples.
+    fn look(&self) -> Survey {
+        let (intervals, most) = (self.placed.intervals(), self.block_intervals());
+        let ranges: Vec<Range<usize>> =
+            (0..intervals).step_by(most).map(|from| from..(from + most).min(intervals)).collect();
+        let blocks = in_two(&ranges, intervals >= SHARED_FROM, &|range| self.block(range.clone()));
+        let positions = self.placed.recorded.position_rad();
+        let span = range(positions);
+        let by_position = self.mechanism.depends_on_position().then(|| {
+            let (mut inertia, mut holding) = ((f64::INFINITY, f64::NEG_INFINITY), 0.0_f64);
+            for q in positions {
+                let q = q + self.placed.offset_rad;
+                let here = self.mechanism.inertia(q, &self.extra).si();
+                inertia = (inertia.0.min(here), inertia.1.max(here));
+                holding = holding.max(self.mechanism.holding_torque(q, &self.extra).si().abs());
+            }
+            (inertia, holding)
+        });
+        Survey {
+            cells: OnceLock::new(),
+            lag_parts: blocks.iter().map(|_| OnceLock::new()).collect(),
+            blocks,
+            by_position,
+            span,
+            lags: OnceLock::new(),
+            largest_swings: OnceLock::new(),
+            cubes: OnceLock::new(),
+            gains: GainTables::default(),
+        }
+    }
+
+    /// What the survey says under this load, with the blocks of the strip of this number.
+    pub(super) fn found(&self, own: usize) -> Found {
+        let offset = self.placed.offset_rad;
+        let block = |raw: &Block| {
+            let place = match &raw.place {
+                Place::Recorded { intervals, .. } => Place::Recorded { strip: own, intervals: intervals.clone() },
+                kept @ Place::Kept(_) => kept.clone(),
+            };
+            if self.plain.is_none() {
+                return Block { place, ..raw.clone() };
+            }
+            Block {
+                place,
+                times: 1.0,
+                from_s: self.view.start + raw.from_s * self.view.stretch,
+                duration_s: raw.duration_s * self.view.stretch,
+                extent: self.view.extent(&raw.extent),
+                gram: self.view.gram(&raw.gram),
+            }
+        };
+        let (inertia, holding) = self.survey.by_position.unwrap_or_else(|| {
+            let inertia = self.mechanism.inertia(0.0, &self.extra).si();
+            ((inertia, inertia), self.mechanism.holding_torque(0.0, &self.extra).si().abs())
+        });
+        Found {
+            blocks: self.survey.blocks.iter().map(block).collect(),
+            inertia,
+            span: (self.survey.span.0 + offset, self.survey.span.1 + offset),
+            holding,
+        }
+    }
+
+    #[inline]
+    pub(super) const fn view(&self) -> &View {
+        &self.view
+    }
+
+    pub(super) fn survey(&self) -> &Survey {
+        &self.survey
+    }
+
+    /// The moments of a cell for the cube of a torque; of a plain mechanism only, whose intervals are straight.
+    pub(super) fn cubic(&self, cell: &Cell) -> Option<&Moments> {
+        self.plain.as_ref()?;
+        self.survey.cubes.get_or_init(|| self.cells().moments(self)).get(cell.number as usize)
+    }
+
+    /// The panels of a block in the signals of the survey.
+    pub(super) fn raw_panels(&self, block: &Block, look: &mut dyn FnMut(Panel<'_>)) {
+        if let Place::Recorded { intervals, .. } = &block.place {
+            intervals.clone().for_each(|index| self.raw_interval(index, &mut |panel| look(panel)));
+        }
+    }
+
+    /// The intervals by their signals, found when they are first asked for.
+    #[inline]
+    fn cells(&self) -> &Cells {
+        self.survey.cells.get_or_init(|| Cells::of(self))
+    }
+
+    /// The cell of all intervals.
+    #[inline]
+    pub fn root(&self) -> Option<&Cell> {
+        self.cells().root()
+    }
+
+    /// The two cells within one.
+    #[inline]
+    pub fn halves(&self, halves: [u32; 2]) -> [Option<&Cell>; 2] {
+        self.cells().halves(halves)
+    }
+
+    /// The panels of the intervals of a cell.
+    pub fn panels_within(&self, (from, to): (u32, u32), look: &mut impl FnMut(Panel<'_>)) {
+        self.cells().intervals(from, to).for_each(|index| self.interval(index, look));
+    }
+
+    /// The weights of the signals of the cells that make the same sum as others of those under the load.
+    #[inline]
+    pub fn weights(&self, c: [f64; 4]) -> [f64; 4] {
+        if self.plain.is_some() { self.view.weights(c) } else { c }
+    }
+
+    /// By which factor the time of the cells is stretched.
+    #[inline]
+    pub fn stretch(&self) -> f64 {
+        if self.plain.is_some() { self.view.stretch } else { 1.0 }
+    }
+
+    /// Bounds of a cell under the load, and the instant at which the first of its intervals begins.
+    #[inline]
+    pub(super) fn seen(&self, cell: &Cell) -> (Extent, f64) {
+        if self.plain.is_some() {
+            (self.view.extent(&cell.extent), self.view.start + cell.from * self.view.stretch)
+        } else {
+            (cell.extent, cell.from)
+        }
+    }
+
+    /// The panels of a block under the load.
+    pub(super) fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
+        if let Place::Recorded { intervals, .. } = &block.place {
+            intervals.clone().for_each(|index| self.interval(index, look));
+        }
+    }
+
+    /// The blocks in the signals of the survey.
+    pub(super) fn raw_blocks(&self) -> &[Block] {
+        &self.survey.blocks
+    }
+}
+
+impl Survey {
+    fn empty() -> Self {
+        Self {
+            blocks: Vec::new(),
+            by_position: None,
+            span: (0.0, 0.0),
+            lags: OnceLock::new(),
+            largest_swings: OnceLock::new(),
+            lag_parts: Vec::new(),
+            cubes: OnceLock::new(),
+            cells: OnceLock::new(),
+            gains: GainTables::default(),
+        }
+    }
+}
+
+/// The answers for all items in their order, the second half by another thread where that is worth it.
+fn in_two<I: Sync, O: Send>(items: &[I], shared: bool, of: &(impl Fn(&I) -> O + Sync)) -> Vec<O> {
+    let work = |items: &[I]| -> Vec<O> { items.iter().map(of).collect() };
+    if !shared {
+        return work(items);
+    }
+    let (first, second) = items.split_at(items.len() / 2);
+    std::thread::scope(|scope| {
+        let other = scope.spawn(|| work(second));
+        let mut all = work(first);
+        // A thread that could not finish leaves its part to this one.
+        all.extend(other.join().unwrap_or_else(|_| work(second)));
+        all
+    })
+}
+
+/// So many intervals run side by side.
+const LANES: usize = 4;
+
+/// Smallest and largest value.
+fn range(values: &[f64]) -> (f64, f64) {
+    let (mut low, mut high) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+    let (lanes, rest) = values.as_chunks::<LANES>();
+    for lane in lanes {
+        for ((low, high), value) in low.iter_mut().zip(&mut high).zip(lane) {
+            *low = if *value < *low { *value } else { *low };
+            *high = if *value > *high { *value } else { *high };
+        }
+    }
+    let all = low.iter().chain(&high).chain(rest).copied().filter(|value| value.is_finite());
+    all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+}
+
+/// The parts of an interval in each of which the speed keeps its sign; the zero of a straight speed between them.
+#[inline]
+fn parts(interval: &Interval) -> impl Iterator<Item = Part> {
+    let [first, last] = interval.speed_rad_s;
+    let zero = if first * last < 0.0 { first / (first - last) } else { 1.0 };
+    let sign = |speed: f64| if speed == 0.0 { 0.0 } else { speed.signum() };
+    let before = (0.0, zero, sign(if first == 0.0 { last } else { first }));
+    let after = (zero < 1.0).then_some((zero, 1.0, sign(last)));
+    [Some(before), after].into_iter().flatten()
+}

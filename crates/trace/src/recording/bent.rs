@@ -1,0 +1,142 @@
+//! An interval of a recording whose load depends on the position or has losses: cut where the losses change sides and at
+//! the corners of the load, with as many nodes as it turns far.
+
+use super::{Node, Panel, Strip, parts};
+use mechanism::{Extra, Output};
+use motion::{Interval, lobatto};
+use quantities::{Measure, Torque};
+use std::f64::consts::{PI, TAU};
+
+/// An interval turns so far at most for 3, 5 and 9 nodes \[rad\]; beyond 16 are taken. By the error of the rule for cos³.
+const TURNED: [(f64, usize); 3] = [(0.01, 3), (0.1, 5), (0.5, 9)];
+
+/// So often the place of a cut is halved.
+const HALVINGS: u32 = 50;
+
+/// At a corner of the load the node lies this share of the panel beside it, on its own side.
+const BESIDE: f64 = 1e-9;
+
+impl Strip {
+    /// The panels of such an interval.
+    pub(super) fn bent_interval(&self, interval: &Interval, look: &mut impl FnMut(Panel<'_>)) {
+        let lossless = |driving: f64, driven: f64| driving == 1.0 && driven == 1.0;
+        let lossy = !lossless(self.mechanism.efficiency_driving, self.mechanism.efficiency_driven);
+        let plain = !lossy && self.mechanism.stage.is_none() && self.kinks.is_empty();
+        for (from, to, direction) in parts(interval) {
+            if plain {
+                self.bent_panel(interval, (from, to, direction), look);
+                continue;
+            }
+            let mut cuts = vec![from];
+            if direction != 0.0 {
+                self.switches(interval, (from, to, direction), lossy, &mut cuts);
+            }
+            self.corners(interval, (from, to), &mut cuts);
+            cuts.push(to);
+            cuts.sort_by(f64::total_cmp);
+            for (from, to) in cuts.iter().zip(cuts.iter().skip(1)).filter(|(from, to)| to > from) {
+                self.bent_panel(interval, (*from, *to, direction), look);
+            }
+        }
+    }
+
+    fn output(interval: &Interval, u: f64, direction: f64) -> (Output, f64) {
+        let (position_rad, speed_rad_s, torque) = interval.at(u);
+        (Output { position_rad, speed_rad_s, acceleration_rad_s2: interval.acceleration_rad_s2(), direction }, torque)
+    }
+
+    fn with_recorded(&self, torque: f64) -> Extra {
+        Extra { torque: self.extra.torque + Torque::from_si(torque), ..self.extra }
+    }
+
+    /// Where the power before the losses changes its sign.
+    fn switches(&self, interval: &Interval, (from, to, direction): (f64, f64, f64), lossy: bool, cuts: &mut Vec<f64>) {
+        let useful = |u: f64| {
+            let (output, torque) = Self::output(interval, u, direction);
+            self.mechanism.useful_torque(&output, &self.with_recorded(torque))
+        };
+        if lossy {
+            crossings(&useful, from, to, cuts);
+        }
+        if self.mechanism.stage.is_some() {
+            let handed_on = |u: f64| {
+                let (output, torque) = Self::output(interval, u, direction);
+                self.mechanism.stage_torque(&output, &self.with_recorded(torque))
+            };
+            crossings(&handed_on, from, to, cuts);
+        }
+    }
+
+    /// Where the position passes a corner of the load.
+    fn corners(&self, interval: &Interval, (from, to): (f64, f64), cuts: &mut Vec<f64>) {
+        let ratio = self.mechanism.stage_ratio();
+        for kink in &self.kinks {
+            let beyond = |u: f64| {
+                let angle = interval.at(u).0 / ratio - kink;
+                angle - TAU * (angle / TAU).round()
+            };
+            // Opposite the corner the angle jumps by a turn.
+            let near = |u: f64| beyond(u).abs() < 0.5 * PI;
+            if near(from) && near(to) {
+                crossings(&beyond, from, to, cuts);
+            }
+        }
+    }
+
+    fn bent_panel(
+        &self,
+        interval: &Interval,
+        (from, to, direction): (f64, f64, f64),
+        look: &mut impl FnMut(Panel<'_>),
+    ) {
+        let turned = (interval.at(to).0 - interval.at(from).0).abs() / self.mechanism.stage_ratio();
+        let count = TURNED.iter().find(|(most, _)| turned <= *most).map_or(16, |(_, count)| *count);
+        let duration = (to - from) * interval.duration_s;
+        let mut nodes = [Node::default(); 16];
+        for (node, (share, weight)) in nodes.iter_mut().zip(lobatto(count)) {
+            let u = if *share == 1.0 { to } else { from + share * (to - from) };
+            let beside = if self.kinks.is_empty() { u } else { from + share.clamp(BESIDE, 1.0 - BESIDE) * (to - from) };
+            let (output, torque) = Self::output(interval, u, direction);
+            let output = Output { position_rad: interval.at(beside).0, ..output };
+            *node = Node {
+                time_s: interval.start_s + u * interval.duration_s,
+                weight_s: weight * duration,
+                acceleration_rad_s2: output.acceleration_rad_s2,
+                speed_rad_s: output.speed_rad_s,
+                direction,
+                load_nm: self.mechanism.torque(&output, &self.with_recorded(torque)),
+            };
+        }
+        let nodes = nodes.get(..count).unwrap_or_default();
+        look(Panel { nodes, duration_s: duration, bow: [0.0, bow(nodes), 0.0, 0.0] });
+    }
+}
+
+/// How far a smooth load may rise above the straight line between two neighbouring nodes, by its largest second difference:
+/// a parabola rises above its chord by an eighth of the second derivative times the square of the chord's time.
+fn bow(nodes: &[Node]) -> f64 {
+    let triples = nodes.iter().zip(nodes.iter().skip(1)).zip(nodes.iter().skip(2));
+    let most = triples.fold(0.0_f64, |most, ((a, b), c)| {
+        let (left, right) = (b.time_s - a.time_s, c.time_s - b.time_s);
+        let bend = 2.0 * ((c.load_nm - b.load_nm) / right - (b.load_nm - a.load_nm) / left) / (left + right);
+        most.max(bend.abs() * left.max(right) * left.max(right) / 8.0)
+    });
+    // Of three nodes the parabola is all there is; of more the bend between two of them may be larger than at either.
+    if nodes.len() > 3 { 2.0 * most } else { most }
+}
+
+/// Where a function changes its sign between two shares, looked for in both halves.
+fn crossings(value: &impl Fn(f64) -> f64, from: f64, to: f64, cuts: &mut Vec<f64>) {
+    let middle = 0.5 * (from + to);
+    let at = [from, middle, to].map(value);
+    let halves = [(from, middle), (middle, to)].into_iter().zip(at.iter().zip(at.iter().skip(1)));
+    for ((mut low, mut high), (first, second)) in halves {
+        if first * second < 0.0 {
+            for _ in 0..HALVINGS {
+                let here = 0.5 * (low + high);
+                if value(here) * first > 0.0 { low = here } else { high = here }
+            }
+            cuts.push(0.5 * (low + high));
+        }
+    }
+}

@@ -1,0 +1,312 @@
+//! The intervals of a recording as a k-d tree over their signals: neighbours in acceleration, torque and speed, whenever
+//! they were. However much noise there is, what a cell holds has close bounds, and a search or an integral that depends on a
+//! sign need look into few of them.
+
+use super::straight::{Sums, bounds};
+use super::{SHARED_FROM, Strip, in_two};
+use crate::cubes::{self, Moments};
+use crate::{Extent, Gram, Panel};
+use mechanism::Plain;
+
+/// A cell of at most so many intervals is not split.
+const LEAF: usize = 64;
+
+/// Intervals with close signals, their bounds and sums in the signals of the survey.
+#[derive(Debug)]
+pub struct Cell {
+    /// Bounds of its intervals, in the signals of the cells.
+    pub extent: Extent,
+    /// Sums of their products.
+    pub gram: Gram,
+    /// Instant at which the first of them begins \[s\].
+    pub(super) from: f64,
+    /// What it is made of.
+    pub inside: Inside,
+    /// Its place among the cells.
+    pub(super) number: u32,
+}
+
+/// What a cell is made of.
+#[derive(Clone, Copy, Debug)]
+pub enum Inside {
+    /// Intervals, between two places of the order.
+    Intervals(u32, u32),
+    /// Two cells.
+    Halves([u32; 2]),
+}
+
+/// The tree, its root last.
+#[derive(Debug)]
+pub(super) struct Cells {
+    cells: Vec<Cell>,
+    order: Vec<u32>,
+}
+
+/// An interval by its signals in the middle: α, ω, T.
+#[derive(Clone, Copy)]
+struct Point {
+    signals: [f32; 3],
+    index: u32,
+}
+
+/// Directions: backwards, at rest, forwards, turning round.
+const DIRECTIONS: usize = 4;
+
+impl Cells {
+    #[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
+    pub(super) fn of(strip: &Strip) -> Self {
+        let mut groups: [Vec<Point>; DIRECTIONS] = Default::default();
+        let mut add = |direction: usize, signals: [f32; 3], index: usize| {
+            if let Some(group) = groups.get_mut(direction) {
+                group.push(Point { signals, index: count(index) });
+            }
+        };
+        let recorded = &*strip.surveyed.recorded;
+        if strip.plain.is_some() && recorded.torque_nm().is_none() {
+            let intervals = recorded.time_s().windows(2).zip(recorded.speed_rad_s().windows(2));
+            for (index, pair) in intervals.enumerate() {
+                let ([from, to], [w0, w1]) = pair else { continue };
+                let acceleration = (w1 - w0) / (to - from);
+                add(direction(*w0, *w1), [acceleration as f32, (0.5 * (w0 + w1)) as f32, 0.0], index);
+            }
+        } else {
+            for index in 0..strip.intervals() {
+                if let Some((direction, signals)) = signals(strip, index) {
+                    add(direction, signals, index);
+                }
+            }
+        }
+        let mut all = Self { cells: Vec::new(), order: Vec::with_capacity(strip.intervals()) };
+        let mut root = None;
+        let sides = [Some(-1.0), Some(0.0), Some(1.0), None];
+        for (points, side) in groups.iter_mut().zip(sides).filter(|(points, _)| !points.is_empty()) {
+            let own = all.group(strip, side, points);
+            root = Some(root.map_or(own, |root| join(&mut all.cells, [root, own])));
+        }
+        all.cells.shrink_to_fit();
+        all.cells.iter_mut().zip(0..).for_each(|(cell, number)| cell.number = number);
+        all
+    }
+
+    /// Adds the cells of intervals of one direction; which is the one of all of them.
+    fn group(&mut self, strip: &Strip, side: Option<f64>, points: &mut [Point]) -> u32 {
+        let of = (strip, side);
+        let scale = spread(points).map(|spread| if spread > 0.0 { 1.0 / spread } else { 0.0 });
+        let first = count(self.order.len());
+        let own = if points.len() < SHARED_FROM {
+            split(of, points, first, &scale, &mut self.cells)
+        } else {
+            // Two halves, each by its own thread; the cells of the second follow upon those of the first.
+            let middle = part(points, &scale);
+            let (low, high) = points.split_at_mut(middle);
+            let mut others = Vec::new();
+            let from = first + count(middle);
+            let (a, b) = std::thread::scope(|scope| {
+                let other = scope.spawn(|| split(of, high, from, &scale, &mut others));
+                (split(of, low, first, &scale, &mut self.cells), other.join())
+            });
+            let b = b.unwrap_or_else(|_| {
+                // A thread that could not finish leaves its part to this one.
+                others.clear();
+                split(of, high, from, &scale, &mut others)
+            });
+            let shift = count(self.cells.len());
+            self.cells.extend(others.into_iter().map(|cell| Cell { inside: cell.inside.shifted(shift), ..cell }));
+            join(&mut self.cells, [a, b + shift])
+        };
+        self.order.extend(points.iter().map(|point| point.index));
+        own
+    }
+
+    #[inline]
+    pub(super) fn root(&self) -> Option<&Cell> {
+        self.cells.last()
+    }
+
+    #[inline]
+    pub(super) fn halves(&self, halves: [u32; 2]) -> [Option<&Cell>; 2] {
+        halves.map(|index| self.cells.get(index as usize))
+    }
+
+    /// The moments of all cells for the cube of a torque.
+    pub(super) fn moments(&self, strip: &Strip) -> Vec<Moments> {
+        let of_leaf = |cell: &Cell| {
+            let mut moments = [0.0; 20];
+            if let Inside::Intervals(from, to) = cell.inside {
+                let constant = strip.plain.as_ref().map(|plain| plain.constant_nm);
+                let constant = constant.filter(|_| strip.surveyed.recorded.torque_nm().is_none());
+                for index in self.intervals(from, to) {
+                    match (constant, strip.surveyed.interval(index)) {
+                        (Some(torque), Some(interval)) => cubes::add_interval(&mut moments, torque, &interval),
+                        _ => strip.raw_interval(index, &mut |panel| cubes::add(&mut moments, &panel)),
+                    }
+                }
+            }
+            moments
+        };
+        let mut all = in_two(&self.cells, strip.intervals() >= SHARED_FROM, &of_leaf);
+        for (place, cell) in self.cells.iter().enumerate() {
+            if let Inside::Halves(halves) = cell.inside {
+                // Both stand before the whole.
+                let (before, whole) = all.split_at_mut(place);
+                let halves = halves.into_iter().filter_map(|half| before.get(half as usize));
+                if let Some(whole) = whole.first_mut() {
+                    halves.for_each(|half| whole.iter_mut().zip(half).for_each(|(sum, part)| *sum += part));
+                }
+            }
+        }
+        all
+    }
+
+    #[inline]
+    pub(super) fn intervals(&self, from: u32, to: u32) -> impl Iterator<Item = usize> {
+        self.order.get(from as usize..to as usize).unwrap_or_default().iter().map(|index| *index as usize)
+    }
+}
+
+impl Inside {
+    const fn shifted(self, by: u32) -> Self {
+        match self {
+            Self::Halves([a, b]) => Self::Halves([a + by, b + by]),
+            Self::Intervals(..) => self,
+        }
+    }
+}
+
+/// A number of intervals or cells; a file of more than 2³² samples is refused long before.
+#[allow(clippy::cast_possible_truncation, reason = "see above")]
+const fn count(n: usize) -> u32 {
+    n as u32
+}
+
+/// The direction of an interval, and what it is sorted by; exactness is of no matter here.
+#[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
+fn signals(strip: &Strip, index: usize) -> Option<(usize, [f32; 3])> {
+    let interval = strip.surveyed.interval(index)?;
+    let [from, to] = interval.speed_rad_s;
+    let mut torque = 0.5 * (interval.torque_nm[0] + interval.torque_nm[1]);
+    if strip.plain.is_none() {
+        strip.raw_interval(index, &mut |panel: Panel<'_>| {
+            torque = panel.nodes.get(panel.nodes.len() / 2).map_or(0.0, |node| node.load_nm);
+        });
+    }
+    Some((direction(from, to), [interval.acceleration_rad_s2() as f32, (0.5 * (from + to)) as f32, torque as f32]))
+}
+
+/// In which of the [`DIRECTIONS`] an interval is run through, by the speeds at its ends.
+fn direction(from: f64, to: f64) -> usize {
+    if from * to < 0.0 {
+        3
+    } else if from + to < 0.0 {
+        0
+    } else if from + to == 0.0 {
+        1
+    } else {
+        2
+    }
+}
+
+/// Largest less smallest of each signal.
+fn spread(points: &[Point]) -> [f32; 3] {
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    for point in points {
+        for ((low, high), value) in low.iter_mut().zip(&mut high).zip(point.signals) {
+            *low = if value < *low { value } else { *low };
+            *high = if value > *high { value } else { *high };
+        }
+    }
+    let mut spread = [0.0; 3];
+    spread.iter_mut().zip(low).zip(high).for_each(|((spread, low), high)| *spread = high - low);
+    spread
+}
+
+/// Sorts points into two halves by the signal that differs most among them; the place between.
+fn part(points: &mut [Point], scale: &[f32; 3]) -> usize {
+    let spread = spread(points);
+    let mut widest = (0, 0.0);
+    for (signal, (spread, scale)) in spread.iter().zip(scale).enumerate() {
+        if spread * scale > widest.1 {
+            widest = (signal, spread * scale);
+        }
+    }
+    let middle = points.len() / 2;
+    let key = |point: &Point| point.signals.get(widest.0).copied().unwrap_or(0.0);
+    points.select_nth_unstable_by(middle, |a, b| key(a).total_cmp(&key(b)));
+    middle
+}
+
+/// Adds the cells of some points, of which the first has that place in the order; which is the one of all of them.
+fn split(of: (&Strip, Option<f64>), points: &mut [Point], first: u32, scale: &[f32; 3], cells: &mut Vec<Cell>) -> u32 {
+    if points.len() <= LEAF {
+        let inside = Inside::Intervals(first, first + count(points.len()));
+        // As they lie in the memory.
+        points.sort_unstable_by_key(|point| point.index);
+        let cell = match of {
+            (Strip { plain: Some(plain), .. }, Some(direction)) => straight(of.0, plain, direction, points, inside),
+            (strip, _) => {
+                let mut cell = Cell { inside, ..Cell::NONE };
+                for point in points.iter() {
+                    strip.raw_interval(point.index as usize, &mut |panel| cell.add(&panel));
+                }
+                cell
+            }
+        };
+        cells.push(cell);
+        return count(cells.len() - 1);
+    }
+    let middle = part(points, scale);
+    let (low, high) = points.split_at_mut(middle);
+    let halves = [split(of, low, first, scale, cells), split(of, high, first + count(middle), scale, cells)];
+    join(cells, halves)
+}
+
+/// The cell of straight intervals of one direction.
+fn straight(strip: &Strip, plain: &Plain, direction: f64, points: &[Point], inside: Inside) -> Cell {
+    const NONE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
+    let wider = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
+    let (mut sums, mut acceleration, mut torque, mut speeds) = (Sums::default(), NONE, NONE, NONE);
+    let mut from = f64::INFINITY;
+    for interval in points.iter().filter_map(|point| strip.surveyed.interval(point.index as usize)) {
+        sums.add(&interval);
+        acceleration = wider(acceleration, interval.acceleration_rad_s2());
+        let ([w0, w1], [t0, t1]) = (interval.speed_rad_s, interval.torque_nm);
+        speeds = wider(wider(speeds, w0), w1);
+        torque = wider(wider(torque, t0), t1);
+        from = from.min(interval.start_s);
+    }
+    let extent = bounds(plain, direction, acceleration, torque, speeds);
+    Cell { extent, gram: sums.gram(plain, direction), from, inside, number: 0 }
+}
+
+/// The cell of two.
+fn join(cells: &mut Vec<Cell>, halves: [u32; 2]) -> u32 {
+    let mut cell = Cell { inside: Inside::Halves(halves), ..Cell::NONE };
+    for half in halves.iter().filter_map(|index| cells.get(*index as usize)) {
+        cell.extent.join(&half.extent);
+        cell.gram.join(&half.gram);
+        cell.from = cell.from.min(half.from);
+    }
+    cells.push(cell);
+    count(cells.len() - 1)
+}
+
+impl Cell {
+    const NONE: Self = Self {
+        extent: Extent::NONE,
+        gram: Gram([[0.0; 4]; 4]),
+        from: f64::INFINITY,
+        inside: Inside::Intervals(0, 0),
+        number: 0,
+    };
+
+    fn add(&mut self, panel: &Panel<'_>) {
+        let mut extent = Extent::NONE;
+        for node in panel.nodes {
+            extent.widen(node);
+            self.gram.add(node);
+        }
+        extent.bend(&panel.bow);
+        self.extent.join(&extent);
+        self.from = self.from.min(panel.nodes.first().map_or(f64::INFINITY, |node| node.time_s));
+    }
+}

@@ -1,0 +1,99 @@
+//! What lags need of a recording: gains of its blocks and of their parts.
+
+use super::{SHARED_FROM, Strip, in_two};
+use crate::gains::{Gain, LagBlock, Lagging, Products, largest};
+use crate::{Block, Place};
+use std::ops::Range;
+
+/// A part of a block has so many intervals.
+const PART: usize = 16;
+
+/// What any lag needs of a part of a block.
+#[derive(Debug)]
+pub(crate) struct LagPart {
+    pub(crate) intervals: Range<usize>,
+    pub(crate) lag: LagBlock,
+}
+
+impl Strip {
+    /// What lags need of each block, found when the first lag is asked for.
+    pub(crate) fn lag_blocks(&self) -> &[LagBlock] {
+        self.survey.lags.get_or_init(|| {
+            in_two(&self.survey.blocks, self.placed.intervals() >= SHARED_FROM, &|block| {
+                let Place::Recorded { intervals, .. } = &block.place else { return LagBlock::default() };
+                self.lag_block(block.duration_s, block.extent.direction, intervals)
+            })
+        })
+    }
+
+    /// What lags need of some intervals.
+    fn lag_block(&self, duration: f64, (back, forth): (f64, f64), intervals: &Range<usize>) -> LagBlock {
+        if let (Some(plain), None, true) = (&self.plain, self.surveyed.recorded.torque_nm(), back == forth) {
+            let intervals = intervals.clone().filter_map(|index| self.surveyed.interval(index));
+            return LagBlock::straight(duration, [plain.constant_nm, back], intervals);
+        }
+        LagBlock::of(duration, |look| {
+            intervals.clone().for_each(|index| self.raw_interval(index, &mut |panel| look(panel)));
+        })
+    }
+
+    /// What lags need of the parts of a block, found when it is first looked into.
+    pub(crate) fn lag_parts(&self, block: usize) -> &[LagPart] {
+        let (Some(parts), Some(whole)) = (self.survey.lag_parts.get(block), self.survey.blocks.get(block)) else {
+            return &[];
+        };
+        parts.get_or_init(|| {
+            let Place::Recorded { intervals, .. } = &whole.place else { return Vec::new() };
+            let part = |from: usize| {
+                let intervals = from..(from + PART).min(intervals.end);
+                let each = || intervals.clone().filter_map(|index| self.surveyed.interval(index));
+                let duration = each().map(|interval| interval.duration_s).sum();
+                LagPart { lag: self.lag_block(duration, whole.extent.direction, &intervals), intervals }
+            };
+            intervals.clone().step_by(PART).map(part).collect()
+        })
+    }
+
+    /// The instant at which a part ends \[s\].
+    pub(crate) fn end_of(&self, part: &LagPart) -> f64 {
+        let time = self.placed.recorded.time_s().get(part.intervals.end).copied().unwrap_or(0.0);
+        self.placed.start_s + time * self.placed.stretch
+    }
+
+    /// What the blocks do to a lag of the signals of the survey.
+    pub(crate) fn gains(&self, tau_s: f64) -> Vec<Gain> {
+        let mut lagging = Lagging::of(tau_s);
+        let gain = |(number, (block, lag)): (usize, (&Block, &LagBlock))| {
+            // Not even asked for where they cannot be short enough.
+            let parts = self.block_intervals().div_ceil(PART) as f64;
+            if lag.is_short(tau_s) || !lag.is_short(parts * tau_s) || !self.has_short_parts(number, tau_s) {
+                return lag.gain(&mut lagging, |look| self.raw_panels(block, look));
+            }
+            // Where the moments of a block do not serve, those of its parts may.
+            let mut gain = Gain::NONE;
+            self.part_gains(number, tau_s).iter().for_each(|part| gain.then(part));
+            gain
+        };
+        self.survey.blocks.iter().zip(self.lag_blocks()).enumerate().map(gain).collect()
+    }
+
+    fn has_short_parts(&self, block: usize, tau_s: f64) -> bool {
+        self.lag_parts(block).iter().all(|part| part.lag.is_short(tau_s))
+    }
+
+    /// What the parts of a block do to a lag of the signals of the survey.
+    pub(crate) fn part_gains(&self, block: usize, tau_s: f64) -> Vec<Gain> {
+        let mut lagging = Lagging::of(tau_s);
+        let gain = |part: &LagPart| {
+            part.lag.gain(&mut lagging, |look| {
+                part.intervals.clone().for_each(|index| self.raw_interval(index, &mut |panel| look(panel)));
+            })
+        };
+        self.lag_parts(block).iter().map(gain).collect()
+    }
+
+    /// The largest swings of all blocks.
+    pub(crate) fn largest_swings(&self) -> &Products {
+        self.survey.largest_swings.get_or_init(|| largest(self.lag_blocks().iter().map(|block| &block.swing)))
+    }
+}

@@ -1,0 +1,112 @@
+//! A recording seen under another load and at another pace than its survey.
+
+use crate::{Extent, Form, Gram, Node};
+
+/// How the signals of a strip follow from those that its survey holds.
+///
+/// α = α_0/f², ω = ω_0/f, T_L = R + J α + T_c σ + b ω, t = t_0 + f t'
+///
+/// # Symbols  f stretch of the time; R recorded torque and what does not change over the motion \[Nm\]
+/// # Source   docs/theory/moments.md
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct View {
+    pub(super) inertia: f64,
+    pub(super) coulomb: f64,
+    pub(super) viscous: f64,
+    pub(super) stretch: f64,
+    pub(super) start: f64,
+}
+
+impl View {
+    #[inline]
+    pub(super) fn node(&self, raw: &Node) -> Node {
+        let (acceleration, speed) =
+            (raw.acceleration_rad_s2 / (self.stretch * self.stretch), raw.speed_rad_s / self.stretch);
+        Node {
+            time_s: self.start + self.stretch * raw.time_s,
+            weight_s: self.stretch * raw.weight_s,
+            acceleration_rad_s2: acceleration,
+            speed_rad_s: speed,
+            direction: raw.direction,
+            load_nm: raw.load_nm + self.inertia * acceleration + self.coulomb * raw.direction + self.viscous * speed,
+        }
+    }
+
+    /// Row i gives signal i from those of the survey.
+    #[inline]
+    pub(super) fn rows(&self) -> [[f64; 4]; 4] {
+        let slow = 1.0 / self.stretch;
+        let slower = slow * slow;
+        [
+            [slower, 0.0, 0.0, 0.0],
+            [self.inertia * slower, 1.0, self.coulomb, self.viscous * slow],
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, slow],
+        ]
+    }
+
+    /// A G Aᵀ with the rows above, over a time that is longer by the stretch.
+    pub(super) fn gram(&self, raw: &Gram) -> Gram {
+        let slow = 1.0 / self.stretch;
+        let (a, j, c, b) = (slow * slow, self.inertia * slow * slow, self.coulomb, self.viscous * slow);
+        let [ga, gt, gs, gw] = raw.0;
+        let torque = |[ga, gt, gs, gw]: [f64; 4]| j * ga + gt + c * gs + b * gw;
+        let (ta, tt, ts, tw) = (torque(ga), torque(gt), torque(gs), torque(gw));
+        let f = self.stretch;
+        let [aa, at, as_, aw] = [f * a * a * ga[0], f * a * ta, f * a * ga[2], f * a * slow * ga[3]];
+        let [ttt, tts, ttw] = [f * (j * ta + tt + c * ts + b * tw), f * ts, f * slow * tw];
+        let [ss, sw, ww] = [f * gs[2], f * slow * gs[3], f * slow * slow * gw[3]];
+        Gram([[aa, at, as_, aw], [at, ttt, tts, ttw], [as_, tts, ss, sw], [aw, ttw, sw, ww]])
+    }
+
+    /// The weights of the signals of the survey that make the same sum as others of those under the load: Aᵀ c.
+    #[inline]
+    pub(super) fn weights(&self, c: [f64; 4]) -> [f64; 4] {
+        let mut raw = [0.0; 4];
+        for (row, c) in self.rows().iter().zip(c) {
+            raw.iter_mut().zip(row).for_each(|(raw, a)| *raw += c * a);
+        }
+        raw
+    }
+
+    #[inline]
+    pub(super) fn extent(&self, raw: &Extent) -> Extent {
+        let times = |(low, high): (f64, f64), factor: f64| (low * factor, high * factor);
+        let slow = 1.0 / self.stretch;
+        let (acceleration, speeds) = (times(raw.acceleration_rad_s2, slow * slow), times(raw.speeds_rad_s, slow));
+        let parts = [
+            raw.load_nm,
+            times(acceleration, self.inertia),
+            times(raw.direction, self.coulomb),
+            times(speeds, self.viscous),
+        ];
+        let load = parts.iter().fold((0.0, 0.0), |(low, high), part| (low + part.0, high + part.1));
+        // The nodes are rounded otherwise than the sums here; the bounds must hold for them too.
+        let room = 8.0 * f64::EPSILON * parts.iter().map(|part| part.0.abs().max(part.1.abs())).sum::<f64>();
+        let load = (load.0 - room, load.1 + room);
+        Extent {
+            acceleration_rad_s2: acceleration,
+            load_nm: load,
+            speeds_rad_s: speeds,
+            speed_rad_s: raw.speed_rad_s * slow,
+            direction: raw.direction,
+        }
+    }
+
+    /// Qʹ = Aᵀ Q A: the same form of the signals of the survey.
+    pub(crate) fn form(&self, form: &Form) -> Form {
+        let rows = self.rows();
+        let mut raw = Form::default();
+        for (q, a) in form.0.iter().zip(&rows) {
+            for (q, b) in q.iter().zip(&rows) {
+                raw = raw.plus(&Form::product(*a, *b).scale(*q));
+            }
+        }
+        raw
+    }
+
+    #[inline]
+    pub(crate) const fn stretch(&self) -> f64 {
+        self.stretch
+    }
+}

@@ -1,0 +1,274 @@
+//! What the nodes of a panel say between themselves: the polynomial through them, and its first-order lag.
+
+use super::Node;
+use motion::lobatto;
+use std::sync::LazyLock;
+
+/// Most nodes of a panel.
+pub(super) const MOST: usize = 16;
+
+/// One number for each node of a panel; those beyond its nodes are zero.
+pub(super) type Values = [f64; MOST];
+
+/// The polynomial through the nodes of a Gauss-Lobatto rule on 0…1.
+#[derive(Debug)]
+pub(super) struct Rule {
+    nodes: Vec<f64>,
+    barycentric: Vec<f64>,
+    /// Row j gives the factor of the shifted Legendre polynomial P̃_j from the values at the nodes.
+    legendre: Vec<Vec<f64>>,
+}
+
+/// The rule of n nodes.
+#[inline]
+pub(super) fn rule(n: usize) -> &'static Rule {
+    static RULES: LazyLock<Vec<Rule>> = LazyLock::new(|| (0..=MOST).map(Rule::new).collect());
+    static NONE: Rule = Rule { nodes: Vec::new(), barycentric: Vec::new(), legendre: Vec::new() };
+    RULES.get(n).unwrap_or(&NONE)
+}
+
+impl Rule {
+    /// The factors a_j = (2j + 1) Σ w_k P_j(x_k) u_k; of the highest (n − 1) Σ w_k P_j(x_k) u_k, since Lobatto's rule gives
+    /// 1/(n − 1) for the square of that one.
+    ///
+    /// The barycentric weights of the nodes are (−1)^k √w_k.
+    ///
+    /// # Source   docs/theory/moments.md; Wang, Huybrechs and Vandewalle, Explicit barycentric weights for polynomial
+    /// interpolation in the roots or extrema of classical orthogonal polynomials, Math. Comp. 83 (2014)
+    fn new(n: usize) -> Self {
+        let rule = if n < 2 { &[] } else { lobatto(n) };
+        let signs = [1.0, -1.0].into_iter().cycle();
+        let row = |(j, norm): (usize, f64)| rule.iter().map(|(s, w)| norm * w * legendre(j, *s)).collect();
+        Self {
+            nodes: rule.iter().map(|(s, _)| *s).collect(),
+            barycentric: rule.iter().zip(signs).map(|((_, w), sign)| sign * w.sqrt()).collect(),
+            legendre: (0..rule.len())
+                .map(|j| (j, if j + 1 == n { real(n - 1) } else { real(2 * j + 1) }))
+                .map(row)
+                .collect(),
+        }
+    }
+
+    /// The values of the basis polynomials at a share of the panel: the value there is the sum of each times its node's.
+    pub(super) fn shares(&self, s: f64) -> Values {
+        let mut shares = [0.0; MOST];
+        if let Some(at) = self.nodes.iter().position(|node| *node == s) {
+            shares.iter_mut().skip(at).take(1).for_each(|share| *share = 1.0);
+            return shares;
+        }
+        let mut sum = 0.0;
+        for ((share, node), weight) in shares.iter_mut().zip(&self.nodes).zip(&self.barycentric) {
+            *share = weight / (s - node);
+            sum += *share;
+        }
+        shares.iter_mut().for_each(|share| *share /= sum);
+        shares
+    }
+
+    /// The factors of the shifted Legendre polynomials.
+    pub(super) fn coefficients(&self, values: &Values) -> Values {
+        let mut coefficients = [0.0; MOST];
+        for (coefficient, row) in coefficients.iter_mut().zip(&self.legendre) {
+            *coefficient = row.iter().zip(values).map(|(l, u)| l * u).sum();
+        }
+        coefficients
+    }
+
+    /// The weights of the values at the nodes in the lag at the end of the panel, for its duration over the time constant.
+    pub(super) fn weights(&self, lambda: f64) -> Values {
+        let mut weights = [0.0; MOST];
+        for (row, c) in self.legendre.iter().zip(lagged(lambda, self.nodes.len())) {
+            for (weight, l) in weights.iter_mut().zip(row) {
+                *weight += lambda * c * l;
+            }
+        }
+        weights
+    }
+
+    /// The values at the nodes of the same rule on 0…s.
+    pub(super) fn first_part(&self, values: &Values, s: f64) -> Values {
+        let mut part = [0.0; MOST];
+        for (value, node) in part.iter_mut().zip(&self.nodes) {
+            *value = dot(&self.shares(s * node), values);
+        }
+        part
+    }
+
+    #[inline]
+    pub(super) fn nodes(&self) -> &[f64] {
+        &self.nodes
+    }
+}
+
+/// Σ a_k b_k
+pub(super) fn dot(a: &Values, b: &Values) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+#[allow(clippy::cast_precision_loss, reason = "at most a few dozen")]
+const fn real(n: usize) -> f64 {
+    n as f64
+}
+
+/// P_j(2s − 1)
+fn legendre(j: usize, s: f64) -> f64 {
+    let x = 2.0 * s - 1.0;
+    let (mut below, mut here) = (0.0, 1.0);
+    for degree in 0..j {
+        let degree = real(degree);
+        (below, here) = (here, ((2.0 * degree + 1.0) * x * here - degree * below) / (degree + 1.0));
+    }
+    here
+}
+
+/// What a first-order lag takes over from a Legendre polynomial that runs through a time: the lag is λ Σ a_j c_j at its
+/// end if it was zero at its beginning.
+///
+/// c_j = ∫_0^1 e^(−λ(1−s)) P̃_j(s) ds = e^(−λ/2) i_j(λ/2)
+///
+/// # Symbols  λ duration over time constant, i_j modified spherical Bessel function of the first kind
+/// # Source   Abramowitz & Stegun 10.2.36, Gegenbauer's integral; docs/theory/moments.md
+/// # Valid    λ ≥ 0, n ≤ 16
+pub(super) fn lagged(lambda: f64, n: usize) -> Values {
+    let x = 0.5 * lambda;
+    let mut found = [0.0; MOST];
+    let wanted = found.iter_mut().take(n);
+    if x < 0.5 {
+        // i_j = x^j/(2j+1)!! (1 + x²/2/(2j+3) (1 + x²/4/(2j+5) (1 + …)))
+        let (decay, half_square) = ((-x).exp(), 0.5 * x * x);
+        let mut leading = decay;
+        for (j, c) in wanted.enumerate() {
+            let odd = real(2 * j + 1);
+            if j > 0 {
+                leading *= x / odd;
+            }
+            let (mut term, mut sum, mut m) = (1.0, 1.0, 1.0);
+            while term > 1e-18 {
+                term *= half_square / (m * (odd + 2.0 * m));
+                sum += term;
+                m += 1.0;
+            }
+            *c = leading * sum;
+        }
+        return found;
+    }
+    let first = -(-lambda).exp_m1() / lambda;
+    if x > 200.0 {
+        // Upwards; the error grows by e^(j²/x) only.
+        let mut pair = (first, (0.5 * (1.0 + (-lambda).exp()) - first) / x);
+        for (j, c) in wanted.enumerate() {
+            *c = pair.0;
+            pair = (pair.1, pair.0 - real(2 * j + 3) / x * pair.1);
+        }
+        return found;
+    }
+    // Downwards from where nothing is left, then to scale.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most two hundred")]
+    let from = n + 20 + (9.0 * x.sqrt()) as usize;
+    let (mut above, mut here) = (0.0, 1e-300);
+    for j in (0..from).rev() {
+        (above, here) = (here, above + real(2 * j + 3) / x * here);
+        if let Some(c) = found.get_mut(j).filter(|_| j < n) {
+            *c = here;
+        }
+        if here > 1e250 {
+            (above, here) = (above * 1e-250, here * 1e-250);
+            found.iter_mut().for_each(|c| *c *= 1e-250);
+        }
+    }
+    let scale = first / here;
+    found.iter_mut().for_each(|c| *c *= scale);
+    found
+}
+
+/// Up to this λ an interval of a recording has a lag by a few terms.
+pub(super) const SHORT: f64 = 0.01;
+
+/// e^(−λ) and the weights of the values at both ends and the middle in the lag of a parabola.
+///
+/// # Valid    λ ≤ 0.01, to the last digits
+pub(super) fn short(lambda: f64) -> (f64, [f64; 3]) {
+    let x = 0.5 * lambda;
+    let square = x * x;
+    let decay = 1.0 - x * (1.0 - x / 2.0 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0))));
+    let even = lambda * decay * (1.0 + square / 6.0 * (1.0 + square / 20.0));
+    let odd = lambda * decay * x / 3.0 * (1.0 + square / 10.0);
+    let bend = lambda * decay * square / 15.0 * (1.0 + square / 14.0);
+    // a_0 = (u_0 + 4 u_m + u_1)/6, a_1 = (u_1 − u_0)/2, a_2 = (u_0 − 2 u_m + u_1)/3
+    (decay * decay, [even / 6.0 - odd / 2.0 + bend / 3.0, (even - bend) / 1.5, even / 6.0 + odd / 2.0 + bend / 3.0])
+}
+
+/// The instant at a share of a panel, on the polynomial through its nodes.
+#[inline]
+pub(super) fn between(nodes: &[Node], s: f64) -> Node {
+    let shares = rule(nodes.len()).shares(s);
+    let mut at = Node::default();
+    for (node, share) in nodes.iter().zip(shares) {
+        at.acceleration_rad_s2 += share * node.acceleration_rad_s2;
+        at.speed_rad_s += share * node.speed_rad_s;
+        at.load_nm += share * node.load_nm;
+    }
+    if let (Some(first), Some(last)) = (nodes.first(), nodes.last()) {
+        at.direction = first.direction;
+        at.time_s = first.time_s + s * (last.time_s - first.time_s);
+    }
+    at
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against Simpson sums of the integral that defines them.
+    #[test]
+    fn the_lag_of_legendre_polynomials_is_their_integral() {
+        for lambda in [0.0, 1e-9, 1e-3, 0.3, 0.99, 1.01, 7.0, 60.0, 399.0, 401.0, 5e3] {
+            let found = lagged(lambda, MOST);
+            let steps = 4_000 + (100.0 * lambda) as u32;
+            for j in [0, 1, 2, 3, 7, 15] {
+                let f = |s: f64| (-lambda * (1.0 - s)).exp() * legendre(j, s);
+                let h = 1.0 / f64::from(steps);
+                let sum: f64 = (0..steps)
+                    .map(|k| f64::from(k) * h)
+                    .map(|s| (f(s) + 4.0 * f(s + 0.5 * h) + f(s + h)) * h / 6.0)
+                    .sum();
+                assert!(
+                    (found[j] - sum).abs() < 1e-10 * (found[0] + 1e-3),
+                    "λ = {lambda}, j = {j}: {} {sum}",
+                    found[j]
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_polynomial_meets_every_polynomial_of_its_degree() {
+        for n in 2..=MOST {
+            let f = |s: f64| (0..n).map(|j| (1.0 + j as f64).sqrt() * (s - 0.3).powi(j as i32)).sum::<f64>();
+            let rule = rule(n);
+            let mut values = [0.0; MOST];
+            values.iter_mut().zip(rule.nodes()).for_each(|(value, s)| *value = f(*s));
+            let a = rule.coefficients(&values);
+            let part = rule.first_part(&values, 0.6);
+            for s in [0.0, 0.123, 0.5, 0.77, 1.0] {
+                let series: f64 = (0..n).map(|j| a[j] * legendre(j, s)).sum();
+                assert!((dot(&rule.shares(s), &values) - f(s)).abs() < 1e-12, "{n} {s}");
+                assert!((series - f(s)).abs() < 1e-12, "{n} {s}: {series} {}", f(s));
+            }
+            for (value, s) in part.iter().zip(rule.nodes()) {
+                assert!((value - f(0.6 * s)).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn the_weights_of_short_intervals_are_those_of_the_rule() {
+        for lambda in [1e-9, 1e-5, 1e-3, SHORT] {
+            let (decay, weights) = short(lambda);
+            assert!((decay / (-lambda).exp() - 1.0).abs() < 1e-14);
+            for (a, b) in weights.iter().zip(rule(3).weights(lambda)) {
+                assert!((a / b - 1.0).abs() < 1e-12, "{lambda}: {a} {b}");
+            }
+        }
+    }
+}

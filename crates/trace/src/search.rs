@@ -1,0 +1,293 @@
+//! The largest value of a signal over the cycle: bounds of blocks first, then nodes, then what lies between them.
+
+use super::recording::{Cell, Inside, Strip};
+use super::rule::between;
+use super::{Block, Extent, Group, Node, Panel, Trace};
+
+/// What is not higher by more than this share of the highest is not looked for: rounding makes as much.
+const ROUNDING: f64 = 1e-12;
+
+/// What lies between two nodes is looked for where it may be higher by more than this share.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// So often the place of a largest value between two nodes is halved: what is left is 10⁻¹² of the smooth bend there.
+const HALVINGS: u32 = 20;
+
+/// A signal whose largest value over the cycle is sought.
+pub trait Sought {
+    /// Whether no value on a straight line is above both its ends, as of the magnitude of a weighted sum.
+    const CONVEX: bool = false;
+
+    /// Above every value of instants within some bounds.
+    fn bound(&self, extent: &Extent) -> f64;
+
+    /// The value at an instant.
+    fn value(&self, node: &Node) -> f64;
+
+    /// Above every value on the straight line between two instants, between which there is no corner.
+    fn on_line(&self, a: &Node, b: &Node) -> f64 {
+        self.bound(&Extent::between(a, b, &[0.0; 4]))
+    }
+
+    /// Values of |ω| at which the value may have a corner.
+    fn corners(&self) -> &[f64] {
+        &[]
+    }
+}
+
+/// The magnitude of a weighted sum, or what else is convex over (α, T_L, σ, ω): its bound and its value.
+pub struct Convex<B, V>(pub B, pub V);
+
+impl<B: Fn(&Extent) -> f64, V: Fn(&Node) -> f64> Sought for Convex<B, V> {
+    const CONVEX: bool = true;
+
+    fn bound(&self, extent: &Extent) -> f64 {
+        self.0(extent)
+    }
+
+    fn value(&self, node: &Node) -> f64 {
+        self.1(node)
+    }
+}
+
+/// Any value: what lies between two instants is bounded like what lies within their bounds.
+pub struct Any<B, V>(pub B, pub V);
+
+impl<B: Fn(&Extent) -> f64, V: Fn(&Node) -> f64> Sought for Any<B, V> {
+    fn bound(&self, extent: &Extent) -> f64 {
+        self.0(extent)
+    }
+
+    fn value(&self, node: &Node) -> f64 {
+        self.1(node)
+    }
+}
+
+/// |J α + T_L|
+pub struct TorqueWith {
+    /// J \[kgm²\]
+    pub inertia_kgm2: f64,
+}
+
+impl Sought for TorqueWith {
+    const CONVEX: bool = true;
+
+    fn bound(&self, extent: &Extent) -> f64 {
+        extent.torque(self.inertia_kgm2)
+    }
+
+    fn value(&self, node: &Node) -> f64 {
+        (self.inertia_kgm2 * node.acceleration_rad_s2 + node.load_nm).abs()
+    }
+}
+
+impl Trace {
+    /// The largest value over the cycle and the first instant that has it. What has a bound not above what is found already
+    /// is left out.
+    pub fn largest(&self, sought: &impl Sought) -> (f64, Node) {
+        self.search(sought, true)
+    }
+
+    /// The same of a trace just made: for one look the cells of a recording are not worth their while, unless they are there.
+    pub fn largest_once(&self, sought: &impl Sought) -> (f64, Node) {
+        self.search(sought, self.is_changed)
+    }
+
+    fn search(&self, sought: &impl Sought, by_cells: bool) -> (f64, Node) {
+        let mut best = Best { value: f64::NEG_INFINITY, node: Node::default() };
+        let in_cells = |group: &Group| by_cells && group.recorded;
+        let group_bound = |group: &Group| {
+            let above = if in_cells(group) { f64::NEG_INFINITY } else { sought.bound(&group.extent) };
+            (above, group.from)
+        };
+        in_order(&self.groups, group_bound, &mut best, |group, best| {
+            let blocks = self.blocks.get(group.blocks.clone()).filter(|_| !in_cells(group)).unwrap_or_default();
+            let bound = |block: &Block| (sought.bound(&block.extent), block.from_s);
+            in_order(blocks, bound, best, |block, best| self.panels(block, &mut |panel| best.look(&panel, sought)));
+        });
+        if by_cells {
+            self.search_cells(sought, &mut best);
+        }
+        (best.value, best.node)
+    }
+
+    /// The largest value over the recordings whose nodes are not kept, if it is above the least that counts; else that.
+    pub fn largest_recorded(&self, sought: &impl Sought, least: f64) -> f64 {
+        let mut best = Best { value: least, node: Node { time_s: f64::NEG_INFINITY, ..Node::default() } };
+        self.search_cells(sought, &mut best);
+        best.value
+    }
+
+    fn search_cells(&self, sought: &impl Sought, best: &mut Best) {
+        for (strip, cell) in self.strips.iter().filter_map(|strip| Some((strip, strip.root()?))) {
+            let (extent, from) = strip.seen(cell);
+            if best.may_be_within(sought.bound(&extent), from) {
+                best.within(strip, cell, sought);
+            }
+        }
+    }
+}
+
+struct Best {
+    value: f64,
+    node: Node,
+}
+
+impl Best {
+    #[inline]
+    fn see(&mut self, node: &Node, value: f64) {
+        if value > self.value || (value == self.value && node.time_s < self.node.time_s) {
+            *self = Self { value, node: *node };
+        }
+    }
+
+    /// Whether a bound of what begins at an instant leaves room for something better, or for the same at an earlier instant.
+    #[inline]
+    fn may_be_within(&self, bound: f64, from: f64) -> bool {
+        if self.value == f64::NEG_INFINITY || from < self.node.time_s {
+            bound >= self.value
+        } else {
+            bound > self.value + ROUNDING * self.value.abs()
+        }
+    }
+
+    /// Looks into a cell of a recording, first into the half that may hold more.
+    fn within(&mut self, strip: &Strip, cell: &Cell, sought: &impl Sought) {
+        match cell.inside {
+            Inside::Intervals(from, to) => {
+                strip.panels_within((from, to), &mut |panel| self.look(&panel, sought));
+            }
+            Inside::Halves(halves) => {
+                let mut halves = strip.halves(halves).map(|cell| {
+                    let cell = cell?;
+                    let (extent, from) = strip.seen(cell);
+                    Some((cell, sought.bound(&extent), from))
+                });
+                if let [Some((_, low, first)), Some((_, high, second))] = &halves
+                    && (high > low || (high == low && second < first))
+                {
+                    halves.swap(0, 1);
+                }
+                for (cell, bound, from) in halves.into_iter().flatten() {
+                    if self.may_be_within(bound, from) {
+                        self.within(strip, cell, sought);
+                    }
+                }
+            }
+        }
+    }
+
+    fn look<S: Sought>(&mut self, panel: &Panel<'_>, sought: &S) {
+        if panel.is_straight() {
+            if let [a, .., b] = panel.nodes {
+                self.line(a, b, sought);
+            }
+            return;
+        }
+        for node in panel.nodes {
+            self.see(node, sought.value(node));
+        }
+        let shares = super::rule::rule(panel.nodes.len()).nodes();
+        let pairs = panel.nodes.iter().zip(panel.nodes.iter().skip(1)).zip(shares.iter().zip(shares.iter().skip(1)));
+        for ((a, b), (from, to)) in pairs {
+            let extent = Extent::between(a, b, &panel.bow);
+            if self.is_exceeded_by(sought.bound(&extent)) {
+                let highest_end = sought.value(a).max(sought.value(b));
+                self.narrow((*from, *to), highest_end, sought, |s| between(panel.nodes, s));
+            }
+        }
+    }
+
+    /// The straight line between two instants: its ends, its corners, and what lies between these.
+    fn line<S: Sought>(&mut self, a: &Node, b: &Node, sought: &S) {
+        self.see(a, sought.value(a));
+        self.see(b, sought.value(b));
+        if S::CONVEX || a.signals() == b.signals() {
+            return;
+        }
+        let (from, to) = (a.speed_rad_s.abs(), b.speed_rad_s.abs());
+        let mut start = *a;
+        let mut passed = from;
+        // In the order in which the line passes them.
+        while let Some(corner) = next_corner(sought.corners(), passed, to) {
+            let node = a.towards(b, (corner - from) / (to - from));
+            self.see(&node, sought.value(&node));
+            self.piece(&start, &node, sought);
+            (start, passed) = (node, corner);
+        }
+        self.piece(&start, b, sought);
+    }
+
+    fn piece(&mut self, a: &Node, b: &Node, sought: &impl Sought) {
+        if self.is_exceeded_by(sought.on_line(a, b)) {
+            let highest_end = sought.value(a).max(sought.value(b));
+            self.narrow((0.0, 1.0), highest_end, sought, |s| a.towards(b, s));
+        }
+    }
+
+    #[inline]
+    fn is_exceeded_by(&self, bound: f64) -> bool {
+        bound > self.value + NEGLIGIBLE * self.value.abs()
+    }
+
+    /// The largest value between two shares of a panel, by halving about the best of three instants. What bends by less
+    /// between them than it and both ends lie below the highest is left alone.
+    fn narrow(&mut self, (from, to): (f64, f64), highest_end: f64, sought: &impl Sought, place: impl Fn(f64) -> Node) {
+        let mut at = |s: f64| {
+            let node = place(s);
+            let found = sought.value(&node);
+            self.see(&node, found);
+            ((s, found), self.value)
+        };
+        let mut quarter = 0.25 * (to - from);
+        let (mut middle, _) = at(from + 2.0 * quarter);
+        for _ in 0..HALVINGS {
+            let [(before, _), (after, highest)] = [middle.0 - quarter, middle.0 + quarter].map(&mut at);
+            let bend = (before.1 - 2.0 * middle.1 + after.1).abs();
+            for side in [before, after] {
+                if side.1 > middle.1 {
+                    middle = side;
+                }
+            }
+            if middle.1.max(highest_end) + bend < highest {
+                return;
+            }
+            quarter *= 0.5;
+        }
+    }
+}
+
+/// The corner that a line passes next on its way from one speed to another.
+#[inline]
+fn next_corner(corners: &[f64], passed: f64, to: f64) -> Option<f64> {
+    if to > passed {
+        corners.iter().copied().filter(|corner| *corner > passed && *corner < to).min_by(f64::total_cmp)
+    } else {
+        corners.iter().copied().filter(|corner| *corner < passed && *corner > to).max_by(f64::total_cmp)
+    }
+}
+
+/// Visits what may hold something better than the best: the one with the largest bound, then the others in their order.
+fn in_order<T>(items: &[T], bound: impl Fn(&T) -> (f64, f64), best: &mut Best, mut visit: impl FnMut(&T, &mut Best)) {
+    if let [only] = items {
+        visit(only, best);
+        return;
+    }
+    let mut first: Option<(usize, f64)> = None;
+    for (index, item) in items.iter().enumerate() {
+        let here = bound(item).0;
+        if first.is_none_or(|(_, largest)| here > largest) {
+            first = Some((index, here));
+        }
+    }
+    let Some((first, _)) = first else { return };
+    if let Some(item) = items.get(first) {
+        visit(item, best);
+    }
+    for (index, item) in items.iter().enumerate() {
+        let (above, from) = bound(item);
+        if index != first && best.may_be_within(above, from) {
+            visit(item, best);
+        }
+    }
+}

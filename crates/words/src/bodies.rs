@@ -1,0 +1,94 @@
+//! Words about solid bodies.
+
+use super::either;
+use mechanism::BodyError;
+use project::{BodyKind, BodyShape, Fault};
+use quantities::unit::{KILOGRAM, KILOGRAM_PER_CUBIC_METRE, MILLIMETRE};
+use quantities::{Language, Measure, Unit, format_significant};
+
+/// The shape of a body for people.
+#[must_use]
+pub const fn shape_title(shape: &BodyShape, language: Language) -> &'static str {
+    let (en, de) = match shape.kind {
+        BodyKind::Cylinder => ("cylinder", "Zylinder"),
+        BodyKind::Disc => ("disc", "Scheibe"),
+        BodyKind::Tube => ("tube", "Rohr"),
+        BodyKind::Box => ("box", "Quader"),
+        BodyKind::Cone => ("cone", "Kegel"),
+        BodyKind::Sphere => ("sphere", "Kugel"),
+        BodyKind::Point => ("point", "Punktmasse"),
+        BodyKind::Rod => ("rod", "Stab"),
+    };
+    match language {
+        Language::En => en,
+        Language::De => de,
+    }
+}
+
+/// Faults of bodies that are written as texts.
+pub(super) fn line_fault(fault: &Fault, language: Language) -> String {
+    let e = |en: String, de: String| either(language, en, de);
+    let t = |en: &str, de: &str| either(language, en, de);
+    match fault {
+        Fault::BodyMissing => t("a body is missing", "ein Körper fehlt"),
+        Fault::ShapeMissing => {
+            t("the shape of the body is missing; it stands first", "die Form des Körpers fehlt; sie steht zuerst")
+        }
+        Fault::NoShape { written } => e(format!("`{written}` is not a shape"), format!("`{written}` ist keine Form")),
+        Fault::NoKey { written } => e(
+            format!("`{written}` has no key; expected: key=value"),
+            format!("`{written}` hat keinen Schlüssel; erwartet: Schlüssel=Wert"),
+        ),
+        Fault::KeyOfAnotherShape { key, shape } => {
+            e(format!("`{key}` is not a key of `{shape}`"), format!("`{key}` ist kein Schlüssel von `{shape}`"))
+        }
+        Fault::Twice { key } => e(format!("`{key}` is given twice"), format!("`{key}` steht zweimal da")),
+        Fault::Count { written } => e(
+            format!("`count` must be a whole number from 1 to {}, not \"{written}\"", u32::MAX),
+            format!("`count` muss eine ganze Zahl von 1 bis {} sein, nicht „{written}“", u32::MAX),
+        ),
+        Fault::BodyAxis { written } => {
+            e(format!("`axis` cannot be \"{written}\""), format!("`axis` kann nicht „{written}“ sein"))
+        }
+        _ => String::new(),
+    }
+}
+
+/// What is wrong with a body that cannot be.
+pub(super) fn fault(error: &BodyError, language: Language) -> String {
+    let positive = |key: &str, si: f64, unit: &Unit, or_zero: bool| {
+        let value = format!("{} {}", format_significant(unit.from_si(si), 4, language), unit.symbol);
+        let (en, de) = if or_zero {
+            ("must not be negative", "darf nicht negativ sein")
+        } else {
+            ("must be greater than zero", "muss größer als null sein")
+        };
+        (format!("`{key}` {en}, not {value}"), format!("`{key}` {de}, nicht {value}"))
+    };
+    let fixed = |en: &str, de: &str| (en.to_owned(), de.to_owned());
+    let (en, de) = match error {
+        BodyError::DimensionOutOfRange { field, value } => positive(field, value.si(), &MILLIMETRE, *field == "inner"),
+        BodyError::InnerNotBelowOuter { .. } => {
+            fixed("`inner` must be smaller than `outer`", "`inner` muss kleiner als `outer` sein")
+        }
+        BodyError::NoMass => fixed("neither `mass` nor `density` is given", "weder `mass` noch `density` angegeben"),
+        BodyError::MassAndDensity { .. } => fixed(
+            "`mass` and `density` are both given; one gives the other",
+            "`mass` und `density` sind beide angegeben; eines ergibt das andere",
+        ),
+        BodyError::NoVolume => fixed(
+            "this shape has no volume, so `density` gives no mass",
+            "diese Form hat kein Volumen, `density` ergibt also keine Masse",
+        ),
+        BodyError::MassOutOfRange { mass } => positive("mass", mass.si(), &KILOGRAM, false),
+        BodyError::DensityOutOfRange { density } => positive("density", density.si(), &KILOGRAM_PER_CUBIC_METRE, false),
+        BodyError::DistanceOutOfRange { distance } => positive("distance", distance.si(), &MILLIMETRE, true),
+        BodyError::NoPiece => fixed("`count` must be at least 1", "`count` muss mindestens 1 sein"),
+        BodyError::AngleNotFinite => fixed("`angle` is no finite number", "`angle` ist keine endliche Zahl"),
+        BodyError::BeyondNumbers => fixed(
+            "the inertia is beyond the range of numbers",
+            "das Massenträgheitsmoment liegt außerhalb des Zahlenbereichs",
+        ),
+    };
+    either(language, en, de)
+}

@@ -1,0 +1,363 @@
+//! Symbols of derivations, and what was searched or integrated.
+
+use super::either;
+use quantities::Language;
+
+/// Greek letters by the names that symbols write.
+const GREEK: [(&str, &str); 12] = [
+    ("alpha", "α"),
+    ("dtheta", "Δϑ"),
+    ("gamma", "γ"),
+    ("kappa", "κ"),
+    ("mu", "µ"),
+    ("omega", "ω"),
+    ("phi", "φ"),
+    ("psi", "ψ"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("tau", "τ"),
+    ("theta", "ϑ"),
+];
+
+/// Figures that the tables name in words, by the symbol that stands for them in a formula.
+const LONG: [(&str, &str); 12] = [
+    ("accuracy", "φ_acc"),
+    ("accuracy_out", "φ_acc,out"),
+    ("approvals", "N_appr"),
+    ("approvals_needed", "N_appr,req"),
+    ("dU", "ΔU"),
+    ("hysteresis_loss", "φ_hys"),
+    ("lost_motion", "φ_lm"),
+    ("repeatability", "φ_rep"),
+    ("resolution", "φ_res"),
+    ("resolution_out", "φ_res,out"),
+    ("transmission_accuracy", "φ_tr"),
+    ("transformation_ratio", "k_res"),
+];
+
+/// A symbol as people write it: `omega_1` is ω_1.
+#[must_use]
+pub fn symbol_shown(symbol: &str) -> String {
+    if let Some((_, shown)) = LONG.iter().find(|(name, _)| *name == symbol) {
+        return (*shown).to_owned();
+    }
+    let (head, tail) = symbol.split_once('_').map_or((symbol, None), |(head, tail)| (head, Some(tail)));
+    let head = GREEK.iter().find(|(name, _)| *name == head).map_or(head, |(_, letter)| letter);
+    tail.map_or_else(|| head.to_owned(), |tail| format!("{head}_{tail}"))
+}
+
+/// What was searched or integrated, in words: English as the checks note it, German.
+const FOUND: &[(&str, &str)] = &[
+    ("acceleration at t", "Beschleunigung bei t"),
+    ("continuous curve at n_av", "Dauerkennlinie bei n_av"),
+    ("direction at t", "Richtung bei t"),
+    ("largest current at n within U_M", "größter Strom bei n innerhalb U_M"),
+    ("largest minus smallest position over the cycle", "größte minus kleinste Lage im Zyklus"),
+    (
+        "largest of the first-order lag of (I/I_0)² with tau_w in the steady cycle",
+        "Größtwert der Verzögerung erster Ordnung von (I/I_0)² mit tau_w im eingeschwungenen Zyklus",
+    ),
+    (
+        "a tilt of the flange does not turn what is behind the stage",
+        "ein Kippen des Flansches dreht nicht, was hinter der Stufe liegt",
+    ),
+    (
+        "largest over the cycle, of the mechanism and of what is stated",
+        "größte im Zyklus, aus dem Mechanismus und dem, was angegeben ist",
+    ),
+    ("largest over the segments", "größte über die Abschnitte"),
+    ("edge of the band at n", "Rand des Bandes bei n"),
+    ("lower edge of the band at n_av", "unterer Rand des Bandes bei n_av"),
+    ("temperature of the gear, that of the housing", "Temperatur des Getriebes, die des Gehäuses"),
+    ("n_av, at most n_N_out", "n_av, höchstens n_N_out"),
+    ("I_s + K |n|, the gear as cold as the ambient air", "I_s + K |n|, Getriebe so kalt wie die Umgebungsluft"),
+    (
+        "gear as cold as the ambient air: the worse of both states",
+        "Getriebe so kalt wie die Umgebungsluft: der ungünstigere der beiden Zustände",
+    ),
+    (
+        "gear in the settled cycle: the worse of both states",
+        "Getriebe im Beharrungszustand: der ungünstigere der beiden Zustände",
+    ),
+    ("law of friction at theta_g", "Reibgesetz bei theta_g"),
+    (
+        "current of the published short-time curve at n, at least I_max",
+        "Strom der veröffentlichten Kurzzeitkennlinie bei n, mindestens I_max",
+    ),
+    ("mean of 1.5 R_hot I² over the cycle, I with K", "Mittel von 1,5 R_hot I² im Zyklus, I mit K"),
+    (
+        "mean of (I_NLS + K |n|) k_TM ω_mot over the cycle, and the coil of an open brake",
+        "Mittel von (I_NLS + K |n|) k_TM ω_mot im Zyklus, dazu die Spule einer offenen Bremse",
+    ),
+    (
+        "largest rise of the winding above its mean in the steady cycle",
+        "größte Erwärmung der Wicklung über ihr Mittel im Beharrungszustand",
+    ),
+    (
+        "published curves over the model at this duty; 1 where none is published",
+        "veröffentlichte Kennlinien bezogen auf das Modell bei dieser Betriebsart; 1, wo keine veröffentlicht ist",
+    ),
+    (
+        "(I/I_0)² of what the continuous curve permits at n_av, at least 1",
+        "(I/I_0)² dessen, was die Dauerkennlinie bei n_av zulässt, mindestens 1",
+    ),
+    ("largest on the way", "größtes auf dem Weg"),
+    ("dwells of one cycle that the brake holds", "Stillstände eines Zyklus, die die Bremse hält"),
+    ("largest while the speed is held from t on", "größtes, während die Drehzahl ab t gehalten wird"),
+    ("least while the speed is held from t on", "kleinstes, während die Drehzahl ab t gehalten wird"),
+    ("max |T_L| over the cycle", "max |T_L| im Zyklus"),
+    ("life for t_op a day after t_store", "Lebensdauer bei t_op je Tag nach t_store"),
+    (
+        "max |torque that holds the load without friction| over the cycle",
+        "max |Moment, das die Last ohne Reibung hält| im Zyklus",
+    ),
+    ("n is above n_end", "n liegt über n_end"),
+    ("in the segment of the largest M", "im Abschnitt mit dem größten M"),
+    ("no loads on the flange are given", "keine Lasten am Flansch angegeben"),
+    ("no speed is held", "keine Drehzahl wird gehalten"),
+    ("over the cycle", "im Zyklus"),
+    (
+        "speed held from t on, the nearest to a resonance",
+        "ab t gehaltene Drehzahl, die einer Resonanz am nächsten liegt",
+    ),
+    ("over the segments", "über die Abschnitte"),
+    ("short-time curve at n, at most T_max", "Kurzzeitkennlinie bei n, höchstens T_max"),
+    ("speed at t", "Drehzahl bei t"),
+    ("torque of the load at t", "Moment der Last bei t"),
+    ("torque of the load that drives on, at most", "Moment der Last, das weiter antreibt, höchstens"),
+    (
+        "upper bound of U_LL between this instant and the next",
+        "obere Schranke von U_LL zwischen diesem und dem nächsten Zeitpunkt",
+    ),
+    ("not known: counted as 0", "nicht bekannt: mit 0 angesetzt"),
+    ("in every segment in motion", "in jedem Abschnitt mit Bewegung"),
+    (" where ", " wo "),
+];
+
+/// What was searched or integrated, as it is told to people.
+#[must_use]
+pub fn found_text(text: &'static str, language: Language) -> String {
+    let whole = FOUND.iter().find(|(en, _)| *en == text);
+    let words = with_shown_symbols(&match (whole, language) {
+        (_, Language::En) => text.to_owned(),
+        (Some((_, de)), Language::De) => (*de).to_owned(),
+        // A formula with a few words around it.
+        (None, Language::De) => FOUND.iter().fold(text.to_owned(), |text, (en, de)| text.replace(en, de)),
+    });
+    either(language, words.clone(), words.replace("1.5 ", "1,5 "))
+}
+
+/// The symbols among the words of a text as people write them: `theta_g` is ϑ_g.
+fn with_shown_symbols(text: &str) -> String {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut shown = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(from) = rest.find(is_part) {
+        let (before, tail) = rest.split_at(from);
+        let (word, after) = tail.split_at(tail.find(|c| !is_part(c)).unwrap_or(tail.len()));
+        shown.push_str(before);
+        if word.contains('_') {
+            shown.push_str(&symbol_shown(word))
+        } else {
+            shown.push_str(word)
+        }
+        rest = after;
+    }
+    shown.push_str(rest);
+    shown
+}
+
+/// Symbols that mean something else in another unit: symbol, unit, English, German. They go before those below.
+const BY_UNIT: &[(&str, &str, &str, &str)] = &[
+    ("P_0", "W", "loss borne at standstill", "im Stillstand ertragener Verlust"),
+    ("P_0", "N", "static equivalent load", "statische Äquivalentlast"),
+    ("phi", "arcmin", "torsion of the gear", "Verdrehung des Getriebes"),
+    ("phi", "rad", "angle travelled over the cycle", "im Zyklus zurückgelegter Winkel"),
+    ("phi", "rev", "travel from the smallest to the largest position", "Weg von der kleinsten zur größten Lage"),
+    ("resolution", "arcsec", "resolution of the feedback at the motor", "Auflösung des Feedbacks am Motor"),
+    ("R", "ohm", "resistance of a phase, hot", "Strangwiderstand, warm"),
+];
+
+/// Symbols of derivations that are no printed cell: English, German.
+const TERMS: &[(&str, &str, &str)] = &[
+    ("accuracy_out", "accuracy of the feedback at the output", "Genauigkeit des Feedbacks am Abtrieb"),
+    ("approvals", "approvals at hand", "vorliegende Freigaben"),
+    ("approvals_needed", "approvals needed", "nötige Freigaben"),
+    ("d", "distance from the nearest resonance speed", "Abstand zur nächsten Resonanzdrehzahl"),
+    ("d_min", "distance advised", "empfohlener Abstand"),
+    ("f", "first natural frequency", "erste Eigenfrequenz"),
+    ("F_aav", "mean axial force", "mittlere Axialkraft"),
+    ("f_min", "natural frequency asked for", "geforderte Eigenfrequenz"),
+    ("F_rav", "mean radial force", "mittlere Radialkraft"),
+    ("f_high", "natural frequency of the least inertia", "Eigenfrequenz des kleinsten Trägheitsmoments"),
+    ("f_s", "static safety", "statische Sicherheit"),
+    ("f_s_min", "static safety asked for", "geforderte statische Sicherheit"),
+    ("gamma", "tilt of the flange", "Kippwinkel des Flansches"),
+    ("gamma_max", "tilt permitted", "zulässiger Kippwinkel"),
+    ("i_s", "ratio of the stage", "Übersetzung der Stufe"),
+    ("K_1", "torsional stiffness below T_1", "Torsionssteifigkeit unter T_1"),
+    ("K_2", "torsional stiffness between T_1 and T_2", "Torsionssteifigkeit zwischen T_1 und T_2"),
+    ("K_3", "torsional stiffness above T_2", "Torsionssteifigkeit über T_2"),
+    ("K_s", "torsional stiffness of the stage", "Torsionssteifigkeit der Stufe"),
+    ("L_10", "life that 90 % reach", "Lebensdauer, die 90 % erreichen"),
+    ("L_10_min", "life asked for", "geforderte Lebensdauer"),
+    ("L_50", "life that half reach", "Lebensdauer, die die Hälfte erreicht"),
+    ("M", "tilting moment", "Kippmoment"),
+    ("M_a", "moment of the axial force", "Moment der Axialkraft"),
+    ("M_L", "mean tilting moment of the mechanism", "mittleres Kippmoment des Mechanismus"),
+    ("M_r", "moment of the radial force", "Moment der Radialkraft"),
+    ("n_end", "largest output speed", "größte Abtriebsdrehzahl"),
+    ("n_in", "mean input speed", "mittlere Eingangsdrehzahl"),
+    ("N_k", "collisions permitted", "zulässige Kollisionen"),
+    ("n_r", "resonance speed", "Resonanzdrehzahl"),
+    ("n_r_high", "resonance speed of the least inertia", "Resonanzdrehzahl des kleinsten Trägheitsmoments"),
+    ("P_c", "dynamic equivalent load", "dynamische Äquivalentlast"),
+    ("phi_max", "torsion permitted", "zulässige Torsion"),
+    ("phi_perm", "angle permitted", "zulässiger Winkel"),
+    ("phi_b", "backlash of the stage", "Spiel der Stufe"),
+    ("phi_L", "torsion at the mechanism", "Torsionswinkel am Mechanismus"),
+    (
+        "phi_out",
+        "sum of the angular errors at the output of the actuator",
+        "Summe der Winkelfehler am Abtrieb des Antriebs",
+    ),
+    ("phi_sum", "sum of the angular errors", "Summe der Winkelfehler"),
+    ("phi_sum_max", "sum of the errors permitted", "zulässige Summe der Fehler"),
+    ("r", "lever arm", "Hebelarm"),
+    ("resolution_out", "resolution at the output", "Auflösung am Abtrieb"),
+    ("s", "deviation at the lever arm", "Abweichung am Hebelarm"),
+    ("s_max", "deviation permitted", "zulässige Abweichung"),
+    ("s_perm", "step permitted", "zulässiger Schritt"),
+    ("T_av", "cubic mean torque", "kubisch gemitteltes Moment"),
+    ("T_Br", "holding torque of the brake", "Haltemoment der Bremse"),
+    ("T_c", "friction torque", "Reibmoment"),
+    ("T_k", "collision torque", "Kollisionsmoment"),
+    ("t_k", "duration of a collision", "Dauer einer Kollision"),
+    ("t_op", "operation per day", "Betrieb je Tag"),
+    ("t_store", "storage", "Lagerung"),
+    ("theta_limit", "nearest end of the permitted range", "nächste Grenze des zulässigen Bereichs"),
+    ("alpha", "angular acceleration", "Winkelbeschleunigung"),
+    ("alpha_rms", "rms acceleration", "effektive Beschleunigung"),
+    ("dtheta", "swing of the winding's temperature", "Temperaturschwankung der Wicklung"),
+    ("dU", "rise of the DC link voltage", "Anstieg der Zwischenkreisspannung"),
+    ("b", "edge of the estimate's band", "Rand des Bandes der Schätzung"),
+    ("c", "scale of the model to the published curves", "Faktor des Modells zu den veröffentlichten Kennlinien"),
+    ("I_20", "no-load starting current at 20 °C", "lastfreier Anlaufstrom bei 20 °C"),
+    ("I_perm", "current permitted", "zulässiger Strom"),
+    ("I_s", "starting current counted", "angerechneter Anlaufstrom"),
+    ("K", "no-load current constant there", "Leerlaufstromkonstante dort"),
+    ("K_30", "no-load current constant at 30 °C", "Leerlaufstromkonstante bei 30 °C"),
+    ("K_80", "no-load current constant at 80 °C", "Leerlaufstromkonstante bei 80 °C"),
+    ("P_cu", "copper loss", "Kupferverlust"),
+    ("theta_g", "temperature of the gear", "Temperatur des Getriebes"),
+    ("theta_h", "temperature of the housing", "Temperatur des Gehäuses"),
+    ("theta_perm", "temperature certainly permitted", "sicher zulässige Temperatur"),
+    ("y_perm", "filtered square permitted", "zulässiges gefiltertes Quadrat"),
+    ("E_reg", "energy given back in one cycle", "in einem Zyklus zurückgegebene Energie"),
+    ("F", "loss borne over that at I_0", "ertragener Verlust bezogen auf den bei I_0"),
+    ("F_a", "axial force", "Axialkraft"),
+    ("F_r", "radial force", "Radialkraft"),
+    ("f_w", "load factor", "Betriebsfaktor"),
+    ("I", "motor current", "Motorstrom"),
+    ("I_f", "current of friction", "Reibstrom"),
+    ("I_peak", "peak current", "Spitzenstrom"),
+    ("I_th", "current at the permissible loss", "Strom beim zulässigen Verlust"),
+    ("I_U", "current at the voltage limit", "Strom an der Spannungsgrenze"),
+    ("i_q", "torque-forming current, peak of a phase", "momentbildender Strom, Scheitelwert eines Strangs"),
+    ("J", "inertia of load and actuator", "Trägheit von Last und Antrieb"),
+    ("J_out", "moment of inertia of the actuator at the output", "Massenträgheitsmoment des Antriebs am Abtrieb"),
+    ("J_L", "moment of inertia of the load", "Massenträgheitsmoment der Last"),
+    ("J_L_min", "least moment of inertia of the load", "kleinstes Massenträgheitsmoment der Last"),
+    ("J_L_rec", "recommended for high dynamics", "empfohlen für hohe Dynamik"),
+    ("L", "inductance of a phase", "Stranginduktivität"),
+    ("L_a", "distance of the axial force from the axis", "Abstand der Axialkraft von der Drehachse"),
+    ("L_asked", "life asked for", "geforderte Lebensdauer"),
+    ("L_bat", "life of the battery", "Lebensdauer der Batterie"),
+    ("L_r", "distance of the radial force from the flange", "Abstand der Radialkraft vom Flansch"),
+    ("m", "modulation reserve", "Modulationsreserve"),
+    ("n", "output speed", "Abtriebsdrehzahl"),
+    ("n_2", "running speed", "Drehzahl der Bewegung"),
+    ("n_av", "mean output speed", "mittlere Abtriebsdrehzahl"),
+    ("n_max", "largest output speed", "größte Abtriebsdrehzahl"),
+    ("n_N_out", "rated motor speed at the output", "Bemessungsdrehzahl am Abtrieb"),
+    ("n_peak", "peak output speed", "Spitzendrehzahl am Abtrieb"),
+    ("N", "absolute turns of the encoder", "absolute Umdrehungen des Gebers"),
+    ("N_life", "brakings over the service life", "Bremsungen über die Betriebszeit"),
+    ("N_out", "absolute range at the output", "absoluter Bereich am Abtrieb"),
+    ("N_stops", "stops asked for", "geforderte Nothalte"),
+    ("omega_1", "speed when the brake takes hold", "Drehzahl, wenn die Bremse greift"),
+    ("omega_e", "electrical angular frequency", "elektrische Kreisfrequenz"),
+    ("P_f", "loss by friction", "Reibverlust"),
+    ("P_perm", "power that can be taken back", "aufnehmbare Leistung"),
+    ("P_reg", "mean power given back", "mittlere Rückspeiseleistung"),
+    ("phi_stop", "stop by the brake alone", "Halt allein durch die Bremse"),
+    ("psi", "flux linkage, peak of a phase", "Flussverkettung, Scheitelwert eines Strangs"),
+    ("R_hot", "resistance at 80 °C", "Widerstand bei 80 °C"),
+    ("rho", "correlation of acceleration and load torque", "Korrelation von Beschleunigung und Lastmoment"),
+    ("S", "holding safety", "Haltesicherheit"),
+    ("s_mot", "step at the motor", "Schritt am Motor"),
+    ("s_out", "step at the output", "Schritt am Abtrieb"),
+    ("sigma", "direction of motion", "Bewegungsrichtung"),
+    ("t", "instant", "Zeitpunkt"),
+    ("T", "torque at the output", "Drehmoment am Abtrieb"),
+    ("t_0", "cycle time", "Zykluszeit"),
+    ("t_1", "acceleration time", "Beschleunigungszeit"),
+    ("t_2", "time at constant speed", "Zeit mit konstanter Drehzahl"),
+    ("t_3", "braking time", "Bremszeit"),
+    ("t_p", "pause", "Pausenzeit"),
+    ("T_1", "torque while accelerating", "Drehmoment beim Beschleunigen"),
+    ("T_2", "torque at constant speed", "Drehmoment bei konstanter Drehzahl"),
+    ("T_3", "torque while braking", "Drehmoment beim Bremsen"),
+    ("T_at", "torque there", "Drehmoment dort"),
+    ("T_cont", "continuous torque", "Dauerdrehmoment"),
+    ("T_curve", "torque of the curve", "Drehmoment der Kennlinie"),
+    ("T_d", "torque that drives on", "antreibendes Moment"),
+    ("T_hold", "torque to be held", "zu haltendes Moment"),
+    ("T_j", "torque through the joint", "Moment durch die Verbindung"),
+    ("t_life", "service life", "Betriebszeit"),
+    ("T_L", "torque of the load", "Lastmoment"),
+    ("T_L_rms", "rms torque of the load", "effektives Lastmoment"),
+    ("T_need", "torque to be held, with its safety", "zu haltendes Moment mit Sicherheit"),
+    ("T_peak", "peak torque", "Spitzenmoment"),
+    (
+        "T_s",
+        "largest torque of the load at the output of the actuator",
+        "größtes Moment der Last am Abtrieb des Antriebs",
+    ),
+    ("T_rms", "rms torque", "effektives Drehmoment"),
+    ("T_short", "short-time torque", "Kurzzeitdrehmoment"),
+    ("T_th", "torque at the permissible loss", "Drehmoment beim zulässigen Verlust"),
+    ("T_trans", "torque that the screws transmit", "von den Schrauben übertragbares Moment"),
+    ("tau_w", "time constant of the winding", "Zeitkonstante der Wicklung"),
+    ("theta_a", "ambient temperature", "Umgebungstemperatur"),
+    ("theta_m", "mean temperature of the winding", "mittlere Wicklungstemperatur"),
+    ("theta_w", "temperature of the winding", "Wicklungstemperatur"),
+    ("theta_warn", "warning threshold", "Warnschwelle"),
+    ("U", "terminal voltage", "Klemmenspannung"),
+    ("u_d", "voltage across the flux", "Spannung in Flussrichtung"),
+    ("U_DC", "DC link voltage", "Zwischenkreisspannung"),
+    ("U_LL", "terminal voltage, fundamental, rms", "Klemmenspannung, Grundwelle, effektiv"),
+    ("U_M", "available terminal voltage", "verfügbare Klemmenspannung"),
+    ("U_top", "DC link voltage with its rise", "Zwischenkreisspannung mit Anstieg"),
+    ("u_q", "voltage along the torque", "Spannung in Momentrichtung"),
+    ("w", "share of the housing in the thermal resistance", "Anteil des Gehäuses am Wärmewiderstand"),
+    ("z", "brakings per cycle", "Bremsungen je Zyklus"),
+    ("y", "overload integral", "Überlastintegral"),
+];
+
+/// What a symbol that a derivation makes means in its unit; empty where the glossary has to tell it.
+#[must_use]
+pub fn step_term(symbol: &str, unit: &str, language: Language) -> &'static str {
+    let of_unit = BY_UNIT.iter().find(|(name, of, ..)| *name == symbol && *of == unit).map(|(.., en, de)| (en, de));
+    let found = of_unit.or_else(|| TERMS.iter().find(|(name, ..)| *name == symbol).map(|(_, en, de)| (en, de)));
+    found.map_or("", |(en, de)| match language {
+        Language::En => en,
+        Language::De => de,
+    })
+}
+
+/// Every symbol of the derivations with its meaning, English and German; one symbol may have several.
+#[must_use]
+pub fn step_terms() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    BY_UNIT.iter().map(|(symbol, _, en, de)| (*symbol, *en, *de)).chain(TERMS.iter().copied())
+}

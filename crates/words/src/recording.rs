@@ -1,0 +1,524 @@
+//! Words about recordings that cannot be read.
+
+use super::either;
+use quantities::unit::SECOND;
+use quantities::{Dimension, Language, Measure, Time, Unit, format_significant};
+use recording::{Fault, GAP_FACTOR, KnownBy, Place, Role, Stamp};
+
+/// What is wrong with a recording, and what to do about it.
+pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String>) {
+    match fault {
+        Fault::ColumnUnknown { .. }
+        | Fault::ColumnTwice { .. }
+        | Fault::TimeMissing { .. }
+        | Fault::CourseMissing { .. }
+        | Fault::Ambiguous { .. }
+        | Fault::UnitMissing { .. }
+        | Fault::UnitUnknown { .. }
+        | Fault::UnitWrong { .. }
+        | Fault::UnitContradiction { .. }
+        | Fault::CourseMixed { .. }
+        | Fault::ColumnType { .. } => column_fault(fault, language),
+        Fault::ValueMissing { .. }
+        | Fault::ValueUnreadable { .. }
+        | Fault::ValueNotFinite { .. }
+        | Fault::DecimalMixed { .. }
+        | Fault::ThousandsGrouped { .. }
+        | Fault::Backwards { .. }
+        | Fault::SameTime { .. }
+        | Fault::Gap { .. } => sample_fault(fault, language),
+        Fault::Repeated { first, more } => {
+            let (message, hint) = self::fault(first, language);
+            let more = match language {
+                Language::En => format!("{message}; {more} more like it"),
+                Language::De => format!("{message}; {more} weitere dieser Art"),
+            };
+            (more, hint)
+        }
+        Fault::ReadFailed { .. }
+        | Fault::NoHeader
+        | Fault::LineTooLong { .. }
+        | Fault::QuoteOpen { .. }
+        | Fault::Ragged { .. }
+        | Fault::WindowReversed { .. }
+        | Fault::TooFewSamples { .. }
+        | Fault::TooManySamples { .. }
+        | Fault::ParquetUnreadable { .. }
+        | Fault::More { .. } => file_fault(fault, language),
+    }
+}
+
+/// Faults of the file as a whole and of its lines.
+fn file_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
+    let e = |en: String, de: String| either(language, en, de);
+    let t = |en: &str, de: &str| Some(either(language, en, de));
+    match fault {
+        Fault::ReadFailed { line, kind } => (
+            e(
+                format!("line {line}: the file cannot be read on: {kind}"),
+                format!("Zeile {line}: die Datei ist nicht weiter lesbar: {kind}"),
+            ),
+            None,
+        ),
+        Fault::NoHeader => (
+            either(language, "the file has no header line", "die Datei hat keine Kopfzeile"),
+            t(
+                "the first line names the columns, for example time [s];q [deg]",
+                "die erste Zeile nennt die Spalten, zum Beispiel time [s];q [deg]",
+            ),
+        ),
+        Fault::LineTooLong { line, most } => (
+            e(
+                format!("line {line}: longer than {} KiB", most / 1024),
+                format!("Zeile {line}: länger als {} KiB", most / 1024),
+            ),
+            t("is this a CSV with one sample per line?", "ist das eine CSV mit einem Abtastwert je Zeile?"),
+        ),
+        Fault::QuoteOpen { line } => (
+            e(
+                format!("line {line}: a cell in quotes does not end in this line"),
+                format!("Zeile {line}: eine Zelle in Anführungszeichen endet nicht in dieser Zeile"),
+            ),
+            None,
+        ),
+        Fault::Ragged { line, found, expected } => (
+            e(
+                format!("line {line}: {found} cells, the header has {expected}"),
+                format!("Zeile {line}: {found} Zellen, die Kopfzeile hat {expected}"),
+            ),
+            None,
+        ),
+        Fault::WindowReversed { from, to } => {
+            let (from, to) = (seconds(*from, language), seconds(*to, language));
+            (
+                e(
+                    format!("the window ends at {to}, before it begins at {from}"),
+                    format!("das Zeitfenster endet bei {to}, bevor es bei {from} beginnt"),
+                ),
+                None,
+            )
+        }
+        Fault::TooFewSamples { found, least, outside, span } => (
+            match outside {
+                0 => e(
+                    format!("the file has {found} samples, at least {least} are needed"),
+                    format!("die Datei hat {found} Abtastwerte, nötig sind mindestens {least}"),
+                ),
+                _ => e(
+                    format!("{found} samples lie in the window and {outside} outside, at least {least} are needed"),
+                    format!(
+                        "im Zeitfenster liegen {found} Abtastwerte, außerhalb {outside}; nötig sind mindestens {least}"
+                    ),
+                ),
+            },
+            span.filter(|_| *outside > 0).map(|[first, last]| {
+                let (first, last) = (stamp(first, language), stamp(last, language));
+                e(format!("the file runs from {first} to {last}"), format!("die Datei reicht von {first} bis {last}"))
+            }),
+        ),
+        Fault::TooManySamples { most } => (
+            e(format!("the file has more than {most} samples"), format!("die Datei hat mehr als {most} Abtastwerte")),
+            t("select a part with from and to", "mit from und to einen Abschnitt wählen"),
+        ),
+        Fault::ParquetUnreadable { reason } => (
+            e(
+                format!("the Parquet file cannot be read: {reason}"),
+                format!("die Parquet-Datei ist nicht lesbar: {reason}"),
+            ),
+            t(
+                "uncompressed, snappy, zstd, gzip and lz4 files without encryption are read",
+                "gelesen werden unverschlüsselte Dateien ohne Kompression oder mit snappy, zstd, gzip, lz4",
+            ),
+        ),
+        Fault::More { count: 0, .. } => {
+            (either(language, "the rest of the file was not read", "der Rest der Datei wurde nicht gelesen"), None)
+        }
+        Fault::More { count, stopped } => (
+            {
+                let (faults, further) = match count {
+                    1 => ("1 more fault".to_owned(), "1 weiterer Fehler".to_owned()),
+                    count => (format!("{count} more faults"), format!("{count} weitere Fehler")),
+                };
+                match stopped {
+                    false => e(format!("and {faults}"), format!("und {further}")),
+                    true => e(
+                        format!("and {faults}; the rest of the file was not read"),
+                        format!("und {further}; der Rest der Datei wurde nicht gelesen"),
+                    ),
+                }
+            },
+            None,
+        ),
+        _ => (either(language, "this is not a recording", "das ist keine Aufzeichnung"), None),
+    }
+}
+
+/// Faults of columns and their units.
+fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
+    let e = |en: String, de: String| either(language, en, de);
+    let q = |text: &str| quoted(text, language);
+    match fault {
+        Fault::ColumnUnknown { role, name, nearest, headers } => (
+            e(
+                format!("no column is named {} ({})", q(name), role_name(*role, language)),
+                format!("keine Spalte heißt {} ({})", q(name), role_name(*role, language)),
+            ),
+            Some(match nearest {
+                Some(nearest) => e(format!("did you mean {}?", q(nearest)), format!("ist {} gemeint?", q(nearest))),
+                None => columns(headers, language),
+            }),
+        ),
+        Fault::ColumnTwice { column, roles: [first, second] } => {
+            let (first, second) = (role_name(*first, language), role_name(*second, language));
+            (
+                e(
+                    format!("the column {} is named as {first} and as {second}", q(column)),
+                    format!("die Spalte {} ist als {first} und als {second} angegeben", q(column)),
+                ),
+                None,
+            )
+        }
+        Fault::TimeMissing { headers } => (
+            either(language, "no column of time is found", "es gibt keine Spalte für die Zeit"),
+            Some(columns_and_names(headers, "time", &[Role::Time], language)),
+        ),
+        Fault::CourseMissing { headers } => (
+            either(
+                language,
+                "neither a column of position nor one of speed is found",
+                "es gibt weder eine Spalte für die Position noch eine für die Geschwindigkeit",
+            ),
+            Some(columns_and_names(headers, "position or speed", &[Role::Position, Role::Speed], language)),
+        ),
+        Fault::Ambiguous { role, columns } => {
+            let list = columns.iter().map(|name| q(name)).collect::<Vec<_>>().join(", ");
+            let (role, key) = (role_name(*role, language), role_key(*role));
+            (
+                e(
+                    format!("several columns could be the {role}: {list}"),
+                    format!("mehrere Spalten kommen für {role} in Frage: {list}"),
+                ),
+                Some(e(format!("name the one in columns.{key}"), format!("die richtige in columns.{key} nennen"))),
+            )
+        }
+        Fault::UnitMissing { role, column } => (
+            e(format!("the unit of {} is missing", q(column)), format!("die Einheit von {} fehlt", q(column))),
+            Some(e(
+                format!(
+                    "write it behind the name, for example {}, or in a row under the header",
+                    header(column, *role)
+                ),
+                format!(
+                    "sie steht hinter dem Namen, zum Beispiel {}, oder in einer Zeile unter der Kopfzeile",
+                    header(column, *role)
+                ),
+            )),
+        ),
+        Fault::UnitUnknown { role, column, text, by, nearest } => (
+            e(
+                format!("{} is not a known unit ({}, {})", q(text), q(column), known_by(*by, language)),
+                format!("{} ist keine bekannte Einheit ({}, {})", q(text), q(column), known_by(*by, language)),
+            ),
+            Some(match nearest {
+                Some(unit) => e(format!("did you mean {}?", q(unit.ascii)), format!("ist {} gemeint?", q(unit.ascii))),
+                None => valid_units(*role, language),
+            }),
+        ),
+        Fault::UnitWrong { role, column, unit, by } => {
+            let (measures, by) = (unit.dimension.name(language), known_by(*by, language));
+            let (unit, column, role_name) = (q(unit.ascii), q(column), role_name(*role, language));
+            (
+                e(
+                    format!("{unit} is a unit of {measures}, {column} is read as {role_name} ({by})"),
+                    format!("{unit} ist eine Einheit für {measures}, {column} wird als {role_name} gelesen ({by})"),
+                ),
+                Some(valid_units(*role, language)),
+            )
+        }
+        Fault::UnitContradiction { column, units: [first, second], by: [first_by, second_by] } => {
+            let (first_by, second_by) = (known_by(*first_by, language), known_by(*second_by, language));
+            (
+                e(
+                    format!(
+                        "two units for {}: {} ({first_by}) and {} ({second_by})",
+                        q(column),
+                        first.ascii,
+                        second.ascii
+                    ),
+                    format!(
+                        "zwei Einheiten für {}: {} ({first_by}) und {} ({second_by})",
+                        q(column),
+                        first.ascii,
+                        second.ascii
+                    ),
+                ),
+                None,
+            )
+        }
+        Fault::CourseMixed { position, speed } => {
+            let (position, speed) = (position.name_with_article(language), speed.name_with_article(language));
+            (
+                e(
+                    format!("position and speed do not belong together: {position} and {speed}"),
+                    format!("Position und Geschwindigkeit widersprechen sich: {position} und {speed}"),
+                ),
+                Some(either(language, "leave one of the two columns out", "eine der beiden Spalten weglassen")),
+            )
+        }
+        Fault::ColumnType { column, found } => (
+            e(
+                format!("the column {} holds {found}, no plain numbers", q(column)),
+                format!("die Spalte {} enthält {found}, keine einfachen Zahlen", q(column)),
+            ),
+            Some(either(
+                language,
+                "float, double and integers without a scale are read",
+                "gelesen werden float, double und ganze Zahlen ohne Skalierung",
+            )),
+        ),
+        _ => file_fault(fault, language),
+    }
+}
+
+/// Faults of single samples.
+fn sample_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
+    let e = |en: String, de: String| either(language, en, de);
+    let q = |text: &str| quoted(text, language);
+    match fault {
+        Fault::ValueMissing { at, column } => (
+            e(
+                format!("{}: the value of {} is missing", place(*at, language), q(column)),
+                format!("{}: der Wert von {} fehlt", place(*at, language), q(column)),
+            ),
+            None,
+        ),
+        Fault::ValueUnreadable { at, column, text } => (
+            e(
+                format!("{}: {} in {} is not a number", place(*at, language), q(text), q(column)),
+                format!("{}: {} in {} ist keine Zahl", place(*at, language), q(text), q(column)),
+            ),
+            None,
+        ),
+        Fault::ValueNotFinite { at, column, text } => (
+            e(
+                format!("{}: {} in {} is not a finite number", place(*at, language), q(text), q(column)),
+                format!("{}: {} in {} ist keine endliche Zahl", place(*at, language), q(text), q(column)),
+            ),
+            None,
+        ),
+        Fault::DecimalMixed { line, column, text, decided } => (
+            e(
+                format!("line {line}: {} in {} has another decimal sign than line {decided}", q(text), q(column)),
+                format!(
+                    "Zeile {line}: {} in {} hat ein anderes Dezimalzeichen als Zeile {decided}",
+                    q(text),
+                    q(column)
+                ),
+            ),
+            Some(either(
+                language,
+                "use either points or commas in the whole file, and no sign between thousands",
+                "in der ganzen Datei entweder Punkt oder Komma, und kein Zeichen zwischen Tausendern",
+            )),
+        ),
+        Fault::ThousandsGrouped { at, column, text } => (
+            e(
+                format!("{}: {} in {} has signs between its thousands", place(*at, language), q(text), q(column)),
+                format!(
+                    "{}: {} in {} hat Trennzeichen zwischen den Tausendern",
+                    place(*at, language),
+                    q(text),
+                    q(column)
+                ),
+            ),
+            Some(either(
+                language,
+                "export the numbers without a thousands separator: 1234.5 or 1234,5",
+                "die Zahlen ohne Tausendertrennzeichen ausgeben: 1234,5 oder 1234.5",
+            )),
+        ),
+        Fault::Backwards { at, time, before } => {
+            let (time, before) = (stamp(*time, language), stamp(*before, language));
+            (
+                e(
+                    format!("{}: time runs backwards, {time} follows {before}", place(*at, language)),
+                    format!("{}: die Zeit läuft rückwärts, {time} folgt auf {before}", place(*at, language)),
+                ),
+                None,
+            )
+        }
+        Fault::SameTime { at, first, time } => {
+            let (at, first, time) = (place(*at, language), place(*first, language), stamp(*time, language));
+            (
+                e(
+                    format!("{at}: the same time as {first}, {time}"),
+                    format!("{at}: dieselbe Zeit wie {first}, {time}"),
+                ),
+                None,
+            )
+        }
+        Fault::Gap { at, length, median } => {
+            let (length, median) = (seconds(*length, language), seconds(*median, language));
+            let factor = format_significant(GAP_FACTOR, 2, language);
+            (
+                e(
+                    format!(
+                        "{}: a gap of {length} before this sample, more than {factor} times the median interval of {median}",
+                        place(*at, language)
+                    ),
+                    format!(
+                        "{}: vor diesem Abtastwert liegt eine Lücke von {length}, mehr als das {factor}-Fache des mittleren \
+                         Abstands (Median) von {median}",
+                        place(*at, language)
+                    ),
+                ),
+                Some(either(
+                    language,
+                    "select a part with from and to, or accept gaps with gaps = \"allow\"",
+                    "mit from und to einen Abschnitt wählen oder Lücken mit gaps = \"allow\" zulassen",
+                )),
+            )
+        }
+        _ => file_fault(fault, language),
+    }
+}
+
+fn quoted(text: &str, language: Language) -> String {
+    either(language, format!("\"{text}\""), format!("„{text}“"))
+}
+
+fn place(at: Place, language: Language) -> String {
+    match at {
+        Place::Line(number) => either(language, format!("line {number}"), format!("Zeile {number}")),
+        Place::Row(number) => either(language, format!("row {number}"), format!("Reihe {number}")),
+    }
+}
+
+fn seconds(time: Time, language: Language) -> String {
+    format!("{} {}", format_significant(time.si(), 5, language), SECOND.symbol)
+}
+
+/// A time with all the digits that it was written with.
+fn stamp(stamp: Stamp, language: Language) -> String {
+    let number = stamp.value.to_string();
+    format!("{} {}", either(language, number.as_str(), number.replace('.', ",")), stamp.unit.symbol)
+}
+
+const fn role_key(role: Role) -> &'static str {
+    match role {
+        Role::Time => "time",
+        Role::Position => "position",
+        Role::Speed => "speed",
+        Role::Torque => "torque",
+    }
+}
+
+fn role_name(role: Role, language: Language) -> String {
+    match role {
+        Role::Time => either(language, "time", "Zeit"),
+        Role::Position => either(language, "position", "Position"),
+        Role::Speed => either(language, "speed", "Geschwindigkeit"),
+        Role::Torque => either(language, "torque or force", "Drehmoment oder Kraft"),
+    }
+}
+
+fn known_by(by: KnownBy, language: Language) -> String {
+    match by {
+        KnownBy::Header => either(language, "in the header", "in der Kopfzeile"),
+        KnownBy::UnitRow => either(language, "in the row of units", "in der Einheitenzeile"),
+        KnownBy::Metadata => either(language, "in the metadata", "in den Metadaten"),
+        KnownBy::Layout => either(language, "in the project file", "in der Projektdatei"),
+    }
+}
+
+/// The column with the usual unit behind its name.
+fn header(column: &str, role: Role) -> String {
+    let unit = role.dimensions().first().and_then(|dimension| dimension.units().first());
+    format!("{column} [{}]", unit.map_or("", |unit: &Unit| unit.ascii))
+}
+
+fn valid_units(role: Role, language: Language) -> String {
+    let units = |dimension: &Dimension| {
+        let names: Vec<&str> = dimension.units().iter().map(|unit| unit.ascii).collect();
+        format!("{} ({})", dimension.name_with_article(language), names.join(", "))
+    };
+    let expected: Vec<String> = role.dimensions().iter().map(units).collect();
+    either(
+        language,
+        format!("expected {}", expected.join(" or ")),
+        format!("erwartet wird {}", expected.join(" oder ")),
+    )
+}
+
+fn columns(headers: &[String], language: Language) -> String {
+    // More names than these fill the screen and help nobody.
+    const MOST: usize = 20;
+    let mut list = headers.iter().take(MOST).map(|name| quoted(name, language)).collect::<Vec<_>>().join(", ");
+    if headers.len() > MOST {
+        list.push_str(", …");
+    }
+    either(language, format!("the columns are {list}"), format!("die Spalten sind {list}"))
+}
+
+fn columns_and_names(headers: &[String], keys: &str, roles: &[Role], language: Language) -> String {
+    let names: Vec<&str> = roles.iter().flat_map(|role| role.names()).copied().collect();
+    let (columns, names) = (columns(headers, language), names.join(", "));
+    let keys_de = keys.replace(" or ", " oder ");
+    either(
+        language,
+        format!("{columns}; recognised are {names}, another one is named under {keys}"),
+        format!("{columns}; erkannt werden {names}, eine andere wird unter {keys_de} genannt"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use recording::{Layout, read_csv};
+
+    fn told(text: &str, language: Language) -> Vec<String> {
+        let faults = read_csv(text.as_bytes(), &Layout::default()).unwrap_err();
+        faults.iter().map(|found| fault(found, language).0).collect()
+    }
+
+    #[test]
+    fn faults_name_their_line_in_both_languages() {
+        let text = "t [s];q [deg]\n0;1,5\n1;x\n0,5;2\n";
+        assert_eq!(
+            told(text, Language::En),
+            ["line 3: \"x\" in \"q [deg]\" is not a number", "line 4: time runs backwards, 0.5 s follows 1 s",]
+        );
+        assert_eq!(
+            told(text, Language::De),
+            ["Zeile 3: „x“ in „q [deg]“ ist keine Zahl", "Zeile 4: die Zeit läuft rückwärts, 0,5 s folgt auf 1 s",]
+        );
+    }
+
+    #[test]
+    fn a_gap_says_how_to_go_on() {
+        let text = "t [ms],q [deg]\n0,0\n1,0\n2,0\n3,0\n14.5,0\n";
+        let faults = read_csv(text.as_bytes(), &Layout::default()).unwrap_err();
+        let (message, hint) = fault(&faults[0], Language::En);
+        assert_eq!(
+            message,
+            "line 6: a gap of 0.011500 s before this sample, more than 10 times the median interval of 0.0010000 s"
+        );
+        assert!(hint.unwrap().contains("gaps = \"allow\""));
+    }
+
+    #[test]
+    fn units_are_asked_for_and_corrected() {
+        let faults = read_csv("t,q [grad],n [deg]\n0,1,2\n".as_bytes(), &Layout::default()).unwrap_err();
+        let said: Vec<(String, Option<String>)> = faults.iter().map(|found| fault(found, Language::De)).collect();
+        assert_eq!(said[0].0, "die Einheit von „t“ fehlt");
+        assert!(said[0].1.as_ref().unwrap().contains("t [s]"));
+        assert_eq!(said[1].1.as_deref(), Some("ist „rad“ gemeint?"));
+        assert_eq!(
+            said[2].0,
+            "„deg“ ist eine Einheit für Winkel, „n [deg]“ wird als Geschwindigkeit gelesen (in der Kopfzeile)"
+        );
+        let (message, hint) = fault(&faults[2], Language::En);
+        assert_eq!(message, "\"deg\" is a unit of angle, \"n [deg]\" is read as speed (in the header)");
+        assert!(hint.unwrap().starts_with("expected a rotational speed (1/min, rad/s,"));
+    }
+}

@@ -1,0 +1,25 @@
+//! Words of the schema of the project file.
+
+use super::either;
+use project::SchemaText;
+use quantities::{Dimension, Language};
+
+/// A text of the schema of the project file.
+#[must_use]
+pub fn schema_text(text: SchemaText, language: Language) -> String {
+    match text {
+        SchemaText::Key(en, de) => either(language, en, de),
+        SchemaText::Quantity(dimension) => quantity(dimension, language),
+    }
+}
+
+/// How a quantity is written, for an editor.
+fn quantity(dimension: Dimension, language: Language) -> String {
+    let (name, example) = (dimension.name(language), dimension.example());
+    let half = if dimension == Dimension::Temperature { "5 K" } else { "10 %" };
+    either(
+        language,
+        format!("{name} with its unit, perhaps with a tolerance: \"{example}\", \"{example} ± {half}\""),
+        format!("{name} mit Einheit, vielleicht mit Toleranz: \"{example}\", \"{example} ± {half}\""),
+    )
+}

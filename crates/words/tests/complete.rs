@@ -1,0 +1,383 @@
+//! Every identifier has its words in both languages, and they are not the same words.
+
+use actuator::{BatteryFault, CurveFault, CurveKind};
+use configurator::{BrokenRule, Rule, Unmet};
+use mechanism::{BodyError, TableFault};
+use motion::{Law, MoveFault, Needed, RecordedFault};
+use order_code::{Brake, CodeError, Feedback, Field};
+use project::{Assumption, BODY_SHAPES, Expected, Fault, FileTrouble, Hint, Range, SegmentLaw};
+use provenance::{Grade, Source};
+use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND};
+use quantities::{Dimension, Language, Measure, QuantityError};
+use sizing::{CheckId, Figure, Note, TooManyRevolutions, Verdict};
+use std::io::ErrorKind;
+
+/// Both are there, and German is not English.
+fn differ(what: &str, text: impl Fn(Language) -> String) {
+    let (en, de) = (text(Language::En), text(Language::De));
+    assert!(!en.trim().is_empty() && !de.trim().is_empty(), "{what}: \"{en}\", \"{de}\"");
+    assert_ne!(en, de, "{what}");
+}
+
+fn q<Q: Measure>(si: f64) -> Q {
+    Q::from_si(si)
+}
+
+#[test]
+fn checks_and_verdicts() {
+    for id in CheckId::ALL {
+        differ(id.id(), |language| words::check_title(*id, language));
+    }
+    for verdict in [Verdict::Pass, Verdict::Fail, Verdict::Advice, Verdict::NotChecked] {
+        differ(verdict.id(), |language| words::verdict_word(verdict, language));
+    }
+    for grade in [Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed] {
+        differ(grade.id(), |language| words::grade_word(grade, language).to_owned());
+        differ(grade.id(), |language| words::grade_about(grade, language).to_owned());
+    }
+    for kind in [CurveKind::Continuous, CurveKind::S3 { duty: q(0.5) }, CurveKind::ShortTime] {
+        differ("curve", |language| words::curve_title(&kind, language));
+    }
+    for (fits, open) in [(true, 0), (true, 1), (true, 2), (false, 0)] {
+        differ("standing", |language| words::standing_text(fits, open, language));
+    }
+    differ("ranking", words::ranking_rule);
+}
+
+#[test]
+fn assumptions_laws_shapes_and_fields() {
+    for assumption in Assumption::ALL {
+        differ(&format!("{assumption:?}"), |language| words::assumption_text(assumption, language));
+    }
+    let laws = Law::ALL.into_iter().map(SegmentLaw::Law);
+    for law in laws.chain([SegmentLaw::Manual, SegmentLaw::Dwell, SegmentLaw::Recorded]) {
+        differ(law.id(), |language| words::law_text(law, language).to_owned());
+    }
+    for shape in &BODY_SHAPES {
+        differ(shape.name, |language| words::shape_title(shape, language).to_owned());
+    }
+    for field in Field::ALL.iter().copied() {
+        differ(&format!("{field:?}"), |language| words::describe_field(field, language).to_owned());
+    }
+}
+
+#[test]
+fn terms_of_the_glossary() {
+    for term in catalogue::glossary() {
+        for language in [Language::En, Language::De] {
+            let text = words::symbol_term(term.symbol, language);
+            // Of a column that is a word itself the English term is that word.
+            assert!(!text.is_empty() && (text != term.symbol || text == term.identifier), "{}: {text}", term.symbol);
+        }
+    }
+}
+
+#[test]
+fn rules_requirements_and_codes() {
+    let code = order_code::parse("CHA-20A-50-H-C1024-B-K").unwrap().code;
+    let rules =
+        [Rule::NotForSize, Rule::PairNotListed, Rule::NotInOrderingTables, Rule::OnlyWithM512P, Rule::OnlyWithResolver];
+    for rule in rules {
+        let broken = BrokenRule { field: Field::Option2, rule, table: "12.1" };
+        differ(&format!("{rule:?}"), |language| words::describe_rule(&code, &broken, language));
+    }
+    let unmet = [
+        Unmet::Feedback(Feedback::C1024),
+        Unmet::Brake(Brake::With),
+        Unmet::Brake(Brake::Without),
+        Unmet::HollowShaft { has: q(0.01), needs: q(0.02) },
+        Unmet::Length { has: q(0.2), permits: q(0.1) },
+        Unmet::Mass { has: q(2.0), permits: q(1.0) },
+        Unmet::SupplyTooLow { needs: q(300.0), gives: q(200.0) },
+        Unmet::NotKnown { symbol: "m" },
+    ];
+    for each in unmet {
+        differ(&format!("{each:?}"), |language| words::unmet_text(&each, language));
+        differ(&format!("{each:?}"), |language| words::requirement_title(&each, language));
+    }
+    let sources = [
+        Source::Equation { number: "69.1" },
+        Source::Model { name: "thermal" },
+        Source::Project { key: "load.inertia".into() },
+    ];
+    for source in &sources {
+        differ(&format!("{source:?}"), |language| words::source_text(source, language));
+    }
+}
+
+#[test]
+fn notes() {
+    let figure = Figure { si: 1.0, unit: &NEWTON_METRE };
+    let speeds = [(q(1.0), q(2.0)); 3];
+    let all = [
+        Note::FrictionTemperatures { cold: q(293.0), settled: Some(q(333.0)) },
+        Note::FrictionTemperatures { cold: q(293.0), settled: None },
+        Note::FrictionExtrapolated { low: 0.5, high: 2.0 },
+        Note::UntilWarm,
+        Note::EstimatedUpTo(figure),
+        Note::InsideBand,
+        Note::RiseAbove(q(313.0)),
+        Note::CycleNotShort { cycle: q(100.0) },
+        Note::BrakingTorqueAssumed,
+        Note::RecommendationForHighDynamics,
+        Note::SwingTooSmall { swing: q(0.05) },
+        Note::SmallSwings { count: 3, largest: q(0.05), share: 0.5 },
+        Note::RatingOfInterchangeableGear,
+        Note::LoadsOneAtATime,
+        Note::WarmUp(Some(q(600.0))),
+        Note::Housing(q(330.0)),
+        Note::HangingLoad,
+        Note::Sag(q(0.01)),
+        Note::BrakeStop { angle: q(1.0), time: q(1.0), energy: q(1.0), permitted: Some(10.0) },
+        Note::BrakeStop { angle: q(1.0), time: q(1.0), energy: q(1.0), permitted: None },
+        Note::BrakeDoesNotStop,
+        Note::NothingHolds,
+        Note::NothingHoldsWithoutPower,
+        Note::DwellTooShortForBrake { shortest: q(0.05), needed: q(0.1) },
+        Note::BrakeTimesAssumed,
+        Note::BrakingsLast { each_cycle: 2.0, lasts: Some(q(3.6e6)) },
+        Note::BrakingsLast { each_cycle: 2.0, lasts: None },
+        Note::DcLinkRises { to: q(700.0), free: q(100.0) },
+        Note::Ratcheting { ratcheting: q(100.0), buckling: Some(q(200.0)) },
+        Note::NoBrake,
+        Note::EnergyPerCycle { motoring: q(10.0), regenerated: q(1.0), peak: q(5.0) },
+        Note::CollisionsPermitted(100.0),
+        Note::Capacitor { energy: q(10.0), capacitance_f: 1e-3 },
+        Note::ReferenceLost { turns: 4096.0 },
+        Note::NeedsReferencing,
+        Note::BatteryExchange { recommended: q(1e8), latest: q(2e8) },
+        Note::ApprovalNeeded,
+        Note::ResonanceSpeeds { blocked: speeds, free: Some(speeds) },
+        Note::FreeRotor(q(10.0)),
+        Note::Budget { root_sum_square: q(1e-4), deviation: Some(q(1e-4)), missing: 1 },
+        Note::Erratum(catalogue::errata().first().map_or("", |erratum| erratum.id)),
+    ];
+    for note in &all {
+        differ(&format!("{note:?}"), |language| words::note_text(note, language));
+    }
+}
+
+fn move_faults() -> Vec<Fault> {
+    let needed = [
+        Needed::TwoOfFour,
+        Needed::TwoOrThreeOfFour,
+        Needed::DistanceAndLimits,
+        Needed::DistanceAndTime,
+        Needed::DistanceSpeedAcceleration,
+        Needed::SpeedAndTimeOrDistance,
+    ];
+    let mut all: Vec<MoveFault> =
+        needed.into_iter().map(|needed| MoveFault::NotDetermined { given: 1, needed }).collect();
+    all.extend([
+        MoveFault::NoSegment,
+        MoveFault::NoDuration,
+        MoveFault::NoTimeToChangeSpeed { braking: true },
+        MoveFault::NoTimeToChangeSpeed { braking: false },
+        MoveFault::OutOfRange,
+        MoveFault::SpeedTooLow { above: q(1.0) },
+        MoveFault::SpeedTooHigh { most: q(1.0) },
+        MoveFault::AccelerationTooLow { least: q(1.0) },
+        MoveFault::RestToRestOnly,
+        MoveFault::EndSpeedAboveLimit,
+        MoveFault::StillMoving { speed: q(1.0) },
+        MoveFault::RecordingSpeedJumps { first: q(1.0), before: q(2.0) },
+        MoveFault::RecordingPositionJumps { gap: q(1.0) },
+        MoveFault::SpeedNotClosed { end: q(1.0), start: q(2.0) },
+        MoveFault::PositionNotClosed { gap: q(1.0) },
+    ]);
+    let both = |fault: MoveFault| [None, Some(0.01)].map(|travel_m_per_rad| Fault::Move { fault, travel_m_per_rad });
+    all.into_iter().flat_map(both).collect()
+}
+
+fn body_faults() -> Vec<Fault> {
+    let all = [
+        BodyError::DimensionOutOfRange { field: "length", value: q(0.0) },
+        BodyError::InnerNotBelowOuter { inner: q(2.0), outer: q(1.0) },
+        BodyError::NoMass,
+        BodyError::MassAndDensity { mass: q(1.0), density: q(1.0) },
+        BodyError::NoVolume,
+        BodyError::MassOutOfRange { mass: q(0.0) },
+        BodyError::DensityOutOfRange { density: q(0.0) },
+        BodyError::DistanceOutOfRange { distance: q(-1.0) },
+        BodyError::AngleNotFinite,
+        BodyError::NoPiece,
+        BodyError::BeyondNumbers,
+    ];
+    let mut faults: Vec<Fault> = all.into_iter().map(Fault::Body).collect();
+    let word = || "word".to_owned();
+    faults.extend([
+        Fault::BodyMissing,
+        Fault::ShapeMissing,
+        Fault::NoShape { written: word() },
+        Fault::NoKey { written: word() },
+        Fault::KeyOfAnotherShape { key: word(), shape: "rod" },
+        Fault::Twice { key: word() },
+        Fault::Count { written: word() },
+        Fault::BodyAxis { written: word() },
+        Fault::BodiesTwice,
+        Fault::InBody { path: word(), fault: Box::new(Fault::BodyMissing) },
+    ]);
+    faults
+}
+
+fn recording_faults() -> Vec<Fault> {
+    let layout = recording::Layout::default();
+    let files = [
+        "",
+        "t;q [deg]\n0;1\n1;x\n",
+        "t [s];q [deg]\n0;1;2\n1;2\n",
+        "q [deg]\n0\n1\n",
+        "t [s]\n0\n1\n",
+        "t [s];q [deg]\n0;1\n0;2\n-1;3\n",
+        "t [s];q [deg]\n0;1,5\n1;2.5\n",
+        "t [s];q [grad]\n0;1\n1;2\n",
+        "t [s];q [Nm]\n0;1\n1;2\n",
+        "t [s];q [deg]\n0;1\n",
+        "t [s];q [deg]\n0;\"1\n1;2\n",
+        "t [s];q [deg]\n0;1.234,5\n1;2\n2;3\n",
+        "t [s];q [deg]\n0;x\n1;x\n2;x\n3;x\n4;x\n",
+    ];
+    let faults = files.iter().flat_map(|file| recording::read_csv(file.as_bytes(), &layout).err().unwrap_or_default());
+    let mut all: Vec<Fault> = faults.map(|fault| Fault::Recording { name: "run.csv".to_owned(), fault }).collect();
+    assert!(all.len() >= files.len(), "{all:?}");
+    let recorded = [
+        RecordedFault::TooFew { samples: 2 },
+        RecordedFault::NoCourse,
+        RecordedFault::Uneven,
+        RecordedFault::NotFinite { index: 1 },
+        RecordedFault::NotIncreasing { index: 1 },
+        RecordedFault::WindowTooShort { least: q(0.1) },
+        RecordedFault::WindowTooLong { most: 10 },
+        RecordedFault::Contradiction { share: 0.1 },
+    ];
+    all.extend(recorded.map(|fault| Fault::Recorded { name: "run.csv".to_owned(), fault }));
+    all
+}
+
+fn other_faults() -> Vec<Fault> {
+    let path = || "load.inertia".to_owned();
+    let word = || "word".to_owned();
+    let expected = [
+        Expected::Quantity(Dimension::Torque),
+        Expected::Along(Dimension::Angle, Dimension::Length),
+        Expected::Number,
+        Expected::Numbers,
+        Expected::Integer,
+        Expected::Bool,
+        Expected::Text,
+        Expected::OneOf(&["a", "b"]),
+        Expected::ListOf(&["a", "b"]),
+        Expected::Rows,
+        Expected::Table,
+        Expected::Bodies,
+        Expected::Tables,
+    ];
+    let types = ["string", "integer", "float", "boolean", "datetime", "array", "table"];
+    let mut all: Vec<Fault> = expected
+        .into_iter()
+        .flat_map(|expected| types.map(|found| Fault::WrongType { path: path(), expected, found }))
+        .collect();
+    all.extend([Range::Any, Range::NotNegative, Range::Positive].map(|range| Fault::ToleranceEnd {
+        path: path(),
+        end: -1.0,
+        unit: &KILOGRAM,
+        range,
+    }));
+    let kinds = [
+        ErrorKind::NotFound,
+        ErrorKind::PermissionDenied,
+        ErrorKind::IsADirectory,
+        ErrorKind::FileTooLarge,
+        ErrorKind::Unsupported,
+    ];
+    all.extend(kinds.map(|kind| Fault::File { name: word(), trouble: FileTrouble { kind, system: word() } }));
+    all.extend(
+        [
+            CurveFault::TooFewPoints,
+            CurveFault::DoesNotStartAtZero,
+            CurveFault::SpeedsNotAscending,
+            CurveFault::TorqueOutOfRange,
+        ]
+        .map(Fault::Curve),
+    );
+    all.extend(
+        [TableFault::TooFewPoints, TableFault::PositionsNotAscending, TableFault::NegativeInertia].map(Fault::Table),
+    );
+    all.extend([
+        Fault::FileTooLarge { bytes: 2, most: 1 },
+        Fault::Syntax { message: word() },
+        Fault::MissingKey { path: path(), list: false },
+        Fault::MissingKey { path: path(), list: true },
+        Fault::UnknownKey { path: path() },
+        Fault::KeyOfAnotherKind { path: path(), by: "law", kind: word() },
+        Fault::OutsideTheAxes { key: "load" },
+        Fault::OneAxisOnly,
+        Fault::More { count: 1 },
+        Fault::More { count: 2 },
+        Fault::BareNumber { path: path(), dimension: Dimension::Torque },
+        Fault::Quantity { path: path(), error: QuantityError::UnitMissing { span: 0..1, expected: Dimension::Torque } },
+        Fault::NumberOutOfRange { path: path(), low: 0.0, high: 1.0 },
+        Fault::NumberOutOfRange { path: path(), low: 1.0, high: 1.0 },
+        Fault::QuantityOutOfRange { path: path(), written: word(), positive: true },
+        Fault::QuantityOutOfRange { path: path(), written: word(), positive: false },
+        Fault::BelowAbsoluteZero { path: path(), written: word() },
+        Fault::Implausible { path: path(), written: word(), low: 1e-12, high: 1e12 },
+        Fault::TextTooLong { path: path(), most: 200 },
+        Fault::ControlCharacter { path: path() },
+        Fault::NotAChoice { path: path(), written: word() },
+        Fault::TooManyEntries { path: path(), most: 10 },
+        Fault::NotARow { path: path(), dimensions: &[Dimension::Angle, Dimension::Torque] },
+        Fault::RatioCount { most: 16 },
+        Fault::RatioAndRatios,
+        Fault::NoRatioInACoupling { key: "ratio" },
+        Fault::TooManyTolerances { most: 64 },
+        Fault::NoTolerance,
+        Fault::ImpossibleWithin { values: vec![(path(), 1.0, &MILLIMETRE)], why: Some(Box::new(Fault::RodTooShort)) },
+        Fault::ImpossibleWithin { values: vec![(path(), 1.0, &MILLIMETRE); 5], why: None },
+        Fault::Code(CodeError::Empty),
+        Fault::NoSuchCode { written: word() },
+        Fault::Battery(BatteryFault::OperationOutOfRange { per_day: q(1e6) }),
+        Fault::Battery(BatteryFault::StorageOutOfRange { storage: q(1e9) }),
+        Fault::WithoutEffect { key: "payload" },
+        Fault::NoMechanism,
+        Fault::TooManyMechanisms,
+        Fault::NoLine { path: path() },
+        Fault::RodTooShort,
+        Fault::NoFlangeLoads,
+        Fault::ReplacesEverything { key: "radial_force" },
+        Fault::BeltOrTeeth,
+        Fault::ToothAngle { key: "helix_angle", most_deg: 60.0 },
+        Fault::JointWithoutTorque,
+        Fault::Revolutions(TooManyRevolutions { segment: 0, revolutions: 10.0, most: 5.0 }),
+        Fault::UnknownUnit { written: word() },
+    ]);
+    all
+}
+
+#[test]
+fn faults_and_hints() {
+    let all = [move_faults(), body_faults(), recording_faults(), other_faults()].concat();
+    let mut ids: Vec<&str> = Vec::new();
+    for fault in &all {
+        differ(&format!("{fault:?}"), |language| words::fault_text(fault, language));
+        let id = fault.id();
+        let snake = id.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_');
+        assert!(snake && !id.is_empty(), "{id}");
+        ids.push(id);
+    }
+    // One identifier, one kind of fault: a new variant of a fault is listed above.
+    ids.sort_unstable();
+    ids.dedup();
+    assert!(ids.len() >= 100, "{}", ids.len());
+    let hints = [
+        Hint::Example("a = 1".to_owned()),
+        Hint::DidYouMean("a".to_owned()),
+        Hint::ValidAre(vec!["a".to_owned()]),
+        Hint::WithUnit { written: "1".to_owned(), dimension: SECOND.dimension },
+        Hint::MechanismsWithLoads,
+        Hint::CloseTheRecording,
+    ];
+    for hint in &hints {
+        differ(&format!("{hint:?}"), |language| words::hint_text(hint, language));
+    }
+}

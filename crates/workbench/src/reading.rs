@@ -1,0 +1,71 @@
+//! Reading a project file, with the best of several ratios.
+
+#[cfg(test)]
+mod bodies_tests;
+#[cfg(test)]
+mod flange_tests;
+#[cfg(test)]
+mod project_tests;
+#[cfg(test)]
+mod stage_tests;
+
+use crate::sizing_use::size;
+use project::{Diagnostic, Files, Project, RatioAnswer};
+use quantities::Language;
+use serde_json::Value;
+use sizing::rank;
+
+/// Reads a project file with one axis that refers to no other file.
+///
+/// # Errors
+/// Every fault of the file, each with its place, in the order of the file; [`words::told`] words them.
+pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
+    Project::read(text, best_ratio)
+}
+
+/// Reads a project file with one axis or several, in their order, and the files that it refers to.
+///
+/// # Errors
+/// Every fault of the file, each with its place, in the order of the file; [`words::told`] words them.
+pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagnostic>> {
+    Project::read_all(text, files, best_ratio)
+}
+
+/// The JSON Schema of the project file (draft 2020-12).
+#[must_use]
+pub fn schema(language: Language) -> Value {
+    project::schema(&|text| words::schema_text(text, language))
+}
+
+/// The project with the ratio that gives the best actuator of the catalogue, by the rule of the ranking: a smaller actuator
+/// first, then the wider margin. Of equals the first in the file.
+///
+/// Each ratio is judged by itself, because it changes the axis and not the actuator: all that is told of the axis (demand,
+/// motion, checks, report) is then of one ratio, and each candidate of the ranking is judged under the same.
+fn best_ratio(ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>) -> Option<Project> {
+    let mut answers: Vec<RatioAnswer> = Vec::new();
+    let mut best: Option<(Project, sizing::Standing, usize)> = None;
+    for ratio in ratios {
+        let Some(trial) = with(*ratio) else { continue };
+        let sizing = size(&trial);
+        let Some(first) = sizing.candidates.first() else { continue };
+        let standing = first.standing;
+        answers.push(RatioAnswer {
+            ratio: *ratio,
+            answer: sizing.answer().map(|answer| answer.id.to_string()),
+            utilisation: standing.utilisation,
+            fitting: sizing.candidates.iter().filter(|candidate| candidate.fits()).count(),
+            chosen: false,
+        });
+        drop(sizing);
+        if best.as_ref().is_none_or(|(_, other, _)| rank(&standing, other).is_lt()) {
+            best = Some((trial, standing, answers.len() - 1));
+        }
+    }
+    let (mut chosen, _, index) = best?;
+    if let Some(answer) = answers.get_mut(index) {
+        answer.chosen = true;
+    }
+    chosen.ratios = answers;
+    Some(chosen)
+}
