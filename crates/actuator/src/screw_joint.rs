@@ -17,7 +17,7 @@ pub struct ScrewJoint {
     pub bolt_circle: Datum<Length>,
     /// Tightening torque of one screw.
     pub tightening_torque: Datum<Torque>,
-    /// Torque that the joint transmits by friction; printed for a dry joint and a coefficient of 0.15.
+    /// Torque that the joint transmits by friction; printed for completely degreased faces and a coefficient of 0.15.
     pub transmissible_torque: Datum<Torque>,
 }
 
@@ -42,7 +42,7 @@ impl ScrewJoint {
 ///
 /// # Symbols  T_peak largest torque through the joint \[Nm\], T_transmissible torque at which it slips \[Nm\]
 /// # Source   cha-manual table 79.1
-/// # Valid    T_transmissible > 0; screws tightened as printed, joint dry and clean
+/// # Valid    T_transmissible > 0; screws tightened as printed, faces completely degreased
 #[must_use]
 pub fn joint_utilisation(torque_peak: Torque, torque_transmissible: Torque) -> Ratio {
     Ratio::from_si(torque_peak.si().abs() / torque_transmissible.si())

@@ -127,7 +127,7 @@ fn ascending(tally: &mut Tally, row: &[&Entry]) {
 
 /// One friction force and one tightening torque per thread: F = 2 T / (n d); and T above T_max of the size
 ///
-/// Source: chapter 9.3 of the manual; dry joint, n screws on the bolt circle d, the same preload for the same thread.
+/// Source: chapter 9.3 of the manual; completely degreased faces, n screws on the bolt circle d, the same preload for the same thread.
 /// Tolerance: 3 % of the median force of a thread (the bolt circles are printed to full millimetres); the tightening torque
 /// is one value per thread. Blamed: transmissible torque, tightening torque.
 pub(super) fn screws(view: &View, tally: &mut Tally) {

@@ -216,7 +216,11 @@ fn screw_joint(name: String, joint: &ScrewJoint, language: Language) -> answers:
         screws: format!("{count}{size}{class}"),
         circle: shown(&joint.bolt_circle, &MILLIMETRE, language),
         torque: shown(&joint.tightening_torque, &NEWTON_METRE, language),
-        text: either(language, format!("transmits {transmitted}, dry"), format!("überträgt {transmitted}, trocken")),
+        text: either(
+            language,
+            format!("transmits {transmitted}, faces completely degreased"),
+            format!("überträgt {transmitted}, Fügeflächen vollständig entfettet"),
+        ),
         source: joint.transmissible_torque.known().map(|known| source_text(&known.source, language)),
     }
 }
