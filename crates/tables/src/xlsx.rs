@@ -168,7 +168,7 @@ mod tests {
     fn a_text_takes_the_lines_that_its_words_need() {
         assert_eq!(lines("", 10.0), 1);
         assert_eq!(lines("one two", 10.0), 1);
-        assert_eq!(lines("one two three four", 10.0), 2);
+        assert_eq!(lines("one two three four", 12.0), 2);
         assert_eq!(lines("a\nb", 10.0), 2);
         assert_eq!(lines(&"x".repeat(25), 10.0), 3);
     }

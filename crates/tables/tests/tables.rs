@@ -266,7 +266,7 @@ fn a_workbook_opens_with_every_row_and_live_formulas() {
             let bytes = xlsx(tables, front).unwrap();
             let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).unwrap();
             let sheets = book.sheet_names();
-            assert_eq!(sheets.len(), tables.len() + 2, "{file}: {sheets:?}");
+            assert_eq!(sheets.len(), tables.len() + 3, "{file}: {sheets:?}");
             for table in tables {
                 let range = book.worksheet_range(&table.title).unwrap();
                 let formulas = book.worksheet_formula(&table.title).unwrap();
