@@ -300,7 +300,7 @@ fn a_linear_axis_is_told_along_its_line_and_a_turntable_by_its_bodies() {
     for value in [bodies.inertia.0, bodies.mass.0] {
         assert!(text.contains(&printed(value, Language::En)), "{value}");
     }
-    assert!(text.contains("disc,diameter420mm") && !text.contains("diameter=420mm"));
+    assert!(text.contains("420mm") && !text.contains("diameter=420mm"), "a body in words");
 }
 
 #[test]

@@ -116,6 +116,9 @@ fn written(path: &str, text: &str, language: Language) -> String {
         let mut laws = laws.chain([SegmentLaw::Manual, SegmentLaw::Dwell, SegmentLaw::Recorded]);
         return laws.find(|law| law.id() == text).map_or_else(|| text.to_owned(), |law| law_text(law, language).into());
     }
+    if let Some(shape) = BODY_SHAPES.iter().find(|shape| name == "shape" && shape.name == text) {
+        return shape_title(shape, language).to_owned();
+    }
     let list = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
     if let Some(list) = list {
         return list.replace(['"', '\''], "").trim().trim_end_matches(',').to_owned();
@@ -210,6 +213,7 @@ fn table_title(table: &str, language: Language) -> String {
             "" => ("General", "Allgemein"),
             "axis" => ("Axis", "Achse"),
             "load" => ("Load", "Last"),
+            "body" => ("Body", "Körper"),
             "stage" => ("Stage", "Zwischenstufe"),
             "motion" => ("Motion, segment", "Bewegung, Abschnitt"),
             "bearing" => ("Loads on the output flange", "Lasten am Abtriebsflansch"),
