@@ -153,7 +153,7 @@ pub struct Body {
     pub shape: &'static str,
     /// How many.
     pub count: u32,
-    /// Mass of all of them.
+    /// Mass of one of them.
     #[serde(rename = "m")]
     pub mass: Number,
     /// Distance of the centre from the axis.
@@ -161,13 +161,13 @@ pub struct Body {
     pub distance: Number,
     /// Direction of the first.
     pub angle: Number,
-    /// Inertia about the own centre.
+    /// Inertia of one of them about the own centre.
     #[serde(rename = "J_own")]
     pub own: Number,
-    /// What the distance adds.
+    /// What the distance adds to that.
     #[serde(rename = "J_steiner")]
     pub steiner: Number,
-    /// Both together.
+    /// Both together, of all of them.
     #[serde(rename = "J")]
     pub total: Number,
 }

@@ -92,13 +92,19 @@ impl Table {
         let heads: Vec<String> = self.columns.iter().take(widths.len()).map(|(head, _)| head.clone()).collect();
         let mut out = String::new();
         self.line(&mut out, &heads, &widths);
+        // A single column that stands below its rows has its head below theirs; of several each tells its own.
+        let single = self.columns.len() == widths.len() + 1;
+        if let Some((head, _)) = self.columns.last().filter(|_| single) {
+            out.push_str(&paragraph_to("    ", head, most));
+        }
         let rule: Vec<String> = widths.iter().map(|width| "─".repeat(*width)).collect();
         self.line(&mut out, &rule, &widths);
         for row in &self.rows {
             self.line(&mut out, row, &widths);
             let below = self.columns.iter().zip(row).skip(widths.len());
             let below = below.filter(|(_, cell)| !cell.is_empty() && *cell != "–");
-            let below: Vec<String> = below.map(|((head, _), cell)| format!("{head}: {cell}")).collect();
+            let told = |head: &str, cell: &str| if single { cell.to_owned() } else { format!("{head}: {cell}") };
+            let below: Vec<String> = below.map(|((head, _), cell)| told(head, cell)).collect();
             if !below.is_empty() {
                 out.push_str(&paragraph_to("    ", &below.join(" · "), most));
             }

@@ -122,10 +122,6 @@ pub fn symbol_term(symbol: &str, language: Language) -> String {
 
 /// Words of table conditions in German, longer phrases before their parts.
 const CONDITIONS: [(&str, &str); 18] = [
-    ("series=", "Baureihe "),
-    ("ratio=", "i = "),
-    ("grease", "Fettschmierung"),
-    ("maximum", "Kurzzeit"),
     ("no condensation", "ohne Kondensation"),
     ("above sea level", "über NN"),
     ("aluminium, ambient", "Aluminium, Umgebung"),
@@ -140,6 +136,10 @@ const CONDITIONS: [(&str, &str); 18] = [
     ("shutdown", "Abschaltung"),
     ("sensor=", "Sensor "),
     ("mating coupling", "Kabelkupplung"),
+    ("series=", "Baureihe "),
+    ("ratio=", "i = "),
+    ("grease", "Fettschmierung"),
+    ("maximum", "Kurzzeit"),
 ];
 
 /// The condition of a table row for people.
