@@ -33,7 +33,6 @@ impl Accuracy {
 
 /// A contribution to the angular error at the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[non_exhaustive]
 pub enum ErrorKind {
     /// Transmission accuracy of the gear.
     TransmissionAccuracy,

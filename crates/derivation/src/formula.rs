@@ -22,7 +22,6 @@ pub enum Formula {
 
 /// Why a formula has no value.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum FormulaFault {
     /// It does not read.
     Syntax {

@@ -13,7 +13,6 @@ use quantities::{Measure, Unit};
 
 /// How a figure came about.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum How {
     /// It was put in.
     Given,

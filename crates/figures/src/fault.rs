@@ -5,7 +5,6 @@ use workbench::Language;
 
 /// Why a figure cannot be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum NoFigure {
     /// The project names no loads on the flange.
     NoFlangeLoads,

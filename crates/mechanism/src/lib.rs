@@ -89,7 +89,6 @@ pub(crate) struct Reduced {
 
 /// How the load hangs on the output.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Kind {
     /// Turns with the output: direct load, turntable, unbalanced arm.
     Rotor(Rotor),

@@ -58,7 +58,6 @@ impl Parsed {
 
 /// How a text departs from the canonical spelling though it is understood.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Departure {
     /// A word with small letters.
     LowerCase {

@@ -93,7 +93,6 @@ impl fmt::Display for CellRef {
 
 /// Where a number comes from. Kept small: every check of every candidate carries two.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Source {
     /// A printed cell of the manual.
     Cell(&'static CellRef),

@@ -8,7 +8,6 @@ macro_rules! dimensions {
     ($($(#[$doc:meta])* $name:ident: $a_en:ident $en:literal, $a_de:ident $de:literal, $example:literal;)*) => {
         /// The physical kind of a quantity, decided at run time (project file, tables).
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[non_exhaustive]
         pub enum Dimension {
             $($(#[$doc])* $name,)*
         }

@@ -93,7 +93,6 @@ pub struct Settings {
 
 /// Why there is no report.
 #[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
 pub enum Fault {
     /// There is nothing to report on.
     #[error("a report needs at least one axis")]

@@ -2,7 +2,6 @@
 
 /// What keeps a table from being written: a limit of the format, never a value.
 #[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
 pub enum WriteError {
     /// The workbook does not take it.
     #[error("the workbook cannot be written: {source}")]

@@ -479,7 +479,6 @@ pub fn source_text(source: &Source, language: Language) -> String {
             either(language, format!("model {name}"), format!("Modell {german}"))
         }
         Source::Project { key } => either(language, format!("project {key}"), format!("Projekt {key}")),
-        other => other.to_string(),
     }
 }
 

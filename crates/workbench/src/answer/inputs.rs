@@ -254,7 +254,7 @@ pub(super) fn mechanism(project: &Project, inputs: &[Input]) -> Mechanism {
         Kind::SliderCrank(_) => MechanismKind::SliderCrank,
         Kind::Table(_) => MechanismKind::Table,
         Kind::Joint(_) => MechanismKind::Joint,
-        _ => MechanismKind::Load,
+        Kind::Rotor(_) => MechanismKind::Load,
     };
     let inclination = match &load.kind {
         Kind::Linear(linear) => Some(Number::in_unit(linear.inclination.si(), &DEGREE)),
