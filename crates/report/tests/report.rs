@@ -7,7 +7,7 @@ mod samples;
 use answers::{Check, Item, MechanismKind, ScrewJoint};
 use quantities::Language;
 use report::{Content, Fault, Figure, Place, Settings};
-use samples::{SAMPLES, content, full, made, named, settings};
+use samples::{SAMPLES, Sample, content, full, made, named, settings};
 
 /// Letters and digits only: line breaks, indices and narrow spaces are a matter of setting.
 fn letters(text: &str) -> String {
@@ -35,73 +35,102 @@ fn checks(content: &Content) -> impl Iterator<Item = &Check> {
     content.axes.iter().flat_map(|axis| &axis.dossier.judgement.candidate.checks)
 }
 
-#[test]
-fn every_sample_says_all_that_its_records_say() {
-    for sample in SAMPLES {
-        let content = content(sample);
-        let brief = letters(&pages_of(&content, &settings()));
-        let whole = letters(&pages_of(&content, &full()));
-        let name = sample.name;
-        let says = |text: &str, part: &str| assert!(text.contains(&letters(part)), "{name}: {part}");
-        for axis in &content.axes {
-            let dossier = &axis.dossier;
-            says(&brief, &dossier.judgement.axis);
-            says(&brief, dossier.judgement.candidate.called());
-            for text in dossier.judgement.assumptions.iter().chain(&dossier.judgement.candidate.objections) {
-                says(&brief, text);
+/// One test for each sample: what is typeset once is looked at for everything.
+macro_rules! samples {
+    ($($test:ident: $index:literal;)*) => {
+        $(
+            #[test]
+            fn $test() {
+                let sample = SAMPLES[$index];
+                let content = content(sample);
+                every_sample_says_all_that_its_records_say(sample, &content);
+                every_number_of_a_check_stands_in_the_report_as_it_is_in_the_answer(sample, &content);
+                one_axis_takes_eight_pages_at_most_and_leaves_none_half_empty(sample, &content);
+                open_points_are_counted_once_and_for_all(sample, &content);
+                no_text_stands_upon_another(sample, &content);
             }
-            for value in dossier.inputs.iter().flat_map(|table| &table.values) {
-                // The bodies of a turntable stand in a table of their own, under one heading.
-                if !value.name.starts_with("bodies[") {
-                    says(&brief, if value.label.is_empty() { &value.name } else { &value.label });
-                }
-                says(&brief, &value.text);
-                says(&brief, value.tolerance.as_deref().unwrap_or_default());
+        )*
+
+        #[test]
+        fn every_sample_has_its_test() {
+            assert_eq!([$($index),*].len(), SAMPLES.len());
+        }
+    };
+}
+
+samples! {
+    an_axis_that_fits: 0;
+    an_axis_that_does_not_fit: 1;
+    a_recorded_axis: 2;
+    a_linear_axis: 3;
+    a_turntable: 4;
+    an_axis_with_tolerances: 5;
+    two_axes: 6;
+    an_axis_with_a_stage: 7;
+}
+
+fn every_sample_says_all_that_its_records_say(sample: Sample, content: &Content) {
+    let brief = letters(&pages_of(content, &settings()));
+    let whole = letters(&pages_of(content, &full()));
+    let name = sample.name;
+    let says = |text: &str, part: &str| assert!(text.contains(&letters(part)), "{name}: {part}");
+    for axis in &content.axes {
+        let dossier = &axis.dossier;
+        says(&brief, &dossier.judgement.axis);
+        says(&brief, dossier.judgement.candidate.called());
+        for text in dossier.judgement.assumptions.iter().chain(&dossier.judgement.candidate.objections) {
+            says(&brief, text);
+        }
+        for value in dossier.inputs.iter().flat_map(|table| &table.values) {
+            // The bodies of a turntable stand in a table of their own, under one heading.
+            if !value.name.starts_with("bodies[") {
+                says(&brief, if value.label.is_empty() { &value.name } else { &value.label });
             }
-            for missing in &dossier.missing {
-                let shown = dossier
-                    .judgement
-                    .candidate
-                    .checks
-                    .iter()
-                    .any(|check| *check.id == *missing.check && check.value.is_some());
-                says(&brief, if shown { "" } else { &missing.text });
-            }
-            for document in &dossier.documents {
-                for part in [&document.id, &document.title, &document.edition, &document.publisher] {
-                    says(&brief, part);
-                }
-            }
-            for erratum in &dossier.errata {
-                says(&brief, &erratum.erratum.id);
-                says(&brief, &erratum.erratum.evidence);
-            }
-            for item in &dossier.bill_of_material {
-                says(&brief, &item.code);
-            }
-            for part in [&dossier.fingerprints.project, &dossier.fingerprints.catalogue, &dossier.fingerprints.program]
-            {
+            says(&brief, &value.text);
+            says(&brief, value.tolerance.as_deref().unwrap_or_default());
+        }
+        for missing in &dossier.missing {
+            let shown = dossier
+                .judgement
+                .candidate
+                .checks
+                .iter()
+                .any(|check| *check.id == *missing.check && check.value.is_some());
+            says(&brief, if shown { "" } else { &missing.text });
+        }
+        for document in &dossier.documents {
+            for part in [&document.id, &document.title, &document.edition, &document.publisher] {
                 says(&brief, part);
             }
-            for rejected in &dossier.sizing.rejected {
-                says(&whole, &rejected.code);
-            }
-            for source in dossier.explained.iter().flat_map(|each| &each.check.sources) {
-                says(&whole, source);
-            }
-            for figure in &axis.figures {
-                says(&brief, &figure.caption);
-            }
         }
-        for check in checks(&content) {
-            says(&brief, &check.title);
-            for note in &check.notes {
-                says(&brief, note);
-            }
+        for erratum in &dossier.errata {
+            says(&brief, &erratum.erratum.id);
+            says(&brief, &erratum.erratum.evidence);
         }
-        for part in ["AX-4711-02", "E. Example"] {
+        for item in &dossier.bill_of_material {
+            says(&brief, &item.code);
+        }
+        for part in [&dossier.fingerprints.project, &dossier.fingerprints.catalogue, &dossier.fingerprints.program] {
             says(&brief, part);
         }
+        for rejected in &dossier.sizing.rejected {
+            says(&whole, &rejected.code);
+        }
+        for source in dossier.explained.iter().flat_map(|each| &each.check.sources) {
+            says(&whole, source);
+        }
+        for figure in &axis.figures {
+            says(&brief, &figure.caption);
+        }
+    }
+    for check in checks(content) {
+        says(&brief, &check.title);
+        for note in &check.notes {
+            says(&brief, note);
+        }
+    }
+    for part in ["AX-4711-02", "E. Example"] {
+        says(&brief, part);
     }
 }
 
@@ -120,68 +149,56 @@ fn printed(value: f64, language: Language) -> String {
     dense(&format!("{short}{power}"))
 }
 
-#[test]
-fn every_number_of_a_check_stands_in_the_report_as_it_is_in_the_answer() {
-    for sample in SAMPLES {
-        let content = content(sample);
-        let text = dense(&pages_of(&content, &settings()));
-        let mut numbers = 0;
-        for check in checks(&content) {
-            let unit = match check.unit {
-                None | Some("1") => "",
-                Some("deg") => "°",
-                Some(unit) => quantities::Unit::of(unit).map_or(unit, |unit| unit.symbol),
-            };
-            for value in [check.value, check.limit].into_iter().flatten() {
-                let figure = format!("{}{unit}", printed(value.0, sample.language));
-                assert!(text.contains(&dense(&figure)), "{}, {}: {figure}", sample.name, check.title);
-                numbers += 1;
-            }
-            if let Some(share) = check.utilisation.and_then(|share| share.written()).filter(|share| *share >= 0.0005) {
-                let percent = dense(&format!("{}%", quantities::format_number(share * 100.0, 1, sample.language)));
-                assert!(text.contains(&percent), "{}, {}: {percent}", sample.name, check.title);
-            }
+fn every_number_of_a_check_stands_in_the_report_as_it_is_in_the_answer(sample: Sample, content: &Content) {
+    let text = dense(&pages_of(content, &settings()));
+    let mut numbers = 0;
+    for check in checks(content) {
+        let unit = match check.unit {
+            None | Some("1") => "",
+            Some("deg") => "°",
+            Some(unit) => quantities::Unit::of(unit).map_or(unit, |unit| unit.symbol),
+        };
+        for value in [check.value, check.limit].into_iter().flatten() {
+            let figure = format!("{}{unit}", printed(value.0, sample.language));
+            assert!(text.contains(&dense(&figure)), "{}, {}: {figure}", sample.name, check.title);
+            numbers += 1;
         }
-        assert!(numbers > 30, "{}: {numbers}", sample.name);
+        if let Some(share) = check.utilisation.and_then(|share| share.written()).filter(|share| *share >= 0.0005) {
+            let percent = dense(&format!("{}%", quantities::format_number(share * 100.0, 1, sample.language)));
+            assert!(text.contains(&percent), "{}, {}: {percent}", sample.name, check.title);
+        }
     }
+    assert!(numbers > 30, "{}: {numbers}", sample.name);
 }
 
-#[test]
-fn one_axis_takes_eight_pages_at_most_and_leaves_none_half_empty() {
-    for sample in SAMPLES {
-        let content = content(sample);
-        let pages = report::page_fills(&content, &settings()).unwrap();
-        let most = if content.axes.len() == 1 { 8 } else { 1 + 8 * content.axes.len() };
-        assert!(pages.len() <= most, "{}: {} pages, {pages:.0?}", sample.name, pages.len());
-        // The last page ends where it ends, and so does that of an axis before the next.
-        let within = pages.iter().rev().skip(1).rev();
-        let poor = within.filter(|filled| **filled < 480.0).count();
-        assert!(poor < content.axes.len(), "{}: {pages:.0?}", sample.name);
-    }
+fn one_axis_takes_eight_pages_at_most_and_leaves_none_half_empty(sample: Sample, content: &Content) {
+    let pages = report::page_fills(content, &settings()).unwrap();
+    let most = if content.axes.len() == 1 { 8 } else { 1 + 8 * content.axes.len() };
+    assert!(pages.len() <= most, "{}: {} pages, {pages:.0?}", sample.name, pages.len());
+    // The last page ends where it ends, and so does that of an axis before the next.
+    let within = pages.iter().rev().skip(1).rev();
+    let poor = within.filter(|filled| **filled < 480.0).count();
+    assert!(poor < content.axes.len(), "{}: {pages:.0?}", sample.name);
 }
 
-#[test]
-fn open_points_are_counted_once_and_for_all() {
-    for sample in SAMPLES {
-        let content = content(sample);
-        let cover = letters(&report::page_texts(&content, &settings()).unwrap()[0]);
-        for axis in content.axes.iter().filter(|_| content.axes.len() == 1) {
-            let candidate = &axis.dossier.judgement.candidate;
-            let (open, de) = (candidate.open_questions, sample.language == Language::De);
-            let words = match (open, de) {
-                (0, _) => continue,
-                (1, true) => "Frage ließ sich nicht prüfen",
-                (1, false) => "question could not be checked",
-                (_, true) => "Fragen ließen sich nicht prüfen",
-                (_, false) => "questions could not be checked",
-            };
-            assert!(cover.contains(&letters(&format!("{open} {words}"))), "{}: {open}", sample.name);
-            let may = candidate.checks.iter().filter(|check| {
-                *check.verdict == answers::Verdict::NotChecked && check.value.is_none() && !check.id.is_recommendation()
-            });
-            for check in may {
-                assert!(cover.contains(&letters(&check.title)), "{}: {}", sample.name, check.title);
-            }
+fn open_points_are_counted_once_and_for_all(sample: Sample, content: &Content) {
+    let cover = letters(&report::page_texts(content, &settings()).unwrap()[0]);
+    for axis in content.axes.iter().filter(|_| content.axes.len() == 1) {
+        let candidate = &axis.dossier.judgement.candidate;
+        let (open, de) = (candidate.open_questions, sample.language == Language::De);
+        let words = match (open, de) {
+            (0, _) => continue,
+            (1, true) => "Frage ließ sich nicht prüfen",
+            (1, false) => "question could not be checked",
+            (_, true) => "Fragen ließen sich nicht prüfen",
+            (_, false) => "questions could not be checked",
+        };
+        assert!(cover.contains(&letters(&format!("{open} {words}"))), "{}: {open}", sample.name);
+        let may = candidate.checks.iter().filter(|check| {
+            *check.verdict == answers::Verdict::NotChecked && check.value.is_none() && !check.id.is_recommendation()
+        });
+        for check in may {
+            assert!(cover.contains(&letters(&check.title)), "{}: {}", sample.name, check.title);
         }
     }
 }
@@ -199,32 +216,29 @@ fn the_language_is_that_of_headings_and_numbers() {
     assert!(pages.contains(&value.replace('.', ",")) && !pages.contains(&value));
 }
 
-#[test]
-fn no_text_stands_upon_another() {
-    for sample in SAMPLES {
-        let mut content = content(sample);
-        let source =
-            Some("Tabelle 79.1, transmissible_torque_load (entfettete Fuge, Reibungszahl 0,15), i = 100".to_owned());
-        let joint = ScrewJoint {
-            joint: "Gehäuse".to_owned(),
-            screws: "12 × M3, 12.9".to_owned(),
-            circle: "80 mm".to_owned(),
-            torque: "2,3 Nm".to_owned(),
-            text: "überträgt 158 Nm, trocken".to_owned(),
-            source: source.clone(),
-        };
-        let item = Item {
-            item: "1".to_owned(),
-            quantity: "12".to_owned(),
-            code: "CHA-17A-100-H-M128S-B-EC-K".to_owned(),
-            text: "Schrauben zwischen Gehäuse und Maschine; Länge nach dem verschraubten Teil".to_owned(),
-            source,
-        };
-        content.axes[0].dossier.screws = vec![joint; 2];
-        content.axes[0].dossier.bill_of_material = vec![item; 2];
-        let found = report::overlaps(&content, &full()).unwrap();
-        assert!(found.is_empty(), "{}: {found:#?}", sample.name);
-    }
+fn no_text_stands_upon_another(sample: Sample, content: &Content) {
+    let mut content = content.clone();
+    let source =
+        Some("Tabelle 79.1, transmissible_torque_load (entfettete Fuge, Reibungszahl 0,15), i = 100".to_owned());
+    let joint = ScrewJoint {
+        joint: "Gehäuse".to_owned(),
+        screws: "12 × M3, 12.9".to_owned(),
+        circle: "80 mm".to_owned(),
+        torque: "2,3 Nm".to_owned(),
+        text: "überträgt 158 Nm, trocken".to_owned(),
+        source: source.clone(),
+    };
+    let item = Item {
+        item: "1".to_owned(),
+        quantity: "12".to_owned(),
+        code: "CHA-17A-100-H-M128S-B-EC-K".to_owned(),
+        text: "Schrauben zwischen Gehäuse und Maschine; Länge nach dem verschraubten Teil".to_owned(),
+        source,
+    };
+    content.axes[0].dossier.screws = vec![joint; 2];
+    content.axes[0].dossier.bill_of_material = vec![item; 2];
+    let found = report::overlaps(&content, &full()).unwrap();
+    assert!(found.is_empty(), "{}: {found:#?}", sample.name);
 }
 
 #[test]

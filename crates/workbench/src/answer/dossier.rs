@@ -218,8 +218,8 @@ fn screw_joint(name: String, joint: &ScrewJoint, language: Language) -> answers:
         torque: shown(&joint.tightening_torque, &NEWTON_METRE, language),
         text: either(
             language,
-            format!("transmits {transmitted}, faces completely degreased"),
-            format!("überträgt {transmitted}, Fügeflächen vollständig entfettet"),
+            format!("transmits {transmitted}, degreased"),
+            format!("überträgt {transmitted}, entfettet"),
         ),
         source: joint.transmissible_torque.known().map(|known| source_text(&known.source, language)),
     }
