@@ -327,7 +327,7 @@ mod tests {
     /// L_n = 35 000 h at 2000 1/min, L_50/L_10 = 5.
     fn law() -> LifeLaw {
         fn known<T>(value: T) -> Sourced<T> {
-            let source = Source::Model { name: "test" };
+            let source = Source::Model { name: "gear" };
             Sourced { value, source, grade: provenance::Grade::Published, errata: &[] }
         }
         LifeLaw {

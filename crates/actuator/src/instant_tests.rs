@@ -4,7 +4,7 @@ use quantities::unit::DEGREE_CELSIUS;
 use quantities::{ElectricCurrent, NoLoadCurrentConstant, TorqueConstant};
 
 fn known<T>(value: T) -> Datum<T> {
-    Datum::Known(Sourced { value, source: Source::Model { name: "test" }, grade: Grade::Printed, errata: &[] })
+    Datum::Known(Sourced { value, source: Source::Model { name: "current" }, grade: Grade::Printed, errata: &[] })
 }
 
 /// k_Tout = 40 Nm/A, k_TM = 0.5 Nm/A, i = 100: η = 0.8; 2 Ω at 20 °C.

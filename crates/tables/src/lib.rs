@@ -1,7 +1,7 @@
 //! A result as tables, and how they are written.
 //!
 //! A [`Table`] is plain data: columns with a name, a unit and a meaning, and rows of cells. Every table is defined
-//! once ([`Subject::table`]), and four writers take it from there: [`xlsx`] a whole workbook, [`csv`], [`json`] and
+//! once ([`Subject::table`]), and four writers take it from there: [`xlsx`] a whole workbook, [`csv`], [`record`] and
 //! [`parquet`] one table each. They give bytes; nothing here touches a file or the clock, and the same tables give
 //! the same bytes.
 //!
