@@ -67,26 +67,8 @@ identified! {
     Verdict as "Verdict": &[Verdict::Pass, Verdict::Fail, Verdict::Advice, Verdict::NotChecked];
     Direction as "Direction": &[Direction::AtMost, Direction::AtLeast];
     Part as "Part": Part::ALL;
+    Field as "Field": Field::ALL;
     Grade as "Grade": &[Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
-}
-
-impl Identified for Field {
-    const NAME: &'static str = "Field";
-    const ALL: &'static [Self] = Self::ALL;
-
-    fn id(self) -> &'static str {
-        match self {
-            Self::Series => "series",
-            Self::Size => "size",
-            Self::Ratio => "ratio",
-            Self::Winding => "winding",
-            Self::Feedback => "feedback",
-            Self::Brake => "brake",
-            Self::Option1 => "option_1",
-            Self::Option2 => "option_2",
-            Self::Special => "special",
-        }
-    }
 }
 
 /// Whether nothing speaks against an actuator, or against the best of several.

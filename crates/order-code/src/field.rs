@@ -250,20 +250,31 @@ impl Field {
     pub const fn is_optional(self) -> bool {
         matches!(self, Self::Brake | Self::Option1 | Self::Option2 | Self::Special)
     }
-}
 
-impl fmt::Display for Field {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
             Self::Series => "series",
             Self::Size => "size",
             Self::Ratio => "ratio",
             Self::Winding => "winding",
             Self::Feedback => "feedback",
             Self::Brake => "brake",
+            Self::Option1 => "option_1",
+            Self::Option2 => "option_2",
+            Self::Special => "special",
+        }
+    }
+}
+
+impl fmt::Display for Field {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
             Self::Option1 => "option 1",
             Self::Option2 => "option 2",
             Self::Special => "special design",
+            other => other.id(),
         })
     }
 }
