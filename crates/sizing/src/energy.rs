@@ -11,6 +11,8 @@ use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{JOULE, SECOND, WATT};
 use quantities::{Energy, Measure, Power, ThermodynamicTemperature};
+use std::collections::BTreeMap;
+use std::ops::Range;
 use trace::{Block, Cell, Extent, Inside, Node, Panel, Sought, Strip};
 
 /// A winding as cold as its resistance is printed for, 20 °C in kelvin: the least of the copper loss, so the most comes back.
@@ -167,6 +169,41 @@ impl Bank {
     }
 }
 
+/// The energies of panels in which the signals are no straight lines. Those of a panel that has others like it are kept.
+#[derive(Debug, Default)]
+struct Passed {
+    parts: Vec<f64>,
+    kept: BTreeMap<usize, Range<usize>>,
+    latest: Range<usize>,
+}
+
+impl Passed {
+    /// Goes through a panel, or finds what was found in one like it; the larger of `peak` and its largest power given back.
+    fn panel(&mut self, panel: &Panel<'_>, power: &CyclePower<'_>, peak: f64) -> f64 {
+        let first = panel.like.filter(|like| like.has_others).map(|like| like.first);
+        if let Some(known) = first.and_then(|first| self.kept.get(&first)) {
+            // Its largest power was counted with the first of them.
+            self.latest = known.clone();
+            return peak;
+        }
+        if self.kept.is_empty() {
+            self.parts.clear();
+        }
+        let from = self.parts.len();
+        let peak = bent::Walk::through(panel, power, peak, &mut self.parts);
+        self.latest = from..self.parts.len();
+        if let Some(first) = first {
+            self.kept.insert(first, self.latest.clone());
+        }
+        peak
+    }
+
+    /// The energy of each part of the panel gone through last, in order \[J\].
+    fn latest(&self) -> &[f64] {
+        self.parts.get(self.latest.clone()).unwrap_or_default()
+    }
+}
+
 /// Energy that comes back is not told below this share of what is taken.
 const ROUNDING: f64 = 1e-12;
 
@@ -186,10 +223,11 @@ impl Balance {
     /// Over a cycle, with what a bank must hold or without: only that asks for the order in time of what is recorded.
     fn of(axis: &Axis, power: &CyclePower<'_>, with_bank: bool) -> Self {
         let mut balance = Self::default();
+        let mut passed = Passed::default();
         if !with_bank {
             for strip in axis.trace.strips() {
                 if let Some(root) = strip.root() {
-                    CellPower::of(strip, power).add(root, &mut balance);
+                    CellPower::of(strip, power).add(root, &mut balance, &mut passed);
                 }
             }
             balance.peak = axis.trace.largest_recorded(&Returned(power), balance.peak);
@@ -203,11 +241,11 @@ impl Balance {
                 continue;
             }
             let before = balance;
-            balance.pass(axis, power, block);
+            balance.pass(axis, power, block, &mut passed);
             if block.times > 1.0 {
                 balance.whole = before.whole + block.times * (balance.whole - before.whole);
                 balance.back = before.back + block.times * (balance.back - before.back);
-                balance.repeat(axis, power, block);
+                balance.repeat(axis, power, block, &mut passed);
             }
         }
         // What is left of a sum that cancels is nothing that comes back.
@@ -218,29 +256,32 @@ impl Balance {
     }
 
     /// Through the panels of a block, once.
-    fn pass(&mut self, axis: &Axis, power: &CyclePower<'_>, block: &Block) {
-        axis.trace.panels(block, &mut |panel| self.panel(&panel, power));
+    fn pass(&mut self, axis: &Axis, power: &CyclePower<'_>, block: &Block, passed: &mut Passed) {
+        axis.trace.panels(block, &mut |panel| self.panel(&panel, power, passed));
     }
 
-    fn panel(&mut self, panel: &Panel<'_>, power: &CyclePower<'_>) {
+    fn panel(&mut self, panel: &Panel<'_>, power: &CyclePower<'_>, passed: &mut Passed) {
         match panel.nodes {
             [a, .., b] if panel.is_straight() => {
                 if b.time_s > a.time_s {
                     power.gap(a, b, &mut |arc| self.take(arc));
                 }
             }
-            _ => bent::Walk::through(panel, power, self),
+            _ => {
+                self.peak = passed.panel(panel, power, self.peak);
+                passed.latest().iter().for_each(|taken| self.part(*taken));
+            }
         }
     }
 
     /// What the further periods of a block do to the bank: from the second on each adds as much as the one before.
-    fn repeat(&mut self, axis: &Axis, power: &CyclePower<'_>, block: &Block) {
+    fn repeat(&mut self, axis: &Axis, power: &CyclePower<'_>, block: &Block, passed: &mut Passed) {
         let (whole, back) = (self.whole, self.back);
         let first = self.bank.held;
-        self.pass(axis, power, block);
+        self.pass(axis, power, block, passed);
         self.bank.held += (block.times - 3.0).max(0.0) * (self.bank.held - first).max(0.0);
         if block.times > 2.0 {
-            self.pass(axis, power, block);
+            self.pass(axis, power, block, passed);
         }
         (self.whole, self.back) = (whole, back);
     }
@@ -281,7 +322,7 @@ impl<'a> CellPower<'a> {
         }
     }
 
-    fn add(&self, cell: &Cell, balance: &mut Balance) {
+    fn add(&self, cell: &Cell, balance: &mut Balance, passed: &mut Passed) {
         let (low, high) = cell.extent.range(self.torque);
         let (back, forth) = cell.extent.direction;
         let driving = (low >= 0.0 && back >= 0.0) || (high <= 0.0 && forth <= 0.0) || (back == 0.0 && forth == 0.0);
@@ -302,10 +343,10 @@ impl<'a> CellPower<'a> {
         }
         match cell.inside {
             Inside::Intervals(from, to) => {
-                self.strip.panels_within((from, to), &mut |panel| balance.panel(&panel, self.power));
+                self.strip.panels_within((from, to), &mut |panel| balance.panel(&panel, self.power, passed));
             }
             Inside::Halves(halves) => {
-                self.strip.halves(halves).into_iter().flatten().for_each(|half| self.add(half, balance));
+                self.strip.halves(halves).into_iter().flatten().for_each(|half| self.add(half, balance, passed));
             }
         }
     }

@@ -1,8 +1,9 @@
 //! The pass over the motion that makes the trace.
 
+use super::alike;
 use super::recording::Strip;
 use super::rule::{MOST, rule};
-use super::{BLOCK, Block, Carried, Extent, GROUP, Gram, Group, Kept, Node, Panel, Place, Run, Share, Trace};
+use super::{BLOCK, Block, Carried, Extent, GROUP, Gram, Group, Kept, Like, Node, Panel, Place, Run, Share, Trace};
 use mechanism::{Endless, Extra, Mechanism, Output};
 use motion::{Motion, Piece, Placed, Runs, lobatto};
 use quantities::{Angle, Measure};
@@ -101,6 +102,7 @@ impl<'a> Builder<'a> {
             self.recording(placed);
         }
         self.close_block();
+        alike::find(&self.nodes, &mut self.panels, &mut self.blocks);
         let mut gram = Gram::default();
         self.blocks.iter().for_each(|block| gram.join(&block.gram));
         Trace {
@@ -134,7 +136,7 @@ impl<'a> Builder<'a> {
         block.from_s = self.nodes.get(nodes).map_or(0.0, |node| node.time_s);
         for kept in self.panels.get(panels..).unwrap_or_default() {
             let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
-            block.add(&Panel { nodes, duration_s: kept.duration, bow: kept.bow });
+            block.add(&Panel { nodes, duration_s: kept.duration, bow: kept.bow, extent: Some(&kept.extent), like: None });
         }
         self.blocks.push(block);
     }
@@ -231,7 +233,8 @@ impl<'a> Builder<'a> {
                     load_nm: load,
                 });
             }
-            self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow: [0.0; 4] });
+            let extent = Extent::of(self.nodes.get(first..).unwrap_or_default(), &[0.0; 4]);
+            self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow: [0.0; 4], extent, like: Like::default() });
         }
         self.see(&output, extra);
     }
@@ -370,7 +373,8 @@ impl<'a> Builder<'a> {
             self.see(&output, extra);
         }
         let bow = bow(self.nodes.get(first..).unwrap_or_default());
-        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow });
+        let extent = Extent::of(self.nodes.get(first..).unwrap_or_default(), &bow);
+        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow, extent, like: Like::default() });
         if let Some(share) = self.shares.get_mut(piece.segment) {
             share.travelled += Angle::from_si(travelled);
         }

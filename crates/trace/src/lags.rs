@@ -2,8 +2,9 @@
 
 use super::gains::{Gain, GainTables, Gains, Products, largest, rounded, sum, sum_of_magnitudes, swing};
 use super::recording::Strip;
-use super::rule::{MOST, SHORT, Values, dot, lagged, rule, short};
+use super::rule::{MOST, PARTS, SHORT, Values, dot, lagged, rule, short};
 use super::{Form, Node, Panel, Run, Trace};
+use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 /// One first-order lag y' = (u − y)/τ of a form, in the steady periodic state.
@@ -93,8 +94,8 @@ fn turns(lowest: f64, highest: f64) -> bool {
     lowest < 0.0 && highest > 0.0
 }
 
-/// Into so many parts a panel is cut to see whether the sum of the lags turns within it.
-const PARTS: u32 = 16;
+/// Up to this λ, and from so many nodes on, a lag is the polynomial through its values at the nodes.
+const SMOOTH: (f64, usize) = (0.5, 8);
 
 /// What is not higher by more than this share is not looked for: far below what any reader sees, above what rounding makes.
 const NEGLIGIBLE: f64 = 1e-10;
@@ -183,7 +184,7 @@ impl Trace {
             best.at_s = self.end_of_stretch(index);
         }
         let starts = flows.iter().map(|flow| flow.start).collect();
-        Search { trace: self, lags, flows: &flows, states: starts, best }.search()
+        Search { trace: self, lags, flows: &flows, states: starts, best, seen: BTreeMap::new() }.search()
     }
 
     /// The lag through all stretches: panels that are kept, blocks of recordings.
@@ -282,6 +283,8 @@ struct Search<'a> {
     flows: &'a [Flow],
     states: Vec<f64>,
     best: Peak,
+    /// States at the start of the first panel of each kind that was looked into.
+    seen: BTreeMap<usize, Vec<f64>>,
 }
 
 impl Search<'_> {
@@ -297,7 +300,7 @@ impl Search<'_> {
                         let (through, own) = (|flow: &Flow| flow.stretch(index), || self.rise(number, swing, 1.0));
                         if self.may_rise(&self.states, through, kept.duration, most, own) {
                             let panel = self.trace.panel(kept);
-                            if self.may_turn(&panel, index) {
+                            if !self.was_seen(&panel) && self.may_turn(&panel, index) {
                                 let mut states = self.states.clone();
                                 self.inside(&panel, &mut states);
                             }
@@ -328,6 +331,19 @@ impl Search<'_> {
             }
         }
         self.best
+    }
+
+    /// Whether a panel with the same signals was looked into, and no lag is higher now where it starts: then none of them
+    /// gets higher within it either, since what is left of the start only ever adds.
+    fn was_seen(&mut self, panel: &Panel<'_>) -> bool {
+        let Some(like) = panel.like else { return false };
+        if let Some(seen) = self.seen.get(&like.first)
+            && self.states.iter().zip(seen).all(|(now, then)| now - then <= NEGLIGIBLE * then.abs())
+        {
+            return true;
+        }
+        self.seen.insert(like.first, self.states.clone());
+        false
     }
 
     fn step(&mut self, index: usize) {
@@ -535,6 +551,10 @@ fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64) -> Option
         return None;
     }
     let sum = |of: &dyn Fn(&Course, f64) -> f64| courses.iter().zip(states).map(|(c, y)| of(c, *y)).sum::<f64>();
+    let (slow, many) = SMOOTH;
+    if courses.iter().all(|course| course.lambda <= slow && course.count >= many) {
+        return turn_by_nodes(courses, states, least);
+    }
     let slope = |s: f64| sum(&|course, start| course.slope(start, s));
     let mut last = (0.0, slope(0.0));
     let mut best = None;
@@ -557,4 +577,64 @@ fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64) -> Option
         last = here;
     }
     best
+}
+
+/// The same by the values at the nodes, where each lag is the polynomial through them.
+fn turn_by_nodes(courses: &[Course], states: &[f64], least: f64) -> Option<(f64, f64)> {
+    let rule = rule(courses.first()?.count);
+    let (mut slopes, mut sums) = ([0.0; MOST], [0.0; MOST]);
+    for (course, state) in courses.iter().zip(states) {
+        let lag = rule.lag_at_nodes(*state, &course.input, course.lambda);
+        for (((slope, sum), u), y) in slopes.iter_mut().zip(&mut sums).zip(&course.input).zip(lag).take(course.count) {
+            *slope += (u - y) / course.tau_s;
+            *sum += y;
+        }
+    }
+    let (mut best, mut most) = (None, least);
+    let mut last = (0.0, slopes.first().copied()?);
+    for (part, here) in (0..=PARTS).zip(rule.at_parts(&slopes)).skip(1) {
+        let here = (f64::from(part) / f64::from(PARTS), here);
+        if last.1 > 0.0 && here.1 < 0.0 {
+            let s = falls_through_zero(last, here, |s| dot(&rule.shares(s), &slopes));
+            // What lies clearly below is not worth the closed form.
+            if dot(&rule.shares(s), &sums) > most - 1e-6 * most.abs() {
+                let value = courses.iter().zip(states).map(|(course, state)| course.at(*state, s)).sum();
+                if value > most {
+                    most = value;
+                    best = Some((s, value));
+                }
+            }
+        }
+        last = here;
+    }
+    best
+}
+
+/// Where a smooth function that falls from above zero to below passes it: false position, the end that stays halved
+/// (Illinois), to 10⁻¹² of the panel.
+fn falls_through_zero(from: (f64, f64), to: (f64, f64), f: impl Fn(f64) -> f64) -> f64 {
+    let ((mut low, mut above), (mut high, mut below)) = (from, to);
+    let mut side = 0;
+    let mut at = low;
+    for _ in 0..40 {
+        at = (low * below - high * above) / (below - above);
+        let here = f(at);
+        if here == 0.0 || high - low < 1e-12 {
+            break;
+        }
+        if here > 0.0 {
+            (low, above) = (at, here);
+            if side == 1 {
+                below *= 0.5;
+            }
+            side = 1;
+        } else {
+            (high, below) = (at, here);
+            if side == -1 {
+                above *= 0.5;
+            }
+            side = -1;
+        }
+    }
+    at
 }

@@ -5,6 +5,7 @@
 //! drives the motion nothing is known here, only how long it carries the load at rest ([`Carried`]).
 
 mod build;
+mod alike;
 mod carried;
 mod cubes;
 mod form;
@@ -68,7 +69,7 @@ impl Node {
 }
 
 /// Bounds of some nodes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
     /// α [rad/s²]
     pub acceleration_rad_s2: (f64, f64),
@@ -99,6 +100,14 @@ impl Extent {
         self.direction = wider(self.direction, node.direction);
         self.speeds_rad_s = wider(self.speeds_rad_s, node.speed_rad_s);
         self.speed_rad_s = self.speed_rad_s.max(node.speed_rad_s.abs());
+    }
+
+    /// Of the nodes of a panel and what lies between them.
+    fn of(nodes: &[Node], bow: &[f64; 4]) -> Self {
+        let mut extent = Self::NONE;
+        nodes.iter().for_each(|node| extent.widen(node));
+        extent.bend(bow);
+        extent
     }
 
     /// Of what lies between two neighbouring nodes of a panel.
@@ -234,6 +243,17 @@ pub struct Share {
     pub travelled: Angle,
 }
 
+/// Which panels of the cycle a panel is like: those that show the same signals over the same time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Like {
+    /// Index of the first of them among the panels that are kept.
+    pub first: usize,
+    /// Whether it is not the first itself.
+    pub is_copy: bool,
+    /// Whether there are others.
+    pub has_others: bool,
+}
+
 /// A smooth part of the cycle: between its nodes every signal is the polynomial through them.
 #[derive(Clone, Copy, Debug)]
 pub struct Panel<'a> {
@@ -243,6 +263,10 @@ pub struct Panel<'a> {
     pub duration_s: f64,
     /// Between two neighbouring nodes no signal leaves the straight line by more than this.
     pub bow: [f64; 4],
+    /// Of a panel that is kept: bounds of its nodes and of what lies between them.
+    pub extent: Option<&'a Extent>,
+    /// Of a panel that is kept: which panels of the cycle it is like.
+    pub like: Option<Like>,
 }
 
 impl Panel<'_> {
@@ -250,6 +274,12 @@ impl Panel<'_> {
     #[inline]
     pub fn at(&self, share: f64) -> Node {
         rule::between(self.nodes, share)
+    }
+
+    /// The instants half-way between neighbouring nodes.
+    #[inline]
+    pub fn middles(&self) -> impl Iterator<Item = Node> {
+        rule::middles(self.nodes)
     }
 
     /// Whether every signal is straight.
@@ -265,6 +295,8 @@ struct Kept {
     nodes: Range<usize>,
     duration: f64,
     bow: [f64; 4],
+    extent: Extent,
+    like: Like,
 }
 
 /// Where the panels of a block are.
@@ -301,11 +333,13 @@ pub struct Block {
     pub extent: Extent,
     /// Sums of the products of the signals.
     pub gram: Gram,
+    /// Whether each of its panels is like one of an earlier block.
+    is_copy: bool,
 }
 
 impl Block {
     const fn empty(place: Place) -> Self {
-        Self { place, from_s: 0.0, duration_s: 0.0, times: 1.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
+        Self { place, from_s: 0.0, duration_s: 0.0, times: 1.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]), is_copy: false }
     }
 
     /// Whether its nodes are made from a recording whenever they are looked at.
@@ -323,13 +357,8 @@ impl Block {
 
     fn add(&mut self, panel: &Panel<'_>) {
         self.duration_s += self.times * panel.duration_s;
-        let mut extent = Extent::NONE;
-        for node in panel.nodes {
-            extent.widen(node);
-            self.gram.add(node);
-        }
-        extent.bend(&panel.bow);
-        self.extent.join(&extent);
+        panel.nodes.iter().for_each(|node| self.gram.add(node));
+        self.extent.join(&panel.extent.copied().unwrap_or_else(|| Extent::of(panel.nodes, &panel.bow)));
     }
 }
 
@@ -436,9 +465,9 @@ impl Trace {
     }
 
     #[inline]
-    fn panel(&self, kept: &Kept) -> Panel<'_> {
+    fn panel<'a>(&'a self, kept: &'a Kept) -> Panel<'a> {
         let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
-        Panel { nodes, duration_s: kept.duration, bow: kept.bow }
+        Panel { nodes, duration_s: kept.duration, bow: kept.bow, extent: Some(&kept.extent), like: Some(kept.like) }
     }
 
     /// The nodes of a block in the order of time.

@@ -13,7 +13,7 @@ pub use cells::{Cell, Inside};
 
 use super::cubes::Moments;
 use super::gains::{GainTables, LagBlock, Products};
-use super::{Block, Extent, Kept, Node, Panel, Place};
+use super::{Block, Extent, Kept, Like, Node, Panel, Place};
 use cells::Cells;
 use lagging::LagPart;
 use mechanism::{Extra, Mechanism, Plain};
@@ -122,7 +122,7 @@ impl Strip {
         self.raw_interval(index, &mut |panel| {
             if let [a, b, c] = panel.nodes {
                 let nodes = [a, b, c].map(|node| self.view.node(node));
-                look(Panel { nodes: &nodes, duration_s: panel.duration_s * self.view.stretch, bow: panel.bow });
+                look(Panel { nodes: &nodes, duration_s: panel.duration_s * self.view.stretch, bow: panel.bow, extent: None, like: None });
             }
         });
     }
@@ -149,7 +149,7 @@ impl Strip {
                     load_nm: torque + plain.constant_nm,
                 }
             });
-            look(Panel { nodes: &nodes, duration_s: duration, bow: [0.0; 4] });
+            look(Panel { nodes: &nodes, duration_s: duration, bow: [0.0; 4], extent: None, like: None });
         }
     }
 
@@ -165,7 +165,8 @@ impl Strip {
                 self.interval(index, &mut |panel| {
                     let first = nodes.len();
                     nodes.extend_from_slice(panel.nodes);
-                    panels.push(Kept { nodes: first..nodes.len(), duration: panel.duration_s, bow: panel.bow });
+                    let extent = Extent::of(panel.nodes, &panel.bow);
+                    panels.push(Kept { nodes: first..nodes.len(), duration: panel.duration_s, bow: panel.bow, extent, like: Like::default() });
                 });
             }
             block.place = Place::Kept(from..panels.len());
@@ -235,6 +236,7 @@ impl Strip {
                 duration_s: raw.duration_s * self.view.stretch,
                 extent: self.view.extent(&raw.extent),
                 gram: self.view.gram(&raw.gram),
+                is_copy: false,
             }
         };
         let (inertia, holding) = self.survey.by_position.unwrap_or_else(|| {

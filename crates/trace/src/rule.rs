@@ -17,13 +17,29 @@ pub(super) struct Rule {
     barycentric: Vec<f64>,
     /// Row j gives the factor of the shifted Legendre polynomial P̃_j from the values at the nodes.
     legendre: Vec<Vec<f64>>,
+    /// Row k gives the integral from the beginning of the panel to its node k from the values at the nodes.
+    integrals: Vec<Values>,
+    /// Row m gives the value at the share m/[`PARTS`] from those at the nodes.
+    parts: Vec<Values>,
+    /// Row m gives the value half-way between the nodes m and m + 1 from those at the nodes.
+    middles: Vec<Values>,
 }
+
+/// Into so many equal parts a panel is cut where a change of sign is sought.
+pub(super) const PARTS: u32 = 16;
 
 /// The rule of n nodes.
 #[inline]
 pub(super) fn rule(n: usize) -> &'static Rule {
     static RULES: LazyLock<Vec<Rule>> = LazyLock::new(|| (0..=MOST).map(Rule::new).collect());
-    static NONE: Rule = Rule { nodes: Vec::new(), barycentric: Vec::new(), legendre: Vec::new() };
+    static NONE: Rule = Rule {
+        nodes: Vec::new(),
+        barycentric: Vec::new(),
+        legendre: Vec::new(),
+        integrals: Vec::new(),
+        parts: Vec::new(),
+        middles: Vec::new(),
+    };
     RULES.get(n).unwrap_or(&NONE)
 }
 
@@ -39,14 +55,65 @@ impl Rule {
         let rule = if n < 2 { &[] } else { lobatto(n) };
         let signs = [1.0, -1.0].into_iter().cycle();
         let row = |(j, norm): (usize, f64)| rule.iter().map(|(s, w)| norm * w * legendre(j, *s)).collect();
-        Self {
+        let mut made = Self {
             nodes: rule.iter().map(|(s, _)| *s).collect(),
             barycentric: rule.iter().zip(signs).map(|((_, w), sign)| sign * w.sqrt()).collect(),
             legendre: (0..rule.len())
                 .map(|j| (j, if j + 1 == n { real(n - 1) } else { real(2 * j + 1) }))
                 .map(row)
                 .collect(),
+            integrals: Vec::new(),
+            parts: Vec::new(),
+            middles: Vec::new(),
+        };
+        made.integrals = made.nodes.iter().map(|s| made.integral_until(*s)).collect();
+        made.parts = (0..=PARTS).map(|part| made.shares(f64::from(part) / f64::from(PARTS))).collect();
+        made.middles =
+            made.nodes.iter().zip(made.nodes.iter().skip(1)).map(|(a, b)| made.shares(0.5 * (a + b))).collect();
+        made
+    }
+
+    /// The weights of the values at the nodes in the integral of their polynomial from the beginning to a share.
+    ///
+    /// ∫_0^s P̃_j ds = (P̃_(j+1) − P̃_(j−1))/(2(2j + 1)), P̃_(−1) = −1
+    fn integral_until(&self, s: f64) -> Values {
+        let mut weights = [0.0; MOST];
+        for (j, row) in self.legendre.iter().enumerate() {
+            let before = if j == 0 { -1.0 } else { legendre(j - 1, s) };
+            let integral = 0.5 * (legendre(j + 1, s) - before) / real(2 * j + 1);
+            weights.iter_mut().zip(row).for_each(|(weight, l)| *weight += integral * l);
         }
+        weights
+    }
+
+    /// The values at the nodes of the lag y' = λ (u − y), y(0) = start, for a λ that is not large.
+    ///
+    /// y = start + λ ∫(u − y) ds at every node, solved by inserting: each time the error is smaller by λ over the number
+    /// of times.
+    ///
+    /// # Valid    λ ≤ 0.5; y is then the polynomial through its nodes as closely as u is
+    pub(super) fn lag_at_nodes(&self, start: f64, input: &Values, lambda: f64) -> Values {
+        let scale = input.iter().fold(start.abs(), |most, u| most.max(u.abs()));
+        let mut lag = [start; MOST];
+        for _ in 0..MOST {
+            let mut driven = [0.0; MOST];
+            driven.iter_mut().zip(input).zip(&lag).for_each(|((d, u), y)| *d = u - y);
+            let mut moved = 0.0_f64;
+            for (y, row) in lag.iter_mut().zip(&self.integrals) {
+                let next = start + lambda * dot(row, &driven);
+                moved = moved.max((next - *y).abs());
+                *y = next;
+            }
+            if moved <= 1e-13 * scale {
+                break;
+            }
+        }
+        lag
+    }
+
+    /// The values at equal parts of the panel, from its beginning to its end.
+    pub(super) fn at_parts<'a>(&'a self, values: &'a Values) -> impl Iterator<Item = f64> + 'a {
+        self.parts.iter().map(move |row| dot(row, values))
     }
 
     /// The values of the basis polynomials at a share of the panel: the value there is the sum of each times its node's.
@@ -61,7 +128,8 @@ impl Rule {
             *share = weight / (s - node);
             sum += *share;
         }
-        shares.iter_mut().for_each(|share| *share /= sum);
+        let whole = 1.0 / sum;
+        shares.iter_mut().for_each(|share| *share *= whole);
         shares
     }
 
@@ -201,7 +269,17 @@ pub(super) fn short(lambda: f64) -> (f64, [f64; 3]) {
 /// The instant at a share of a panel, on the polynomial through its nodes.
 #[inline]
 pub(super) fn between(nodes: &[Node], s: f64) -> Node {
-    let shares = rule(nodes.len()).shares(s);
+    weighted(nodes, &rule(nodes.len()).shares(s), s)
+}
+
+/// The instants half-way between neighbouring nodes.
+pub(super) fn middles(nodes: &[Node]) -> impl Iterator<Item = Node> {
+    let rule = rule(nodes.len());
+    let places = rule.nodes.iter().zip(rule.nodes.iter().skip(1)).map(|(a, b)| 0.5 * (a + b));
+    rule.middles.iter().zip(places).map(|(shares, s)| weighted(nodes, shares, s))
+}
+
+fn weighted(nodes: &[Node], shares: &Values, s: f64) -> Node {
     let mut at = Node::default();
     for (node, share) in nodes.iter().zip(shares) {
         at.acceleration_rad_s2 += share * node.acceleration_rad_s2;

@@ -102,8 +102,19 @@ impl Trace {
         };
         in_order(&self.groups, group_bound, &mut best, |group, best| {
             let blocks = self.blocks.get(group.blocks.clone()).filter(|_| !in_cells(group)).unwrap_or_default();
-            let bound = |block: &Block| (sought.bound(&block.extent), block.from_s);
-            in_order(blocks, bound, best, |block, best| self.panels(block, &mut |panel| best.look(&panel, sought)));
+            let bound = |block: &Block| {
+                let above = if block.is_copy { f64::NEG_INFINITY } else { sought.bound(&block.extent) };
+                (above, block.from_s)
+            };
+            in_order(blocks, bound, best, |block, best| {
+                // What a copy shows the first of its kind has shown, or will: both lie below the bounds of either block.
+                let is_new = |panel: &Panel<'_>| !panel.like.is_some_and(|like| like.is_copy);
+                self.panels(block, &mut |panel| {
+                    if is_new(&panel) {
+                        best.look(&panel, sought);
+                    }
+                });
+            });
         });
         if by_cells {
             self.search_cells(sought, &mut best);
@@ -182,6 +193,11 @@ impl Best {
             if let [a, .., b] = panel.nodes {
                 self.line(a, b, sought);
             }
+            return;
+        }
+        // Of a kept panel the bounds are known, and most panels of a block lie below what is found.
+        let from = panel.nodes.first().map_or(0.0, |node| node.time_s);
+        if panel.extent.is_some_and(|extent| !self.may_be_within(sought.bound(extent), from)) {
             return;
         }
         for node in panel.nodes {

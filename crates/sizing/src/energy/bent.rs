@@ -1,8 +1,8 @@
 //! Power over a panel in which the signals are no straight lines: cut where the torque or the power turns its sign.
 
-use super::{Balance, CyclePower};
+use super::{CyclePower, Returned};
 use motion::lobatto;
-use trace::{Node, Panel};
+use trace::{Node, Panel, Sought};
 
 /// Nodes of the rule for a part of a panel: exact for the power of signals of the sixth degree.
 const NODES: usize = 8;
@@ -14,7 +14,10 @@ const CLOSE: f64 = 1e-8;
 pub(super) struct Walk<'a, 'p> {
     panel: &'a Panel<'p>,
     power: &'a CyclePower<'a>,
-    balance: &'a mut Balance,
+    /// Energy of each part in which the power has one sign, in order \[J\].
+    parts: &'a mut Vec<f64>,
+    /// The largest power given back so far \[W\].
+    peak: f64,
     /// Where the part with one sign of torque and power began.
     from: f64,
     /// Whether the load drives in it.
@@ -22,26 +25,34 @@ pub(super) struct Walk<'a, 'p> {
 }
 
 impl<'a, 'p> Walk<'a, 'p> {
-    pub(super) fn through(panel: &'a Panel<'p>, power: &'a CyclePower<'a>, balance: &'a mut Balance) {
+    /// Adds the energies of the parts to those that are there; the larger of `peak` and the largest power given back.
+    pub(super) fn through(
+        panel: &'a Panel<'p>,
+        power: &'a CyclePower<'a>,
+        peak: f64,
+        parts: &'a mut Vec<f64>,
+    ) -> f64 {
         let driven = |node: &Node| power.torque(node) * node.direction < 0.0;
         let rule = lobatto(panel.nodes.len());
-        let mut walk = Walk { panel, power, balance, from: 0.0, driven: panel.nodes.first().is_some_and(driven) };
+        let mut walk = Walk { panel, power, parts, peak, from: 0.0, driven: panel.nodes.first().is_some_and(driven) };
         // Where nothing turns its sign the nodes of the panel themselves make its energy.
         let plain = panel.nodes.iter().all(|node| !driven(node))
             || panel.nodes.iter().all(|node| driven(node) && power.with(node, true) < 0.0);
         if plain {
             let taken: f64 = rule.iter().zip(panel.nodes).map(|((_, w), node)| w * power.with(node, walk.driven)).sum();
-            walk.balance.part(taken * walk.duration());
+            let duration = walk.duration();
+            walk.parts.push(taken * duration);
             if walk.driven {
-                walk.peak(|| rule.iter().map(|(s, _)| *s));
+                walk.look(|| rule.iter().map(|(s, _)| *s));
             }
         } else {
             let gaps = panel.nodes.iter().zip(panel.nodes.iter().skip(1)).zip(rule.iter().zip(rule.iter().skip(1)));
-            for ((a, b), ((from, _), (to, _))) in gaps {
-                walk.gap((*from, power.torque(a) * a.direction), (*to, power.torque(b) * b.direction));
+            for (((a, b), ((from, _), (to, _))), middle) in gaps.zip(panel.middles()) {
+                walk.gap((*from, a), (*to, b), &middle);
             }
             walk.close(1.0);
         }
+        walk.peak
     }
 
     fn duration(&self) -> f64 {
@@ -51,24 +62,29 @@ impl<'a, 'p> Walk<'a, 'p> {
         }
     }
 
-    /// From one node to the next, with T σ at both.
-    fn gap(&mut self, (from, a): (f64, f64), (to, b): (f64, f64)) {
+    /// From one node to the next, with the instant half-way.
+    fn gap(&mut self, (from, first): (f64, &Node), (to, last): (f64, &Node), middle: &Node) {
         let (power, panel) = (self.power, self.panel);
+        let along = |node: &Node| power.torque(node) * node.direction;
+        let (a, b) = (along(first), along(last));
         if a * b < 0.0 {
-            let torque = |s: f64| {
-                let node = panel.at(s);
-                power.torque(&node) * node.direction
-            };
-            let zero = crossing(torque, (from, a), (to, b));
-            self.stretch((from, zero), a < 0.0);
-            self.stretch((zero, to), b < 0.0);
+            let zero = crossing(|s| along(&panel.at(s)), (from, a), (to, b));
+            let at = panel.at(zero);
+            self.stretch((from, first), (zero, &at), None, a < 0.0);
+            self.stretch((zero, &at), (to, last), None, b < 0.0);
         } else {
-            self.stretch((from, to), a + b < 0.0);
+            self.stretch((from, first), (to, last), Some(middle), a + b < 0.0);
         }
     }
 
-    /// From one instant to another with one sign of the torque.
-    fn stretch(&mut self, (from, to): (f64, f64), driven: bool) {
+    /// From one instant to another with one sign of the torque; the instant half-way if it is known.
+    fn stretch(
+        &mut self,
+        (from, first): (f64, &Node),
+        (to, last): (f64, &Node),
+        half_way: Option<&Node>,
+        driven: bool,
+    ) {
         if driven != self.driven {
             self.close(from);
             self.driven = driven;
@@ -79,11 +95,11 @@ impl<'a, 'p> Walk<'a, 'p> {
         }
         let (power, panel) = (self.power, self.panel);
         let at = |s: f64| power.with(&panel.at(s), true);
-        let ((a, b), middle) = ((at(from), at(to)), 0.5 * (from + to));
+        let ((a, b), middle) = ((power.with(first, true), power.with(last, true)), 0.5 * (from + to));
         if a * b < 0.0 {
             self.close(crossing(at, (from, a), (to, b)));
         } else if a > 0.0 {
-            let low = at(middle);
+            let low = half_way.map_or_else(|| at(middle), |node| power.with(node, true));
             if low < 0.0 {
                 self.close(crossing(at, (from, a), (middle, low)));
                 self.close(crossing(at, (middle, low), (to, b)));
@@ -97,10 +113,11 @@ impl<'a, 'p> Walk<'a, 'p> {
         if length > 0.0 {
             let at = |s: f64| self.power.with(&self.panel.at(self.from + s * length), self.driven);
             let taken: f64 = lobatto(NODES).iter().map(|(s, w)| w * at(*s)).sum();
-            self.balance.part(taken * length * self.duration());
+            let duration = self.duration();
+            self.parts.push(taken * length * duration);
             if taken < 0.0 {
                 let from = self.from;
-                self.peak(|| lobatto(NODES).iter().map(move |(s, _)| from + s * length));
+                self.look(|| lobatto(NODES).iter().map(move |(s, _)| from + s * length));
             }
         }
         self.from = to;
@@ -108,10 +125,13 @@ impl<'a, 'p> Walk<'a, 'p> {
 
     /// The largest power given back in a part: at one of the instants named, or where a parabola through it and its
     /// neighbours is highest, found anew from the instants that are there.
-    fn peak<I: Iterator<Item = f64>>(&mut self, shares: impl Fn() -> I) {
+    fn look<I: Iterator<Item = f64>>(&mut self, shares: impl Fn() -> I) {
+        if self.panel.extent.is_some_and(|extent| Returned(self.power).bound(extent) <= self.peak) {
+            return;
+        }
         let back = |s: f64| -self.power.with(&self.panel.at(s), self.driven);
         let points = || shares().map(|s| (s, back(s)));
-        let mut peak = points().fold(self.balance.peak, |peak, (_, value)| peak.max(value));
+        let mut peak = points().fold(self.peak, |peak, (_, value)| peak.max(value));
         for ((mut a, mut b), mut c) in points().zip(points().skip(1)).zip(points().skip(2)) {
             for _ in 0..4 {
                 let Some((s, height)) = vertex(a, b, c).filter(|(_, height)| *height > peak) else { break };
@@ -128,7 +148,7 @@ impl<'a, 'p> Walk<'a, 'p> {
                 }
             }
         }
-        self.balance.peak = peak;
+        self.peak = peak;
     }
 }
 

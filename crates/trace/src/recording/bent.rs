@@ -108,7 +108,7 @@ impl Strip {
             };
         }
         let nodes = nodes.get(..count).unwrap_or_default();
-        look(Panel { nodes, duration_s: duration, bow: [0.0, bow(nodes), 0.0, 0.0] });
+        look(Panel { nodes, duration_s: duration, bow: [0.0, bow(nodes), 0.0, 0.0], extent: None, like: None });
     }
 }
 
