@@ -471,8 +471,8 @@ fn solved(pieces: &[Piece]) -> Solved {
         // The extremes lie at the ends or where the acceleration or its slope vanishes.
         let mut instants = vec![0.0, piece.duration_s];
         if piece.speed_degree().is_none_or(|degree| degree > 1) {
-            instants.extend(crate::roots(|t| piece.at(t).acceleration_rad_s2, piece.duration_s));
-            instants.extend(crate::roots(|t| piece.jerk(t), piece.duration_s));
+            instants.extend(piece.acceleration_roots());
+            instants.extend(piece.jerk_roots());
         }
         for state in instants.into_iter().map(|t| piece.at(t)) {
             speed = speed.max(state.speed_rad_s.abs());

@@ -16,6 +16,6 @@ mod solve;
 pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch};
 pub use faults::{MotionFault, MoveFault, Needed, RecordedFault};
 pub use law::{Given, Law, Solved};
-pub use piece::{Piece, Runs, State, roots};
+pub use piece::{Piece, Runs, State, root_steps, roots, roots_between};
 pub use quadrature::lobatto;
 pub use recorded::{Interval, Placed, Recorded, Samples, Treatment};

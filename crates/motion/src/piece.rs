@@ -1,5 +1,7 @@
 //! A piece of motion: acceleration as a polynomial and a harmonic of time, integrated in closed form.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 /// Position, speed and acceleration at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
@@ -99,6 +101,17 @@ impl Piece {
     /// The state at a time from the beginning of the piece.
     #[must_use]
     pub fn at(&self, t: f64) -> State {
+        self.states()(t)
+    }
+
+    /// The states at many times from the beginning of the piece.
+    pub fn states(&self) -> impl Fn(f64) -> State + '_ {
+        let [_, _, phase] = self.harmonic;
+        let of_phase = phase.sin_cos();
+        move |t| self.with_phase(t, of_phase)
+    }
+
+    fn with_phase(&self, t: f64, (sin_phase, cos_phase): (f64, f64)) -> State {
         let [c0, c1, c2, c3] = self.polynomial;
         let mut acceleration = c0 + t * (c1 + t * (c2 + t * c3));
         let mut speed = self.speed_rad_s + t * (c0 + t * (c1 / 2.0 + t * (c2 / 3.0 + t * c3 / 4.0)));
@@ -106,10 +119,10 @@ impl Piece {
             + t * (self.speed_rad_s + t * (c0 / 2.0 + t * (c1 / 6.0 + t * (c2 / 12.0 + t * c3 / 20.0))));
         let [amplitude, frequency, phase] = self.harmonic;
         if amplitude != 0.0 {
-            let angle = frequency * t + phase;
-            acceleration += amplitude * angle.sin();
-            speed += amplitude / frequency * (phase.cos() - angle.cos());
-            position += amplitude / frequency * (t * phase.cos() - (angle.sin() - phase.sin()) / frequency);
+            let (sin, cos) = (frequency * t + phase).sin_cos();
+            acceleration += amplitude * sin;
+            speed += amplitude / frequency * (cos_phase - cos);
+            position += amplitude / frequency * (t * cos_phase - (sin - sin_phase) / frequency);
         }
         State { position_rad: position, speed_rad_s: speed, acceleration_rad_s2: acceleration }
     }
@@ -120,6 +133,39 @@ impl Piece {
         let [_, c1, c2, c3] = self.polynomial;
         let [amplitude, frequency, phase] = self.harmonic;
         c1 + t * (2.0 * c2 + t * 3.0 * c3) + amplitude * frequency * (frequency * t + phase).cos()
+    }
+
+    /// Times strictly inside the piece at which the acceleration passes zero.
+    #[must_use]
+    pub fn acceleration_roots(&self) -> Vec<f64> {
+        let ([c0, c1, c2, c3], [amplitude, frequency, phase]) = (self.polynomial, self.harmonic);
+        if amplitude == 0.0 && c3 == 0.0 {
+            return self.inside(quadratic(c0, c1, c2));
+        }
+        if amplitude != 0.0 && self.polynomial == [0.0; 4] {
+            return self.inside(zeros_of_sine(frequency, phase, self.duration_s));
+        }
+        let state = self.states();
+        roots(|t| state(t).acceleration_rad_s2, self.duration_s)
+    }
+
+    /// Times strictly inside the piece at which the jerk passes zero: the acceleration has its extremes there.
+    #[must_use]
+    pub fn jerk_roots(&self) -> Vec<f64> {
+        let ([_, c1, c2, c3], [amplitude, frequency, phase]) = (self.polynomial, self.harmonic);
+        if amplitude == 0.0 {
+            return self.inside(quadratic(c1, 2.0 * c2, 3.0 * c3));
+        }
+        if [c1, c2, c3] == [0.0; 3] {
+            return self.inside(zeros_of_sine(frequency, phase + FRAC_PI_2, self.duration_s));
+        }
+        roots(|t| self.jerk(t), self.duration_s)
+    }
+
+    /// Of some times those strictly inside; what is at an end but for rounding is not.
+    fn inside(&self, times: Vec<f64>) -> Vec<f64> {
+        let beside = 1e-13 * self.duration_s;
+        times.into_iter().filter(|t| *t > beside && *t < self.duration_s - beside).collect()
     }
 
     /// The state at its end, with the speed that the law states.
@@ -147,8 +193,7 @@ impl Piece {
     /// Times inside the piece at which it reverses.
     #[must_use]
     pub fn reversals(&self) -> Vec<f64> {
-        let runs = self.runs().0;
-        runs.iter().zip(runs.iter().skip(1)).map(|((end, _), _)| *end).collect()
+        self.runs().reversals()
     }
 
     /// Which way the piece goes, and until when.
@@ -164,7 +209,7 @@ impl Piece {
         let mut marks = vec![(0.0, self.speed_rad_s)];
         if self.speed_degree().is_none_or(|degree| degree > 1) {
             let rounding = self.rounding();
-            let inner = roots(|t| self.at(t).acceleration_rad_s2, end);
+            let inner = self.acceleration_roots();
             marks.extend(inner.into_iter().map(|t| {
                 let speed = self.at(t).speed_rad_s;
                 (t, if speed.abs() <= rounding { 0.0 } else { speed })
@@ -183,7 +228,7 @@ impl Piece {
         for ((from, before), (to, after)) in marks.iter().zip(marks.iter().skip(1)) {
             let (first, second) = (sign(*before), sign(*after));
             if first * second < 0.0 {
-                go(self.reversal(*from, *to, second > 0.0), first);
+                go(self.reversal((*from, *before), (*to, *after)), first);
             }
             go(*to, if second == 0.0 { first } else { second });
         }
@@ -191,12 +236,13 @@ impl Piece {
     }
 
     /// Where the speed, monotone between two instants, passes zero.
-    fn reversal(&self, from: f64, to: f64, rising: bool) -> f64 {
+    fn reversal(&self, from: (f64, f64), to: (f64, f64)) -> f64 {
         if self.speed_degree() == Some(1) {
             let [c0, ..] = self.polynomial;
-            return (-self.speed_rad_s / c0).clamp(from, to);
+            return (-self.speed_rad_s / c0).clamp(from.0, to.0);
         }
-        bisect(&|t| self.at(t).speed_rad_s, from, to, rising)
+        let state = self.states();
+        root_within(&|t| state(t).speed_rad_s, from, to)
     }
 
     /// What rounding may leave of a speed that is zero: eight units in the last place of the sum of the magnitudes of its
@@ -215,6 +261,12 @@ impl Piece {
 pub struct Runs(Vec<(f64, f64)>);
 
 impl Runs {
+    /// The instants at which one direction ends and the other begins.
+    #[must_use]
+    pub fn reversals(&self) -> Vec<f64> {
+        self.0.iter().zip(self.0.iter().skip(1)).map(|((end, _), _)| *end).collect()
+    }
+
     /// +1, −1, or 0 in a piece that rests, at a time from the beginning of the piece.
     #[must_use]
     pub fn direction(&self, t: f64) -> f64 {
@@ -226,47 +278,108 @@ impl Runs {
 /// Into so many steps a span is cut in the search for roots; two roots closer than one step are not told apart.
 const STEPS: u32 = 64;
 
-/// The roots of a continuous function strictly inside 0…`end`, by sign changes over 64 steps, each bisected to the last
-/// bit. Roots at the ends are left out.
-pub fn roots(f: impl Fn(f64) -> f64, end: f64) -> Vec<f64> {
+/// Where c_0 + c_1 t + c_2 t² passes zero, in order; where it only touches it there is none.
+fn quadratic(c0: f64, c1: f64, c2: f64) -> Vec<f64> {
+    if c2 == 0.0 {
+        return if c1 == 0.0 { Vec::new() } else { vec![-c0 / c1] };
+    }
+    let root = c1 * c1 - 4.0 * c2 * c0;
+    // What rounding leaves of two equal roots is none.
+    if root <= 8.0 * f64::EPSILON * c1 * c1 {
+        return Vec::new();
+    }
+    let q = -0.5 * (c1 + root.sqrt().copysign(c1));
+    let mut found = vec![q / c2, c0 / q];
+    found.sort_by(f64::total_cmp);
+    found
+}
+
+/// A law of motion makes a few half turns; what makes more is no law, and nothing there can be told apart.
+const HALF_TURNS_MOST: f64 = 1e4;
+
+/// The times up to an end at which sin(Ω t + φ) passes zero.
+fn zeros_of_sine(frequency: f64, phase: f64, end: f64) -> Vec<f64> {
+    let (from, to) = (phase / PI, (frequency * end + phase) / PI);
+    let (mut half_turn, last) = (from.min(to).floor(), from.max(to).ceil());
     let mut found = Vec::new();
-    let at = |step: u32| end * f64::from(step) / f64::from(STEPS);
+    if !(last - half_turn <= HALF_TURNS_MOST) {
+        return found;
+    }
+    while half_turn <= last {
+        found.push((half_turn * PI - phase) / frequency);
+        half_turn += 1.0;
+    }
+    found.sort_by(f64::total_cmp);
+    found
+}
+
+/// The roots of a continuous function strictly inside 0…`end`, by sign changes over [`root_steps`], each found to the last
+/// bits. Roots at the ends are left out.
+pub fn roots(f: impl Fn(f64) -> f64, end: f64) -> Vec<f64> {
+    let values: Vec<f64> = root_steps(end).map(&f).collect();
+    roots_between(&values, f, end)
+}
+
+/// Where a search for roots looks: at 65 instants from 0 to `end`.
+pub fn root_steps(end: f64) -> impl Iterator<Item = f64> {
+    (0..=STEPS).map(move |step| end * f64::from(step) / f64::from(STEPS))
+}
+
+/// The roots of a function whose values at the [`root_steps`] are known already.
+pub fn roots_between(values: &[f64], f: impl Fn(f64) -> f64, end: f64) -> Vec<f64> {
+    let mut found = Vec::new();
     // Rounding leaves traces of the size of an ulp where the exact value is zero: they are no change of sign.
-    let mut scale = 0.0_f64;
-    let values: Vec<f64> = (0..=STEPS).map(|step| f(at(step))).inspect(|v| scale = scale.max(v.abs())).collect();
-    let sign = |v: f64| if v.abs() <= 1e-13 * scale { 0.0 } else { v.signum() };
+    let scale = values.iter().fold(0.0_f64, |scale, v| scale.max(v.abs()));
     let mut last: Option<(f64, f64)> = None;
-    for (step, value) in (0..=STEPS).zip(&values) {
-        let here = sign(*value);
-        if here == 0.0 {
+    for (at, value) in root_steps(end).zip(values) {
+        if value.abs() <= 1e-13 * scale {
             continue;
         }
-        if let Some((before, from)) = last
-            && before * here < 0.0
+        if let Some(before) = last
+            && before.1 * value < 0.0
         {
-            let root = bisect(&f, from, at(step), here > 0.0);
+            let root = root_within(&f, before, (at, *value));
             if root > 0.0 && root < end {
                 found.push(root);
             }
         }
-        last = Some((here, at(step)));
+        last = Some((at, *value));
     }
     found
 }
 
-fn bisect(f: &impl Fn(f64) -> f64, mut low: f64, mut high: f64, rising: bool) -> f64 {
-    for _ in 0..80 {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
+/// So many steps of false position before a bracket is halved: a smooth function needs no more.
+const FALSE_POSITION: u32 = 12;
+
+/// The root between two instants with values of opposite sign: false position, the end that stays behind counted half
+/// (Illinois); a jump is found by halving.
+fn root_within(f: &impl Fn(f64) -> f64, (mut low, mut at_low): (f64, f64), (mut high, mut at_high): (f64, f64)) -> f64 {
+    let mut kept = None;
+    let mut found = low;
+    for round in 0..FALSE_POSITION + 80 {
+        let before = found;
+        let halved = 0.5 * (low + high);
+        found = if round < FALSE_POSITION { high - at_high * (high - low) / (at_high - at_low) } else { halved };
+        if !(found > low && found < high) {
+            found = halved;
+        }
+        if !(found > low && found < high) || (round > 0 && (found - before).abs() <= f64::EPSILON * high.abs()) {
             break;
         }
-        if (f(middle) > 0.0) == rising {
-            high = middle;
-        } else {
-            low = middle;
+        let here = f(found);
+        if here == 0.0 {
+            break;
         }
+        let keeps_low = (here < 0.0) == (at_high < 0.0);
+        let behind = if kept == Some(keeps_low) { 0.5 } else { 1.0 };
+        if keeps_low {
+            (high, at_high, at_low) = (found, here, behind * at_low);
+        } else {
+            (low, at_low, at_high) = (found, here, behind * at_high);
+        }
+        kept = Some(keeps_low);
     }
-    0.5 * (low + high)
+    found
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use mechanism::{BodyError, TableFault};
 use motion::{MoveFault, RecordedFault};
 use order_code::CodeError;
 use quantities::{Dimension, QuantityError, Unit};
-use sizing::TooManyRevolutions;
+use sizing::TooManyInstants;
 
 /// One fault of a project file, of a file that it refers to, or of bodies written as text.
 #[derive(Clone, Debug, PartialEq)]
@@ -240,7 +240,7 @@ pub enum Fault {
         travel_m_per_rad: Option<f64>,
     },
     /// A motion over too many revolutions under a load that depends on the position.
-    Revolutions(TooManyRevolutions),
+    Instants(TooManyInstants),
     /// A unit that is not known.
     UnknownUnit {
         /// As written, shortened.
@@ -376,7 +376,7 @@ impl Fault {
             Self::ToothAngle { .. } => "tooth_angle",
             Self::JointWithoutTorque => "joint_without_torque",
             Self::Move { fault, .. } => ids::motion(fault),
-            Self::Revolutions(_) => "too_many_revolutions",
+            Self::Instants(_) => "too_many_instants",
             Self::UnknownUnit { .. } => "unknown_unit",
             Self::File { .. } => "file_unreadable",
             Self::Recording { fault, .. } => ids::recording(fault),

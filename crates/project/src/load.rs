@@ -199,10 +199,10 @@ pub(crate) fn motion(root: &Section, load: &Load, reader: &mut Reader<'_>) -> Op
     let closing = if single { Closing::SingleMove } else { Axis::closing(&load.mechanism) };
     match Motion::new(&specs, load.start, closing) {
         Ok(motion) => {
-            if let Some(found) = Axis::too_many_revolutions(&load.mechanism, &motion) {
+            if let Some(found) = Axis::too_many_instants(&load.mechanism, &motion) {
                 let section = sections.get(found.segment);
                 let span = section.map_or_else(|| root.span_of("motion"), |section| section.span_of("law"));
-                reader.fault(span, Fault::Revolutions(found), None);
+                reader.fault(span, Fault::Instants(found), None);
                 return None;
             }
             Some((motion, sections.iter().map(|section| extra(section, load)).collect()))

@@ -191,13 +191,13 @@ pub enum SpecialApplication {
     Amusement,
 }
 
-/// A motion with more revolutions at changing speed than a load that depends on the position can be looked at along.
+/// A motion that takes a look at more instants than its answer may cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TooManyRevolutions {
+pub struct TooManyInstants {
     /// Index of the segment with most of them.
     pub segment: usize,
-    /// Revolutions in the whole cycle.
-    pub revolutions: f64,
+    /// Instants of the whole cycle.
+    pub instants: f64,
     /// So many are permitted.
     pub most: f64,
 }
@@ -269,15 +269,21 @@ impl Axis {
         }
     }
 
-    /// Revolutions that a motion makes at changing speed under a load that depends on the position, and the segment with most
-    /// of them, where they are more than can be looked at: an axis is not made of such a motion.
+    /// The instants at which a motion under its load would be looked at, and the segment with most of them, where they are
+    /// more than can be: an axis is not made of such a motion.
     #[must_use]
-    pub fn too_many_revolutions(mechanism: &Mechanism, motion: &Motion) -> Option<TooManyRevolutions> {
-        let found = trace::revolutions(mechanism, motion);
-        let revolutions = found.iter().map(|(_, count)| count).sum::<f64>();
+    pub fn too_many_instants(mechanism: &Mechanism, motion: &Motion) -> Option<TooManyInstants> {
+        let found = trace::instants(mechanism, motion);
+        let instants = found.iter().map(|(_, count)| count).sum::<f64>();
         let (segment, _) = found.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
-        let most = trace::REVOLUTIONS_MOST;
-        (revolutions > most).then_some(TooManyRevolutions { segment: *segment, revolutions, most })
+        let most = trace::INSTANTS_MOST;
+        (instants > most).then_some(TooManyInstants { segment: *segment, instants, most })
+    }
+
+    /// At how many instants its cycle is looked at: what one pass over it costs.
+    #[must_use]
+    pub fn instants(&self) -> usize {
+        self.trace.instants()
     }
 
     /// The swings below the manual's 5°; only the output bearing asks for them.

@@ -28,9 +28,10 @@ mod resonance;
 mod reversal_tests;
 mod stage;
 mod swings;
+mod watch;
 mod workings;
 
-pub use axis::{Asked, Axis, BearingDuty, Moments, OperatingCondition, SpecialApplication, TooManyRevolutions};
+pub use axis::{Asked, Axis, BearingDuty, Moments, OperatingCondition, SpecialApplication, TooManyInstants};
 pub use brake_times::BrakeTimes;
 pub use check::{Check, CheckId, Direction, Figure, Margin, Note, Notes, Part, Verdict};
 pub use checks::{Depth, Judgement, explain, judge};
@@ -39,4 +40,5 @@ pub use demand::{Demand, ManualDemand, MoveTorques};
 pub use derivation;
 pub use flange::{DerivedLoads, FlangeSample};
 pub use rank::{Standing, rank};
-pub use reserve::{Reserve, reserve};
+pub use reserve::{Reserve, reserve, reserve_watched};
+pub use watch::{Unwatched, Watch, finished};

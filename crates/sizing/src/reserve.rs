@@ -4,6 +4,7 @@ use crate::axis::Axis;
 use crate::brake_times::carried;
 use crate::check::Verdict;
 use crate::checks::{Depth, judge};
+use crate::watch::{Unwatched, Watch, finished};
 use actuator::Parameters;
 use quantities::{Mass, Measure, ThermodynamicTemperature, Time};
 
@@ -23,8 +24,9 @@ pub struct Reserve {
 /// Factors looked at: beyond, nobody asks.
 const FACTOR_MOST: f64 = 1e3;
 
-/// The search walks in steps of a tenth, so a gap narrower than that between two regions that fit may be passed over.
-const STEP: f64 = 1.1;
+/// The search walks in steps of a tenth up to a factor of two, then in larger ones: so far off only the order of magnitude
+/// is of use. A gap narrower than a step between two regions that fit may be passed over.
+const STEPS: [(f64, f64); 3] = [(2.0, 1.1), (10.0, 1.25), (f64::INFINITY, 1.6)];
 
 /// Halvings of the last step.
 const HALVINGS: usize = 30;
@@ -40,34 +42,46 @@ const AMBIENT_STEP: f64 = 5.0;
 
 /// Searches the reserves of an actuator for an axis, each on the same checks that judge it.
 ///
-/// Cost: a dozen judgements for each of the quantities where their excess is smooth, at most sixty, with the motion
-/// prepared anew for each.
+/// Cost: about twenty judgements for each of the quantities where their excess is smooth, at most fifty-eight, with the
+/// motion prepared anew for each.
 #[must_use]
 pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
-    let load = |factor: f64| excess(&axis.with_load(factor, factor), actuator);
-    let payload = |factor: f64| excess(&axis.with_load(1.0, factor), actuator);
+    finished(reserve_watched(axis, actuator, &Unwatched))
+}
+
+/// The same for somebody who may stop it.
+///
+/// # Errors
+/// Where it was stopped.
+pub fn reserve_watched<W: Watch>(axis: &Axis, actuator: &Parameters, watch: &W) -> Result<Reserve, W::Stop> {
+    let excess = |axis: &Axis| -> Result<f64, W::Stop> {
+        watch.step()?;
+        Ok(excess(axis, actuator))
+    };
+    let load = |factor: f64| excess(&axis.with_load(factor, factor));
+    let payload = |factor: f64| excess(&axis.with_load(1.0, factor));
     // A faster cycle is a smaller factor on the time.
-    let faster = |factor: f64| excess(&axis.with_time(1.0 / factor), actuator);
+    let faster = |factor: f64| excess(&axis.with_time(1.0 / factor));
     let ambient = || {
         let mut warmer = axis.clone();
         highest_ambient(|kelvin| {
             warmer.ambient = Some(ThermodynamicTemperature::from_si(kelvin));
-            excess(&warmer, actuator)
+            excess(&warmer)
         })
     };
     let carries = axis.extras.iter().any(|extra| extra.mass.si() > 0.0 || extra.inertia.si() > 0.0);
     if matches!(axis.mechanism.kind, mechanism::Kind::Joint(_)) {
         // Recorded torques say nothing about another load or another pace.
-        return Reserve { ambient: ambient(), ..Reserve::default() };
+        return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
     }
     let now = judge(axis, actuator, Depth::Margins);
     if now.checks.iter().any(|check| check.verdict == Verdict::Fail && check.id.is_of_the_place()) {
         // No load and no pace mends what hangs on neither.
-        return Reserve { ambient: ambient(), ..Reserve::default() };
+        return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
     }
-    let of_loads = || (largest(load), carries.then(|| largest(payload)).flatten());
-    let of_others = || (largest(faster), ambient());
-    let ((load_factor, payload_factor), (factor, ambient)) = if axis.is_short() {
+    let of_loads = || Ok((largest(load)?, if carries { largest(payload)? } else { None }));
+    let of_others = || Ok((largest(faster)?, ambient()?));
+    let (loads, others): (Result<_, W::Stop>, Result<_, W::Stop>) = if axis.is_short() {
         // Beginning a thread would take as long as the work.
         (of_loads(), of_others())
     } else {
@@ -78,8 +92,9 @@ pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
             (loads, others.join().unwrap_or_else(|_| of_others()))
         })
     };
+    let ((load_factor, payload_factor), (factor, ambient)) = (loads?, others?);
     let cycle_time = factor.map(|factor| Time::from_si(axis.moments().duration.si() / factor));
-    Reserve { load_factor, payload_factor, cycle_time, ambient }
+    Ok(Reserve { load_factor, payload_factor, cycle_time, ambient })
 }
 
 /// How near to its limits an actuator is: above zero it does not pass with certainty.
@@ -94,28 +109,35 @@ fn excess(axis: &Axis, actuator: &Parameters) -> f64 {
 
 /// The largest factor from which nothing fits any more, walking up from what fits or down from what does not;
 /// `None` if nothing near fits, or everything does.
-fn largest(excess: impl Fn(f64) -> f64) -> Option<f64> {
-    let (mut factor, mut here) = (1.0, excess(1.0));
+fn largest<S>(excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option<f64>, S> {
+    let (mut factor, mut here) = (1.0, excess(1.0)?);
     if here <= 0.0 {
         loop {
-            let next = excess(factor * STEP);
+            let farther = factor * step(factor);
+            let next = excess(farther)?;
             if next > 0.0 {
-                return Some(border(excess, (factor, here), (factor * STEP, next)));
+                return border(excess, (factor, here), (farther, next)).map(Some);
             }
-            (factor, here) = (factor * STEP, next);
+            (factor, here) = (farther, next);
             if factor > FACTOR_MOST {
-                return None;
+                return Ok(None);
             }
         }
     }
     while factor > 1.0 / FACTOR_MOST {
-        let next = excess(factor / STEP);
+        let farther = factor / step(1.0 / factor);
+        let next = excess(farther)?;
         if next <= 0.0 {
-            return Some(border(excess, (factor / STEP, next), (factor, here)));
+            return border(excess, (farther, next), (factor, here)).map(Some);
         }
-        (factor, here) = (factor / STEP, next);
+        (factor, here) = (farther, next);
     }
-    None
+    Ok(None)
+}
+
+/// The step of the search at a factor of one or more.
+fn step(factor: f64) -> f64 {
+    STEPS.iter().find(|(until, _)| factor < *until).map_or(1.1, |(_, step)| *step)
 }
 
 /// The border between what fits at `good` and what does not at `bad`, on the side that fits; both with their excess.
@@ -124,7 +146,11 @@ fn largest(excess: impl Fn(f64) -> f64) -> Option<f64> {
 ///
 /// # Source   Oliveira and Takahashi, An Enhancement of the Bisection Method Average Performance Preserving Minmax
 /// Optimality, ACM TOMS 47 (2020), with κ_1 = 0.2/(b_0 − a_0), κ_2 = 2, n_0 = 1
-fn border(mut excess: impl FnMut(f64) -> f64, mut good: (f64, f64), mut bad: (f64, f64)) -> f64 {
+fn border<S>(
+    mut excess: impl FnMut(f64) -> Result<f64, S>,
+    mut good: (f64, f64),
+    mut bad: (f64, f64),
+) -> Result<f64, S> {
     let whole = bad.0 - good.0;
     // Where halving would stand after one step less; what is left beyond half the width is free for interpolation.
     let mut halved = whole;
@@ -141,32 +167,37 @@ fn border(mut excess: impl FnMut(f64) -> f64, mut good: (f64, f64), mut bad: (f6
         let away = away.signum() * (away.abs() - 0.2 * width * width / whole).clamp(0.0, free);
         let at = middle + away;
         halved *= 0.5;
-        let found = (at, excess(at));
+        let found = (at, excess(at)?);
         if found.1 <= 0.0 {
             good = found;
         } else {
             bad = found;
         }
     }
-    good.0
+    Ok(good.0)
 }
 
-fn highest_ambient(mut excess: impl FnMut(f64) -> f64) -> Option<ThermodynamicTemperature> {
+fn highest_ambient<S>(
+    mut excess: impl FnMut(f64) -> Result<f64, S>,
+) -> Result<Option<ThermodynamicTemperature>, S> {
     let (low, high) = AMBIENT_RANGE;
     // From above: the highest region that fits.
     let mut kelvin = high;
     let mut above = None;
     while kelvin >= low {
-        let here = (kelvin, excess(kelvin));
+        let here = (kelvin, excess(kelvin)?);
         if here.1 <= 0.0 {
-            let above = above.unwrap_or_else(|| (kelvin + AMBIENT_STEP, excess(kelvin + AMBIENT_STEP)));
-            let highest = if above.1 > 0.0 { border(excess, here, above) } else { above.0 };
-            return Some(ThermodynamicTemperature::from_si(highest));
+            let above = match above {
+                Some(above) => above,
+                None => (kelvin + AMBIENT_STEP, excess(kelvin + AMBIENT_STEP)?),
+            };
+            let highest = if above.1 > 0.0 { border(excess, here, above)? } else { above.0 };
+            return Ok(Some(ThermodynamicTemperature::from_si(highest)));
         }
         above = Some(here);
         kelvin -= AMBIENT_STEP;
     }
-    None
+    Ok(None)
 }
 
 impl Axis {
@@ -260,9 +291,9 @@ mod tests {
             let (good, bad) = ((1.0, excess(1.0)), (1.1, excess(1.1)));
             let counted = |x: f64| {
                 calls.set(calls.get() + 1);
-                excess(x)
+                Ok(excess(x))
             };
-            (border(counted, good, bad), calls.get())
+            (finished(border(counted, good, bad)), calls.get())
         };
         let root = 1.037_f64;
         let smooth: [&dyn Fn(f64) -> f64; 3] =

@@ -5,7 +5,7 @@ use super::recording::Strip;
 use super::rule::{MOST, rule};
 use super::{BLOCK, Block, Carried, Extent, GROUP, Gram, Group, Kept, Like, Node, Panel, Place, Run, Share, Trace};
 use mechanism::{Endless, Extra, Mechanism, Output};
-use motion::{Motion, Piece, Placed, Runs, lobatto};
+use motion::{Motion, Piece, Placed, Runs, State, lobatto};
 use quantities::{Angle, Measure};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -43,11 +43,8 @@ const PANELS_PER_SEARCH: f64 = 12.0;
 /// A panel covers at most this phase of the harmonic of its law.
 const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Revolutions of one cycle at changing speed under a load that depends on the position: beyond, the cycle is refused.
-pub const REVOLUTIONS_MOST: f64 = 2_000.0;
-
-/// Most panels of one piece, those of so many revolutions.
-const PANELS_MOST: f64 = REVOLUTIONS_MOST * TAU / PANEL_ANGLE;
+/// Instants of one cycle, recordings apart: beyond, the cycle is refused.
+pub const INSTANTS_MOST: f64 = 160_000.0;
 
 /// A panel of so many nodes holds signals that are straight over time.
 const STRAIGHT: usize = 4;
@@ -194,14 +191,14 @@ impl<'a> Builder<'a> {
             let start_s = piece.start_s + times * period;
             self.turning(&Piece { start_s, duration_s: left, position_rad, ..*piece }, extra);
         } else {
-            self.see(&self.output(piece, piece.duration_s, piece.speed_rad_s.signum()), extra);
+            self.see(&output(&piece.at(piece.duration_s), piece.speed_rad_s.signum()), extra);
         }
     }
 
     fn turning(&mut self, piece: &Piece, extra: &Extra) {
         let runs = piece.runs();
         let cuts = self.cuts(piece, extra, &runs);
-        let nodes = self.nodes_per_panel(piece);
+        let nodes = nodes_per_panel(self.mechanism, piece);
         for pair in cuts.windows(2) {
             if let [from, to] = pair {
                 self.panel(piece, extra, (*from, *to, runs.direction(0.5 * (from + to))), nodes);
@@ -214,7 +211,7 @@ impl<'a> Builder<'a> {
     }
 
     fn rest(&mut self, piece: &Piece, extra: &Extra) {
-        let output = self.output(piece, 0.0, 0.0);
+        let output = output(&piece.at(0.0), 0.0);
         let holding = self.mechanism.torque(&output, extra);
         let carried = self.carried.get(piece.segment).copied().unwrap_or_default();
         let (until, again) = carried.ends(piece.duration_s);
@@ -239,16 +236,6 @@ impl<'a> Builder<'a> {
         self.see(&output, extra);
     }
 
-    fn output(&self, piece: &Piece, t: f64, direction: f64) -> Output {
-        let state = piece.at(t);
-        Output {
-            position_rad: state.position_rad,
-            speed_rad_s: state.speed_rad_s,
-            acceleration_rad_s2: state.acceleration_rad_s2,
-            direction,
-        }
-    }
-
     /// Notes extremes at an instant.
     fn see(&mut self, output: &Output, extra: &Extra) {
         let inertia = Measure::si(self.mechanism.inertia(output.position_rad, extra));
@@ -262,16 +249,16 @@ impl<'a> Builder<'a> {
     /// smooth integrand needs.
     fn cuts(&self, piece: &Piece, extra: &Extra, runs: &Runs) -> Vec<f64> {
         let mut cuts = vec![0.0];
-        cuts.extend(piece.reversals());
+        cuts.extend(runs.reversals());
         let ramp = piece.speed_degree().is_some_and(|degree| degree <= 1);
         if !ramp {
             // The extremes of speed and acceleration become nodes.
-            cuts.extend(motion::roots(|t| piece.at(t).acceleration_rad_s2, piece.duration_s));
-            cuts.extend(motion::roots(|t| piece.jerk(t), piece.duration_s));
+            cuts.extend(piece.acceleration_roots());
+            cuts.extend(piece.jerk_roots());
         }
         if !(ramp && self.mechanism.is_constant_over_ramps()) {
             // So many spans that no two roots fall into one step of the search.
-            let spans = (self.parts(piece) / PANELS_PER_SEARCH).ceil().max(1.0);
+            let spans = (parts(self.mechanism, piece) / PANELS_PER_SEARCH).ceil().max(1.0);
             let span = piece.duration_s / spans;
             // A root on the border of two spans lies inside neither.
             let mut border = 1.0;
@@ -279,26 +266,33 @@ impl<'a> Builder<'a> {
                 cuts.push(border * span);
                 border += 1.0;
             }
-            let search = |f: &dyn Fn(f64) -> f64, cuts: &mut Vec<f64>| {
-                let mut k = 0.0;
-                while k < spans {
-                    cuts.extend(motion::roots(|t| f(k * span + t), span).into_iter().map(|t| k * span + t));
-                    k += 1.0;
+            let state = piece.states();
+            let at = |t: f64| output(&state(t), runs.direction(t));
+            let mut k = 0.0;
+            while k < spans {
+                let from = k * span;
+                // Every function looks at the same instants first.
+                let outputs: Vec<Output> = motion::root_steps(span).map(|t| at(from + t)).collect();
+                let mut search = |f: &dyn Fn(&Output) -> f64| {
+                    let values: Vec<f64> = outputs.iter().map(f).collect();
+                    let found = motion::roots_between(&values, |t| f(&at(from + t)), span);
+                    cuts.extend(found.into_iter().map(|t| from + t));
+                };
+                search(&|output| self.mechanism.useful_torque(output, extra));
+                search(&|output| self.mechanism.torque(output, extra));
+                if self.mechanism.stage.is_some() {
+                    search(&|output| self.mechanism.stage_torque(output, extra));
                 }
-            };
-            search(&|t| self.mechanism.useful_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
-            search(&|t| self.mechanism.torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
-            if self.mechanism.stage.is_some() {
-                search(&|t| self.mechanism.stage_torque(&self.output(piece, t, runs.direction(t)), extra), &mut cuts);
-            }
-            for kink in self.mechanism.kinks() {
-                search(&|t| wrapped(piece.at(t).position_rad / self.mechanism.stage_ratio() - kink), &mut cuts);
+                for kink in self.mechanism.kinks() {
+                    search(&|output| wrapped(output.position_rad / self.mechanism.stage_ratio() - kink));
+                }
+                k += 1.0;
             }
         }
         cuts.push(piece.duration_s);
         cuts.sort_by(f64::total_cmp);
         cuts.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * piece.duration_s);
-        let parts = self.parts(piece);
+        let parts = parts(self.mechanism, piece);
         if parts <= 1.0 {
             return cuts;
         }
@@ -318,49 +312,16 @@ impl<'a> Builder<'a> {
         fine
     }
 
-    fn parts(&self, piece: &Piece) -> f64 {
-        let [amplitude, frequency, _] = piece.harmonic;
-        let phase = if amplitude == 0.0 { 0.0 } else { frequency * piece.duration_s / PANEL_PHASE };
-        let angle =
-            if self.mechanism.depends_on_position() { turned(self.mechanism, piece) * TAU / PANEL_ANGLE } else { 0.0 };
-        phase.max(angle).min(PANELS_MOST).ceil()
-    }
-
-    /// So many nodes that T², I² and T³ω are integrated exactly where they are polynomials of time.
-    fn nodes_per_panel(&self, piece: &Piece) -> usize {
-        if self.mechanism.depends_on_position() {
-            return 16;
-        }
-        let viscous = !self.mechanism.is_constant_over_ramps();
-        match piece.speed_degree() {
-            // Constant speed: everything is constant.
-            Some(0) => 2,
-            // T constant: T³ω and I² up to degree 2; with viscous friction T³ω has degree 4.
-            Some(1) => {
-                if viscous {
-                    4
-                } else {
-                    3
-                }
-            }
-            // ω² and T³ω: degree 5 without viscous friction, 8 with it.
-            Some(2) => 6,
-            Some(3) => 8,
-            Some(_) => 11,
-            None => 16,
-        }
-    }
-
     fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to, direction): (f64, f64, f64), nodes: usize) {
         let mut travelled = 0.0;
-        let (kinked, beside) = (self.kinked, 1e-9 * (to - from));
+        let (kinked, beside, state) = (self.kinked, 1e-9 * (to - from), piece.states());
         let first = self.nodes.len();
         for (u, weight) in lobatto(nodes) {
             // The end is met to the last bit, so that time never runs back into the next panel.
             let t = if *u == 1.0 { to } else { from + u * (to - from) };
             // At a kink of the load each panel takes the slope of its own side.
             let beside = if kinked { (t.max(from + beside)).min(to - beside) } else { t };
-            let output = self.output(piece, beside, direction);
+            let output = output(&state(beside), direction);
             self.nodes.push(Node {
                 time_s: piece.start_s + t,
                 weight_s: weight * (to - from) * self.times,
@@ -427,14 +388,54 @@ fn turned(mechanism: &Mechanism, piece: &Piece) -> f64 {
     speed.into_iter().fold(0.0, f64::max) * piece.duration_s / (TAU * mechanism.stage_ratio().abs())
 }
 
-/// Revolutions that each piece makes where the load must be looked at along all of them, by segment.
-pub fn revolutions(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
-    if !mechanism.depends_on_position() {
-        return Vec::new();
+/// How many instants each piece is looked at, by segment: panels times nodes, one revolution standing for all of those at
+/// constant speed. What cuts at reversals and kinks add is not counted.
+pub fn instants(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
+    let of = |piece: &Piece| {
+        if piece.is_rest() {
+            return 2.0;
+        }
+        let nodes = nodes_per_panel(mechanism, piece) as f64;
+        match whole_revolutions(mechanism, piece) {
+            // The one that stands for them, and what is left over.
+            Some(times) => nodes * (2.0 * parts(mechanism, piece) / times).max(1.0),
+            None => nodes * parts(mechanism, piece).max(1.0),
+        }
+    };
+    motion.pieces().iter().map(|piece| (piece.segment, of(piece))).collect()
+}
+
+/// Equal parts of a piece that a smooth integrand needs.
+fn parts(mechanism: &Mechanism, piece: &Piece) -> f64 {
+    let [amplitude, frequency, _] = piece.harmonic;
+    let phase = if amplitude == 0.0 { 0.0 } else { frequency * piece.duration_s / PANEL_PHASE };
+    let angle = if mechanism.depends_on_position() { turned(mechanism, piece) * TAU / PANEL_ANGLE } else { 0.0 };
+    phase.max(angle).ceil()
+}
+
+/// So many nodes that T², I² and T³ω are integrated exactly where they are polynomials of time.
+fn nodes_per_panel(mechanism: &Mechanism, piece: &Piece) -> usize {
+    if mechanism.depends_on_position() {
+        return 16;
     }
-    let pieces = motion.pieces().iter();
-    let counted = pieces.filter(|piece| !piece.is_rest() && whole_revolutions(mechanism, piece).is_none());
-    counted.map(|piece| (piece.segment, turned(mechanism, piece))).collect()
+    let viscous = !mechanism.is_constant_over_ramps();
+    match piece.speed_degree() {
+        // Constant speed: everything is constant.
+        Some(0) => 2,
+        // T constant: T³ω and I² up to degree 2; with viscous friction T³ω has degree 4.
+        Some(1) => {
+            if viscous {
+                4
+            } else {
+                3
+            }
+        }
+        // ω² and T³ω: degree 5 without viscous friction, 8 with it.
+        Some(2) => 6,
+        Some(3) => 8,
+        Some(_) => 11,
+        None => 16,
+    }
 }
 
 /// The blocks as runs of kept panels and whole recordings.
@@ -467,6 +468,16 @@ fn groups(blocks: &[Block]) -> Vec<Group> {
         }
     }
     groups
+}
+
+/// The motion of the output at an instant.
+const fn output(state: &State, direction: f64) -> Output {
+    Output {
+        position_rad: state.position_rad,
+        speed_rad_s: state.speed_rad_s,
+        acceleration_rad_s2: state.acceleration_rad_s2,
+        direction,
+    }
 }
 
 /// An angle brought to ±180°, for kinks that repeat with each revolution; its own jump is no kink.

@@ -15,7 +15,7 @@ mod recording;
 mod rule;
 mod search;
 
-pub use build::{REVOLUTIONS_MOST, revolutions};
+pub use build::{INSTANTS_MOST, instants};
 pub use carried::Carried;
 pub use form::Form;
 pub use lags::{Lag, Peak};
@@ -487,6 +487,12 @@ impl Trace {
     #[inline]
     pub fn strips(&self) -> &[Strip] {
         &self.strips
+    }
+
+    /// At how many instants the cycle is looked at, samples of recordings counted: what a pass over it costs.
+    #[must_use]
+    pub fn instants(&self) -> usize {
+        self.nodes.len() + self.strips.iter().map(Strip::intervals).sum::<usize>()
     }
 
     /// Whether so few nodes make the cycle that each may be looked at for every candidate.

@@ -91,14 +91,14 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         Fault::Recording { name, fault } => format!("{name}: {}", recording::fault(fault, language).0),
         Fault::Recorded { name, fault } => format!("{name}: {}", motion::recorded_fault(fault, language).0),
         Fault::Move { fault, travel_m_per_rad } => motion::fault(fault, *travel_m_per_rad, language).0,
-        Fault::Revolutions(found) => {
-            let [found, most] = [found.revolutions, found.most].map(|count| format!("{count:.0}"));
+        Fault::Instants(found) => {
+            let [found, most] = [found.instants, found.most].map(|count| format!("{count:.0}"));
             e(
                 format!(
-                    "the cycle turns {found} times at changing speed under a load that depends on the position; at most {most} are calculated"
+                    "the cycle must be looked at at {found} instants; at most {most} are calculated"
                 ),
                 format!(
-                    "der Zyklus dreht sich {found}-mal mit veränderlicher Drehzahl unter einer Last, die von der Lage abhängt; höchstens {most} Umdrehungen werden gerechnet"
+                    "der Zyklus muss an {found} Stellen betrachtet werden; höchstens {most} werden gerechnet"
                 ),
             )
         }
@@ -329,10 +329,10 @@ fn own_hint(fault: &Fault, language: Language) -> Option<String> {
         Fault::Move { fault, travel_m_per_rad } => motion::fault(fault, *travel_m_per_rad, language).1,
         Fault::Recording { fault, .. } => recording::fault(fault, language).1,
         Fault::Recorded { fault, .. } => motion::recorded_fault(fault, language).1,
-        Fault::Revolutions(_) => Some(either(
+        Fault::Instants(_) => Some(either(
             language,
-            "change speed in fewer revolutions and run at constant speed between, or describe a shorter cycle",
-            "die Drehzahl in weniger Umdrehungen ändern und dazwischen konstant fahren, oder einen kürzeren Zyklus beschreiben",
+            "describe a shorter cycle; where the load depends on the position, each revolution at changing speed takes 192 instants and all those at constant speed together no more than two",
+            "einen kürzeren Zyklus beschreiben; wo die Last von der Lage abhängt, kostet jede Umdrehung mit veränderlicher Drehzahl 192 Stellen, und alle mit konstanter zusammen nicht mehr als zwei",
         )),
         Fault::Body(BodyError::NoMass) => example("mass=0.6kg"),
         Fault::Body(BodyError::DistanceOutOfRange { .. }) => example("distance=80mm angle=180deg"),

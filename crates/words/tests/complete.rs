@@ -9,7 +9,7 @@ use project::{Assumption, BODY_SHAPES, Expected, Fault, FileTrouble, Hint, Range
 use provenance::{Grade, Source};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND};
 use quantities::{Dimension, Language, Measure, QuantityError};
-use sizing::{CheckId, Figure, Note, TooManyRevolutions, Verdict};
+use sizing::{CheckId, Figure, Note, TooManyInstants, Verdict};
 use std::io::ErrorKind;
 
 /// Both are there, and German is not English.
@@ -348,7 +348,7 @@ fn other_faults() -> Vec<Fault> {
         Fault::BeltOrTeeth,
         Fault::ToothAngle { key: "helix_angle", most_deg: 60.0 },
         Fault::JointWithoutTorque,
-        Fault::Revolutions(TooManyRevolutions { segment: 0, revolutions: 10.0, most: 5.0 }),
+        Fault::Instants(TooManyInstants { segment: 0, instants: 10.0, most: 5.0 }),
         Fault::UnknownUnit { written: word() },
     ]);
     all

@@ -6,7 +6,10 @@ use configurator::{BrokenRule, Unmet, actuators, availability};
 use order_code::{Field, Option1, OrderCode};
 use project::{Assumption, OwnActuator, Project};
 use quantities::Measure;
-use sizing::{Check, CheckId, Course, Depth, Judgement, Reserve, Standing, Verdict, judge, rank, reserve};
+use sizing::{
+    Check, CheckId, Course, Depth, Judgement, Reserve, Standing, Unwatched, Verdict, Watch, finished, judge, rank,
+    reserve_watched,
+};
 
 /// What a candidate is called.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -148,27 +151,35 @@ fn actuators_of(project: &Project, option_1: Option<Option1>) -> &[(OrderCode, P
 /// Cost: O(ramps) to prepare the motion, O(ramps) per actuator, O(n log n) to rank.
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
+    finished(size_watched(project, &Unwatched))
+}
+
+/// The same for somebody who may stop it.
+///
+/// # Errors
+/// Where it was stopped.
+pub fn size_watched<'p, W: Watch>(project: &'p Project, watch: &W) -> Result<Sizing<'p>, W::Stop> {
     let actuators = actuators_of(project, project.option_1);
     let candidates = if project.axis.is_short() {
         // Beginning a thread would take as long as the work.
-        judged(project, actuators)
+        judged(project, actuators, watch)?
     } else {
         // Two fixed halves; the order is that of the catalogue, whoever is done first.
         let (first, second) = actuators.split_at(actuators.len() / 2);
         std::thread::scope(|scope| {
-            let other = scope.spawn(|| judged(project, second));
-            let mut candidates = judged(project, first);
+            let other = scope.spawn(|| judged(project, second, watch));
+            let mut candidates = judged(project, first, watch)?;
             // A thread that could not finish leaves its part to this one.
-            candidates.extend(other.join().unwrap_or_else(|_| judged(project, second)));
-            candidates
-        })
+            candidates.extend(other.join().unwrap_or_else(|_| judged(project, second, watch))?);
+            Ok(candidates)
+        })?
     };
-    Sizing {
+    Ok(Sizing {
         name: &project.name,
         candidates: ranked(candidates),
         own: project.actuator.as_ref().map(|own| own_candidate(project, own)),
         assumptions: &project.assumptions,
-    }
+    })
 }
 
 /// Candidates, best first; each is moved once.
@@ -180,10 +191,15 @@ fn ranked(candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
 }
 
 /// Each actuator as a candidate, with the options that the project asks for.
-fn judged<'p>(project: &'p Project, actuators: &'p [(OrderCode, Parameters)]) -> Vec<Candidate<'p>> {
+fn judged<'p, W: Watch>(
+    project: &'p Project,
+    actuators: &'p [(OrderCode, Parameters)],
+    watch: &W,
+) -> Result<Vec<Candidate<'p>>, W::Stop> {
     let with_options = |(code, parameters): &'p (OrderCode, Parameters)| {
         let code = OrderCode { option_1: project.option_1, option_2: project.option_2, ..*code };
-        candidate(project, code, parameters, Depth::Survivors)
+        watch.step()?;
+        Ok(candidate(project, code, parameters, Depth::Survivors))
     };
     actuators.iter().map(with_options).collect()
 }
@@ -239,7 +255,19 @@ pub fn course(project: &Project, candidate: &Candidate<'_>) -> Course {
 /// How far the axis of a project may be changed until a candidate just fits.
 #[must_use]
 pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
-    reserve(&project.axis, candidate.parameters)
+    finished(reserve_of_watched(project, candidate, &Unwatched))
+}
+
+/// The same for somebody who may stop it.
+///
+/// # Errors
+/// Where it was stopped.
+pub fn reserve_of_watched<W: Watch>(
+    project: &Project,
+    candidate: &Candidate<'_>,
+    watch: &W,
+) -> Result<Reserve, W::Stop> {
+    reserve_watched(&project.axis, candidate.parameters, watch)
 }
 
 fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Parameters, depth: Depth) -> Candidate<'p> {

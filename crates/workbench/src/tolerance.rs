@@ -4,11 +4,14 @@
 mod corners;
 mod draws;
 mod statistics;
+mod work;
+
+pub use work::{samples_most, samples_usual};
 
 use crate::sizing_use::{Candidate, CandidateId, Objection};
 use draws::Draws;
 use project::{Project, Variant, Varied};
-use sizing::{CheckId, Depth, Judgement, judge};
+use sizing::{CheckId, Depth, Judgement, Unwatched, Watch, finished, judge};
 use statistics::{Ranks, wilson};
 use std::ops::Range;
 
@@ -124,21 +127,35 @@ impl Assessment {
 /// every corner is told instead
 #[must_use]
 pub fn assess(project: &Project, candidates: &[&Candidate<'_>], sampling: Sampling) -> Vec<Assessment> {
-    assess_with(project, candidates, sampling, THREADS)
+    finished(assess_watched(project, candidates, sampling, &Unwatched))
 }
 
-fn assess_with(
+/// The same for somebody who may stop it.
+///
+/// # Errors
+/// Where it was stopped.
+pub fn assess_watched<W: Watch>(
     project: &Project,
     candidates: &[&Candidate<'_>],
     sampling: Sampling,
-    threads: usize,
-) -> Vec<Assessment> {
-    let Some(varied) = Varied::new(project) else { return Vec::new() };
+    watch: &W,
+) -> Result<Vec<Assessment>, W::Stop> {
+    assess_with(project, candidates, sampling, (THREADS, watch))
+}
+
+fn assess_with<W: Watch>(
+    project: &Project,
+    candidates: &[&Candidate<'_>],
+    sampling: Sampling,
+    (threads, watch): (usize, &W),
+) -> Result<Vec<Assessment>, W::Stop> {
+    let Some(varied) = Varied::new(project) else { return Ok(Vec::new()) };
     let samples = sampling.samples.clamp(1, SAMPLES_MOST);
     let sampling = Sampling { samples, ..sampling };
     let judged: Vec<Judged<'_>> = candidates.iter().map(|each| Judged::of(project, each)).collect();
     let draws = Draws { seed: sampling.seed, quantities: project.tolerances.len() };
-    let sampled = sample(&varied, &judged, draws, samples, threads);
+    watch.expect(samples);
+    let sampled = sample(&varied, &judged, (draws, samples), (threads, watch))?;
 
     let ranks: Vec<Ranks> =
         sampled.iter().map(|each| Ranks::of(each.utilisations.iter().map(|u| u.to_bits()))).collect();
@@ -151,7 +168,7 @@ fn assess_with(
     let of_candidate =
         |index: usize| -> Vec<f64> { correlations.iter().map(|row| row.get(index).copied().unwrap_or(0.0)).collect() };
     let rising: Vec<Vec<f64>> = (0..judged.len()).map(of_candidate).collect();
-    let corners = corners::worst(project, &varied, &judged, &rising);
+    let corners = corners::worst((project, &varied), &judged, &rising, watch)?;
 
     let mut answers = Vec::with_capacity(judged.len());
     for ((((judged, sampled), ranks), rising), corner) in
@@ -180,7 +197,7 @@ fn assess_with(
             influence: influence(rising),
         });
     }
-    answers
+    Ok(answers)
 }
 
 /// The shares of the explained variance, the largest first; equal ones keep the order of the file.
@@ -325,11 +342,16 @@ impl Sampled {
 
 /// Judges every sample. Each thread has a fixed part of the samples, and a sample follows from the seed and its number
 /// alone, so that nothing depends on how many threads there are or which is ahead.
-fn sample(varied: &Varied<'_>, judged: &[Judged<'_>], draws: Draws, samples: usize, threads: usize) -> Vec<Sampled> {
+fn sample<W: Watch>(
+    varied: &Varied<'_>,
+    judged: &[Judged<'_>],
+    (draws, samples): (Draws, usize),
+    (threads, watch): (usize, &W),
+) -> Result<Vec<Sampled>, W::Stop> {
     let part = samples.div_ceil(threads.max(1));
     let ranges: Vec<Range<usize>> =
         (0..threads.max(1)).map(|index| (index * part).min(samples)..((index + 1) * part).min(samples)).collect();
-    let run = |range: Range<usize>| judge_samples(varied.clone(), judged, draws, range);
+    let run = |range: Range<usize>| judge_samples(varied.clone(), judged, draws, range, watch);
     let (first, others) = match ranges.split_first() {
         Some((first, others)) => (first.clone(), others),
         None => (0..samples, &[][..]),
@@ -343,27 +365,34 @@ fn sample(varied: &Varied<'_>, judged: &[Judged<'_>], draws: Draws, samples: usi
                 (range.clone(), std::thread::Builder::new().spawn_scoped(scope, move || run(range.clone())).ok())
             })
             .collect();
-        let mut all = run(first);
+        let mut all = run(first)?;
         for (range, handle) in started {
             let later = match handle.map(std::thread::ScopedJoinHandle::join) {
-                Some(Ok(later)) => later,
+                Some(Ok(later)) => later?,
                 Some(Err(panic)) => std::panic::resume_unwind(panic),
-                None => run(range),
+                None => run(range)?,
             };
             for (all, later) in all.iter_mut().zip(later) {
                 all.append(later);
             }
         }
-        all
+        Ok(all)
     })
 }
 
-fn judge_samples(mut varied: Varied<'_>, judged: &[Judged<'_>], draws: Draws, range: Range<usize>) -> Vec<Sampled> {
+fn judge_samples<W: Watch>(
+    mut varied: Varied<'_>,
+    judged: &[Judged<'_>],
+    draws: Draws,
+    range: Range<usize>,
+    watch: &W,
+) -> Result<Vec<Sampled>, W::Stop> {
     let project = varied.project();
     let mut all: Vec<Sampled> = judged.iter().map(|_| Sampled::empty(range.len())).collect();
     let mut values = vec![0.0; draws.quantities];
     let mut stream = draws.from(range.start);
     for index in range {
+        watch.step()?;
         stream.next_into(&project.tolerances, &mut values);
         match varied.at(&values) {
             None => {
@@ -380,7 +409,7 @@ fn judge_samples(mut varied: Varied<'_>, judged: &[Judged<'_>], draws: Draws, ra
             }
         }
     }
-    all
+    Ok(all)
 }
 
 #[cfg(test)]

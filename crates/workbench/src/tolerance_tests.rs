@@ -13,7 +13,7 @@ fn own(inertia: &str, friction: &str, rest: &str) -> Project {
 
 fn assess_own(project: &Project, sampling: Sampling, threads: usize) -> Assessment {
     let candidate = check_own(project).unwrap();
-    let mut found = assess_with(project, &[&candidate], sampling, threads);
+    let mut found = finished(assess_with(project, &[&candidate], sampling, (threads, &Unwatched)));
     assert_eq!(found.len(), 1);
     found.remove(0)
 }
@@ -71,13 +71,13 @@ fn the_bits_do_not_depend_on_the_threads() {
     let mut all: Vec<&Candidate<'_>> = sizing.candidates.iter().take(4).collect();
     all.push(&candidate);
     let sampling = Sampling { samples: 333, seed: 7 };
-    let one = assess_with(&project, &all, sampling, 1);
+    let one = finished(assess_with(&project, &all, sampling, (1, &Unwatched)));
     for threads in [2, 3, 500] {
-        assert_eq!(assess_with(&project, &all, sampling, threads), one, "{threads} threads");
+        assert_eq!(finished(assess_with(&project, &all, sampling, (threads, &Unwatched))), one, "{threads} threads");
     }
     let alone: Vec<Assessment> = all.iter().flat_map(|each| assess(&project, &[each], sampling)).collect();
     assert_eq!(alone, one, "an actuator's answer does not depend on the others");
-    assert_ne!(assess_with(&project, &all, Sampling { seed: 8, ..sampling }, 1), one);
+    assert_ne!(finished(assess_with(&project, &all, Sampling { seed: 8, ..sampling }, (1, &Unwatched))), one);
 }
 
 /// The numbers of one seed, so that no platform and no other version of the generator draws others unnoticed.

@@ -1,0 +1,47 @@
+//! What judging tolerances costs, known before it begins.
+
+use super::{SAMPLES_MOST, SAMPLES_USUAL};
+use project::{ALL_CORNERS_MOST, Project};
+
+/// The unit is the work of one instant of a cycle under a load that depends on the position, about a microsecond on a slow
+/// core. So much is done unless the user asks for more: some seconds.
+const USUAL: f64 = 3e6;
+
+/// So much is done where the user names the number of samples and no time.
+const MOST: f64 = 2e7;
+
+/// So much a search for the worst corner may take.
+pub(super) const FOR_CORNERS: f64 = 1e6;
+
+/// An instant of a cycle whose load does not depend on the position is made this much faster.
+const PLAIN: f64 = 0.2;
+
+/// Work to make one variant of the axis and to judge some actuators for it: each looks at all blocks of the cycle and into
+/// some of them.
+#[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+pub(super) fn cost_of_a_variant(project: &Project, actuators: usize) -> f64 {
+    let instants = project.axis.instants() as f64;
+    let made = if project.axis.mechanism.depends_on_position() { instants } else { PLAIN * instants };
+    1.5 * made + actuators as f64 * (10.0 + 0.125 * instants)
+}
+
+/// The numbers of samples that are taken unless the user says otherwise, the largest first.
+const STEPS: [usize; 7] = [SAMPLES_USUAL, 5_000, 2_000, 1_000, 500, 200, 100];
+
+/// How many samples of a project are judged for some actuators unless the user says otherwise: ten thousand, or fewer where
+/// that would take longer than some seconds.
+#[must_use]
+pub fn samples_usual(project: &Project, actuators: usize) -> usize {
+    let cost = cost_of_a_variant(project, actuators);
+    let corners = 1_usize << project.tolerances.len().min(ALL_CORNERS_MOST);
+    #[allow(clippy::cast_precision_loss, reason = "at most ten thousand")]
+    let fits = |samples: &&usize| (**samples + corners) as f64 * cost <= USUAL;
+    STEPS.iter().find(fits).copied().unwrap_or(100)
+}
+
+/// The most samples of a project that are judged for some actuators without a word about the time they may take.
+#[must_use]
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a million")]
+pub fn samples_most(project: &Project, actuators: usize) -> usize {
+    ((MOST / cost_of_a_variant(project, actuators)) as usize).clamp(100, SAMPLES_MOST)
+}
