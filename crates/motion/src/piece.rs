@@ -472,4 +472,33 @@ mod tests {
         assert_eq!([0.2, 1.0, 1.8].map(|t| turning.runs().direction(t)), [1.0, -1.0, 1.0]);
         assert_eq!(Piece::ramp(1.0, 0.0).runs().direction(0.5), 0.0);
     }
+
+    /// The closed forms of roots against the search, over pieces of every kind.
+    #[test]
+    fn roots_in_closed_form_are_those_of_the_search() {
+        let polynomials = [[1.0, -3.0, 0.0, 0.0], [0.4, -2.0, 1.5, 0.0], [1.0, -2.0, 1.0, 0.0], [0.2, 0.3, 0.4, 0.0]];
+        let harmonics = [[2.0, 9.0, 0.3], [-1.5, 4.0, -2.0], [1.0, std::f64::consts::PI / 1.3, 0.0]];
+        let plain = polynomials.map(|polynomial| Piece::polynomial(1.3, polynomial));
+        let waves = harmonics.map(|[a, w, p]| Piece::harmonic(1.3, a, w, p));
+        let both = Piece { harmonic: [2.0, 9.0, 0.3], ..Piece::polynomial(1.3, [0.7, 0.0, 0.0, 0.0]) };
+        for piece in plain.into_iter().chain(waves).chain([both]) {
+            for (found, searched) in [
+                (piece.acceleration_roots(), roots(|t| piece.at(t).acceleration_rad_s2, 1.3)),
+                (piece.jerk_roots(), roots(|t| piece.jerk(t), 1.3)),
+            ] {
+                assert_eq!(found.len(), searched.len(), "{piece:?}: {found:?} {searched:?}");
+                for (a, b) in found.iter().zip(searched) {
+                    assert!((a - b).abs() < 1e-12, "{piece:?}: {a} {b}");
+                }
+            }
+        }
+        assert_eq!(Piece::harmonic(1.0, 1.0, f64::MAX, 0.0).acceleration_roots(), Vec::<f64>::new());
+    }
+
+    /// A jump is found as closely as a root.
+    #[test]
+    fn jumps_are_found_by_halving() {
+        let found = roots(|t| if t < 0.3 { -1.0 } else { 2.0 }, 1.0);
+        assert!(found.len() == 1 && (found[0] - 0.3).abs() < 1e-15, "{found:?}");
+    }
 }

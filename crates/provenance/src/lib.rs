@@ -3,8 +3,9 @@
 //! Every figure that antrieb shows carries a [`Source`] and a [`Grade`]; a figure that does not exist is
 //! [`Datum::NotPrinted`] or [`Datum::NotApplicable`], never a NaN or a quiet default.
 
-use std::borrow::Cow;
 use std::fmt;
+use std::ops::Deref;
+use std::sync::Arc;
 
 /// How far a number can be trusted, best first.
 ///
@@ -91,6 +92,52 @@ impl fmt::Display for CellRef {
     }
 }
 
+/// The dotted path of a key, shared by all that cite it.
+#[derive(Clone, Debug)]
+pub enum Key {
+    /// Known to the program.
+    Fixed(&'static str),
+    /// As a file has it.
+    Stated(Arc<str>),
+}
+
+impl Deref for Key {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        match self {
+            Self::Fixed(key) => key,
+            Self::Stated(key) => key,
+        }
+    }
+}
+
+impl From<&'static str> for Key {
+    fn from(key: &'static str) -> Self {
+        Self::Fixed(key)
+    }
+}
+
+impl From<String> for Key {
+    fn from(key: String) -> Self {
+        Self::Stated(key.into())
+    }
+}
+
+impl PartialEq for Key {
+    fn eq(&self, other: &Self) -> bool {
+        self[..] == other[..]
+    }
+}
+
+impl Eq for Key {}
+
+impl fmt::Display for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self)
+    }
+}
+
 /// Where a number comes from. Kept small: every check of every candidate carries two.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Source {
@@ -111,7 +158,7 @@ pub enum Source {
     /// A value that the user wrote in the project file.
     Project {
         /// Dotted path of the key, e.g. `actuator.torque_max`.
-        key: Cow<'static, str>,
+        key: Key,
     },
 }
 

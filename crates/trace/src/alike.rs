@@ -70,3 +70,69 @@ fn signature(nodes: &[Node], duration: f64, steps: &[f64; 4]) -> Vec<i64> {
     });
     [lasts.to_bits().cast_signed()].into_iter().chain(signals).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::lag_tests::under;
+    use crate::tests::{arm, law, motion};
+    use crate::{Any, Form, Lag, Like, TorqueWith, Trace};
+    use motion::{Law, SegmentSpec};
+
+    /// Swings of an arm, each back and forth, in groups that differ.
+    fn swings(angles: &[f64], rounds: usize) -> Vec<SegmentSpec> {
+        let there_and_back = |angle: &f64| [*angle, -*angle].map(|angle| law(Law::ModifiedSine, angle, 0.6));
+        (0..rounds).flat_map(|_| angles.iter().flat_map(there_and_back)).collect()
+    }
+
+    /// The same trace with every panel taken for the first of its kind.
+    fn unmarked(trace: &Trace) -> Trace {
+        let mut plain = trace.clone();
+        for (index, kept) in plain.panels.iter_mut().enumerate() {
+            kept.like = Like { first: index, is_copy: false, has_others: false };
+        }
+        plain.blocks.iter_mut().for_each(|block| block.is_copy = false);
+        plain
+    }
+
+    fn same(a: f64, b: f64, what: &str) {
+        assert!((a - b).abs() <= 2e-10 * b.abs(), "{what}: {a} {b}");
+    }
+
+    #[test]
+    fn moves_that_repeat_are_known_and_change_no_answer() {
+        for (angles, rounds) in [(&[1.2][..], 40), (&[0.7, 1.9, 0.3], 15), (&[1.0, 1.01], 30)] {
+            let trace = under(&arm(), &motion(&swings(angles, rounds)));
+            let copies = trace.panels.iter().filter(|kept| kept.like.is_copy).count();
+            // Each round but the first is a copy; some panels fall to either side of a step of the comparison.
+            let most = trace.panels.len() * (rounds - 1) / rounds;
+            assert!(copies <= most && copies as f64 > 0.9 * most as f64, "{copies} of {}", trace.panels.len());
+            let plain = unmarked(&trace);
+            for inertia_kgm2 in [0.0, 0.4, 3.0] {
+                let sought = TorqueWith { inertia_kgm2 };
+                let ((a, at), (b, of)) = (trace.largest(&sought), plain.largest(&sought));
+                same(a, b, "torque");
+                assert!((at.time_s - of.time_s).abs() < 1e-9, "the first instant: {} {}", at.time_s, of.time_s);
+                let power = Any(
+                    |extent: &crate::Extent| extent.torque(inertia_kgm2) * extent.speed_rad_s,
+                    |node: &crate::Node| (inertia_kgm2 * node.acceleration_rad_s2 + node.load_nm) * node.speed_rad_s,
+                );
+                same(trace.largest(&power).0, plain.largest(&power).0, "power");
+            }
+            for taus in [[8.0, 0.6], [60.0, 2400.0], [0.05, 3.0]] {
+                let form = Form::square([0.3, 0.9, 1.1, 0.4]);
+                let lags = taus.map(|tau_s| Lag { tau_s, form });
+                same(trace.peak_of_lags(&lags).value, plain.peak_of_lags(&lags).value, "lags");
+            }
+        }
+    }
+
+    /// Moves that differ by a millionth are different ones.
+    #[test]
+    fn what_nearly_repeats_does_not() {
+        let segments: Vec<SegmentSpec> = (0..40).flat_map(|k| swings(&[1.2 + 1e-6 * f64::from(k)], 1)).collect();
+        let trace = under(&arm(), &motion(&segments));
+        assert!(trace.panels.len() >= super::WORTH_IT);
+        let moving = trace.panels.iter().filter(|kept| kept.like.is_copy).count();
+        assert_eq!(moving, 0);
+    }
+}

@@ -105,7 +105,7 @@ fn brute(mechanism: &Mechanism, motion: &Motion, lags: &[Lag], steps: u32) -> f6
 }
 
 /// The trace of a motion that a brake holds where the segment says so: it closes in 70 ms and opens in 110 ms.
-fn under(mechanism: &Mechanism, motion: &Motion) -> Trace {
+pub(super) fn under(mechanism: &Mechanism, motion: &Motion) -> Trace {
     let carried = |hold: Hold| match hold {
         Hold::Motor => Carried::Throughout,
         Hold::Brake => Carried::AtItsEnds { first: Time::from_si(0.07), last: Time::from_si(0.11) },

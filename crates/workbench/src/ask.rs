@@ -5,9 +5,10 @@ use crate::answer;
 use crate::chapters::bearing_of_each_size;
 use crate::compare::compare;
 use crate::sizing_use::{
-    Candidate, CandidateId, Refusal, Sizing, check, check_own, explain, explain_own, reserve_of, size,
+    Candidate, CandidateId, Refusal, Sizing, check, check_own, explain, explain_own, reserve_of_watched, size_watched,
 };
-use crate::tolerance::{Assessment, Sampling, assess};
+use crate::patience::Patience;
+use crate::tolerance::{Assessment, Draw, assess_watched};
 use order_code::OrderCode;
 use project::Project;
 use quantities::Language;
@@ -25,14 +26,14 @@ pub enum Request {
         /// How many are told in full.
         top: usize,
         /// How tolerances are sampled.
-        sampling: Sampling,
+        draw: Draw,
     },
     /// Whether one actuator fits; without a code the project's own.
     Check {
         /// Which.
         code: Option<OrderCode>,
         /// How tolerances are sampled.
-        sampling: Sampling,
+        draw: Draw,
     },
     /// How value and limit of its checks came about, or of one of them.
     Explain {
@@ -66,11 +67,16 @@ pub enum Response {
 ///
 /// # Errors
 /// Why an actuator cannot be judged.
-pub fn ask(project: &Project, request: &Request, language: Language) -> Result<Response, Refusal> {
+pub fn ask(
+    project: &Project,
+    request: &Request,
+    language: Language,
+    patience: &Patience,
+) -> Result<Response, Refusal> {
     Ok(match request {
-        Request::Size { top, sampling } => Response::Sizing(ranking(project, *top, *sampling).record(language)),
-        Request::Check { code, sampling } => {
-            Response::Judgement(verification(project, code.as_ref(), *sampling)?.record(language))
+        Request::Size { top, draw } => Response::Sizing(ranking(project, *top, *draw, patience)?.record(language)),
+        Request::Check { code, draw } => {
+            Response::Judgement(verification(project, code.as_ref(), *draw, patience)?.record(language))
         }
         Request::Explain { code, check } => {
             Response::Explanations(explanation(project, code.as_ref(), *check)?.record(language))
@@ -97,15 +103,24 @@ pub struct Ranking<'p> {
 }
 
 /// Ranks the catalogue for an axis.
-#[must_use]
-pub fn ranking(project: &Project, top: usize, sampling: Sampling) -> Ranking<'_> {
-    let sizing = size(project);
+///
+/// # Errors
+/// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
+pub fn ranking<'p>(
+    project: &'p Project,
+    top: usize,
+    draw: Draw,
+    patience: &Patience,
+) -> Result<Ranking<'p>, Refusal> {
+    let told = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
+    let sampling = draw.sampling(project, told, patience.is_limited())?;
+    let sizing = size_watched(project, patience).map_err(Refusal::Stopped)?;
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits());
     let chosen: Vec<&Candidate<'_>> = fitting.take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
     // Without tolerances there is no assessment, and so no pair.
-    let found = assess(project, &chosen, sampling);
+    let found = assess_watched(project, &chosen, sampling, patience).map_err(Refusal::Stopped)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
-    Ranking { project, sizing, top, assessed }
+    Ok(Ranking { project, sizing, top, assessed })
 }
 
 impl Ranking<'_> {
@@ -142,14 +157,17 @@ pub struct Verification<'p> {
 pub fn verification<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,
-    sampling: Sampling,
+    draw: Draw,
+    patience: &Patience,
 ) -> Result<Verification<'p>, Refusal> {
+    let sampling = draw.sampling(project, 1, patience.is_limited())?;
     let candidate = match code {
         Some(code) => check(project, code)?,
         None => check_own(project)?,
     };
-    let reserve = reserve_of(project, &candidate);
-    let assessment = assess(project, &[&candidate], sampling).pop();
+    let reserve = reserve_of_watched(project, &candidate, patience).map_err(Refusal::Stopped)?;
+    let assessed = assess_watched(project, &[&candidate], sampling, patience).map_err(Refusal::Stopped)?;
+    let assessment = assessed.into_iter().next();
     Ok(Verification { project, candidate, reserve, assessment })
 }
 
@@ -218,13 +236,13 @@ mod tests {
     #[test]
     fn every_question_has_its_record() {
         let project = crate::read(PROJECT).unwrap();
-        let sampling = Sampling { samples: 50, seed: 1 };
+        let draw = Draw { samples: Some(50), seed: 1 };
         let code = order_code::parse("CHA-32A-50-H-C1024").unwrap().code;
-        let asked = |request: &Request| ask(&project, request, Language::En);
-        let Ok(Response::Sizing(sizing)) = asked(&Request::Size { top: 3, sampling }) else { panic!() };
+        let asked = |request: &Request| ask(&project, request, Language::En, &Patience::from_now(None));
+        let Ok(Response::Sizing(sizing)) = asked(&Request::Size { top: 3, draw }) else { panic!() };
         assert_eq!((sizing.judged, sizing.ranking.len()), (276, 3));
         assert!(sizing.ranking.iter().all(|ranked| ranked.of.tolerance.is_some()));
-        let Ok(Response::Judgement(judgement)) = asked(&Request::Check { code: Some(code), sampling }) else {
+        let Ok(Response::Judgement(judgement)) = asked(&Request::Check { code: Some(code), draw }) else {
             panic!()
         };
         assert!(judgement.tolerance.is_some() && judgement.candidate.called() == "CHA-32A-50-H-C1024");
@@ -241,7 +259,8 @@ mod tests {
     #[test]
     fn what_cannot_be_answered_is_refused() {
         let project = crate::read(PROJECT).unwrap();
-        let own = Request::Check { code: None, sampling: Sampling::default() };
+        let own = Request::Check { code: None, draw: Draw::default() };
+        let ask = |project, request: &Request, language| ask(project, request, language, &Patience::from_now(None));
         assert_eq!(ask(&project, &own, Language::De), Err(Refusal::NoActuator));
         let code = order_code::parse("CHA-32A-50-H-C1024").ok().map(|parsed| parsed.code);
         let brake = Request::Explain { code, check: Some(CheckId::BrakeHolding) };

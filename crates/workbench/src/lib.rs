@@ -17,6 +17,7 @@ mod flange;
 mod glossary;
 mod limits;
 mod moves;
+mod patience;
 mod plane;
 mod reading;
 mod sheet;
@@ -41,6 +42,7 @@ pub use glossary::glossary;
 pub use limits::{NeededLimit, limits_needed};
 pub use moves::{Move, Moves, moves};
 pub use order_code::{Field, OrderCode, Size};
+pub use patience::{Patience, Stopped};
 pub use plane::{Plane, curve_rows, plane, plane_of};
 pub use project::{
     ALL_CORNERS_MOST, Assumption, BODY_SHAPES, BodyAnswer, BodyShape, Diagnostic, Fault, Files, Hint, InertiaAnswer,
@@ -59,7 +61,7 @@ pub use sizing_use::{
 };
 pub use templates::{Template, template, template_kinds};
 pub use tolerance::{
-    Assessment, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
+    Assessment, Draw, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
 };
 pub use torsion::{TorsionAnswer, TorsionCurve, read_torque, torsion, torsion_of};
 

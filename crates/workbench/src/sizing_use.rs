@@ -1,6 +1,7 @@
 //! Ranking the catalogue for an axis, and judging one actuator.
 
-use crate::cited::cite;
+use crate::cited::Cited;
+use crate::patience::Stopped;
 use actuator::Parameters;
 use configurator::{BrokenRule, Unmet, actuators, availability};
 use order_code::{Field, Option1, OrderCode};
@@ -136,6 +137,15 @@ pub enum Refusal {
     NoActuator,
     /// This check is not part of the judgement of this axis and actuator.
     NotAsked(CheckId),
+    /// So many samples of the tolerances cost more than is done where no time is named.
+    TooManySamples {
+        /// Asked for.
+        asked: usize,
+        /// At most, for this axis and these actuators.
+        most: usize,
+    },
+    /// Whoever asked does not wait any longer.
+    Stopped(Stopped),
 }
 
 /// The actuators of the catalogue with the curves of a project.
@@ -158,22 +168,17 @@ pub fn size(project: &Project) -> Sizing<'_> {
 ///
 /// # Errors
 /// Where it was stopped.
-pub fn size_watched<'p, W: Watch>(project: &'p Project, watch: &W) -> Result<Sizing<'p>, W::Stop> {
+pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, watch: &W) -> Result<Sizing<'p>, W::Stop> {
     let actuators = actuators_of(project, project.option_1);
-    let candidates = if project.axis.is_short() {
-        // Beginning a thread would take as long as the work.
-        judged(project, actuators, watch)?
-    } else {
-        // Two fixed halves; the order is that of the catalogue, whoever is done first.
-        let (first, second) = actuators.split_at(actuators.len() / 2);
-        std::thread::scope(|scope| {
-            let other = scope.spawn(|| judged(project, second, watch));
-            let mut candidates = judged(project, first, watch)?;
-            // A thread that could not finish leaves its part to this one.
-            candidates.extend(other.join().unwrap_or_else(|_| judged(project, second, watch))?);
-            Ok(candidates)
-        })?
-    };
+    // Two fixed halves; the order is that of the catalogue, whoever is done first.
+    let (first, second) = actuators.split_at(actuators.len() / 2);
+    let candidates = std::thread::scope(|scope| {
+        let other = scope.spawn(|| judged(project, second, watch));
+        let mut candidates = judged(project, first, watch)?;
+        // A thread that could not finish leaves its part to this one.
+        candidates.extend(other.join().unwrap_or_else(|_| judged(project, second, watch))?);
+        Ok(candidates)
+    })?;
     Ok(Sizing {
         name: &project.name,
         candidates: ranked(candidates),
@@ -196,12 +201,14 @@ fn judged<'p, W: Watch>(
     actuators: &'p [(OrderCode, Parameters)],
     watch: &W,
 ) -> Result<Vec<Candidate<'p>>, W::Stop> {
-    let with_options = |(code, parameters): &'p (OrderCode, Parameters)| {
-        let code = OrderCode { option_1: project.option_1, option_2: project.option_2, ..*code };
+    let mut cited = Cited::of(project);
+    let mut candidates = Vec::with_capacity(actuators.len());
+    for (code, parameters) in actuators {
         watch.step()?;
-        Ok(candidate(project, code, parameters, Depth::Survivors))
-    };
-    actuators.iter().map(with_options).collect()
+        let code = OrderCode { option_1: project.option_1, option_2: project.option_2, ..*code };
+        candidates.push(candidate(&mut cited, code, parameters, Depth::Survivors));
+    }
+    Ok(candidates)
 }
 
 /// Judges one code for the axis of a project.
@@ -213,7 +220,7 @@ pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>
     let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
     let mut known = actuators_of(project, code.option_1).iter();
     let (_, parameters) = known.find(|(known, _)| *known == bare).ok_or(Refusal::NoData)?;
-    Ok(candidate(project, *code, parameters, Depth::Full))
+    Ok(candidate(&mut Cited::of(project), *code, parameters, Depth::Full))
 }
 
 /// Judges one code as [`check`] does, each check with the workings of its value and its limit.
@@ -223,7 +230,7 @@ pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>
 pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
     let mut candidate = check(project, code)?;
     candidate.judgement = sizing::explain(&project.axis, candidate.parameters);
-    cite(project, &mut candidate.judgement);
+    Cited::of(project).cite(&mut candidate.judgement);
     Ok(candidate)
 }
 
@@ -234,7 +241,7 @@ pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'
 pub fn explain_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
     let mut candidate = check_own(project)?;
     candidate.judgement = sizing::explain(&project.axis, candidate.parameters);
-    cite(project, &mut candidate.judgement);
+    Cited::of(project).cite(&mut candidate.judgement);
     Ok(candidate)
 }
 
@@ -262,7 +269,7 @@ pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
 ///
 /// # Errors
 /// Where it was stopped.
-pub fn reserve_of_watched<W: Watch>(
+pub(crate) fn reserve_of_watched<W: Watch>(
     project: &Project,
     candidate: &Candidate<'_>,
     watch: &W,
@@ -270,9 +277,15 @@ pub fn reserve_of_watched<W: Watch>(
     reserve_watched(&project.axis, candidate.parameters, watch)
 }
 
-fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Parameters, depth: Depth) -> Candidate<'p> {
+fn candidate<'p>(
+    cited: &mut Cited<'p>,
+    code: OrderCode,
+    parameters: &'p Parameters,
+    depth: Depth,
+) -> Candidate<'p> {
+    let project = cited.project();
     let mut judgement = judge(&project.axis, parameters, depth);
-    cite(project, &mut judgement);
+    cited.cite(&mut judgement);
     let mut objections: Vec<Objection> =
         project.requirements.unmet(&code, parameters).into_iter().map(Objection::Unmet).collect();
     // Without options the code stands in the catalogue because it is available; only options can change that.
@@ -292,7 +305,7 @@ fn candidate<'p>(project: &'p Project, code: OrderCode, parameters: &'p Paramete
 
 fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p> {
     let mut judgement = judge(&project.axis, &own.parameters, Depth::Full);
-    cite(project, &mut judgement);
+    Cited::of(project).cite(&mut judgement);
     let objections: Vec<Objection> =
         project.requirements.unmet_by_data(&own.parameters).into_iter().map(Objection::Unmet).collect();
     let mass = own.parameters.mass.known().map(|mass| mass.value.si());

@@ -6,9 +6,7 @@ mod draws;
 mod statistics;
 mod work;
 
-pub use work::{samples_most, samples_usual};
-
-use crate::sizing_use::{Candidate, CandidateId, Objection};
+use crate::sizing_use::{Candidate, CandidateId, Objection, Refusal};
 use draws::Draws;
 use project::{Project, Variant, Varied};
 use sizing::{CheckId, Depth, Judgement, Unwatched, Watch, finished, judge};
@@ -34,6 +32,41 @@ pub struct Sampling {
     pub samples: usize,
     /// From which the numbers follow.
     pub seed: u64,
+}
+
+/// How tolerances shall be sampled, as it was asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Draw {
+    /// How many samples; `None` for as many as some seconds allow, [`SAMPLES_USUAL`] at most.
+    pub samples: Option<usize>,
+    /// From which the numbers follow.
+    pub seed: u64,
+}
+
+impl Default for Draw {
+    fn default() -> Self {
+        Self { samples: None, seed: SEED_USUAL }
+    }
+}
+
+impl Draw {
+    /// The samples for a project and some actuators.
+    ///
+    /// # Errors
+    /// [`Refusal::TooManySamples`] where they are more than is done without a word about the time they may take; with a
+    /// limit of time [`SAMPLES_MOST`] may be asked for.
+    pub fn sampling(self, project: &Project, actuators: usize, in_time: bool) -> Result<Sampling, Refusal> {
+        let most = if in_time { SAMPLES_MOST } else { work::samples_most(project, actuators) };
+        match self.samples {
+            Some(asked) if asked > most && !project.tolerances.is_empty() => {
+                Err(Refusal::TooManySamples { asked, most })
+            }
+            asked => {
+                let samples = asked.unwrap_or_else(|| work::samples_usual(project, actuators));
+                Ok(Sampling { samples, seed: self.seed })
+            }
+        }
+    }
 }
 
 impl Default for Sampling {
@@ -134,7 +167,7 @@ pub fn assess(project: &Project, candidates: &[&Candidate<'_>], sampling: Sampli
 ///
 /// # Errors
 /// Where it was stopped.
-pub fn assess_watched<W: Watch>(
+pub(crate) fn assess_watched<W: Watch>(
     project: &Project,
     candidates: &[&Candidate<'_>],
     sampling: Sampling,

@@ -30,8 +30,7 @@ const STEPS: [usize; 7] = [SAMPLES_USUAL, 5_000, 2_000, 1_000, 500, 200, 100];
 
 /// How many samples of a project are judged for some actuators unless the user says otherwise: ten thousand, or fewer where
 /// that would take longer than some seconds.
-#[must_use]
-pub fn samples_usual(project: &Project, actuators: usize) -> usize {
+pub(super) fn samples_usual(project: &Project, actuators: usize) -> usize {
     let cost = cost_of_a_variant(project, actuators);
     let corners = 1_usize << project.tolerances.len().min(ALL_CORNERS_MOST);
     #[allow(clippy::cast_precision_loss, reason = "at most ten thousand")]
@@ -40,8 +39,7 @@ pub fn samples_usual(project: &Project, actuators: usize) -> usize {
 }
 
 /// The most samples of a project that are judged for some actuators without a word about the time they may take.
-#[must_use]
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a million")]
-pub fn samples_most(project: &Project, actuators: usize) -> usize {
+pub(super) fn samples_most(project: &Project, actuators: usize) -> usize {
     ((MOST / cost_of_a_variant(project, actuators)) as usize).clamp(100, SAMPLES_MOST)
 }

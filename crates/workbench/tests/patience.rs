@@ -1,0 +1,76 @@
+//! Work that somebody waits for: it ends in time, it can be cancelled, and what costs too much is refused before it begins.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+use std::time::{Duration, Instant};
+use workbench::{Draw, Patience, Project, Refusal, Stopped};
+
+/// An arm that swings many times, each time otherwise, so that no move stands for another.
+fn long(count: u32) -> Project {
+    let moves: String = (0..count)
+        .map(|k| {
+            let angle = (40.0 + 0.01 * f64::from(k / 2)) * if k % 2 == 0 { 1.0 } else { -1.0 };
+            format!("[[motion]]\nlaw = \"modified_sine\"\ndistance = \"{angle} deg\"\ntime = \"0.7 s\"\n")
+        })
+        .collect();
+    let text = format!(
+        "format = 1\n[mechanism.arm]\ninertia = \"0.5 kg m^2 ± 5 %\"\nmass = \"2 kg\"\ncentre_distance = \"200 mm\"\n\
+         axis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\n{moves}"
+    );
+    workbench::read(&text).unwrap_or_else(|faults| panic!("{faults:#?}"))
+}
+
+fn code() -> workbench::OrderCode {
+    workbench::read_code("CHA-25A-100-H-C1024", workbench::Language::En).unwrap().parsed.code
+}
+
+#[test]
+fn a_deadline_ends_the_work() {
+    let project = long(300);
+    for most in [Duration::ZERO, Duration::from_millis(30)] {
+        let patience = Patience::from_now(Some(most));
+        let begun = Instant::now();
+        let stopped = Refusal::Stopped(Stopped::TimeOut(most));
+        assert_eq!(workbench::ranking(&project, 10, Draw::default(), &patience).unwrap_err(), stopped);
+        assert_eq!(workbench::verification(&project, Some(&code()), Draw::default(), &patience).unwrap_err(), stopped);
+        // A step of this project takes milliseconds.
+        assert!(begun.elapsed() < most + Duration::from_secs(5), "{:?}", begun.elapsed());
+    }
+}
+
+#[test]
+fn work_is_cancelled_from_elsewhere() {
+    let project = long(300);
+    let patience = Patience::from_now(None);
+    std::thread::scope(|scope| {
+        let worker = scope.spawn(|| workbench::verification(&project, Some(&code()), Draw::default(), &patience));
+        while patience.progress().0 < 3 {
+            std::thread::yield_now();
+        }
+        patience.cancel();
+        assert_eq!(worker.join().unwrap().unwrap_err(), Refusal::Stopped(Stopped::Cancelled));
+    });
+}
+
+#[test]
+fn samples_that_cost_too_much_are_refused_where_no_time_is_named() {
+    let project = long(100);
+    let draw = Draw { samples: Some(1_000_000), seed: 1 };
+    let unlimited = Patience::from_now(None);
+    let Err(Refusal::TooManySamples { asked, most }) =
+        workbench::verification(&project, Some(&code()), draw, &unlimited)
+    else {
+        panic!("a million samples of a hundred moves")
+    };
+    assert!(asked == 1_000_000 && (100..1_000_000).contains(&most), "{most}");
+    // Within a time it is the time that ends it.
+    let limited = Patience::from_now(Some(Duration::from_millis(50)));
+    let stopped = workbench::verification(&project, Some(&code()), draw, &limited).unwrap_err();
+    assert!(matches!(stopped, Refusal::Stopped(Stopped::TimeOut(_))), "{stopped:?}");
+}
+
+#[test]
+fn fewer_samples_are_usual_where_each_costs_more() {
+    let of = |project: &Project| Draw::default().sampling(project, 1, false).unwrap().samples;
+    let (few, many) = (of(&long(60)), of(&long(2)));
+    assert!(few < many && many <= workbench::SAMPLES_USUAL && few >= 100, "{few} {many}");
+}
