@@ -58,8 +58,7 @@ pub use texts::{Text, Word};
 use quantities::Language;
 
 /// Chooses between the two languages.
-#[must_use]
-pub fn either(language: Language, en: impl Into<String>, de: impl Into<String>) -> String {
+pub(crate) fn either(language: Language, en: impl Into<String>, de: impl Into<String>) -> String {
     match language {
         Language::En => en.into(),
         Language::De => de.into(),
