@@ -122,7 +122,9 @@ mod tests {
     fn every_command_and_argument_has_its_help_in_both_languages() {
         let [en, de] = Language::ALL.map(|language| {
             let mut found = Vec::new();
-            told(&build(language), "antrieb", &mut found);
+            let mut whole = build(language);
+            whole.build();
+            told(&whole, "antrieb", &mut found);
             found
         });
         assert!(en.len() > 100 && en.len() == de.len(), "{} {}", en.len(), de.len());
