@@ -10,8 +10,8 @@ fn hold(text: &str) {
             Err(error) => {
                 assert!(text.get(error.span()).is_some(), "{text:?}: {error:?}");
                 for language in [Language::En, Language::De] {
-                    assert!(!error.message(language).is_empty());
-                    let _ = error.hint(language);
+                    assert!(!workbench::text::quantity_fault(&error, language).is_empty());
+                    let _ = workbench::text::quantity_hint(&error, language);
                 }
             }
         }

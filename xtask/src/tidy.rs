@@ -12,6 +12,7 @@ mod data_files;
 pub(crate) mod layers;
 mod machine_paths;
 mod manifest;
+mod one_voice;
 mod source;
 pub(crate) mod tree;
 
@@ -39,7 +40,7 @@ impl fmt::Display for Finding {
 
 type Rule = fn(&Path) -> Vec<Finding>;
 
-const RULES: [Rule; 8] = [
+const RULES: [Rule; 10] = [
     tree::not_empty,
     layers::rule,
     architecture::rule,
@@ -48,6 +49,8 @@ const RULES: [Rule; 8] = [
     data_files::rule,
     manifest::lints,
     machine_paths::rule,
+    one_voice::choices,
+    one_voice::unasked,
 ];
 
 /// Applies every rule to the tree at `root` and prints the findings on stdout.

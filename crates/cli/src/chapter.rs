@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use workbench::answers::{Bearings, FilesWritten};
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
 use workbench::quantities::{ElectricPotential, Measure, Time, Torque, format_significant};
-use workbench::text::{check_title, curve_title, grade_word, source_text, verdict_word};
+use workbench::text::{check_title, curve_title, grade_word, source_text, terminal, terms, verdict_word};
 use workbench::{Candidate, Language, Size, Verdict, answer};
 
 /// `antrieb curve CODE`
@@ -51,11 +51,7 @@ pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> 
             grade_word(curve.grade, language),
             source_text(&curve.source, language)
         ));
-        let heads = match language {
-            Language::En => ["n min⁻¹", "T Nm", "up to Nm"],
-            Language::De => ["n min⁻¹", "T Nm", "bis Nm"],
-        };
-        let [speed, torque, upper] = heads;
+        let (speed, torque, upper) = ("n min⁻¹", "T Nm", terminal::up_to_nm(language));
         let mut table = Table::new([(speed, Align::Right), (torque, Align::Right), (upper, Align::Right)]);
         let shown = |value: f64| format_significant(value, 4, language);
         let newton_metres =
@@ -85,29 +81,21 @@ fn bearing_of(project: &workbench::Project, as_json: bool, language: Language) -
     };
     let fits = sizes.iter().any(|(_, candidate)| !failing(candidate));
     if sizes.iter().all(|(_, candidate)| workbench::bearing_checks(candidate).next().is_none()) {
-        let what = match language {
-            Language::En => "the project has no loads on the flange: [bearing] is missing",
-            Language::De => "das Projekt hat keine Lasten am Flansch: [bearing] fehlt",
-        };
+        let what = terms::no_flange_loads(language);
         return Err(simple(what, as_json, language));
     }
     Ok(Part::of(as_json, fits, || answer::bearings(&sizes, language), || bearing_text(&sizes, language)))
 }
 
 fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
-    let heads = match language {
-        Language::En => ["size", "check", "verdict", "value", "limit", "unit", "util. %"],
-        Language::De => ["Größe", "Nachweis", "Urteil", "Wert", "Grenze", "Einheit", "Ausl. %"],
-    };
-    let [size, check, verdict, value, limit, unit, util] = heads;
     let mut table = Table::new([
-        (size, Align::Left),
-        (check, Align::Left),
-        (verdict, Align::Left),
-        (value, Align::Right),
-        (limit, Align::Right),
-        (unit, Align::Left),
-        (util, Align::Right),
+        (terminal::size(language), Align::Left),
+        (terms::check(language), Align::Left),
+        (terms::verdict(language), Align::Left),
+        (terms::value(language), Align::Right),
+        (terms::limit(language), Align::Right),
+        (terms::unit(language), Align::Left),
+        (terms::utilisation_short(language), Align::Right),
     ]);
     let figure = |figure: Option<workbench::Figure>| {
         figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
@@ -156,16 +144,7 @@ pub(crate) fn battery(matches: &ArgMatches, as_json: bool, language: Language) -
     let (life, recommended, latest) =
         (years(battery.life.value), years(battery.exchange_recommended), years(battery.exchange_latest));
     let grade = grade_word(battery.life.grade, language);
-    Answer::data(match language {
-        Language::En => format!(
-            "M128S battery: {life} a in use ({grade}, model battery)\n\
-             exchange of the encoder: recommended after {recommended} a, at the latest {latest} a after delivery\n"
-        ),
-        Language::De => format!(
-            "Batterie des M128S: {life} a im Betrieb ({grade}, Modell battery)\n\
-             Tausch des Gebers: empfohlen nach {recommended} a, spätestens {latest} a nach Lieferung\n"
-        ),
-    })
+    Answer::data(format!("{}\n", terminal::battery(&life, &grade, &recommended, &latest, language)))
 }
 
 /// `antrieb new KIND`
@@ -177,14 +156,7 @@ pub(crate) fn template(matches: &ArgMatches, as_json: bool, language: Language) 
     let Some(out) = out else {
         let mut answer = Answer::data(template.text);
         if let Some((recording, _)) = template.recording {
-            answer.talk = match language {
-                Language::En => format!(
-                    "{recording} is not written to standard output; `antrieb new {kind} --out FILE` writes both\n"
-                ),
-                Language::De => format!(
-                    "{recording} geht nicht auf die Standardausgabe; `antrieb new {kind} --out DATEI` schreibt beide\n"
-                ),
-            };
+            answer.talk = format!("{}\n", terminal::recording_not_written(&recording, &kind, language));
         }
         return answer;
     };

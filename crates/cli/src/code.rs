@@ -2,12 +2,11 @@
 
 use crate::answer::{Answer, written};
 use crate::fault::report;
-use crate::say::t;
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::answer::{code_faults, code_reading, completion, listed};
-use workbench::text::{Told, describe_field, describe_uncovered};
+use workbench::text::{Told, describe_field, describe_uncovered, terminal, terms};
 use workbench::{CodeReading, CodeRefusal, Language, uncovered};
 
 pub(crate) fn dispatch(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -39,10 +38,7 @@ fn understood(reading: &CodeReading, language: Language) -> String {
     if reading.parsed.is_canonical() {
         return String::new();
     }
-    match language {
-        Language::En => format!("understood as {}\n", reading.parsed.code),
-        Language::De => format!("verstanden als {}\n", reading.parsed.code),
-    }
+    format!("{}\n", terminal::understood_as(&reading.parsed.code, language))
 }
 
 /// Why a text is no code, with the nearest that are.
@@ -55,19 +51,16 @@ pub(crate) fn refused(text: &str, refusal: &CodeRefusal, as_json: bool, language
             Told::at(text, fault.span.clone(), id, fault.message.clone(), fault.hint.clone())
         })
         .collect();
-    let name = match language {
-        Language::En => "code",
-        Language::De => "Code",
-    };
+    let name = terminal::code(language);
     let mut answer = report(name, text, &faults, false, language);
     if !refusal.nearest.is_empty() {
-        let asked = t(language, "on request", "auf Anfrage");
+        let asked = terms::on_request(language);
         let names: Vec<String> = refusal
             .nearest
             .iter()
             .map(|(code, found)| if found.is_available() { code.to_string() } else { format!("{code} ({asked})") })
             .collect();
-        let word = t(language, "nearest valid codes", "nächste gültige Codes");
+        let word = terminal::nearest_valid_codes(language);
         let _ = writeln!(answer.talk, "{word}: {}", names.join(", "));
     }
     if as_json {
@@ -85,23 +78,15 @@ fn parse(text: &str, as_json: bool, language: Language) -> Answer {
         return Answer { talk, ..Answer::record(&code_reading(&reading, language)) };
     }
     let mut data = format!("{}\n", reading.parsed.code);
-    let state = match (reading.availability.is_available(), language) {
-        (true, Language::En) => "available".to_owned(),
-        (true, Language::De) => "verfügbar".to_owned(),
-        (false, _) => {
-            let fields: Vec<&str> =
-                reading.availability.on_request.iter().map(|field| describe_field(*field, language)).collect();
-            match language {
-                Language::En => format!("on request: {}", fields.join(", ")),
-                Language::De => format!("auf Anfrage: {}", fields.join(", ")),
-            }
-        }
+    let state = if reading.availability.is_available() {
+        terminal::available(language).to_owned()
+    } else {
+        let fields: Vec<&str> =
+            reading.availability.on_request.iter().map(|field| describe_field(*field, language)).collect();
+        format!("{}: {}", terms::on_request(language), fields.join(", "))
     };
     let _ = writeln!(data, "{state}\n");
-    let (field, token, meaning) = match language {
-        Language::En => ("field", "token", "meaning"),
-        Language::De => ("Feld", "Zeichen", "Bedeutung"),
-    };
+    let (field, token, meaning) = (terminal::field(language), terminal::token(language), terminal::meaning(language));
     let mut table = Table::new([(field, Align::Left), (token, Align::Left), (meaning, Align::Left)]);
     for (each, token, meaning) in workbench::explain_code(&reading.parsed.code, language) {
         let token = if token.is_empty() { "–".to_owned() } else { token };
@@ -133,22 +118,13 @@ fn list(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     }
     let mut data = String::new();
     for (code, found) in &codes {
-        let state = match (found.is_available(), language) {
-            (true, _) => "",
-            (false, Language::En) => "\ton request",
-            (false, Language::De) => "\tauf Anfrage",
-        };
+        let state = if found.is_available() { String::new() } else { format!("	{}", terms::on_request(language)) };
         let _ = writeln!(data, "{code}{state}");
     }
     let available = codes.iter().filter(|(_, found)| found.is_available()).count();
-    let talk = match language {
-        Language::En => {
-            format!("{} codes: {available} available, {} on request\n", codes.len(), codes.len() - available)
-        }
-        Language::De => {
-            format!("{} Codes: {available} verfügbar, {} auf Anfrage\n", codes.len(), codes.len() - available)
-        }
-    };
+    let talk = terminal::codes_counted(&codes.len(), &available, &(codes.len() - available), language)
+        + "
+";
     Answer { talk, ..Answer::data(data) }.fits(!codes.is_empty())
 }
 
@@ -162,10 +138,8 @@ fn complete(text: &str, as_json: bool, language: Language) -> Answer {
         return Answer::record(&completion(&pattern, &codes, language));
     }
     let choices = workbench::completion(&pattern, language);
-    let (field, may, none, request) = match language {
-        Language::En => ("field", "may be (○ on request)", "nothing", "on request"),
-        Language::De => ("Feld", "möglich (○ auf Anfrage)", "nichts", "auf Anfrage"),
-    };
+    let (field, may) = (terminal::field(language), terminal::may_be(language));
+    let (none, request) = (terminal::nothing(language), terms::on_request(language));
     let mut table = Table::new([(field, Align::Left), (may, Align::Left)]);
     for (_, name, found) in &choices {
         let tokens: Vec<String> = found
@@ -183,11 +157,8 @@ fn complete(text: &str, as_json: bool, language: Language) -> Answer {
         let state = if found.is_available() { String::new() } else { format!("\t{request}") };
         let _ = writeln!(data, "{code}{state}");
     }
-    let talk = match (codes.len(), language) {
-        (1, Language::En) => "1 code\n".to_owned(),
-        (1, Language::De) => "1 Code\n".to_owned(),
-        (count, Language::En) => format!("{count} codes\n"),
-        (count, Language::De) => format!("{count} Codes\n"),
-    };
+    let talk = terminal::codes(codes.len(), language)
+        + "
+";
     Answer { talk, ..Answer::data(data) }.fits(!codes.is_empty())
 }

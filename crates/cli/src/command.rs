@@ -5,26 +5,20 @@ use clap::builder::{PossibleValuesParser, Styles};
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use workbench::Language;
+use workbench::text::help::values;
+use workbench::text::{capitalised, help, terms};
 
 const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod files;
-pub(crate) mod german;
+pub(crate) mod library;
 
 use files::{compare, curve, diff, export, plot, report, sheet};
 
-fn either(language: Language, en: &'static str, de: &'static str) -> &'static str {
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
-}
-
 /// A help text, with a remark where the program was built without the typesetting engine.
 fn with_report(language: Language, help: &str) -> String {
-    let remark = either(language, " (not in this build)", " (in dieser Ausführung nicht enthalten)");
-    format!("{help}{}", if cfg!(feature = "report") { "" } else { remark })
+    if cfg!(feature = "report") { help.to_owned() } else { format!("{help} ({})", help::not_in_this_build(language)) }
 }
 
 /// The language asked for: `--lang`, else the variable `ANTRIEB_LANG`, else English. The locale of the machine is
@@ -41,68 +35,54 @@ pub(crate) fn language_of(arguments: impl Iterator<Item = OsString>) -> Language
             wanted = Some(value.to_owned());
         }
     }
-    if wanted.is_some_and(|wanted| wanted.eq_ignore_ascii_case("de")) { Language::De } else { Language::En }
+    wanted.and_then(|wanted| Language::of_id(&wanted)).unwrap_or_default()
 }
 
 fn project(language: Language) -> Arg {
-    Arg::new("project").value_name("PROJECT").required(true).value_parser(value_parser!(std::path::PathBuf)).help(
-        either(
-            language,
-            "Project file (TOML); - reads standard input",
-            "Projektdatei (TOML); - liest die Standardeingabe",
-        ),
-    )
+    Arg::new("project")
+        .value_name(values::project(language))
+        .required(true)
+        .value_parser(value_parser!(std::path::PathBuf))
+        .help(help::project(language))
 }
 
 fn axis(language: Language) -> Arg {
-    Arg::new("axis").long("axis").value_name("NAME").help(either(
-        language,
-        "Only this axis of a project with several",
-        "Nur diese Achse eines Projekts mit mehreren",
-    ))
+    Arg::new("axis").long("axis").value_name(values::name(language)).help(help::axis(language))
 }
 
 fn sampling(command: Command, language: Language) -> Command {
     let most = i64::try_from(workbench::SAMPLES_MOST).unwrap_or(i64::MAX);
     command
-        .arg(Arg::new("samples").long("samples").value_name("N").value_parser(value_parser!(u32).range(1..=most)).help(
-            either(
-                language,
-                "Samples within the tolerances of the project (10000)",
-                "Stichproben in den Toleranzen des Projekts (10000)",
-            ),
-        ))
-        .arg(Arg::new("seed").long("seed").value_name("N").value_parser(value_parser!(u64)).help(either(
-            language,
-            "Seed of the samples; the same seed draws the same (1)",
-            "Startwert der Stichproben; derselbe Startwert zieht dasselbe (1)",
-        )))
+        .arg(
+            Arg::new("samples")
+                .long("samples")
+                .value_name(values::n(language))
+                .value_parser(value_parser!(u32).range(1..=most))
+                .help(help::samples(language)),
+        )
+        .arg(
+            Arg::new("seed")
+                .long("seed")
+                .value_name(values::n(language))
+                .value_parser(value_parser!(u64))
+                .help(help::seed(language)),
+        )
 }
 
 /// The whole command line.
 pub(crate) fn build(language: Language) -> Command {
-    let mut whole = headed(commands(language), language);
-    if language == Language::De {
-        whole.build();
-        whole = german::usage(whole);
-    }
-    whole
+    library::usage(headed(commands(language), language), language)
 }
 
 /// Gives a command and all its subcommands the headings of the language and a help flag in it.
 fn headed(command: Command, language: Language) -> Command {
-    let t = |en, de| either(language, en, de);
     let mut command = command
         .disable_help_flag(true)
         .disable_help_subcommand(true)
-        .help_template(match language {
-            Language::En => "{about}\n\nUsage: {usage}\n\n{all-args}{after-help}",
-            Language::De => "{about}\n\nAufruf: {usage}\n\n{all-args}{after-help}",
-        })
-        .subcommand_help_heading(t("Commands", "Befehle"))
+        .help_template(format!("{{about}}\n\n{}: {{usage}}\n\n{{all-args}}{{after-help}}", help::usage(language)))
+        .subcommand_help_heading(help::commands(language))
         .mut_args(|argument| {
-            let argument = if language == Language::De { german::value(argument) } else { argument };
-            let heading = if argument.is_positional() { t("Arguments", "Argumente") } else { t("Options", "Optionen") };
+            let heading = if argument.is_positional() { help::arguments(language) } else { help::options(language) };
             let takes_value = argument.get_action().takes_values();
             argument.help_heading(heading).hide_default_value(takes_value).hide_possible_values(takes_value)
         })
@@ -111,8 +91,8 @@ fn headed(command: Command, language: Language) -> Command {
                 .short('h')
                 .long("help")
                 .action(ArgAction::Help)
-                .help_heading(t("Options", "Optionen"))
-                .help(t("Print this help", "Diese Hilfe zeigen")),
+                .help_heading(help::options(language))
+                .help(help::help_flag(language)),
         );
     if command.get_name() == NAME {
         command = command.disable_version_flag(true).arg(
@@ -120,14 +100,14 @@ fn headed(command: Command, language: Language) -> Command {
                 .short('V')
                 .long("version")
                 .action(ArgAction::Version)
-                .help_heading(t("Options", "Optionen"))
-                .help(t("Print the version", "Die Version zeigen")),
+                .help_heading(help::options(language))
+                .help(help::version_flag(language)),
         );
     }
     let example = EXAMPLES.iter().find(|(name, _)| *name == command.get_name());
     if let Some((_, call)) = example {
         let told = command.get_after_help().map(|text| format!("{text}\n\n")).unwrap_or_default();
-        command = command.after_help(format!("{told}{}\n  {call}", t("Example:", "Beispiel:")));
+        command = command.after_help(format!("{told}{}:\n  {call}", help::example(language)));
     }
     command.mut_subcommands(|subcommand| headed(subcommand, language))
 }
@@ -187,164 +167,113 @@ pub(crate) fn with_help_asked(arguments: impl Iterator<Item = OsString>) -> Vec<
 }
 
 fn commands(language: Language) -> Command {
-    let t = |en, de| either(language, en, de);
     let size = Command::new("size")
-        .about(t("Rank the whole catalogue for an axis", "Den ganzen Katalog für eine Achse ordnen"))
+        .about(help::size(language))
         .arg(project(language))
         .arg(axis(language))
         .arg(
             Arg::new("top")
                 .long("top")
-                .value_name("N")
+                .value_name(values::n(language))
                 .default_value("10")
                 .value_parser(value_parser!(u16).range(1..))
-                .help(t("How many fitting actuators to show (10)", "Wie viele geeignete Antriebe gezeigt werden (10)")),
+                .help(help::size_top(language)),
         )
-        .arg(Arg::new("all").long("all").action(ArgAction::SetTrue).help(t(
-            "Show every actuator, the rejected ones with their reason",
-            "Alle Antriebe zeigen, die verworfenen mit Grund",
-        )));
+        .arg(Arg::new("all").long("all").action(ArgAction::SetTrue).help(help::size_all(language)));
     let size = size.arg(
-        Arg::new("report").long("report").value_name("FILE").value_parser(value_parser!(std::path::PathBuf)).help(
-            with_report(language, t("Write the report of the best as PDF", "Den Bericht des besten als PDF schreiben")),
-        ),
+        Arg::new("report")
+            .long("report")
+            .value_name(values::file(language))
+            .value_parser(value_parser!(std::path::PathBuf))
+            .help(with_report(language, help::size_report(language))),
     );
     let size = sheet(sampling(size, language), language);
     let check = Command::new("check")
-        .about(t(
-            "Judge one actuator, every check with its margin",
-            "Einen Antrieb beurteilen, jeden Nachweis mit seiner Reserve",
-        ))
+        .about(help::check(language))
         .arg(project(language))
         .arg(axis(language))
-        .arg(Arg::new("code").long("code").value_name("CODE").help(t(
-            "Ordering code; without it the project's own [actuator] is judged",
-            "Bestellbezeichnung; ohne sie wird der eigene [actuator] des Projekts beurteilt",
-        )));
+        .arg(Arg::new("code").long("code").value_name(values::code(language)).help(help::check_code(language)));
     let check = sampling(check, language);
     let explain = Command::new("explain")
-        .about(t(
-            "Derive the checks of one actuator, figures put in",
-            "Die Nachweise eines Antriebs herleiten, mit eingesetzten Zahlen",
-        ))
+        .about(help::explain(language))
         .arg(project(language))
         .arg(axis(language))
-        .arg(Arg::new("code").long("code").value_name("CODE").help(t(
-            "Ordering code; without it the project's own [actuator] is explained",
-            "Bestellbezeichnung; ohne sie wird der eigene [actuator] des Projekts hergeleitet",
-        )))
+        .arg(Arg::new("code").long("code").value_name(values::code(language)).help(help::explain_code(language)))
         .arg(
             Arg::new("check")
                 .long("check")
-                .value_name("CHECK")
+                .value_name(values::check(language))
                 .value_parser(PossibleValuesParser::new(workbench::CheckId::ALL.iter().map(|check| check.id())))
                 .hide_possible_values(true)
-                .help(t(
-                    "One check, for example continuous_torque; all without it",
-                    "Einen Nachweis, zum Beispiel continuous_torque; ohne Angabe alle",
-                )),
+                .help(help::explain_check(language)),
         );
-    let code_arg = |help| Arg::new("code").value_name("CODE").required(true).num_args(1..).help(help);
+    let code_arg =
+        |help: String| Arg::new("code").value_name(values::code(language)).required(true).num_args(1..).help(help);
     let code = Command::new("code")
-        .about(t("Read, list and complete ordering codes", "Bestellbezeichnungen lesen, auflisten und ergänzen"))
+        .about(help::code(language))
         .subcommand_required(true)
         .arg_required_else_help(true)
         .subcommand(
             Command::new("parse")
-                .about(t("Read a code and explain each field", "Einen Code lesen und jedes Feld erklären"))
-                .arg(code_arg(t(
-                    "Ordering code, for example CHA-20A-100-H-C1024-B",
-                    "Bestellbezeichnung, zum Beispiel CHA-20A-100-H-C1024-B",
-                ))),
+                .about(help::code_parse(language))
+                .arg(code_arg(help::code_example(language).to_owned())),
         )
         .subcommand(
             Command::new("list")
-                .about(t("List the valid codes", "Die gültigen Codes auflisten"))
-                .arg(Arg::new("pattern").value_name("PATTERN").help(t(
-                    "Partial code, for example CHA-20A-*-H; all without it",
-                    "Teilcode, zum Beispiel CHA-20A-*-H; ohne ihn alle",
-                )))
-                .arg(Arg::new("available").long("available").action(ArgAction::SetTrue).help(t(
-                    "Only codes that are available without asking",
-                    "Nur Codes, die ohne Anfrage verfügbar sind",
-                ))),
+                .about(help::code_list(language))
+                .arg(Arg::new("pattern").value_name(values::pattern(language)).help(help::code_list_pattern(language)))
+                .arg(
+                    Arg::new("available")
+                        .long("available")
+                        .action(ArgAction::SetTrue)
+                        .help(help::code_list_available(language)),
+                ),
         )
         .subcommand(
             Command::new("complete")
-                .about(t(
-                    "Complete a partial code and say what may follow",
-                    "Einen Teilcode ergänzen und zeigen, was folgen kann",
-                ))
-                .arg(code_arg(t(
-                    "Partial code; * stands for any value of a field",
-                    "Teilcode; * steht für jeden Wert eines Feldes",
-                ))),
+                .about(help::code_complete(language))
+                .arg(code_arg(help::code_complete_pattern(language).to_owned())),
         );
-    let data = Command::new("data")
-        .about(t(
-            "Data sheet of one actuator, each value with its table",
-            "Datenblatt eines Antriebs, jeder Wert mit seiner Tabelle",
-        ))
-        .arg(code_arg(t("Ordering code", "Bestellbezeichnung")));
-    let errata = Command::new("errata")
-        .about(t(
-            "What is wrong or in doubt in the print, and what is used",
-            "Was im Druck falsch oder zweifelhaft ist, und was verwendet wird",
-        ))
-        .arg(Arg::new("about").value_name("CODE | TABLE | ID").num_args(0..).help(t(
-            "Ordering code, number of a table, or id of an erratum; all without it",
-            "Bestellbezeichnung, Nummer einer Tabelle oder Name eines Druckfehlers; ohne Angabe alle",
-        )));
+    let data =
+        Command::new("data").about(help::data(language)).arg(code_arg(capitalised(terms::ordering_code(language))));
+    let errata = Command::new("errata").about(help::errata(language)).arg(
+        Arg::new("about")
+            .value_name(values::code_table_or_id(language))
+            .num_args(0..)
+            .help(help::errata_about(language)),
+    );
     let catalogue = Command::new("catalogue")
-        .about(t("The whole catalogue", "Der ganze Katalog"))
+        .about(help::catalogue(language))
         .subcommand_required(true)
         .arg_required_else_help(true)
         .subcommand(
-            Command::new("export")
-                .about(t(
-                    "Every cell of the maker's tables in long form",
-                    "Jede Zelle der Herstellertabellen in langer Form",
-                ))
-                .arg(
-                    Arg::new("format")
-                        .long("format")
-                        .value_name("FORMAT")
-                        .default_value("csv")
-                        .value_parser(PossibleValuesParser::new(["csv", "json"]))
-                        .help(t("csv (default) or json", "csv (Vorgabe) oder json")),
-                ),
+            Command::new("export").about(help::catalogue_export(language)).arg(
+                Arg::new("format")
+                    .long("format")
+                    .value_name(values::format(language))
+                    .default_value("csv")
+                    .value_parser(PossibleValuesParser::new(["csv", "json"]))
+                    .help(help::catalogue_format(language)),
+            ),
         );
+    let mut languages = Language::ALL.map(Language::id);
+    languages.sort_unstable();
     let shells = PossibleValuesParser::new(["bash", "elvish", "fish", "powershell", "zsh"]);
     Command::new(NAME)
         .version(env!("CARGO_PKG_VERSION"))
-        .about(t(
-            "Engineering workbench for hollow-shaft servo actuators of the CHA series",
-            "Auslegungswerkzeug für Hohlwellen-Servoantriebe der Baureihe CHA",
-        ))
-        .after_help(t(
-            "Exit code: 0 fits or answered, 1 does not fit, 2 the question could not be answered.",
-            "Rückgabewert: 0 geeignet oder beantwortet, 1 nicht geeignet, 2 die Frage ließ sich nicht beantworten.",
-        ))
+        .about(help::antrieb(language))
+        .after_help(help::exit_codes(language))
         .styles(Styles::styled())
         .subcommand_required(true)
         .arg_required_else_help(true)
-        .arg(
-            Arg::new("json")
-                .long("json")
-                .global(true)
-                .action(ArgAction::SetTrue)
-                .help(t("Answer as JSON", "Antwort als JSON")),
-        )
+        .arg(Arg::new("json").long("json").global(true).action(ArgAction::SetTrue).help(help::json(language)))
         .arg(
             Arg::new("lang")
                 .long("lang")
                 .global(true)
-                .value_name("LANG")
-                .value_parser(PossibleValuesParser::new(["de", "en"]))
-                .help(t(
-                    "Language of the answer, en or de (or variable ANTRIEB_LANG)",
-                    "Sprache der Antwort, en oder de (oder Variable ANTRIEB_LANG)",
-                )),
+                .value_name(values::lang(language))
+                .value_parser(PossibleValuesParser::new(languages))
+                .help(help::lang(language)),
         )
         .subcommand(size)
         .subcommand(check)
@@ -359,53 +288,49 @@ fn commands(language: Language) -> Command {
         .subcommand(catalogue)
         .subcommand(
             Command::new("torsion")
-                .about(t("Torsion of the gear under a torque", "Torsion des Getriebes unter einem Drehmoment"))
-                .arg(Arg::new("code").value_name("CODE").required(true).help(t("Ordering code", "Bestellbezeichnung")))
+                .about(help::torsion(language))
+                .arg(
+                    Arg::new("code")
+                        .value_name(values::code(language))
+                        .required(true)
+                        .help(capitalised(terms::ordering_code(language))),
+                )
                 .arg(
                     Arg::new("torque")
                         .long("torque")
-                        .value_name("TORQUE")
+                        .value_name(values::torque(language))
                         .required(true)
                         .allow_hyphen_values(true)
-                        .help(t(
-                            "Torque at the output, for example \"60 N m\"",
-                            "Drehmoment am Abtrieb, zum Beispiel \"60 N m\"",
-                        )),
+                        .help(help::torsion_torque(language)),
                 ),
         )
         .subcommand(inertia(language))
         .subcommand(curve(language))
         .subcommand(plot(language))
-        .subcommand(
-            Command::new("bearing")
-                .about(t(
-                    "The output bearing of every size under a project's loads",
-                    "Das Abtriebslager jeder Baugröße unter den Lasten eines Projekts",
-                ))
-                .arg(project(language))
-                .arg(axis(language)),
-        )
+        .subcommand(Command::new("bearing").about(help::bearing(language)).arg(project(language)).arg(axis(language)))
         .subcommand(
             Command::new("battery")
-                .about(t("Life of the battery of the M128S encoder", "Lebensdauer der Batterie des Gebers M128S"))
+                .about(help::battery(language))
                 .arg(
                     Arg::new("hours-per-day")
                         .long("hours-per-day")
-                        .value_name("HOURS")
+                        .value_name(values::hours(language))
                         .required(true)
-                        .help(t("Hours of operation a day, 0 to 24", "Betriebsstunden je Tag, 0 bis 24")),
+                        .help(help::battery_hours(language)),
                 )
-                .arg(Arg::new("storage").long("storage").value_name("TIME").help(t(
-                    "Storage before operation, for example \"1 a\"; none without it",
-                    "Lagerung vor dem Betrieb, zum Beispiel \"1 a\"; ohne Angabe keine",
-                ))),
+                .arg(
+                    Arg::new("storage")
+                        .long("storage")
+                        .value_name(values::time(language))
+                        .help(help::battery_storage(language)),
+                ),
         )
         .subcommand(
             Command::new("new")
-                .about(t("A commented project file to fill in", "Eine kommentierte Projektdatei zum Ausfüllen"))
+                .about(help::new(language))
                 .arg(
                     Arg::new("kind")
-                        .value_name("KIND")
+                        .value_name(values::kind(language))
                         .required(true)
                         .value_parser(PossibleValuesParser::new(workbench::template_kinds()))
                         .help("manual, table, arm, screw, belt, recording"),
@@ -414,73 +339,46 @@ fn commands(language: Language) -> Command {
                     Arg::new("out")
                         .long("out")
                         .short('o')
-                        .value_name("FILE")
+                        .value_name(values::file(language))
                         .value_parser(value_parser!(std::path::PathBuf))
-                        .help(t(
-                            "Project file to write, with an example recording beside it for kind recording",
-                            "Zu schreibende Projektdatei; bei der Art recording mit einer Beispielaufzeichnung daneben",
-                        )),
+                        .help(help::new_out(language)),
                 )
                 .arg(files::force(language)),
         )
         .subcommand(
             Command::new("glossary")
-                .about(t(
-                    "Words and symbols with their meaning, in both languages",
-                    "Wörter und Zeichen mit ihrer Bedeutung, in beiden Sprachen",
-                ))
-                .arg(Arg::new("term").value_name("TERM").help(t(
-                    "Symbol, name or word, for example T_rms; all without it",
-                    "Zeichen, Name oder Wort, zum Beispiel T_rms; ohne Angabe alle",
-                ))),
+                .about(help::glossary(language))
+                .arg(Arg::new("term").value_name(values::term(language)).help(help::glossary_term(language))),
         )
         .subcommand(schema(language))
         .subcommand(
-            Command::new("completions")
-                .about(t("Completion script for a shell", "Vervollständigung für eine Shell"))
-                .arg(Arg::new("shell").required(true).value_parser(shells).help("bash, elvish, fish, powershell, zsh")),
-        )
-        .subcommand(
-            Command::new("help").about(t("Help on a command", "Hilfe zu einem Befehl")).arg(
-                Arg::new("command")
-                    .value_name("COMMAND")
-                    .num_args(0..)
-                    .help(t("Command; all of them without it", "Befehl; ohne ihn alle")),
+            Command::new("completions").about(help::completions(language)).arg(
+                Arg::new("shell")
+                    .value_name(values::shell(language))
+                    .required(true)
+                    .value_parser(shells)
+                    .help("bash, elvish, fish, powershell, zsh"),
             ),
         )
+        .subcommand(Command::new("help").about(help::help(language)).arg(
+            Arg::new("command").value_name(values::command(language)).num_args(0..).help(help::help_command(language)),
+        ))
         .subcommand(
-            Command::new("man").about(t("Manual page (roff)", "Handbuchseite (roff)")).arg(
-                Arg::new("command")
-                    .value_name("COMMAND")
-                    .help(t("Command; antrieb itself without it", "Befehl; ohne ihn antrieb selbst")),
-            ),
+            Command::new("man")
+                .about(help::man(language))
+                .arg(Arg::new("command").value_name(values::command(language)).help(help::man_command(language))),
         )
 }
 
 fn schema(language: Language) -> Command {
     Command::new("schema")
-        .about(either(
-            language,
-            "JSON Schema of the project file, or of the answers",
-            "JSON-Schema der Projektdatei oder der Antworten",
-        ))
-        .arg(Arg::new("answers").long("answers").action(ArgAction::SetTrue).help(either(
-            language,
-            "What --json writes for each command",
-            "Was --json bei jedem Befehl schreibt",
-        )))
+        .about(help::schema(language))
+        .arg(Arg::new("answers").long("answers").action(ArgAction::SetTrue).help(help::schema_answers(language)))
 }
 
 fn inertia(language: Language) -> Command {
-    let t = |en, de| either(language, en, de);
-    let head = t(
-        "Shapes and their keys (axis: parallel or perpendicular to the axis of rotation):",
-        "Formen und ihre Schlüssel (axis: parallel oder perpendicular, senkrecht zur Drehachse):",
-    );
-    let tail = t(
-        "All: mass or density; distance from the axis of rotation (0), angle (0), count evenly spaced (1).",
-        "Alle: mass oder density; distance von der Drehachse (0), angle (0), count gleichmäßig verteilt (1).",
-    );
+    let head = help::shapes(language);
+    let tail = help::shapes_all(language);
     let mut shapes = String::new();
     for shape in &workbench::BODY_SHAPES {
         let axis = if shape.may_lie { " axis" } else { "" };
@@ -489,11 +387,14 @@ fn inertia(language: Language) -> Command {
         shapes.push('\n');
     }
     Command::new("inertia")
-        .about(t("Moment of inertia of solid bodies", "Massenträgheitsmoment fester Körper"))
-        .arg(Arg::new("body").value_name("BODY").required(true).num_args(1..).help(t(
-            "Each body in quotes, for example \"disc diameter=200mm length=20mm density=7850kg/m^3\"",
-            "Jeder Körper in Anführungszeichen, etwa \"disc diameter=200mm length=20mm density=7850kg/m^3\"",
-        )))
+        .about(help::inertia(language))
+        .arg(
+            Arg::new("body")
+                .value_name(values::body(language))
+                .required(true)
+                .num_args(1..)
+                .help(help::inertia_body(language)),
+        )
         .after_help(format!("{head}\n{shapes}{tail}"))
 }
 
@@ -519,14 +420,11 @@ pub(crate) fn man(matches: &ArgMatches, language: Language) -> Answer {
     };
     let Some(page) = page else {
         let name = wanted.map_or("", String::as_str);
-        return Answer::fault(match language {
-            Language::En => format!("antrieb: there is no command `{name}`\n"),
-            Language::De => format!("antrieb: es gibt keinen Befehl `{name}`\n"),
-        });
+        return Answer::fault(format!("antrieb: {}\n", help::no_such_command(&name, language)));
     };
     let mut out = Vec::new();
     match clap_mangen::Man::new(page).render(&mut out) {
-        Ok(()) => Answer::data(german::headings(&String::from_utf8_lossy(&out), language)),
+        Ok(()) => Answer::data(library::headings(&String::from_utf8_lossy(&out), language)),
         Err(error) => Answer::fault(format!("antrieb: {error}\n")),
     }
 }

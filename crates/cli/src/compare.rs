@@ -3,13 +3,13 @@
 use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::simple;
-use crate::say::{figure, percent, t};
+use crate::say::{figure, percent};
 use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::quantities::format_significant;
-use workbench::text::{check_title, figure_term, symbol_shown, verdict_word};
+use workbench::text::{check_title, figure_term, symbol_shown, terminal, terms, verdict_word};
 use workbench::{Candidate, Check, Comparison, DatumRow, Language, OrderCode, Project, Verdict, answer, answers};
 
 /// How many are compared.
@@ -29,11 +29,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
     let written: Vec<&String> = matches.get_many::<String>("code").into_iter().flatten().collect();
     if !COUNT.contains(&written.len()) {
         let count = written.len();
-        let what = t(
-            language,
-            &format!("two to five codes can be compared, not {count}: give --code once for each"),
-            &format!("zwei bis fünf Codes lassen sich vergleichen, nicht {count}: --code für jeden einmal angeben"),
-        );
+        let what = terminal::two_to_five_codes(&count, language);
         return Err(simple(&what, as_json, language));
     }
     let mut talk = String::new();
@@ -79,7 +75,7 @@ fn text(found: &Comparison<'_>, project: &Project, language: Language) -> String
         });
         let verdict = verdict(candidate, language);
         let first = if found.better == Some(index) {
-            t(language, "; first in the ranking", "; erster in der Reihenfolge")
+            format!("; {}", terminal::first_in_the_ranking(language))
         } else {
             String::new()
         };
@@ -97,14 +93,14 @@ fn text(found: &Comparison<'_>, project: &Project, language: Language) -> String
     let fail = verdict_word(Verdict::Fail, language);
     let advice = verdict_word(Verdict::Advice, language);
     let open = verdict_word(Verdict::NotChecked, language);
-    let room = t(language, "lowest utilisation", "geringste Auslastung");
+    let room = terminal::lowest_utilisation(language);
     let _ = writeln!(out, "✓ {pass} · ✗ {fail} · ! {advice} · ? {open} · * {room}\n");
     out.push_str(&figures(found, language));
     out
 }
 
-pub(crate) fn verdict(candidate: &Candidate<'_>, language: Language) -> String {
-    if candidate.fits() { t(language, "fits", "geeignet") } else { t(language, "does not fit", "nicht geeignet") }
+pub(crate) fn verdict(candidate: &Candidate<'_>, language: Language) -> &'static str {
+    if candidate.fits() { terms::fits(language) } else { terms::does_not_fit(language) }
 }
 
 fn letter(index: usize) -> char {
@@ -122,11 +118,11 @@ const fn sign(verdict: Verdict) -> char {
 
 fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String {
     let mut heads =
-        vec![(t(language, "check", "Nachweis"), Align::Left), (t(language, "unit", "Einheit"), Align::Left)];
+        vec![(terms::check(language).to_owned(), Align::Left), (terms::unit(language).to_owned(), Align::Left)];
     for index in part {
         let letter = letter(*index);
-        heads.push((format!("{letter} {}", t(language, "value", "Wert")), Align::Right));
-        heads.push((format!("{letter} {}  ", t(language, "util. %", "Ausl. %")), Align::Right));
+        heads.push((format!("{letter} {}", terms::value(language)), Align::Right));
+        heads.push((format!("{letter} {}  ", terms::utilisation_short(language)), Align::Right));
     }
     let mut table = Table::of(heads);
     for row in &found.checks {
@@ -149,7 +145,8 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
 }
 
 fn figures(found: &Comparison<'_>, language: Language) -> String {
-    let mut heads = vec![(t(language, "figure", "Größe"), Align::Left), (t(language, "unit", "Einheit"), Align::Left)];
+    let mut heads =
+        vec![(terminal::figure(language).to_owned(), Align::Left), (terms::unit(language).to_owned(), Align::Left)];
     heads.extend((0..found.candidates.len()).map(|index| (letter(index).to_string(), Align::Right)));
     let mut table = Table::of(heads);
     for row in found.demand.iter().chain(&found.data) {

@@ -3,15 +3,16 @@
 use crate::answer::Answer;
 use crate::code::{parse_for_use, read_argument};
 use crate::fault::option_fault;
-use crate::say::t;
 use crate::subject::refuse;
-use crate::table::{Align, Table, paragraph};
+use crate::table::{Align, Table, labelled, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::answer::sheet_note_text;
 use workbench::quantities::unit::{ARCMINUTE, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE};
 use workbench::quantities::{Measure, Unit, format_significant};
-use workbench::text::{condition_text, describe_uncovered, evidence_text, symbol_term};
+use workbench::text::{
+    cell_text, condition_text, describe_uncovered, evidence_text, symbol_term, table_title, terminal, terms,
+};
 use workbench::{EXPORT_COLUMNS, Language, Sheet, SheetNote, SheetRow, SheetSection, Uncovered, export_rows};
 
 /// `antrieb data CODE`
@@ -49,10 +50,10 @@ fn sheet_text(sheet: &Sheet, language: Language) -> String {
 
 /// One table with its notes below it; the errata of its cells are gathered for the end of the sheet.
 fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'static str>, language: Language) {
-    let title = if language == Language::De { section.table.title_de } else { section.table.title_en };
-    let _ = writeln!(out, "\n{title} ({} {})", t(language, "table", "Tabelle"), section.table.id);
-    let heads = [("symbol", "Symbol"), ("value", "Wert"), ("unit", "Einheit"), ("name", "Benennung")];
-    let mut table = Table::new(heads.map(|(en, de)| (if language == Language::De { de } else { en }, Align::Left)));
+    let title = table_title(section.table, language);
+    let _ = writeln!(out, "\n{title} ({} {})", terminal::table(language), section.table.id);
+    let heads = [terminal::symbol(language), terms::value(language), terms::unit(language), terminal::name(language)];
+    let mut table = Table::new(heads.map(|head| (head, Align::Left)));
     let mut notes: Vec<(String, SheetNote)> = Vec::new();
     for row in &section.rows {
         let cell = row.cell;
@@ -77,14 +78,14 @@ fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'sta
         out.push_str(&paragraph(&format!("[{mark}] {}", by(&note)), sheet_note_text(&note, language)));
     }
     for note in &section.notices {
-        let head = if note.is_ours() { by(note) } else { t(language, "note: ", "Hinweis: ") };
+        let head = if note.is_ours() { by(note) } else { format!("{}: ", terminal::note(language)) };
         out.push_str(&paragraph(&head, sheet_note_text(note, language)));
     }
     if !section.errata.is_empty() {
-        let head = t(language, "errata of this table: ", "Errata dieser Tabelle: ");
-        let see = t(language, "see", "siehe");
+        let head = terminal::errata_of_this_table(language);
+        let see = terminal::see(language);
         let text = format!("{} ({see} antrieb errata {})", section.errata.join(", "), section.table.id);
-        out.push_str(&paragraph(&head, &text));
+        out.push_str(&labelled(head, &text));
     }
 }
 
@@ -96,22 +97,16 @@ fn by(note: &SheetNote) -> String {
 /// The value after errata, with the print where it differs; a value of the standard only is none of this code.
 fn value_text(row: &SheetRow, language: Language) -> String {
     let cell = row.cell;
-    let corrected = if language == Language::De { cell.corrected } else { cell.corrected_en() };
+    let corrected = cell_text(cell, language);
     let value = decimal(corrected, language);
     if row.of_standard_only {
-        return match language {
-            Language::En => format!("not printed (standard {value})"),
-            Language::De => format!("nicht abgedruckt (Standard {value})"),
-        };
+        return terminal::value_of_the_standard(&value, language);
     }
     if cell.corrected == cell.printed {
         return value;
     }
     let printed = decimal(cell.printed, language);
-    match language {
-        Language::En => format!("{value} (printed {printed})"),
-        Language::De => format!("{value} (gedruckt {printed})"),
-    }
+    terminal::value_and_print(&value, &printed, language)
 }
 
 /// The token of the code that brings what the tables do not cover.
@@ -144,7 +139,8 @@ fn mark_of(notes: &mut Vec<(String, SheetNote)>, note: SheetNote) -> String {
 /// Printed numbers have a decimal comma; English readers get a point. Texts stay as they are.
 pub(crate) fn decimal(text: &str, language: Language) -> String {
     let numeric = text.chars().all(|c| c.is_ascii_digit() || " ,.<>≤≥±%-".contains(c));
-    if language == Language::En && numeric { text.replace(',', ".") } else { text.to_owned() }
+    let mark = language.decimal_mark();
+    if numeric { text.chars().map(|sign| if sign == ',' { mark } else { sign }).collect() } else { text.to_owned() }
 }
 
 /// `antrieb torsion CODE --torque "60 N m"`
@@ -172,18 +168,23 @@ pub(crate) fn torsion(matches: &ArgMatches, as_json: bool, language: Language) -
     let radian = number(answer.angle.si() * 1e3, 3);
     let (t1, t2) = (number(answer.curve.torque_1.si(), 3), number(answer.curve.torque_2.si(), 3));
     let table = if reading.parsed.code.size.number() >= 32 { "54.4" } else { "54.3" };
-    let data = match language {
-        Language::En => format!(
-            "{}: {angle} arcmin ({radian} mrad) under {torque} Nm, stiffness region {}\n\
-             T_1 {t1} Nm, T_2 {t2} Nm, K_1 {k1}, K_2 {k2}, K_3 {k3} kNm/rad (table {table}); mean values, blocked motor\n",
-            reading.parsed.code, answer.region
-        ),
-        Language::De => format!(
-            "{}: {angle} arcmin ({radian} mrad) unter {torque} Nm, Steifigkeitsbereich {}\n\
-             T_1 {t1} Nm, T_2 {t2} Nm, K_1 {k1}, K_2 {k2}, K_3 {k3} kNm/rad (Tabelle {table}); Mittelwerte, Motor blockiert\n",
-            reading.parsed.code, answer.region
-        ),
-    };
+    let data = format!(
+        "{}\n",
+        terminal::torsion(
+            &reading.parsed.code,
+            &angle,
+            &radian,
+            &torque,
+            &answer.region,
+            &t1,
+            &t2,
+            &k1,
+            &k2,
+            &k3,
+            &table,
+            language
+        )
+    );
     Answer { talk, ..Answer::data(data) }
 }
 

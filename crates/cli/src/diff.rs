@@ -4,14 +4,14 @@ use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::compare::{names, shown, verdict};
 use crate::fault::{Source, simple};
-use crate::say::{figure, percent, t};
+use crate::say::{figure, percent};
 use crate::subject::{Part, picked, refuse, together};
-use crate::table::{Align, Table, paragraph};
+use crate::table::{Align, Table, labelled};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use workbench::quantities::format_number;
-use workbench::text::{check_title, verdict_word};
+use workbench::text::{check_title, terminal, terms, verdict_word};
 use workbench::{
     CandidateId, Check, CheckChange, Difference, InputChange, Language, OrderCode, Project, answer, answers,
 };
@@ -44,13 +44,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
     let pairs = pairs(&old, &new);
     let told = |axis: &Axis, file: &Source, paired: bool| {
         let (name, file) = (&axis.1.name, &file.name);
-        (!paired).then(|| {
-            t(
-                language,
-                &format!("axis \"{name}\" is only in {file}\n"),
-                &format!("Achse „{name}“ gibt es nur in {file}\n"),
-            )
-        })
+        (!paired).then(|| format!("{}\n", terminal::axis_is_only_in(&name, &file, language)))
     };
     for (index, axis) in old.iter().enumerate() {
         talk.extend(told(axis, &old_file, pairs.iter().any(|pair| pair.0 == index)));
@@ -59,11 +53,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         talk.extend(told(axis, &new_file, pairs.iter().any(|pair| pair.1 == index)));
     }
     if pairs.is_empty() {
-        let what = t(
-            language,
-            "the two projects have no axis of the same name",
-            "die beiden Projekte haben keine Achse gleichen Namens",
-        );
+        let what = terminal::no_common_axis(language);
         let mut fault = simple(&what, as_json, language);
         fault.talk = talk + &fault.talk;
         return Err(fault);
@@ -113,12 +103,12 @@ fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: La
         share(found.before.standing.utilisation),
         share(found.after.standing.utilisation),
     );
-    let none = t(language, "none fits", "keiner ist geeignet");
-    let best = |id: &Option<CandidateId>| id.as_ref().map_or_else(|| none.clone(), ToString::to_string);
-    let word = t(language, "best of the catalogue", "bester des Katalogs");
+    let none = terminal::none_fits(language);
+    let best = |id: &Option<CandidateId>| id.as_ref().map_or_else(|| none.to_owned(), ToString::to_string);
+    let word = terminal::best_of_the_catalogue(language);
     let (first, second) = (best(&found.best_before), best(&found.best_after));
     let _ = if first == second {
-        writeln!(out, "{word}: {first}, {}", t(language, "as before", "wie vorher"))
+        writeln!(out, "{word}: {first}, {}", terminal::as_before(language))
     } else {
         writeln!(out, "{word}: {first} → {second}")
     };
@@ -127,19 +117,19 @@ fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: La
     out.push_str(&demand(found, language));
     out.push_str(&checks(&found.checks, language));
     for objection in answer::objections(&found.after, language) {
-        out.push_str(&paragraph(&t(language, "requirement not met: ", "Anforderung nicht erfüllt: "), &objection));
+        out.push_str(&labelled(terms::requirement_not_met(language), &objection));
     }
     out
 }
 
 fn changed_inputs(inputs: &[InputChange], language: Language) -> String {
     if inputs.is_empty() {
-        return format!("{}\n\n", t(language, "no input changed", "keine Eingabe geändert"));
+        return format!("{}\n\n", terminal::no_input_changed(language));
     }
-    let mut table = Table::of(vec![
-        (t(language, "input", "Eingabe"), Align::Left),
-        (t(language, "before", "vorher"), Align::Left),
-        (t(language, "after", "nachher"), Align::Left),
+    let mut table = Table::new([
+        (terminal::input(language), Align::Left),
+        (terminal::before(language), Align::Left),
+        (terminal::after(language), Align::Left),
     ]);
     let written = |text: &Option<String>| text.clone().unwrap_or_else(|| "–".to_owned());
     for change in inputs {
@@ -151,13 +141,13 @@ fn changed_inputs(inputs: &[InputChange], language: Language) -> String {
 fn demand(found: &Difference<'_>, language: Language) -> String {
     let rows: Vec<_> = found.demand.iter().filter(|row| !row.is_same()).collect();
     if rows.is_empty() {
-        return format!("{}\n\n", t(language, "the demand is the same", "der Bedarf ist derselbe"));
+        return format!("{}\n\n", terminal::same_demand(language));
     }
-    let mut table = Table::of(vec![
-        (t(language, "demand", "Bedarf"), Align::Left),
-        (t(language, "unit", "Einheit"), Align::Left),
-        (t(language, "before", "vorher"), Align::Right),
-        (t(language, "after", "nachher"), Align::Right),
+    let mut table = Table::new([
+        (terms::demand(language), Align::Left),
+        (terms::unit(language), Align::Left),
+        (terminal::before(language), Align::Right),
+        (terminal::after(language), Align::Right),
     ]);
     for row in rows {
         let mut cells = names(row, language).to_vec();
@@ -171,16 +161,17 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
     let (same, other): (Vec<&CheckChange>, Vec<&CheckChange>) = changes.iter().partition(|change| change.is_same());
     let mut out = String::new();
     if !other.is_empty() {
-        let (before, after) = (t(language, "before", "vorher"), t(language, "after", "nachher"));
-        let mut table = Table::of(vec![
-            (t(language, "check", "Nachweis"), Align::Left),
-            (t(language, "verdict", "Urteil"), Align::Left),
-            (before.clone(), Align::Right),
-            (after.clone(), Align::Right),
-            (t(language, "unit", "Einheit"), Align::Left),
-            (format!("{before} %"), Align::Right),
-            (format!("{after} %"), Align::Right),
-            (t(language, "change", "Änderung"), Align::Right),
+        let (before, after) = (terminal::before(language), terminal::after(language));
+        let [before_percent, after_percent] = [before, after].map(|word| format!("{word} %"));
+        let mut table = Table::new([
+            (terms::check(language), Align::Left),
+            (terms::verdict(language), Align::Left),
+            (before, Align::Right),
+            (after, Align::Right),
+            (terms::unit(language), Align::Left),
+            (&before_percent, Align::Right),
+            (&after_percent, Align::Right),
+            (terminal::change(language), Align::Right),
         ]);
         for change in other {
             table.push(changed(change, language));
@@ -189,7 +180,7 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
     }
     if !same.is_empty() {
         let titles: Vec<String> = same.iter().map(|change| check_title(change.id, language)).collect();
-        out.push_str(&paragraph(&t(language, "unchanged: ", "unverändert: "), &titles.join(" · ")));
+        out.push_str(&labelled(terminal::unchanged(language), &titles.join(" · ")));
     }
     out
 }

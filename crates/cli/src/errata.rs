@@ -4,14 +4,13 @@ use crate::answer::Answer;
 use crate::code::refused;
 use crate::data::decimal;
 use crate::fault::simple;
-use crate::say::t;
 use crate::subject::refuse;
 use crate::table::paragraph;
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::answers::{Erratum, ErratumStatus};
 use workbench::quantities::Unit;
-use workbench::text::{erratum_kind, erratum_status};
+use workbench::text::{erratum_kind, erratum_status, terminal};
 use workbench::{ErrataRefusal, Language, errata_about};
 
 /// `antrieb errata [CODE | TABLE | ID]`
@@ -42,13 +41,13 @@ pub(crate) fn errata(matches: &ArgMatches, as_json: bool, language: Language) ->
     }
     let corrected = found.errata.iter().filter(|erratum| erratum.corrected_here).count();
     let (count, flagged) = (found.errata.len(), found.errata.len() - corrected);
-    let talk = match (count, language) {
-        (0, _) => t(language, "no erratum\n", "kein Erratum\n"),
-        (1, Language::En) => "1 erratum\n".to_owned(),
-        (1, Language::De) => "1 Erratum\n".to_owned(),
-        (_, Language::En) => format!("{count} errata: {corrected} corrected, {flagged} flagged\n"),
-        (_, Language::De) => format!("{count} Errata: {corrected} korrigiert, {flagged} offen\n"),
+    let talk = match count {
+        0 => terminal::no_erratum(language).to_owned(),
+        count => terminal::errata_counted(count, &corrected, &flagged, language),
     };
+    let talk = talk
+        + "
+";
     Answer { talk, ..Answer::data(data) }
 }
 
@@ -59,25 +58,21 @@ fn describe(out: &mut String, erratum: &Erratum, language: Language) {
         let text = if text.is_empty() || text == "-" { "–".to_owned() } else { decimal(text, language) };
         if unit.is_empty() || text == "–" { text } else { format!("{text} {unit}") }
     };
-    let mut line = |en: &str, de: &str, text: &str| {
-        let head = t(language, en, de);
+    let mut line = |head: &str, text: &str| {
         out.push_str(&paragraph(&format!("  {head:<10} "), text));
     };
-    line("where", "wo", &erratum.place);
+    line(terminal::where_it_stands(language), &erratum.place);
     if let Some(recovered) = erratum.recovered {
-        line("recovered", "gelesen", &shown(recovered));
+        line(terminal::recovered(language), &shown(recovered));
     }
-    line("printed", "gedruckt", &shown(erratum.printed));
+    line(terminal::as_in_print(language), &shown(erratum.printed));
     let used = match (erratum.checks_use, erratum.status) {
-        (Some(used), _) => match language {
-            Language::En => format!("{} by checks, {} elsewhere", shown(used), shown(erratum.corrected)),
-            Language::De => format!("{} in Prüfungen, sonst {}", shown(used), shown(erratum.corrected)),
-        },
+        (Some(used), _) => terminal::used_by_checks(&shown(used), &shown(erratum.corrected), language),
         (None, ErratumStatus::Corrected) => shown(erratum.corrected),
         (None, ErratumStatus::Flagged) => {
-            format!("{}{}", shown(erratum.corrected), t(language, ", as printed", ", wie gedruckt"))
+            format!("{}, {}", shown(erratum.corrected), terminal::as_printed(language))
         }
     };
-    line("used", "verwendet", &used);
-    line("evidence", "Beleg", erratum.evidence);
+    line(terminal::used(language), &used);
+    line(terminal::evidence(language), erratum.evidence);
 }

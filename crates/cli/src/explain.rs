@@ -3,11 +3,13 @@
 use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::subject::{Part, axes_of, refuse, together};
-use crate::table::{hanging, paragraph};
+use crate::table::{hanging, labelled, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::answers::Explanations;
-use workbench::text::{assumption_text, check_missing, check_title, note_text, symbol_shown, verdict_word};
+use workbench::text::{
+    assumption_text, check_missing, check_title, note_text, symbol_shown, terminal, terms, verdict_word,
+};
 use workbench::{Candidate, Check, CheckId, Language, Node, Project, derivation, node_amount, trust};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
@@ -47,9 +49,9 @@ fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], 
         out.push_str(&text(check, language));
         out.push('\n');
     }
-    let head = if language == Language::De { "angenommen: " } else { "assumed: " };
+    let head = terms::assumed(language);
     for assumption in &project.assumptions {
-        out.push_str(&paragraph(head, &assumption_text(*assumption, language)));
+        out.push_str(&labelled(head, &assumption_text(*assumption, language)));
     }
     out
 }
@@ -66,10 +68,7 @@ fn heading(check: &Check, language: Language) -> String {
 fn text(check: &Check, language: Language) -> String {
     let found = derivation(check, language);
     let mut out = String::new();
-    let (asked, given) = match language {
-        Language::En => ("asked", "permitted"),
-        Language::De => ("verlangt", "zulässig"),
-    };
+    let (asked, given) = (terminal::asked(language), terminal::permitted(language));
     for (word, root) in [(asked, &found.value), (given, &found.limit)] {
         if let Some(root) = root {
             let _ = writeln!(out, "  {word}");
@@ -90,11 +89,7 @@ fn text(check: &Check, language: Language) -> String {
 
 fn tree(node: &Node, indent: &str, out: &mut String, language: Language) {
     let term = if node.term.is_empty() { String::new() } else { format!("  {}", node.term) };
-    let trust = if node.repeated {
-        if language == Language::De { "siehe oben".to_owned() } else { "see above".to_owned() }
-    } else {
-        trust(node, language)
-    };
+    let trust = if node.repeated { terminal::see_above(language).to_owned() } else { trust(node, language) };
     let line = format!("{} = {}{term}  [{trust}]", symbol_shown(&node.symbol), node_amount(node, language));
     out.push_str(&hanging(indent, &line));
     if !node.repeated {

@@ -4,14 +4,13 @@ use crate::answer::{Answer, written};
 use crate::code::parse_for_use;
 use crate::fault::{Source, simple};
 use crate::save::save;
-use crate::say::t;
 use crate::subject::{picked, refuse};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use tables::{Front, NAMES, Subject, Table};
 use workbench::answers::{ExportWritten, TableWritten};
-use workbench::text::standing_text;
-use workbench::{Candidate, Language, Project, Refusal, Sizing, answer};
+use workbench::text::{hint_text, standing_text, terminal};
+use workbench::{Candidate, Hint, Language, Project, Refusal, Sizing, answer};
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,11 +44,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
     if axes.len() > 1 {
         let names: Vec<&str> = axes.iter().map(|(_, project)| project.name.as_str()).collect();
         let names = names.join(", ");
-        let what = t(
-            language,
-            &format!("an export is of one axis; choose one with --axis: {names}"),
-            &format!("ein Export gilt einer Achse; eine mit --axis wählen: {names}"),
-        );
+        let what = terminal::export_is_of_one_axis(&names, language);
         return Err(simple(&what, as_json, language));
     }
     let Some((axis, project)) = axes.pop() else { return Ok(Answer::none()) };
@@ -71,7 +66,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         chosen: &chosen,
         language,
     };
-    let bytes = bytes(&wish, &tables, &front).map_err(|error| simple(&error.to_string(), as_json, language))?;
+    let bytes = bytes(&wish, &tables, &front).map_err(|error| simple(&error.message(language), as_json, language))?;
     let code = u8::from(!chosen.fits());
     let Some(file) = wish.file else {
         return Ok(Answer { data: String::from_utf8_lossy(&bytes).into_owned(), talk, code, ..Answer::none() });
@@ -82,22 +77,19 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
 }
 
 fn wish<'m>(matches: &'m ArgMatches, as_json: bool, language: Language) -> Result<Wish<'m>, Answer> {
-    let fault = |en: &str, de: &str| simple(&t(language, en, de), as_json, language);
+    let fault = |what: &str| simple(what, as_json, language);
     let names = NAMES.join(", ");
     let table = match matches.get_one::<String>("table") {
         None => None,
         Some(written) => Some(*NAMES.iter().find(|name| *name == written).ok_or_else(|| {
             let near = NAMES.iter().min_by_key(|name| strsim::damerau_levenshtein(name, written)).unwrap_or(&NAMES[0]);
             let close = strsim::damerau_levenshtein(near, written) * 2 <= near.len();
-            let (en, de) = if close {
-                (format!("did you mean {near}?"), format!("gemeint ist vielleicht {near}"))
+            let hint = if close {
+                hint_text(&Hint::DidYouMean((*near).to_owned()), language)
             } else {
-                (format!("valid are {names}"), format!("gültig sind {names}"))
+                hint_text(&Hint::ValidAre(NAMES.map(str::to_owned).to_vec()), language)
             };
-            fault(
-                &format!("there is no table \"{written}\"; {en}"),
-                &format!("es gibt keine Tabelle „{written}“; {de}"),
-            )
+            fault(&terminal::no_such_table(&written, &hint, language))
         })?),
     };
     let file = matches.get_one::<PathBuf>("out").map(PathBuf::as_path).filter(|path| path.as_os_str() != "-");
@@ -109,17 +101,11 @@ fn wish<'m>(matches: &'m ArgMatches, as_json: bool, language: Language) -> Resul
         Some(Some("json")) => Format::Json,
         Some(Some("parquet")) => Format::Parquet,
         Some(_) => {
-            return Err(fault(
-                "the ending of the file says the format: .xlsx, .csv, .json or .parquet",
-                "die Endung der Datei sagt das Format: .xlsx, .csv, .json oder .parquet",
-            ));
+            return Err(fault(terminal::ending_says_the_format(language)));
         }
     };
     if table.is_none() && format != Format::Workbook {
-        return Err(fault(
-            &format!("name one table with --table: {names}; or write the whole workbook with --out FILE.xlsx"),
-            &format!("eine Tabelle mit --table nennen: {names}; oder die ganze Mappe mit --out DATEI.xlsx schreiben"),
-        ));
+        return Err(fault(&terminal::name_one_table(&names, language)));
     }
     Ok(Wish { file, format, table, force: matches.get_flag("force") })
 }
@@ -165,7 +151,7 @@ fn bytes(wish: &Wish<'_>, tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>
 fn told(file: &Path, tables: &[Table], chosen: &Candidate<'_>, language: Language) -> String {
     let verdict = standing_text(chosen, language);
     let parts: Vec<String> = tables.iter().map(|table| format!("{} {}", table.name, table.rows.len())).collect();
-    let rows = t(language, "rows", "Zeilen");
+    let rows = terminal::rows(language);
     format!("{}: {}: {verdict}; {rows}: {}\n", file.display(), chosen.id, parts.join(", "))
 }
 

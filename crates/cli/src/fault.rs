@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use workbench::answers::{Fault, Faults};
 use workbench::quantities::Measure;
-use workbench::text::{Told, file_trouble, told};
+use workbench::text::{Told, file_trouble, terminal, told};
 use workbench::{Files, Language, PROJECT_MAX_BYTES, Project};
 
 /// Longest line that is shown with an underline; a longer one is cut out of the picture.
@@ -29,23 +29,13 @@ impl Source {
         let bytes =
             read_bytes(path).map_err(|error| unreadable(&name, &file_trouble(&error, language), as_json, language))?;
         if bytes.len() > PROJECT_MAX_BYTES {
-            let what = match language {
-                Language::En => format!(
-                    "the file is larger than {PROJECT_MAX_BYTES} bytes; a project file is text of a few kilobytes"
-                ),
-                Language::De => format!(
-                    "die Datei ist größer als {PROJECT_MAX_BYTES} Byte; eine Projektdatei ist Text von wenigen Kilobyte"
-                ),
-            };
+            let what = terminal::file_too_large(&PROJECT_MAX_BYTES, language);
             return Err(unreadable(&name, &what, as_json, language));
         }
         let text = String::from_utf8(bytes).map_err(|error| {
             let at = error.utf8_error().valid_up_to();
             let line = error.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count() + 1;
-            let what = match language {
-                Language::En => format!("line {line}: not UTF-8 text"),
-                Language::De => format!("Zeile {line}: kein UTF-8-Text"),
-            };
+            let what = terminal::not_utf_8(&line, language);
             unreadable(&name, &what, as_json, language)
         })?;
         let folder = if piped { Path::new("") } else { path.parent().unwrap_or(Path::new("")) };
@@ -103,17 +93,11 @@ pub(crate) fn unreadable(file: &str, what: &str, as_json: bool, language: Langua
 
 /// The word that heads a fault.
 pub(crate) const fn error_word(language: Language) -> &'static str {
-    match language {
-        Language::En => "error",
-        Language::De => "Fehler",
-    }
+    terminal::error(language)
 }
 
 const fn help_word(language: Language) -> &'static str {
-    match language {
-        Language::En => "help",
-        Language::De => "Hilfe",
-    }
+    terminal::help(language)
 }
 
 /// Every fault of a text, underlined.
@@ -123,13 +107,15 @@ pub(crate) fn report(file: &str, text: &str, faults: &[Told], as_json: bool, lan
         talk.push_str(&render(file, text, fault, language));
         talk.push('\n');
     }
-    talk.push_str(&match (language, faults.len()) {
-        (Language::En, 51..) => "antrieb: more than 50 errors; nothing was calculated\n".to_owned(),
-        (Language::De, 51..) => "antrieb: mehr als 50 Fehler; es wurde nichts gerechnet\n".to_owned(),
-        (Language::En, 1) => "antrieb: 1 error; nothing was calculated\n".to_owned(),
-        (Language::En, n) => format!("antrieb: {n} errors; nothing was calculated\n"),
-        (Language::De, n) => format!("antrieb: {n} Fehler; es wurde nichts gerechnet\n"),
-    });
+    let counted = match faults.len() {
+        51.. => terminal::more_than_fifty_errors(language).to_owned(),
+        count => terminal::errors(count, language),
+    };
+    talk.push_str(&format!(
+        "antrieb: {counted}; {}
+",
+        terminal::nothing_was_calculated(language)
+    ));
     Answer::refused(talk, workbench::answer::faults(file, faults), as_json)
 }
 

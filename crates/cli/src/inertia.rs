@@ -6,7 +6,7 @@ use crate::table::{Align, Table};
 use clap::ArgMatches;
 use workbench::quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE};
 use workbench::quantities::{Measure, format_significant};
-use workbench::text::{shape_title, told};
+use workbench::text::{shape_title, terminal, terms, told};
 use workbench::{InertiaAnswer, Language};
 
 /// `antrieb inertia "disc diameter=200mm length=20mm density=7850kg/m^3" …`
@@ -24,10 +24,7 @@ pub(crate) fn inertia(matches: &ArgMatches, as_json: bool, language: Language) -
 }
 
 const fn body_word(language: Language) -> &'static str {
-    match language {
-        Language::En => "body",
-        Language::De => "Körper",
-    }
+    terms::body(language)
 }
 
 fn shown(answer: &InertiaAnswer, language: Language) -> String {
@@ -62,29 +59,11 @@ fn shown(answer: &InertiaAnswer, language: Language) -> String {
         (number(total.centre_radius.in_unit(&MILLIMETRE)), number(total.centre_angle.in_unit(&DEGREE)));
     let gravity = number(total.gravity_torque_max().in_unit(&NEWTON_METRE));
     let balanced = total.centre_radius.si() <= 0.0;
-    let (meaning, centre) = match language {
-        Language::En => (
-            "m, J_own and m r² of one piece; J = z (J_own + m r²)",
-            if balanced {
-                "centre of mass on the axis of rotation".to_owned()
-            } else {
-                format!(
-                    "centre of mass {radius} mm from the axis of rotation at {angle}°\n\
-                     torque of its weight with the axis horizontal: at most {gravity} Nm"
-                )
-            },
-        ),
-        Language::De => (
-            "m, J_own und m r² eines Stücks; J = z (J_own + m r²)",
-            if balanced {
-                "Schwerpunkt auf der Drehachse".to_owned()
-            } else {
-                format!(
-                    "Schwerpunkt {radius} mm von der Drehachse bei {angle}°\n\
-                     Drehmoment des Gewichts bei waagerechter Achse: höchstens {gravity} Nm"
-                )
-            },
-        ),
+    let centre = if balanced {
+        terminal::centre_on_the_axis(language).to_owned()
+    } else {
+        terminal::centre_of_mass(&radius, &angle, &gravity, language)
     };
+    let meaning = terminal::inertia_explained(language);
     format!("{}\n{meaning}\nJ = {inertia} kgm², m = {mass} kg\n{centre}\n", table.render())
 }

@@ -5,9 +5,9 @@ use crate::code::parse_for_use;
 use crate::moves;
 use crate::report;
 use crate::reserve::{assumptions_text, reserve_text};
-use crate::say::{figure, percent, shown, t};
+use crate::say::{figure, percent, shown};
 use crate::subject::{Part, axes_of, refuse, together};
-use crate::table::{Align, Table, paragraph, width};
+use crate::table::{Align, Table, labelled, paragraph, width};
 use crate::tolerance;
 use anstyle::{AnsiColor, Style};
 use clap::ArgMatches;
@@ -17,7 +17,7 @@ use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PE
 use workbench::quantities::{Measure, format_number, format_significant};
 use workbench::text::{
     check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, ratios_text, requirement_title,
-    source_text, standing_text, unmet_text, verdict_word,
+    source_text, standing_text, terminal, terms, unmet_text, verdict_word,
 };
 use workbench::{
     Candidate, CandidateId, Check, Demand, Language, Objection, Project, Ranking, Reserve, Sizing, Verdict, answers,
@@ -65,28 +65,16 @@ fn sizing_text(found: &Ranking<'_>, all: bool, language: Language) -> String {
     let mut out = String::new();
     let total = sizing.candidates.len();
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits()).count();
-    let name = if sizing.name.is_empty() { t(language, "axis", "Achse") } else { sizing.name.to_owned() };
+    let name = if sizing.name.is_empty() { terms::axis(language) } else { sizing.name };
     let _ = match sizing.answer() {
         Some(best) => writeln!(out, "{name}: {}", paint(&best.id.to_string(), Verdict::Pass)),
-        None => writeln!(
-            out,
-            "{name}: {}",
-            paint(
-                &t(language, "no actuator of the catalogue fits", "kein Antrieb des Katalogs ist geeignet"),
-                Verdict::Fail
-            )
-        ),
+        None => writeln!(out, "{name}: {}", paint(terminal::no_actuator_fits(language), Verdict::Fail)),
     };
-    let judged = match language {
-        Language::En if fitting == 1 => format!("{total} actuators judged, 1 fits"),
-        Language::En => format!("{total} actuators judged, {fitting} fit"),
-        Language::De if fitting == 1 => format!("{total} Antriebe beurteilt, 1 geeignet"),
-        Language::De => format!("{total} Antriebe beurteilt, {fitting} geeignet"),
-    };
+    let judged = terminal::judged(fitting, &total, language);
     let _ = writeln!(out, "{judged}\n");
     if !project.ratios.is_empty() {
-        let head = t(language, "ratio of the stage: ", "Übersetzung der Stufe: ");
-        out.push_str(&paragraph(&head, &ratios_text(&project.ratios, language)));
+        let head = terminal::ratio_of_the_stage(language);
+        out.push_str(&labelled(head, &ratios_text(&project.ratios, language)));
         out.push('\n');
     }
     out.push_str(&moves::text(&workbench::moves(project), language));
@@ -100,10 +88,7 @@ fn sizing_text(found: &Ranking<'_>, all: bool, language: Language) -> String {
         out.push_str(&paragraph("", &ranking_rule(language)));
         if fitting > top {
             let more = fitting - top;
-            let line = match language {
-                Language::En => format!("{more} more fit; --top N or --all shows them"),
-                Language::De => format!("{more} weitere sind geeignet; --top N oder --all zeigt sie"),
-            };
+            let line = terminal::more_fit(&more, language);
             let _ = writeln!(out, "{line}");
         }
         out.push('\n');
@@ -118,19 +103,17 @@ fn sizing_text(found: &Ranking<'_>, all: bool, language: Language) -> String {
             .collect();
         let told = remarks(best, "  ", language);
         if !open.is_empty() || !told.is_empty() {
-            let _ = match language {
-                Language::En => writeln!(out, "remarks on {}:", best.id),
-                Language::De => writeln!(out, "Bemerkungen zu {}:", best.id),
-            };
+            let _ = writeln!(out, "{}:", terminal::remarks_on(&best.id, language));
         }
         if !open.is_empty() {
-            out.push_str(&paragraph(&t(language, "  not checked: ", "  nicht geprüft: "), &open.join("; ")));
+            let head = format!("  {}", verdict_word(Verdict::NotChecked, language));
+            out.push_str(&labelled(&head, &open.join("; ")));
         }
         out.push_str(&told);
     }
     out.push_str(&rejected_text(sizing, project, all, language));
     if let Some(own) = &sizing.own {
-        let _ = writeln!(out, "\n{}", t(language, "own actuator of the project:", "eigener Antrieb des Projekts:"));
+        let _ = writeln!(out, "\n{}:", terminal::own_actuator_of_the_project(language));
         out.push_str(&candidate_text(own, language));
     }
     out.push_str(&assumptions_text(sizing.assumptions, language));
@@ -138,19 +121,14 @@ fn sizing_text(found: &Ranking<'_>, all: bool, language: Language) -> String {
 }
 
 fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
-    let (rank, code, util, tightest, mass) = match language {
-        Language::En => ("#", "ordering code", "util. %", "tightest check", "m kg"),
-        Language::De => ("#", "Bestellbezeichnung", "Ausl. %", "engster Nachweis", "m kg"),
-    };
-    let note = t(language, "remark", "Bemerkung");
     let mut table = Table::new([
-        (rank, Align::Right),
-        (code, Align::Left),
-        (util, Align::Right),
-        (tightest, Align::Left),
+        ("#", Align::Right),
+        (terms::ordering_code(language), Align::Left),
+        (terms::utilisation_short(language), Align::Right),
+        (terms::tightest_check(language), Align::Left),
         ("T_rms Nm", Align::Right),
-        (mass, Align::Right),
-        (note.as_str(), Align::Left),
+        ("m kg", Align::Right),
+        (terms::remark(language), Align::Left),
     ]);
     for (index, candidate) in sizing.candidates.iter().filter(|candidate| candidate.fits()).take(top).enumerate() {
         let judgement = &candidate.judgement;
@@ -162,7 +140,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
             .map(|check| format!("{}: {}", verdict_word(check.verdict, language), check_title(check.id, language)))
             .collect();
         if !candidate.on_request.is_empty() {
-            remarks.push(t(language, "on request", "auf Anfrage"));
+            remarks.push(terms::on_request(language).to_owned());
         }
         table.row([
             (index + 1).to_string(),
@@ -209,9 +187,9 @@ fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: La
     }
     let mut out = String::new();
     if all {
-        let code = t(language, "rejected", "verworfen");
-        let why = t(language, "reason", "Grund");
-        let mut table = Table::new([(code.as_str(), Align::Left), (why.as_str(), Align::Left)]);
+        let code = terms::rejected(language);
+        let why = terms::reason(language);
+        let mut table = Table::new([(code, Align::Left), (why, Align::Left)]);
         for candidate in rejected {
             table.row([candidate.id.to_string(), reason(candidate, language)]);
         }
@@ -223,7 +201,7 @@ fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: La
         let what = match (candidate.worst_failure(), candidate.objections.first()) {
             (Some(check), _) => check_title(check.id, language),
             (None, Some(Objection::Unmet(unmet))) => requirement_title(unmet, language),
-            (None, _) => t(language, "ordering rule", "Bestellregel"),
+            (None, _) => terminal::ordering_rule(language).to_owned(),
         };
         match counts.iter_mut().find(|(name, _)| *name == what) {
             Some((_, count)) => *count += 1,
@@ -232,24 +210,20 @@ fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: La
     }
     counts.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
     let parts: Vec<String> = counts.iter().map(|(name, count)| format!("{name}: {count}")).collect();
-    let head = match language {
-        Language::En => format!("rejected {}: ", rejected.len()),
-        Language::De => format!("verworfen {}: ", rejected.len()),
-    };
-    let tail = t(language, " (--all shows each with its reason)", " (--all zeigt jeden mit Grund)");
-    out.push_str(&paragraph(&head, &format!("{}{tail}", parts.join(", "))));
-    let told = |head: String, candidate: &Candidate<'_>| {
-        paragraph(&head, &format!("{}, {}", candidate.id, reason(candidate, language)))
+    let head = terminal::rejected_count(&rejected.len(), language);
+    let tail = terminal::all_shows_each(language);
+    out.push_str(&labelled(&head, &format!("{} ({tail})", parts.join(", "))));
+    let told = |head: &str, candidate: &Candidate<'_>| {
+        labelled(head, &format!("{}, {}", candidate.id, reason(candidate, language)))
     };
     let nearest = sizing.nearest_miss();
     if let Some(nearest) = nearest {
-        out.push_str(&told(t(language, "nearest miss: ", "knapp daneben: "), nearest));
+        out.push_str(&told(terminal::nearest_miss(language), nearest));
     }
     // What would have to change: for the nearest, or for one that nothing but limits of the project keep out.
     let by_limits = rejected.iter().copied().find(|candidate| workbench::limits_needed(candidate).is_some());
     if let Some(limited) = by_limits.filter(|limited| nearest.is_none_or(|nearest| nearest.id != limited.id)) {
-        let head =
-            t(language, "kept out by limits of the project alone: ", "nur an Grenzen des Projekts gescheitert: ");
+        let head = terminal::kept_out_by_limits(language);
         out.push_str(&told(head, limited));
         out.push_str(&reserve_text(&Reserve::default(), limited, language));
     }
@@ -283,17 +257,14 @@ fn demand_text(candidate: &Candidate<'_>, language: Language) -> String {
     if candidate.judgement.demand.is_none() {
         return out;
     }
-    let name = match language {
-        Language::En => format!("demand on {}", candidate.id),
-        Language::De => format!("Bedarf an {}", candidate.id),
-    };
+    let name = terminal::demand_on(&candidate.id, language);
     let _ = writeln!(out, "{name}");
     if let Some(manual) = &candidate.judgement.manual {
         for (index, each) in manual.moves.iter().enumerate().take(5) {
-            let which = match (manual.moves.len() > 1, language) {
-                (false, _) => String::new(),
-                (true, Language::En) => format!("move {}: ", index + 1),
-                (true, Language::De) => format!("Bewegung {}: ", index + 1),
+            let which = if manual.moves.len() > 1 {
+                format!("{}: ", terminal::move_number(&(index + 1), language))
+            } else {
+                String::new()
             };
             let _ = writeln!(
                 out,
@@ -303,12 +274,12 @@ fn demand_text(candidate: &Candidate<'_>, language: Language) -> String {
                 shown(each.brake.si(), &NEWTON_METRE, language),
             );
         }
-        let name = t(language, "manual", "Anleitung");
-        out.push_str(&demand_line(&name, &manual.demand, language));
+        let name = terms::manual(language);
+        out.push_str(&demand_line(name, &manual.demand, language));
     }
     if let Some(demand) = &candidate.judgement.demand {
-        let name = t(language, "integral", "Integral");
-        out.push_str(&demand_line(&name, demand, language));
+        let name = terms::integral(language);
+        out.push_str(&demand_line(name, demand, language));
     }
     out
 }
@@ -347,26 +318,19 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     let between = if long { "\n  " } else { " " };
     let _ = writeln!(out, "{}:{between}{}", candidate.id, paint(&standing, colour));
     if !candidate.on_request.is_empty() {
-        let _ = writeln!(out, "{}", t(language, "on request only", "nur auf Anfrage"));
+        let _ = writeln!(out, "{}", terms::on_request_only(language));
     }
     out.push_str(&demand_text(candidate, language));
     out.push('\n');
-    let heads: [&str; 8] = match language {
-        Language::En => ["check", "verdict", "value", "limit", "unit", "util. %", "at s", "grade, source of the limit"],
-        Language::De => {
-            ["Nachweis", "Urteil", "Wert", "Grenze", "Einheit", "Ausl. %", "bei s", "Güte, Quelle der Grenze"]
-        }
-    };
-    let [check, word, value, limit, unit, util, at, source] = heads;
     let mut table = Table::new([
-        (check, Align::Left),
-        (word, Align::Left),
-        (value, Align::Right),
-        (limit, Align::Right),
-        (unit, Align::Left),
-        (util, Align::Right),
-        (at, Align::Right),
-        (source, Align::Left),
+        (terms::check(language), Align::Left),
+        (terms::verdict(language), Align::Left),
+        (terms::value(language), Align::Right),
+        (terms::limit(language), Align::Right),
+        (terms::unit(language), Align::Left),
+        (terms::utilisation_short(language), Align::Right),
+        (terminal::at_s(language), Align::Right),
+        (terminal::grade_and_source(language), Align::Left),
     ]);
     for check in by_importance(&candidate.judgement.checks) {
         let source = match (&check.limit_source, check.grade) {
@@ -392,12 +356,10 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     out.push_str(&table.render());
     for objection in &candidate.objections {
         let head = match objection {
-            Objection::Unmet(workbench::Unmet::NotKnown { .. }) => {
-                t(language, "requirement not checked: ", "Anforderung nicht geprüft: ")
-            }
-            _ => t(language, "requirement not met: ", "Anforderung nicht erfüllt: "),
+            Objection::Unmet(workbench::Unmet::NotKnown { .. }) => terminal::requirement_not_checked(language),
+            _ => terms::requirement_not_met(language),
         };
-        out.push_str(&paragraph(&head, &objection_text(candidate, objection, language)));
+        out.push_str(&labelled(head, &objection_text(candidate, objection, language)));
     }
     out.push_str(&remarks(candidate, "", language));
     out

@@ -41,7 +41,7 @@ fn main() -> ExitCode {
         Ok(matches) => matches,
         Err(error) => {
             let code = if error.use_stderr() { 2 } else { 0 };
-            if let Some(text) = (language == Language::De).then(|| command::german::fault(&error)).flatten() {
+            if let Some(text) = command::library::fault(&error, language) {
                 return Answer::fault(text).write();
             }
             // A closed pipe is the reader's business.

@@ -1,9 +1,9 @@
 //! The motion as it came out, as text.
 
-use crate::table::{Align, Table, paragraph};
+use crate::table::{Align, Table, labelled};
 use workbench::quantities::unit::SECOND;
 use workbench::quantities::{Measure, format_significant};
-use workbench::text::law_text;
+use workbench::text::{law_text, terminal, terms};
 use workbench::{Language, Moves};
 
 /// So many segments are shown; --json has them all.
@@ -12,26 +12,16 @@ const SEGMENTS_MOST: usize = 12;
 /// Every segment with what was given and what followed from it.
 pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
     let [distance, speed, acceleration] = moves.units.map(|unit| unit.symbol);
-    let heads = match language {
-        Language::En => [
-            "move".to_owned(),
-            "law".into(),
-            "from s".into(),
-            "time s".into(),
-            format!("distance {distance}"),
-            format!("speed {speed}"),
-            format!("acceleration {acceleration}"),
-        ],
-        Language::De => [
-            "Abschnitt".to_owned(),
-            "Gesetz".into(),
-            "ab s".into(),
-            "Zeit s".into(),
-            format!("Weg {distance}"),
-            format!("{} {speed}", if moves.turns { "Drehzahl" } else { "Geschwindigkeit" }),
-            format!("Beschleunigung {acceleration}"),
-        ],
-    };
+    let speed_word = if moves.turns { terms::rotary_speed(language) } else { terms::linear_speed(language) };
+    let heads = [
+        terminal::segment_of_motion(language).to_owned(),
+        terms::law(language).to_owned(),
+        terminal::from_s(language).to_owned(),
+        terminal::time_s(language).to_owned(),
+        format!("{} {distance}", terms::distance(language)),
+        format!("{speed_word} {speed}"),
+        format!("{} {acceleration}", terms::acceleration(language)),
+    ];
     let number = |value: f64| format_significant(value, 4, language);
     let mut table = Table::new([
         (heads[0].as_str(), Align::Right),
@@ -59,27 +49,18 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
     let mut out = table.render();
     let more = moves.moves.len().saturating_sub(SEGMENTS_MOST);
     if more > 0 {
-        out.push_str(&match language {
-            Language::En => format!("{more} more; --json has them all\n"),
-            Language::De => format!("{more} weitere; --json hat alle\n"),
-        });
+        out.push_str(&format!("{}\n", terminal::more_segments(&more, language)));
     }
     for read in moves.moves.iter().filter_map(|each| each.recording) {
         let columns: Vec<String> =
             read.recording.columns.iter().map(|column| column_text(&column.name, column.unit.symbol)).collect();
         let (count, columns) = (read.recording.time_s.len(), columns.join(", "));
         let left = read.recording.left_out_before + read.recording.left_out_after;
-        let (head, mut what) = match language {
-            Language::En => ("recording: ", format!("{}, {count} samples, {columns}", read.file)),
-            Language::De => ("Aufzeichnung: ", format!("{}, {count} Abtastwerte, {columns}", read.file)),
-        };
+        let mut what = terminal::recording_read(&read.file, &count, &columns, language);
         if left > 0 {
-            what.push_str(&match language {
-                Language::En => format!("; {left} outside the window"),
-                Language::De => format!("; {left} außerhalb des Fensters"),
-            });
+            what = format!("{what}; {}", terminal::outside_the_window(&left, language));
         }
-        out.push_str(&paragraph(head, &what));
+        out.push_str(&labelled(terms::recording(language), &what));
     }
     out
 }

@@ -5,6 +5,7 @@ use crate::fault::simple;
 use clap::ArgMatches;
 use std::path::Path;
 use workbench::Language;
+use workbench::text::terminal;
 
 /// `antrieb report PROJECT --out FILE`
 pub(crate) fn report(_: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -17,15 +18,6 @@ pub(crate) fn write(_: &ArgMatches, _: &Path, as_json: bool, language: Language)
 }
 
 fn refusal(as_json: bool, language: Language) -> Answer {
-    let what = match language {
-        Language::En => {
-            "this antrieb was built without the typesetting engine and writes no report; \
-             `cargo install --path crates/cli` builds it with the report"
-        }
-        Language::De => {
-            "dieses antrieb ist ohne Satzsystem gebaut und schreibt keinen Bericht; \
-             `cargo install --path crates/cli` baut es mit Bericht"
-        }
-    };
+    let what = terminal::built_without_report(language);
     simple(what, as_json, language)
 }

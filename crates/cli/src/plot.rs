@@ -11,6 +11,7 @@ use workbench::Language;
 use workbench::answers::{Number, PlotWritten, Units};
 use workbench::quantities::unit::MILLIMETRE;
 use workbench::quantities::{Length, Measure, format_number};
+use workbench::text::terminal;
 
 /// Pixels of a PNG to the CSS pixel: 192 dpi.
 const PNG_SCALE: f64 = 2.0;
@@ -30,14 +31,7 @@ pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> A
     let [project] = projects.as_slice() else {
         let names: Vec<&str> = projects.iter().map(|project| project.name.as_str()).collect();
         let names = names.join(", ");
-        return refused(
-            &match language {
-                Language::En => format!("the project has several axes; name one with --axis: {names}"),
-                Language::De => format!("das Projekt hat mehrere Achsen; eine mit --axis nennen: {names}"),
-            },
-            as_json,
-            language,
-        );
+        return refused(&terminal::several_axes(&names, language), as_json, language);
     };
     let figure = matches.get_one::<String>("figure").and_then(|id| Figure::of_id(id)).unwrap_or(Figure::TorqueSpeed);
     let by = if matches.get_one::<String>("by").is_some_and(|by| by == "length") { By::Length } else { By::Mass };
@@ -69,10 +63,7 @@ pub(crate) fn put(drawing: &Drawing, matches: &ArgMatches, as_json: bool, langua
     let is_file = |path: &&PathBuf| path.as_os_str() != "-";
     let asked = |name: &str| matches.get_one::<PathBuf>(name);
     if asked("png").is_some_and(|path| path.as_os_str() == "-") {
-        let what = match language {
-            Language::En => "--png needs a file: pixels do not go to standard output",
-            Language::De => "--png braucht eine Datei: Pixel gehen nicht auf die Standardausgabe",
-        };
+        let what = terminal::png_needs_a_file(language);
         return refused(what, as_json, language);
     }
     let picture = drawing.render(&style);
@@ -82,10 +73,7 @@ pub(crate) fn put(drawing: &Drawing, matches: &ArgMatches, as_json: bool, langua
         match picture.png(PNG_SCALE) {
             Some(found) => pixels = found,
             None => {
-                let what = match language {
-                    Language::En => "the picture is too large for pixels",
-                    Language::De => "das Bild ist zu groß für Pixel",
-                };
+                let what = terminal::picture_too_large(language);
                 return refused(what, as_json, language);
             }
         }
@@ -141,10 +129,7 @@ fn style(drawing: &Drawing, matches: &ArgMatches, as_json: bool, language: Langu
             return Ok(asked);
         }
         let (least, most) = (SIDE_MM.start(), SIDE_MM.end());
-        let what = match language {
-            Language::En => format!("a picture has sides of {least} mm to {most} mm"),
-            Language::De => format!("ein Bild hat Seiten von {least} mm bis {most} mm"),
-        };
+        let what = terminal::sides_of_a_picture(&least, &most, language);
         Err(crate::fault::option_fault(name, (what, None), as_json, language))
     };
     let (width, height) = drawing.size_mm;

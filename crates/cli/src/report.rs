@@ -10,7 +10,7 @@ use figures::{By, Drawing, Figure, Style, Theme};
 use report::{AxisContent, Content, Place, Settings};
 use std::path::{Path, PathBuf};
 use workbench::answers::{AxisWritten, Fit, ReportWritten};
-use workbench::text::standing_text;
+use workbench::text::{standing_text, terminal};
 use workbench::{Candidate, Language, Project, Sampling, Sizing, answer};
 
 /// The figures of the report beside the map of the candidates, each with its place there.
@@ -30,12 +30,7 @@ pub(crate) fn report(matches: &ArgMatches, as_json: bool, language: Language) ->
 /// Writes the report of the axes and the actuator that are asked for.
 pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: Language) -> Result<Answer, Answer> {
     if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
-        let what = match language {
-            Language::En => format!("a report is a PDF: name a file that ends in .pdf, not {}", out.display()),
-            Language::De => {
-                format!("ein Bericht ist ein PDF: eine Datei mit der Endung .pdf nennen, nicht {}", out.display())
-            }
-        };
+        let what = terminal::report_is_a_pdf(&out.display(), language);
         return Err(simple(&what, as_json, language));
     }
     let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
@@ -44,14 +39,7 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
     if projects.len() > 1 && matches!(matches.try_get_one::<String>("code"), Ok(Some(_))) {
         let names: Vec<&str> = projects.iter().map(|(_, project)| project.name.as_str()).collect();
         let names = names.join(", ");
-        let what = match language {
-            Language::En => {
-                format!("--code is for one axis, and the project has several; name it with --axis: {names}")
-            }
-            Language::De => {
-                format!("--code gilt für eine Achse, und das Projekt hat mehrere; sie mit --axis nennen: {names}")
-            }
-        };
+        let what = terminal::code_is_for_one_axis(&names, language);
         return Err(simple(&what, as_json, language));
     }
     let (mut axes, mut told, mut talk, mut standings) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
@@ -69,8 +57,8 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         talk.push(said);
     }
     let content = Content { language, axes };
-    let bytes =
-        report::pdf(&content, &settings(matches)).map_err(|fault| simple(&fault.to_string(), as_json, language))?;
+    let bytes = report::pdf(&content, &settings(matches))
+        .map_err(|fault| simple(&fault.message(language), as_json, language))?;
     save(&[(out, &bytes)], matches.get_flag("force"))
         .map_err(|fault| simple(&fault.message(language), as_json, language))?;
     let fits = told.iter().all(|each| each.verdict == Fit::Fits);

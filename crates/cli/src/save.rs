@@ -4,7 +4,7 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 use workbench::Language;
-use workbench::text::file_trouble;
+use workbench::text::{file_trouble, terminal};
 
 /// A file that could not be written.
 #[derive(Debug)]
@@ -34,16 +34,12 @@ pub(crate) fn save(files: &[(&Path, &[u8])], force: bool) -> Result<(), Unwritte
 impl Unwritten {
     /// File and trouble in one sentence.
     pub(crate) fn message(&self, language: Language) -> String {
-        let (en, de) = match self.error.kind() {
-            ErrorKind::NotFound | ErrorKind::NotADirectory => {
-                ("there is no such folder", "diesen Ordner gibt es nicht")
-            }
-            ErrorKind::AlreadyExists => {
-                ("the file exists; --force replaces it", "die Datei gibt es schon; --force ersetzt sie")
-            }
-            _ => return format!("{}: {}", self.path.display(), file_trouble(&self.error, language)),
+        let what = match self.error.kind() {
+            ErrorKind::NotFound | ErrorKind::NotADirectory => terminal::no_such_folder(language).to_owned(),
+            ErrorKind::AlreadyExists => terminal::file_exists(language).to_owned(),
+            _ => file_trouble(&self.error, language),
         };
-        format!("{}: {}", self.path.display(), if language == Language::De { de } else { en })
+        format!("{}: {what}", self.path.display())
     }
 }
 

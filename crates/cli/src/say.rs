@@ -1,15 +1,7 @@
-//! Words and figures that several answers share.
+//! Figures that several answers share.
 
 use workbench::quantities::{Unit, format_number, format_significant};
 use workbench::{Figure, Language};
-
-/// The text in the language of the answer.
-pub(crate) fn t(language: Language, en: &str, de: &str) -> String {
-    match language {
-        Language::En => en.to_owned(),
-        Language::De => de.to_owned(),
-    }
-}
 
 /// A value in its unit, four digits.
 pub(crate) fn shown(si: f64, unit: &Unit, language: Language) -> String {

@@ -3,12 +3,11 @@
 use crate::answer::{Answer, written};
 use crate::code::parse_for_use;
 use crate::fault::{read_projects, simple};
-use crate::say::t;
 use clap::ArgMatches;
 use serde::Serialize;
 use std::path::PathBuf;
 use workbench::answers::{Answered, Axes, Fault, Faults, Fit};
-use workbench::text::check_title;
+use workbench::text::{check_title, terminal};
 use workbench::{Candidate, CandidateId, Language, Project, Refusal};
 
 /// The axes of the project, or the one that is asked for.
@@ -32,11 +31,7 @@ pub(crate) fn picked(
     if let Some(wanted) = wanted {
         found.retain(|(_, project)| project.name == *wanted);
         if found.is_empty() {
-            let what = t(
-                language,
-                &format!("the project has no axis \"{wanted}\"; it has: {}", names.join(", ")),
-                &format!("das Projekt hat keine Achse „{wanted}“; es hat: {}", names.join(", ")),
-            );
+            let what = terminal::no_such_axis(&wanted, &names.join(", "), language);
             return Err(simple(&what, as_json, language));
         }
     }
@@ -145,22 +140,10 @@ pub(crate) fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> An
     let what = match refusal {
         Refusal::NotAsked(id) => {
             let title = check_title(*id, language);
-            t(
-                language,
-                &format!("{title}: this check is not part of this axis and actuator"),
-                &format!("{title}: dieser Nachweis gehört nicht zu dieser Achse und diesem Antrieb"),
-            )
+            terminal::check_not_asked(&title, language)
         }
-        Refusal::NoActuator => t(
-            language,
-            "the project has no [actuator]; name one of the catalogue with --code",
-            "das Projekt hat keinen [actuator]; einen aus dem Katalog mit --code nennen",
-        ),
-        _ => t(
-            language,
-            "the manual prints no data for this code: it is on request only",
-            "für diesen Code druckt die Anleitung keine Daten: er ist nur auf Anfrage lieferbar",
-        ),
+        Refusal::NoActuator => terminal::no_own_actuator(language).to_owned(),
+        _ => terminal::no_data(language).to_owned(),
     };
     simple(&what, as_json, language)
 }

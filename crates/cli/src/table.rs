@@ -2,6 +2,7 @@
 
 use std::io::IsTerminal;
 use std::sync::OnceLock;
+use workbench::text::{is_vowel, stands_before_a_number};
 
 /// The width where there is no terminal to ask.
 const USUAL: usize = 100;
@@ -192,10 +193,6 @@ const UNITS: [&str; 36] = [
     "′",
 ];
 
-/// Words that a number belongs to.
-const NUMBERED: [&str; 12] =
-    ["table", "Tabelle", "eq.", "Gl.", "section", "Abschnitt", "footnote", "Fußnote", "page", "Seite", "Teil", "part"];
-
 /// The text with a blank that is not broken at between a number and its unit, and between "table" and its number.
 fn kept_together(text: &str) -> String {
     let bare = |word: &str| word.trim_matches(['(', ')', '[', ']', ',', ';', '.', ':']).to_owned();
@@ -208,7 +205,7 @@ fn kept_together(text: &str) -> String {
             let unit = is_number && UNITS.contains(&bare(word).as_str());
             let sign = matches!(before, "≥" | "≤" | "×" | "i" | "=");
             let number = word.starts_with(|c: char| c.is_ascii_digit() || c == '−');
-            let numbered = number && (sign || NUMBERED.contains(&before.trim_start_matches('(')));
+            let numbered = number && (sign || stands_before_a_number(before.trim_start_matches('(')));
             out.push(if unit || numbered { NO_BREAK } else { ' ' });
         }
         out.push_str(word);
@@ -250,13 +247,18 @@ fn pieces(word: &str, width: usize) -> Vec<(String, bool)> {
 fn syllable(word: &str, width: usize) -> usize {
     let letters: Vec<char> = word.chars().take(width + 1).collect();
     let most = width.saturating_sub(1).max(1);
-    let is_vowel = |at: usize| letters.get(at).is_some_and(|c| "aeiouyäöüAEIOUYÄÖÜ".contains(*c));
+    let vowel = |at: usize| letters.get(at).copied().is_some_and(is_vowel);
     let pair = |at: usize| {
         let two: String = letters.iter().skip(at.saturating_sub(1)).take(2).collect();
         matches!(two.as_str(), "ch" | "ck" | "sh" | "sp" | "st" | "th" | "ph" | "qu")
     };
-    let fits = |at: &usize| !is_vowel(*at) && is_vowel(*at + 1) && !pair(*at);
+    let fits = |at: &usize| !vowel(*at) && vowel(*at + 1) && !pair(*at);
     (3..=most).rev().find(fits).unwrap_or(most)
+}
+
+/// A paragraph behind a word that says what it is about.
+pub(crate) fn labelled(label: &str, text: &str) -> String {
+    paragraph(&format!("{label}: "), text)
 }
 
 /// A paragraph with a hanging indent, no line wider than the terminal.

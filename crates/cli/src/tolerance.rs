@@ -1,11 +1,10 @@
 //! The part of `size` and `check` that tells what the tolerances of a project mean.
 
-use crate::say::t;
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::quantities::{Unit, format_number, format_significant};
-use workbench::text::check_title;
+use workbench::text::{check_title, terminal, terms};
 use workbench::{
     ALL_CORNERS_MOST, Assessment, Language, Place, Project, Ranking, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst,
 };
@@ -34,21 +33,17 @@ pub(crate) fn sampling(matches: &ArgMatches) -> Sampling {
 
 fn head(sampling: Sampling, language: Language) -> String {
     let Sampling { samples, seed } = sampling;
-    match language {
-        Language::En => format!("tolerances: {samples} samples, seed {seed}"),
-        Language::De => format!("Toleranzen: {samples} Stichproben, Startwert {seed}"),
-    }
+    terminal::tolerances_head(&samples, &seed, language)
 }
 
 fn worst_word(worst: &Worst, language: Language) -> String {
-    let verdict =
-        if worst.fits { t(language, "fits", "geeignet") } else { t(language, "does not fit", "nicht geeignet") };
+    let verdict = if worst.fits { terms::fits(language) } else { terms::does_not_fit(language) };
     let check = worst
         .check
-        .map_or_else(|| t(language, "no axis possible", "keine Achse möglich"), |check| check_title(check, language));
+        .map_or_else(|| terminal::no_axis_possible(language).to_owned(), |check| check_title(check, language));
     let word = format!("{verdict}: {check}");
     if worst.place == Place::Sample {
-        return format!("{word} {}", t(language, "(inside the band)", "(im Innern des Bands)"));
+        return format!("{word} ({})", terminal::inside_the_band(language));
     }
     word
 }
@@ -58,7 +53,7 @@ fn dominating(project: &Project, assessment: &Assessment, language: Language) ->
     let found = assessment.influence.first().and_then(|first| Some((first, project.tolerances.get(first.quantity)?)));
     match found {
         Some((first, tolerance)) => [tolerance.path.clone(), percent(first.share, language)],
-        None => [t(language, "none", "keine"), "–".to_owned()],
+        None => [terminal::none(language).to_owned(), "–".to_owned()],
     }
 }
 
@@ -66,29 +61,14 @@ fn dominating(project: &Project, assessment: &Assessment, language: Language) ->
 pub(crate) fn table(ranking: &Ranking<'_>, language: Language) -> String {
     let (project, assessed) = (ranking.project, &ranking.assessed);
     let Some((_, first)) = assessed.first() else { return String::new() };
-    let heads: [&str; 7] = match language {
-        Language::En => {
-            ["ordering code", "util. %", "worst %", "at the worst corner", "passes %", "dominated by", "by %"]
-        }
-        Language::De => [
-            "Bestellbezeichnung",
-            "Ausl. %",
-            "Ecke %",
-            "in der schlimmsten Ecke",
-            "geeignet %",
-            "bestimmt durch",
-            "zu %",
-        ],
-    };
-    let [code, nominal, worst, word, passes, by, by_share] = heads;
     let mut table = Table::new([
-        (code, Align::Left),
-        (nominal, Align::Right),
-        (worst, Align::Right),
-        (word, Align::Left),
-        (passes, Align::Right),
-        (by, Align::Left),
-        (by_share, Align::Right),
+        (terms::ordering_code(language), Align::Left),
+        (terms::utilisation_short(language), Align::Right),
+        (terminal::worst_percent(language), Align::Right),
+        (terminal::at_the_worst_corner(language), Align::Left),
+        (terminal::passes_percent(language), Align::Right),
+        (terminal::dominated_by(language), Align::Left),
+        (terminal::by_percent(language), Align::Right),
     ]);
     for (candidate, assessment) in ranking.assessed() {
         let [by, by_share] = dominating(project, assessment, language);
@@ -116,38 +96,22 @@ pub(crate) fn detail(project: &Project, assessment: &Assessment, language: Langu
     let worst = percent(assessment.worst.utilisation, language);
     let word = worst_word(&assessment.worst, language);
     let head = head(assessment.sampling, language);
-    let _ = match language {
-        Language::En => writeln!(
-            out,
-            "{head}\n  passes {passes} % of the samples, 95 % interval {low} % to {high} %\n  \
-             utilisation {p05} %, {p50} %, {p95} % at 5, 50, 95 % of the samples, largest {max} %\n  \
-             worst corner {worst} %, {word}"
-        ),
-        Language::De => writeln!(
-            out,
-            "{head}\n  geeignet bei {passes} % der Stichproben, 95-%-Intervall {low} % bis {high} %\n  \
-             Auslastung {p05} %, {p50} %, {p95} % bei 5, 50, 95 % der Stichproben, größte {max} %\n  \
-             schlimmste Ecke {worst} %, {word}"
-        ),
-    };
+    let _ = writeln!(
+        out,
+        "{head}
+  {}
+  {}
+  {}",
+        terminal::share_passing(&passes, &low, &high, language),
+        terminal::quantiles(&p05, &p50, &p95, &max, language),
+        terminal::worst_corner(&worst, &word, language),
+    );
     if assessment.impossible > 0 {
         let count = assessment.impossible;
-        let _ = match language {
-            Language::En => writeln!(out, "  with {count} samples no axis is possible; none of them passes"),
-            Language::De => {
-                writeln!(out, "  bei {count} Stichproben ist keine Achse möglich; bei keiner ist er geeignet")
-            }
-        };
+        let _ = writeln!(out, "  {}", terminal::impossible_samples(&count, language));
     }
     if project.tolerances.len() > ALL_CORNERS_MOST {
-        let corners = match language {
-            Language::En => format!(
-                "more than {ALL_CORNERS_MOST} quantities: the corner was searched by one quantity at a time, not every corner was looked at"
-            ),
-            Language::De => format!(
-                "mehr als {ALL_CORNERS_MOST} Größen: die Ecke wurde Größe um Größe gesucht, nicht jede Ecke angesehen"
-            ),
-        };
+        let corners = terminal::corner_searched(&ALL_CORNERS_MOST, language);
         out.push_str(&paragraph("  ", &corners));
     }
     out.push_str(&quantities(project, assessment, language));
@@ -155,18 +119,13 @@ pub(crate) fn detail(project: &Project, assessment: &Assessment, language: Langu
 }
 
 fn quantities(project: &Project, assessment: &Assessment, language: Language) -> String {
-    let heads: [&str; 6] = match language {
-        Language::En => ["quantity", "from", "to", "unit", "worst", "influence %"],
-        Language::De => ["Größe", "von", "bis", "Einheit", "schlimmst", "Einfluss %"],
-    };
-    let [quantity, from, to, unit, worst, influence] = heads;
     let mut table = Table::new([
-        (quantity, Align::Left),
-        (from, Align::Right),
-        (to, Align::Right),
-        (unit, Align::Left),
-        (worst, Align::Right),
-        (influence, Align::Right),
+        (terminal::quantity(language), Align::Left),
+        (terminal::from(language), Align::Right),
+        (terminal::to(language), Align::Right),
+        (terms::unit(language), Align::Left),
+        (terminal::worst(language), Align::Right),
+        (terminal::influence_percent(language), Align::Right),
     ]);
     // By influence; where nothing depends on any, as in the file.
     let listed: Vec<usize> = assessment.influence.iter().map(|each| each.quantity).collect();

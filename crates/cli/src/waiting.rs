@@ -6,6 +6,7 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
 use workbench::Language;
+use workbench::text::terminal;
 
 /// Shown after this time.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -33,7 +34,7 @@ impl Waiting {
             if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
                 bar.set_style(style);
             }
-            bar.set_message(if language == Language::De { "rechnet" } else { "calculating" });
+            bar.set_message(terminal::calculating(language));
             while is_done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
                 bar.tick();
             }

@@ -68,8 +68,8 @@ fn a_fault_writes_nothing_and_says_what_helps() {
     let at = |name: &str| path(folder.path(), name);
     std::fs::create_dir(folder.path().join("x.xlsx")).unwrap();
     for (arguments, wanted) in [
-        (vec!["--table", "check", "--out", &at("a.csv")], "did you mean checks?"),
-        (vec!["--table", "prices", "--out", &at("a.csv")], "valid are inputs, assumptions"),
+        (vec!["--table", "check", "--out", &at("a.csv")], "did you mean `checks`?"),
+        (vec!["--table", "prices", "--out", &at("a.csv")], "valid here: inputs, assumptions"),
         (vec!["--out", &at("a.csv")], "--table"),
         (vec![], "--table"),
         (vec!["--out", &at("a.ods")], ".parquet"),

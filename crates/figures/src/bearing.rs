@@ -4,10 +4,11 @@ use crate::cycle::segments;
 use crate::drawing::{Drawing, Figure};
 use crate::fault::NoFigure;
 use crate::utilisation::sign;
-use crate::words::{amount, listed, percent, say, subject};
+use crate::words::{amount, listed, percent, subject};
 use plot::{Axis, Bar, BarChart, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
 use workbench::quantities::unit::{NEWTON, NEWTON_METRE, SECOND};
 use workbench::quantities::{Language, Measure, Unit};
+use workbench::text::{capitalised, pictures, terms};
 use workbench::{Candidate, Check, CheckId, FlangeSample, Project};
 
 type Load = fn(&FlangeSample) -> Option<f64>;
@@ -18,31 +19,30 @@ type Load = fn(&FlangeSample) -> Option<f64>;
 /// [`NoFigure::NoFlangeLoads`]
 pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Language) -> Result<Drawing, NoFigure> {
     let course = workbench::flange_course(project, candidate).ok_or(NoFigure::NoFlangeLoads)?;
-    let t = |en, de| say(language, en, de);
     let kinds: [(Axis, &'static Unit, CheckId, &'static str, Load, &'static str); 3] = [
         (
-            Axis::new("F_r", NEWTON.symbol).name(t("Radial force", "Radialkraft")),
+            Axis::new("F_r", NEWTON.symbol).name(pictures::radial_force(language)),
             &NEWTON,
             CheckId::BearingRadial,
             "F_R,dyn(max)",
             |load| Some(load.radial.si()),
-            t("the radial force", "die Radialkraft"),
+            pictures::the_radial_force(language),
         ),
         (
-            Axis::new("F_a", NEWTON.symbol).name(t("Axial force", "Axialkraft")),
+            Axis::new("F_a", NEWTON.symbol).name(pictures::axial_force(language)),
             &NEWTON,
             CheckId::BearingAxial,
             "F_A,dyn(max)",
             |load| Some(load.axial.si()),
-            t("the axial force", "die Axialkraft"),
+            pictures::the_axial_force(language),
         ),
         (
-            Axis::new("M", NEWTON_METRE.symbol).name(t("Tilting moment", "Kippmoment")),
+            Axis::new("M", NEWTON_METRE.symbol).name(pictures::tilting_moment(language)),
             &NEWTON_METRE,
             CheckId::BearingTiltingMoment,
             "M_dyn(max)",
             |load| Some(load.moment?.si()),
-            t("the tilting moment", "das Kippmoment"),
+            pictures::the_tilting_moment(language),
         ),
     ];
     let loads: Vec<Found<'_>> = kinds
@@ -56,19 +56,17 @@ pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Lang
         })
         .collect();
     let told: Vec<String> = loads.iter().map(|load| load.told(language)).collect();
-    let description = format!("{}.", crate::words::sentence(&listed(&told, language)));
+    let description = format!("{}.", capitalised(&listed(&told, language)));
     let drawing = |size| Drawing::new(Figure::BearingLoad, &subject(candidate, &project.name), size, language);
-    let about = t(
-        "Loads as the project states them, or as they follow from the mechanism; the tilting moment is about the middle of the bearing. The limits hold one at a time.",
-        "Lasten, wie das Projekt sie angibt oder wie sie aus dem Mechanismus folgen; das Kippmoment gilt für die Mitte des Lagers. Die Grenzen gelten je für sich.",
-    );
+    let about = pictures::bearing_load_caption(language);
     if loads.iter().all(Found::is_constant) {
-        let constant = t("Each load is constant over the cycle.", "Jede Last ist über den Zyklus konstant.");
-        let axis = Axis::new("", "%").name(t("Utilisation of the limit", "Auslastung der Grenze"));
+        let constant = pictures::each_load_is_constant(language);
+        let axis = Axis::new("", "%").name(pictures::utilisation_of_the_limit(language));
         let chart = loads.iter().fold(BarChart::new(axis), |chart, load| chart.bar(load.bar(language)));
         return Ok(drawing((165.0, 55.0)).bars(format!("{constant} {about}"), description, chart));
     }
-    let mut chart = StackedChart::new(Axis::new("t", SECOND.symbol).name(t("Time", "Zeit")).minor_ticks());
+    let mut chart =
+        StackedChart::new(Axis::new("t", SECOND.symbol).name(&capitalised(terms::time(language))).minor_ticks());
     for (from, to, name) in segments(project, language) {
         chart = chart.segment(from, to, name);
     }
@@ -102,13 +100,14 @@ impl Found<'_> {
 
     fn told(&self, language: Language) -> String {
         let (name, shown) = (self.name, amount(self.largest, self.unit, language));
-        let (limit, of) = (self.limit(language), say(language, "of", "von"));
-        let of = limit.map_or_else(String::new, |limit| format!(" {of} {limit}"));
-        match (self.is_constant(), language) {
-            (true, Language::En) => format!("{name} is constant at {shown}{of}"),
-            (true, Language::De) => format!("{name} beträgt konstant {shown}{of}"),
-            (false, Language::En) => format!("{name} reaches {shown}{of}"),
-            (false, Language::De) => format!("{name} erreicht {shown}{of}"),
+        let value = match self.limit(language) {
+            Some(limit) => pictures::value_of_limit(&shown, &limit, language),
+            None => shown,
+        };
+        if self.is_constant() {
+            pictures::load_is_constant(&name, &value, language)
+        } else {
+            pictures::load_reaches(&name, &value, language)
         }
     }
 
@@ -126,12 +125,8 @@ impl Found<'_> {
 
     fn panel(self, language: Language) -> Panel {
         let (shown, limit) = (amount(self.largest, self.unit, language), self.limit(language));
-        let label = match (self.is_constant(), language) {
-            (true, Language::En) => format!("constant: {shown}"),
-            (true, Language::De) => format!("konstant: {shown}"),
-            (false, Language::En) => format!("at most {shown}"),
-            (false, Language::De) => format!("höchstens {shown}"),
-        };
+        let label =
+            if self.is_constant() { pictures::constant(&shown, language) } else { pictures::at_most(&shown, language) };
         let points = self.values.iter().map(|(time, value)| (*time, self.unit.from_si(*value)));
         let line = Line::new(points).tone(Tone::Trace).label(label);
         let mut panel = Panel::new(self.axis);

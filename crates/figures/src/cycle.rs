@@ -2,14 +2,14 @@
 
 use crate::drawing::{Drawing, Figure};
 use crate::thin::thinned;
-use crate::words::{amount, listed, say, subject};
+use crate::words::{amount, listed, subject};
 use plot::{Axis, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
 use workbench::quantities::unit::{
     AMPERE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, PERCENT, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
     WATT,
 };
 use workbench::quantities::{Language, Measure, Unit};
-use workbench::text::law_text;
+use workbench::text::{capitalised, law_text, pictures, terms};
 use workbench::{Candidate, CheckId, Course, Move, Project, Sample};
 
 const WIDTH_MM: f64 = 165.0;
@@ -27,15 +27,14 @@ const ROOM: f64 = 1.12;
 #[must_use]
 pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
     let course = thinned(workbench::course(project, candidate));
-    let t = |en, de| say(language, en, de);
     let signals = vec![
-        signal(&course, Axis::new("φ", "°").name(t("Angle at the output", "Winkel am Abtrieb")), &DEGREE, |sample| {
+        signal(&course, Axis::new("φ", "°").name(pictures::angle_at_the_output(language)), &DEGREE, |sample| {
             Some(sample.position_rad)
         }),
         limited(
             signal(
                 &course,
-                Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(t("Output speed", "Abtriebsdrehzahl")),
+                Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(language)),
                 &REVOLUTION_PER_MINUTE,
                 |sample| Some(sample.speed_rad_s),
             ),
@@ -45,15 +44,14 @@ pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -
         ),
         signal(
             &course,
-            Axis::new("α", RADIAN_PER_SECOND_SQUARED.symbol)
-                .name(t("Acceleration at the output", "Beschleunigung am Abtrieb")),
+            Axis::new("α", RADIAN_PER_SECOND_SQUARED.symbol).name(pictures::acceleration_at_the_output(language)),
             &RADIAN_PER_SECOND_SQUARED,
             |sample| Some(sample.acceleration_rad_s2),
         ),
         limited(
             signal(
                 &course,
-                Axis::new("T", NEWTON_METRE.symbol).name(t("Output torque", "Abtriebsdrehmoment")),
+                Axis::new("T", NEWTON_METRE.symbol).name(pictures::output_torque(language)),
                 &NEWTON_METRE,
                 |sample| Some(sample.torque_nm),
             ),
@@ -64,7 +62,7 @@ pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -
         limited(
             signal(
                 &course,
-                Axis::new("I", AMPERE.symbol).name(t("Motor current, rms", "Motorstrom, effektiv")),
+                Axis::new("I", AMPERE.symbol).name(pictures::motor_current_rms(language)),
                 &AMPERE,
                 |sample| sample.current_a,
             ),
@@ -74,13 +72,13 @@ pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -
         ),
         signal(
             &course,
-            Axis::new("P", WATT.symbol).name(t("Power at the motor terminals", "Leistung an den Motorklemmen")),
+            Axis::new("P", WATT.symbol).name(pictures::power_at_the_motor_terminals(language)),
             &WATT,
             |sample| sample.power_w,
         ),
     ];
     let overload = limited(
-        signal(&course, Axis::new("I²t", PERCENT.symbol).name(t("Overload", "Überlast")), &PERCENT, |sample| {
+        signal(&course, Axis::new("I²t", PERCENT.symbol).name(pictures::overload(language)), &PERCENT, |sample| {
             sample.overload
         }),
         limit_of(candidate, CheckId::OverloadI2t),
@@ -91,7 +89,8 @@ pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -
     panels.extend(temperatures(&course, candidate, language));
     panels.extend(overload.map(Signal::panel));
     let mut height = FRAME_MM;
-    let mut chart = StackedChart::new(Axis::new("t", SECOND.symbol).name(t("Time", "Zeit")).minor_ticks());
+    let mut chart =
+        StackedChart::new(Axis::new("t", SECOND.symbol).name(&capitalised(terms::time(language))).minor_ticks());
     for (from, to, name) in segments(project, language) {
         chart = chart.segment(from, to, name);
     }
@@ -99,10 +98,7 @@ pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -
         chart = chart.panel(panel);
         height += PANEL_MM;
     }
-    let caption = t(
-        "The steady cycle, on one time axis; dashed verticals are borders of segments. Torque with the actuator's own inertia. A limit far above the course is left out.",
-        "Der eingeschwungene Zyklus über einer Zeitachse; gestrichelte Senkrechte sind Grenzen der Abschnitte. Drehmoment mit der Eigenträgheit des Antriebs. Eine Grenze weit über dem Verlauf ist weggelassen.",
-    );
+    let caption = pictures::cycle_caption(language);
     Drawing::new(Figure::Cycle, &subject(candidate, &project.name), (WIDTH_MM, height), language).stacked(
         caption.to_owned(),
         description(&course, project, language),
@@ -194,16 +190,16 @@ fn temperatures(course: &Course, candidate: &Candidate<'_>, language: Language) 
         let points = course.samples.iter();
         Line::new(points.filter_map(move |sample| Some((sample.time_s, DEGREE_CELSIUS.from_si(of(sample)?)))))
     };
-    let axis = Axis::new("ϑ", DEGREE_CELSIUS.symbol).name(say(language, "Temperature", "Temperatur")).without_zero();
+    let axis = Axis::new("ϑ", DEGREE_CELSIUS.symbol).name(pictures::temperature(language)).without_zero();
     let mut panel = Panel::new(axis)
-        .with(line(|sample| sample.winding_k).tone(Tone::Trace).label(say(language, "winding", "Wicklung")))
-        .with(line(|sample| sample.housing_k).tone(Tone::Series(1)).label(say(language, "housing", "Gehäuse")));
+        .with(line(|sample| sample.winding_k).tone(Tone::Trace).label(terms::winding(language)))
+        .with(line(|sample| sample.housing_k).tone(Tone::Series(1)).label(terms::housing(language)));
     if let Some(limit) = limit_of(candidate, CheckId::Thermal) {
         let text = amount(limit.si, limit.unit, language);
         panel = panel.with(
             Reference::horizontal(limit.value())
                 .tone(Tone::Continuous)
-                .label(format!("{} {text}", say(language, "warning", "Warnung"))),
+                .label(format!("{} {text}", pictures::warning(language))),
         );
     }
     Some(panel)
@@ -220,31 +216,23 @@ pub(crate) fn segments(project: &Project, language: Language) -> Vec<(f64, f64, 
 }
 
 fn description(course: &Course, project: &Project, language: Language) -> String {
-    let range = |of: &dyn Fn(&Sample) -> Option<f64>, unit: &Unit, en: &'static str, de: &'static str| {
+    let range = |what: &str, of: &dyn Fn(&Sample) -> Option<f64>, unit: &Unit| {
         let (low, high) = extremes(course, of)?;
-        let (low, high) = (amount(low, unit, language), amount(high, unit, language));
-        Some(match language {
-            Language::En => format!("{en} from {low} to {high}"),
-            Language::De => format!("{de} von {low} bis {high}"),
-        })
+        Some(pictures::from_to(&what, &amount(low, unit, language), &amount(high, unit, language), language))
     };
+    let l = language;
     let parts: Vec<String> = [
-        range(&|sample| Some(sample.position_rad), &DEGREE, "the angle", "der Winkel"),
-        range(&|sample| Some(sample.speed_rad_s), &REVOLUTION_PER_MINUTE, "the speed", "die Drehzahl"),
-        range(&|sample| Some(sample.torque_nm), &NEWTON_METRE, "the torque", "das Drehmoment"),
-        range(&|sample| sample.current_a, &AMPERE, "the current", "der Strom"),
-        range(&|sample| sample.power_w, &WATT, "the power", "die Leistung"),
-        range(&|sample| sample.winding_k, &DEGREE_CELSIUS, "the winding", "die Wicklung"),
-        range(&|sample| sample.overload, &PERCENT, "the overload", "die Überlast"),
+        range(pictures::the_angle(l), &|sample| Some(sample.position_rad), &DEGREE),
+        range(pictures::the_speed(l), &|sample| Some(sample.speed_rad_s), &REVOLUTION_PER_MINUTE),
+        range(pictures::the_torque(l), &|sample| Some(sample.torque_nm), &NEWTON_METRE),
+        range(pictures::the_current(l), &|sample| sample.current_a, &AMPERE),
+        range(pictures::the_power(l), &|sample| sample.power_w, &WATT),
+        range(pictures::the_winding(l), &|sample| sample.winding_k, &DEGREE_CELSIUS),
+        range(pictures::the_overload(l), &|sample| sample.overload, &PERCENT),
     ]
     .into_iter()
     .flatten()
     .collect();
     let (count, duration) = (workbench::moves(project).moves.len(), amount(course.duration_s, &SECOND, language));
-    match language {
-        Language::En if count == 1 => format!("One cycle of {duration}: {}.", listed(&parts, language)),
-        Language::En => format!("One cycle of {duration} in {count} segments: {}.", listed(&parts, language)),
-        Language::De if count == 1 => format!("Ein Zyklus von {duration}: {}.", listed(&parts, language)),
-        Language::De => format!("Ein Zyklus von {duration} in {count} Abschnitten: {}.", listed(&parts, language)),
-    }
+    pictures::cycle_described(count, &duration, &listed(&parts, l), l)
 }

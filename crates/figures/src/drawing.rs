@@ -1,8 +1,8 @@
 //! The figures there are, and one that is laid out.
 
-use crate::words::say;
 use plot::{BarChart, MapChart, Picture, Size, StackedChart, Style, XyChart};
 use workbench::Language;
+use workbench::text::{capitalised, pictures, terms};
 
 /// The figures there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,15 +47,16 @@ impl Figure {
 
     /// What the figure is called.
     #[must_use]
-    pub const fn title(self, language: Language) -> &'static str {
-        match self {
-            Self::TorqueSpeed => say(language, "Torque-speed plane", "Drehmoment-Drehzahl-Ebene"),
-            Self::Cycle => say(language, "Cycle", "Zyklus"),
-            Self::Utilisation => say(language, "Utilisation", "Auslastung"),
-            Self::Torsion => say(language, "Torsion of the gear", "Torsion des Getriebes"),
-            Self::BearingLoad => say(language, "Load on the output bearing", "Belastung des Abtriebslagers"),
-            Self::CandidateMap => say(language, "Candidates", "Kandidaten"),
-        }
+    pub fn title(self, language: Language) -> String {
+        let title = match self {
+            Self::TorqueSpeed => terms::torque_speed_plane,
+            Self::Cycle => terms::cycle,
+            Self::Utilisation => terms::utilisation,
+            Self::Torsion => pictures::torsion_of_the_gear,
+            Self::BearingLoad => pictures::load_on_the_output_bearing,
+            Self::CandidateMap => terms::candidates,
+        };
+        capitalised(title(language))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Why a figure cannot be drawn.
 
-use crate::words::say;
 use workbench::Language;
+use workbench::text::{pictures, terms};
 
 /// Why a figure cannot be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,16 +17,8 @@ impl NoFigure {
     #[must_use]
     pub fn message(self, language: Language) -> &'static str {
         match self {
-            Self::NoFlangeLoads => say(
-                language,
-                "the project has no loads on the flange: [bearing] is missing",
-                "das Projekt hat keine Lasten am Flansch: [bearing] fehlt",
-            ),
-            Self::NoStiffness => say(
-                language,
-                "the torsional stiffness of this actuator is not known",
-                "die Torsionssteifigkeit dieses Antriebs ist nicht bekannt",
-            ),
+            Self::NoFlangeLoads => terms::no_flange_loads(language),
+            Self::NoStiffness => pictures::no_stiffness(language),
         }
     }
 }

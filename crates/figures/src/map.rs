@@ -1,10 +1,11 @@
 //! All candidates in one picture: margin over mass or length.
 
 use crate::drawing::{Drawing, Figure};
-use crate::words::{amount, percent, say};
+use crate::words::{amount, percent};
 use plot::{Axis, Dash, MapChart, Markers, Note, Reference, Shape, Tone};
 use workbench::quantities::unit::{KILOGRAM, MILLIMETRE};
 use workbench::quantities::{Language, Measure, Unit};
+use workbench::text::{capitalised, pictures, terms};
 use workbench::{Candidate, CandidateId, Sizing, Verdict};
 
 /// What the candidates are laid out by.
@@ -41,7 +42,6 @@ impl By {
 /// Every candidate by mass or length and by the margin to its tightest limit; one of them may be marked.
 #[must_use]
 pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, language: Language) -> Drawing {
-    let t = |en, de| say(language, en, de);
     let all: Vec<&Candidate<'_>> = sizing.candidates.iter().chain(sizing.own.as_ref()).collect();
     let margin = |candidate: &Candidate<'_>| 1.0 - candidate.standing.utilisation;
     let place = |candidate: &Candidate<'_>| {
@@ -64,30 +64,25 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
         found.collect::<Vec<_>>()
     };
     let axis = match by {
-        By::Mass => Axis::new("m", "kg").name(t("Mass", "Masse")),
-        By::Length => Axis::new("L", "mm").name(t("Length", "Länge")),
+        By::Mass => Axis::new("m", "kg").name(&capitalised(terms::mass(language))),
+        By::Length => Axis::new("L", "mm").name(pictures::length(language)),
     };
-    let mut chart =
-        MapChart::new(axis, Axis::new("", "%").name(t("Margin to the tightest limit", "Reserve zur engsten Grenze")))
-            .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid))
-            .nothing(nothing(&all, language));
+    let mut chart = MapChart::new(axis, Axis::new("", "%").name(pictures::margin_to_the_tightest_limit(language)))
+        .with(Reference::horizontal(0.0).tone(Tone::Continuous).dash(Dash::Solid))
+        .nothing(nothing(&all, language));
     let advised = |candidate: &Candidate<'_>| {
         candidate.fits() && candidate.judgement.checks.iter().any(|check| check.verdict == Verdict::Advice)
     };
     // What fits is drawn last, upon the others.
     for (name, tone, points) in [
+        (pictures::limit_exceeded(language), Tone::Series(1), points(&|candidate| !candidate.judgement_fits())),
         (
-            t("limit exceeded", "Grenze überschritten"),
-            Tone::Series(1),
-            points(&|candidate| !candidate.judgement_fits()),
-        ),
-        (
-            t("requirement not met", "Anforderung nicht erfüllt"),
+            terms::requirement_not_met(language),
             Tone::Muted,
             points(&|candidate| !candidate.fits() && candidate.judgement_fits()),
         ),
-        (t("fits", "geeignet"), Tone::Series(2), points(&|candidate| candidate.fits() && !advised(candidate))),
-        (t("fits, with advice", "geeignet, mit Hinweis"), Tone::Series(4), points(&advised)),
+        (terms::fits(language), Tone::Series(2), points(&|candidate| candidate.fits() && !advised(candidate))),
+        (pictures::fits_with_advice(language), Tone::Series(4), points(&advised)),
     ] {
         // A class without a point keeps its marker and has no place in the legend.
         chart = chart.class(if points.is_empty() { "" } else { name }, tone, points);
@@ -102,30 +97,16 @@ pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, 
     }
     let left_out = all.iter().filter(|candidate| place(candidate).is_none()).count();
     let floor = percent(MARGIN_MIN, language);
-    let caption = match language {
-        Language::En => format!(
-            "Each point is an actuator of the catalogue; below the red line a limit or a recommendation is exceeded. {left_out} are left out: margin below {floor}, or no figure known."
-        ),
-        Language::De => format!(
-            "Jeder Punkt ist ein Antrieb des Katalogs; unter der roten Linie ist eine Grenze oder eine Empfehlung überschritten. {left_out} fehlen: Reserve unter {floor}, oder Angabe nicht bekannt."
-        ),
-    };
+    let caption = pictures::candidate_map_caption(&left_out, &floor, language);
     let description = description(sizing, &all, by, marked.copied(), language);
-    let of = if sizing.name.is_empty() { t("axis", "Achse") } else { sizing.name };
+    let of = if sizing.name.is_empty() { terms::axis(language) } else { sizing.name };
     Drawing::new(Figure::CandidateMap, of, (165.0, 115.0), language).map(caption, description, chart)
 }
 
 /// What stands in place of a map on which no candidate finds a place.
 fn nothing(all: &[&Candidate<'_>], language: Language) -> String {
     let (count, floor) = (all.len(), percent(MARGIN_MIN, language));
-    match language {
-        Language::En => format!(
-            "No candidate can be shown: each of the {count} misses its tightest limit by so much that its margin is below {floor}, or a figure of it is not known."
-        ),
-        Language::De => format!(
-            "Kein Kandidat lässt sich zeigen: Jeder der {count} überschreitet seine engste Grenze so weit, dass seine Reserve unter {floor} liegt, oder eine Angabe zu ihm ist nicht bekannt."
-        ),
-    }
+    pictures::no_candidate_can_be_shown(&count, &floor, language)
 }
 
 /// A code without the name of the series, which all share.
@@ -142,32 +123,23 @@ fn description(
     language: Language,
 ) -> String {
     let fitting = all.iter().filter(|candidate| candidate.fits()).count();
-    let mut text = match language {
-        Language::En => format!("{} actuators, {fitting} fit.", all.len()),
-        Language::De => format!("{} Antriebe, {fitting} davon geeignet.", all.len()),
-    };
+    let mut text = pictures::how_many_fit(&all.len(), &fitting, language);
     let told = |candidate: &Candidate<'_>| {
         let figure = by.of(candidate).map_or_else(|| "–".to_owned(), |si| amount(si, by.unit(), language));
         let margin = 1.0 - candidate.standing.utilisation;
         if !margin.is_finite() {
-            return match language {
-                Language::En => format!("{}, {figure}, without margin: a limit is zero", candidate.id),
-                Language::De => format!("{}, {figure}, ohne Reserve: eine Grenze ist null", candidate.id),
-            };
+            return pictures::candidate_without_margin(&candidate.id, &figure, language);
         }
         let margin = percent(margin, language);
-        match language {
-            Language::En => format!("{}, {figure}, margin {margin}", candidate.id),
-            Language::De => format!("{}, {figure}, Reserve {margin}", candidate.id),
-        }
+        pictures::candidate_with_margin(&candidate.id, &figure, &margin, language)
     };
     if let Some(best) = sizing.answer() {
-        text.push_str(&format!(" {}: {}.", say(language, "The best", "Der beste"), told(best)));
+        text.push_str(&format!(" {}: {}.", pictures::the_best(language), told(best)));
     }
     if let Some(marked) = marked
         && sizing.answer().is_none_or(|best| best.id != marked.id)
     {
-        text.push_str(&format!(" {}: {}.", say(language, "Marked", "Markiert"), told(marked)));
+        text.push_str(&format!(" {}: {}.", pictures::marked(language), told(marked)));
     }
     text
 }

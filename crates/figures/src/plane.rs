@@ -1,10 +1,11 @@
 //! The torque-speed plane: limits in four quadrants, the cycle, its mean and its peaks.
 
 use crate::drawing::{Drawing, Figure};
-use crate::words::{amount, listed, say, subject};
+use crate::words::{amount, listed, subject};
 use plot::{Area, Axis, Dash, Hatch, Label, Line, Markers, Note, Reference, Shape, Tone, Width, XyChart};
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
 use workbench::quantities::{AngularVelocity, Language, Measure, Torque, format_number, format_significant};
+use workbench::text::{pictures, terms};
 use workbench::{
     Candidate, CheckId, Course, CurveKind, CurvePoint, OrderCode, PerformanceCurve, Plane, Project, Sample,
 };
@@ -29,14 +30,14 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
     chart = chart.with(
         Line::new(course.samples.iter().map(|sample| at(sample.speed_rad_s, sample.torque_nm)))
             .tone(Tone::Trace)
-            .label(say(language, "cycle", "Zyklus"))
+            .label(terms::cycle(language))
             .class("cycle"),
     );
     let mut told = vec![say_cycle(&course, language)];
     if let Some(demand) = &candidate.judgement.demand {
         let mean = at(demand.speed_mean.si(), demand.torque_rms.si());
         let peaks = peaks(demand, &course);
-        let name = Label::from(say(language, "mean: ", "Mittel: "));
+        let name = Label::from(format!("{}: ", pictures::mean(language)));
         let name = value_of(name, "n_av", &speed(demand.speed_mean, language)).text(", ");
         let name = value_of(name, "T_rms", &torque(demand.torque_rms, language));
         chart = chart.with(Markers::new([mean]).shape(Shape::Diamond).label(name).class("mean")).with(Note::new(
@@ -44,7 +45,7 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
             mean.1,
             Label::symbol("T_rms"),
         ));
-        let name = Label::from(say(language, "peaks: ", "Spitzen: "));
+        let name = Label::from(format!("{}: ", pictures::peaks(language)));
         let name = value_of(name, "T_peak", &torque(demand.torque_peak, language)).text(", ");
         let name = value_of(name, "n_peak", &speed(demand.speed_peak, language));
         let points = peaks.iter().map(|(point, _)| *point);
@@ -58,11 +59,7 @@ pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Lang
     let caption = match &plane {
         Some(plane) if has_short_time(plane) => caption(plane, language),
         Some(plane) => {
-            let frame = say(
-                language,
-                "Of the short-time limit only the largest torque and the largest speed are known, each as far as it is drawn.",
-                "Von der Kurzzeitgrenze sind nur größtes Drehmoment und größte Drehzahl bekannt, soweit gezeichnet.",
-            );
+            let frame = pictures::short_time_limit_known_in_part(language);
             format!("{} {frame}", caption(plane, language))
         }
         None => caption_of_known(candidate, language),
@@ -84,26 +81,15 @@ pub fn curves(code: &OrderCode, plane: &Plane, language: Language) -> Drawing {
         .filter_map(|curve| {
             let points = points_of(&curve.points);
             let (first, end) = (curve.points.first()?, points.last()?);
-            Some(match language {
-                Language::En => format!(
-                    "{} from {} at standstill, up to {}",
-                    curve_name(curve, language),
-                    torque(first.torque, language),
-                    speed(AngularVelocity::new_in(end.0, &REVOLUTION_PER_MINUTE), language)
-                ),
-                Language::De => format!(
-                    "{} ab {} im Stillstand, bis {}",
-                    curve_name(curve, language),
-                    torque(first.torque, language),
-                    speed(AngularVelocity::new_in(end.0, &REVOLUTION_PER_MINUTE), language)
-                ),
-            })
+            Some(pictures::limit_from_to(
+                &curve_name(curve, language),
+                &torque(first.torque, language),
+                &speed(AngularVelocity::new_in(end.0, &REVOLUTION_PER_MINUTE), language),
+                language,
+            ))
         })
         .collect();
-    let description = match language {
-        Language::En => format!("Limits of {code}: {}.", listed(&kinds, language)),
-        Language::De => format!("Grenzen von {code}: {}.", listed(&kinds, language)),
-    };
+    let description = pictures::limits_described(&code, &listed(&kinds, language), language);
     Drawing::new(Figure::TorqueSpeed, &code.to_string(), SIZE_MM, language).xy(
         caption(plane, language),
         description,
@@ -113,10 +99,8 @@ pub fn curves(code: &OrderCode, plane: &Plane, language: Language) -> Drawing {
 
 fn empty(language: Language) -> XyChart {
     XyChart::new(
-        Axis::new("n", REVOLUTION_PER_MINUTE.symbol)
-            .name(say(language, "Output speed", "Abtriebsdrehzahl"))
-            .minor_ticks(),
-        Axis::new("T", NEWTON_METRE.symbol).name(say(language, "Output torque", "Abtriebsdrehmoment")).minor_ticks(),
+        Axis::new("n", REVOLUTION_PER_MINUTE.symbol).name(pictures::output_speed(language)).minor_ticks(),
+        Axis::new("T", NEWTON_METRE.symbol).name(pictures::output_torque(language)).minor_ticks(),
     )
     .four_quadrant()
 }
@@ -164,14 +148,14 @@ fn driving(limit: &[Point]) -> [Vec<Point>; 2] {
 
 fn curve_name(curve: &PerformanceCurve, language: Language) -> String {
     match curve.kind {
-        CurveKind::Continuous => say(language, "continuous limit", "Dauergrenze").to_owned(),
+        CurveKind::Continuous => pictures::continuous_limit(language).to_owned(),
         CurveKind::S3 { duty } => format!("S3 {} %", format_number(duty.si() * 100.0, 0, language)),
-        CurveKind::ShortTime => say(language, "short-time limit", "Kurzzeitgrenze").to_owned(),
+        CurveKind::ShortTime => pictures::short_time_limit(language).to_owned(),
     }
 }
 
 fn with_limits(mut chart: XyChart, plane: &Plane, language: Language) -> XyChart {
-    let band = say(language, "band of an estimate", "Band einer Schätzung");
+    let band = pictures::band_of_an_estimate(language);
     let braking = plane.braking.map(|(end, torque)| {
         let (end, torque) = at(end.si(), torque.si());
         [(0.0, torque), (end, torque), (end, 0.0)]
@@ -213,7 +197,7 @@ fn with_limits(mut chart: XyChart, plane: &Plane, language: Language) -> XyChart
         let points = points_of(&curve.points);
         for part in driving(&points) {
             let line = Line::new(part).tone(Tone::ShortTime).width(Width::Thin).dash(Dash::Dotted);
-            let name = say(language, "the same at less voltage", "dieselbe bei weniger Spannung");
+            let name = pictures::the_same_at_less_voltage(language);
             chart = chart.with(line.label(name).class("short-time-sagged"));
         }
         chart = chart.with_all(voltage(curve, &points, language));
@@ -262,24 +246,14 @@ fn sample_at(course: &Course, time_s: f64, of: impl Fn(&Sample) -> f64) -> Optio
 
 fn say_cycle(course: &Course, language: Language) -> String {
     let duration = amount(course.duration_s, &SECOND, language);
-    match language {
-        Language::En => format!("Torque over speed: a cycle of {duration} and the limits of the actuator."),
-        Language::De => format!("Drehmoment über Drehzahl: ein Zyklus von {duration} und die Grenzen des Antriebs."),
-    }
+    pictures::plane_described(&duration, language)
 }
 
 fn say_demand(demand: &workbench::Demand, language: Language) -> String {
     let (peak, fast) = (torque(demand.torque_peak, language), speed(demand.speed_peak, language));
     let (rms, mean) = (torque(demand.torque_rms, language), speed(demand.speed_mean, language));
     let when = amount(demand.torque_peak_at.si(), &SECOND, language);
-    match language {
-        Language::En => format!(
-            "The torque reaches {peak} at {when}, the speed {fast}; the mean point is at {rms} (rms) and {mean}."
-        ),
-        Language::De => format!(
-            "Das Drehmoment erreicht {peak} bei {when}, die Drehzahl {fast}; der mittlere Punkt liegt bei {rms} (effektiv) und {mean}."
-        ),
-    }
+    pictures::demand_described(&peak, &when, &fast, &rms, &mean, language)
 }
 
 fn say_limits(candidate: &Candidate<'_>, language: Language) -> Vec<String> {
@@ -289,27 +263,18 @@ fn say_limits(candidate: &Candidate<'_>, language: Language) -> Vec<String> {
     };
     let mut parts = Vec::new();
     if let Some(limit) = limit(CheckId::ContinuousTorque) {
-        parts.push(match language {
-            Language::En => format!("continuous {limit} at the mean speed"),
-            Language::De => format!("dauernd {limit} bei der mittleren Drehzahl"),
-        });
+        parts.push(pictures::continuous_limit_at_mean_speed(&limit, language));
     }
     if let Some(limit) = limit(CheckId::PeakTorque) {
-        parts.push(match language {
-            Language::En => format!("at most {limit} for a short time"),
-            Language::De => format!("kurzzeitig höchstens {limit}"),
-        });
+        parts.push(pictures::at_most_for_a_short_time(&limit, language));
     }
     if let Some(limit) = limit(CheckId::PeakSpeed) {
-        parts.push(match language {
-            Language::En => format!("at most {limit}"),
-            Language::De => format!("höchstens {limit}"),
-        });
+        parts.push(pictures::at_most(&limit, language));
     }
     if parts.is_empty() {
         return Vec::new();
     }
-    let head = say(language, "Limits", "Grenzen");
+    let head = pictures::limits(language);
     vec![format!("{head}: {}.", listed(&parts, language))]
 }
 
@@ -334,7 +299,7 @@ fn with_known(mut chart: XyChart, candidate: &Candidate<'_>, language: Language)
     if let (Some((torque, ..)), Some((speed, ..))) = (&torque, &speed) {
         let frame = [(*speed, *torque), (*speed, -torque), (-speed, -torque), (-speed, *torque)];
         let line = Line::new(frame).closed().tone(Tone::ShortTime);
-        let name = say(language, "largest torque and speed", "größtes Drehmoment und größte Drehzahl");
+        let name = pictures::largest_torque_and_speed(language);
         chart = chart.with(line.label(name).class("known-limits"));
     }
     let both = torque.is_some() && speed.is_some();
@@ -365,63 +330,29 @@ fn with_known(mut chart: XyChart, candidate: &Candidate<'_>, language: Language)
 
 fn caption_of_known(candidate: &Candidate<'_>, language: Language) -> String {
     let parts = match known(candidate) {
-        [Some(_), Some(_)] => say(
-            language,
-            "Only the largest torque and the largest speed of this actuator are known, not how one limits the other, and no limit of continuous duty.",
-            "Von diesem Antrieb sind nur das größte Drehmoment und die größte Drehzahl bekannt, nicht wie eines das andere begrenzt, und keine Grenze des Dauerbetriebs.",
-        ),
-        [Some(_), None] => say(
-            language,
-            "Of this actuator only the largest torque is known.",
-            "Von diesem Antrieb ist nur das größte Drehmoment bekannt.",
-        ),
-        [None, Some(_)] => say(
-            language,
-            "Of this actuator only the largest speed is known.",
-            "Von diesem Antrieb ist nur die größte Drehzahl bekannt.",
-        ),
-        [None, None] => {
-            say(language, "No limit of this actuator is known.", "Keine Grenze dieses Antriebs ist bekannt.")
-        }
+        [Some(_), Some(_)] => pictures::only_torque_and_speed_known(language),
+        [Some(_), None] => pictures::only_torque_known(language),
+        [None, Some(_)] => pictures::only_speed_known(language),
+        [None, None] => pictures::no_limit_known(language),
     };
     parts.to_owned()
 }
 
 fn caption(plane: &Plane, language: Language) -> String {
-    let mut parts = vec![say(
-        language,
-        "Driving in the first and third quadrant, braking in the others. Red: continuous duty; blue: acceleration and braking.",
-        "Treiben im ersten und dritten Quadranten, Bremsen in den anderen. Rot: Dauerbetrieb; blau: Beschleunigen und Bremsen.",
-    )];
+    let mut parts = vec![pictures::quadrants_and_colours(language)];
     if plane.curves.iter().any(|curve| matches!(curve.kind, CurveKind::S3 { .. })) {
-        parts.push(say(
-            language,
-            "S3: intermittent duty with a cycle of 1 min, lower edge.",
-            "S3: Aussetzbetrieb mit 1 min Spieldauer, unterer Rand.",
-        ));
+        parts.push(pictures::s3_explained(language));
     }
     if plane.curves.iter().any(|curve| curve.upper.is_some()) {
-        parts.push(say(
-            language,
-            "Hatched: between the edges of an estimate; the checks use the lower one.",
-            "Schraffiert: zwischen den Rändern einer Schätzung; die Nachweise nehmen den unteren.",
-        ));
+        parts.push(pictures::hatching_explained(language));
     }
     if plane.braking.is_some() {
-        parts.push(say(
-            language,
-            "While braking the voltage helps, and T_max is the limit.",
-            "Beim Bremsen hilft die Spannung, und T_max ist die Grenze.",
-        ));
+        parts.push(pictures::braking_explained(language));
     }
     if plane.curves.iter().all(|curve| curve.voltage.is_none()) {
-        parts.push(say(
-            language,
-            "No voltage limit is drawn: none was given.",
-            "Ohne Spannungsgrenze: es ist keine Spannung angegeben.",
-        ));
+        parts.push(pictures::no_voltage_limit(language));
     } else {
-        parts.push(say(language, "Volts: at the motor terminals, rms.", "Volt: an den Motorklemmen, effektiv."));
+        parts.push(pictures::volts_explained(language));
     }
     parts.join(" ")
 }

@@ -2,10 +2,11 @@
 
 use crate::drawing::{Drawing, Figure};
 use crate::fault::NoFigure;
-use crate::words::{amount, say, subject};
+use crate::words::{amount, subject};
 use plot::{Axis, Dash, Label, Line, Markers, Reference, Tone, Width, XyChart};
 use workbench::quantities::unit::{ARCMINUTE, NEWTON_METRE};
 use workbench::quantities::{Language, Measure, Torque};
+use workbench::text::pictures;
 use workbench::{Candidate, Project};
 
 /// The curve reaches this far beyond the last thing to be seen.
@@ -26,10 +27,10 @@ pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language)
         (amount(found.torque.si(), &NEWTON_METRE, language), amount(found.angle.si(), &ARCMINUTE, language));
     let border =
         |torque: Torque, symbol: &str| Reference::vertical(nm(torque)).dash(Dash::Dotted).label(Label::symbol(symbol));
-    let name = say(language, "working point", "Arbeitspunkt");
+    let name = pictures::working_point(language);
     let chart = XyChart::new(
-        Axis::new("T", NEWTON_METRE.symbol).name(say(language, "Torque on the gear", "Drehmoment am Getriebe")),
-        Axis::new("φ", "arcmin").name(say(language, "Torsion", "Verdrehung")),
+        Axis::new("T", NEWTON_METRE.symbol).name(pictures::torque_on_the_gear(language)),
+        Axis::new("φ", "arcmin").name(pictures::torsion(language)),
     )
     .four_quadrant()
     .with(border(found.curve.torque_1, "T_1"))
@@ -40,22 +41,8 @@ pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language)
         amount(found.curve.torque_1.si(), &NEWTON_METRE, language),
         amount(found.curve.torque_2.si(), &NEWTON_METRE, language),
     );
-    let description = match language {
-        Language::En => format!(
-            "The largest torque of the load, {torque}, twists the gear by {angle}. The stiffness changes at {one} and {two}."
-        ),
-        Language::De => format!(
-            "Das größte Drehmoment der Last, {torque}, verdreht das Getriebe um {angle}. Die Steifigkeit ändert sich bei {one} und {two}."
-        ),
-    };
-    let caption = match language {
-        Language::En => format!(
-            "Mean values of many gears with blocked input; hysteresis and lost motion come on top. The stiffness changes at T_1 = {one} and T_2 = {two}. Torque of the load without the actuator's own inertia."
-        ),
-        Language::De => format!(
-            "Mittelwerte vieler Getriebe bei blockiertem Eingang; Hysterese und Lost Motion kommen hinzu. Die Steifigkeit ändert sich bei T_1 = {one} und T_2 = {two}. Drehmoment der Last ohne die Eigenträgheit des Antriebs."
-        ),
-    };
+    let description = pictures::torsion_described(&torque, &angle, &one, &two, language);
+    let caption = pictures::torsion_caption(&one, &two, language);
     Ok(Drawing::new(Figure::Torsion, &subject(candidate, &project.name), (135.0, 95.0), language).xy(
         caption.to_owned(),
         description,

@@ -1,9 +1,11 @@
 //! Every check as a bar against its limit.
 
 use crate::drawing::{Drawing, Figure};
-use crate::words::{amount, listed, percent, say, sentence};
+use crate::words::{amount, listed, percent};
 use plot::{Axis, Bar, BarChart};
-use workbench::text::{check_missing, check_title, unmet_text, verdict_count, verdict_word};
+use workbench::text::{
+    capitalised, check_missing, check_title, pictures, terms, unmet_text, verdict_count, verdict_word,
+};
 use workbench::{Candidate, Check, Direction, Language, Objection, Unmet, Verdict};
 
 /// Every check of a candidate: those that fail first, then by utilisation, then those whose utilisation tells no margin, then
@@ -22,8 +24,7 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
             .then(tells(b).cmp(&tells(a)))
             .then(share(b).total_cmp(&share(a)))
     });
-    let mut chart =
-        BarChart::new(Axis::new("", "%").name(say(language, "Utilisation of the limit", "Auslastung der Grenze")));
+    let mut chart = BarChart::new(Axis::new("", "%").name(pictures::utilisation_of_the_limit(language)));
     for objection in &candidate.objections {
         chart = chart.bar(objection_bar(candidate, objection, language));
     }
@@ -40,11 +41,7 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
             chart = chart.explain(sign, verdict_word(verdict, language));
         }
     }
-    let caption = say(
-        language,
-        "The line at 100 % is the limit. A bar that is broken goes on beyond the picture. What is not checked stands below with the datum that is missing; it does not count as passed.",
-        "Die Linie bei 100 % ist die Grenze. Ein unterbrochener Balken reicht über das Bild hinaus. Nicht Geprüftes steht unten mit der fehlenden Angabe; es gilt nicht als erfüllt.",
-    );
+    let caption = pictures::utilisation_caption(language);
     let rows = checks.len() + candidate.objections.len();
     #[expect(clippy::cast_precision_loss, reason = "a count of rows")]
     let height = 6.0f64.mul_add(rows as f64, 30.0);
@@ -66,7 +63,7 @@ pub(crate) const fn sign(verdict: Verdict) -> plot::Verdict {
 
 fn bar(check: &Check, language: Language) -> Bar {
     let mut bar =
-        Bar::new(sentence(&check_title(check.id, language)), sign(check.verdict)).data("check", check.id.id());
+        Bar::new(capitalised(&check_title(check.id, language)), sign(check.verdict)).data("check", check.id.id());
     let numbers = match (check.value, check.limit) {
         (Some(value), Some(limit)) => {
             let value = workbench::quantities::format_significant(value.value(), 4, language);
@@ -81,9 +78,7 @@ fn bar(check: &Check, language: Language) -> Bar {
         // The datum by its bare name: where it belongs to is told by the tooltip.
         let short = missing.rsplit('.').next().unwrap_or(missing);
         let reason = check_missing(missing, language);
-        return bar
-            .text(format!("{}: {short}", say(language, "missing", "fehlt")))
-            .tooltip(&format!("{reason} {numbers}"));
+        return bar.text(format!("{}: {short}", terms::missing(language))).tooltip(&format!("{reason} {numbers}"));
     }
     let Some(share) = check.utilisation else { return bar.text(numbers) };
     bar = bar.percent(share * 100.0).data("utilisation", &format!("{share}"));
@@ -106,7 +101,7 @@ fn objection_bar(candidate: &Candidate<'_>, objection: &Objection, language: Lan
             },
         ),
     };
-    Bar::new(sentence(&text), sign).text(say(language, "requirement", "Anforderung")).tooltip(&text)
+    Bar::new(capitalised(&text), sign).text(terms::requirement(language)).tooltip(&text)
 }
 
 fn description(candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
@@ -116,10 +111,7 @@ fn description(candidate: &Candidate<'_>, checks: &[&Check], language: Language)
         .filter(|verdict| count(*verdict) > 0)
         .map(|verdict| verdict_count(verdict, count(verdict), language))
         .collect();
-    let head = match language {
-        Language::En => format!("{} checks of {}: {}.", checks.len(), candidate.id, listed(&parts, language)),
-        Language::De => format!("{} Nachweise von {}: {}.", checks.len(), candidate.id, listed(&parts, language)),
-    };
+    let head = pictures::checks_counted(&checks.len(), &candidate.id, &listed(&parts, language), language);
     let named = |check: &&&Check| {
         Some(format!("{} {}", check_title(check.id, language), percent(check.utilisation?, language)))
     };
@@ -132,8 +124,5 @@ fn description(candidate: &Candidate<'_>, checks: &[&Check], language: Language)
     if worst.is_empty() {
         return head;
     }
-    match language {
-        Language::En => format!("{head} The tightest: {}.", listed(&worst, language)),
-        Language::De => format!("{head} Am engsten: {}.", listed(&worst, language)),
-    }
+    pictures::tightest_named(&head, &listed(&worst, language), language)
 }

@@ -1,14 +1,8 @@
 //! Numbers and words of figures.
 
 use workbench::quantities::{Unit, format_number, format_significant};
+use workbench::text::pictures;
 use workbench::{Candidate, Language};
-
-pub(crate) const fn say(language: Language, en: &'static str, de: &'static str) -> &'static str {
-    match language {
-        Language::En => en,
-        Language::De => de,
-    }
-}
 
 /// A value with its unit and four digits.
 pub(crate) fn amount(si: f64, unit: &Unit, language: Language) -> String {
@@ -25,12 +19,6 @@ pub(crate) fn percent(share: f64, language: Language) -> String {
     format!("{} %", format_number(share * 100.0, 1, language))
 }
 
-/// A text with its first letter large.
-pub(crate) fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
 /// What a figure is of: the candidate, and the axis if it has a name.
 pub(crate) fn subject(candidate: &Candidate<'_>, axis: &str) -> String {
     if axis.is_empty() { candidate.id.to_string() } else { format!("{axis}, {}", candidate.id) }
@@ -41,6 +29,6 @@ pub(crate) fn listed(parts: &[String], language: Language) -> String {
     match parts {
         [] => String::new(),
         [only] => only.clone(),
-        [head @ .., last] => format!("{} {} {last}", head.join(", "), say(language, "and", "und")),
+        [head @ .., last] => format!("{} {} {last}", head.join(", "), pictures::and(language)),
     }
 }

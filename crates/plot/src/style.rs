@@ -15,7 +15,7 @@ impl Style {
     /// A light chart in English.
     #[must_use]
     pub fn new(size: Size) -> Self {
-        Self { size, theme: Theme::Light, language: Language::En, id: String::from("plot") }
+        Self { size, theme: Theme::Light, language: Language::default(), id: String::from("plot") }
     }
 
     /// Sets the theme.

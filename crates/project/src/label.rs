@@ -20,7 +20,7 @@ pub fn input_label(path: &str) -> Option<SchemaText> {
         };
         found = Some(key);
     }
-    found.map(|key| SchemaText::Key(key.en, key.de))
+    found.map(|key| SchemaText::Key(key.about))
 }
 
 #[cfg(test)]

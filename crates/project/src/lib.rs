@@ -4,6 +4,7 @@
 //! [`Hint`]. Files that a project refers to are handed in ([`Files`]), and so is the choice among several ratios of a stage
 //! ([`Choose`]), since it takes a judgement of the catalogue.
 
+mod about;
 mod bodies;
 mod curves;
 mod diagnostic;
@@ -24,6 +25,7 @@ mod stage;
 mod stated;
 mod tolerance;
 
+pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyAnswer, BodyKind, BodyShape, InertiaAnswer, inertia};
 pub use curves::OwnCatalogue;
 pub use diagnostic::{Diagnostic, place};

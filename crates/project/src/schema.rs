@@ -1,5 +1,6 @@
 //! JSON Schema of the project file, from the same description that the reader uses.
 
+use crate::about::About;
 use crate::read::example;
 use crate::spec::{Key, Kind, ROOT, Variants};
 use quantities::Dimension;
@@ -8,8 +9,8 @@ use serde_json::{Map, Value, json};
 /// A text of the schema.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SchemaText {
-    /// What a key is for: English, German.
-    Key(&'static str, &'static str),
+    /// What a key is for.
+    Key(About),
     /// How a quantity is written.
     Quantity(Dimension),
 }
@@ -83,7 +84,7 @@ fn table(keys: &[Key], text: Words<'_>) -> Value {
     for key in keys {
         let mut schema = kind(key, text);
         if let Value::Object(map) = &mut schema {
-            map.insert("description".into(), json!(text(SchemaText::Key(key.en, key.de))));
+            map.insert("description".into(), json!(text(SchemaText::Key(key.about))));
             if let Some(line) = example(key).filter(|_| matches!(key.kind, Kind::Quantity(..))) {
                 let value = line.split_once("= ").map_or("", |(_, value)| value).trim_matches('"').to_owned();
                 map.insert("examples".into(), json!([value]));

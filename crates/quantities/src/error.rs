@@ -8,7 +8,7 @@ use thiserror::Error;
 
 /// Why a text is no quantity, and where in it.
 ///
-/// `Display` is the English message; [`message`](Self::message) and [`hint`](Self::hint) speak both languages.
+/// `Display` is for whoever builds on this crate; what a user reads comes from elsewhere, in either language.
 /// The texts in `found` are shortened to 40 characters.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum QuantityError {
@@ -79,8 +79,8 @@ pub enum QuantityError {
     /// The unit measures something else.
     #[error(
         "\"{found}\" is a unit of {}, expected a unit of {}",
-        measures.name(Language::En),
-        expected.name(Language::En)
+        measures.name(Language::OF_ERRORS),
+        expected.name(Language::OF_ERRORS)
     )]
     WrongQuantity {
         /// Place of the unit in the text, in bytes.
@@ -113,7 +113,7 @@ pub enum QuantityError {
 }
 
 fn en(dimension: Dimension) -> &'static str {
-    dimension.name_with_article(Language::En)
+    dimension.name_with_article(Language::OF_ERRORS)
 }
 
 impl QuantityError {
@@ -151,115 +151,5 @@ impl QuantityError {
             | Self::ToleranceOfOffsetScale { span } => *span = span.start + bytes..span.end + bytes,
         }
         self
-    }
-
-    /// What is wrong, in one sentence.
-    #[must_use]
-    pub fn message(&self, language: Language) -> String {
-        match language {
-            Language::En => self.to_string(),
-            Language::De => self.message_de(),
-        }
-    }
-
-    fn message_de(&self) -> String {
-        let wanted = |expected: &Dimension| {
-            let name = expected.name_with_article(Language::De);
-            format!("erwartet wird {name}, zum Beispiel „{}“", expected.example())
-        };
-        match self {
-            Self::Empty { expected, .. } => format!("leer: {}", wanted(expected)),
-            Self::NumberMissing { found, expected, .. } => format!("Zahl fehlt vor „{found}“: {}", wanted(expected)),
-            Self::NumberUnreadable { found, .. } => format!("„{found}“ ist keine Zahl"),
-            Self::DecimalComma { found, .. } => format!("Dezimalkomma in „{found}“"),
-            Self::NotFinite { found, .. } => format!("„{found}“ ist keine endliche Zahl"),
-            Self::UnitMissing { expected, .. } => format!("Einheit fehlt: {}", wanted(expected)),
-            Self::UnitUnknown { found, .. } => format!("unbekannte Einheit „{found}“"),
-            Self::WrongQuantity { found, measures, expected, .. } => {
-                let (measures, expected) = (measures.name(Language::De), expected.name_with_article(Language::De));
-                format!("„{found}“ ist eine Einheit der Größe {measures}, erwartet wird {expected}")
-            }
-            Self::ToleranceMissing { .. } => "die halbe Breite der Toleranz fehlt".to_owned(),
-            Self::ToleranceNegative { .. } => "die halbe Breite einer Toleranz darf nicht negativ sein".to_owned(),
-            Self::ToleranceOfOffsetScale { .. } => {
-                "ein Prozentsatz einer Temperatur in °C hat keine Bedeutung: ihr Nullpunkt ist willkürlich".to_owned()
-            }
-        }
-    }
-
-    /// What would be right, if more can be said than the message says.
-    #[must_use]
-    pub fn hint(&self, language: Language) -> Option<String> {
-        match self {
-            Self::Empty { expected, .. }
-            | Self::NumberMissing { expected, .. }
-            | Self::UnitMissing { expected, .. } => Some(units(*expected, language)),
-            Self::NumberUnreadable { expected, .. } => Some(match language {
-                Language::En => {
-                    format!(
-                        "write digits without separators, with a decimal point, for example \"{}\"",
-                        expected.example()
-                    )
-                }
-                Language::De => {
-                    format!(
-                        "Ziffern ohne Trennzeichen schreiben, mit Dezimalpunkt, zum Beispiel „{}“",
-                        expected.example()
-                    )
-                }
-            }),
-            Self::DecimalComma { found, .. } => Some(point_hint(found, language)),
-            Self::NotFinite { .. } => None,
-            Self::UnitUnknown { expected, nearest, .. } => {
-                let units = units(*expected, language);
-                Some(match (nearest, language) {
-                    (None, _) => units,
-                    (Some(unit), Language::En) => format!("did you mean \"{}\"? {units}", unit.ascii),
-                    (Some(unit), Language::De) => format!("gemeint ist vielleicht „{}“; {units}", unit.ascii),
-                })
-            }
-            Self::WrongQuantity { expected, .. } => Some(units(*expected, language)),
-            Self::ToleranceNegative { .. } => None,
-            Self::ToleranceMissing { .. } => Some(match language {
-                Language::En => "for example \"± 10 %\", or a quantity of the same kind".to_owned(),
-                Language::De => "zum Beispiel „± 10 %“, oder eine Größe derselben Art".to_owned(),
-            }),
-            Self::ToleranceOfOffsetScale { .. } => Some(match language {
-                Language::En => "write the half-width in kelvin, for example \"40 degC ± 5 K\"".to_owned(),
-                Language::De => "die halbe Breite in Kelvin schreiben, zum Beispiel „40 degC ± 5 K“".to_owned(),
-            }),
-        }
-    }
-}
-
-/// The valid units of a quantity.
-fn units(dimension: Dimension, language: Language) -> String {
-    let names: Vec<&str> = dimension.units().iter().map(|unit| unit.ascii).collect();
-    let (name, names) = (dimension.name(language), names.join(", "));
-    match language {
-        Language::En => format!("units of {name}: {names}"),
-        Language::De => format!("Einheiten für {name}: {names}"),
-    }
-}
-
-/// The number with a decimal point; where the comma may have grouped thousands, also without it.
-fn point_hint(found: &str, language: Language) -> String {
-    let (whole, fraction) = found.split_once(',').unwrap_or((found, ""));
-    let zero = if whole.ends_with(|c: char| c.is_ascii_digit()) { "" } else { "0" };
-    let point = format!("{whole}{zero}.{fraction}");
-    let grouped = Some((whole, fraction)).filter(|_| zero.is_empty() && fraction.len() == 3);
-    match (language, grouped) {
-        _ if found.ends_with('…') => match language {
-            Language::En => "write a decimal point".to_owned(),
-            Language::De => "mit Dezimalpunkt schreiben".to_owned(),
-        },
-        (Language::En, None) => format!("write a decimal point: {point}"),
-        (Language::De, None) => format!("mit Dezimalpunkt schreiben: {point}"),
-        (Language::En, Some((whole, fraction))) => {
-            format!("write a decimal point: {point}; or no separator for thousands: {whole}{fraction}")
-        }
-        (Language::De, Some((whole, fraction))) => {
-            format!("mit Dezimalpunkt schreiben: {point}; Tausender ohne Trennzeichen: {whole}{fraction}")
-        }
     }
 }

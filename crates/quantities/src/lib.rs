@@ -56,3 +56,35 @@ pub enum Language {
     /// German, decimal comma.
     De,
 }
+
+impl Language {
+    /// The language in which errors are shown to whoever builds on a crate.
+    pub const OF_ERRORS: Self = Self::En;
+
+    /// Every language.
+    pub const ALL: [Self; 2] = [Self::En, Self::De];
+
+    /// The code of ISO 639-1.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::En => "en",
+            Self::De => "de",
+        }
+    }
+
+    /// The language of a code, in small or large letters.
+    #[must_use]
+    pub fn of_id(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|language| language.id().eq_ignore_ascii_case(id))
+    }
+
+    /// What stands between the whole number and its decimals.
+    #[must_use]
+    pub const fn decimal_mark(self) -> char {
+        match self {
+            Self::En => '.',
+            Self::De => ',',
+        }
+    }
+}

@@ -24,13 +24,13 @@ pub struct Reading {
 /// free. Only a ratio may go without a unit. No range is checked: a length may be negative here.
 ///
 /// ```
-/// use quantities::{Dimension, Language, parse};
+/// use quantities::{Dimension, parse};
 ///
 /// let reading = parse(Dimension::AngularVelocity, "40 1/min")?;
 /// assert_eq!((reading.value, reading.unit.symbol), (40.0, "min⁻¹"));
 ///
 /// let fault = parse(Dimension::Torque, "5").unwrap_err();
-/// assert_eq!(fault.message(Language::De), "Einheit fehlt: erwartet wird ein Drehmoment, zum Beispiel „5 N m“");
+/// assert_eq!(fault.to_string(), "the unit is missing, expected a torque such as \"5 N m\"");
 /// # Ok::<(), quantities::QuantityError>(())
 /// ```
 ///

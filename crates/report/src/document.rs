@@ -11,9 +11,9 @@ mod shown;
 use crate::{Content, Fault, Settings};
 use answers::Fit;
 use axis::Axis;
-use quantities::Language;
 use serde::Serialize;
 use shown::Shown;
+use std::collections::BTreeMap;
 
 /// Everything the template places.
 #[derive(Serialize)]
@@ -24,7 +24,9 @@ pub(crate) struct Document {
     axes: Vec<Axis>,
     documents: Vec<Reference>,
     /// The grades that the checks bear, the best first.
-    grades: Vec<&'static str>,
+    grades: Vec<checks::GradeTold>,
+    /// Every word of the template by its key.
+    words: BTreeMap<&'static str, String>,
 }
 
 /// What is told of the document itself.
@@ -107,10 +109,11 @@ impl Document {
             hash_catalogue: first.dossier.fingerprints.catalogue.clone(),
         };
         Ok(Self {
-            lang: if content.language == Language::De { "de" } else { "en" },
+            lang: content.language.id(),
             full: settings.full,
             head,
-            grades: checks::grades(dossiers()),
+            grades: checks::grades(dossiers(), content.language),
+            words: words::report::words(content.language),
             axes: content
                 .axes
                 .iter()

@@ -20,6 +20,7 @@ pub use press::{overlaps, page_fills, page_texts, pdf, prepare, right_edges};
 use answers::Dossier;
 use quantities::Language;
 use serde::Serialize;
+use words::terminal;
 
 /// Everything that stands in the report, as data.
 #[derive(Clone, Debug)]
@@ -92,36 +93,45 @@ pub struct Settings {
 }
 
 /// Why there is no report.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum Fault {
     /// There is nothing to report on.
-    #[error("a report needs at least one axis")]
     NoAxis,
     /// The date is no calendar date.
-    #[error("`{text}` is not a date")]
     Date {
         /// As given.
         text: String,
     },
     /// An archive file states when it was made, and there is no clock here.
-    #[error("an archive file (PDF/A) needs a date")]
     NoDate,
     /// The typesetting engine refused the document.
-    #[error("the report cannot be typeset: {message}")]
     Typesetting {
         /// What the engine said, with the place in the template.
         message: String,
     },
     /// The typesetting engine refused to write the file.
-    #[error("the report cannot be written as PDF: {message}")]
     Export {
         /// What the engine said.
         message: String,
     },
     /// A page could not be written as picture.
-    #[error("page {page} cannot be written as picture")]
     Picture {
         /// Number of the page, from 1.
         page: usize,
     },
+}
+
+impl Fault {
+    /// The fault in a sentence.
+    #[must_use]
+    pub fn message(&self, language: Language) -> String {
+        match self {
+            Self::NoAxis => terminal::report_without_axis(language).to_owned(),
+            Self::Date { text } => terminal::not_a_date(text, language),
+            Self::NoDate => terminal::archive_needs_a_date(language).to_owned(),
+            Self::Typesetting { message } => terminal::report_not_typeset(message, language),
+            Self::Export { message } => terminal::report_not_written(message, language),
+            Self::Picture { page } => terminal::page_not_drawn(page, language),
+        }
+    }
 }

@@ -4,7 +4,6 @@
 pub(crate) const FILES: &[(&str, &str)] = &[
     ("main.typ", include_str!("../template/main.typ")),
     ("style.typ", include_str!("../template/style.typ")),
-    ("words.typ", include_str!("../template/words.typ")),
     ("cover.typ", include_str!("../template/cover.typ")),
     ("inputs.typ", include_str!("../template/inputs.typ")),
     ("mechanism.typ", include_str!("../template/mechanism.typ")),
@@ -16,3 +15,56 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("build.typ", include_str!("../template/build.typ")),
     ("sources.typ", include_str!("../template/sources.typ")),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use quantities::Language;
+    use std::collections::BTreeSet;
+
+    /// The keys of the words that a template asks for. It asks with `t("key")` alone, so that none is made up while it is set.
+    fn asked(text: &str) -> BTreeSet<&str> {
+        let code =
+            text.lines().map(|line| line.split(" // ").next().unwrap_or(line)).filter(|line| !line.starts_with("//"));
+        let mut keys = BTreeSet::new();
+        for line in code.filter(|line| !line.starts_with("#let t(key)")) {
+            for (at, _) in line.match_indices("t(") {
+                let before = line.get(..at).unwrap_or_default();
+                if before.ends_with(|sign: char| sign.is_alphanumeric() || matches!(sign, '-' | '_' | '.')) {
+                    continue;
+                }
+                let key =
+                    line.get(at + 2..).and_then(|rest| rest.strip_prefix('"')).and_then(|rest| rest.split_once("\")"));
+                let key = key
+                    .map(|(key, _)| key)
+                    .filter(|key| key.bytes().all(|byte| byte == b'_' || byte.is_ascii_alphanumeric()));
+                assert!(key.is_some(), "asked for without a plain key: {line}");
+                keys.extend(key);
+            }
+        }
+        keys
+    }
+
+    #[test]
+    fn the_template_asks_for_every_word_that_there_is_and_for_no_other() {
+        let asked: BTreeSet<&str> = FILES.iter().flat_map(|(_, text)| asked(text)).collect();
+        for language in Language::ALL {
+            let words = words::report::words(language);
+            let given: BTreeSet<&str> = words.keys().copied().collect();
+            assert_eq!(given.difference(&asked).collect::<Vec<_>>(), Vec::<&&str>::new(), "given and never used");
+            assert_eq!(asked.difference(&given).collect::<Vec<_>>(), Vec::<&&str>::new(), "asked for and not given");
+        }
+        assert!(asked.len() > 150, "{}", asked.len());
+    }
+
+    #[test]
+    fn a_key_is_found_wherever_it_is_asked_for() {
+        assert_eq!(asked("#t(\"a\") and (t(\"b_2\"), insert(c), note(t(\"d\"))"), BTreeSet::from(["a", "b_2", "d"]));
+    }
+
+    #[test]
+    #[should_panic(expected = "without a plain key")]
+    fn a_key_that_is_made_up_is_refused() {
+        let _ = asked("#t(\"v_\" + verdict)");
+    }
+}

@@ -2,13 +2,12 @@
 
 use crate::results;
 use crate::table::{Cell, Column, Kind, Table};
-use crate::words::{Both, column, t};
 use workbench::quantities::Measure;
 use workbench::quantities::Unit;
 use workbench::quantities::unit::{
     AMPERE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, ONE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND, WATT,
 };
-use workbench::text::{assumption_text, law_text};
+use workbench::text::{Word, assumption_text, capitalised, law_text, tables, terms};
 use workbench::{Candidate, Language, Project, Sample, Sizing, course, inputs, moves};
 
 /// The names of the tables, in the order of a workbook.
@@ -31,6 +30,30 @@ pub struct Subject<'a> {
     pub top: usize,
     /// Language of the words.
     pub language: Language,
+}
+
+/// A column of a definition.
+pub(crate) fn column(
+    name: &str,
+    title: Word,
+    kind: Kind,
+    unit: Option<&'static Unit>,
+    about: Word,
+    language: Language,
+) -> Column {
+    titled(name, title(language).to_owned(), kind, unit, about, language)
+}
+
+/// A column whose title is made from what it holds.
+pub(crate) fn titled(
+    name: &str,
+    title: String,
+    kind: Kind,
+    unit: Option<&'static Unit>,
+    about: Word,
+    language: Language,
+) -> Column {
+    Column { name: name.to_owned(), title, unit, about: about(language).to_owned(), kind }
 }
 
 impl Subject<'_> {
@@ -77,57 +100,22 @@ impl Subject<'_> {
         shown
     }
 
-    pub(crate) fn empty(&self, name: &'static str, title: Both, about: Both, columns: Vec<Column>) -> Table {
-        let (title, about) = (t(self.language, title).to_owned(), t(self.language, about).to_owned());
+    pub(crate) fn empty(&self, name: &'static str, title: Word, about: Word, columns: Vec<Column>) -> Table {
+        let (title, about) = (capitalised(title(self.language)), about(self.language).to_owned());
         Table { name, title, about, columns, rows: Vec::new(), derived: Vec::new() }
     }
 
     fn inputs(&self) -> Table {
         let l = self.language;
         let columns = vec![
-            column(
-                "path",
-                ["key", "Schlüssel"],
-                Kind::Text,
-                None,
-                ["key of the project file", "Schlüssel der Projektdatei"],
-                l,
-            ),
-            column(
-                "written",
-                ["written", "geschrieben"],
-                Kind::Text,
-                None,
-                ["as it stands there", "wie es dort steht"],
-                l,
-            ),
-            column(
-                "value",
-                ["value", "Wert"],
-                Kind::Number,
-                None,
-                ["the number, in its unit", "die Zahl in ihrer Einheit"],
-                l,
-            ),
-            column(
-                "tolerance",
-                ["± tolerance", "± Toleranz"],
-                Kind::Number,
-                None,
-                ["half-width of its tolerance, in the same unit", "halbe Breite der Toleranz, in derselben Einheit"],
-                l,
-            ),
-            column(
-                "unit",
-                ["unit", "Einheit"],
-                Kind::Text,
-                None,
-                ["unit of value and tolerance", "Einheit von Wert und Toleranz"],
-                l,
-            ),
+            column("path", tables::key, Kind::Text, None, tables::key_about, l),
+            column("written", tables::written, Kind::Text, None, tables::written_about, l),
+            column("value", terms::value, Kind::Number, None, tables::value_of_input_about, l),
+            column("tolerance", tables::tolerance, Kind::Number, None, tables::tolerance_about, l),
+            column("unit", terms::unit, Kind::Text, None, tables::unit_of_input_about, l),
         ];
-        let about = ["every value of the project file", "jeder Wert der Projektdatei"];
-        let mut table = self.empty("inputs", ["Inputs", "Eingaben"], about, columns);
+        let about = tables::inputs_about;
+        let mut table = self.empty("inputs", terms::inputs, about, columns);
         let own = format!("axis[{}].", self.axis + 1);
         table.rows = inputs(self.text)
             .into_iter()
@@ -151,18 +139,11 @@ impl Subject<'_> {
     fn assumptions(&self) -> Table {
         let l = self.language;
         let columns = vec![
-            column("number", ["no.", "Nr."], Kind::Count, None, ["running number", "laufende Nummer"], l),
-            column(
-                "assumption",
-                ["assumption", "Annahme"],
-                Kind::Text,
-                None,
-                ["what nobody stated", "was niemand angegeben hat"],
-                l,
-            ),
+            column("number", terms::number, Kind::Count, None, tables::number_about, l),
+            column("assumption", tables::assumption, Kind::Text, None, tables::assumption_about, l),
         ];
-        let about = ["what was assumed since nobody stated it", "was angenommen ist, weil es niemand angegeben hat"];
-        let mut table = self.empty("assumptions", ["Assumptions", "Annahmen"], about, columns);
+        let about = tables::assumptions_about;
+        let mut table = self.empty("assumptions", terms::assumptions, about, columns);
         table.rows = (1_u16..)
             .zip(&self.project.assumptions)
             .map(|(number, each)| vec![Cell::number(f64::from(number)), Cell::text(assumption_text(*each, l))])
@@ -174,54 +155,22 @@ impl Subject<'_> {
         let l = self.language;
         let moves = moves(self.project);
         let [distance, speed, acceleration] = moves.units;
-        let speed_title = if moves.turns { ["speed", "Drehzahl"] } else { ["speed", "Geschwindigkeit"] };
-        let where_at =
-            if moves.turns { ["at the output", "am Abtrieb"] } else { ["along the line", "entlang der Linie"] };
+        let speed_title = if moves.turns { terms::rotary_speed } else { terms::linear_speed };
+        let where_at = if moves.turns { tables::at_the_output } else { tables::along_the_line };
         let number =
-            |name: &str, title: Both, unit: &'static Unit| column(name, title, Kind::Number, Some(unit), where_at, l);
+            |name: &str, title: Word, unit: &'static Unit| column(name, title, Kind::Number, Some(unit), where_at, l);
         let columns = vec![
-            column(
-                "segment",
-                ["segment", "Abschnitt"],
-                Kind::Count,
-                None,
-                ["number of the segment", "Nummer des Abschnitts"],
-                l,
-            ),
-            column(
-                "law",
-                ["law", "Gesetz"],
-                Kind::Text,
-                None,
-                ["law of motion, or rest", "Bewegungsgesetz, oder Rast"],
-                l,
-            ),
-            column(
-                "start",
-                ["from", "ab"],
-                Kind::Number,
-                Some(&SECOND),
-                ["instant of its beginning", "Zeitpunkt des Beginns"],
-                l,
-            ),
-            column("duration", ["time", "Zeit"], Kind::Number, Some(&SECOND), ["duration", "Dauer"], l),
-            number("distance", ["distance", "Weg"], distance),
+            column("segment", terms::segment, Kind::Count, None, tables::segment_about, l),
+            column("law", terms::law, Kind::Text, None, tables::law_about, l),
+            column("start", tables::from, Kind::Number, Some(&SECOND), tables::from_about, l),
+            column("duration", terms::time, Kind::Number, Some(&SECOND), terms::duration, l),
+            number("distance", terms::distance, distance),
             number("speed", speed_title, speed),
-            number("acceleration", ["acceleration", "Beschleunigung"], acceleration),
-            column(
-                "recording",
-                ["recording", "Aufzeichnung"],
-                Kind::Text,
-                None,
-                ["file of the recording", "Datei der Aufzeichnung"],
-                l,
-            ),
+            number("acceleration", terms::acceleration, acceleration),
+            column("recording", terms::recording, Kind::Text, None, tables::recording_about, l),
         ];
-        let about = [
-            "the segments of the motion, what was given and what followed: distance, largest speed and acceleration",
-            "die Abschnitte der Bewegung, was gegeben ist und was folgt: Weg, größte Drehzahl und Beschleunigung",
-        ];
-        let mut table = self.empty("motion", ["Motion", "Bewegung"], about, columns);
+        let about = tables::motion_about;
+        let mut table = self.empty("motion", terms::motion, about, columns);
         table.rows = (1_u32..)
             .zip(&moves.moves)
             .map(|(number, each)| {
@@ -245,87 +194,26 @@ impl Subject<'_> {
     fn course(&self) -> Table {
         let l = self.language;
         type Of = fn(&Sample) -> Option<f64>;
-        let series: [(&str, Both, &'static Unit, Both, Of); 10] = [
-            (
-                "time",
-                ["time", "Zeit"],
-                &SECOND,
-                ["instant; twice where something jumps", "Zeitpunkt; doppelt, wo etwas springt"],
-                |s| Some(s.time_s),
-            ),
-            ("position", ["angle", "Winkel"], &DEGREE, ["of the output", "des Abtriebs"], |s| Some(s.position_rad)),
-            ("speed", ["speed", "Drehzahl"], &REVOLUTION_PER_MINUTE, ["of the output", "des Abtriebs"], |s| {
-                Some(s.speed_rad_s)
+        let series: [(&str, Word, &'static Unit, Word, Of); 10] = [
+            ("time", terms::time, &SECOND, tables::time_of_course_about, |s| Some(s.time_s)),
+            ("position", tables::angle, &DEGREE, tables::of_the_output, |s| Some(s.position_rad)),
+            ("speed", terms::rotary_speed, &REVOLUTION_PER_MINUTE, tables::of_the_output, |s| Some(s.speed_rad_s)),
+            ("acceleration", terms::acceleration, &RADIAN_PER_SECOND_SQUARED, tables::of_the_output, |s| {
+                Some(s.acceleration_rad_s2)
             }),
-            (
-                "acceleration",
-                ["acceleration", "Beschleunigung"],
-                &RADIAN_PER_SECOND_SQUARED,
-                ["of the output", "des Abtriebs"],
-                |s| Some(s.acceleration_rad_s2),
-            ),
-            (
-                "torque",
-                ["torque", "Drehmoment"],
-                &NEWTON_METRE,
-                [
-                    "of the actuator at the output, its own inertia included",
-                    "des Antriebs am Abtrieb, mit der eigenen Trägheit",
-                ],
-                |s| Some(s.torque_nm),
-            ),
-            (
-                "current",
-                ["motor current", "Motorstrom"],
-                &AMPERE,
-                ["rms, signed like the torque", "effektiv, mit dem Vorzeichen des Drehmoments"],
-                |s| s.current_a,
-            ),
-            (
-                "power",
-                ["power", "Leistung"],
-                &WATT,
-                ["electrical, at the motor terminals", "elektrisch, an den Motorklemmen"],
-                |s| s.power_w,
-            ),
-            (
-                "winding",
-                ["winding", "Wicklung"],
-                &DEGREE_CELSIUS,
-                [
-                    "temperature in the steady cycle; estimated, model thermal",
-                    "Temperatur im eingeschwungenen Zyklus; geschätzt, Modell Erwärmung",
-                ],
-                |s| s.winding_k,
-            ),
-            (
-                "housing",
-                ["housing", "Gehäuse"],
-                &DEGREE_CELSIUS,
-                [
-                    "temperature in the steady cycle; estimated, model thermal",
-                    "Temperatur im eingeschwungenen Zyklus; geschätzt, Modell Erwärmung",
-                ],
-                |s| s.housing_k,
-            ),
-            (
-                "overload",
-                ["I²t", "I²t"],
-                &ONE,
-                [
-                    "filtered square of the current over that of I_0, 1 is the limit; model overload",
-                    "gefiltertes Quadrat des Stroms über dem von I_0, 1 ist die Grenze; Modell Überlast",
-                ],
-                |s| s.overload,
-            ),
+            ("torque", tables::torque, &NEWTON_METRE, tables::torque_of_course_about, |s| Some(s.torque_nm)),
+            ("current", tables::motor_current, &AMPERE, tables::motor_current_about, |s| s.current_a),
+            ("power", tables::power, &WATT, tables::power_about, |s| s.power_w),
+            ("winding", terms::winding, &DEGREE_CELSIUS, tables::temperature_about, |s| s.winding_k),
+            ("housing", terms::housing, &DEGREE_CELSIUS, tables::temperature_about, |s| s.housing_k),
+            ("overload", tables::overload, &ONE, tables::overload_about, |s| s.overload),
         ];
         let columns = series
             .iter()
             .map(|(name, title, unit, about, _)| column(name, *title, Kind::Number, Some(unit), *about, l))
             .collect();
-        let about =
-            ["the cycle of the chosen actuator as time series", "der Zyklus des gewählten Antriebs als Zeitreihe"];
-        let mut table = self.empty("course", ["Course", "Verlauf"], about, columns);
+        let about = tables::course_about;
+        let mut table = self.empty("course", tables::course, about, columns);
         table.rows = course(self.project, self.chosen)
             .samples
             .iter()

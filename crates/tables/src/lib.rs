@@ -15,7 +15,6 @@ mod json;
 mod parquet;
 mod results;
 mod table;
-mod words;
 mod xlsx;
 
 pub use crate::csv::csv;

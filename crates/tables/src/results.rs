@@ -1,91 +1,51 @@
 //! The tables of the results: demand, candidates, checks.
 
-use crate::define::Subject;
+use crate::define::{Subject, column, titled};
 use crate::table::{Cell, Column, Derived, Kind, Table};
-use crate::words::{Both, column, t};
 use workbench::quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use workbench::quantities::{Measure, Unit};
 use workbench::text::{
-    check_missing, check_title, describe_field, figure_term, grade_word, note_text, source_text, verdict_word,
+    Word, check_missing, check_title, describe_field, figure_term, grade_word, note_text, source_text, tables, terms,
+    verdict_word,
 };
 use workbench::{Candidate, Check, CheckId, Demand, Language};
 
 /// Identifier and word of the verdict on a whole candidate.
 pub(crate) fn fits(candidate: &Candidate<'_>, language: Language) -> Cell {
-    let (id, words): (&'static str, Both) =
-        if candidate.fits() { ("fits", FITS) } else { ("does_not_fit", DOES_NOT_FIT) };
-    Cell::Word(id, t(language, words).to_owned())
+    let (id, word): (&'static str, Word) =
+        if candidate.fits() { ("fits", terms::fits) } else { ("does_not_fit", terms::does_not_fit) };
+    Cell::Word(id, word(language).to_owned())
 }
 
-/// Nothing speaks against it.
-pub(crate) const FITS: Both = ["fits", "geeignet"];
-/// Something speaks against it.
-pub(crate) const DOES_NOT_FIT: Both = ["DOES NOT FIT", "PASST NICHT"];
-
 fn code(language: Language) -> Column {
-    let about =
-        ["ordering code, or name of the project's own actuator", "Bestellbezeichnung oder Name des eigenen Antriebs"];
-    column("code", ["ordering code", "Bestellbezeichnung"], Kind::Text, None, about, language)
+    let about = tables::ordering_code_about;
+    column("code", terms::ordering_code, Kind::Text, None, about, language)
 }
 
 pub(crate) fn demand(subject: &Subject<'_>) -> Table {
     let l = subject.language;
-    let figure = |name: &str, symbol: &str, unit: &'static Unit, about: Both| Column {
-        title: figure_term(symbol, l),
-        ..column(name, ["", ""], Kind::Number, Some(unit), about, l)
+    let figure = |name: &str, symbol: &str, unit: &'static Unit, about: Word| {
+        titled(name, figure_term(symbol, l), Kind::Number, Some(unit), about, l)
     };
-    let cycle = ["over the whole cycle, own inertia included", "über den ganzen Zyklus, mit der eigenen Trägheit"];
-    let governing = ["of the governing move, eq. 69.1 and 69.2", "der maßgebenden Bewegung, Gl. 69.1 und 69.2"];
-    let torque = |name: &str| column(name, ["", ""], Kind::Number, Some(&NEWTON_METRE), governing, l);
-    let named = |name: &'static str, title: Both| Column { title: t(l, title).to_owned(), ..torque(name) };
+    let cycle = tables::whole_cycle_about;
+    let governing = tables::governing_torque_about;
+    let torque = |name: &str, title: Word| column(name, title, Kind::Number, Some(&NEWTON_METRE), governing, l);
     let columns = vec![
         code(l),
-        column(
-            "mode",
-            ["mode", "Verfahren"],
-            Kind::Text,
-            None,
-            [
-                "manual: equations 69.1 to 69.4; integral: exact integral over the motion, which the checks use",
-                "manual: Gleichungen 69.1 bis 69.4; integral: exaktes Integral über die Bewegung, mit dem geprüft wird",
-            ],
-            l,
-        ),
+        column("mode", tables::mode, Kind::Text, None, tables::mode_about, l),
         figure("T_rms", "T_rms", &NEWTON_METRE, cycle),
         figure("T_peak", "T_peak", &NEWTON_METRE, cycle),
-        column(
-            "T_peak_at",
-            ["at", "bei"],
-            Kind::Number,
-            Some(&SECOND),
-            ["instant of the peak torque", "Zeitpunkt des Spitzendrehmoments"],
-            l,
-        ),
-        figure(
-            "n_av",
-            "n_av",
-            &REVOLUTION_PER_MINUTE,
-            ["mean of |n|, pauses included", "Mittel von |n|, mit den Pausen"],
-        ),
-        figure("n_peak", "n_peak", &REVOLUTION_PER_MINUTE, ["largest |n|", "größtes |n|"]),
-        figure("ED", "ED", &PERCENT, ["share of the cycle in motion", "Anteil der Bewegung am Zyklus"]),
-        named("T_1", ["T_1 accelerating", "T_1 Beschleunigen"]),
-        named("T_2", ["T_2 running", "T_2 Fahren"]),
-        named("T_3", ["T_3 braking", "T_3 Bremsen"]),
-        column(
-            "move",
-            ["governing move", "maßgebende Bewegung"],
-            Kind::Count,
-            None,
-            ["number of the move that T_1 to T_3 belong to", "Nummer der Bewegung, zu der T_1 bis T_3 gehören"],
-            l,
-        ),
+        column("T_peak_at", tables::at, Kind::Number, Some(&SECOND), tables::peak_torque_at_about, l),
+        figure("n_av", "n_av", &REVOLUTION_PER_MINUTE, tables::mean_speed_about),
+        figure("n_peak", "n_peak", &REVOLUTION_PER_MINUTE, tables::peak_speed_about),
+        figure("ED", "ED", &PERCENT, tables::duty_factor_about),
+        torque("T_1", tables::t_1_accelerating),
+        torque("T_2", tables::t_2_running),
+        torque("T_3", tables::t_3_braking),
+        column("move", tables::governing_move, Kind::Count, None, tables::governing_move_about, l),
     ];
-    let about = [
-        "what the axis asks of each candidate, by the manual's equations and by exact integrals",
-        "was die Achse von jedem Kandidaten verlangt, nach den Gleichungen der Anleitung und nach exakten Integralen",
-    ];
-    let mut table = subject.empty("demand", ["Demand", "Bedarf"], about, columns);
+    let about = tables::demand_about;
+    let mut table = subject.empty("demand", terms::demand, about, columns);
     for (_, candidate) in subject.shown() {
         let judgement = &candidate.judgement;
         let mut row = |mode: &str, demand: &Demand, moves: [Cell; 4]| {
@@ -127,104 +87,35 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
         .copied()
         .filter(|id| shown.iter().any(|(_, each)| each.judgement.checks.iter().any(|check| check.id == *id)))
         .collect();
-    let data = ["from its data sheet", "aus seinem Datenblatt"];
-    let figure = |name: &str, symbol: &str, unit: &'static Unit, about: Both| Column {
-        title: figure_term(symbol, l),
-        ..column(name, ["", ""], Kind::Number, Some(unit), about, l)
+    let data = tables::data_sheet_about;
+    let figure = |name: &str, symbol: &str, unit: &'static Unit, about: Word| {
+        titled(name, figure_term(symbol, l), Kind::Number, Some(unit), about, l)
     };
     let mut columns = vec![
-        column(
-            "rank",
-            ["rank", "Rang"],
-            Kind::Count,
-            None,
-            [
-                "place in the ranking; none where it does not fit",
-                "Platz in der Reihenfolge; keiner, wo er nicht geeignet ist",
-            ],
-            l,
-        ),
+        column("rank", terms::rank, Kind::Count, None, tables::rank_about, l),
         code(l),
-        column(
-            "verdict",
-            ["verdict", "Urteil"],
-            Kind::Verdict,
-            None,
-            ["fits: nothing speaks against it", "fits: nichts spricht dagegen"],
-            l,
-        ),
-        column(
-            "utilisation",
-            ["utilisation", "Auslastung"],
-            Kind::Share,
-            Some(&ONE),
-            ["highest of all limits, 1 is the limit", "höchste aller Grenzen, 1 ist die Grenze"],
-            l,
-        ),
-        column(
-            "tightest",
-            ["tightest check", "engster Nachweis"],
-            Kind::Text,
-            None,
-            ["id of the check that it belongs to", "Kennung des Nachweises, zu dem sie gehört"],
-            l,
-        ),
-        column(
-            "margin",
-            ["margin", "Reserve"],
-            Kind::Share,
-            Some(&ONE),
-            ["1 less the utilisation", "1 weniger der Auslastung"],
-            l,
-        ),
+        column("verdict", terms::verdict, Kind::Verdict, None, tables::candidate_verdict_about, l),
+        column("utilisation", terms::utilisation, Kind::Share, Some(&ONE), tables::highest_utilisation_about, l),
+        column("tightest", terms::tightest_check, Kind::Text, None, tables::tightest_check_about, l),
+        column("margin", terms::margin, Kind::Share, Some(&ONE), tables::margin_about, l),
         figure("mass", "m", &KILOGRAM, data),
         figure("length", "L", &MILLIMETRE, data),
         figure("hollow_shaft", "d_H", &MILLIMETRE, data),
         figure("ratio", "i", &ONE, data),
         figure("T_max", "T_max", &NEWTON_METRE, data),
-        column(
-            "open_questions",
-            ["open questions", "offene Fragen"],
-            Kind::Count,
-            None,
-            ["how many could not be answered for want of a datum", "wie viele mangels Angabe nicht beantwortet sind"],
-            l,
-        ),
-        column(
-            "on_request",
-            ["on request", "auf Anfrage"],
-            Kind::Text,
-            None,
-            ["fields of the code that are on request only", "Felder des Codes, die es nur auf Anfrage gibt"],
-            l,
-        ),
-        column(
-            "objections",
-            ["requirements not met", "nicht erfüllt"],
-            Kind::Text,
-            None,
-            ["requirements not met and rules broken", "Anforderungen nicht erfüllt, Regeln verletzt"],
-            l,
-        ),
+        column("open_questions", tables::open_questions, Kind::Count, None, tables::open_questions_about, l),
+        column("on_request", terms::on_request, Kind::Text, None, tables::on_request_about, l),
+        column("objections", tables::objections, Kind::Text, None, tables::objections_about, l),
     ];
-    columns.extend(ids.iter().map(|id| {
-        Column {
-            name: id.id().to_owned(),
-            title: check_title(*id, l),
-            unit: Some(&ONE),
-            about: t(
-                l,
-                ["utilisation of this check, 1 is the limit", "Auslastung dieses Nachweises, 1 ist die Grenze"],
-            )
-            .to_owned(),
-            kind: Kind::Share,
-        }
+    columns.extend(ids.iter().map(|id| Column {
+        name: id.id().to_owned(),
+        title: check_title(*id, l),
+        unit: Some(&ONE),
+        about: tables::utilisation_of_check_about(l).to_owned(),
+        kind: Kind::Share,
     }));
-    let about = [
-        "the candidates in their order, with the utilisation of every check",
-        "die Kandidaten in ihrer Reihenfolge, mit der Auslastung jedes Nachweises",
-    ];
-    let mut table = subject.empty("candidates", ["Candidates", "Kandidaten"], about, columns);
+    let about = tables::candidates_about;
+    let mut table = subject.empty("candidates", terms::candidates, about, columns);
     #[allow(clippy::cast_precision_loss, reason = "counts of a few hundred")]
     let count = |count: usize| Cell::number(count as f64);
     for (rank, candidate) in &shown {
@@ -267,103 +158,23 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
     let l = subject.language;
     let columns = vec![
         code(l),
-        column("check", ["id", "Kennung"], Kind::Text, None, ["id of the check", "Kennung des Nachweises"], l),
-        column("title", ["check", "Nachweis"], Kind::Text, None, ["its title", "ihr Titel"], l),
-        column(
-            "verdict",
-            ["verdict", "Urteil"],
-            Kind::Verdict,
-            None,
-            ["pass, fail, advice or not_checked", "pass, fail, advice oder not_checked"],
-            l,
-        ),
-        column("value", ["value", "Wert"], Kind::Number, None, ["what the axis asks", "was die Achse verlangt"], l),
-        column(
-            "limit",
-            ["limit", "Grenze"],
-            Kind::Number,
-            None,
-            ["what the actuator gives, or what is asked for", "was der Antrieb hergibt oder was verlangt ist"],
-            l,
-        ),
-        column(
-            "unit",
-            ["unit", "Einheit"],
-            Kind::Text,
-            None,
-            ["unit of value and limit", "Einheit von Wert und Grenze"],
-            l,
-        ),
-        column(
-            "direction",
-            ["direction", "Richtung"],
-            Kind::Text,
-            None,
-            [
-                "at_most or at_least: how the value must lie to the limit",
-                "at_most oder at_least: wie der Wert zur Grenze liegen muss",
-            ],
-            l,
-        ),
-        column(
-            "utilisation",
-            ["utilisation", "Auslastung"],
-            Kind::Share,
-            Some(&ONE),
-            ["1 is the limit", "1 ist die Grenze"],
-            l,
-        ),
-        column(
-            "margin",
-            ["margin", "Reserve"],
-            Kind::Share,
-            Some(&ONE),
-            ["1 less the utilisation", "1 weniger der Auslastung"],
-            l,
-        ),
-        column(
-            "at",
-            ["at", "bei"],
-            Kind::Number,
-            Some(&SECOND),
-            ["instant of the worst case within the cycle", "Zeitpunkt des ungünstigsten Falls im Zyklus"],
-            l,
-        ),
-        column(
-            "grade",
-            ["grade", "Güte"],
-            Kind::Text,
-            None,
-            ["the worst grade among the inputs", "die schlechteste Güte unter den Eingaben"],
-            l,
-        ),
-        column(
-            "source",
-            ["source", "Quelle"],
-            Kind::Text,
-            None,
-            ["source of the limit; of the value", "Quelle der Grenze; des Werts"],
-            l,
-        ),
-        column(
-            "missing",
-            ["missing", "fehlt"],
-            Kind::Text,
-            None,
-            ["what a check that is not answered lacks", "was einem nicht geführten Nachweis fehlt"],
-            l,
-        ),
-        column(
-            "notes",
-            ["remarks", "Bemerkungen"],
-            Kind::Text,
-            None,
-            ["what a reader must know", "was ein Leser wissen muss"],
-            l,
-        ),
+        column("check", tables::check_id, Kind::Text, None, tables::check_id_about, l),
+        column("title", terms::check, Kind::Text, None, tables::check_title_about, l),
+        column("verdict", terms::verdict, Kind::Verdict, None, tables::check_verdict_about, l),
+        column("value", terms::value, Kind::Number, None, tables::value_of_check_about, l),
+        column("limit", terms::limit, Kind::Number, None, tables::limit_about, l),
+        column("unit", terms::unit, Kind::Text, None, tables::unit_of_check_about, l),
+        column("direction", tables::direction, Kind::Text, None, tables::direction_about, l),
+        column("utilisation", terms::utilisation, Kind::Share, Some(&ONE), tables::utilisation_about, l),
+        column("margin", terms::margin, Kind::Share, Some(&ONE), tables::margin_about, l),
+        column("at", tables::at, Kind::Number, Some(&SECOND), tables::worst_at_about, l),
+        column("grade", terms::grade, Kind::Text, None, tables::grade_about, l),
+        column("source", terms::source, Kind::Text, None, tables::source_about, l),
+        column("missing", terms::missing, Kind::Text, None, tables::missing_about, l),
+        column("notes", terms::remarks, Kind::Text, None, tables::remarks_about, l),
     ];
-    let about = ["every check of the candidates shown", "jeder Nachweis der gezeigten Kandidaten"];
-    let mut table = subject.empty("checks", ["Checks", "Nachweise"], about, columns);
+    let about = tables::checks_about;
+    let mut table = subject.empty("checks", terms::checks, about, columns);
     let chosen = &subject.chosen.id;
     let mut shown = subject.shown();
     // The chosen one stands first: its checks are what most readers look for.

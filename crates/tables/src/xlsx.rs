@@ -7,10 +7,11 @@ mod style;
 
 use crate::error::WriteError;
 use crate::table::Table;
-use crate::words::t;
+
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Workbook, Worksheet};
 use sheet::Links;
 use style::Styles;
+use workbench::text::{Word, capitalised, tables, terms};
 use workbench::{Candidate, Language, Project};
 
 /// Most rows of a table on a sheet; a longer one is named on the first sheet and left to the other formats. A choice
@@ -72,17 +73,12 @@ fn properties(front: &Front<'_>) -> Result<DocProperties, WriteError> {
 /// What every column means, with its name in data exchange.
 fn meanings(tables: &[Table], styles: &Styles, language: Language) -> Result<Worksheet, WriteError> {
     let mut sheet = Worksheet::new();
-    sheet.set_name(t(language, ["Columns", "Spalten"]))?;
-    let heads = [
-        ["sheet", "Blatt"],
-        ["heading", "Überschrift"],
-        ["name in CSV, JSON, Parquet", "Name in CSV, JSON, Parquet"],
-        ["unit", "Einheit"],
-        ["meaning and source", "Bedeutung und Quelle"],
-    ];
+    sheet.set_name(capitalised(terms::columns(language)))?;
+    let heads: [Word; 5] =
+        [tables::sheet, tables::heading, tables::name_in_csv_json_parquet, terms::unit, tables::meaning_and_source];
     let widths = [16.0, 30.0, 30.0, 12.0, 60.0];
     for ((column, head), width) in (0_u16..).zip(heads).zip(widths) {
-        sheet.write_string_with_format(0, column, t(language, head), &styles.head)?;
+        sheet.write_string_with_format(0, column, head(language), &styles.head)?;
         sheet.set_column_width(column, width)?;
     }
     let columns = tables.iter().flat_map(|table| table.columns.iter().map(move |column| (table, column)));

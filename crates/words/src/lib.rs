@@ -8,21 +8,43 @@ mod bodies;
 mod codes;
 mod derivation;
 mod errata;
+mod examples;
 mod faults;
 mod flange;
+pub mod help;
+mod keys;
+mod letters;
 mod motion;
 mod notes;
+pub mod pictures;
+mod print;
+mod project_file;
+mod quantity;
 mod recording;
+pub mod records;
+pub mod report;
 mod results;
 mod schema;
 mod stage;
+pub mod tables;
+pub mod terminal;
+pub mod terms;
+mod texts;
 
 pub use bodies::shape_title;
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token, describe_uncovered};
 pub use derivation::{found_text, step_term, step_terms, symbol_shown};
 pub use errata::{erratum_kind, erratum_place, erratum_status};
+pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use faults::{Told, battery_fault, fault_text, file_trouble, hint_text, told};
+pub use keys::about_text;
+pub use letters::{is_vowel, stands_before_a_number};
 pub use motion::law_text;
+pub use print::{
+    cell_text, document_note, erratum_readings, own_and_foreign, table_note, table_title, term_remark, word_meaning,
+};
+pub use project_file::{body_key, key_word, short_label, table_of_project};
+pub use quantity::{quantity_fault, quantity_hint};
 pub use results::{
     assumption_text, check_missing, check_title, condition_text, curve_title, evidence_text, figure_term, grade_about,
     grade_word, note_text, ranking_rule, requirement_title, source_text, standing_text, symbol_term, unmet_text,
@@ -31,14 +53,34 @@ pub use results::{
 
 pub use schema::schema_text;
 pub use stage::ratios_text;
+pub use texts::{Text, Word};
 
 use quantities::Language;
 
 /// Chooses between the two languages.
-#[must_use]
-pub fn either(language: Language, en: impl Into<String>, de: impl Into<String>) -> String {
+pub(crate) fn either(language: Language, en: impl Into<String>, de: impl Into<String>) -> String {
     match language {
         Language::En => en.into(),
         Language::De => de.into(),
     }
 }
+
+/// A text with its first letter large, as a title has it.
+#[must_use]
+pub fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// Every module of texts by name, for whoever looks at all of them.
+pub const MODULES: &[(&str, &[Text])] = &[
+    ("help", help::TEXTS),
+    ("help::library", help::library::TEXTS),
+    ("help::values", help::values::TEXTS),
+    ("pictures", pictures::TEXTS),
+    ("records", records::TEXTS),
+    ("report", report::TEXTS),
+    ("tables", tables::TEXTS),
+    ("terminal", terminal::TEXTS),
+    ("terms", terms::TEXTS),
+];

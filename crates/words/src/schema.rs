@@ -1,6 +1,6 @@
 //! Words of the schema of the project file.
 
-use super::either;
+use super::{about_text, either};
 use project::SchemaText;
 use quantities::{Dimension, Language};
 
@@ -8,7 +8,7 @@ use quantities::{Dimension, Language};
 #[must_use]
 pub fn schema_text(text: SchemaText, language: Language) -> String {
     match text {
-        SchemaText::Key(en, de) => either(language, en, de),
+        SchemaText::Key(about) => about_text(about, language).to_owned(),
         SchemaText::Quantity(dimension) => quantity(dimension, language),
     }
 }

@@ -22,7 +22,7 @@ pub fn curves(code: &OrderCode, terminal: Option<ElectricPotential>) -> Option<R
 /// # Errors
 /// What is wrong with the text, and a hint.
 pub fn read_quantity<Q: Measure>(text: &str, language: Language) -> Result<Q, (String, Option<String>)> {
-    parse_as(text).map_err(|error| (error.message(language), error.hint(language)))
+    parse_as(text).map_err(|error| (words::quantity_fault(&error, language), words::quantity_hint(&error, language)))
 }
 
 /// Life of the battery of the M128S encoder for hours of operation a day, after a storage.

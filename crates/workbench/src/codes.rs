@@ -2,9 +2,10 @@
 
 use configurator::{Availability, BrokenRule, Choice, availability};
 use order_code::{CodeError, CodeErrors, Field, OrderCode, Parsed, Pattern, Size};
+use project::Hint;
 use quantities::Language;
 use std::ops::Range;
-use words::{describe_code_error, describe_field, describe_rule, describe_token, either};
+use words::{describe_code_error, describe_field, describe_rule, describe_token, hint_text};
 
 /// A code as it was understood.
 #[derive(Clone, Debug)]
@@ -97,15 +98,11 @@ pub(crate) fn spelling_faults(errors: &CodeErrors, language: Language) -> Vec<Co
         .map(|error| {
             let valid = valid_here(error, size);
             let hint = match error.nearest().filter(|near| valid.contains(near)) {
-                Some(near) => Some(either(
-                    language,
-                    format!("did you mean `{near}`?"),
-                    format!("gemeint ist vielleicht `{near}`"),
-                )),
+                Some(near) => Some(hint_text(&Hint::DidYouMean(near.to_owned()), language)),
                 None if valid.is_empty() => None,
                 None => {
-                    let valid = valid.join(", ");
-                    Some(either(language, format!("valid here: {valid}"), format!("hier gültig: {valid}")))
+                    let valid = valid.into_iter().map(str::to_owned).collect();
+                    Some(hint_text(&Hint::ValidAre(valid), language))
                 }
             };
             CodeFault { span: error.span(), message: describe_code_error(error, language), hint, table: None }

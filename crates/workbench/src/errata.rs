@@ -4,8 +4,8 @@ use crate::codes::CodeRefusal;
 use crate::codes::read_code;
 use crate::sheet::sheet;
 use catalogue::Erratum;
+use project::Hint;
 use quantities::Language;
-use words::either;
 
 /// What was asked about, and the errata on it.
 #[derive(Clone, Debug)]
@@ -78,14 +78,8 @@ fn unknown(text: &str, language: Language) -> ErrataRefusal {
     let scored = names.map(|name| (distance(name), std::cmp::Reverse(alike(name)), name));
     let near = scored.min().filter(|(distance, ..)| *distance * 2 <= text.chars().count()).map(|(_, _, name)| name);
     ErrataRefusal::Unknown {
-        message: either(
-            language,
-            format!("no erratum, table or ordering code is called `{text}`"),
-            format!("kein Erratum, keine Tabelle und kein Bestellcode heißt `{text}`"),
-        ),
-        hint: near.map(|near| {
-            either(language, format!("did you mean `{near}`?"), format!("gemeint ist vielleicht `{near}`"))
-        }),
+        message: words::records::no_such_erratum(&text, language),
+        hint: near.map(|near| words::hint_text(&Hint::DidYouMean(near.to_owned()), language)),
     }
 }
 

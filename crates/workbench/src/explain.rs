@@ -35,7 +35,7 @@ fn amount(value: f64, unit: &str, language: Language) -> String {
 
 /// Without the zeros that end a decimal fraction.
 fn trimmed(number: &str, language: Language) -> String {
-    let point = if language == Language::De { ',' } else { '.' };
+    let point = language.decimal_mark();
     if !number.contains(point) {
         return number.to_owned();
     }

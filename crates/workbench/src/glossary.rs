@@ -2,7 +2,7 @@
 
 use answers::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
 use quantities::Language;
-use words::{step_terms, symbol_shown};
+use words::{step_terms, symbol_shown, term_remark, word_meaning};
 
 /// The glossary, or what of it a symbol, an identifier or a word asks for; whole names go before parts of words.
 ///
@@ -25,7 +25,6 @@ pub fn glossary(wanted: Option<&str>, language: Language) -> Result<Glossary, Ve
 }
 
 fn whole(language: Language) -> Glossary {
-    let of = |en: &str, de: &str| if language == Language::De { de.to_owned() } else { en.to_owned() };
     Glossary {
         words: catalogue::words()
             .iter()
@@ -33,7 +32,7 @@ fn whole(language: Language) -> Glossary {
                 id: word.id.to_owned(),
                 en: word.en.to_owned(),
                 de: word.de.to_owned(),
-                meaning: of(word.about_en, word.about_de),
+                meaning: word_meaning(word, language).to_owned(),
             })
             .collect(),
         terms: catalogue::glossary()
@@ -44,7 +43,7 @@ fn whole(language: Language) -> Glossary {
                 unit: term.unit.to_owned(),
                 en: term.en.to_owned(),
                 de: term.de.to_owned(),
-                remark: of(term.note_en, term.note_de),
+                remark: term_remark(term, language).to_owned(),
             })
             .collect(),
         symbols: step_terms()

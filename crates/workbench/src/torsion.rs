@@ -24,7 +24,9 @@ pub struct TorsionAnswer {
 /// # Errors
 /// What is wrong with the text, in a language.
 pub fn read_torque(text: &str, language: Language) -> Result<Torque, (String, Option<String>)> {
-    parse_as(text).map_err(|error: QuantityError| (error.message(language), error.hint(language)))
+    parse_as(text).map_err(|error: QuantityError| {
+        (words::quantity_fault(&error, language), words::quantity_hint(&error, language))
+    })
 }
 
 /// The torsion of a code's gear under a torque; `None` where the stiffness is not printed.

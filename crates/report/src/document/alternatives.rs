@@ -1,9 +1,10 @@
 //! What else fits, what nearly fits, and why the rest does not.
 
-use super::checks::{Titles, capital};
+use super::checks::Titles;
 use super::shown::{Shown, tied};
 use answers::{Dossier, Rejection};
 use serde::Serialize;
+use words::capitalised;
 
 /// How many fitting actuators and nearest misses are shown.
 const FEW: usize = 5;
@@ -69,7 +70,7 @@ impl Alternatives {
                 code: candidate.called().to_owned(),
                 utilisation: candidate.utilisation.written().unwrap_or_default(),
                 percent: shown.share(candidate.utilisation),
-                tightest: candidate.tightest.map(|id| capital(&titles.of(*id))).unwrap_or_default(),
+                tightest: candidate.tightest.map(|id| capitalised(&titles.of(*id))).unwrap_or_default(),
                 mass: candidate.mass_kg.map(|mass| shown.number(mass)).unwrap_or_default(),
                 open: candidate.open_questions,
                 on_request: candidate.on_request.clone(),
@@ -78,7 +79,7 @@ impl Alternatives {
         });
         let reasons = dossier.rejections.iter().map(|group| Reason {
             is_check: group.is_check,
-            text: tied(&capital(&group.reason)),
+            text: tied(&capitalised(&group.reason)),
             count: group.codes.len(),
             codes: if full { group.codes.clone() } else { Vec::new() },
         });
@@ -88,7 +89,7 @@ impl Alternatives {
             judged: sizing.judged,
             fitting: sizing.fitting,
             rejected: sizing.rejected.len(),
-            rule: capital(&sizing.rule),
+            rule: capitalised(&sizing.rule),
             ranking: ranking.collect(),
             nearest: near.take(most).filter_map(|each| miss(each, titles, shown)).collect(),
             reasons: reasons.collect(),
@@ -102,7 +103,7 @@ fn miss(rejection: &Rejection, titles: &Titles, shown: &Shown) -> Option<Miss> {
     let unit = rejection.unit.unwrap_or("1");
     Some(Miss {
         code: rejection.code.clone(),
-        check: capital(&titles.of(check)),
+        check: capitalised(&titles.of(check)),
         value: shown.figure(value, unit),
         relation: check.direction().relation(false, value.0, limit.0),
         limit: shown.figure(limit, unit),

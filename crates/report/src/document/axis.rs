@@ -1,7 +1,7 @@
 //! One axis with all that is told of it.
 
 use super::alternatives::Alternatives;
-use super::checks::{Checks, Titles, capital};
+use super::checks::{Checks, Titles};
 use super::demand::{DemandTable, MotionTable};
 use super::figure_file;
 use super::inputs::{Group, Mechanism, groups};
@@ -10,6 +10,7 @@ use super::shown::{Shown, tied};
 use crate::{AxisContent, Figure, Place};
 use answers::{Candidate, Check, CheckId, Dossier, Fit, Item, Number, ScrewJoint, Tolerance};
 use serde::Serialize;
+use words::capitalised;
 
 /// Everything about one axis that the template places.
 #[derive(Serialize)]
@@ -135,7 +136,7 @@ impl Axis {
         let erratum = |each: &answers::ErratumUsed| Erratum {
             id: each.erratum.id.clone(),
             text: tied(&each.erratum.evidence),
-            check: capital(&each.check),
+            check: capitalised(&each.check),
         };
         Self {
             number: index + 1,
@@ -212,7 +213,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         passed: counts.passed,
         utilisation: shown.share(candidate.utilisation),
         share: candidate.utilisation.written().unwrap_or_default(),
-        tightest: highest(candidate).map(|id| capital(&titles.of(id))).unwrap_or_default(),
+        tightest: highest(candidate).map(|id| capitalised(&titles.of(id))).unwrap_or_default(),
         mass: candidate.mass_kg.map(|mass| shown.figure(mass, "kg")).unwrap_or_default(),
         cycle: shown.figure(Number(cycle), "s"),
         on_request: candidate.on_request.clone(),
@@ -236,7 +237,7 @@ fn words_of(key: &str, dossier: &Dossier) -> String {
     let found = dossier.inputs.iter().find_map(|table| {
         let name = inside.strip_prefix(table.key.as_str())?.strip_prefix('.')?;
         let value = table.values.iter().find(|value| value.name == name)?;
-        (!value.label.is_empty()).then(|| format!("{} ({})", capital(&value.label), table.title))
+        (!value.label.is_empty()).then(|| format!("{} ({})", capitalised(&value.label), table.title))
     });
     found.unwrap_or_else(|| key.to_owned())
 }
@@ -255,7 +256,7 @@ fn scatter(found: &Tolerance, dossier: &Dossier, titles: &Titles, shown: &Shown)
         corner: Corner {
             fits: worst.verdict == Fit::Fits,
             utilisation: shown.share(worst.utilisation),
-            check: worst.check.map(|id| capital(&titles.of(*id))).unwrap_or_default(),
+            check: worst.check.map(|id| capitalised(&titles.of(*id))).unwrap_or_default(),
             is_corner: worst.is_corner,
             exhaustive: worst.exhaustive,
             values: worst

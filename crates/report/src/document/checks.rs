@@ -2,9 +2,11 @@
 
 use super::shown::{Shown, tied};
 use answers::{Check, CheckId, Dossier, Grade, Identified, Number, Verdict};
+use quantities::Language;
 use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use words::{capitalised, grade_about, grade_word};
 
 /// Every check, the worst first.
 #[derive(Serialize)]
@@ -103,7 +105,7 @@ impl Checks {
 fn missing(check: &Check, dossier: &Dossier) -> Open {
     let missing = dossier.missing.iter().find(|missing| *missing.check == *check.id);
     Open {
-        title: capital(&check.title),
+        title: capitalised(&check.title),
         missing: missing.map(|missing| tied(&missing.text)).unwrap_or_default(),
         rejects: !check.id.is_recommendation(),
         notes: check.notes.iter().map(|note| tied(note)).collect(),
@@ -143,7 +145,7 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
     let both = check.value.zip(check.limit);
     CheckRow {
         id: check.id.id(),
-        title: capital(&check.title),
+        title: capitalised(&check.title),
         verdict: check.verdict.id(),
         value: figure(check.value),
         limit: figure(check.limit),
@@ -153,7 +155,7 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
         margin: *check.verdict == Verdict::Fail || check.margin,
         percent: check.utilisation.map(|share| shown.share(share)).unwrap_or_default(),
         at: check.at.map(|at| shown.figure(at, "s")).unwrap_or_default(),
-        grade: check.grade.map_or("", |grade| grade.id()),
+        grade: check.grade.map_or("", |grade| shown.grade(*grade)),
         sources: once(&check.sources),
         notes,
     }
@@ -173,12 +175,6 @@ const fn is_at_the_output(id: CheckId) -> bool {
     )
 }
 
-/// The text as the head of a line.
-pub(super) fn capital(text: &str) -> String {
-    let mut signs = text.chars();
-    signs.next().map_or_else(String::new, |first| first.to_uppercase().chain(signs).collect())
-}
-
 /// Each text once.
 pub(super) fn once(texts: &[String]) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
@@ -190,13 +186,21 @@ pub(super) fn once(texts: &[String]) -> Vec<String> {
     found
 }
 
+/// A grade in words.
+#[derive(Serialize)]
+pub(super) struct GradeTold {
+    name: &'static str,
+    about: &'static str,
+}
+
 /// The grades that the checks of all axes bear, the best first.
-pub(super) fn grades<'d>(dossiers: impl Iterator<Item = &'d Dossier> + Clone) -> Vec<&'static str> {
+pub(super) fn grades<'d>(dossiers: impl Iterator<Item = &'d Dossier> + Clone, language: Language) -> Vec<GradeTold> {
     let borne = |grade: &&Grade| {
         let mut checks = dossiers.clone().flat_map(|dossier| &dossier.judgement.candidate.checks);
         checks.any(|check| check.grade.is_some_and(|own| *own == **grade))
     };
-    Grade::ALL.iter().filter(borne).map(|grade| grade.id()).collect()
+    let told = |grade: &Grade| GradeTold { name: grade_word(*grade, language), about: grade_about(*grade, language) };
+    Grade::ALL.iter().filter(borne).map(told).collect()
 }
 
 /// Titles of the checks, from wherever one is named.

@@ -1,9 +1,10 @@
 //! Where every number is from: derivations and sources, for the full form.
 
-use super::checks::{capital, once};
+use super::checks::once;
 use super::shown::{Shown, tied};
 use answers::{Explained, Node};
 use serde::Serialize;
+use words::capitalised;
 
 /// A derivation as lines; depth tells what belongs to what.
 #[derive(Serialize)]
@@ -58,7 +59,7 @@ pub(super) fn derived(explained: &[Explained], shown: &Shown) -> Vec<Derived> {
                 substituted: if alike(&substituted, &result) { String::new() } else { substituted },
                 result,
                 source: node.source.clone(),
-                grade: node.grade.map_or("", |grade| grade.id()),
+                grade: node.grade.map_or("", |grade| shown.grade(*grade)),
                 figures: figures
                     .into_iter()
                     .map(|each| Figure {
@@ -71,10 +72,10 @@ pub(super) fn derived(explained: &[Explained], shown: &Shown) -> Vec<Derived> {
             open.extend(steps.into_iter().rev().map(|child| (depth + 1, child)));
         }
         Derived {
-            title: capital(&each.check.title),
+            title: capitalised(&each.check.title),
             verdict: each.check.verdict.id(),
             sources: once(&each.check.sources),
-            grade: each.check.grade.map_or("", |grade| grade.id()),
+            grade: each.check.grade.map_or("", |grade| shown.grade(*grade)),
             lines,
         }
     });
@@ -140,7 +141,7 @@ pub(super) fn sources(explained: &[Explained]) -> Vec<Source> {
         }
     };
     for each in explained {
-        let title = capital(&each.check.title);
+        let title = capitalised(&each.check.title);
         for text in &each.check.sources {
             enter(text, &title);
         }

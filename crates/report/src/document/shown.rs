@@ -1,6 +1,6 @@
 //! Numbers and units in the words of a language.
 
-use answers::Number;
+use answers::{Grade, Number};
 use quantities::{Language, Unit, format_number, format_significant};
 
 /// Writes for one language.
@@ -56,7 +56,7 @@ impl Shown {
         let Some(value) = value.written() else { return "∞".to_owned() };
         // A figure that is exact in fewer digits is not padded with zeros it does not have.
         let text = format_significant(value, 4, self.0);
-        let point = if self.0 == Language::De { ',' } else { '.' };
+        let point = self.0.decimal_mark();
         let (mantissa, power) = text.split_at(text.find('·').unwrap_or(text.len()));
         let short =
             if mantissa.contains(point) { mantissa.trim_end_matches('0').trim_end_matches(point) } else { mantissa };
@@ -110,12 +110,14 @@ impl Shown {
         Some(if small { self.figure(Number(way * 1e3), "µm") } else { self.figure(Number(way), "mm") })
     }
 
+    /// A grade in a word.
+    pub(super) fn grade(&self, grade: Grade) -> &'static str {
+        words::grade_word(grade, self.0)
+    }
+
     /// A date.
     pub(super) fn date(&self, year: u16, month: u8, day: u8) -> String {
-        match self.0 {
-            Language::De => format!("{day:02}.{month:02}.{year:04}"),
-            Language::En => format!("{year:04}-{month:02}-{day:02}"),
-        }
+        words::report::date(year, month, day, self.0)
     }
 }
 

@@ -4,9 +4,9 @@ use super::Paper;
 use super::sheet::FIRST;
 use crate::error::WriteError;
 use crate::table::{Cell, Table};
-use crate::words::t;
 use rust_xlsxwriter::{Chart, ChartLine, ChartType, Worksheet};
 use workbench::Language;
+use workbench::text::tables;
 
 /// Most rows of a course that are drawn; a choice of this crate that keeps a workbook quick to open.
 const DRAWN_MOST: usize = 20_000;
@@ -25,7 +25,7 @@ pub(super) fn sheet(tables: &[Table], chosen: &str, language: Language) -> Resul
         return Ok(None);
     }
     let mut sheet = Worksheet::new();
-    sheet.set_name(t(language, ["Charts", "Diagramme"]))?;
+    sheet.set_name(tables::charts(language))?;
     let mut row = 0;
     for mut chart in charts.into_iter().flatten() {
         chart.set_width(960).set_height(430);
@@ -53,13 +53,10 @@ fn course(table: &Table, language: Language) -> Option<Chart> {
     let rows = (FIRST, FIRST + u32::try_from(table.rows.len()).ok()? - 1);
     let time = table.column("time")?;
     let mut chart = Chart::new(ChartType::ScatterStraight);
-    chart.title().set_name(t(
-        language,
-        ["Torque and speed at the output over the cycle", "Drehmoment und Drehzahl am Abtrieb über den Zyklus"],
-    ));
-    chart.x_axis().set_name(t(language, ["time in s", "Zeit in s"]));
-    chart.y_axis().set_name(t(language, ["torque in Nm", "Drehmoment in Nm"]));
-    chart.y2_axis().set_name(t(language, ["speed in 1/min", "Drehzahl in 1/min"]));
+    chart.title().set_name(tables::course_chart(language));
+    chart.x_axis().set_name(tables::time_in_s(language));
+    chart.y_axis().set_name(tables::torque_in_nm(language));
+    chart.y2_axis().set_name(tables::speed_per_minute(language));
     for (name, colour, second) in [("torque", RED, false), ("speed", BLUE, true)] {
         let column = table.column(name)?;
         let series = chart.add_series();
@@ -85,10 +82,7 @@ fn utilisations(table: &Table, chosen: &str, language: Language) -> Option<Chart
     }
     let rows = (FIRST, FIRST + u32::try_from(own).ok()? - 1);
     let mut chart = Chart::new(ChartType::Column);
-    chart.title().set_name(t(
-        language,
-        ["Utilisation of the checks, 100 % is the limit", "Auslastung der Nachweise, 100 % ist die Grenze"],
-    ));
+    chart.title().set_name(tables::checks_chart(language));
     chart
         .add_series()
         .set_categories(range(table, title, rows)?)

@@ -5,13 +5,12 @@ use super::style::{Styles, decimals};
 use super::{Front, Paper, SHEET_ROWS_MOST, height, lines};
 use crate::error::WriteError;
 use crate::table::Table;
-use crate::words::{Both, t};
 use rust_xlsxwriter::utility::row_col_to_cell;
 use rust_xlsxwriter::{ExcelDateTime, Format, Formula, Url, Worksheet};
 use workbench::quantities::Measure;
 use workbench::quantities::format_number;
 use workbench::quantities::unit::NEWTON_METRE;
-use workbench::text::{check_title, grade_about, grade_word, standing_text};
+use workbench::text::{Word, capitalised, check_title, grade_about, grade_word, standing_text, tables, terms};
 use workbench::{Grade, Language};
 
 const GRADES: [Grade; 5] = [Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
@@ -36,34 +35,34 @@ impl Page<'_> {
         Ok(())
     }
 
-    fn heading(&mut self, words: Both) -> Result<(), WriteError> {
+    fn heading(&mut self, words: Word) -> Result<(), WriteError> {
         self.row += 1;
         for column in 0..3 {
-            let text = if column == 0 { t(self.language, words) } else { "" };
+            let text = if column == 0 { capitalised(words(self.language)) } else { String::new() };
             self.sheet.write_string_with_format(self.row, column, text, &self.styles.head)?;
         }
         self.row += 1;
         Ok(())
     }
 
-    fn pair(&mut self, label: Both, value: &str) -> Result<(), WriteError> {
+    fn pair(&mut self, label: Word, value: &str) -> Result<(), WriteError> {
         let format = &self.styles.plain;
-        self.sheet.write_string_with_format(self.row, 0, t(self.language, label), &self.styles.label)?;
+        self.sheet.write_string_with_format(self.row, 0, label(self.language), &self.styles.label)?;
         self.sheet.write_string_with_format(self.row, 1, value, format)?;
         self.next(["", value, ""])
     }
 
     /// The date as one, where it is one of the calendar; else as it is written.
     fn date(&mut self, text: &str) -> Result<(), WriteError> {
-        let label = ["date", "Datum"];
+        let label = terms::date;
         let mut parts = text.splitn(3, '-').map(str::parse::<u16>);
         let mut next = || parts.next().and_then(Result::ok);
         let found = next().zip(next()).zip(next()).and_then(|((year, month), day)| {
             ExcelDateTime::from_ymd(year, u8::try_from(month).ok()?, u8::try_from(day).ok()?).ok()
         });
         let Some(date) = found else { return self.pair(label, text) };
-        let form = t(self.language, ["yyyy-mm-dd", "dd.mm.yyyy"]);
-        self.sheet.write_string_with_format(self.row, 0, t(self.language, label), &self.styles.label)?;
+        let form = tables::date_format(self.language);
+        self.sheet.write_string_with_format(self.row, 0, label(self.language), &self.styles.label)?;
         let format = self.styles.date.clone().set_num_format(form);
         self.sheet.write_datetime_with_format(self.row, 1, &date, &format)?;
         self.next([""; 3])
@@ -81,7 +80,7 @@ impl Page<'_> {
 pub(super) fn sheet(tables: &[Table], front: &Front<'_>, styles: &Styles) -> Result<Worksheet, WriteError> {
     let l = front.language;
     let mut page = Page { sheet: Worksheet::new(), row: 0, styles, language: l };
-    page.sheet.set_name(t(l, ["Overview", "Übersicht"]))?;
+    page.sheet.set_name(tables::overview(l))?;
     for (column, width) in (0_u16..).zip(WIDTHS) {
         page.sheet.set_column_width(column, width)?;
     }
@@ -94,11 +93,8 @@ pub(super) fn sheet(tables: &[Table], front: &Front<'_>, styles: &Styles) -> Res
     contents(&mut page, tables)?;
     legend(&mut page)?;
     page.row += 1;
-    let sentence = [
-        "antrieb is an open engineering workbench for hollow-shaft servo actuators; it is not affiliated with their maker.",
-        "antrieb ist ein offenes Auslegungswerkzeug für Hohlwellen-Servoantriebe; es steht in keiner Verbindung zu deren Hersteller.",
-    ];
-    page.sheet.write_string_with_format(page.row, 0, t(l, sentence), &styles.label)?;
+    let sentence = tables::about_antrieb;
+    page.sheet.write_string_with_format(page.row, 0, sentence(l), &styles.label)?;
     Paper::A4.set(&mut page.sheet);
     Ok(page.sheet)
 }
@@ -106,7 +102,7 @@ pub(super) fn sheet(tables: &[Table], front: &Front<'_>, styles: &Styles) -> Res
 fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
     let l = front.language;
     let chosen = front.chosen;
-    page.sheet.write_string_with_format(page.row, 0, t(l, ["verdict", "Urteil"]), &page.styles.label)?;
+    page.sheet.write_string_with_format(page.row, 0, terms::verdict(l), &page.styles.label)?;
     let format = match (chosen.fits(), chosen.open_questions()) {
         (false, _) => &page.styles.over,
         (true, 0) => &page.styles.fine,
@@ -115,26 +111,26 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
     let standing = standing_text(chosen, l);
     page.sheet.write_string_with_format(page.row, 1, &standing, &format.clone().set_bold().set_text_wrap())?;
     page.next(["", &standing, ""])?;
-    let label = t(l, ["ordering code", "Bestellbezeichnung"]);
+    let label = terms::ordering_code(l);
     page.sheet.write_string_with_format(page.row, 0, label, &page.styles.label)?;
     page.sheet.write_string_with_format(page.row, 1, chosen.id.to_string(), &page.styles.strong)?;
     page.row += 1;
     if let Some(check) = chosen.judgement.tightest() {
         let share = format_number(check.utilisation.unwrap_or(0.0) * 100.0, 1, l);
-        page.pair(["tightest check", "engster Nachweis"], &format!("{}, {share} %", check_title(check.id, l)))?;
+        page.pair(terms::tightest_check, &format!("{}, {share} %", check_title(check.id, l)))?;
     }
-    page.pair(["open questions", "offene Fragen"], &chosen.open_questions().to_string())?;
+    page.pair(tables::open_questions, &chosen.open_questions().to_string())?;
     for objection in workbench::answer::objections(chosen, l) {
-        page.pair(["requirement not met", "Anforderung nicht erfüllt"], &objection)?;
+        page.pair(terms::requirement_not_met, &objection)?;
     }
-    page.pair(["project file", "Projektdatei"], front.file)?;
+    page.pair(tables::project_file, front.file)?;
     if let Some(revision) = front.revision {
-        page.pair(["revision", "Revision"], revision)?;
+        page.pair(terms::revision, revision)?;
     }
     if let Some(date) = front.date {
         page.date(date)?;
     }
-    page.pair(["antrieb, version", "antrieb, Version"], env!("CARGO_PKG_VERSION"))
+    page.pair(tables::antrieb_version, env!("CARGO_PKG_VERSION"))
 }
 
 /// T_rms once more from the course, beside the exact integral.
@@ -155,33 +151,27 @@ fn effective_torque(page: &mut Page<'_>, tables: &[Table], front: &Front<'_>) ->
     let formula = format!("=SQRT(SUMPRODUCT(({t_1}-{t_0})*({a}^2+{a}*{b}+{b}^2)/3)/(MAX({all})-MIN({all})))");
     let exact = NEWTON_METRE.from_si(demand.torque_rms.si());
     let digits = page.styles.number(&format!("{}\" Nm\"", decimals(exact, 5)));
-    page.heading(["Rms torque, computed twice", "Effektives Drehmoment, zweimal gerechnet"])?;
+    page.heading(tables::rms_torque_computed_twice)?;
     let from = page.row;
     page.formula(
-        t(l, ["T_rms from the course", "T_rms aus dem Verlauf"]),
+        tables::t_rms_from_the_course(l),
         Formula::new(formula).set_result(found.to_string()),
         &digits,
-        t(
-            l,
-            [
-                "formula over the sheet of the course, torque linear between its instants",
-                "Formel über das Blatt „Verlauf“, Drehmoment zwischen den Zeitpunkten linear",
-            ],
-        ),
+        tables::t_rms_from_the_course_about(l),
     )?;
-    page.sheet.write_string_with_format(page.row, 0, t(l, ["T_rms exact", "T_rms exakt"]), &page.styles.label)?;
+    page.sheet.write_string_with_format(page.row, 0, tables::t_rms_exact(l), &page.styles.label)?;
     page.sheet.write_number_with_format(page.row, 1, exact, &digits)?;
-    let about = ["exact integral, which the checks use", "exaktes Integral, mit dem geprüft wird"];
-    page.sheet.write_string_with_format(page.row, 2, t(l, about), &page.styles.plain)?;
+    let about = tables::t_rms_exact_about;
+    page.sheet.write_string_with_format(page.row, 2, about(l), &page.styles.plain)?;
     page.row += 1;
     let (course_cell, exact_cell) = (row_col_to_cell(from, 1), row_col_to_cell(from + 1, 1));
     let difference = if exact == 0.0 { 0.0 } else { found / exact - 1.0 };
     let share = page.styles.number("0.0000%");
     page.formula(
-        t(l, ["difference", "Unterschied"]),
+        tables::difference(l),
         Formula::new(format!("=IF({exact_cell}=0,0,{course_cell}/{exact_cell}-1)")).set_result(difference.to_string()),
         &share,
-        t(l, ["what the sampling leaves out", "was die Abtastung weglässt"]),
+        tables::difference_about(l),
     )
 }
 
@@ -198,24 +188,16 @@ fn trapezoid_rms(course: &Table, time: usize, torque: usize) -> Option<f64> {
 
 fn contents(page: &mut Page<'_>, tables: &[Table]) -> Result<(), WriteError> {
     let l = page.language;
-    page.heading(["Sheets", "Blätter"])?;
+    page.heading(tables::sheets)?;
     for table in tables {
         let rows = table.rows.len();
-        let count = match l {
-            Language::En if rows == 1 => "1 row".to_owned(),
-            Language::De if rows == 1 => "1 Zeile".to_owned(),
-            Language::En => format!("{rows} rows"),
-            Language::De => format!("{rows} Zeilen"),
-        };
+        let count = tables::rows(rows, l);
         if rows <= SHEET_ROWS_MOST {
             let link = Url::new(format!("internal:'{}'!A1", table.title)).set_text(table.title.as_str());
             page.sheet.write_url_with_format(page.row, 0, link, &page.styles.link)?;
             page.sheet.write_string_with_format(page.row, 1, count, &page.styles.plain)?;
         } else {
-            let left = match l {
-                Language::En => format!("{count}, too many for a sheet: antrieb export --table {}", table.name),
-                Language::De => format!("{count}, zu viele für ein Blatt: antrieb export --table {}", table.name),
-            };
+            let left = tables::too_many_rows(&count, &table.name, l);
             page.sheet.write_string_with_format(page.row, 0, table.title.as_str(), &page.styles.label)?;
             page.sheet.write_string_with_format(page.row, 1, left, &page.styles.plain)?;
         }
@@ -227,28 +209,22 @@ fn contents(page: &mut Page<'_>, tables: &[Table]) -> Result<(), WriteError> {
 
 fn legend(page: &mut Page<'_>) -> Result<(), WriteError> {
     let l = page.language;
-    page.heading(["How to read it", "Wie man es liest"])?;
+    page.heading(tables::how_to_read_it)?;
     let styles = page.styles;
-    for (shown, format, words) in [
-        ("62.0 %", &styles.fine, ["up to 80 % of a limit, or passed", "bis 80 % einer Grenze, oder erfüllt"]),
-        ("● 91.0 %", &styles.near, ["above 80 % of a limit, or advice", "über 80 % einer Grenze, oder Hinweis"]),
-        ("▲ 104.0 %", &styles.over, ["above a limit, or failed", "über einer Grenze oder nicht erfüllt"]),
-        (
-            "–",
-            &styles.open,
-            [
-                "not checked: a datum is missing; it counts as neither passed nor failed",
-                "nicht geprüft: eine Angabe fehlt; es zählt weder als erfüllt noch als nicht erfüllt",
-            ],
-        ),
-    ] {
-        let shown = if l == Language::De { shown.replace('.', ",") } else { shown.to_owned() };
+    let marks: [(&str, &Format, Word); 4] = [
+        ("62.0 %", &styles.fine, tables::legend_fine),
+        ("● 91.0 %", &styles.near, tables::legend_near),
+        ("▲ 104.0 %", &styles.over, tables::legend_over),
+        ("–", &styles.open, tables::legend_open),
+    ];
+    for (shown, format, words) in marks {
+        let shown = shown.replace('.', l.decimal_mark().encode_utf8(&mut [0; 4]));
         page.sheet.write_string_with_format(page.row, 0, shown, format)?;
-        page.sheet.write_string_with_format(page.row, 2, t(l, words), &styles.plain)?;
-        page.next(["", "", t(l, words)])?;
+        page.sheet.write_string_with_format(page.row, 2, words(l), &styles.plain)?;
+        page.next(["", "", words(l)])?;
     }
     for grade in GRADES {
-        page.sheet.write_string_with_format(page.row, 0, t(l, ["grade", "Güte"]), &styles.label)?;
+        page.sheet.write_string_with_format(page.row, 0, terms::grade(l), &styles.label)?;
         page.sheet.write_string_with_format(page.row, 1, grade_word(grade, l), &styles.plain)?;
         page.sheet.write_string_with_format(page.row, 2, grade_about(grade, l), &styles.plain)?;
         page.next(["", "", grade_about(grade, l)])?;

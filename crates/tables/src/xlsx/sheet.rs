@@ -3,13 +3,11 @@
 use super::style::{MARGIN, NEAR, SHARE, Styles, decimals, single};
 use super::{Paper, height, lines};
 use crate::error::WriteError;
-use crate::results::{DOES_NOT_FIT, FITS};
 use crate::table::{Cell, Column, Derived, Kind, Table};
-use crate::words::t;
 use rust_xlsxwriter::utility::{column_number_to_name, row_col_to_cell};
 use rust_xlsxwriter::{ConditionalFormatFormula, Format, Formula, Url, Worksheet};
 use std::collections::BTreeMap;
-use workbench::text::verdict_word;
+use workbench::text::{terms, verdict_word};
 use workbench::{Direction, Language, Verdict};
 
 /// The row of the first record: heading and unit stand above it.
@@ -249,8 +247,8 @@ fn colour(
                 (word(Verdict::Fail), &styles.over),
                 (word(Verdict::Advice), &styles.near),
                 (word(Verdict::NotChecked), &styles.open),
-                (t(language, FITS).to_owned(), &styles.fine),
-                (t(language, DOES_NOT_FIT).to_owned(), &styles.over),
+                (terms::fits(language).to_owned(), &styles.fine),
+                (terms::does_not_fit(language).to_owned(), &styles.over),
             ] {
                 rules.push((format!("={cell}=\"{text}\""), format));
             }

@@ -15,7 +15,9 @@ use provenance::{Datum, MANUAL, Source};
 use quantities::unit::{MILLIMETRE, NEWTON_METRE};
 use quantities::{Language, Measure, Unit, format_number, format_significant};
 use sizing::{Check, Reserve};
-use words::{check_missing, check_title, describe_token, either, evidence_text, source_text, unmet_text};
+use words::{
+    check_missing, check_title, describe_token, document_note, evidence_text, records, source_text, terms, unmet_text,
+};
 
 /// An axis with everything there is to tell of it and of the actuator chosen.
 ///
@@ -47,7 +49,7 @@ pub fn dossier(
         missing: missing(chosen, language),
         bill_of_material: bill_of_material(chosen, language),
         screws: screws(chosen, language),
-        documents: documents(checks),
+        documents: documents(checks, language),
         errata: errata(checks, language),
         fingerprints: Fingerprints {
             program: program.to_owned(),
@@ -87,25 +89,20 @@ fn rejections(ranked: &Sizing<'_>, language: Language) -> Vec<RejectionGroup> {
 
 /// An objection without the figures of the one actuator.
 fn reason(objection: &Objection, language: Language) -> String {
-    let t = |en: &str, de: &str| either(language, en, de);
-    match objection {
-        Objection::Unmet(Unmet::Feedback(_)) => t("feedback not permitted", "Feedback nicht zugelassen"),
-        Objection::Unmet(Unmet::HollowShaft { .. }) => t("hollow shaft too narrow", "Hohlwelle zu eng"),
-        Objection::Unmet(Unmet::Length { .. }) => t("too long", "zu lang"),
-        Objection::Unmet(Unmet::Mass { .. }) => t("too heavy", "zu schwer"),
-        Objection::Unmet(Unmet::SupplyTooLow { .. }) => {
-            t("supply too low for the winding", "Versorgung zu niedrig für die Wicklung")
-        }
-        Objection::Unmet(unmet) => unmet_text(unmet, language),
-        Objection::Rule(rule) => t(
-            &format!("rule of the ordering code, table {}", rule.table),
-            &format!("Regel des Bestellschlüssels, Tabelle {}", rule.table),
-        ),
-    }
+    let reason = match objection {
+        Objection::Unmet(Unmet::Feedback(_)) => records::feedback_not_permitted,
+        Objection::Unmet(Unmet::HollowShaft { .. }) => records::hollow_shaft_too_narrow,
+        Objection::Unmet(Unmet::Length { .. }) => records::too_long,
+        Objection::Unmet(Unmet::Mass { .. }) => records::too_heavy,
+        Objection::Unmet(Unmet::SupplyTooLow { .. }) => records::supply_too_low,
+        Objection::Unmet(unmet) => return unmet_text(unmet, language),
+        Objection::Rule(rule) => return records::rule_of_table(&rule.table, language),
+    };
+    reason(language).to_owned()
 }
 
 /// The documents that the figures of the checks are from, the manual first.
-fn documents(checks: &[Check]) -> Vec<Document> {
+fn documents(checks: &[Check], language: Language) -> Vec<Document> {
     let mut ids: Vec<&'static str> = vec![MANUAL];
     let sources = checks.iter().flat_map(|check| {
         let own = [&check.limit_source, &check.value_source].into_iter().flatten();
@@ -125,7 +122,7 @@ fn documents(checks: &[Check]) -> Vec<Document> {
             title: found.title.to_owned(),
             edition: found.edition.to_owned(),
             publisher: found.publisher.to_owned(),
-            note: found.note.to_owned(),
+            note: document_note(found, language).to_owned(),
         })
     };
     ids.into_iter().filter_map(document).collect()
@@ -166,20 +163,17 @@ fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> 
             .map(|field| describe_token(code, field, language))
             .collect::<Vec<_>>()
             .join("; "),
-        CandidateId::Own(_) => either(language, "own actuator", "eigener Antrieb"),
+        CandidateId::Own(_) => terms::own_actuator(language).to_owned(),
     };
-    let series = either(language, "servo actuator with hollow shaft", "Servoantrieb mit Hohlwelle");
+    let series = terms::actuator_with_hollow_shaft(language);
     add("1".into(), candidate.id.to_string(), format!("{series}; {parts}"), None);
-    let joints = [
-        (either(language, "screws between flange and load", "Schrauben zwischen Flansch und Last"), true),
-        (either(language, "screws between housing and machine", "Schrauben zwischen Gehäuse und Maschine"), false),
-    ];
+    let joints = [(records::screws_at_the_load(language), true), (records::screws_at_the_housing(language), false)];
     for (text, load) in joints {
         let parameters = candidate.parameters;
         let joint = if load { &parameters.screw_joint_load } else { &parameters.screw_joint_housing };
         let (Some(count), Some(size)) = (joint.count.known(), joint.size.known()) else { continue };
         let class = joint.grade.known().map_or_else(String::new, |class| format!(", {}", class.value));
-        let length = either(language, "length after the part that is joined", "Länge nach dem verschraubten Teil");
+        let length = records::length_after_the_joined_part(language);
         let source = source_text(&count.source, language);
         let count = format_number(count.value, 0, language);
         add(count, format!("{}{class}", size.value), format!("{text}; {length}"), Some(source));
@@ -190,18 +184,18 @@ fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> 
 /// Both joints: number and size of the screws, circle, tightening torque and what the joint transmits.
 fn screws(candidate: &Candidate<'_>, language: Language) -> Vec<answers::ScrewJoint> {
     let joints = [
-        (either(language, "load", "Last"), &candidate.parameters.screw_joint_load),
-        (either(language, "housing", "Gehäuse"), &candidate.parameters.screw_joint_housing),
+        (records::load(language), &candidate.parameters.screw_joint_load),
+        (terms::housing(language), &candidate.parameters.screw_joint_housing),
     ];
     joints.into_iter().map(|(name, joint)| screw_joint(name, joint, language)).collect()
 }
 
-fn screw_joint(name: String, joint: &ScrewJoint, language: Language) -> answers::ScrewJoint {
+fn screw_joint(name: &str, joint: &ScrewJoint, language: Language) -> answers::ScrewJoint {
     fn shown<Q: Measure>(datum: &Datum<Q>, unit: &Unit, language: Language) -> String {
         // A printed figure in no more digits than it has.
         let number = |value: f64| {
             let text = format_significant(unit.from_si(value), 4, language);
-            let point = if language == Language::De { ',' } else { '.' };
+            let point = language.decimal_mark();
             let short = if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point) } else { &text };
             short.to_owned()
         };
@@ -212,15 +206,11 @@ fn screw_joint(name: String, joint: &ScrewJoint, language: Language) -> answers:
     let class = joint.grade.known().map_or_else(String::new, |class| format!(", {}", class.value));
     let transmitted = shown(&joint.transmissible_torque, &NEWTON_METRE, language);
     answers::ScrewJoint {
-        joint: name,
+        joint: name.to_owned(),
         screws: format!("{count}{size}{class}"),
         circle: shown(&joint.bolt_circle, &MILLIMETRE, language),
         torque: shown(&joint.tightening_torque, &NEWTON_METRE, language),
-        text: either(
-            language,
-            format!("transmits {transmitted}, degreased"),
-            format!("überträgt {transmitted}, entfettet"),
-        ),
+        text: records::transmits_degreased(&transmitted, language),
         source: joint.transmissible_torque.known().map(|known| source_text(&known.source, language)),
     }
 }

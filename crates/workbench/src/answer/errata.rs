@@ -16,7 +16,7 @@ pub fn errata(found: &ErrataFound, language: Language) -> Errata {
 #[must_use]
 pub fn erratum(erratum: &'static Erratum, language: Language) -> answers::Erratum {
     let cell = erratum.cell();
-    let german = language == Language::De;
+    let (recovered, [printed, corrected]) = words::erratum_readings(erratum, language);
     answers::Erratum {
         id: erratum.id,
         table: Some(erratum.table).filter(|table| !table.is_empty()),
@@ -36,9 +36,9 @@ pub fn erratum(erratum: &'static Erratum, language: Language) -> answers::Erratu
             catalogue::ErratumKind::Edition => ErratumKind::Edition,
         },
         status: if erratum.corrected_here { ErratumStatus::Corrected } else { ErratumStatus::Flagged },
-        recovered: if german { erratum.recovered_de } else { erratum.recovered },
-        printed: if german { erratum.printed_de } else { erratum.printed },
-        corrected: if german { erratum.corrected_de } else { erratum.corrected },
+        recovered,
+        printed,
+        corrected,
         checks_use: erratum.checks_use,
         unit: cell.map_or("", |cell| cell.unit),
         evidence: evidence_text(erratum.id, language),

@@ -8,7 +8,7 @@ use project::{BODY_SHAPES, Input, Project, SegmentLaw, input_label};
 use quantities::unit::{DEGREE, MILLIMETRE};
 use quantities::{Language, Measure, Unit, format_significant};
 use std::f64::consts::TAU;
-use words::{law_text, schema_text, shape_title};
+use words::{body_key, capitalised, key_word, law_text, schema_text, shape_title, short_label, table_of_project};
 
 /// The values of one axis of a project file, with the keys as if it stood alone.
 pub(super) fn inputs_of_axis(text: &str, place: usize) -> Vec<Input> {
@@ -53,7 +53,7 @@ pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
 fn value(input: &Input, name: &str, language: Language) -> answers::Input {
     let short = |value: f64| {
         let text = format_significant(value, 4, language);
-        let point = if language == Language::De { ',' } else { '.' };
+        let point = language.decimal_mark();
         if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point).to_owned() } else { text }
     };
     let half = input.half_width.zip(input.amount);
@@ -74,21 +74,6 @@ fn label(path: &str, language: Language) -> Option<String> {
     input_label(path).map(|text| schema_text(text, language))
 }
 
-/// What a key says to a reader; the rest of its description is for whoever writes the file.
-fn short_label(label: &str) -> String {
-    let label = label.split(';').next().unwrap_or(label).trim_start_matches("true: ");
-    let label = label.replace(" (true)", "").replace(" (false)", "");
-    // The sign is told with the value.
-    const TAILS: [&str; 5] = [
-        ", rückwärts negativ",
-        ", negative backwards",
-        ", gegen die positive Richtung",
-        ", against the positive direction",
-        ", at the output or along the line",
-    ];
-    TAILS.iter().find_map(|tail| label.strip_suffix(tail)).map_or(label.clone(), str::to_owned)
-}
-
 /// The unit of a difference: temperatures differ by kelvins.
 fn half_unit(unit: &'static Unit) -> &'static str {
     if unit.symbol == "°C" { "K" } else { unit.symbol }
@@ -96,8 +81,7 @@ fn half_unit(unit: &'static Unit) -> &'static str {
 
 /// A number with all its digits and its unit, in the signs of the language.
 fn with_unit(digits: &str, unit: &str, language: Language) -> String {
-    let digits = if language == Language::De { digits.replace('.', ",") } else { digits.to_owned() };
-    let digits = digits.replace('-', "−");
+    let digits = digits.replace('.', language.decimal_mark().encode_utf8(&mut [0; 4])).replace('-', "−");
     match unit {
         "" | "1" => digits,
         "°" => format!("{digits}°"),
@@ -123,9 +107,8 @@ fn written(path: &str, text: &str, language: Language) -> String {
     if let Some(list) = list {
         return list.replace(['"', '\''], "").trim().trim_end_matches(',').to_owned();
     }
-    if let Some((_, _, en, de)) = WORDS.iter().find(|(key, word, ..)| (key.is_empty() || *key == name) && *word == text)
-    {
-        return if language == Language::De { *de } else { *en }.to_owned();
+    if let Some(word) = key_word(name, text, language) {
+        return word.to_owned();
     }
     match text.parse::<f64>() {
         Ok(_) => with_unit(text, "", language),
@@ -133,57 +116,8 @@ fn written(path: &str, text: &str, language: Language) -> String {
     }
 }
 
-/// The words of the project file: key, word, in English, in German. Those without a key hold for any.
-const WORDS: [(&str, &str, &str, &str); 27] = [
-    ("brake", "true", "with", "mit"),
-    ("brake", "false", "without", "ohne"),
-    ("", "true", "yes", "ja"),
-    ("", "false", "no", "nein"),
-    ("hold", "motor", "by the motor", "durch den Motor"),
-    ("hold", "brake", "by the brake", "durch die Bremse"),
-    ("hold", "free", "not held", "nicht gehalten"),
-    ("operating_condition", "normal", "normal", "normal"),
-    ("operating_condition", "shock", "shock", "Stöße"),
-    ("operating_condition", "high_accuracy", "high accuracy", "hohe Genauigkeit"),
-    ("mechanism", "add", "added to those stated", "zu den angegebenen addiert"),
-    ("mechanism", "replace", "unless a segment states its own", "wo kein Abschnitt eigene nennt"),
-    ("mechanism", "ignore", "not counted", "nicht gezählt"),
-    ("kind", "belt", "belt", "Riemen"),
-    ("kind", "gear", "gear", "Zahnradstufe"),
-    ("kind", "coupling", "coupling", "Kupplung"),
-    ("position_loop", "motor", "motor feedback", "Motorfeedback"),
-    ("position_loop", "output", "encoder at the output", "Geber am Abtrieb"),
-    ("special_application", "aerospace", "aerospace", "Luft- und Raumfahrt"),
-    ("special_application", "explosive_atmosphere", "explosive atmosphere", "explosionsfähige Atmosphäre"),
-    ("special_application", "nuclear", "nuclear", "Kerntechnik"),
-    ("special_application", "vacuum", "vacuum", "Vakuum"),
-    ("special_application", "household", "household", "Haushalt"),
-    ("special_application", "medical", "medical", "Medizintechnik"),
-    ("special_application", "human_contact", "contact with people", "Kontakt mit Menschen"),
-    ("special_application", "lifting_of_persons", "lifting of persons", "Heben von Personen"),
-    ("special_application", "amusement", "amusement rides", "Fahrgeschäfte"),
-];
-
-/// The keys of a body: in English, in German.
-const BODY_KEYS: [(&str, &str, &str); 13] = [
-    ("diameter", "diameter", "Durchmesser"),
-    ("length", "length", "Länge"),
-    ("outer", "outer diameter", "Außendurchmesser"),
-    ("inner", "inner diameter", "Innendurchmesser"),
-    ("a", "a", "a"),
-    ("b", "b", "b"),
-    ("height", "height", "Höhe"),
-    ("mass", "mass", "Masse"),
-    ("density", "density", "Dichte"),
-    ("distance", "distance", "Abstand"),
-    ("angle", "angle", "Winkel"),
-    ("count", "count", "Anzahl"),
-    ("axis", "axis", "Achse"),
-];
-
 /// A body as it is written, in words: `disc diameter=420mm` as “disc, diameter 420 mm”.
 fn body(text: &str, language: Language) -> String {
-    let de = language == Language::De;
     let parts = text.split_whitespace().map(|part| match part.split_once('=') {
         None => BODY_SHAPES
             .iter()
@@ -191,8 +125,7 @@ fn body(text: &str, language: Language) -> String {
             .map_or(part, |shape| shape_title(shape, language))
             .into(),
         Some((key, value)) => {
-            let known = BODY_KEYS.iter().find(|(name, ..)| *name == key);
-            let key = known.map_or(key, |(_, in_english, in_german)| if de { in_german } else { in_english });
+            let key = body_key(key, language).unwrap_or(key);
             let end = value.find(|sign: char| !matches!(sign, '0'..='9' | '.' | '-')).unwrap_or(value.len());
             let (digits, unit) = value.split_at(end);
             let value = match (Unit::of(unit), digits.is_empty()) {
@@ -208,32 +141,11 @@ fn body(text: &str, language: Language) -> String {
 
 /// What a table of the project file is about.
 fn table_title(table: &str, language: Language) -> String {
-    let title = |part: &str| -> Option<(&str, &str)> {
-        Some(match part.split('[').next().unwrap_or(part) {
-            "" => ("General", "Allgemein"),
-            "axis" => ("Axis", "Achse"),
-            "load" => ("Load", "Last"),
-            "body" => ("Body", "Körper"),
-            "stage" => ("Stage", "Zwischenstufe"),
-            "motion" => ("Motion, segment", "Bewegung, Abschnitt"),
-            "bearing" => ("Loads on the output flange", "Lasten am Abtriebsflansch"),
-            "requirements" => ("Requirements", "Anforderungen"),
-            "actuator" => ("Own actuator", "Eigener Antrieb"),
-            "curve" => ("Curve", "Kennlinie"),
-            "columns" => ("columns", "Spalten"),
-            "units" => ("units", "Einheiten"),
-            _ => return None,
-        })
-    };
     let parts = table.split('.').filter(|part| *part != "mechanism").map(|part| {
         let number = part.split_once('[').map_or("", |(_, rest)| rest.trim_end_matches(']'));
-        let words = title(part).map(|(en, de)| if language == Language::De { de } else { en }.to_owned());
-        let words = words.or_else(|| {
-            let label = label(&format!("mechanism.{part}"), language)?;
-            let mut signs = label.chars();
-            Some(signs.next()?.to_uppercase().chain(signs).collect())
-        });
-        let words = words.unwrap_or_else(|| part.to_owned());
+        let known = table_of_project(part.split('[').next().unwrap_or(part), language).map(str::to_owned);
+        let known = known.or_else(|| label(&format!("mechanism.{part}"), language).map(|label| capitalised(&label)));
+        let words = known.unwrap_or_else(|| part.to_owned());
         if number.is_empty() { words } else { format!("{words} {number}") }
     });
     parts.collect::<Vec<String>>().join(", ")

@@ -5,7 +5,7 @@ use answers::{CatalogueCell, Id, NoteBy, Number, SheetValue, TableCell};
 use catalogue::{Cell, Value};
 use provenance::Grade;
 use quantities::Language;
-use words::{describe_uncovered, symbol_term};
+use words::{cell_text, describe_uncovered, symbol_term, table_note, table_title};
 
 /// A data sheet.
 #[must_use]
@@ -20,7 +20,7 @@ pub fn sheet(sheet: &Sheet, language: Language) -> answers::Sheet {
 fn section(section: &SheetSection, language: Language) -> answers::SheetSection {
     answers::SheetSection {
         table: section.table.id,
-        title: if language == Language::De { section.table.title_de } else { section.table.title_en },
+        title: table_title(section.table, language),
         values: section.rows.iter().map(|row| value(row, language)).collect(),
         notices: section.notices.iter().map(|each| note(each, language)).collect(),
         errata: section.errata.clone(),
@@ -41,7 +41,7 @@ fn value(row: &SheetRow, language: Language) -> SheetValue {
         grade: Id(Grade::Printed),
         errata: cell.errata,
         checks_use: cell.checks_use.and_then(Value::number).map(Number),
-        text: is_text.then(|| if language == Language::De { cell.corrected } else { cell.corrected_en() }),
+        text: is_text.then(|| cell_text(cell, language)),
         notes: row.notes.iter().map(|each| note(each, language)).collect(),
     }
 }
@@ -57,10 +57,9 @@ fn note(note: &SheetNote, language: Language) -> answers::SheetNote {
 /// What a note on a data sheet says.
 #[must_use]
 pub fn sheet_note_text(note: &SheetNote, language: Language) -> &'static str {
-    match (note, language) {
-        (SheetNote::Table(note), Language::En) => note.en,
-        (SheetNote::Table(note), Language::De) => note.de,
-        (SheetNote::Uncovered(what), language) => describe_uncovered(*what, language),
+    match note {
+        SheetNote::Table(note) => table_note(note, language),
+        SheetNote::Uncovered(what) => describe_uncovered(*what, language),
     }
 }
 

@@ -1,0 +1,137 @@
+//! What the library of the command line says in its own language only, in the one that is asked for.
+
+use clap::Command;
+use workbench::Language;
+use workbench::text::help::library;
+
+/// A fault of the command line in a language that the library does not speak.
+pub(crate) fn fault(error: &clap::Error, language: Language) -> Option<String> {
+    if library::is_its_own(language) {
+        return None;
+    }
+    use clap::error::{ContextKind, ContextValue, ErrorKind};
+    let context = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.clone()),
+        Some(ContextValue::Strings(texts)) => Some(texts.join(", ")),
+        _ => None,
+    };
+    let what = match error.kind() {
+        ErrorKind::InvalidSubcommand => library::unknown_command(&context(ContextKind::InvalidSubcommand)?, language),
+        ErrorKind::UnknownArgument => library::unknown_option(&context(ContextKind::InvalidArg)?, language),
+        ErrorKind::MissingRequiredArgument => library::missing_arguments(&context(ContextKind::InvalidArg)?, language),
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
+            library::invalid_value(&context(ContextKind::InvalidValue)?, &context(ContextKind::InvalidArg)?, language)
+        }
+        _ => return None,
+    };
+    let mut text = format!("{}: {what}", library::error(language));
+    for (kind, head) in [
+        (ContextKind::ValidValue, library::valid_values(language)),
+        (ContextKind::SuggestedSubcommand, library::similar(language)),
+        (ContextKind::SuggestedArg, library::similar(language)),
+        (ContextKind::SuggestedValue, library::similar(language)),
+    ] {
+        if let Some(found) = context(kind).filter(|found| !found.is_empty()) {
+            text.push_str(&format!("\n  {head}: {found}"));
+        }
+    }
+    text.push_str(&format!("\n\n{}\n", library::more(language)));
+    Some(text)
+}
+
+/// The usage lines of a command in the language; the library writes its own words there.
+pub(super) fn usage(mut command: Command, language: Language) -> Command {
+    if library::is_its_own(language) {
+        return command;
+    }
+    command.build();
+    in_language(command, language)
+}
+
+fn in_language(mut command: Command, language: Language) -> Command {
+    let mut line = command.render_usage().to_string().trim_start_matches("Usage:").trim().to_owned();
+    for word in [library::options_in_usage, library::command_in_usage] {
+        line = line.replace(word(library::LANGUAGE), word(language));
+    }
+    command = command.override_usage(line);
+    command.mut_subcommands(|command| in_language(command, language))
+}
+
+/// The page with the headings of the language; the library writes English ones.
+pub(super) fn headings(page: &str, language: Language) -> String {
+    let line = |line: &str| {
+        let named = line.strip_prefix(".SH ").map(str::trim_end);
+        let heading = library::HEADINGS.iter().find(|heading| named == Some(heading(library::LANGUAGE)));
+        match heading {
+            Some(heading) => format!(".SH {}\n", heading(language)),
+            None => format!("{line}\n"),
+        }
+    };
+    page.lines().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::command::build;
+
+    /// What the library says to a call, on one line.
+    fn said(arguments: &[&str]) -> String {
+        let call = std::iter::once("antrieb").chain(arguments.iter().copied());
+        let said = build(library::LANGUAGE)
+            .try_get_matches_from(call)
+            .map_or_else(|fault| fault.to_string(), |_| String::new());
+        said.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn the_english_beside_our_german_is_what_the_library_says() {
+        let own = library::LANGUAGE;
+        for (arguments, expected) in [
+            (["siz", "x"].as_slice(), library::unknown_command(&"siz", own)),
+            (&["size", "x", "--tpo"], library::unknown_option(&"--tpo", own)),
+            (&["size"], library::missing_arguments(&"<PROJECT>", own)),
+            (&["size", "x", "--top", "y"], library::invalid_value(&"y", &"--top <N>", own)),
+            (&["size", "x", "--lang", "fr"], library::valid_values(own).to_owned()),
+            (&["plot", "x", "--figure", "torque_sped"], library::similar(own).to_owned()),
+            (&["siz", "x"], library::more(own).to_owned()),
+            (&["siz", "x"], format!("{}: ", library::error(own))),
+        ] {
+            let said = said(arguments);
+            assert!(said.contains(&expected), "{expected}: {said}");
+        }
+        let usage = build(own).render_usage().to_string();
+        for word in [library::options_in_usage(own), library::command_in_usage(own)] {
+            assert!(usage.contains(word), "{word}: {usage}");
+        }
+    }
+
+    /// Every command with its path, and every argument of it.
+    fn told(command: &Command, path: &str, found: &mut Vec<(String, String)>) {
+        let text = |help: Option<&clap::builder::StyledStr>| help.map(ToString::to_string).unwrap_or_default();
+        found.push((path.to_owned(), text(command.get_about())));
+        for argument in command.get_arguments() {
+            found.push((format!("{path} {}", argument.get_id()), text(argument.get_help())));
+        }
+        for subcommand in command.get_subcommands() {
+            told(subcommand, &format!("{path} {}", subcommand.get_name()), found);
+        }
+    }
+
+    #[test]
+    fn every_command_and_argument_has_its_help_in_both_languages() {
+        let [en, de] = Language::ALL.map(|language| {
+            let mut found = Vec::new();
+            let mut whole = build(language);
+            whole.build();
+            told(&whole, "antrieb", &mut found);
+            found
+        });
+        assert!(en.len() > 100 && en.len() == de.len(), "{} {}", en.len(), de.len());
+        for ((path, en), (_, de)) in en.iter().zip(&de) {
+            // A list of words that are typed as they stand is the same in both.
+            let words = en.split(", ").all(|word| word.bytes().all(|byte| byte == b'_' || byte.is_ascii_lowercase()));
+            assert!(!en.is_empty() && !de.is_empty() && (en != de || words), "{path}: {en:?} {de:?}");
+        }
+    }
+}

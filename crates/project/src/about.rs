@@ -1,0 +1,51 @@
+//! What the keys of the project file are for, by name; `words` has the texts.
+
+macro_rules! abouts {
+    ($($name:ident)+) => {
+        /// What a key of the project file is for. A key is named after its table; keys that are for the same have one name.
+        #[allow(missing_docs, reason = "each is named after its key")]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum About {
+            $($name,)+
+        }
+
+        impl About {
+            /// Every purpose.
+            pub const ALL: &'static [Self] = &[$(Self::$name),+];
+        }
+    };
+}
+
+abouts! {
+    Format Axis Load Mechanism Stage Motion Bearing Requirements Actuator Curve CurveKind CurveCode CurvePoints
+    CurveSource AxisName AxisSingleMove LoadInertia FrictionTorque ViscousFriction ExternalTorque Efficiency
+    EfficiencyBack Mass TurningInertia Inclination Counterweight FrictionForce FrictionCoefficient ProcessForce
+    StartAngle MechanismTurntable MechanismArm MechanismScrew MechanismBelt MechanismConveyor MechanismSliderCrank
+    MechanismJoint MechanismTable StageKind StageRatio StageRatios StageEfficiency StageEfficiencyBack
+    StageInertiaDriving StageInertiaDriven StageStiffness StageBacklash StagePitchDiameter BodyShape BodyDiameter
+    BodyLength BodyOuter BodyInner BodyA BodyB BodyHeight BodyAxis BodyMass BodyDensity BodyDistance BodyAngle
+    BodyCount TurntableBody TurntableBodies TurntableAxisTilt TurntableStartAngle TurntablePayloadDistance ArmInertia
+    ArmMass ArmCentreDistance ArmAxisTilt ScrewLead BeltPulleyDiameter ConveyorRollerDiameter SliderCrankCrank
+    SliderCrankRod TablePoints JointInertia JointHoldingTorque ColumnsTime ColumnsPosition ColumnsSpeed ColumnsTorque
+    UnitsTime UnitsPosition UnitsSpeed UnitsTorque MotionLaw MotionSpeed MotionAccelerate MotionRun MotionBrake
+    MotionPause MotionDistance MotionTime MotionAcceleration MotionJerk MotionEndSpeed MotionHold MotionFile
+    MotionColumns MotionUnits MotionFrom MotionTo MotionSmoothing MotionStandstill MotionGaps MotionPayload
+    MotionPayloadInertia MotionProcessForce MotionProcessTorque MotionBearing RadialForce RadialDistance AxialForce
+    AxialDistance BearingLoadFactor BearingOperatingCondition BearingMechanism BearingOverhang BearingPayloadOverhang
+    BearingFlangeShare BearingBeltTension BearingPressureAngle BearingHelixAngle BearingWheelMass BearingAxisTilt
+    RequirementsFeedback RequirementsBrake RequirementsHollowShaftMin RequirementsLengthMax RequirementsMassMax
+    RequirementsSupply RequirementsModulationReserve RequirementsAmbient RequirementsBearingLifeMin
+    RequirementsGearLifeMin RequirementsTorsionMax RequirementsNaturalFrequencyMin RequirementsTiltAngleMax
+    RequirementsAngleErrorMax RequirementsLeverArm RequirementsDeviationMax RequirementsResolutionMax
+    RequirementsAbsolute RequirementsStopAngleMax RequirementsEmergencyStops RequirementsHoldingSafety
+    RequirementsServiceLife RequirementsRegenerationPowerMax RequirementsOperationPerDay RequirementsStorage
+    RequirementsBatteryLifeMin RequirementsCollisionTorque RequirementsCollisionTime RequirementsCollisions
+    RequirementsPositionLoop RequirementsDcLinkRise RequirementsSpecialApplication RequirementsOption1
+    RequirementsOption2 ActuatorName ActuatorRatio ActuatorTorqueMax ActuatorSpeedMax ActuatorSpeedMotorMax
+    ActuatorSpeedMotorRated ActuatorInertiaOut ActuatorStallTorque ActuatorStallCurrent ActuatorCurrentMax
+    ActuatorCurrentDemagnetisation ActuatorNoLoadStartingCurrent ActuatorNoLoadCurrentConstant30
+    ActuatorNoLoadCurrentConstant80 ActuatorTorqueConstantOut ActuatorTorqueConstantMotor ActuatorVoltageConstantMotor
+    ActuatorResistanceLl ActuatorWindingTemperatureMax ActuatorInductanceLl ActuatorPolePairs ActuatorMass
+    ActuatorLength ActuatorHollowShaft ActuatorDcLinkMax ActuatorTerminalVoltageMin ActuatorShortTimeCurve
+    ActuatorContinuousCurve
+}

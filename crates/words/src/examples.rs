@@ -1,0 +1,142 @@
+//! Comments and names in the examples, which are project files to begin with.
+
+use quantities::Language;
+
+/// A comment or a name of an example, which has it in English, in a language; `None` for a text that no example has.
+#[must_use]
+pub fn example_text(english: &str, language: Language) -> Option<&'static str> {
+    let (en, de) = EXAMPLE_TEXTS.iter().find(|(en, _)| *en == english)?;
+    Some(match language {
+        Language::En => en,
+        Language::De => de,
+    })
+}
+
+/// How an example is run.
+#[must_use]
+pub fn how_to_run(file: &str, language: Language) -> String {
+    match language {
+        Language::En => format!("Run: antrieb size {file}"),
+        Language::De => format!("Aufruf: antrieb size {file} --lang de"),
+    }
+}
+
+/// Every comment and name of the examples, English and German.
+pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
+    // indexing table
+    (
+        "An indexing table with a horizontal plate: one station forward per cycle.",
+        "Ein Rundschalttisch mit waagrechter Platte: je Zyklus eine Station weiter.",
+    ),
+    ("\"indexing table\"", "\"Rundschalttisch\""),
+    ("referred to the output of the actuator", "auf den Abtrieb des Antriebs bezogen"),
+    ("plate with fixtures and parts", "Platte mit Aufnahmen und Werkstücken"),
+    ("seals and cable drag; opposes every motion", "Dichtungen und Kabelzug; wirkt jeder Bewegung entgegen"),
+    (
+        "from rest to rest; several [[motion]] follow each other",
+        "von Stillstand zu Stillstand; mehrere [[motion]] folgen aufeinander",
+    ),
+    (
+        "forces on the output flange, constant over the cycle",
+        "Kräfte auf den Abtriebsflansch, über den Zyklus konstant",
+    ),
+    ("weight of plate, fixtures and parts", "Gewicht von Platte, Aufnahmen und Werkstücken"),
+    (
+        "its centre from the axis, parts on one side only",
+        "Abstand des Schwerpunkts von der Drehachse, Werkstücke nur auf einer Seite",
+    ),
+    ("push of the tool", "Andruck des Werkzeugs"),
+    ("above the flange face", "über der Flanschfläche"),
+    ("f_w, table 74.2", "f_w, Tabelle 74.2"),
+    ("for the cables of the fixtures", "für die Leitungen der Aufnahmen"),
+    ("DC link", "Zwischenkreis"),
+    // turntable
+    (
+        "A turntable of solid bodies that indexes by 60° with a cam law; the parts sit on a circle.",
+        "Ein Drehtisch aus Körpern, der nach einem Bewegungsgesetz um 60° schaltet; die Werkstücke sitzen auf einem Kreis.",
+    ),
+    ("\"turntable\"", "\"Drehtisch\""),
+    ("plate of aluminium", "Platte aus Aluminium"),
+    ("six fixtures with their parts", "sechs Aufnahmen mit ihren Werkstücken"),
+    ("hub of steel", "Nabe aus Stahl"),
+    ("seal and cable drag", "Dichtung und Kabelzug"),
+    ("weight of table and parts", "Gewicht von Tisch und Werkstücken"),
+    ("where the parts sit", "wo die Werkstücke sitzen"),
+    // tilting arm
+    (
+        "A tilting arm with a horizontal axis: it lifts a part, waits at the top, and comes back empty. The brake holds it.",
+        "Ein Schwenkarm mit waagrechter Achse: Er hebt ein Werkstück, wartet oben und kommt leer zurück. Die Bremse hält ihn.",
+    ),
+    ("\"tilting arm\"", "\"Schwenkarm\""),
+    ("about the axis, without the part", "um die Drehachse, ohne Werkstück"),
+    ("its centre of mass from the axis", "Abstand seines Schwerpunkts von der Drehachse"),
+    ("the part in the gripper", "das Werkstück im Greifer"),
+    ("the axis is horizontal: full gravity", "die Achse liegt waagrecht: volle Schwerkraft"),
+    ("below the horizontal when the motion begins", "zu Beginn unter der Waagrechten"),
+    ("seals and hoses", "Dichtungen und Schläuche"),
+    ("up with the part", "mit Werkstück nach oben"),
+    (
+        "weight of arm and part, and what the motion adds",
+        "Gewicht von Arm und Werkstück und was die Bewegung hinzufügt",
+    ),
+    ("held by the brake while the part is taken", "von der Bremse gehalten, während das Werkstück entnommen wird"),
+    ("back, empty", "leer zurück"),
+    ("the next part is gripped", "das nächste Werkstück wird gegriffen"),
+    ("where a segment says nothing else", "wo ein Abschnitt nichts anderes angibt"),
+    (
+        "absolute, so that it need not search its place after power-off",
+        "absolut, damit nach dem Abschalten nicht referenziert werden muss",
+    ),
+    // screw axis
+    (
+        "A vertical screw axis, driven without a further gear: press on, retreat. Written along its line.",
+        "Eine senkrechte Spindelachse ohne weiteres Getriebe: andrücken, zurückfahren. Angaben entlang der Achse.",
+    ),
+    ("\"vertical screw axis\"", "\"senkrechte Spindelachse\""),
+    ("slide with tool", "Schlitten mit Werkzeug"),
+    ("screw and coupling", "Spindel und Kupplung"),
+    ("upwards is positive", "aufwärts ist positiv"),
+    ("wipers and guides", "Abstreifer und Führungen"),
+    ("ball screw", "Kugelgewindetrieb"),
+    ("down, fast", "schnell nach unten"),
+    (
+        "pressing: 1.5 kN against the downward tool, so the force is negative",
+        "andrücken: 1,5 kN gegen das abwärts fahrende Werkzeug, die Kraft ist also negativ",
+    ),
+    ("and up again", "und wieder nach oben"),
+    // belt axis
+    (
+        "A horizontal belt axis that carries a part forth and returns empty.",
+        "Eine waagrechte Riemenachse, die ein Werkstück hinbringt und leer zurückkehrt.",
+    ),
+    ("\"belt axis\"", "\"Riemenachse\""),
+    ("carriage and gripper", "Schlitten und Greifer"),
+    ("both pulleys, referred to the driving one", "beide Scheiben, auf die treibende bezogen"),
+    ("with the part", "mit Werkstück"),
+    (
+        "back, empty: any two of distance, time, speed and acceleration",
+        "leer zurück: zwei beliebige von distance, time, speed und acceleration",
+    ),
+    // recording
+    (
+        "Shoulder of a small robot: position, speed and torque come from a recording.",
+        "Schulter eines kleinen Roboters: Lage, Drehzahl und Drehmoment kommen aus einer Aufzeichnung.",
+    ),
+    (
+        "The torque is that of the whole arm, with its inertia, gravity and friction, so nothing of the arm is described here.",
+        "Das Drehmoment ist das des ganzen Arms mit Trägheit, Schwerkraft und Reibung; der Arm ist hier also nicht beschrieben.",
+    ),
+    ("\"robot shoulder\"", "\"Roboterschulter\""),
+    ("largest at the shoulder, arm stretched, with payload", "größtes an der Schulter, Arm gestreckt, mit Nutzlast"),
+    ("arm stretched and level, with payload", "Arm gestreckt und waagrecht, mit Nutzlast"),
+    (
+        "beside this file; time [s], position [deg], speed [1/min], torque [Nm]",
+        "neben dieser Datei; Spalten time [s], position [deg], speed [1/min], torque [Nm]",
+    ),
+    ("weight of the arm", "Gewicht des Arms"),
+    ("cables to the elbow", "Leitungen zum Ellbogen"),
+    (
+        "Shoulder of an arm with two links, planned motion with inverse dynamics; made by validation/robot-joint",
+        "Schulter eines Arms mit zwei Gliedern, geplante Bewegung mit inverser Dynamik",
+    ),
+];

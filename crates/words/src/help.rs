@@ -1,0 +1,197 @@
+//! Help of the command line.
+
+pub mod library;
+pub mod values;
+
+use crate::texts::texts;
+
+texts! {
+    not_in_this_build = "not in this build" | "in dieser Ausführung nicht enthalten";
+    project = "Project file (TOML); - reads standard input" | "Projektdatei (TOML); - liest die Standardeingabe";
+    axis = "Only this axis of a project with several" | "Nur diese Achse eines Projekts mit mehreren";
+    samples =
+        "Samples within the tolerances of the project (10000)"
+        | "Stichproben in den Toleranzen des Projekts (10000)";
+    seed =
+        "Seed of the samples; the same seed draws the same (1)"
+        | "Startwert der Stichproben; derselbe Startwert zieht dasselbe (1)";
+    commands = "Commands" | "Befehle";
+    arguments = "Arguments" | "Argumente";
+    options = "Options" | "Optionen";
+    help_flag = "Print this help" | "Diese Hilfe zeigen";
+    version_flag = "Print the version" | "Die Version zeigen";
+    example = "Example" | "Beispiel";
+    size = "Rank the whole catalogue for an axis" | "Den ganzen Katalog für eine Achse ordnen";
+    size_top = "How many fitting actuators to show (10)" | "Wie viele geeignete Antriebe gezeigt werden (10)";
+    size_all =
+        "Show every actuator, the rejected ones with their reason"
+        | "Alle Antriebe zeigen, die verworfenen mit Grund";
+    size_report = "Write the report of the best as PDF" | "Den Bericht des besten als PDF schreiben";
+    check =
+        "Judge one actuator, every check with its margin"
+        | "Einen Antrieb beurteilen, jeden Nachweis mit seiner Reserve";
+    check_code =
+        "Ordering code; without it the project's own [actuator] is judged"
+        | "Bestellbezeichnung; ohne sie wird der eigene [actuator] des Projekts beurteilt";
+    explain =
+        "Derive the checks of one actuator, figures put in"
+        | "Die Nachweise eines Antriebs herleiten, mit eingesetzten Zahlen";
+    explain_code =
+        "Ordering code; without it the project's own [actuator] is explained"
+        | "Bestellbezeichnung; ohne sie wird der eigene [actuator] des Projekts hergeleitet";
+    explain_check =
+        "One check, for example continuous_torque; all without it"
+        | "Einen Nachweis, zum Beispiel continuous_torque; ohne Angabe alle";
+    code = "Read, list and complete ordering codes" | "Bestellbezeichnungen lesen, auflisten und ergänzen";
+    code_parse = "Read a code and explain each field" | "Einen Code lesen und jedes Feld erklären";
+    code_example =
+        "Ordering code, for example CHA-20A-100-H-C1024-B"
+        | "Bestellbezeichnung, zum Beispiel CHA-20A-100-H-C1024-B";
+    code_list = "List the valid codes" | "Die gültigen Codes auflisten";
+    code_list_pattern =
+        "Partial code, for example CHA-20A-*-H; all without it"
+        | "Teilcode, zum Beispiel CHA-20A-*-H; ohne ihn alle";
+    code_list_available = "Only codes that are available without asking" | "Nur Codes, die ohne Anfrage verfügbar sind";
+    code_complete =
+        "Complete a partial code and say what may follow"
+        | "Einen Teilcode ergänzen und zeigen, was folgen kann";
+    code_complete_pattern =
+        "Partial code; * stands for any value of a field"
+        | "Teilcode; * steht für jeden Wert eines Feldes";
+    data =
+        "Data sheet of one actuator, each value with its table"
+        | "Datenblatt eines Antriebs, jeder Wert mit seiner Tabelle";
+    errata =
+        "What is wrong or in doubt in the print, and what is used"
+        | "Was im Druck falsch oder zweifelhaft ist, und was verwendet wird";
+    errata_about =
+        "Ordering code, number of a table, or id of an erratum; all without it"
+        | "Bestellbezeichnung, Nummer einer Tabelle oder Name eines Druckfehlers; ohne Angabe alle";
+    catalogue = "The whole catalogue" | "Der ganze Katalog";
+    catalogue_export =
+        "Every cell of the maker's tables in long form"
+        | "Jede Zelle der Herstellertabellen in langer Form";
+    catalogue_format = "csv (default) or json" | "csv (Vorgabe) oder json";
+    antrieb =
+        "Engineering workbench for hollow-shaft servo actuators of the CHA series"
+        | "Auslegungswerkzeug für Hohlwellen-Servoantriebe der Baureihe CHA";
+    exit_codes =
+        "Exit code: 0 fits or answered, 1 does not fit, 2 the question could not be answered."
+        | "Rückgabewert: 0 geeignet oder beantwortet, 1 nicht geeignet, 2 die Frage ließ sich nicht beantworten.";
+    json = "Answer as JSON" | "Antwort als JSON";
+    lang =
+        "Language of the answer, en or de (or variable ANTRIEB_LANG)"
+        | "Sprache der Antwort, en oder de (oder Variable ANTRIEB_LANG)";
+    torsion = "Torsion of the gear under a torque" | "Torsion des Getriebes unter einem Drehmoment";
+    torsion_torque = "Torque at the output, for example \"60 N m\"" | "Drehmoment am Abtrieb, zum Beispiel \"60 N m\"";
+    bearing =
+        "The output bearing of every size under a project's loads"
+        | "Das Abtriebslager jeder Baugröße unter den Lasten eines Projekts";
+    battery = "Life of the battery of the M128S encoder" | "Lebensdauer der Batterie des Gebers M128S";
+    battery_hours = "Hours of operation a day, 0 to 24" | "Betriebsstunden je Tag, 0 bis 24";
+    battery_storage =
+        "Storage before operation, for example \"1 a\"; none without it"
+        | "Lagerung vor dem Betrieb, zum Beispiel \"1 a\"; ohne Angabe keine";
+    new = "A commented project file to fill in" | "Eine kommentierte Projektdatei zum Ausfüllen";
+    new_out =
+        "Project file to write, with an example recording beside it for kind recording"
+        | "Zu schreibende Projektdatei; bei der Art recording mit einer Beispielaufzeichnung daneben";
+    glossary =
+        "Words and symbols with their meaning, in both languages"
+        | "Wörter und Zeichen mit ihrer Bedeutung, in beiden Sprachen";
+    glossary_term =
+        "Symbol, name or word, for example T_rms; all without it"
+        | "Zeichen, Name oder Wort, zum Beispiel T_rms; ohne Angabe alle";
+    completions = "Completion script for a shell" | "Vervollständigung für eine Shell";
+    help = "Help on a command" | "Hilfe zu einem Befehl";
+    help_command = "Command; all of them without it" | "Befehl; ohne ihn alle";
+    man = "Manual page (roff)" | "Handbuchseite (roff)";
+    man_command = "Command; antrieb itself without it" | "Befehl; ohne ihn antrieb selbst";
+    schema = "JSON Schema of the project file, or of the answers" | "JSON-Schema der Projektdatei oder der Antworten";
+    schema_answers = "What --json writes for each command" | "Was --json bei jedem Befehl schreibt";
+    shapes =
+        "Shapes and their keys (axis: parallel or perpendicular to the axis of rotation):"
+        | "Formen und ihre Schlüssel (axis: parallel oder perpendicular, senkrecht zur Drehachse):";
+    shapes_all =
+        "All: mass or density; distance from the axis of rotation (0), angle (0), count evenly spaced (1)."
+        | "Alle: mass oder density; distance von der Drehachse (0), angle (0), count gleichmäßig verteilt (1).";
+    inertia = "Moment of inertia of solid bodies" | "Massenträgheitsmoment fester Körper";
+    inertia_body =
+        "Each body in quotes, for example \"disc diameter=200mm length=20mm density=7850kg/m^3\""
+        | "Jeder Körper in Anführungszeichen, etwa \"disc diameter=200mm length=20mm density=7850kg/m^3\"";
+    no_such_command(name) = "there is no command `{name}`" | "es gibt keinen Befehl `{name}`";
+    curve = "Curves of the torque-speed plane" | "Kennlinien in der Drehmoment-Drehzahl-Ebene";
+    curve_voltage =
+        "Terminal voltage of the motor, rms, for example \"220 V\"; without it the maker's range holds"
+        | "Klemmenspannung des Motors, effektiv, zum Beispiel \"220 V\"; ohne sie gilt der Bereich der Herstellerangaben";
+    plot =
+        "A picture of an axis on an actuator, as SVG or PNG"
+        | "Ein Bild einer Achse mit einem Antrieb, als SVG oder PNG";
+    own_or_best_code =
+        "Ordering code; without it the project's own [actuator], else the best of the catalogue"
+        | "Bestellbezeichnung; ohne sie der eigene [actuator] des Projekts, sonst der beste des Katalogs";
+    plot_by =
+        "candidate_map over mass (default) or length"
+        | "candidate_map über mass (Masse, Vorgabe) oder length (Länge)";
+    plot_without_files =
+        "Without --svg and --png the SVG goes to standard output."
+        | "Ohne --svg und --png geht das SVG auf die Standardausgabe.";
+    svg = "Draw into this SVG file; - is standard output" | "In diese SVG-Datei zeichnen; - ist die Standardausgabe";
+    png = "Draw into this PNG file" | "In diese PNG-Datei zeichnen";
+    theme = "light (default) or dark" | "light (hell, Vorgabe) oder dark (dunkel)";
+    width = "Width of the picture, for example \"160 mm\"" | "Breite des Bildes, zum Beispiel \"160 mm\"";
+    height =
+        "Height of the picture; it grows if its content needs it"
+        | "Höhe des Bildes; es wächst, wenn sein Inhalt es braucht";
+    compare =
+        "Two to five actuators side by side, check by check"
+        | "Zwei bis fünf Antriebe nebeneinander, Nachweis für Nachweis";
+    compare_code =
+        "Ordering code; given once for each actuator"
+        | "Bestellbezeichnung; für jeden Antrieb einmal anzugeben";
+    diff =
+        "What another revision of a project changes in each check"
+        | "Was ein anderer Stand eines Projekts an jedem Nachweis ändert";
+    diff_old = "Project file before" | "Projektdatei vorher";
+    diff_new =
+        "Project file after; its verdict is the exit code"
+        | "Projektdatei nachher; ihr Urteil ist der Rückgabewert";
+    diff_code =
+        "Ordering code; without it the project's own [actuator], else the best before"
+        | "Bestellbezeichnung; ohne sie der eigene [actuator] des Projekts, sonst der beste vorher";
+    export =
+        "The results as a workbook, or one table as CSV, JSON or Parquet"
+        | "Die Ergebnisse als Arbeitsmappe, oder eine Tabelle als CSV, JSON oder Parquet";
+    export_code =
+        "Ordering code; without it the project's own [actuator], else the best"
+        | "Bestellbezeichnung; ohne sie der eigene [actuator] des Projekts, sonst der beste";
+    export_out =
+        "File to write, by its ending: .xlsx, .csv, .json, .parquet; - or none: CSV to standard output"
+        | "Zieldatei, nach ihrer Endung: .xlsx, .csv, .json, .parquet; - oder keine: CSV auf die Standardausgabe";
+    export_table =
+        "One table: inputs, assumptions, demand, motion, candidates, checks, course"
+        | "Eine Tabelle: inputs, assumptions, demand, motion, candidates, checks, course";
+    export_top =
+        "How many of the ranking the tables hold (20)"
+        | "Wie viele der Reihenfolge die Tabellen enthalten (20)";
+    export_revision = "Revision for the first sheet" | "Revision für das erste Blatt";
+    export_date =
+        "Date for the first sheet; none without it, so that the same call gives the same bytes"
+        | "Datum für das erste Blatt; ohne Angabe keines, damit derselbe Aufruf dieselben Bytes gibt";
+    report = "The results as a PDF to sign" | "Die Ergebnisse als PDF zum Unterschreiben";
+    report_out = "PDF file to write" | "Zu schreibende PDF-Datei";
+    report_full =
+        "With the derivation of every check, all sources and all codes as appendices"
+        | "Mit Herleitung jedes Nachweises, allen Quellen und allen Bestellbezeichnungen im Anhang";
+    date =
+        "Date of the document, 2026-11-21; none without it, so that the same call gives the same bytes"
+        | "Datum des Dokuments, 2026-11-21; ohne Angabe keines, damit derselbe Aufruf dieselben Bytes gibt";
+    revision = "Revision of the document" | "Revision des Dokuments";
+    title = "Project, plant or order" | "Projekt, Anlage oder Auftrag";
+    number = "Number of the document" | "Nummer des Dokuments";
+    author = "Who made it" | "Bearbeitet von";
+    company = "Company or office" | "Firma oder Büro";
+    archive = "As PDF/A for archiving; needs --date" | "Als PDF/A zum Archivieren; braucht --date";
+    force = "Replace a file that exists" | "Eine vorhandene Datei ersetzen";
+    usage = "Usage" | "Aufruf";
+}

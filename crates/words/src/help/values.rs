@@ -1,0 +1,33 @@
+//! What stands for the value of an argument.
+
+use crate::texts::texts;
+
+texts! {
+    body = "BODY" | "KÖRPER";
+    check = "CHECK" | "NACHWEIS";
+    code = "CODE";
+    command = "COMMAND" | "BEFEHL";
+    date = "DATE" | "DATUM";
+    figure = "FIGURE" | "BILD";
+    file = "FILE" | "DATEI";
+    format = "FORMAT";
+    hours = "HOURS" | "STUNDEN";
+    kind = "KIND" | "ART";
+    lang = "LANG" | "SPRACHE";
+    length = "LENGTH" | "LÄNGE";
+    name = "NAME";
+    new = "NEW" | "NEU";
+    old = "OLD" | "ALT";
+    pattern = "PATTERN" | "MUSTER";
+    project = "PROJECT" | "PROJEKT";
+    term = "TERM" | "BEGRIFF";
+    text = "TEXT";
+    theme = "THEME" | "FARBEN";
+    time = "TIME" | "ZEIT";
+    torque = "TORQUE" | "MOMENT";
+    voltage = "VOLTAGE" | "SPANNUNG";
+    what = "WHAT" | "WAS";
+    code_table_or_id = "CODE | TABLE | ID";
+    n = "N";
+    shell = "shell" | "SHELL";
+}

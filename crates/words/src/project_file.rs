@@ -1,0 +1,102 @@
+//! Words of the project file: its tables, its keys, and the words that a key takes.
+
+use quantities::Language;
+
+/// What a table of the project file is about; `None` for one that is named by its key.
+#[must_use]
+pub fn table_of_project(name: &str, language: Language) -> Option<&'static str> {
+    let (en, de) = match name {
+        "" => ("General", "Allgemein"),
+        "axis" => ("Axis", "Achse"),
+        "load" => ("Load", "Last"),
+        "body" => ("Body", "Körper"),
+        "stage" => ("Stage", "Zwischenstufe"),
+        "motion" => ("Motion, segment", "Bewegung, Abschnitt"),
+        "bearing" => ("Loads on the output flange", "Lasten am Abtriebsflansch"),
+        "requirements" => ("Requirements", "Anforderungen"),
+        "actuator" => ("Own actuator", "Eigener Antrieb"),
+        "curve" => ("Curve", "Kennlinie"),
+        "columns" => ("columns", "Spalten"),
+        "units" => ("units", "Einheiten"),
+        _ => return None,
+    };
+    Some(if language == Language::De { de } else { en })
+}
+
+/// A word that a key takes; `None` for what is none of a fixed set.
+#[must_use]
+pub fn key_word(key: &str, word: &str, language: Language) -> Option<&'static str> {
+    let (_, _, en, de) = KEY_WORDS.iter().find(|(of, known, ..)| (of.is_empty() || *of == key) && *known == word)?;
+    Some(if language == Language::De { de } else { en })
+}
+
+/// A key of a body; `None` for what is none.
+#[must_use]
+pub fn body_key(key: &str, language: Language) -> Option<&'static str> {
+    let (_, en, de) = BODY_KEYS.iter().find(|(name, ..)| *name == key)?;
+    Some(if language == Language::De { de } else { en })
+}
+
+/// What a key says to a reader; the rest of its description is for whoever writes the file.
+#[must_use]
+pub fn short_label(label: &str) -> String {
+    let label = label.split(';').next().unwrap_or(label).trim_start_matches("true: ");
+    let label = label.replace(" (true)", "").replace(" (false)", "");
+    // The sign is told with the value.
+    const TAILS: [&str; 5] = [
+        ", rückwärts negativ",
+        ", negative backwards",
+        ", gegen die positive Richtung",
+        ", against the positive direction",
+        ", at the output or along the line",
+    ];
+    TAILS.iter().find_map(|tail| label.strip_suffix(tail)).map_or(label.clone(), str::to_owned)
+}
+
+/// The words of the project file: key, word, in English, in German. Those without a key hold for any.
+const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
+    ("brake", "true", "with", "mit"),
+    ("brake", "false", "without", "ohne"),
+    ("", "true", "yes", "ja"),
+    ("", "false", "no", "nein"),
+    ("hold", "motor", "by the motor", "durch den Motor"),
+    ("hold", "brake", "by the brake", "durch die Bremse"),
+    ("hold", "free", "not held", "nicht gehalten"),
+    ("operating_condition", "normal", "normal", "normal"),
+    ("operating_condition", "shock", "shock", "Stöße"),
+    ("operating_condition", "high_accuracy", "high accuracy", "hohe Genauigkeit"),
+    ("mechanism", "add", "added to those stated", "zu den angegebenen addiert"),
+    ("mechanism", "replace", "unless a segment states its own", "wo kein Abschnitt eigene nennt"),
+    ("mechanism", "ignore", "not counted", "nicht gezählt"),
+    ("kind", "belt", "belt", "Riemen"),
+    ("kind", "gear", "gear", "Zahnradstufe"),
+    ("kind", "coupling", "coupling", "Kupplung"),
+    ("position_loop", "motor", "motor feedback", "Motorfeedback"),
+    ("position_loop", "output", "encoder at the output", "Geber am Abtrieb"),
+    ("special_application", "aerospace", "aerospace", "Luft- und Raumfahrt"),
+    ("special_application", "explosive_atmosphere", "explosive atmosphere", "explosionsfähige Atmosphäre"),
+    ("special_application", "nuclear", "nuclear", "Kerntechnik"),
+    ("special_application", "vacuum", "vacuum", "Vakuum"),
+    ("special_application", "household", "household", "Haushalt"),
+    ("special_application", "medical", "medical", "Medizintechnik"),
+    ("special_application", "human_contact", "contact with people", "Kontakt mit Menschen"),
+    ("special_application", "lifting_of_persons", "lifting of persons", "Heben von Personen"),
+    ("special_application", "amusement", "amusement rides", "Fahrgeschäfte"),
+];
+
+/// The keys of a body: in English, in German.
+const BODY_KEYS: &[(&str, &str, &str)] = &[
+    ("diameter", "diameter", "Durchmesser"),
+    ("length", "length", "Länge"),
+    ("outer", "outer diameter", "Außendurchmesser"),
+    ("inner", "inner diameter", "Innendurchmesser"),
+    ("a", "a", "a"),
+    ("b", "b", "b"),
+    ("height", "height", "Höhe"),
+    ("mass", "mass", "Masse"),
+    ("density", "density", "Dichte"),
+    ("distance", "distance", "Abstand"),
+    ("angle", "angle", "Winkel"),
+    ("count", "count", "Anzahl"),
+    ("axis", "axis", "Achse"),
+];

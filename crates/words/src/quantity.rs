@@ -1,0 +1,144 @@
+//! Words about texts that are no quantities.
+
+use super::either;
+use quantities::{Dimension, Language, QuantityError};
+
+/// What is wrong with a text that should be a quantity, in one sentence.
+#[must_use]
+pub fn quantity_fault(error: &QuantityError, language: Language) -> String {
+    let wanted = |expected: Dimension| {
+        let (name, example) = (expected.name_with_article(language), expected.example());
+        either(
+            language,
+            format!("expected {name} such as \"{example}\""),
+            format!("erwartet wird {name}, zum Beispiel „{example}“"),
+        )
+    };
+    match error {
+        QuantityError::Empty { expected, .. } => {
+            let wanted = wanted(*expected);
+            either(language, format!("empty, {wanted}"), format!("leer: {wanted}"))
+        }
+        QuantityError::NumberMissing { found, expected, .. } => {
+            let wanted = wanted(*expected);
+            either(
+                language,
+                format!("the number is missing before \"{found}\", {wanted}"),
+                format!("Zahl fehlt vor „{found}“: {wanted}"),
+            )
+        }
+        QuantityError::NumberUnreadable { found, .. } => {
+            either(language, format!("\"{found}\" is not a number"), format!("„{found}“ ist keine Zahl"))
+        }
+        QuantityError::DecimalComma { found, .. } => {
+            either(language, format!("decimal comma in \"{found}\""), format!("Dezimalkomma in „{found}“"))
+        }
+        QuantityError::NotFinite { found, .. } => either(
+            language,
+            format!("\"{found}\" is not a finite number"),
+            format!("„{found}“ ist keine endliche Zahl"),
+        ),
+        QuantityError::UnitMissing { expected, .. } => {
+            let wanted = wanted(*expected);
+            either(language, format!("the unit is missing, {wanted}"), format!("Einheit fehlt: {wanted}"))
+        }
+        QuantityError::UnitUnknown { found, .. } => {
+            either(language, format!("unknown unit \"{found}\""), format!("unbekannte Einheit „{found}“"))
+        }
+        QuantityError::WrongQuantity { found, measures, expected, .. } => {
+            let name = measures.name(language);
+            match language {
+                Language::En => {
+                    format!("\"{found}\" is a unit of {name}, expected a unit of {}", expected.name(language))
+                }
+                Language::De => format!(
+                    "„{found}“ ist eine Einheit der Größe {name}, erwartet wird {}",
+                    expected.name_with_article(language)
+                ),
+            }
+        }
+        QuantityError::ToleranceMissing { .. } => {
+            either(language, "the half-width of the tolerance is missing", "die halbe Breite der Toleranz fehlt")
+        }
+        QuantityError::ToleranceNegative { .. } => either(
+            language,
+            "the half-width of a tolerance must not be negative",
+            "die halbe Breite einer Toleranz darf nicht negativ sein",
+        ),
+        QuantityError::ToleranceOfOffsetScale { .. } => either(
+            language,
+            "a percent of a temperature in °C has no meaning: its zero is arbitrary",
+            "ein Prozentsatz einer Temperatur in °C hat keine Bedeutung: ihr Nullpunkt ist willkürlich",
+        ),
+    }
+}
+
+/// What would be right instead, if more can be said than what is wrong.
+#[must_use]
+pub fn quantity_hint(error: &QuantityError, language: Language) -> Option<String> {
+    match error {
+        QuantityError::Empty { expected, .. }
+        | QuantityError::NumberMissing { expected, .. }
+        | QuantityError::UnitMissing { expected, .. } => Some(units(*expected, language)),
+        QuantityError::NumberUnreadable { expected, .. } => Some(match language {
+            Language::En => {
+                format!("write digits without separators, with a decimal point, for example \"{}\"", expected.example())
+            }
+            Language::De => {
+                format!("Ziffern ohne Trennzeichen schreiben, mit Dezimalpunkt, zum Beispiel „{}“", expected.example())
+            }
+        }),
+        QuantityError::DecimalComma { found, .. } => Some(point_hint(found, language)),
+        QuantityError::NotFinite { .. } => None,
+        QuantityError::UnitUnknown { expected, nearest, .. } => {
+            let units = units(*expected, language);
+            Some(match (nearest, language) {
+                (None, _) => units,
+                (Some(unit), Language::En) => format!("did you mean \"{}\"? {units}", unit.ascii),
+                (Some(unit), Language::De) => format!("gemeint ist vielleicht „{}“; {units}", unit.ascii),
+            })
+        }
+        QuantityError::WrongQuantity { expected, .. } => Some(units(*expected, language)),
+        QuantityError::ToleranceNegative { .. } => None,
+        QuantityError::ToleranceMissing { .. } => Some(match language {
+            Language::En => "for example \"± 10 %\", or a quantity of the same kind".to_owned(),
+            Language::De => "zum Beispiel „± 10 %“, oder eine Größe derselben Art".to_owned(),
+        }),
+        QuantityError::ToleranceOfOffsetScale { .. } => Some(match language {
+            Language::En => "write the half-width in kelvin, for example \"40 degC ± 5 K\"".to_owned(),
+            Language::De => "die halbe Breite in Kelvin schreiben, zum Beispiel „40 degC ± 5 K“".to_owned(),
+        }),
+    }
+}
+
+/// The valid units of a quantity.
+fn units(dimension: Dimension, language: Language) -> String {
+    let names: Vec<&str> = dimension.units().iter().map(|unit| unit.ascii).collect();
+    let (name, names) = (dimension.name(language), names.join(", "));
+    match language {
+        Language::En => format!("units of {name}: {names}"),
+        Language::De => format!("Einheiten für {name}: {names}"),
+    }
+}
+
+/// The number with a decimal point; where the comma may have grouped thousands, also without it.
+fn point_hint(found: &str, language: Language) -> String {
+    let (whole, fraction) = found.split_once(',').unwrap_or((found, ""));
+    let zero = if whole.ends_with(|c: char| c.is_ascii_digit()) { "" } else { "0" };
+    let point = format!("{whole}{zero}.{fraction}");
+    let grouped = Some((whole, fraction)).filter(|_| zero.is_empty() && fraction.len() == 3);
+    match (language, grouped) {
+        _ if found.ends_with('…') => match language {
+            Language::En => "write a decimal point".to_owned(),
+            Language::De => "mit Dezimalpunkt schreiben".to_owned(),
+        },
+        (Language::En, None) => format!("write a decimal point: {point}"),
+        (Language::De, None) => format!("mit Dezimalpunkt schreiben: {point}"),
+        (Language::En, Some((whole, fraction))) => {
+            format!("write a decimal point: {point}; or no separator for thousands: {whole}{fraction}")
+        }
+        (Language::De, Some((whole, fraction))) => {
+            format!("mit Dezimalpunkt schreiben: {point}; Tausender ohne Trennzeichen: {whole}{fraction}")
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! Words that stand in more than one place: one word for one thing.
+
+use crate::texts::texts;
+
+texts! {
+    acceleration = "acceleration" | "Beschleunigung";
+    actuator_with_hollow_shaft = "servo actuator with hollow shaft" | "Servoantrieb mit Hohlwelle";
+    advice = "advice" | "Hinweis";
+    assumed = "assumed" | "angenommen";
+    assumptions = "assumptions" | "Annahmen";
+    axis = "axis" | "Achse";
+    body = "body" | "Körper";
+    candidates = "candidates" | "Kandidaten";
+    check = "check" | "Nachweis";
+    checks = "checks" | "Nachweise";
+    columns = "columns" | "Spalten";
+    cycle = "cycle" | "Zyklus";
+    date = "date" | "Datum";
+    demand = "demand" | "Bedarf";
+    distance = "distance" | "Weg";
+    does_not_fit = "does not fit" | "nicht geeignet";
+    duration = "duration" | "Dauer";
+    fail = "fail" | "nicht erfüllt";
+    fits = "fits" | "geeignet";
+    grade = "grade" | "Güte";
+    housing = "housing" | "Gehäuse";
+    inputs = "inputs" | "Eingaben";
+    integral = "integral" | "Integral";
+    law = "law" | "Gesetz";
+    limit = "limit" | "Grenze";
+    linear_speed = "speed" | "Geschwindigkeit";
+    manual = "manual" | "Anleitung";
+    margin = "margin" | "Reserve";
+    mass = "mass" | "Masse";
+    missing = "missing" | "fehlt";
+    motion = "motion" | "Bewegung";
+    no_flange_loads =
+        "the project has no loads on the flange: [bearing] is missing"
+        | "das Projekt hat keine Lasten am Flansch: [bearing] fehlt";
+    not_checked = "not checked" | "nicht geprüft";
+    number = "no." | "Nr.";
+    on_request = "on request" | "auf Anfrage";
+    on_request_only = "on request only" | "nur auf Anfrage";
+    ordering_code = "ordering code" | "Bestellbezeichnung";
+    own_actuator = "own actuator" | "eigener Antrieb";
+    pass = "pass" | "erfüllt";
+    rank = "rank" | "Rang";
+    reason = "reason" | "Grund";
+    recording = "recording" | "Aufzeichnung";
+    rejected = "rejected" | "verworfen";
+    remark = "remark" | "Bemerkung";
+    remarks = "remarks" | "Bemerkungen";
+    requirement = "requirement" | "Anforderung";
+    requirement_not_met = "requirement not met" | "Anforderung nicht erfüllt";
+    revision = "revision" | "Revision";
+    rms_torque = "rms torque" | "effektives Drehmoment";
+    rotary_speed = "speed" | "Drehzahl";
+    segment = "segment" | "Abschnitt";
+    source = "source" | "Quelle";
+    tightest_check = "tightest check" | "engster Nachweis";
+    time = "time" | "Zeit";
+    torque_speed_plane = "torque-speed plane" | "Drehmoment-Drehzahl-Ebene";
+    unit = "unit" | "Einheit";
+    utilisation = "utilisation" | "Auslastung";
+    utilisation_short = "util. %" | "Ausl. %";
+    value = "value" | "Wert";
+    verdict = "verdict" | "Urteil";
+    winding = "winding" | "Wicklung";
+}

@@ -1,0 +1,93 @@
+//! How a text is written down: a name with its English and its German, side by side.
+
+/// A text into which nothing is put, before its language is known.
+pub type Word = fn(crate::Language) -> &'static str;
+
+/// A text with its two languages as they are written, for whoever looks at all of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Text {
+    /// Its name, that of the function which gives it.
+    pub name: &'static str,
+    /// English and German with what is put in as `{name}`; twice that where one thing is told otherwise than several, and
+    /// once where both languages say the same.
+    pub forms: &'static [&'static str],
+}
+
+impl Text {
+    /// The text in a language, with what is put in still as `{name}`.
+    #[must_use]
+    pub fn plain(&self, language: crate::Language) -> &'static str {
+        let [en, de] = match self.forms {
+            [same] => [*same, *same],
+            [en, de, ..] => [*en, *de],
+            [] => ["", ""],
+        };
+        match language {
+            crate::Language::En => en,
+            crate::Language::De => de,
+        }
+    }
+}
+
+/// Texts, each a function of this name whose last argument is the language, and a list of them all, `TEXTS`.
+///
+/// ```text
+/// name = "English" | "German";
+/// same = "a word that both languages have";
+/// with(value, unit) = "{value} {unit} is too much" | "{value} {unit} ist zu viel";
+/// rows(count) = "1 row" | "1 Zeile", "{count} rows" | "{count} Zeilen";
+/// ```
+///
+/// What is put in is shown as it is, so numbers come with the decimal mark of the language. Where one thing is told otherwise
+/// than several, the first argument is their number.
+macro_rules! texts {
+    ($($name:ident $(($($arg:ident),+))? = $($form:literal)|+ $(, $($many:literal)|+)? ;)+) => {
+        $( $crate::texts::texts!(@one $name $(($($arg),+))? = $($form)|+ $(, $($many)|+)?); )+
+
+        /// Every text of this module.
+        pub const TEXTS: &[$crate::texts::Text] = &[
+            $( $crate::texts::Text { name: stringify!($name), forms: &[$($form,)+ $($($many,)+)?] }, )+
+        ];
+    };
+    (@one $name:ident = $same:literal) => {
+        #[doc = concat!("`` ", $same, " ``")]
+        #[must_use]
+        pub const fn $name(_: $crate::Language) -> &'static str {
+            $same
+        }
+    };
+    (@one $name:ident = $en:literal | $de:literal) => {
+        #[doc = concat!("`` ", $en, " ``")]
+        #[must_use]
+        pub const fn $name(language: $crate::Language) -> &'static str {
+            match language {
+                $crate::Language::En => $en,
+                $crate::Language::De => $de,
+            }
+        }
+    };
+    (@one $name:ident ($($arg:ident),+) = $en:literal | $de:literal) => {
+        #[doc = concat!("`` ", $en, " ``")]
+        #[must_use]
+        pub fn $name($($arg: &dyn ::std::fmt::Display,)+ language: $crate::Language) -> String {
+            match language {
+                $crate::Language::En => format!($en),
+                $crate::Language::De => format!($de),
+            }
+        }
+    };
+    (@one $name:ident ($count:ident $(, $arg:ident)*) = $en:literal | $de:literal, $en_many:literal | $de_many:literal) => {
+        #[doc = concat!("`` ", $en_many, " ``")]
+        #[must_use]
+        pub fn $name($count: usize, $($arg: &dyn ::std::fmt::Display,)* language: $crate::Language) -> String {
+            match ($count, language) {
+                (1, $crate::Language::En) => format!($en),
+                (1, $crate::Language::De) => format!($de),
+                (_, $crate::Language::En) => format!($en_many),
+                (_, $crate::Language::De) => format!($de_many),
+            }
+        }
+    };
+}
+
+pub(crate) use texts;
