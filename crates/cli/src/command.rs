@@ -69,6 +69,10 @@ fn sampling(command: Command, language: Language) -> Command {
         )
 }
 
+fn deadline(language: Language) -> Arg {
+    Arg::new("deadline").long("deadline").value_name(values::time(language)).help(help::deadline(language))
+}
+
 /// The whole command line.
 pub(crate) fn build(language: Language) -> Command {
     library::usage(headed(commands(language), language), language)
@@ -187,13 +191,13 @@ fn commands(language: Language) -> Command {
             .value_parser(value_parser!(std::path::PathBuf))
             .help(with_report(language, help::size_report(language))),
     );
-    let size = sheet(sampling(size, language), language);
+    let size = sheet(sampling(size, language), language).arg(deadline(language));
     let check = Command::new("check")
         .about(help::check(language))
         .arg(project(language))
         .arg(axis(language))
         .arg(Arg::new("code").long("code").value_name(values::code(language)).help(help::check_code(language)));
-    let check = sampling(check, language);
+    let check = sampling(check, language).arg(deadline(language));
     let explain = Command::new("explain")
         .about(help::explain(language))
         .arg(project(language))

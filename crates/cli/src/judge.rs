@@ -9,6 +9,7 @@ use crate::say::{figure, percent, shown};
 use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table, labelled, paragraph, width};
 use crate::tolerance;
+use crate::waiting::patience;
 use anstyle::{AnsiColor, Style};
 use clap::ArgMatches;
 use std::fmt::Write as _;
@@ -51,7 +52,8 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
     let all = matches.get_flag("all");
     let top = if all { usize::MAX } else { usize::from(matches.get_one::<u16>("top").copied().unwrap_or(10)) };
     let parts = projects.iter().map(|project| {
-        let found = workbench::ranking(project, top, tolerance::sampling(matches));
+        let found = workbench::ranking(project, top, tolerance::draw(matches), patience())
+            .map_err(|refusal| refuse(&refusal, as_json, language))?;
         let (record, text) = (|| found.record(language), || sizing_text(&found, all, language));
         Ok(Part::of(as_json, found.sizing.fits(), record, text))
     });
@@ -402,7 +404,7 @@ fn check_axis(
             (Some(reading.parsed.code), note)
         }
     };
-    let found = workbench::verification(project, code.as_ref(), tolerance::sampling(matches))
+    let found = workbench::verification(project, code.as_ref(), tolerance::draw(matches), patience())
         .map_err(|refusal| refuse(&refusal, as_json, language))?;
     let candidate = &found.candidate;
     let record = || found.record(language);

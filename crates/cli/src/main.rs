@@ -32,7 +32,9 @@ mod waiting;
 use answer::Answer;
 use clap::ArgMatches;
 use std::process::ExitCode;
+use std::time::Duration;
 use workbench::Language;
+use workbench::quantities::{Measure, Time};
 
 fn main() -> ExitCode {
     let language = command::language_of(std::env::args_os());
@@ -49,10 +51,26 @@ fn main() -> ExitCode {
             return ExitCode::from(code);
         }
     };
-    let waiting = waiting::Waiting::begin(language);
+    let json = matches.get_flag("json");
+    let most = match deadline(&matches, json, language) {
+        Ok(most) => most,
+        Err(answer) => return answer.write(),
+    };
+    let waiting = waiting::Waiting::begin(language, most);
     let answer = dispatch(&matches, language);
     drop(waiting);
     answer.write()
+}
+
+/// How long the answer may take, where a command can be told so.
+fn deadline(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Option<Duration>, Answer> {
+    let Some((_, found)) = matches.subcommand() else { return Ok(None) };
+    if found.try_contains_id("deadline").is_err() {
+        return Ok(None);
+    }
+    let time: Option<Time> = fault::quantity(found, "deadline", as_json, language)?;
+    // A day is as good as for ever.
+    Ok(time.map(|time| Duration::from_secs_f64(time.si().clamp(0.0, 86_400.0))))
 }
 
 fn dispatch(matches: &ArgMatches, language: Language) -> Answer {

@@ -4,14 +4,15 @@ use crate::answer::{Answer, written};
 use crate::fault::{Source, simple};
 use crate::save::save;
 use crate::subject::candidate;
-use crate::subject::picked;
+use crate::subject::{picked, refuse};
+use crate::waiting::patience;
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Style, Theme};
 use report::{AxisContent, Content, Place, Settings};
 use std::path::{Path, PathBuf};
 use workbench::answers::{AxisWritten, Fit, ReportWritten};
 use workbench::text::{standing_text, terminal};
-use workbench::{Candidate, Language, Project, Sampling, Sizing, answer};
+use workbench::{Candidate, Draw, Language, Project, Refusal, Sizing, answer};
 
 /// The figures of the report beside the map of the candidates, each with its place there.
 const FIGURES: [(Place, &str, Figure); 4] = [
@@ -47,7 +48,9 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         let sizing = workbench::size(project);
         let best = || sizing.candidates.first().map(|best| best.id.clone());
         let (candidate, said) = candidate(project, best, matches, as_json, language)?;
-        axes.push(content((*place, project), &sizing, &candidate, &source.text, language));
+        let content = content((*place, project), &sizing, &candidate, &source.text, language)
+            .map_err(|refusal| refuse(&refusal, as_json, language))?;
+        axes.push(content);
         told.push(AxisWritten {
             axis: project.name.clone(),
             code: candidate.id.to_string(),
@@ -114,24 +117,23 @@ fn content(
     candidate: &Candidate<'_>,
     text: &str,
     language: Language,
-) -> AxisContent {
+) -> Result<AxisContent, Refusal> {
     let figures = || drawn_figures(project, sizing, candidate, language);
     std::thread::scope(|scope| {
         let drawn = scope.spawn(|| {
             report::prepare();
             figures()
         });
-        let reserve = workbench::reserve_of(project, candidate);
-        let assessed = workbench::assess(project, &[candidate], Sampling::default());
+        let (reserve, assessment) = workbench::margins(project, candidate, Draw::default(), patience())?;
         let dossier = answer::dossier(
             project,
             sizing,
             candidate,
-            (&reserve, assessed.first()),
+            (&reserve, assessment.as_ref()),
             (text, place, concat!("antrieb ", env!("CARGO_PKG_VERSION"))),
             language,
         );
-        AxisContent { dossier, figures: drawn.join().unwrap_or_else(|_| figures()) }
+        Ok(AxisContent { dossier, figures: drawn.join().unwrap_or_else(|_| figures()) })
     })
 }
 

@@ -8,7 +8,8 @@ use serde::Serialize;
 use std::path::PathBuf;
 use workbench::answers::{Answered, Axes, Fault, Faults, Fit};
 use workbench::text::{check_title, terminal};
-use workbench::{Candidate, CandidateId, Language, Project, Refusal};
+use workbench::quantities::format_significant;
+use workbench::{Candidate, CandidateId, Language, Project, Refusal, Stopped};
 
 /// The axes of the project, or the one that is asked for.
 pub(crate) fn axes_of(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
@@ -143,7 +144,13 @@ pub(crate) fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> An
             terminal::check_not_asked(&title, language)
         }
         Refusal::NoActuator => terminal::no_own_actuator(language).to_owned(),
-        _ => terminal::no_data(language).to_owned(),
+        Refusal::TooManySamples { asked, most } => terminal::too_many_samples(asked, most, language),
+        Refusal::Stopped(Stopped::Cancelled) => terminal::cancelled(language).to_owned(),
+        Refusal::Stopped(Stopped::TimeOut(most)) => {
+            let most = format_significant(most.as_secs_f64(), 3, language);
+            terminal::not_in_time(&most, language)
+        }
+        Refusal::NoData | Refusal::Broken(_) => terminal::no_data(language).to_owned(),
     };
     simple(&what, as_json, language)
 }

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use workbench::quantities::{Unit, format_number, format_significant};
 use workbench::text::{check_title, terminal, terms};
 use workbench::{
-    ALL_CORNERS_MOST, Assessment, Language, Place, Project, Ranking, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst,
+    ALL_CORNERS_MOST, Assessment, Draw, Language, Place, Project, Ranking, SEED_USUAL, Sampling, Worst,
 };
 
 fn percent(share: f64, language: Language) -> String {
@@ -23,10 +23,9 @@ fn share(assessment: &Assessment, language: Language) -> String {
 }
 
 /// How many samples and which seed are asked for.
-pub(crate) fn sampling(matches: &ArgMatches) -> Sampling {
-    let samples = matches.get_one::<u32>("samples").and_then(|samples| usize::try_from(*samples).ok());
-    Sampling {
-        samples: samples.unwrap_or(SAMPLES_USUAL),
+pub(crate) fn draw(matches: &ArgMatches) -> Draw {
+    Draw {
+        samples: matches.get_one::<u32>("samples").and_then(|samples| usize::try_from(*samples).ok()),
         seed: matches.get_one::<u64>("seed").copied().unwrap_or(SEED_USUAL),
     }
 }

@@ -1,18 +1,27 @@
-//! A sign of life on the terminal when an answer takes longer than a second.
+//! Somebody waits for the answer: how long, and a sign of life on the terminal when it takes longer than a second.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
+use std::sync::OnceLock;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
-use workbench::Language;
+use workbench::quantities::format_number;
 use workbench::text::terminal;
+use workbench::{Language, Patience};
 
 /// Shown after this time.
-const PATIENCE: Duration = Duration::from_secs(1);
+const QUIET: Duration = Duration::from_secs(1);
 
 /// Redrawn so often.
 const TICK: Duration = Duration::from_millis(100);
+
+static PATIENCE: OnceLock<Patience> = OnceLock::new();
+
+/// That of whoever has called this process.
+pub(crate) fn patience() -> &'static Patience {
+    PATIENCE.get_or_init(|| Patience::from_now(None))
+}
 
 /// As long as it lives the work goes on; a terminal shows so after a second, anything else shows nothing.
 pub(crate) struct Waiting {
@@ -21,26 +30,40 @@ pub(crate) struct Waiting {
 }
 
 impl Waiting {
-    pub(crate) fn begin(language: Language) -> Self {
+    /// From now on, for so long at most; `None` without end.
+    pub(crate) fn begin(language: Language, most: Option<Duration>) -> Self {
+        let patience = PATIENCE.get_or_init(|| Patience::from_now(most));
         if !std::io::stderr().is_terminal() {
             return Self { done: None, thread: None };
         }
         let (done, is_done) = channel::<()>();
         let thread = std::thread::spawn(move || {
-            if is_done.recv_timeout(PATIENCE) != Err(RecvTimeoutError::Timeout) {
+            if is_done.recv_timeout(QUIET) != Err(RecvTimeoutError::Timeout) {
                 return;
             }
             let bar = ProgressBar::new_spinner();
             if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
                 bar.set_style(style);
             }
-            bar.set_message(terminal::calculating(language));
             while is_done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
+                bar.set_message(message(patience, language));
                 bar.tick();
             }
             bar.finish_and_clear();
         });
         Self { done: Some(done), thread: Some(thread) }
+    }
+}
+
+/// What is being done, with the share that is done where it is known.
+fn message(patience: &Patience, language: Language) -> String {
+    match patience.progress() {
+        (done, Some(all)) if done <= all => {
+            #[allow(clippy::cast_precision_loss, reason = "at most some millions")]
+            let share = format_number(100.0 * done as f64 / all as f64, 0, language);
+            terminal::calculating_share(&share, language)
+        }
+        _ => terminal::calculating(language).to_owned(),
     }
 }
 

@@ -10,8 +10,11 @@ texts! {
     project = "Project file (TOML); - reads standard input" | "Projektdatei (TOML); - liest die Standardeingabe";
     axis = "Only this axis of a project with several" | "Nur diese Achse eines Projekts mit mehreren";
     samples =
-        "Samples within the tolerances of the project (10000)"
-        | "Stichproben in den Toleranzen des Projekts (10000)";
+        "Samples within the tolerances of the project (10000, or fewer where each costs more)"
+        | "Stichproben in den Toleranzen des Projekts (10000, oder weniger, wo jede mehr kostet)";
+    deadline =
+        "How long the answer may take, such as \"30 s\"; then the question is refused"
+        | "Wie lange die Antwort dauern darf, etwa \"30 s\"; danach wird die Frage abgewiesen";
     seed =
         "Seed of the samples; the same seed draws the same (1)"
         | "Startwert der Stichproben; derselbe Startwert zieht dasselbe (1)";

@@ -160,15 +160,28 @@ pub fn verification<'p>(
     draw: Draw,
     patience: &Patience,
 ) -> Result<Verification<'p>, Refusal> {
-    let sampling = draw.sampling(project, 1, patience.is_limited())?;
     let candidate = match code {
         Some(code) => check(project, code)?,
         None => check_own(project)?,
     };
-    let reserve = reserve_of_watched(project, &candidate, patience).map_err(Refusal::Stopped)?;
-    let assessed = assess_watched(project, &[&candidate], sampling, patience).map_err(Refusal::Stopped)?;
-    let assessment = assessed.into_iter().next();
+    let (reserve, assessment) = margins(project, &candidate, draw, patience)?;
     Ok(Verification { project, candidate, reserve, assessment })
+}
+
+/// How far one thing may be changed until a candidate just fits, and what the tolerances mean for it.
+///
+/// # Errors
+/// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
+pub fn margins(
+    project: &Project,
+    candidate: &Candidate<'_>,
+    draw: Draw,
+    patience: &Patience,
+) -> Result<(Reserve, Option<Assessment>), Refusal> {
+    let sampling = draw.sampling(project, 1, patience.is_limited())?;
+    let reserve = reserve_of_watched(project, candidate, patience).map_err(Refusal::Stopped)?;
+    let assessed = assess_watched(project, &[candidate], sampling, patience).map_err(Refusal::Stopped)?;
+    Ok((reserve, assessed.into_iter().next()))
 }
 
 impl Verification<'_> {

@@ -28,7 +28,9 @@ mod torsion;
 
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
-pub use ask::{Explanation, Ranking, Request, Response, Verification, ask, explanation, ranking, verification};
+pub use ask::{
+    Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, verification,
+};
 pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
