@@ -37,22 +37,20 @@ use workbench::Language;
 fn main() -> ExitCode {
     let language = command::language_of(std::env::args_os());
     let arguments = command::with_help_asked(std::env::args_os());
+    let as_json = command::json_of(&arguments);
     let matches = match command::build(language).try_get_matches_from(arguments) {
         Ok(matches) => matches,
-        Err(error) => {
-            let code = if error.use_stderr() { 2 } else { 0 };
-            if let Some(text) = (language == Language::De).then(|| command::german::fault(&error)).flatten() {
-                return Answer::fault(text).write();
-            }
+        Err(error) if error.use_stderr() => return command::usage::refused(&error, as_json, language).write(language),
+        Err(help) => {
             // A closed pipe is the reader's business.
-            let _ = error.print();
-            return ExitCode::from(code);
+            let _ = help.print();
+            return ExitCode::SUCCESS;
         }
     };
     let waiting = waiting::Waiting::begin(language);
     let answer = dispatch(&matches, language);
     drop(waiting);
-    answer.write()
+    answer.write(language)
 }
 
 fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
@@ -80,7 +78,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("schema", found)) if found.get_flag("answers") => Answer::record(&workbench::answers::schema()),
         Some(("schema", _)) => Answer::record(&workbench::schema(language)),
         Some(("completions", found)) => command::completions(found, language),
-        Some(("man", found)) => command::man(found, language),
+        Some(("man", found)) => command::man(found, json, language),
         _ => Answer::none(),
     }
 }

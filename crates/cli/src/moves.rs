@@ -3,7 +3,7 @@
 use crate::table::{Align, Table, paragraph};
 use workbench::quantities::unit::SECOND;
 use workbench::quantities::{Measure, format_significant};
-use workbench::text::law_text;
+use workbench::text::{encoding_guess, law_text};
 use workbench::{Language, Moves};
 
 /// So many segments are shown; --json has them all.
@@ -78,6 +78,10 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
                 Language::En => format!("; {left} outside the window"),
                 Language::De => format!("; {left} außerhalb des Fensters"),
             });
+        }
+        if let Some(guess) = encoding_guess(read.recording.encoding, language) {
+            what.push_str("; ");
+            what.push_str(&guess);
         }
         out.push_str(&paragraph(head, &what));
     }

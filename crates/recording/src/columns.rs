@@ -4,7 +4,7 @@ use crate::faults::{Fault, Faults, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::NAMES_MAX;
 use crate::series::{Along, ColumnRead, KnownBy};
-use quantities::{Dimension, Unit};
+use quantities::{Dimension, Unit, seen};
 
 /// A column as the file names it.
 #[derive(Clone, Debug)]
@@ -201,7 +201,9 @@ pub(crate) fn decide(
         }
     }
     match decided {
-        Some((unit, known_by)) if sound => Some(ColumnRead { role, name: heading.written.clone(), unit, known_by }),
+        Some((unit, known_by)) if sound => {
+            Some(ColumnRead { role, name: seen(&heading.written).into_owned(), unit, known_by })
+        }
         None if sound => {
             faults.push(Fault::UnitMissing { role, column });
             None

@@ -4,7 +4,7 @@ use crate::FAULTS_MAX;
 use crate::layout::Role;
 use crate::limits::{Limit, SAMPLES_MAX};
 use crate::series::KnownBy;
-use quantities::{Dimension, Time, Unit};
+use quantities::{Dimension, Time, Unit, is_unseen};
 use std::fmt;
 use std::io::ErrorKind;
 use std::mem::Discriminant;
@@ -502,7 +502,7 @@ impl Faults {
 /// A text out of a file, shortened for a message.
 pub(crate) fn excerpt(text: &str) -> String {
     const LONGEST: usize = 40;
-    let plain = |c: char| if c.is_control() { '\u{fffd}' } else { c };
+    let plain = |c: char| if is_unseen(c) { '\u{fffd}' } else { c };
     let mut short: String = text.chars().take(LONGEST).map(plain).collect();
     if text.chars().nth(LONGEST).is_some() {
         short.push('…');

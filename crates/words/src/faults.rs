@@ -193,9 +193,10 @@ fn value_text(fault: &Fault, language: Language) -> String {
         Fault::TextTooLong { path, most } => {
             e(format!("`{path}` is longer than {most} characters"), format!("`{path}` ist länger als {most} Zeichen"))
         }
-        Fault::ControlCharacter { path } => {
-            e(format!("`{path}` contains a control character"), format!("`{path}` enthält ein Steuerzeichen"))
-        }
+        Fault::ControlCharacter { path } => e(
+            format!("`{path}` contains a control character, or one that turns the direction of the text"),
+            format!("`{path}` enthält ein Steuerzeichen oder eines, das die Schreibrichtung wendet"),
+        ),
         Fault::WrongType { path, expected, found } => {
             let (expected, german) = (expected_text(*expected, language), type_in_german(found));
             e(
@@ -521,7 +522,7 @@ pub fn file_trouble(error: &std::io::Error, language: Language) -> String {
     trouble_text(&error.into(), language)
 }
 
-fn trouble_text(trouble: &FileTrouble, language: Language) -> String {
+pub(crate) fn trouble_text(trouble: &FileTrouble, language: Language) -> String {
     use std::io::ErrorKind;
     let (en, de) = match trouble.kind {
         _ if trouble.no_regular_file => (

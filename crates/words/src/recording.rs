@@ -6,7 +6,7 @@ use super::either;
 use beyond::{beyond, damage};
 use quantities::unit::SECOND;
 use quantities::{Dimension, Language, Measure, Time, Unit, format_significant};
-use recording::{Fault, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Place, Role, STEP_MIN_S, Stamp};
+use recording::{Encoding, Fault, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Place, Role, STEP_MIN_S, Stamp};
 
 /// What is wrong with a recording, and what to do about it.
 pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String>) {
@@ -429,6 +429,17 @@ fn sample_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
     }
 }
 
+/// Which encoding of a text was guessed; nothing where it was known.
+#[must_use]
+pub fn encoding_guess(encoding: Option<Encoding>, language: Language) -> Option<String> {
+    let name = match encoding? {
+        Encoding::Utf8 | Encoding::Utf16 => return None,
+        Encoding::Utf16Guessed => "UTF-16",
+        Encoding::Windows1252Guessed => "Windows-1252",
+    };
+    Some(either(language, format!("text taken for {name}"), format!("Text vermutlich {name}, so gelesen")))
+}
+
 fn quoted(text: &str, language: Language) -> String {
     either(language, format!("\"{text}\""), format!("„{text}“"))
 }
@@ -543,6 +554,14 @@ mod tests {
             told(text, Language::De),
             ["Zeile 3: „x“ in „q [deg]“ ist keine Zahl", "Zeile 4: die Zeit läuft rückwärts, 0,5 s folgt auf 1 s",]
         );
+    }
+
+    #[test]
+    fn only_a_guess_is_told() {
+        let told = |encoding| encoding_guess(Some(encoding), Language::En);
+        assert_eq!((told(Encoding::Utf8), told(Encoding::Utf16)), (None, None));
+        assert_eq!(told(Encoding::Windows1252Guessed).as_deref(), Some("text taken for Windows-1252"));
+        assert!(told(Encoding::Utf16Guessed).is_some());
     }
 
     #[test]

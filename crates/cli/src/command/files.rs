@@ -238,3 +238,12 @@ pub(super) fn force(language: Language) -> Arg {
     let help = either(language, "Replace a file that exists", "Eine vorhandene Datei ersetzen");
     Arg::new("force").long("force").action(ArgAction::SetTrue).help(help)
 }
+
+/// How much memory the recordings of a project may take.
+pub(super) fn memory(language: Language) -> Arg {
+    Arg::new("memory").long("memory").value_name("SIZE").help(either(
+        language,
+        "Memory for the recordings of the project (512 MiB, or variable ANTRIEB_MEMORY)",
+        "Speicher für die Aufzeichnungen des Projekts (512 MiB, oder Variable ANTRIEB_MEMORY)",
+    ))
+}

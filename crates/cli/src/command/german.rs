@@ -3,43 +3,8 @@
 use clap::{Arg, Command};
 use workbench::Language;
 
-/// A fault of the command line in German; the library speaks English only.
-pub(crate) fn fault(error: &clap::Error) -> Option<String> {
-    use clap::error::{ContextKind, ContextValue, ErrorKind};
-    let context = |kind| match error.get(kind) {
-        Some(ContextValue::String(text)) => Some(text.clone()),
-        Some(ContextValue::Strings(texts)) => Some(texts.join(", ")),
-        _ => None,
-    };
-    let mut text = match error.kind() {
-        ErrorKind::InvalidSubcommand => {
-            format!("Fehler: unbekannter Befehl „{}“", context(ContextKind::InvalidSubcommand)?)
-        }
-        ErrorKind::UnknownArgument => format!("Fehler: unbekannte Option „{}“", context(ContextKind::InvalidArg)?),
-        ErrorKind::MissingRequiredArgument => format!("Fehler: es fehlt {}", context(ContextKind::InvalidArg)?),
-        ErrorKind::InvalidValue | ErrorKind::ValueValidation => format!(
-            "Fehler: „{}“ ist kein Wert für {}",
-            context(ContextKind::InvalidValue)?,
-            context(ContextKind::InvalidArg)?
-        ),
-        _ => return None,
-    };
-    for (kind, head) in [
-        (ContextKind::ValidValue, "gültig"),
-        (ContextKind::SuggestedSubcommand, "gemeint ist vielleicht"),
-        (ContextKind::SuggestedArg, "gemeint ist vielleicht"),
-        (ContextKind::SuggestedValue, "gemeint ist vielleicht"),
-    ] {
-        if let Some(found) = context(kind).filter(|found| !found.is_empty()) {
-            text.push_str(&format!("\n  {head}: {found}"));
-        }
-    }
-    text.push_str("\n\nMehr dazu: antrieb --help --lang de\n");
-    Some(text)
-}
-
 /// What stands for a value, in German.
-const GERMAN_VALUES: [(&str, &str); 26] = [
+const GERMAN_VALUES: [(&str, &str); 27] = [
     ("AXIS", "ACHSE"),
     ("BODY", "KÖRPER"),
     ("CHECK", "NACHWEIS"),
@@ -55,6 +20,7 @@ const GERMAN_VALUES: [(&str, &str); 26] = [
     ("OLD", "ALT"),
     ("PATTERN", "MUSTER"),
     ("PROJECT", "PROJEKT"),
+    ("SIZE", "GRÖSSE"),
     ("TERM", "BEGRIFF"),
     ("THEME", "FARBEN"),
     ("TIME", "ZEIT"),
