@@ -56,9 +56,11 @@ fn safe(text: &str) -> Cow<'_, str> {
             let code = code.split_once('m')?.0;
             code.bytes().all(|byte| byte.is_ascii_digit() || byte == b';').then_some(code.len() + 3)
         });
-        let length = colour.unwrap_or(sign.len_utf8());
-        let (part, behind) = rest.split_at_checked(length).unwrap_or((rest, ""));
-        match colour {
+        // The lines of a CSV end with both.
+        let end = rest.starts_with("\r\n").then_some(2);
+        let ours = colour.or(end);
+        let (part, behind) = rest.split_at_checked(ours.unwrap_or(sign.len_utf8())).unwrap_or((rest, ""));
+        match ours {
             None if !matches!(sign, '\n' | '\t') => out.push_str(&seen(part)),
             _ => out.push_str(part),
         }
@@ -119,6 +121,7 @@ mod tests {
         let told = safe(hostile);
         assert_eq!(told, "\\u{1b}]0;title\\u{7}\\u{1b}[2J\\u{9b}31m\\u{202e}x\\u{d}");
         assert_eq!(safe("\u{1b}["), "\\u{1b}[");
+        assert_eq!(safe("a,b\r\nc\rd"), "a,b\r\nc\\u{d}d");
     }
 
     #[test]
