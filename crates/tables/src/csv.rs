@@ -41,8 +41,11 @@ fn field(cell: &Cell) -> String {
 fn is_formula(text: &str) -> bool {
     let begins = text.starts_with(['=', '+', '-', '@', '\t', '\r', '\n']);
     let is_quantity = || {
-        let number = text.split_once(' ').filter(|(_, unit)| unit.starts_with(char::is_alphabetic));
-        let unit = |sign: char| sign.is_alphanumeric() || " /^·°²³µ".contains(sign);
+        let is_unit = |unit: &str| {
+            unit.starts_with("1/") || unit.starts_with(|sign: char| sign.is_alphabetic() || "°%".contains(sign))
+        };
+        let number = text.split_once(' ').filter(|(_, unit)| is_unit(unit));
+        let unit = |sign: char| sign.is_alphanumeric() || " /^·°²³µ%±.".contains(sign);
         number.is_some_and(|(number, rest)| number.parse::<f64>().is_ok() && rest.chars().all(unit))
     };
     begins && !is_quantity()
