@@ -1,6 +1,6 @@
 //! Hostile input as a user would meet it: files that claim too much, names that steer a terminal, calls that are wrong.
 #![cfg(unix)]
-#![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 mod run;
 

@@ -158,7 +158,7 @@ impl<'m> Gather<'m> {
             }
         }
         let si = self.unit.to_si(tick.value());
-        if !(si.abs() <= MAGNITUDE_MAX) {
+        if si.is_nan() || si.abs() > MAGNITUDE_MAX {
             return self.out_of_range(number, tick, faults);
         }
         if si < self.from_si {
