@@ -57,6 +57,8 @@ pub struct CodeFaults {
 /// A fault of a code.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CodeFault {
+    /// Stable id of its kind: `code_rule` for a rule of a table, `code_spelling` for anything else.
+    pub id: &'static str,
     /// Its place in characters, from 1.
     pub position: usize,
     /// Its place in bytes: begin, and end without it.

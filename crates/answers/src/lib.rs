@@ -45,7 +45,7 @@ pub use judged::{
     Assessed, Candidate, Influence, Judgement, NeededLimit, Quantiles, Ranked, Rejection, Reserve, Sizing, Stage,
     StageRatio, Tolerance, ToleratedValue, WorstCorner,
 };
-pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, UnitBy};
+pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, TextEncoding, UnitBy};
 pub use number::Number;
 pub use provenance::Grade;
 pub use reference::reference;

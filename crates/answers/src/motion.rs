@@ -43,6 +43,8 @@ pub struct Segment {
 pub struct Recording {
     /// Its name as the project has it.
     pub file: String,
+    /// How its text was read; `null` of a format that is no text.
+    pub encoding: Option<TextEncoding>,
     /// How many samples are used.
     pub samples: usize,
     /// The time that the first of them had in the file, in s.
@@ -53,6 +55,20 @@ pub struct Recording {
     pub left_out_after: u64,
     /// The columns that were read.
     pub columns: Vec<RecordedColumn>,
+}
+
+/// How the text of a recording was read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum TextEncoding {
+    /// UTF-8, which every byte of the header agrees to.
+    Utf8,
+    /// UTF-16, as the mark at the beginning says.
+    Utf16,
+    /// UTF-16, guessed from the zeros between the letters.
+    Utf16Guessed,
+    /// Windows-1252, of which Latin-1 is a part: guessed, since the header is no UTF-8.
+    Windows1252Guessed,
 }
 
 /// A column of a recording.

@@ -1,9 +1,13 @@
 //! What a command answers: data for stdout, talk for stderr, an exit code.
 
 use serde::Serialize;
+use std::borrow::Cow;
 use std::io::Write;
 use std::process::ExitCode;
+use workbench::Language;
 use workbench::answers::{Fault, Faults};
+use workbench::quantities::{is_unseen, seen};
+use workbench::text::file_trouble;
 
 /// The answer of a command.
 #[derive(Debug, Default)]
@@ -18,12 +22,51 @@ pub(crate) struct Answer {
     pub(crate) faults: Vec<Fault>,
 }
 
-/// A record as a file or standard output has it: JSON, indented, with a line feed at its end.
+/// A record as a file or standard output has it: JSON, indented, with a line feed at its end. Signs that are not seen
+/// stand in its texts as JSON escapes them, so that the record is the same and a terminal stays as it is.
 pub(crate) fn written(record: &impl Serialize) -> String {
     // A record has string keys and finite numbers only: nothing in it can fail.
     let mut text = serde_json::to_string_pretty(record).unwrap_or_default();
     text.push('\n');
+    if text.chars().any(|sign| sign != '\n' && is_unseen(sign)) {
+        let escape = |sign: char| match sign {
+            // Between texts there is no other sign that is not seen than the end of a line, and in them it is escaped.
+            '\n' => sign.to_string(),
+            sign if is_unseen(sign) => {
+                let mut units = [0; 2];
+                sign.encode_utf16(&mut units).iter().map(|unit| format!("\\u{unit:04x}")).collect()
+            }
+            sign => sign.to_string(),
+        };
+        text = text.chars().map(escape).collect();
+    }
     text
+}
+
+/// A text for a terminal: no sign in it that is not seen, but ends of lines, tabs and our own colours. What a user wrote
+/// is made visible where it enters a message; this is the last place that it could leave by.
+fn safe(text: &str) -> Cow<'_, str> {
+    if !text.chars().any(|sign| is_unseen(sign) && !matches!(sign, '\n' | '\t')) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(sign) = rest.chars().next() {
+        let colour = rest.strip_prefix("\u{1b}[").and_then(|code| {
+            let code = code.split_once('m')?.0;
+            code.bytes().all(|byte| byte.is_ascii_digit() || byte == b';').then_some(code.len() + 3)
+        });
+        // The lines of a CSV end with both.
+        let end = rest.starts_with("\r\n").then_some(2);
+        let ours = colour.or(end);
+        let (part, behind) = rest.split_at_checked(ours.unwrap_or(sign.len_utf8())).unwrap_or((rest, ""));
+        match ours {
+            None if !matches!(sign, '\n' | '\t') => out.push_str(&seen(part)),
+            _ => out.push_str(part),
+        }
+        rest = behind;
+    }
+    Cow::Owned(out)
 }
 
 impl Answer {
@@ -46,11 +89,6 @@ impl Answer {
         Self { data, talk, code: 2, faults: faults.errors }
     }
 
-    /// The arguments could not be read.
-    pub(crate) fn fault(talk: String) -> Self {
-        Self { talk, code: 2, ..Self::default() }
-    }
-
     /// The same answer with a verdict.
     pub(crate) fn fits(self, fits: bool) -> Self {
         Self { code: u8::from(!fits), ..self }
@@ -58,16 +96,39 @@ impl Answer {
 
     /// Writes data and talk; colours are dropped where the stream is no terminal. A pipe that the reader closed is
     /// no fault; anything else that stdout refuses is.
-    pub(crate) fn write(self) -> ExitCode {
-        let _ = anstream::stderr().write_all(self.talk.as_bytes());
+    pub(crate) fn write(self, language: Language) -> ExitCode {
+        let _ = anstream::stderr().write_all(safe(&self.talk).as_bytes());
         let mut out = anstream::stdout();
-        let written = out.write_all(self.data.as_bytes()).and_then(|()| out.flush());
+        let written = out.write_all(safe(&self.data).as_bytes()).and_then(|()| out.flush());
         match written {
             Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-                let _ = writeln!(anstream::stderr(), "antrieb: stdout: {error}");
+                let _ = writeln!(anstream::stderr(), "antrieb: stdout: {}", file_trouble(&error, language));
                 ExitCode::from(2)
             }
             _ => ExitCode::from(self.code),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn our_own_colours_pass_and_nothing_else_that_steers() {
+        assert_eq!(safe("\u{1b}[1;32mfits\u{1b}[0m\n\ta"), "\u{1b}[1;32mfits\u{1b}[0m\n\ta");
+        let hostile = "\u{1b}]0;title\u{7}\u{1b}[2J\u{9b}31m\u{202e}x\r";
+        let told = safe(hostile);
+        assert_eq!(told, "\\u{1b}]0;title\\u{7}\\u{1b}[2J\\u{9b}31m\\u{202e}x\\u{d}");
+        assert_eq!(safe("\u{1b}["), "\\u{1b}[");
+        assert_eq!(safe("a,b\r\nc\rd"), "a,b\r\nc\\u{d}d");
+    }
+
+    #[test]
+    fn a_record_holds_what_is_not_seen_as_escapes_that_mean_the_same() {
+        let text = "a\u{9b}\u{202e}\u{1}\n\u{1fffe}b";
+        let json = written(&text);
+        assert!(!json.trim_end().chars().any(is_unseen), "{json}");
+        assert_eq!(serde_json::from_str::<String>(&json).unwrap(), text);
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use crate::code::parse_for_use;
-use crate::fault::{option_fault, quantity, simple};
+use crate::fault::{option_fault, path_text, quantity, simple};
 use crate::plot;
 use crate::save::save;
 use crate::subject::{Part, axes_of, refuse, together};
@@ -34,7 +34,7 @@ pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> 
         let Some(Ok(plane)) = workbench::plane_of(&code, voltage) else {
             return refuse(&workbench::Refusal::NoData, as_json, language);
         };
-        let answer = plot::put(&figures::curves(&code, &plane, language), matches, as_json, language);
+        let answer = plot::put(&figures::curves(&code, &plane, language), matches, &[], as_json, language);
         return Answer { talk: talk + &answer.talk, ..answer };
     }
     if as_json {
@@ -151,7 +151,8 @@ pub(crate) fn battery(matches: &ArgMatches, as_json: bool, language: Language) -
 pub(crate) fn template(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     let kind = matches.get_one::<String>("kind").map_or("", String::as_str);
     let out = matches.get_one::<PathBuf>("out").filter(|path| path.as_os_str() != "-");
-    let name = out.and_then(|path| path.file_name()).map_or_else(|| USUAL_NAME.into(), |name| name.to_string_lossy());
+    let name =
+        out.and_then(|path| path.file_name()).map_or_else(|| USUAL_NAME.to_owned(), |name| path_text(Path::new(name)));
     let Some(template) = workbench::template(kind, &name, language) else { return Answer::none() };
     let Some(out) = out else {
         let mut answer = Answer::data(template.text);
@@ -163,10 +164,10 @@ pub(crate) fn template(matches: &ArgMatches, as_json: bool, language: Language) 
     let beside = template.recording.map(|(name, text)| (out.with_file_name(name), text));
     let mut files: Vec<(&Path, &[u8])> = vec![(out, template.text.as_bytes())];
     files.extend(beside.iter().map(|(path, text)| (path.as_path(), text.as_bytes())));
-    if let Err(fault) = save(&files, matches.get_flag("force")) {
-        return simple(&fault.message(language), as_json, language);
+    if let Err(fault) = save(&files, &[], matches.get_flag("force")) {
+        return fault.answer(as_json, language);
     }
-    let paths: Vec<String> = files.iter().map(|(path, _)| path.display().to_string()).collect();
+    let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
     if as_json {
         return Answer::record(&FilesWritten { files: paths });
     }

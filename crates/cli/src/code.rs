@@ -46,10 +46,7 @@ pub(crate) fn refused(text: &str, refusal: &CodeRefusal, as_json: bool, language
     let faults: Vec<Told> = refusal
         .faults
         .iter()
-        .map(|fault| {
-            let id = if fault.table.is_some() { "code_rule" } else { "code_spelling" };
-            Told::at(text, fault.span.clone(), id, fault.message.clone(), fault.hint.clone())
-        })
+        .map(|fault| Told::at(text, fault.span.clone(), fault.id(), fault.message.clone(), fault.hint.clone()))
         .collect();
     let name = terminal::code(language);
     let mut answer = report(name, text, &faults, false, language);

@@ -1,18 +1,20 @@
 //! The commands and their help, in English and German.
 
 use crate::answer::Answer;
+use crate::fault::simple;
 use clap::builder::{PossibleValuesParser, Styles};
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use workbench::Language;
 use workbench::text::help::values;
-use workbench::text::{capitalised, help, terms};
+use workbench::text::{Usage, capitalised, help, terms, usage_text};
 
 const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod files;
 pub(crate) mod library;
+pub(crate) mod usage;
 
 use files::{compare, curve, diff, export, plot, report, sheet};
 
@@ -36,6 +38,11 @@ pub(crate) fn language_of(arguments: impl Iterator<Item = OsString>) -> Language
         }
     }
     wanted.and_then(|wanted| Language::of_id(&wanted)).unwrap_or_default()
+}
+
+/// Whether JSON is asked for, however faulty the rest of the call may be.
+pub(crate) fn json_of(arguments: &[OsString]) -> bool {
+    arguments.iter().skip(1).take_while(|argument| *argument != "--").any(|argument| argument == "--json")
 }
 
 fn project(language: Language) -> Arg {
@@ -80,6 +87,9 @@ pub(crate) fn build(language: Language) -> Command {
 
 /// Gives a command and all its subcommands the headings of the language and a help flag in it.
 fn headed(command: Command, language: Language) -> Command {
+    let reads_a_project =
+        command.get_arguments().any(|argument| ["project", "old"].contains(&argument.get_id().as_str()));
+    let command = if reads_a_project { command.arg(files::memory(language)) } else { command };
     let mut command = command
         .disable_help_flag(true)
         .disable_help_subcommand(true)
@@ -414,7 +424,7 @@ pub(crate) fn completions(matches: &ArgMatches, language: Language) -> Answer {
 }
 
 /// A manual page.
-pub(crate) fn man(matches: &ArgMatches, language: Language) -> Answer {
+pub(crate) fn man(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     let mut whole = build(language);
     whole.build();
     let wanted = matches.get_one::<String>("command");
@@ -423,12 +433,12 @@ pub(crate) fn man(matches: &ArgMatches, language: Language) -> Answer {
         Some(name) => whole.find_subcommand(name).map(|found| found.clone().display_name(format!("{NAME}-{name}"))),
     };
     let Some(page) = page else {
-        let name = wanted.map_or("", String::as_str);
-        return Answer::fault(format!("antrieb: {}\n", help::no_such_command(&name, language)));
+        let written = wanted.cloned().unwrap_or_default();
+        return simple(&usage_text(&Usage::UnknownCommand { written }, language), as_json, language);
     };
     let mut out = Vec::new();
     match clap_mangen::Man::new(page).render(&mut out) {
         Ok(()) => Answer::data(library::headings(&String::from_utf8_lossy(&out), language)),
-        Err(error) => Answer::fault(format!("antrieb: {error}\n")),
+        Err(error) => simple(&error.to_string(), as_json, language),
     }
 }

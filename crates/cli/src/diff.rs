@@ -36,7 +36,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
     };
     let read = |which: &str| -> Result<(Source, Vec<Axis>), Answer> {
         let path = matches.get_one::<PathBuf>(which).cloned().unwrap_or_default();
-        let source = Source::read(&path, as_json, language)?;
+        let source = Source::read(&path, matches, as_json, language)?;
         let axes = picked(source.projects(as_json, language)?, matches, as_json, language)?;
         Ok((source, axes))
     };

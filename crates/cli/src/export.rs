@@ -2,8 +2,8 @@
 
 use crate::answer::{Answer, written};
 use crate::code::parse_for_use;
-use crate::fault::{Source, simple};
-use crate::save::save;
+use crate::fault::{Source, path_text, simple, text_option};
+use crate::save::{ready, save};
 use crate::subject::{picked, refuse};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
@@ -38,9 +38,16 @@ pub(crate) fn export(matches: &ArgMatches, as_json: bool, language: Language) ->
 
 fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Answer, Answer> {
     let wish = wish(matches, as_json, language)?;
+    let option = |matches, name| text_option(matches, name, as_json, language);
     let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
-    let source = Source::read(&path, as_json, language)?;
-    let mut axes = picked(source.projects(as_json, language)?, matches, as_json, language)?;
+    let source = Source::read(&path, matches, as_json, language)?;
+    let (revision, date) = (option(matches, "revision")?, option(matches, "date")?);
+    let projects = source.projects(as_json, language)?;
+    let inputs = source.inputs(&projects);
+    if let Some(file) = wish.file {
+        ready(&[file], &inputs, wish.force).map_err(|fault| fault.answer(as_json, language))?;
+    }
+    let mut axes = picked(projects, matches, as_json, language)?;
     if axes.len() > 1 {
         let names: Vec<&str> = axes.iter().map(|(_, project)| project.name.as_str()).collect();
         let names = names.join(", ");
@@ -57,11 +64,11 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         Some(name) => subject.table(name).into_iter().collect(),
         None => subject.tables(),
     };
-    let file = path.file_name().map_or_else(|| source.name.clone(), |name| name.to_string_lossy().into_owned());
+    let file = path.file_name().map_or_else(|| source.name.clone(), |name| path_text(Path::new(name)));
     let front = Front {
         file: &file,
-        revision: matches.get_one::<String>("revision").map(String::as_str),
-        date: matches.get_one::<String>("date").map(String::as_str),
+        revision: revision.as_deref(),
+        date: date.as_deref(),
         project: &project,
         chosen: &chosen,
         language,
@@ -71,7 +78,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
     let Some(file) = wish.file else {
         return Ok(Answer { data: String::from_utf8_lossy(&bytes).into_owned(), talk, code, ..Answer::none() });
     };
-    save(&[(file, &bytes)], wish.force).map_err(|fault| simple(&fault.message(language), as_json, language))?;
+    save(&[(file, &bytes)], &inputs, wish.force).map_err(|fault| fault.answer(as_json, language))?;
     let data = if as_json { told_json(file, &tables, &chosen) } else { told(file, &tables, &chosen, language) };
     Ok(Answer { data, talk, code, ..Answer::none() })
 }
@@ -152,13 +159,13 @@ fn told(file: &Path, tables: &[Table], chosen: &Candidate<'_>, language: Languag
     let verdict = standing_text(chosen, language);
     let parts: Vec<String> = tables.iter().map(|table| format!("{} {}", table.name, table.rows.len())).collect();
     let rows = terminal::rows(language);
-    format!("{}: {}: {verdict}; {rows}: {}\n", file.display(), chosen.id, parts.join(", "))
+    format!("{}: {}: {verdict}; {rows}: {}\n", path_text(file), chosen.id, parts.join(", "))
 }
 
 fn told_json(file: &Path, tables: &[Table], chosen: &Candidate<'_>) -> String {
     let tables = tables.iter().map(|table| TableWritten { name: table.name.to_owned(), rows: table.rows.len() });
     written(&ExportWritten {
-        file: file.display().to_string(),
+        file: path_text(file),
         code: chosen.id.to_string(),
         verdict: answer::fit(chosen),
         tables: tables.collect(),

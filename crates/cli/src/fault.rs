@@ -1,14 +1,16 @@
 //! Faults of the input, shown with file, line, column and the offending text underlined.
 
+mod memory;
+
 use crate::answer::Answer;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use clap::ArgMatches;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use workbench::answers::{Fault, Faults};
-use workbench::quantities::Measure;
-use workbench::text::{Told, file_trouble, terminal, told};
-use workbench::{Files, Language, PROJECT_MAX_BYTES, Project};
+use workbench::quantities::{Measure, is_unseen, seen};
+use workbench::text::{Told, Usage, file_trouble, terminal, told, usage_text};
+use workbench::{Files, Grant, Language, NoRegularFile, PROJECT_MAX_BYTES, Project, Reach};
 
 /// Longest line that is shown with an underline; a longer one is cut out of the picture.
 const LINE_MAX: usize = 400;
@@ -18,14 +20,16 @@ pub(crate) struct Source {
     /// What it is called in messages.
     pub(crate) name: String,
     pub(crate) text: String,
-    folder: PathBuf,
+    path: PathBuf,
+    memory: u64,
 }
 
 impl Source {
     /// Reads the text of a project file; a fault is the finished answer.
-    pub(crate) fn read(path: &Path, as_json: bool, language: Language) -> Result<Self, Answer> {
+    pub(crate) fn read(path: &Path, matches: &ArgMatches, as_json: bool, language: Language) -> Result<Self, Answer> {
+        let memory = memory::allowed(matches, as_json, language)?;
         let piped = path.as_os_str() == "-";
-        let name = if piped { "stdin".to_owned() } else { path.display().to_string() };
+        let name = if piped { "stdin".to_owned() } else { path_text(path) };
         let bytes =
             read_bytes(path).map_err(|error| unreadable(&name, &file_trouble(&error, language), as_json, language))?;
         if bytes.len() > PROJECT_MAX_BYTES {
@@ -38,20 +42,25 @@ impl Source {
             let what = terminal::not_utf_8(&line, language);
             unreadable(&name, &what, as_json, language)
         })?;
-        let folder = if piped { Path::new("") } else { path.parent().unwrap_or(Path::new("")) };
-        Ok(Self { name, text, folder: folder.to_owned() })
+        Ok(Self { name, text, path: if piped { PathBuf::new() } else { path.to_owned() }, memory })
+    }
+
+    fn folder(&self) -> &Path {
+        self.path.parent().unwrap_or(Path::new(""))
+    }
+
+    /// The files that are read: the project and its recordings. None of them is written.
+    pub(crate) fn inputs<'p>(&self, projects: impl IntoIterator<Item = &'p Project>) -> Vec<PathBuf> {
+        let recordings = projects.into_iter().flat_map(|project| &project.recordings);
+        let recordings = recordings.map(|read| self.folder().join(&read.file));
+        [self.path.clone()].into_iter().chain(recordings).collect()
     }
 
     /// All its axes; a fault is the finished answer.
     pub(crate) fn projects(&self, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
-        workbench::read_all(&self.text, &Beside(&self.folder))
+        workbench::read_all(&self.text, &Beside { folder: self.folder(), memory: self.memory })
             .map_err(|faults| report(&self.name, &self.text, &told(&faults, language), as_json, language))
     }
-}
-
-/// Reads a project file with all its axes; a fault is the finished answer.
-pub(crate) fn read_projects(path: &Path, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
-    Source::read(path, as_json, language)?.projects(as_json, language)
 }
 
 /// At most one byte more than a project file may have: a large file or an endless stream is not read to its end.
@@ -66,28 +75,53 @@ fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The files beside a project file.
-struct Beside<'p>(&'p Path);
+/// The files that a project on this machine names. Whoever calls the program may read what he may read: any path is
+/// taken, as in a shell.
+struct Beside<'p> {
+    folder: &'p Path,
+    memory: u64,
+}
 
 impl Files for Beside<'_> {
     fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
-        let path = self.0.join(name);
-        if path.is_dir() {
+        let path = self.folder.join(name);
+        // Asked before it is opened: a pipe would wait for its writer.
+        let about = path.metadata()?;
+        if about.is_dir() {
             return Err(std::io::ErrorKind::IsADirectory.into());
+        }
+        if !about.is_file() {
+            return Err(std::io::Error::other(NoRegularFile));
         }
         Ok(Box::new(std::fs::File::open(path)?))
     }
+
+    fn size(&self, name: &str) -> Option<u64> {
+        let about = self.folder.join(name).metadata().ok()?;
+        about.is_file().then_some(about.len())
+    }
+
+    fn grant(&self) -> Grant {
+        Grant { memory: self.memory, reach: Reach::Anywhere }
+    }
+}
+
+/// A path as it may be shown.
+pub(crate) fn path_text(path: &Path) -> String {
+    seen(&path.to_string_lossy()).into_owned()
 }
 
 /// A fault in one sentence.
 pub(crate) fn simple(what: &str, as_json: bool, language: Language) -> Answer {
-    Answer::refused(format!("{}: {what}\n", error_word(language)), Faults::of(what), as_json)
+    let what = seen(what);
+    Answer::refused(format!("{}: {what}\n", error_word(language)), Faults::of(what.as_ref()), as_json)
 }
 
 pub(crate) fn unreadable(file: &str, what: &str, as_json: bool, language: Language) -> Answer {
     let word = error_word(language);
+    let (file, what) = (seen(file).into_owned(), seen(what).into_owned());
     let talk = format!("{word}: {file}: {what}\n");
-    let fault = Fault { file: Some(file.to_owned()), message: what.to_owned(), ..Fault::default() };
+    let fault = Fault { file: Some(file), message: what, ..Fault::default() };
     Answer::refused(talk, Faults { errors: vec![fault] }, as_json)
 }
 
@@ -103,8 +137,19 @@ const fn help_word(language: Language) -> &'static str {
 /// Every fault of a text, underlined.
 pub(crate) fn report(file: &str, text: &str, faults: &[Told], as_json: bool, language: Language) -> Answer {
     let mut talk = String::new();
-    for fault in faults {
-        talk.push_str(&render(file, text, fault, language));
+    let file = seen(file);
+    let visible = |fault: &Told| Told {
+        message: seen(&fault.message).into_owned(),
+        hint: fault.hint.as_deref().map(|hint| seen(hint).into_owned()),
+        ..fault.clone()
+    };
+    let faults: Vec<Told> = faults.iter().map(visible).collect();
+    let shown = blanked(text);
+    for fault in &faults {
+        // Each sign that is not seen is one of three bytes in what is shown.
+        let place = |at: usize| text.get(..at).map_or(at, |before| blanked(before).len());
+        let span = place(fault.span.start)..place(fault.span.end);
+        talk.push_str(&render(&file, &shown, &Told { span, ..fault.clone() }, language));
         talk.push('\n');
     }
     let counted = match faults.len() {
@@ -116,7 +161,13 @@ pub(crate) fn report(file: &str, text: &str, faults: &[Told], as_json: bool, lan
 ",
         terminal::nothing_was_calculated(language)
     ));
-    Answer::refused(talk, workbench::answer::faults(file, faults), as_json)
+    Answer::refused(talk, workbench::answer::faults(&file, &faults), as_json)
+}
+
+/// A text with a mark in the place of each sign that is not seen; lines and tabs stay.
+fn blanked(text: &str) -> String {
+    let blank = |sign| if is_unseen(sign) && !matches!(sign, '\n' | '\r' | '\t') { '\u{fffd}' } else { sign };
+    text.chars().map(blank).collect()
 }
 
 fn render(file: &str, text: &str, fault: &Told, language: Language) -> String {
@@ -145,10 +196,28 @@ pub(crate) fn option_fault(
     as_json: bool,
     language: Language,
 ) -> Answer {
+    let (message, hint) = (seen(&message).into_owned(), hint.map(|hint| seen(&hint).into_owned()));
     let line = hint.as_ref().map(|hint| format!("  {hint}\n")).unwrap_or_default();
     let talk = format!("{}: --{option}: {message}\n{line}", error_word(language));
     let fault = Fault { option: Some(option.to_owned()), message, hint, ..Fault::default() };
     Answer::refused(talk, Faults { errors: vec![fault] }, as_json)
+}
+
+/// A text given as an option: of a bounded length, and nothing in it that is not seen.
+pub(crate) fn text_option(
+    matches: &ArgMatches,
+    option: &str,
+    as_json: bool,
+    language: Language,
+) -> Result<Option<String>, Answer> {
+    // As many as a text of a project may have.
+    const MOST: usize = 200;
+    let Ok(Some(text)) = matches.try_get_one::<String>(option) else { return Ok(None) };
+    if text.chars().count() > MOST {
+        let message = usage_text(&Usage::TooLong { most: MOST }, language);
+        return Err(option_fault(option, (message, None), as_json, language));
+    }
+    Ok(Some(seen(text).into_owned()))
 }
 
 /// A quantity given as an option.

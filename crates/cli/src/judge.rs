@@ -14,6 +14,7 @@ use anstyle::{AnsiColor, Style};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use workbench::answers::Faults;
 use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
 use workbench::quantities::{Measure, format_number, format_significant};
 use workbench::text::{
@@ -45,7 +46,7 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
     let talk = match matches.get_one::<PathBuf>("report") {
         Some(out) => match report::write(matches, out, false, language) {
             Ok(written) => written.data,
-            Err(answer) => return answer,
+            Err(refused) => return Answer::refused(refused.talk, Faults { errors: refused.faults }, as_json),
         },
         None => String::new(),
     };

@@ -39,27 +39,25 @@ use workbench::quantities::{Measure, Time};
 fn main() -> ExitCode {
     let language = command::language_of(std::env::args_os());
     let arguments = command::with_help_asked(std::env::args_os());
+    let as_json = command::json_of(&arguments);
     let matches = match command::build(language).try_get_matches_from(arguments) {
         Ok(matches) => matches,
-        Err(error) => {
-            let code = if error.use_stderr() { 2 } else { 0 };
-            if let Some(text) = command::library::fault(&error, language) {
-                return Answer::fault(text).write();
-            }
+        Err(error) if error.use_stderr() => return command::usage::refused(&error, as_json, language).write(language),
+        Err(help) => {
             // A closed pipe is the reader's business.
-            let _ = error.print();
-            return ExitCode::from(code);
+            let _ = help.print();
+            return ExitCode::SUCCESS;
         }
     };
     let json = matches.get_flag("json");
     let most = match deadline(&matches, json, language) {
         Ok(most) => most,
-        Err(answer) => return answer.write(),
+        Err(answer) => return answer.write(language),
     };
     let waiting = waiting::Waiting::begin(language, most);
     let answer = dispatch(&matches, language);
     drop(waiting);
-    answer.write()
+    answer.write(language)
 }
 
 /// How long the answer may take, where a command can be told so.
@@ -98,7 +96,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("schema", found)) if found.get_flag("answers") => Answer::record(&workbench::answers::schema()),
         Some(("schema", _)) => Answer::record(&workbench::schema(language)),
         Some(("completions", found)) => command::completions(found, language),
-        Some(("man", found)) => command::man(found, language),
+        Some(("man", found)) => command::man(found, json, language),
         _ => Answer::none(),
     }
 }

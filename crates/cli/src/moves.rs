@@ -3,7 +3,7 @@
 use crate::table::{Align, Table, labelled};
 use workbench::quantities::unit::SECOND;
 use workbench::quantities::{Measure, format_significant};
-use workbench::text::{law_text, terminal, terms};
+use workbench::text::{encoding_guess, law_text, terminal, terms};
 use workbench::{Language, Moves};
 
 /// So many segments are shown; --json has them all.
@@ -59,6 +59,10 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
         let mut what = terminal::recording_read(&read.file, &count, &columns, language);
         if left > 0 {
             what = format!("{what}; {}", terminal::outside_the_window(&left, language));
+        }
+        if let Some(guess) = encoding_guess(read.recording.encoding, language) {
+            what.push_str("; ");
+            what.push_str(&guess);
         }
         out.push_str(&labelled(terms::recording(language), &what));
     }

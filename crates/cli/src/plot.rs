@@ -1,9 +1,9 @@
 //! `plot`, and `curve` with a file: pictures.
 
 use crate::answer::Answer;
-use crate::fault::{quantity, simple};
+use crate::fault::{path_text, quantity, simple};
 use crate::save::save;
-use crate::subject::{axes_of, candidate};
+use crate::subject::{axes_with_inputs, candidate};
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
 use std::path::{Path, PathBuf};
@@ -24,8 +24,8 @@ const SIDE_MM: std::ops::RangeInclusive<f64> = 40.0..=2000.0;
 
 /// `antrieb plot PROJECT --figure FIGURE`
 pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let projects = match axes_of(matches, as_json, language) {
-        Ok(projects) => projects,
+    let (projects, inputs) = match axes_with_inputs(matches, as_json, language) {
+        Ok(found) => found,
         Err(answer) => return answer,
     };
     let [project] = projects.as_slice() else {
@@ -44,7 +44,7 @@ pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> A
         Ok(drawing) => drawing,
         Err(fault) => return refused(fault.message(language), as_json, language),
     };
-    let answer = put(&drawing, matches, as_json, language);
+    let answer = put(&drawing, matches, &inputs, as_json, language);
     let code = if answer.code == 0 { u8::from(!candidate.fits()) } else { answer.code };
     Answer { talk: talk + &answer.talk, code, ..answer }
 }
@@ -55,7 +55,13 @@ pub(crate) fn is_asked(matches: &ArgMatches) -> bool {
 }
 
 /// Draws and writes where it is asked to: to files, or to standard output.
-pub(crate) fn put(drawing: &Drawing, matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
+pub(crate) fn put(
+    drawing: &Drawing,
+    matches: &ArgMatches,
+    inputs: &[PathBuf],
+    as_json: bool,
+    language: Language,
+) -> Answer {
     let style = match style(drawing, matches, as_json, language) {
         Ok(style) => style,
         Err(answer) => return answer,
@@ -83,10 +89,10 @@ pub(crate) fn put(drawing: &Drawing, matches: &ArgMatches, as_json: bool, langua
         .into_iter()
         .chain(png.map(|path| (path.as_path(), pixels.as_slice())))
         .collect();
-    if let Err(fault) = save(&files, matches.get_flag("force")) {
-        return refused(&fault.message(language), as_json, language);
+    if let Err(fault) = save(&files, inputs, matches.get_flag("force")) {
+        return fault.answer(as_json, language);
     }
-    let paths: Vec<String> = files.iter().map(|(path, _)| path.display().to_string()).collect();
+    let paths: Vec<String> = files.iter().map(|(path, _)| path_text(path)).collect();
     if as_json {
         return Answer::record(&described(drawing, &picture, &paths));
     }

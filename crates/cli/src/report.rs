@@ -1,8 +1,8 @@
 //! `report`: the results as the PDF that an engineer signs.
 
 use crate::answer::{Answer, written};
-use crate::fault::{Source, simple};
-use crate::save::save;
+use crate::fault::{Source, path_text, simple, text_option};
+use crate::save::{Unwritten, ready, save};
 use crate::subject::candidate;
 use crate::subject::{picked, refuse};
 use crate::waiting::patience;
@@ -11,7 +11,7 @@ use figures::{By, Drawing, Figure, Style, Theme};
 use report::{AxisContent, Content, Place, Settings};
 use std::path::{Path, PathBuf};
 use workbench::answers::{AxisWritten, Fit, ReportWritten};
-use workbench::text::{standing_text, terminal};
+use workbench::text::{SaveTrouble, standing_text, terminal};
 use workbench::{Candidate, Draw, Language, Project, Refusal, Sizing, answer};
 
 /// The figures of the report beside the map of the candidates, each with its place there.
@@ -30,13 +30,22 @@ pub(crate) fn report(matches: &ArgMatches, as_json: bool, language: Language) ->
 
 /// Writes the report of the axes and the actuator that are asked for.
 pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: Language) -> Result<Answer, Answer> {
+    if out.as_os_str() == "-" {
+        let fault = Unwritten { path: out.to_owned(), trouble: SaveTrouble::NotToStdout };
+        return Err(fault.answer(as_json, language));
+    }
     if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
-        let what = terminal::report_is_a_pdf(&out.display(), language);
+        let what = terminal::report_is_a_pdf(&path_text(out), language);
         return Err(simple(&what, as_json, language));
     }
+    let settings = settings(matches, as_json, language)?;
     let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
-    let source = Source::read(&path, as_json, language)?;
-    let projects = picked(source.projects(as_json, language)?, matches, as_json, language)?;
+    let source = Source::read(&path, matches, as_json, language)?;
+    let projects = source.projects(as_json, language)?;
+    let inputs = source.inputs(&projects);
+    let force = matches.get_flag("force");
+    ready(&[out], &inputs, force).map_err(|fault| fault.answer(as_json, language))?;
+    let projects = picked(projects, matches, as_json, language)?;
     if projects.len() > 1 && matches!(matches.try_get_one::<String>("code"), Ok(Some(_))) {
         let names: Vec<&str> = projects.iter().map(|(_, project)| project.name.as_str()).collect();
         let names = names.join(", ");
@@ -60,15 +69,14 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         talk.push(said);
     }
     let content = Content { language, axes };
-    let bytes = report::pdf(&content, &settings(matches))
-        .map_err(|fault| simple(&fault.message(language), as_json, language))?;
-    save(&[(out, &bytes)], matches.get_flag("force"))
-        .map_err(|fault| simple(&fault.message(language), as_json, language))?;
+    let bytes =
+        report::pdf(&content, &settings).map_err(|fault| simple(&fault.message(language), as_json, language))?;
+    save(&[(out, &bytes)], &inputs, force).map_err(|fault| fault.answer(as_json, language))?;
+    let file = path_text(out);
     let fits = told.iter().all(|each| each.verdict == Fit::Fits);
     let data = match (as_json, told.as_slice()) {
         (false, [one]) => format!(
-            "{}: {}: {}; {} kB\n",
-            out.display(),
+            "{file}: {}: {}; {} kB\n",
             one.code,
             standings.first().map_or("", String::as_str),
             bytes.len() / 1000
@@ -76,12 +84,12 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         (false, several) => {
             let lines = several.iter().zip(&standings);
             let lines: String = lines.map(|(each, text)| format!("  {}: {}: {text}\n", each.axis, each.code)).collect();
-            format!("{}: {} kB\n{lines}", out.display(), bytes.len() / 1000)
+            format!("{file}: {} kB\n{lines}", bytes.len() / 1000)
         }
         (true, _) => {
             let code = if let [one] = told.as_slice() { Some(one.code.clone()) } else { None };
             written(&ReportWritten {
-                file: out.display().to_string(),
+                file,
                 axes: if code.is_some() { Vec::new() } else { told },
                 code,
                 verdict: Fit::of(fits),
@@ -92,22 +100,19 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
     Ok(Answer { talk: talk.concat(), ..Answer::data(data) }.fits(fits))
 }
 
-fn settings(matches: &ArgMatches) -> Settings {
-    let text = |name: &str| {
-        let given = matches.try_get_one::<String>(name).ok().flatten();
-        given.cloned().unwrap_or_default()
-    };
+fn settings(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Settings, Answer> {
+    let text = |name: &str| text_option(matches, name, as_json, language).map(Option::unwrap_or_default);
     let flag = |name: &str| matches.try_get_one::<bool>(name).ok().flatten().copied().unwrap_or(false);
-    Settings {
-        date: Some(text("date")).filter(|date| !date.is_empty()),
-        revision: text("revision"),
-        project: text("title"),
-        number: text("number"),
-        author: text("author"),
-        company: text("company"),
+    Ok(Settings {
+        date: Some(text("date")?).filter(|date| !date.is_empty()),
+        revision: text("revision")?,
+        project: text("title")?,
+        number: text("number")?,
+        author: text("author")?,
+        company: text("company")?,
         pdf_a: flag("archive"),
         full: flag("full"),
-    }
+    })
 }
 
 /// Results as a record and as figures, side by side. A thread that could not finish leaves its part to this one.

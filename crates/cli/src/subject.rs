@@ -2,21 +2,32 @@
 
 use crate::answer::{Answer, written};
 use crate::code::parse_for_use;
-use crate::fault::{read_projects, simple};
+use crate::fault::{Source, simple};
 use clap::ArgMatches;
 use serde::Serialize;
 use std::path::PathBuf;
 use workbench::answers::{Answered, Axes, Fault, Faults, Fit};
-use workbench::text::{check_title, terminal};
 use workbench::quantities::format_significant;
+use workbench::text::{check_title, terminal};
 use workbench::{Candidate, CandidateId, Language, Project, Refusal, Stopped};
 
 /// The axes of the project, or the one that is asked for.
 pub(crate) fn axes_of(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
+    axes_with_inputs(matches, as_json, language).map(|(projects, _)| projects)
+}
+
+/// The same with the files that were read for them.
+pub(crate) fn axes_with_inputs(
+    matches: &ArgMatches,
+    as_json: bool,
+    language: Language,
+) -> Result<(Vec<Project>, Vec<PathBuf>), Answer> {
     let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
-    let projects = read_projects(&path, as_json, language)?;
+    let source = Source::read(&path, matches, as_json, language)?;
+    let projects = source.projects(as_json, language)?;
+    let inputs = source.inputs(&projects);
     let found = picked(projects, matches, as_json, language)?;
-    Ok(found.into_iter().map(|(_, project)| project).collect())
+    Ok((found.into_iter().map(|(_, project)| project).collect(), inputs))
 }
 
 /// The axes, or the one that is asked for, each with its place in the file.

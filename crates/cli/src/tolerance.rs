@@ -5,9 +5,7 @@ use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::quantities::{Unit, format_number, format_significant};
 use workbench::text::{check_title, terminal, terms};
-use workbench::{
-    ALL_CORNERS_MOST, Assessment, Draw, Language, Place, Project, Ranking, SEED_USUAL, Sampling, Worst,
-};
+use workbench::{ALL_CORNERS_MOST, Assessment, Draw, Language, Place, Project, Ranking, SEED_USUAL, Sampling, Worst};
 
 fn percent(share: f64, language: Language) -> String {
     if share.is_finite() { format_number(share * 100.0, 1, language) } else { "∞".to_owned() }

@@ -268,7 +268,7 @@ const fn cut(kind: Kind, bold: bool) -> Cut {
 
 /// What XML and a single line can hold.
 pub(crate) fn is_drawable(c: char) -> bool {
-    !c.is_control() && !matches!(c, '\u{2028}' | '\u{2029}' | '\u{fffe}' | '\u{ffff}')
+    !quantities::is_unseen(c)
 }
 
 #[cfg(test)]

@@ -253,6 +253,11 @@ pub enum Fault {
         /// What stands in the way.
         trouble: FileTrouble,
     },
+    /// A file that lies outside of what the project may read.
+    FileOutOfReach {
+        /// Its name.
+        name: String,
+    },
     /// A file that is no recording.
     Recording {
         /// Its name.
@@ -379,6 +384,7 @@ impl Fault {
             Self::Instants(_) => "too_many_instants",
             Self::UnknownUnit { .. } => "unknown_unit",
             Self::File { .. } => "file_unreadable",
+            Self::FileOutOfReach { .. } => "file_out_of_reach",
             Self::Recording { fault, .. } => ids::recording(fault),
             Self::Recorded { fault, .. } => ids::recorded(fault),
             Self::InBody { fault, .. } => fault.id(),
@@ -478,17 +484,33 @@ pub enum Expected {
     Tables,
 }
 
+/// What is no regular file: a pipe, a device, a socket. It is the inner error of what [`Files::open`](crate::Files::open)
+/// gives, since the system has no kind for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoRegularFile;
+
+impl std::fmt::Display for NoRegularFile {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str("this is no regular file")
+    }
+}
+
+impl std::error::Error for NoRegularFile {}
+
 /// Why a file cannot be opened or read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileTrouble {
     /// The kind of trouble.
     pub kind: std::io::ErrorKind,
+    /// Whether it is [`NoRegularFile`].
+    pub no_regular_file: bool,
     /// What the system says.
     pub system: String,
 }
 
 impl From<&std::io::Error> for FileTrouble {
     fn from(error: &std::io::Error) -> Self {
-        Self { kind: error.kind(), system: error.to_string() }
+        let no_regular_file = error.get_ref().is_some_and(|inner| inner.is::<NoRegularFile>());
+        Self { kind: error.kind(), no_regular_file, system: error.to_string() }
     }
 }

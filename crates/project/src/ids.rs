@@ -73,7 +73,7 @@ pub(crate) const fn recorded(fault: &RecordedFault) -> &'static str {
 
 /// Of a file that is no recording.
 pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
-    use recording::Fault;
+    use recording::{Fault, Limit};
     match fault {
         Fault::ReadFailed { .. } => "recording_read_failed",
         Fault::NoHeader => "recording_no_header",
@@ -94,14 +94,28 @@ pub(crate) fn recording(fault: &recording::Fault) -> &'static str {
         Fault::ValueMissing { .. } => "recording_value_missing",
         Fault::ValueUnreadable { .. } => "recording_value_unreadable",
         Fault::ValueNotFinite { .. } => "recording_value_not_finite",
+        Fault::ValueImplausible { .. } => "recording_value_implausible",
         Fault::DecimalMixed { .. } => "recording_decimal_mixed",
         Fault::ThousandsGrouped { .. } => "recording_thousands_grouped",
         Fault::ColumnType { .. } => "recording_column_type",
         Fault::Backwards { .. } => "recording_time_backwards",
         Fault::SameTime { .. } => "recording_same_time",
+        Fault::TooClose { .. } => "recording_times_too_close",
         Fault::Gap { .. } => "recording_gap",
         Fault::TooFewSamples { .. } => "recording_too_few_samples",
         Fault::TooManySamples { .. } => "recording_too_many_samples",
+        Fault::Beyond { limit, .. } => match limit {
+            Limit::FileBytes => "recording_file_too_large",
+            Limit::Memory => "recording_memory",
+            Limit::Rows => "recording_too_many_rows",
+            Limit::Columns => "recording_too_many_columns",
+            Limit::Nesting => "recording_groups_too_deep",
+            Limit::PathBytes => "recording_path_too_long",
+            Limit::RowGroups => "recording_too_many_row_groups",
+            Limit::PageRatio => "recording_page_ratio",
+            Limit::UnpackedBytes => "recording_unpacked_too_large",
+            Limit::DeltaBlock => "recording_delta_block",
+        },
         Fault::ParquetUnreadable { .. } => "recording_parquet_unreadable",
         Fault::Repeated { first, .. } => recording(first),
         Fault::More { .. } => "recording_more_faults",

@@ -29,10 +29,10 @@ pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyAnswer, BodyKind, BodyShape, InertiaAnswer, inertia};
 pub use curves::OwnCatalogue;
 pub use diagnostic::{Diagnostic, place};
-pub use fault::{Expected, Fault, FileTrouble, Hint, Range};
+pub use fault::{Expected, Fault, FileTrouble, Hint, NoRegularFile, Range};
 pub use inputs::{Input, InputChange, input_changes, inputs};
 pub use label::input_label;
-pub use recorded::{Files, NoFiles, RecordingRead};
+pub use recorded::{Files, Grant, NoFiles, Reach, RecordingRead};
 pub use schema::{SchemaText, schema};
 pub use segment::SegmentLaw;
 pub use stage::RatioAnswer;
@@ -47,6 +47,7 @@ use order_code::{Feedback, Option1, Option2};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Measure, Time};
 use read::{Reader, joined};
+use recorded::Recordings;
 use section::Section;
 use sizing::{Asked, Axis, BearingDuty, BrakeTimes, SpecialApplication};
 use std::sync::Arc;
@@ -242,9 +243,10 @@ impl Project {
         let mut reader = Reader::new(text);
         let root = reader.read();
         let own = curves::read(&root, &mut reader);
+        let mut recordings = Recordings::new(files);
         let several = root.tables("axis");
         let axes: Vec<Option<Self>> = if several.is_empty() {
-            vec![Self::build(root, None, (files, own.as_ref(), choose), &mut reader)]
+            vec![Self::build(root, None, (&mut recordings, own.as_ref(), choose), &mut reader)]
         } else {
             for key in ["load", "mechanism", "stage", "motion", "bearing", "requirements", "actuator"] {
                 if root.has(key) {
@@ -252,7 +254,7 @@ impl Project {
                 }
             }
             let build = |(index, section): (usize, &Section)| {
-                Self::build(section.as_root(), Some(index), (files, own.as_ref(), choose), &mut reader)
+                Self::build(section.as_root(), Some(index), (&mut recordings, own.as_ref(), choose), &mut reader)
             };
             several.iter().enumerate().map(build).collect()
         };
@@ -267,10 +269,10 @@ impl Project {
     fn build(
         mut root: Section,
         index: Option<usize>,
-        (files, own_catalogue, choose): (&dyn Files, Option<&Arc<OwnCatalogue>>, Choose),
+        (recordings, own_catalogue, choose): (&mut Recordings<'_>, Option<&Arc<OwnCatalogue>>, Choose),
         reader: &mut Reader<'_>,
     ) -> Option<Self> {
-        recorded::resolve(&mut root, files, reader);
+        recordings.resolve(&mut root, reader);
         let root = &root;
         let axis = prepare(root, reader).map(|draft| finish(root, draft));
         let actuator = build_actuator(root, reader);

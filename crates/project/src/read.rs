@@ -6,7 +6,7 @@ use crate::spec::{Key, Kind, ROOT, Variants};
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
 use crate::{Diagnostic, Expected, Fault, Hint, Range};
 use quantities::unit::ONE;
-use quantities::{Dimension, HalfWidth, Reading};
+use quantities::{Dimension, HalfWidth, Reading, is_unseen};
 use std::ops::Range as Span;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
@@ -208,7 +208,7 @@ impl<'t> Reader<'t> {
                 if text.chars().count() > TEXT_MAX {
                     return self.refuse(span, Fault::TextTooLong { path: path.to_owned(), most: TEXT_MAX });
                 }
-                if text.chars().any(char::is_control) {
+                if text.chars().any(is_unseen) {
                     return self.refuse(span, Fault::ControlCharacter { path: path.to_owned() });
                 }
                 Some(Entry::Text(text.to_string()))

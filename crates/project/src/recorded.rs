@@ -5,12 +5,9 @@ use crate::section::{Entry, Section};
 use crate::{Fault, Hint};
 use motion::{Recorded, RecordedFault, Samples, Treatment};
 use quantities::{Dimension, Measure, Time, Unit};
-use recording::{Along, Bytes, ColumnSpec, Layout, Recording};
+use recording::{Along, Bytes, ColumnSpec, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Recording};
 use std::io::Read;
 use std::sync::Arc;
-
-/// Largest Parquet file that is read, in bytes; of a CSV only a bounded part is held at any time.
-const PARQUET_BYTES_MAX: u64 = 1 << 30;
 
 /// Longest excerpt of a unit in a fault, in characters.
 const UNIT_SHOWN: usize = 40;
@@ -18,13 +15,61 @@ const UNIT_SHOWN: usize = 40;
 /// The word in `columns` for a role that no column has.
 const NO_COLUMN: &str = "none";
 
+/// Bytes that a sample of a segment takes beside those of its recording: time, position, speed and torque at the output.
+const SEGMENT_BYTES: u64 = 4 * 8;
+
 /// The files that a project refers to, handed in by the face.
 pub trait Files {
-    /// Opens a file by the name that the project gives it.
+    /// Opens a file by the name that the project gives it. What is no regular file is refused, never waited for.
     ///
     /// # Errors
     /// What stands in the way.
     fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>>;
+
+    /// Its size in bytes, where that is known without reading it: what is too large is then not begun.
+    fn size(&self, _name: &str) -> Option<u64> {
+        None
+    }
+
+    /// What a project is allowed.
+    fn grant(&self) -> Grant {
+        Grant::default()
+    }
+}
+
+/// What a project is allowed when it refers to files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Grant {
+    /// Bytes of memory for all recordings of the project.
+    pub memory: u64,
+    /// Where the files may lie.
+    pub reach: Reach,
+}
+
+impl Default for Grant {
+    /// The usual memory, and no file but those beside the project: whoever speaks for another decides on more.
+    fn default() -> Self {
+        Self { memory: MEMORY_USUAL, reach: Reach::Beside }
+    }
+}
+
+/// Where the files of a project may lie. It is decided by the name alone; where a link leads is a matter of whoever
+/// opens the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reach {
+    /// In the folder of the project and below it.
+    Beside,
+    /// Anywhere.
+    Anywhere,
+}
+
+impl Reach {
+    /// Whether a name stays within. What is a root, a drive or the way up on any system counts as such on all.
+    #[must_use]
+    pub fn admits(self, name: &str) -> bool {
+        let is_plain = |part: &str| part != ".." && !part.contains([':', '\0']);
+        self == Self::Anywhere || !name.starts_with(['/', '\\']) && name.split(['/', '\\']).all(is_plain)
+    }
 }
 
 /// No files at all: a project that refers to one is refused.
@@ -46,56 +91,109 @@ pub struct RecordingRead {
     pub recording: Arc<Recording>,
 }
 
-/// Reads every recording of the motion; what is read stands in the place of the name.
-pub(crate) fn resolve(root: &mut Section, files: &dyn Files, reader: &mut Reader<'_>) {
-    for section in root.tables_mut("motion") {
-        if section.text("law") != Some("recorded") || !section.is_whole() {
-            continue;
-        }
-        let Some(name) = section.text("file").map(str::to_owned) else { continue };
-        let span = section.span_of("file");
-        let before = reader.fault_count();
-        let layout = layout(section, reader);
-        if reader.fault_count() > before {
-            section.refuse("file");
-            continue;
-        }
-        match read(&name, &layout, files) {
-            Ok(recording) => {
-                let read = RecordingRead { file: name, recording: Arc::new(recording) };
-                section.replace("file", Entry::Recording(read));
+/// The recordings of a project: each is read once, however many segments and axes name it.
+pub(crate) struct Recordings<'f> {
+    files: &'f dyn Files,
+    reach: Reach,
+    memory: Memory,
+    /// What was read, `None` where it was refused.
+    read: Vec<(String, Layout, Option<Arc<Recording>>)>,
+}
+
+impl<'f> Recordings<'f> {
+    pub(crate) fn new(files: &'f dyn Files) -> Self {
+        let Grant { memory, reach } = files.grant();
+        Self { files, reach, memory: Memory::new(memory), read: Vec::new() }
+    }
+
+    /// Reads every recording of the motion; what is read stands in the place of the name.
+    pub(crate) fn resolve(&mut self, root: &mut Section, reader: &mut Reader<'_>) {
+        for section in root.tables_mut("motion") {
+            if section.text("law") != Some("recorded") || !section.is_whole() {
+                continue;
             }
-            Err(Trouble::File(error)) => {
-                let trouble = (&error).into();
-                reader.fault(span, Fault::File { name, trouble }, None);
+            let Some(name) = section.text("file").map(str::to_owned) else { continue };
+            let span = section.span_of("file");
+            let before = reader.fault_count();
+            let layout = layout(section, reader);
+            if reader.fault_count() > before {
                 section.refuse("file");
+                continue;
             }
-            Err(Trouble::Content(faults)) => {
-                for fault in faults {
-                    reader.fault(span.clone(), Fault::Recording { name: name.clone(), fault }, None);
+            let told = |trouble, reader: &mut Reader<'_>| match trouble {
+                Trouble::Reach => reader.fault(span.clone(), Fault::FileOutOfReach { name: name.clone() }, None),
+                Trouble::File(error) => {
+                    let trouble = (&error).into();
+                    reader.fault(span.clone(), Fault::File { name: name.clone(), trouble }, None);
                 }
-                section.refuse("file");
+                Trouble::Content(faults) => {
+                    for fault in faults {
+                        reader.fault(span.clone(), Fault::Recording { name: name.clone(), fault }, None);
+                    }
+                }
+            };
+            let known = self.read.iter().find(|(file, by, _)| *file == name && *by == layout);
+            let found = match known {
+                // A file that was refused before is told where it was named first.
+                Some((.., found)) => found.clone(),
+                None => {
+                    let found =
+                        self.read_file(&name, &layout).map_err(|trouble| told(trouble, reader)).ok().map(Arc::new);
+                    self.read.push((name.clone(), layout, found.clone()));
+                    found
+                }
+            };
+            let found = found.filter(|recording| {
+                let bytes = SEGMENT_BYTES * recording.time_s.len() as u64;
+                self.memory.take(bytes).map_err(|fault| told(Trouble::Content(vec![fault]), reader)).is_ok()
+            });
+            match found {
+                Some(recording) => {
+                    section.replace("file", Entry::Recording(RecordingRead { file: name, recording }));
+                }
+                None => section.refuse("file"),
             }
         }
     }
+
+    fn read_file(&mut self, name: &str, layout: &Layout) -> Result<Recording, Trouble> {
+        if !self.reach.admits(name) {
+            return Err(Trouble::Reach);
+        }
+        let beyond = |found| recording::Fault::Beyond { limit: Limit::FileBytes, found, most: FILE_BYTES_MAX };
+        let size = self.files.size(name);
+        if let Some(size) = size.filter(|size| *size > FILE_BYTES_MAX) {
+            return Err(Trouble::Content(vec![beyond(size)]));
+        }
+        if !name.to_ascii_lowercase().ends_with(".parquet") {
+            let source = self.files.open(name).map_err(Trouble::File)?;
+            return recording::read_csv_within(source, layout, &mut self.memory).map_err(Trouble::Content);
+        }
+        // The bytes of the file are held while it is read, and no more than there is memory for.
+        let refused = |fault| Trouble::Content(vec![fault]);
+        let held = size.unwrap_or(0);
+        self.memory.take(held).map_err(refused)?;
+        let most = self.memory.left().saturating_add(held).min(FILE_BYTES_MAX);
+        let mut bytes = Vec::new();
+        let opened = self.files.open(name).and_then(|source| source.take(most + 1).read_to_end(&mut bytes));
+        self.memory.give_back(held);
+        let _ = opened.map_err(Trouble::File)?;
+        let held = bytes.len() as u64;
+        if held > FILE_BYTES_MAX {
+            return Err(refused(beyond(held)));
+        }
+        self.memory.take(held).map_err(refused)?;
+        let read = recording::read_parquet_within(Bytes::from(bytes), layout, &mut self.memory);
+        self.memory.give_back(held);
+        read.map_err(Trouble::Content)
+    }
 }
 
+/// Why there is no recording.
 enum Trouble {
+    Reach,
     File(std::io::Error),
     Content(Vec<recording::Fault>),
-}
-
-fn read(name: &str, layout: &Layout, files: &dyn Files) -> Result<Recording, Trouble> {
-    let mut source = files.open(name).map_err(Trouble::File)?;
-    if name.to_ascii_lowercase().ends_with(".parquet") {
-        let mut bytes = Vec::new();
-        source.take(PARQUET_BYTES_MAX + 1).read_to_end(&mut bytes).map_err(Trouble::File)?;
-        if bytes.len() as u64 > PARQUET_BYTES_MAX {
-            return Err(Trouble::File(std::io::ErrorKind::FileTooLarge.into()));
-        }
-        return recording::read_parquet(Bytes::from(bytes), layout).map_err(Trouble::Content);
-    }
-    recording::read_csv(&mut source, layout).map_err(Trouble::Content)
 }
 
 fn layout(section: &Section, reader: &mut Reader<'_>) -> Layout {
@@ -190,4 +288,129 @@ pub(crate) fn all(root: &Section) -> Vec<RecordingRead> {
             _ => None,
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Project;
+    use std::cell::RefCell;
+
+    const TEXT: &str = "t [s],q [deg],M [Nm]\n0,0,1\n1,0,1\n2,0,1\n";
+
+    /// Files that all hold the same, counted as they are opened.
+    struct Shelf {
+        content: Vec<u8>,
+        size: Option<u64>,
+        grant: Grant,
+        opened: RefCell<Vec<String>>,
+    }
+
+    impl Shelf {
+        fn of(content: &str, grant: Grant) -> Self {
+            Self { content: content.into(), size: None, grant, opened: RefCell::default() }
+        }
+    }
+
+    impl Files for Shelf {
+        fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
+            self.opened.borrow_mut().push(name.to_owned());
+            Ok(Box::new(std::io::Cursor::new(self.content.clone())))
+        }
+
+        fn size(&self, _: &str) -> Option<u64> {
+            self.size
+        }
+
+        fn grant(&self) -> Grant {
+            self.grant
+        }
+    }
+
+    fn faults(files: &[&str], shelf: &Shelf) -> Vec<Fault> {
+        let segments = files.iter().map(|file| format!("[[motion]]\nlaw = \"recorded\"\nfile = '{file}'\n"));
+        let text = format!(
+            "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n{}",
+            segments.collect::<String>()
+        );
+        let read = Project::read_all(&text, shelf, |_, _| None);
+        read.err().unwrap_or_default().into_iter().map(|diagnostic| diagnostic.fault).collect()
+    }
+
+    #[test]
+    fn a_file_of_several_segments_is_read_once() {
+        let shelf = Shelf::of(TEXT, Grant::default());
+        assert_eq!(faults(&["a.csv", "b.csv", "a.csv", "a.csv"], &shelf), []);
+        assert_eq!(*shelf.opened.borrow(), ["a.csv", "b.csv"]);
+        let refused = Shelf::of("nothing", Grant::default());
+        let found = faults(&["a.csv", "a.csv"], &refused);
+        assert_eq!((found.len(), refused.opened.borrow().len()), (2, 1), "told once: {found:?}");
+    }
+
+    #[test]
+    fn every_segment_counts_against_the_memory_of_the_project() {
+        let rows: String = (0..1000).map(|row| format!("{row},0\n")).collect();
+        let text = format!("t [s],q [deg]\n{rows}");
+        let with = |memory| Shelf::of(&text, Grant { memory, ..Grant::default() });
+        // 16 bytes a sample for the recording, 32 for each segment; 4096 samples are made room for at first.
+        assert_eq!(faults(&["a.csv"; 2], &with(80_000)), []);
+        let found = faults(&["a.csv"; 3], &with(80_000));
+        assert!(
+            matches!(
+                found.as_slice(),
+                [Fault::Recording { fault: recording::Fault::Beyond { limit: Limit::Memory, .. }, .. }]
+            ),
+            "{found:?}"
+        );
+    }
+
+    #[test]
+    fn a_file_that_is_too_large_is_not_opened() {
+        for name in ["a.csv", "a.parquet"] {
+            let shelf = Shelf { size: Some(FILE_BYTES_MAX + 1), ..Shelf::of(TEXT, Grant::default()) };
+            let found = faults(&[name], &shelf);
+            assert!(
+                matches!(
+                    found.as_slice(),
+                    [Fault::Recording { fault: recording::Fault::Beyond { limit: Limit::FileBytes, .. }, .. }]
+                ),
+                "{found:?}"
+            );
+            assert_eq!(*shelf.opened.borrow(), [""; 0]);
+        }
+        // A Parquet file is held as a whole: one beyond the memory is not read either.
+        let grant = Grant { memory: 100, ..Grant::default() };
+        let shelf = Shelf { size: Some(1000), ..Shelf::of(TEXT, grant) };
+        let found = faults(&["a.parquet"], &shelf);
+        assert!(matches!(found.as_slice(), [Fault::Recording { .. }]), "{found:?}");
+        assert_eq!(*shelf.opened.borrow(), [""; 0]);
+        let unsized_ = Shelf::of(&"x".repeat(1000), grant);
+        assert!(matches!(
+            faults(&["a.parquet"], &unsized_).as_slice(),
+            [Fault::Recording { fault: recording::Fault::Beyond { .. }, .. }]
+        ));
+    }
+
+    #[test]
+    fn the_strict_reach_keeps_to_the_folder_of_the_project() {
+        let away = [
+            "/etc/passwd",
+            "../a.csv",
+            "runs/../../a.csv",
+            "C:\\a.csv",
+            "\\\\host\\a.csv",
+            "runs\\..\\..\\a.csv",
+            "a.csv:hidden",
+        ];
+        for name in away {
+            let shelf = Shelf::of(TEXT, Grant::default());
+            assert_eq!(faults(&[name], &shelf), [Fault::FileOutOfReach { name: name.to_owned() }]);
+            assert_eq!(*shelf.opened.borrow(), [""; 0]);
+            let anywhere = Shelf::of(TEXT, Grant { reach: Reach::Anywhere, ..Grant::default() });
+            assert_eq!(faults(&[name], &anywhere), []);
+        }
+        for name in ["a.csv", "runs/a.csv", "./a..b.csv", "..a/b.csv"] {
+            assert_eq!(faults(&[name], &Shelf::of(TEXT, Grant::default())), []);
+        }
+    }
 }

@@ -25,6 +25,7 @@ mod error;
 mod format;
 mod measure;
 mod parse;
+mod seen;
 mod tolerance;
 
 pub mod unit;
@@ -39,6 +40,7 @@ pub use measure::{
     VoltageConstant,
 };
 pub use parse::{Reading, parse, parse_as};
+pub use seen::{is_unseen, seen};
 pub use tolerance::{HalfWidth, PLUS_MINUS, parse_toleranced, without_tolerance};
 pub use units::Unit;
 pub use uom::si::f64::{

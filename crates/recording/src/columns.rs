@@ -2,8 +2,9 @@
 
 use crate::faults::{Fault, Faults, excerpt};
 use crate::layout::{Layout, Role};
+use crate::limits::NAMES_MAX;
 use crate::series::{Along, ColumnRead, KnownBy};
-use quantities::{Dimension, Unit};
+use quantities::{Dimension, Unit, seen};
 
 /// A column as the file names it.
 #[derive(Clone, Debug)]
@@ -59,7 +60,8 @@ pub(crate) type Picks = [Option<usize>; 4];
 pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -> Picks {
     let mut picks: Picks = [None; 4];
     let mut failed = [false; 4];
-    let names = || headings.iter().map(|heading| excerpt(&heading.written)).collect::<Vec<_>>();
+    // One more than is shown says that there are more.
+    let names = || headings.iter().take(NAMES_MAX + 1).map(|heading| excerpt(&heading.written)).collect::<Vec<_>>();
     // What the layout names is found first: such a column is not free for another role.
     let mut taken: Vec<(usize, Role)> = Vec::new();
     for ((role, slot), failed) in Role::ALL.into_iter().zip(&mut picks).zip(&mut failed) {
@@ -121,7 +123,8 @@ fn indices(headings: &[Heading], matches: impl Fn(&Heading) -> bool) -> Vec<usiz
 }
 
 fn chosen_names(headings: &[Heading], indices: &[usize]) -> Vec<String> {
-    indices.iter().filter_map(|index| headings.get(*index)).map(|heading| excerpt(&heading.written)).collect()
+    let chosen = indices.iter().take(NAMES_MAX + 1).filter_map(|index| headings.get(*index));
+    chosen.map(|heading| excerpt(&heading.written)).collect()
 }
 
 /// The column whose name is nearest to one that does not exist.
@@ -198,7 +201,9 @@ pub(crate) fn decide(
         }
     }
     match decided {
-        Some((unit, known_by)) if sound => Some(ColumnRead { role, name: heading.written.clone(), unit, known_by }),
+        Some((unit, known_by)) if sound => {
+            Some(ColumnRead { role, name: seen(&heading.written).into_owned(), unit, known_by })
+        }
         None if sound => {
             faults.push(Fault::UnitMissing { role, column });
             None

@@ -5,13 +5,22 @@ use crate::encoding;
 use crate::faults::{Fault, Faults, excerpt};
 use crate::gather::{Gather, Sample, check_window};
 use crate::layout::{Layout, Role};
+use crate::limits::{COLUMNS_MAX, FILE_BYTES_MAX, Limit, Memory};
 use crate::lines::Lines;
 use crate::number::{Bad, Decimals, Tick, finite, is_grouped};
-use crate::series::{KnownBy, Recording};
+use crate::series::{Encoding, KnownBy, Recording};
 use csv_core::{ReadRecordResult, ReaderBuilder};
 use memchr::{memchr, memchr_iter};
 use std::io::Read;
 use std::ops::Range;
+
+/// Reads a recording from CSV within the usual memory.
+///
+/// # Errors
+/// All faults of the file.
+pub fn read_csv(source: impl Read, layout: &Layout) -> Result<Recording, Vec<Fault>> {
+    read_csv_within(source, layout, &mut Memory::default())
+}
 
 /// Reads a recording from CSV.
 ///
@@ -20,17 +29,25 @@ use std::ops::Range;
 /// (`q [deg]`), in a row of units under it, or in the layout. Columns that no role needs may hold any text. Of samples
 /// outside the window only the time is read. A cell in quotes must end in its line.
 ///
-/// The text is UTF-8, UTF-16 with its mark at the beginning, or Latin-1.
+/// The text is UTF-8, UTF-16 or Windows-1252; [`Recording::encoding`] says which, and whether that was guessed. Its lines
+/// end with a line feed, with a carriage return before it or not, or with a carriage return alone. What the recording
+/// holds is taken from the memory.
 ///
 /// # Errors
 /// All faults of the file.
-pub fn read_csv(source: impl Read, layout: &Layout) -> Result<Recording, Vec<Fault>> {
+pub fn read_csv_within(source: impl Read, layout: &Layout, memory: &mut Memory) -> Result<Recording, Vec<Fault>> {
     let mut faults = Faults::default();
-    let recording = read(source, layout, &mut faults);
+    // One byte more than is read shows that there is more.
+    let mut source = source.take(FILE_BYTES_MAX + 1);
+    let recording = read(&mut source, layout, memory, &mut faults);
+    if source.limit() == 0 {
+        faults = Faults::default();
+        faults.push(Fault::Beyond { limit: Limit::FileBytes, found: FILE_BYTES_MAX + 1, most: FILE_BYTES_MAX });
+    }
     faults.outcome(recording)
 }
 
-fn read(source: impl Read, layout: &Layout, faults: &mut Faults) -> Option<Recording> {
+fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Faults) -> Option<Recording> {
     check_window(layout, faults);
     let mut lines = Lines::new(source);
     if !advance(&mut lines, faults)? {
@@ -39,6 +56,11 @@ fn read(source: impl Read, layout: &Layout, faults: &mut Faults) -> Option<Recor
     }
     let mut cells = Cells::new(delimiter(lines.line()));
     let header = cells.all(lines.line(), lines.number(), faults)?;
+    if let Err(fault) = Limit::Columns.hold(header.len() as u64, COLUMNS_MAX as u64) {
+        faults.push(fault);
+        return None;
+    }
+    let mut is_utf8 = std::str::from_utf8(lines.line()).is_ok();
     let headings: Vec<Heading> = header.iter().map(|cell| Heading::new(&encoding::text(cell))).collect();
     let picks = pick(&headings, layout, faults);
 
@@ -47,6 +69,7 @@ fn read(source: impl Read, layout: &Layout, faults: &mut Faults) -> Option<Recor
     if more {
         units = cells.all(lines.line(), lines.number(), faults).and_then(|row| unit_row(&row, &picks));
         if let Some(row) = &units {
+            is_utf8 &= std::str::from_utf8(lines.line()).is_ok();
             if row.len() != headings.len() {
                 let (line, found, expected) = (lines.number(), row.len(), headings.len());
                 faults.push(Fault::Ragged { line, found, expected });
@@ -73,7 +96,7 @@ fn read(source: impl Read, layout: &Layout, faults: &mut Faults) -> Option<Recor
     if !faults.none() {
         return None;
     }
-    let mut gather = Gather::new(columns, layout, false, faults)?;
+    let mut gather = Gather::new(columns, layout, false, memory, faults)?;
     let mut decimals = if cells.delimiter == b',' { Decimals::PointAlways } else { Decimals::Undecided };
     while more {
         let going_on = row(lines.line(), lines.number(), &wanted, &mut cells, &mut decimals, &mut gather, faults);
@@ -82,7 +105,8 @@ fn read(source: impl Read, layout: &Layout, faults: &mut Faults) -> Option<Recor
         }
         more = advance(&mut lines, faults)?;
     }
-    gather.finish(faults)
+    let encoding = Some(if is_utf8 { lines.encoding() } else { Encoding::Windows1252Guessed });
+    gather.finish(faults).map(|recording| Recording { encoding, ..recording })
 }
 
 /// Goes to the next line; a source that cannot be read on is told.
@@ -127,7 +151,7 @@ fn row(
     wanted: &Wanted,
     cells: &mut Cells,
     decimals: &mut Decimals,
-    gather: &mut Gather,
+    gather: &mut Gather<'_>,
     faults: &mut Faults,
 ) -> bool {
     let Some(count) = cells.split(line, &wanted.indices) else {
@@ -156,8 +180,11 @@ fn row(
     }
     for (channel, (name, cell)) in read.enumerate() {
         match decimals.plain(cell, number).and_then(|text| finite(&text)) {
-            Ok(value) if gather.value(channel, value) => {}
-            Ok(_) => faults.push(told(Bad::NotFinite, number, name, cell)),
+            Ok(value) => {
+                if let Err(bad) = gather.value(channel, value) {
+                    faults.push(told(bad, number, name, cell));
+                }
+            }
             Err(bad) => faults.push(told(bad, number, name, cell)),
         }
     }
@@ -172,6 +199,7 @@ fn told(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
         Bad::Missing => Fault::ValueMissing { at, column },
         Bad::Unreadable => Fault::ValueUnreadable { at, column, text },
         Bad::NotFinite => Fault::ValueNotFinite { at, column, text },
+        Bad::Implausible => Fault::ValueImplausible { at, column, text },
         Bad::Mixed(decided) => Fault::DecimalMixed { line, column, text, decided },
     }
 }

@@ -1,18 +1,21 @@
-//! Texts as controllers write them: UTF-8, UTF-16 with its mark at the beginning, and Latin-1 in what is no UTF-8.
+//! Texts as controllers write them: UTF-8, UTF-16 with its mark at the beginning or without, and Windows-1252 in what is
+//! no UTF-8.
 
+use crate::series::Encoding;
 use std::borrow::Cow;
 use std::io::Read;
 
 /// Most bytes of UTF-16 that are held at a time.
 const RAW_BYTES: usize = 1 << 14;
 
-/// A source as UTF-8: UTF-16 with a mark is translated, everything else goes through as it is.
+/// A source as UTF-8: UTF-16 is translated, everything else goes through as it is.
 pub(crate) struct Utf8<R> {
     source: R,
     form: Form,
     /// Translated and not yet given.
     ready: Vec<u8>,
     given: usize,
+    encoding: Encoding,
 }
 
 enum Form {
@@ -30,7 +33,12 @@ enum Form {
 
 impl<R: Read> Utf8<R> {
     pub(crate) const fn new(source: R) -> Self {
-        Self { source, form: Form::Unknown(Vec::new()), ready: Vec::new(), given: 0 }
+        Self { source, form: Form::Unknown(Vec::new()), ready: Vec::new(), given: 0, encoding: Encoding::Utf8 }
+    }
+
+    /// How the bytes are read, once the first of them were.
+    pub(crate) const fn encoding(&self) -> Encoding {
+        self.encoding
     }
 
     /// Looks at the first two bytes.
@@ -43,13 +51,30 @@ impl<R: Read> Utf8<R> {
                 continue;
             }
             let head = std::mem::take(head);
-            let little = head == [0xff, 0xfe];
-            if little || head == [0xfe, 0xff] {
-                self.form = Form::Utf16 { little, raw: vec![0; RAW_BYTES], half: None, high: None };
-            } else {
-                self.ready = head;
-                self.form = Form::Bytes;
+            // No text in UTF-8 has a zero in it, and a header begins with a letter that UTF-16 writes with one.
+            let (little, encoding) = match *head.as_slice() {
+                [0xff, 0xfe] => (true, Encoding::Utf16),
+                [0xfe, 0xff] => (false, Encoding::Utf16),
+                [1..=u8::MAX, 0] => (true, Encoding::Utf16Guessed),
+                [0, 1..=u8::MAX] => (false, Encoding::Utf16Guessed),
+                _ => {
+                    self.ready = head;
+                    self.form = Form::Bytes;
+                    continue;
+                }
+            };
+            let mut form = Form::Utf16 { little, raw: vec![0; RAW_BYTES], half: None, high: None };
+            if encoding == Encoding::Utf16Guessed
+                && let Form::Utf16 { half, .. } = &mut form
+                && let [first, second] = *head.as_slice()
+            {
+                // Without a mark the first two bytes are a letter already.
+                let unit = if little { [first, second] } else { [second, first] };
+                *half = None;
+                self.ready = String::from_utf16_lossy(&[u16::from_le_bytes(unit)]).into_bytes();
             }
+            self.encoding = encoding;
+            self.form = form;
         }
         Ok(())
     }
@@ -114,11 +139,21 @@ impl<R: Read> Read for Utf8<R> {
     }
 }
 
-/// A text that is UTF-8, or else Latin-1: in that each byte is a character, `°` and `²` among them.
+/// What Windows-1252 has at 0x80 to 0x9f, where Latin-1 has control characters; a gap is told as such.
+const WINDOWS: [char; 32] = [
+    '€', '\u{fffd}', '‚', 'ƒ', '\u{201e}', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{fffd}', 'Ž', '\u{fffd}',
+    '\u{fffd}', '‘', '’', '\u{201c}', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{fffd}', 'ž', 'Ÿ',
+];
+
+/// A text that is UTF-8, or else Windows-1252: in that each byte is a character, `°` and `²` among them.
 pub(crate) fn text(bytes: &[u8]) -> Cow<'_, str> {
+    let windows = |byte: &u8| match byte {
+        0x80..=0x9f => WINDOWS.get(usize::from(byte - 0x80)).copied().unwrap_or(char::REPLACEMENT_CHARACTER),
+        byte => char::from(*byte),
+    };
     match std::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),
-        Err(_) => Cow::Owned(bytes.iter().copied().map(char::from).collect()),
+        Err(_) => Cow::Owned(bytes.iter().map(windows).collect()),
     }
 }
 
@@ -159,6 +194,8 @@ mod tests {
         let big: Vec<u8> = units.iter().flat_map(|unit| unit.to_be_bytes()).collect();
         assert_eq!((all(&little), all(&big)), (text.to_owned(), text.to_owned()));
         assert_eq!(all(&little[..little.len() - 1]), text.replace('🛠', "\u{fffd}"));
+        // Without the mark.
+        assert_eq!((all(&little[2..]), all(&big[2..])), (text.to_owned(), text.to_owned()));
     }
 
     #[test]
@@ -167,6 +204,7 @@ mod tests {
             assert_eq!(all(bytes.as_bytes()), bytes);
         }
         assert_eq!(text(b"q [\xb0]"), "q [°]");
+        assert_eq!(text(b"5 \x80, \x8a\x9d"), "5 €, Š\u{fffd}");
         assert_eq!(text("q [°]".as_bytes()), "q [°]");
     }
 }

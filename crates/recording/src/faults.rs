@@ -1,9 +1,10 @@
 //! Why a file is no recording.
 
+use crate::FAULTS_MAX;
 use crate::layout::Role;
+use crate::limits::{Limit, SAMPLES_MAX};
 use crate::series::KnownBy;
-use crate::{FAULTS_MAX, SAMPLES_MAX};
-use quantities::{Dimension, Time, Unit};
+use quantities::{Dimension, Time, Unit, is_unseen};
 use std::fmt;
 use std::io::ErrorKind;
 use std::mem::Discriminant;
@@ -40,6 +41,50 @@ impl fmt::Display for Stamp {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{} {}", self.value, self.unit.ascii)
     }
+}
+
+/// What is wrong with a Parquet file.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum Damage {
+    /// The marks of the format are missing.
+    #[error("it is none")]
+    NoParquet,
+    /// It is encrypted.
+    #[error("it is encrypted")]
+    Encrypted,
+    /// The pages lie in another file.
+    #[error("its pages lie in another file")]
+    Elsewhere,
+    /// The footer is damaged.
+    #[error("its footer is damaged")]
+    Footer,
+    /// A page is damaged.
+    #[error("a page is damaged")]
+    Page,
+    /// A page does not unpack to what it says.
+    #[error("a page does not unpack to the size that it says")]
+    Packed,
+    /// The columns of a row group differ in length.
+    #[error("the columns of a row group differ in length")]
+    Lengths,
+    /// A compression that is not supported.
+    #[error("compression {name} is not read")]
+    Compression {
+        /// Its name, or its number.
+        name: String,
+    },
+    /// An encoding of numbers that is not supported.
+    #[error("encoding {name} of numbers is not read")]
+    Encoding {
+        /// Its name, or its number.
+        name: String,
+    },
+    /// The values cannot be decoded.
+    #[error("the values of a page: {text}")]
+    Values {
+        /// What the library says.
+        text: String,
+    },
 }
 
 /// Why a file is no recording. Texts out of the file are shortened to 40 characters.
@@ -208,6 +253,16 @@ pub enum Fault {
         /// The cell as written.
         text: String,
     },
+    /// A number, in SI, beyond [`MAGNITUDE_MAX`](crate::MAGNITUDE_MAX).
+    #[error("{at}: \"{text}\" in \"{column}\" is beyond every measurement")]
+    ValueImplausible {
+        /// Where.
+        at: Place,
+        /// The column.
+        column: String,
+        /// The number.
+        text: String,
+    },
     /// A number has a decimal point where others have a comma, or the reverse.
     #[error("line {line}: \"{text}\" in \"{column}\" has another decimal sign than line {decided}")]
     DecimalMixed {
@@ -258,6 +313,14 @@ pub enum Fault {
         /// Their time.
         time: Stamp,
     },
+    /// Two times are closer together than [`STEP_MIN_S`](crate::STEP_MIN_S).
+    #[error("{at}: only {} s after the sample before", length.value)]
+    TooClose {
+        /// The later sample.
+        at: Place,
+        /// Length of the interval.
+        length: Time,
+    },
     /// An interval is much longer than the others.
     #[error("{at}: a gap of {} s before this sample", length.value)]
     Gap {
@@ -289,8 +352,18 @@ pub enum Fault {
     /// The file is no Parquet, is damaged, or uses what is not supported.
     #[error("the Parquet file cannot be read: {reason}")]
     ParquetUnreadable {
-        /// What the library says.
-        reason: String,
+        /// What is wrong.
+        reason: Damage,
+    },
+    /// The file is larger in something than is read.
+    #[error("{found} {limit}, at most {most}")]
+    Beyond {
+        /// What there is too much of.
+        limit: Limit,
+        /// How much there is, or is claimed.
+        found: u64,
+        /// The most that is read.
+        most: u64,
     },
     /// A fault that many lines have.
     #[error("{first}; {more} more like it")]
@@ -317,12 +390,14 @@ impl Fault {
             Self::ValueMissing { column, .. }
             | Self::ValueUnreadable { column, .. }
             | Self::ValueNotFinite { column, .. }
+            | Self::ValueImplausible { column, .. }
             | Self::DecimalMixed { column, .. }
             | Self::ThousandsGrouped { column, .. } => Some(column.clone()),
             Self::Ragged { .. }
             | Self::QuoteOpen { .. }
             | Self::Backwards { .. }
             | Self::SameTime { .. }
+            | Self::TooClose { .. }
             | Self::Gap { .. } => None,
             _ => return None,
         };
@@ -427,7 +502,7 @@ impl Faults {
 /// A text out of a file, shortened for a message.
 pub(crate) fn excerpt(text: &str) -> String {
     const LONGEST: usize = 40;
-    let plain = |c: char| if c.is_control() { '\u{fffd}' } else { c };
+    let plain = |c: char| if is_unseen(c) { '\u{fffd}' } else { c };
     let mut short: String = text.chars().take(LONGEST).map(plain).collect();
     if text.chars().nth(LONGEST).is_some() {
         short.push('…');

@@ -1,11 +1,12 @@
 //! Samples one after another become a recording.
 
+use crate::GAP_FACTOR;
 use crate::columns::check_course;
 use crate::faults::{Fault, Faults, Place, Stamp, excerpt};
 use crate::layout::{Layout, Role};
-use crate::number::Tick;
+use crate::limits::{MAGNITUDE_MAX, Memory, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
+use crate::number::{Bad, Tick};
 use crate::series::{Along, ColumnRead, Course, Effort, Recording, Series};
-use crate::{GAP_FACTOR, SAMPLES_MAX, SAMPLES_MIN};
 use quantities::{Measure, Time, Unit};
 use std::cmp::Ordering;
 
@@ -28,7 +29,10 @@ struct Channel {
 }
 
 /// Takes samples in the order of the file.
-pub(crate) struct Gather {
+pub(crate) struct Gather<'m> {
+    /// What the recordings of a project may take, and for how many samples it was taken.
+    memory: &'m mut Memory,
+    room: usize,
     columns: Vec<ColumnRead>,
     unit: &'static Unit,
     from_si: f64,
@@ -57,9 +61,15 @@ pub(crate) fn check_window(layout: &Layout, faults: &mut Faults) {
     }
 }
 
-impl Gather {
+impl<'m> Gather<'m> {
     /// Columns that have all their units; `rows` says whether places are rows or lines.
-    pub(crate) fn new(columns: Vec<ColumnRead>, layout: &Layout, rows: bool, faults: &mut Faults) -> Option<Self> {
+    pub(crate) fn new(
+        columns: Vec<ColumnRead>,
+        layout: &Layout,
+        rows: bool,
+        memory: &'m mut Memory,
+        faults: &mut Faults,
+    ) -> Option<Self> {
         check_course(&columns, faults);
         let unit = columns.iter().find(|column| column.role == Role::Time)?.unit;
         let channels = columns
@@ -70,6 +80,8 @@ impl Gather {
         // A bound and a time that are written alike may differ in the last digits once they are in SI.
         let slack = |bound: f64| 4.0 * f64::EPSILON * bound.abs();
         Some(Self {
+            memory,
+            room: 0,
             columns,
             unit,
             from_si: layout.from.map_or(f64::NEG_INFINITY, |from| from.si() - slack(from.si())),
@@ -93,6 +105,34 @@ impl Gather {
         self.from_si.is_finite() || self.to_si.is_finite()
     }
 
+    /// The memory that is left.
+    pub(crate) fn memory(&self) -> Memory {
+        self.memory.clone()
+    }
+
+    /// Bytes that so many samples take.
+    fn bytes_of(&self, samples: usize) -> u64 {
+        (samples as u64).saturating_mul(8 * (1 + self.channels.len() as u64))
+    }
+
+    /// Makes room for a further sample; twice as much as before, as long as it is to be had.
+    fn make_room(&mut self) -> Result<(), Fault> {
+        if self.time_s.len() < self.room {
+            return Ok(());
+        }
+        // Room for this many samples is taken at first.
+        const FIRST: usize = 4096;
+        let room = (2 * self.time_s.len()).clamp(FIRST, SAMPLES_MAX);
+        // The old arrays go when they are copied into the new ones.
+        self.memory.take(self.bytes_of(room))?;
+        let more = room - self.time_s.len();
+        self.time_s.reserve_exact(more);
+        self.channels.iter_mut().for_each(|channel| channel.values.reserve_exact(more));
+        self.memory.give_back(self.bytes_of(self.room));
+        self.room = room;
+        Ok(())
+    }
+
     pub(crate) const fn place(&self, number: u64) -> Place {
         if self.rows { Place::Row(number) } else { Place::Line(number) }
     }
@@ -110,9 +150,15 @@ impl Gather {
             if step <= 0.0 {
                 return self.out_of_order(number, tick, (last, at), step == 0.0, faults);
             }
+            let step = self.unit.to_si(step);
+            if step < STEP_MIN_S {
+                self.sound = false;
+                faults.push(Fault::TooClose { at: self.place(number), length: Time::from_si(step) });
+                return Sample::Dropped;
+            }
         }
         let si = self.unit.to_si(tick.value());
-        if !si.is_finite() {
+        if si.is_nan() || si.abs() > MAGNITUDE_MAX {
             return self.out_of_range(number, tick, faults);
         }
         if si < self.from_si {
@@ -127,11 +173,12 @@ impl Gather {
             faults.push(Fault::too_many_samples());
             return Sample::Full;
         }
+        if let Err(fault) = self.make_room() {
+            faults.push(fault);
+            return Sample::Full;
+        }
         let first = *self.first_kept.get_or_insert(tick);
         let time = self.unit.to_si(tick.since(first));
-        if !time.is_finite() {
-            return self.out_of_range(number, tick, faults);
-        }
         // Beside a very distant first time two times may become one.
         if let (Some(last), Some(before)) = (self.time_s.last(), before)
             && time <= *last
@@ -166,12 +213,12 @@ impl Gather {
         Sample::Dropped
     }
 
-    /// SI cannot hold the time, or not its distance from the first.
+    /// No clock shows such a time.
     fn out_of_range(&mut self, number: u64, tick: Tick, faults: &mut Faults) -> Sample {
         self.sound = false;
         let time = self.columns.iter().find(|column| column.role == Role::Time);
         let column = time.map_or_else(String::new, |column| excerpt(&column.name));
-        faults.push(Fault::ValueNotFinite { at: self.place(number), column, text: format!("{:e}", tick.value()) });
+        faults.push(Fault::ValueImplausible { at: self.place(number), column, text: format!("{:e}", tick.value()) });
         Sample::Dropped
     }
 
@@ -180,12 +227,16 @@ impl Gather {
         self.sound = false;
     }
 
-    /// The value of a channel, by its number in the order of the columns without time; false if SI cannot hold it.
-    pub(crate) fn value(&mut self, channel: usize, value: f64) -> bool {
-        let Some(channel) = self.channels.get_mut(channel) else { return true };
+    /// The value of a channel, by its number in the order of the columns without time.
+    pub(crate) fn value(&mut self, channel: usize, value: f64) -> Result<(), Bad> {
+        let Some(channel) = self.channels.get_mut(channel) else { return Ok(()) };
         let si = channel.unit.to_si(value);
         channel.values.push(si);
-        si.is_finite()
+        match si.abs() {
+            size if size <= MAGNITUDE_MAX => Ok(()),
+            size if size.is_finite() || value.is_finite() => Err(Bad::Implausible),
+            _ => Err(Bad::NotFinite),
+        }
     }
 
     /// The recording, after the last sample.
@@ -201,22 +252,33 @@ impl Gather {
         if self.sound && !self.allow_gaps {
             self.check_gaps(faults);
         }
+        if !faults.none() {
+            return None;
+        }
+        let kept = self.bytes_of(self.time_s.len());
         let first_time = Time::from_si(self.unit.to_si(self.first_kept?.value()));
         let mut series = |role: Role| {
             let channel = self.channels.iter_mut().find(|channel| channel.role == role)?;
-            Some((Along::of(channel.unit), std::mem::take(&mut channel.values)))
+            let mut values = std::mem::take(&mut channel.values);
+            values.shrink_to_fit();
+            Some((Along::of(channel.unit), values))
         };
         let course = Course {
             position: series(Role::Position).map(|(along, values)| Series { along, values }),
             speed: series(Role::Speed).map(|(along, values)| Series { along, values }),
         };
         let torque = series(Role::Torque).map(|(along, values)| Effort { along, values });
+        self.memory.give_back(self.bytes_of(self.room).saturating_sub(kept));
+        self.room = 0;
+        let mut time_s = std::mem::take(&mut self.time_s);
+        time_s.shrink_to_fit();
         Some(Recording {
-            time_s: self.time_s,
+            time_s,
             first_time,
             course,
             torque,
-            columns: self.columns,
+            columns: std::mem::take(&mut self.columns),
+            encoding: None,
             left_out_before: self.before,
             left_out_after: self.after,
         })
@@ -247,6 +309,13 @@ impl Gather {
     }
 }
 
+impl Drop for Gather<'_> {
+    /// What became no recording needs no memory.
+    fn drop(&mut self) {
+        self.memory.give_back(self.bytes_of(self.room));
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -257,7 +326,8 @@ mod tests {
     fn no_more_samples_are_kept_than_the_bound() {
         let time = ColumnRead { role: Role::Time, name: String::from("t"), unit: &SECOND, known_by: KnownBy::Header };
         let mut faults = Faults::default();
-        let mut gather = Gather::new(vec![time], &Layout::default(), false, &mut faults).unwrap();
+        let mut memory = Memory::default();
+        let mut gather = Gather::new(vec![time], &Layout::default(), false, &mut memory, &mut faults).unwrap();
         gather.time_s = vec![-1.0; SAMPLES_MAX - 1];
         assert_eq!(gather.sample(2, Tick::of_float(1.0), &mut faults), Sample::Kept);
         assert_eq!(gather.sample(3, Tick::of_float(2.0), &mut faults), Sample::Full);

@@ -22,30 +22,24 @@ mod encoding;
 mod faults;
 mod gather;
 mod layout;
+mod limits;
 mod lines;
 mod number;
-mod pages;
 mod parquet;
 mod series;
 
-pub use csv::read_csv;
-pub use faults::{Fault, Place, Stamp};
+pub use csv::{read_csv, read_csv_within};
+pub use faults::{Damage, Fault, Place, Stamp};
 pub use layout::{ColumnSpec, Layout, Role};
-pub use parquet::read_parquet;
-pub use series::{Along, ColumnRead, Course, Effort, KnownBy, Recording, Series};
+pub use limits::{
+    COLUMNS_MAX, DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, Memory,
+    NESTING_MAX, PAGE_BYTES_FREE, PAGE_RATIO_MAX, PATH_BYTES_MAX, ROW_GROUPS_MAX, ROWS_MAX, SAMPLES_MAX, SAMPLES_MIN,
+    STEP_MIN_S, UNPACKED_BYTES_MAX,
+};
+pub use parquet::{read_parquet, read_parquet_within};
+pub use series::{Along, ColumnRead, Course, Effort, Encoding, KnownBy, Recording, Series};
 
 pub use ::bytes::Bytes;
-pub use ::parquet::file::reader::ChunkReader;
-
-/// Most samples that are kept: 2²⁴, more than four hours at 1 kHz. A choice of this crate that bounds its memory to
-/// half a gigabyte of arrays.
-pub const SAMPLES_MAX: usize = 1 << 24;
-
-/// Fewest samples that make a recording: two intervals, so that there is a change of speed.
-pub const SAMPLES_MIN: usize = 3;
-
-/// Most bytes in one line of a CSV, 64 KiB. A choice of this crate that bounds its text buffer.
-pub const LINE_BYTES_MAX: usize = 1 << 16;
 
 /// Most faults that are told; the last entry then says how many more there are.
 pub const FAULTS_MAX: usize = 50;

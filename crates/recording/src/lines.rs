@@ -1,9 +1,10 @@
 //! The lines of a text of any length, in a bounded buffer.
 
-use crate::LINE_BYTES_MAX;
 use crate::encoding::Utf8;
 use crate::faults::Fault;
-use memchr::memchr;
+use crate::limits::LINE_BYTES_MAX;
+use crate::series::Encoding;
+use memchr::{memchr, memchr2};
 use std::io::{ErrorKind, Read};
 use std::ops::Range;
 
@@ -19,6 +20,8 @@ pub(crate) struct Lines<R> {
     line: Range<usize>,
     number: u64,
     at_end: bool,
+    /// What ends a line: a line feed, or a carriage return where that alone ends the first line.
+    end: Option<u8>,
 }
 
 impl<R: Read> Lines<R> {
@@ -30,6 +33,7 @@ impl<R: Read> Lines<R> {
             line: 0..0,
             number: 0,
             at_end: false,
+            end: None,
         }
     }
 
@@ -41,6 +45,11 @@ impl<R: Read> Lines<R> {
     /// Its number, counted from 1.
     pub(crate) const fn number(&self) -> u64 {
         self.number
+    }
+
+    /// How the text is read, once its first line was.
+    pub(crate) const fn encoding(&self) -> Encoding {
+        self.source.encoding()
     }
 
     /// Goes to the next line that says something; false at the end.
@@ -55,11 +64,12 @@ impl<R: Read> Lines<R> {
     }
 
     fn next_physical(&mut self) -> Result<bool, Fault> {
+        let end = self.end()?;
         let mut searched = 0;
         loop {
             let rest = self.buffer.get(self.rest.clone()).unwrap_or_default();
             let unsearched = rest.get(searched..).unwrap_or_default();
-            if let Some(at) = memchr(b'\n', unsearched) {
+            if let Some(at) = memchr(end, unsearched) {
                 let length = searched + at;
                 return self.take(length, length + 1);
             }
@@ -71,6 +81,28 @@ impl<R: Read> Lines<R> {
                 return if searched == 0 { Ok(false) } else { self.take(searched, searched) };
             }
             self.fill()?;
+        }
+    }
+
+    /// What ends the lines, as the first of them shows.
+    fn end(&mut self) -> Result<u8, Fault> {
+        loop {
+            if let Some(end) = self.end {
+                return Ok(end);
+            }
+            let rest = self.buffer.get(self.rest.clone()).unwrap_or_default();
+            let first = memchr2(b'\n', b'\r', rest).and_then(|at| Some((*rest.get(at)?, rest.get(at + 1).copied())));
+            self.end = match first {
+                Some((b'\r', Some(behind))) if behind != b'\n' => Some(b'\r'),
+                // What follows a carriage return may not be read yet.
+                Some((b'\r', None)) if !self.at_end => None,
+                Some(_) => Some(b'\n'),
+                None if self.at_end || rest.len() > LINE_BYTES_MAX => Some(b'\n'),
+                None => None,
+            };
+            if self.end.is_none() {
+                self.fill()?;
+            }
         }
     }
 

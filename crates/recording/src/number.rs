@@ -8,6 +8,8 @@ pub(crate) enum Bad {
     Missing,
     Unreadable,
     NotFinite,
+    /// Beyond what anybody measures.
+    Implausible,
     /// The other decimal sign was decided in this line.
     Mixed(u64),
 }

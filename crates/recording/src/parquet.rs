@@ -1,113 +1,126 @@
 //! Reading Parquet.
+//!
+//! Footer and heads of pages are read here, within bounds that no file can move; the library is handed pages that are
+//! unpacked and checked, and decodes the values.
 
-use crate::SAMPLES_MAX;
+mod footer;
+mod pages;
+mod thrift;
+mod unpack;
+
 use crate::columns::{Heading, Said, decide, pick};
-use crate::faults::{Fault, Faults, Place, excerpt};
+use crate::faults::{Damage, Fault, Faults, Place, excerpt};
 use crate::gather::{Gather, Sample, check_window};
 use crate::layout::{Layout, Role};
-use crate::number::Tick;
-use crate::pages::CheckedPages;
+use crate::limits::{Limit, Memory, ROWS_MAX, SAMPLES_MAX};
+use crate::number::{Bad, Tick};
 use crate::series::{KnownBy, Recording};
-use ::parquet::basic::{ConvertedType, LogicalType, TimeUnit, Type};
+use ::parquet::basic::{ConvertedType, Repetition, Type};
 use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
 use ::parquet::data_type::{DataType, DoubleType, FloatType, Int32Type, Int64Type};
 use ::parquet::errors::ParquetError;
-use ::parquet::file::metadata::{FileMetaData, RowGroupMetaData};
-use ::parquet::file::reader::{ChunkReader, FileReader, RowGroupReader};
-use ::parquet::file::serialized_reader::SerializedFileReader;
-use ::parquet::schema::types::ColumnDescriptor;
+use ::parquet::schema::types::{ColumnDescriptor, ColumnPath};
+use bytes::Bytes;
+use footer::{Chunk, Column, Footer, Logical, TimeUnit};
+use pages::Pages;
 use quantities::Unit;
 use quantities::unit::{MICROSECOND, MILLISECOND, NANOSECOND};
+use std::sync::Arc;
+use std::sync::atomic::AtomicU64;
 
 /// Rows that are read at a time.
 const BATCH: usize = 8192;
+
+/// Reads a recording from Parquet within the usual memory.
+///
+/// # Errors
+/// All faults of the file.
+pub fn read_parquet(file: Bytes, layout: &Layout) -> Result<Recording, Vec<Fault>> {
+    read_parquet_within(file, layout, &mut Memory::default())
+}
 
 /// Reads a recording from Parquet.
 ///
 /// Columns are recognised as in CSV. They hold floats, doubles or integers without a scale. A unit stands in the name
 /// (`q [deg]`), in the metadata of the file under `q.unit` or `unit:q`, or in the layout; a timestamp type says its
-/// unit itself. Row groups are read one after another, a few thousand rows at a time.
+/// unit itself. Row groups are read one after another, a few thousand rows at a time. What the recording holds is taken
+/// from the memory; the bytes of the file are the caller's.
 ///
 /// # Errors
 /// All faults of the file.
-pub fn read_parquet<R: ChunkReader + 'static>(source: R, layout: &Layout) -> Result<Recording, Vec<Fault>> {
+pub fn read_parquet_within(file: Bytes, layout: &Layout, memory: &mut Memory) -> Result<Recording, Vec<Fault>> {
     let mut faults = Faults::default();
-    let recording = read(source, layout, &mut faults);
+    let recording = read(&file, layout, memory, &mut faults);
     faults.outcome(recording)
 }
 
-fn unreadable(error: &ParquetError) -> Fault {
+/// What the library refuses, as a fault; the faults of pages come through it unchanged.
+fn unreadable(error: ParquetError) -> Fault {
     // Messages of the library may quote the file; the bound keeps them readable.
     const LONGEST: usize = 200;
-    Fault::ParquetUnreadable { reason: error.to_string().chars().take(LONGEST).collect() }
+    let error = match error {
+        ParquetError::External(source) => match source.downcast::<Fault>() {
+            Ok(fault) => return *fault,
+            Err(other) => ParquetError::External(other),
+        },
+        other => other,
+    };
+    let text = error.to_string().chars().take(LONGEST).collect();
+    Fault::ParquetUnreadable { reason: Damage::Values { text } }
 }
 
-fn read<R: ChunkReader + 'static>(source: R, layout: &Layout, faults: &mut Faults) -> Option<Recording> {
+fn read(file: &Bytes, layout: &Layout, memory: &mut Memory, faults: &mut Faults) -> Option<Recording> {
     check_window(layout, faults);
-    let file = SerializedFileReader::new(source).map_err(|error| faults.push(unreadable(&error))).ok()?;
-    let about = file.metadata().file_metadata();
-    let schema = about.schema_descr();
-    let headings: Vec<Heading> = schema.columns().iter().map(|column| Heading::new(&column.path().string())).collect();
+    let footer = Footer::read(file).map_err(|fault| faults.push(fault)).ok()?;
+    let headings: Vec<Heading> = footer.columns.iter().map(|column| Heading::new(&column.path)).collect();
     let picks = pick(&headings, layout, faults);
 
     let mut columns = Vec::new();
-    let mut used: Vec<Used> = Vec::new();
+    let mut used: Vec<Used<'_>> = Vec::new();
     for (role, index) in Role::ALL.into_iter().zip(picks) {
-        let Some((index, heading)) = index.and_then(|index| Some((index, headings.get(index)?))) else { continue };
-        let Some(kind) = schema.columns().get(index).and_then(|column| kind(column)) else {
-            let found = schema.columns().get(index).map_or_else(String::new, |column| type_name(column));
-            faults.push(Fault::ColumnType { column: excerpt(&heading.written), found });
+        let Some(index) = index else { continue };
+        let Some((heading, column)) = headings.get(index).zip(footer.columns.get(index)) else { continue };
+        let Some(kind) = kind(column) else {
+            faults.push(Fault::ColumnType { column: excerpt(&heading.written), found: type_name(column) });
             continue;
         };
         let said = [
             heading.unit.clone().map(|text| (KnownBy::Header, Said::Text(text))),
             kind.time.map(|unit| (KnownBy::Metadata, Said::Unit(unit))),
-            metadata_unit(about, heading).map(|text| (KnownBy::Metadata, Said::Text(text))),
+            metadata_unit(&footer, heading).map(|text| (KnownBy::Metadata, Said::Text(text))),
             layout.column(role).unit.map(|unit| (KnownBy::Layout, Said::Unit(unit))),
         ];
         columns.extend(decide(role, heading, said.into_iter().flatten().collect(), faults));
-        used.push(Used { index, name: excerpt(&heading.written), kind });
+        used.push(Used { index, name: excerpt(&heading.written), kind, column });
     }
     if !faults.none() {
         return None;
     }
-    let mut gather = Gather::new(columns, layout, true, faults)?;
-    if !gather.has_window() && usize::try_from(about.num_rows()).is_ok_and(|rows| rows > SAMPLES_MAX) {
+    let mut gather = Gather::new(columns, layout, true, memory, faults)?;
+    if !gather.has_window() && footer.rows > SAMPLES_MAX as u64 {
         faults.push(Fault::too_many_samples());
         return None;
     }
-    let mut number = 0;
-    for group in 0..file.num_row_groups() {
-        if !used.iter().all(|column| is_placed(file.metadata().row_group(group), column.index)) {
-            faults.push(Fault::ParquetUnreadable { reason: String::from("a column lies at a negative offset") });
-            return None;
+    let wanted: Vec<usize> = used.iter().map(|column| column.index).collect();
+    let mut pass = Pass { file, used: &used, number: 0, spent: Arc::default(), more: true };
+    let walked = footer.groups(&wanted, |_, chunks| {
+        if pass.more {
+            pass.more = pass.rows(chunks, &mut gather, faults)?;
         }
-        let read = file.get_row_group(group).and_then(|group| rows(&*group, &used, &mut number, &mut gather, faults));
-        match read {
-            Ok(true) => {}
-            Ok(false) => return None,
-            Err(error) => {
-                faults.push(unreadable(&error));
-                return None;
-            }
-        }
+        Ok(())
+    });
+    if let Err(fault) = walked {
+        faults.push(fault);
+        return None;
     }
-    gather.finish(faults)
-}
-
-/// Whether offset and size of a column are possible. The library asserts it instead of refusing the file.
-fn is_placed(group: &RowGroupMetaData, index: usize) -> bool {
-    group.columns().get(index).is_some_and(|column| {
-        let start = column.dictionary_page_offset().unwrap_or(0).min(column.data_page_offset());
-        start >= 0 && column.compressed_size() >= 0
-    })
+    if pass.more { gather.finish(faults) } else { None }
 }
 
 /// The unit that the metadata of the file state for a column.
-fn metadata_unit(about: &FileMetaData, heading: &Heading) -> Option<String> {
+fn metadata_unit(footer: &Footer<'_>, heading: &Heading) -> Option<String> {
     let keys = [&heading.written, &heading.bare].map(|name| [format!("{name}.unit"), format!("unit:{name}")]);
-    let mut pairs = about.key_value_metadata()?.iter();
-    pairs.find(|pair| keys.as_flattened().contains(&pair.key))?.value.as_ref().map(|unit| unit.trim().to_owned())
+    let (_, unit) = footer.units.iter().find(|(key, _)| keys.as_flattened().contains(key))?;
+    Some(unit.trim().to_owned())
 }
 
 /// What a column of numbers holds.
@@ -119,25 +132,23 @@ struct Holds {
 }
 
 /// What a column holds; `None` if it holds no plain numbers.
-fn kind(column: &ColumnDescriptor) -> Option<Holds> {
-    if column.max_rep_level() > 0 {
+fn kind(column: &Column) -> Option<Holds> {
+    if column.repeated {
         return None;
     }
     let plain = Holds { unsigned: false, time: None };
     let time = |unit| Some(Holds { time: Some(unit), ..plain });
-    match (column.physical_type(), column.logical_type_ref(), column.converted_type()) {
-        (Type::FLOAT | Type::DOUBLE, None, ConvertedType::NONE) => Some(plain),
-        (Type::INT32 | Type::INT64, Some(LogicalType::Integer(integer)), _) => {
-            Some(Holds { unsigned: !integer.is_signed, ..plain })
-        }
-        (Type::INT64, Some(LogicalType::Timestamp(stamp)), _) => time(match stamp.unit {
-            TimeUnit::MILLIS => &MILLISECOND,
-            TimeUnit::MICROS => &MICROSECOND,
-            TimeUnit::NANOS => &NANOSECOND,
+    match (column.physical, column.logical, column.converted) {
+        (Type::FLOAT | Type::DOUBLE, Logical::Plain, ConvertedType::NONE) => Some(plain),
+        (Type::INT32 | Type::INT64, Logical::Integer { signed }, _) => Some(Holds { unsigned: !signed, ..plain }),
+        (Type::INT64, Logical::Timestamp(unit), _) => time(match unit {
+            TimeUnit::Millis => &MILLISECOND,
+            TimeUnit::Micros => &MICROSECOND,
+            TimeUnit::Nanos => &NANOSECOND,
         }),
-        (Type::INT64, None, ConvertedType::TIMESTAMP_MILLIS) => time(&MILLISECOND),
-        (Type::INT64, None, ConvertedType::TIMESTAMP_MICROS) => time(&MICROSECOND),
-        (Type::INT32 | Type::INT64, None, converted) => match converted {
+        (Type::INT64, Logical::Plain, ConvertedType::TIMESTAMP_MILLIS) => time(&MILLISECOND),
+        (Type::INT64, Logical::Plain, ConvertedType::TIMESTAMP_MICROS) => time(&MICROSECOND),
+        (Type::INT32 | Type::INT64, Logical::Plain, converted) => match converted {
             ConvertedType::NONE
             | ConvertedType::INT_8
             | ConvertedType::INT_16
@@ -152,41 +163,64 @@ fn kind(column: &ColumnDescriptor) -> Option<Holds> {
     }
 }
 
-fn type_name(column: &ColumnDescriptor) -> String {
-    let repeated = if column.max_rep_level() > 0 { "LIST of " } else { "" };
-    match column.converted_type() {
-        ConvertedType::NONE => format!("{repeated}{}", column.physical_type()),
-        converted => format!("{repeated}{} ({converted})", column.physical_type()),
+fn type_name(column: &Column) -> String {
+    let repeated = if column.repeated { "LIST of " } else { "" };
+    match column.converted {
+        ConvertedType::NONE => format!("{repeated}{}", column.physical),
+        converted => format!("{repeated}{} ({converted})", column.physical),
     }
 }
 
 /// A column in use, time first.
-struct Used {
+struct Used<'f> {
     index: usize,
     name: String,
     kind: Holds,
+    column: &'f Column,
 }
 
-/// Reads the rows of a group; false if no further row can be kept.
-fn rows(
-    group: &dyn RowGroupReader,
-    used: &[Used],
-    number: &mut u64,
-    gather: &mut Gather,
-    faults: &mut Faults,
-) -> Result<bool, ParquetError> {
-    let mut streams =
-        used.iter().map(|column| Stream::open(group, column)).collect::<Result<Vec<_>, ParquetError>>()?;
-    loop {
-        let mut counts = streams.iter_mut().map(Stream::fill).collect::<Result<Vec<_>, ParquetError>>()?.into_iter();
-        let count = counts.next().unwrap_or(0);
-        if counts.any(|other| other != count) {
-            return Err(ParquetError::General(String::from("the columns of a row group differ in length")));
+/// The way through the rows of a file.
+struct Pass<'f> {
+    file: &'f Bytes,
+    used: &'f [Used<'f>],
+    /// Rows that were read.
+    number: u64,
+    /// Bytes that pages were unpacked to.
+    spent: Arc<AtomicU64>,
+    /// Whether a further row can be kept.
+    more: bool,
+}
+
+impl<'f> Pass<'f> {
+    /// Reads the rows of a group; false if no further row can be kept.
+    fn rows(&mut self, chunks: Vec<Chunk>, gather: &mut Gather<'_>, faults: &mut Faults) -> Result<bool, Fault> {
+        let open = |(column, chunk): (&'f Used<'f>, Chunk)| {
+            let memory = (gather.memory(), self.used.len());
+            let pages = Pages::new(self.file.clone(), chunk, column.column, memory, Arc::clone(&self.spent))?;
+            Stream::open(column, pages)
+        };
+        let mut streams = self.used.iter().zip(chunks).map(open).collect::<Result<Vec<_>, Fault>>()?;
+        loop {
+            let counts = streams.iter_mut().map(Stream::fill).collect::<Result<Vec<_>, ParquetError>>();
+            let mut counts = counts.map_err(unreadable)?.into_iter();
+            let count = counts.next().unwrap_or(0);
+            if counts.any(|other| other != count) {
+                return Err(Fault::ParquetUnreadable { reason: Damage::Lengths });
+            }
+            if count == 0 {
+                return Ok(true);
+            }
+            Limit::Rows.hold(self.number + count as u64, ROWS_MAX)?;
+            if !self.batch(&streams, gather, faults) || faults.enough() {
+                return Ok(false);
+            }
         }
-        if count == 0 {
-            return Ok(true);
-        }
-        let Some((time, values)) = streams.split_first() else { return Ok(true) };
+    }
+
+    /// Hands on the rows that were read; false if no further row can be kept.
+    fn batch(&mut self, streams: &[Stream<'_>], gather: &mut Gather<'_>, faults: &mut Faults) -> bool {
+        let number = &mut self.number;
+        let Some((time, values)) = streams.split_first() else { return true };
         for (row, cell) in time.cells.iter().enumerate() {
             *number += 1;
             let at = Place::Row(*number);
@@ -203,7 +237,7 @@ fn rows(
             });
             match sample {
                 Sample::Dropped => continue,
-                Sample::Full => return Ok(false),
+                Sample::Full => return false,
                 Sample::Kept => {}
             }
             for (channel, stream) in values.iter().enumerate() {
@@ -215,14 +249,17 @@ fn rows(
                     Some(Cell::Float(value)) => *value,
                     Some(Cell::Integer(value)) => *value as f64,
                 };
-                if !gather.value(channel, value) {
-                    faults.push(not_finite(at, stream.name, value));
+                match gather.value(channel, value) {
+                    Ok(()) => {}
+                    Err(Bad::Implausible) => {
+                        let (column, text) = (stream.name.to_owned(), format!("{value:e}"));
+                        faults.push(Fault::ValueImplausible { at, column, text });
+                    }
+                    Err(_) => faults.push(not_finite(at, stream.name, value)),
                 }
             }
         }
-        if faults.enough() {
-            return Ok(false);
-        }
+        true
     }
 }
 
@@ -255,19 +292,26 @@ enum Source {
 }
 
 impl<'a> Stream<'a> {
-    fn open(group: &dyn RowGroupReader, column: &'a Used) -> Result<Self, ParquetError> {
-        let descriptor = group.metadata().column(column.index).column_descr_ptr();
-        let level_max = descriptor.max_def_level();
-        let pages = CheckedPages::new(group.get_column_page_reader(column.index)?, descriptor.clone());
+    fn open(used: &'a Used<'_>, pages: Pages) -> Result<Self, Fault> {
+        let column = used.column;
+        // The library needs the levels and the type; the path is told by whoever reads it.
+        let repetition = if column.defined > 0 { Repetition::OPTIONAL } else { Repetition::REQUIRED };
+        let primitive = ::parquet::schema::types::Type::primitive_type_builder("values", column.physical)
+            .with_repetition(repetition)
+            .build()
+            .map_err(unreadable)?;
+        let path = ColumnPath::from("values");
+        let descriptor = Arc::new(ColumnDescriptor::new(Arc::new(primitive), column.defined, 0, path));
         let source = match get_column_reader(descriptor, Box::new(pages)) {
             ColumnReader::FloatColumnReader(reader) => Source::Float(reader, Vec::new()),
             ColumnReader::DoubleColumnReader(reader) => Source::Double(reader, Vec::new()),
             ColumnReader::Int32ColumnReader(reader) => Source::Int32(reader, Vec::new()),
             ColumnReader::Int64ColumnReader(reader) => Source::Int64(reader, Vec::new()),
-            _ => return Err(ParquetError::General(String::from("a column changes its type"))),
+            // `kind` has let no other type through.
+            _ => return Err(Fault::ParquetUnreadable { reason: Damage::Footer }),
         };
-        let (name, unsigned) = (column.name.as_str(), column.kind.unsigned);
-        Ok(Self { name, source, unsigned, level_max, levels: Vec::new(), cells: Vec::new() })
+        let (name, unsigned) = (used.name.as_str(), used.kind.unsigned);
+        Ok(Self { name, source, unsigned, level_max: column.defined, levels: Vec::new(), cells: Vec::new() })
     }
 
     /// Reads the next batch and tells its length; zero at the end.

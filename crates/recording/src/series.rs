@@ -16,10 +16,25 @@ pub struct Recording {
     pub torque: Option<Effort>,
     /// The columns that were read, in the order of [`Role::ALL`].
     pub columns: Vec<ColumnRead>,
+    /// How the text was read; `None` of a format that is no text.
+    pub encoding: Option<Encoding>,
     /// How many samples lie before the window.
     pub left_out_before: u64,
     /// How many samples lie after the window.
     pub left_out_after: u64,
+}
+
+/// How the bytes of a text were read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// UTF-8, which every byte of the header agrees to.
+    Utf8,
+    /// UTF-16, as the mark at the beginning says.
+    Utf16,
+    /// UTF-16, guessed from the zeros between the letters.
+    Utf16Guessed,
+    /// Windows-1252, of which Latin-1 is a part: guessed, since the header is no UTF-8.
+    Windows1252Guessed,
 }
 
 /// Position and speed over time; at least one of them is there, and both are of the same kind.

@@ -38,8 +38,10 @@ impl Glyphs {
             if run > LONG_WORD {
                 printable.push('\u{200b}');
             }
-            if sign.is_control() {
+            if sign == '\n' || sign == '\t' {
                 printable.push(' ');
+            } else if quantities::is_unseen(sign) {
+                printable.push_str(&format!("<U+{:04X}>", u32::from(sign)));
             } else if sign == ' ' || sign == '\u{202f}' || self.has(sign) {
                 printable.push(sign);
             } else {

@@ -370,7 +370,7 @@ fn hostile_texts_stay_data() {
             number: name.clone(),
             ..full()
         };
-        report::pdf(&content, &settings).unwrap_or_else(|fault| panic!("{name:?}: {fault}"));
+        report::pdf(&content, &settings).unwrap_or_else(|fault| panic!("{name:?}: {fault:?}"));
         let text = pages_of(&content, &settings);
         if name.is_ascii() {
             assert!(letters(&text).contains(&letters(&name)), "{name}");

@@ -177,9 +177,7 @@ fn border<S>(
     Ok(good.0)
 }
 
-fn highest_ambient<S>(
-    mut excess: impl FnMut(f64) -> Result<f64, S>,
-) -> Result<Option<ThermodynamicTemperature>, S> {
+fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<Option<ThermodynamicTemperature>, S> {
     let (low, high) = AMBIENT_RANGE;
     // From above: the highest region that fits.
     let mut kelvin = high;

@@ -1,4 +1,6 @@
-//! Tolerances for tests against printed values. Development only.
+//! Tolerances for tests against printed values, and files that lie. Development only.
+
+pub mod parquet;
 
 /// Whether a computed value agrees with a printed one within half of the last printed digit.
 ///

@@ -133,7 +133,13 @@ impl<'a> Builder<'a> {
         block.from_s = self.nodes.get(nodes).map_or(0.0, |node| node.time_s);
         for kept in self.panels.get(panels..).unwrap_or_default() {
             let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
-            block.add(&Panel { nodes, duration_s: kept.duration, bow: kept.bow, extent: Some(&kept.extent), like: None });
+            block.add(&Panel {
+                nodes,
+                duration_s: kept.duration,
+                bow: kept.bow,
+                extent: Some(&kept.extent),
+                like: None,
+            });
         }
         self.blocks.push(block);
     }
@@ -231,7 +237,13 @@ impl<'a> Builder<'a> {
                 });
             }
             let extent = Extent::of(self.nodes.get(first..).unwrap_or_default(), &[0.0; 4]);
-            self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow: [0.0; 4], extent, like: Like::default() });
+            self.panels.push(Kept {
+                nodes: first..self.nodes.len(),
+                duration: to - from,
+                bow: [0.0; 4],
+                extent,
+                like: Like::default(),
+            });
         }
         self.see(&output, extra);
     }
@@ -335,7 +347,13 @@ impl<'a> Builder<'a> {
         }
         let bow = bow(self.nodes.get(first..).unwrap_or_default());
         let extent = Extent::of(self.nodes.get(first..).unwrap_or_default(), &bow);
-        self.panels.push(Kept { nodes: first..self.nodes.len(), duration: to - from, bow, extent, like: Like::default() });
+        self.panels.push(Kept {
+            nodes: first..self.nodes.len(),
+            duration: to - from,
+            bow,
+            extent,
+            like: Like::default(),
+        });
         if let Some(share) = self.shares.get_mut(piece.segment) {
             share.travelled += Angle::from_si(travelled);
         }

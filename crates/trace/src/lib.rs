@@ -4,8 +4,8 @@
 //! voltage, is then integrated, searched for its largest value or sent through a first-order lag without another pass. Of what
 //! drives the motion nothing is known here, only how long it carries the load at rest ([`Carried`]).
 
-mod build;
 mod alike;
+mod build;
 mod carried;
 mod cubes;
 mod form;
@@ -339,7 +339,15 @@ pub struct Block {
 
 impl Block {
     const fn empty(place: Place) -> Self {
-        Self { place, from_s: 0.0, duration_s: 0.0, times: 1.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]), is_copy: false }
+        Self {
+            place,
+            from_s: 0.0,
+            duration_s: 0.0,
+            times: 1.0,
+            extent: Extent::NONE,
+            gram: Gram([[0.0; 4]; 4]),
+            is_copy: false,
+        }
     }
 
     /// Whether its nodes are made from a recording whenever they are looked at.

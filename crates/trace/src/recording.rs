@@ -122,7 +122,13 @@ impl Strip {
         self.raw_interval(index, &mut |panel| {
             if let [a, b, c] = panel.nodes {
                 let nodes = [a, b, c].map(|node| self.view.node(node));
-                look(Panel { nodes: &nodes, duration_s: panel.duration_s * self.view.stretch, bow: panel.bow, extent: None, like: None });
+                look(Panel {
+                    nodes: &nodes,
+                    duration_s: panel.duration_s * self.view.stretch,
+                    bow: panel.bow,
+                    extent: None,
+                    like: None,
+                });
             }
         });
     }
@@ -166,7 +172,13 @@ impl Strip {
                     let first = nodes.len();
                     nodes.extend_from_slice(panel.nodes);
                     let extent = Extent::of(panel.nodes, &panel.bow);
-                    panels.push(Kept { nodes: first..nodes.len(), duration: panel.duration_s, bow: panel.bow, extent, like: Like::default() });
+                    panels.push(Kept {
+                        nodes: first..nodes.len(),
+                        duration: panel.duration_s,
+                        bow: panel.bow,
+                        extent,
+                        like: Like::default(),
+                    });
                 });
             }
             block.place = Place::Kept(from..panels.len());

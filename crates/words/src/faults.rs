@@ -87,19 +87,19 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         Fault::Curve(fault) => curve(*fault, language),
         Fault::Table(fault) => table(*fault, language),
         Fault::Battery(fault) => battery_fault(fault, language),
-        Fault::File { name, trouble } => format!("{name}: {}", trouble_text(trouble.kind, &trouble.system, language)),
+        Fault::File { name, trouble } => format!("{name}: {}", trouble_text(trouble, language)),
+        Fault::FileOutOfReach { name } => e(
+            format!("{name}: only files in the folder of the project and below it are read here"),
+            format!("{name}: hier werden nur Dateien im Ordner des Projekts und darunter gelesen"),
+        ),
         Fault::Recording { name, fault } => format!("{name}: {}", recording::fault(fault, language).0),
         Fault::Recorded { name, fault } => format!("{name}: {}", motion::recorded_fault(fault, language).0),
         Fault::Move { fault, travel_m_per_rad } => motion::fault(fault, *travel_m_per_rad, language).0,
         Fault::Instants(found) => {
             let [found, most] = [found.instants, found.most].map(|count| format!("{count:.0}"));
             e(
-                format!(
-                    "the cycle must be looked at at {found} instants; at most {most} are calculated"
-                ),
-                format!(
-                    "der Zyklus muss an {found} Stellen betrachtet werden; höchstens {most} werden gerechnet"
-                ),
+                format!("the cycle must be looked at at {found} instants; at most {most} are calculated"),
+                format!("der Zyklus muss an {found} Stellen betrachtet werden; höchstens {most} werden gerechnet"),
             )
         }
         Fault::InBody { path, fault } => format!("`{path}`: {}", fault_text(fault, language)),
@@ -189,9 +189,10 @@ fn value_text(fault: &Fault, language: Language) -> String {
         Fault::TextTooLong { path, most } => {
             e(format!("`{path}` is longer than {most} characters"), format!("`{path}` ist länger als {most} Zeichen"))
         }
-        Fault::ControlCharacter { path } => {
-            e(format!("`{path}` contains a control character"), format!("`{path}` enthält ein Steuerzeichen"))
-        }
+        Fault::ControlCharacter { path } => e(
+            format!("`{path}` contains a control character, or one that turns the direction of the text"),
+            format!("`{path}` enthält ein Steuerzeichen oder eines, das die Schreibrichtung wendet"),
+        ),
         Fault::WrongType { path, expected, found } => {
             let (expected, german) = (expected_text(*expected, language), type_in_german(found));
             e(
@@ -514,13 +515,16 @@ pub fn battery_fault(fault: &BatteryFault, language: Language) -> String {
 /// What the system says about a file that cannot be read.
 #[must_use]
 pub fn file_trouble(error: &std::io::Error, language: Language) -> String {
-    let FileTrouble { kind, system } = error.into();
-    trouble_text(kind, &system, language)
+    trouble_text(&error.into(), language)
 }
 
-fn trouble_text(kind: std::io::ErrorKind, system: &str, language: Language) -> String {
+pub(crate) fn trouble_text(trouble: &FileTrouble, language: Language) -> String {
     use std::io::ErrorKind;
-    let (en, de) = match kind {
+    let (en, de) = match trouble.kind {
+        _ if trouble.no_regular_file => (
+            "this is a pipe, a device or a socket, not a regular file",
+            "das ist eine Pipe, ein Gerät oder ein Socket, keine gewöhnliche Datei",
+        ),
         ErrorKind::NotFound => ("there is no such file", "diese Datei gibt es nicht"),
         ErrorKind::PermissionDenied => ("permission denied", "kein Zugriff"),
         ErrorKind::IsADirectory => ("this is a folder, not a file", "das ist ein Ordner, keine Datei"),
@@ -528,7 +532,13 @@ fn trouble_text(kind: std::io::ErrorKind, system: &str, language: Language) -> S
         ErrorKind::Unsupported => {
             ("files cannot be read from here", "von hier aus können keine Dateien gelesen werden")
         }
-        _ => return system.to_owned(),
+        ErrorKind::StorageFull => ("no space is left on the device", "auf dem Datenträger ist kein Platz mehr"),
+        ErrorKind::QuotaExceeded => {
+            ("the quota of the disk is used up", "das Kontingent des Datenträgers ist erschöpft")
+        }
+        ErrorKind::ReadOnlyFilesystem => ("the file system is read-only", "das Dateisystem ist schreibgeschützt"),
+        ErrorKind::InvalidFilename => ("no file can have such a name", "so kann keine Datei heißen"),
+        _ => return trouble.system.clone(),
     };
     either(language, en, de)
 }

@@ -12,6 +12,9 @@ texts! {
     samples =
         "Samples within the tolerances of the project (10000, or fewer where each costs more)"
         | "Stichproben in den Toleranzen des Projekts (10000, oder weniger, wo jede mehr kostet)";
+    memory =
+        "Memory for the recordings of the project (512 MiB, or variable ANTRIEB_MEMORY)"
+        | "Speicher für die Aufzeichnungen des Projekts (512 MiB, oder Variable ANTRIEB_MEMORY)";
     deadline =
         "How long the answer may take, such as \"30 s\"; then the question is refused"
         | "Wie lange die Antwort dauern darf, etwa \"30 s\"; danach wird die Frage abgewiesen";
@@ -122,7 +125,6 @@ texts! {
     inertia_body =
         "Each body in quotes, for example \"disc diameter=200mm length=20mm density=7850kg/m^3\""
         | "Jeder Körper in Anführungszeichen, etwa \"disc diameter=200mm length=20mm density=7850kg/m^3\"";
-    no_such_command(name) = "there is no command `{name}`" | "es gibt keinen Befehl `{name}`";
     curve = "Curves of the torque-speed plane" | "Kennlinien in der Drehmoment-Drehzahl-Ebene";
     curve_voltage =
         "Terminal voltage of the motor, rms, for example \"220 V\"; without it the maker's range holds"

@@ -24,12 +24,14 @@ mod recording;
 pub mod records;
 pub mod report;
 mod results;
+mod saving;
 mod schema;
 mod stage;
 pub mod tables;
 pub mod terminal;
 pub mod terms;
 mod texts;
+mod usage;
 
 pub use bodies::shape_title;
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token, describe_uncovered};
@@ -45,15 +47,17 @@ pub use print::{
 };
 pub use project_file::{body_key, key_word, short_label, table_of_project};
 pub use quantity::{quantity_fault, quantity_hint};
+pub use recording::encoding_guess;
 pub use results::{
     assumption_text, check_missing, check_title, condition_text, curve_title, evidence_text, figure_term, grade_about,
     grade_word, note_text, ranking_rule, requirement_title, source_text, standing_text, symbol_term, unmet_text,
     verdict_count, verdict_word,
 };
-
+pub use saving::{SaveTrouble, save_trouble};
 pub use schema::schema_text;
 pub use stage::ratios_text;
 pub use texts::{Text, Word};
+pub use usage::{Usage, UsageHint, usage_hint, usage_text};
 
 use quantities::Language;
 

@@ -1,9 +1,12 @@
 //! Words about recordings that cannot be read.
 
+mod beyond;
+
 use super::either;
+use beyond::{beyond, damage};
 use quantities::unit::SECOND;
 use quantities::{Dimension, Language, Measure, Time, Unit, format_significant};
-use recording::{Fault, GAP_FACTOR, KnownBy, Place, Role, Stamp};
+use recording::{Encoding, Fault, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Place, Role, STEP_MIN_S, Stamp};
 
 /// What is wrong with a recording, and what to do about it.
 pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String>) {
@@ -22,6 +25,8 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         Fault::ValueMissing { .. }
         | Fault::ValueUnreadable { .. }
         | Fault::ValueNotFinite { .. }
+        | Fault::ValueImplausible { .. }
+        | Fault::TooClose { .. }
         | Fault::DecimalMixed { .. }
         | Fault::ThousandsGrouped { .. }
         | Fault::Backwards { .. }
@@ -44,6 +49,7 @@ pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String
         | Fault::TooFewSamples { .. }
         | Fault::TooManySamples { .. }
         | Fault::ParquetUnreadable { .. }
+        | Fault::Beyond { .. }
         | Fault::More { .. } => file_fault(fault, language),
     }
 }
@@ -120,16 +126,20 @@ fn file_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
             e(format!("the file has more than {most} samples"), format!("die Datei hat mehr als {most} Abtastwerte")),
             t("select a part with from and to", "mit from und to einen Abschnitt wählen"),
         ),
-        Fault::ParquetUnreadable { reason } => (
-            e(
-                format!("the Parquet file cannot be read: {reason}"),
-                format!("die Parquet-Datei ist nicht lesbar: {reason}"),
-            ),
-            t(
-                "uncompressed, snappy, zstd, gzip and lz4 files without encryption are read",
-                "gelesen werden unverschlüsselte Dateien ohne Kompression oder mit snappy, zstd, gzip, lz4",
-            ),
-        ),
+        Fault::ParquetUnreadable { reason } => {
+            let reason = damage(reason, language);
+            (
+                e(
+                    format!("the Parquet file cannot be read: {reason}"),
+                    format!("die Parquet-Datei ist nicht lesbar: {reason}"),
+                ),
+                t(
+                    "uncompressed, snappy, zstd, gzip and lz4 files without encryption are read",
+                    "gelesen werden unverschlüsselte Dateien ohne Kompression oder mit snappy, zstd, gzip, lz4",
+                ),
+            )
+        }
+        Fault::Beyond { limit, found, most } => beyond(*limit, *found, *most, language),
         Fault::More { count: 0, .. } => {
             (either(language, "the rest of the file was not read", "der Rest der Datei wurde nicht gelesen"), None)
         }
@@ -191,7 +201,7 @@ fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
             Some(columns_and_names(headers, "position or speed", &[Role::Position, Role::Speed], language)),
         ),
         Fault::Ambiguous { role, columns } => {
-            let list = columns.iter().map(|name| q(name)).collect::<Vec<_>>().join(", ");
+            let list = list(columns, language);
             let (role, key) = (role_name(*role, language), role_key(*role));
             (
                 e(
@@ -306,6 +316,42 @@ fn sample_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
             ),
             None,
         ),
+        Fault::ValueImplausible { at, column, text } => {
+            let most = format_significant(MAGNITUDE_MAX, 1, language);
+            (
+                e(
+                    format!(
+                        "{}: {} in {} is more than any machine does; read are magnitudes up to {most} in SI",
+                        place(*at, language),
+                        q(text),
+                        q(column)
+                    ),
+                    format!(
+                        "{}: {} in {} ist mehr, als eine Maschine tut; gelesen werden Beträge bis {most} in SI",
+                        place(*at, language),
+                        q(text),
+                        q(column)
+                    ),
+                ),
+                Some(either(language, "is the unit of the column right?", "stimmt die Einheit der Spalte?")),
+            )
+        }
+        Fault::TooClose { at, length } => {
+            let (length, least) = (seconds(*length, language), seconds(Time::from_si(STEP_MIN_S), language));
+            (
+                e(
+                    format!(
+                        "{}: only {length} after the sample before, at least {least} are needed",
+                        place(*at, language)
+                    ),
+                    format!(
+                        "{}: nur {length} nach dem Abtastwert davor, nötig sind mindestens {least}",
+                        place(*at, language)
+                    ),
+                ),
+                Some(either(language, "is the unit of time right?", "stimmt die Einheit der Zeit?")),
+            )
+        }
         Fault::DecimalMixed { line, column, text, decided } => (
             e(
                 format!("line {line}: {} in {} has another decimal sign than line {decided}", q(text), q(column)),
@@ -383,6 +429,17 @@ fn sample_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
     }
 }
 
+/// Which encoding of a text was guessed; nothing where it was known.
+#[must_use]
+pub fn encoding_guess(encoding: Option<Encoding>, language: Language) -> Option<String> {
+    let name = match encoding? {
+        Encoding::Utf8 | Encoding::Utf16 => return None,
+        Encoding::Utf16Guessed => "UTF-16",
+        Encoding::Windows1252Guessed => "Windows-1252",
+    };
+    Some(either(language, format!("text taken for {name}"), format!("Text vermutlich {name}, so gelesen")))
+}
+
 fn quoted(text: &str, language: Language) -> String {
     either(language, format!("\"{text}\""), format!("„{text}“"))
 }
@@ -450,13 +507,18 @@ fn valid_units(role: Role, language: Language) -> String {
     )
 }
 
-fn columns(headers: &[String], language: Language) -> String {
-    // More names than these fill the screen and help nobody.
+/// The names of columns; more than these fill the screen and help nobody.
+fn list(names: &[String], language: Language) -> String {
     const MOST: usize = 20;
-    let mut list = headers.iter().take(MOST).map(|name| quoted(name, language)).collect::<Vec<_>>().join(", ");
-    if headers.len() > MOST {
+    let mut list = names.iter().take(MOST).map(|name| quoted(name, language)).collect::<Vec<_>>().join(", ");
+    if names.len() > MOST {
         list.push_str(", …");
     }
+    list
+}
+
+fn columns(headers: &[String], language: Language) -> String {
+    let list = list(headers, language);
     either(language, format!("the columns are {list}"), format!("die Spalten sind {list}"))
 }
 
@@ -492,6 +554,14 @@ mod tests {
             told(text, Language::De),
             ["Zeile 3: „x“ in „q [deg]“ ist keine Zahl", "Zeile 4: die Zeit läuft rückwärts, 0,5 s folgt auf 1 s",]
         );
+    }
+
+    #[test]
+    fn only_a_guess_is_told() {
+        let told = |encoding| encoding_guess(Some(encoding), Language::En);
+        assert_eq!((told(Encoding::Utf8), told(Encoding::Utf16)), (None, None));
+        assert_eq!(told(Encoding::Windows1252Guessed).as_deref(), Some("text taken for Windows-1252"));
+        assert!(told(Encoding::Utf16Guessed).is_some());
     }
 
     #[test]

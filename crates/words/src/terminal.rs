@@ -210,8 +210,6 @@ texts! {
     more_than_fifty_errors = "more than 50 errors" | "mehr als 50 Fehler";
     errors(count) = "1 error" | "1 Fehler", "{count} errors" | "{count} Fehler";
     nothing_was_calculated = "nothing was calculated" | "es wurde nichts gerechnet";
-    no_such_folder = "there is no such folder" | "diesen Ordner gibt es nicht";
-    file_exists = "the file exists; --force replaces it" | "die Datei gibt es schon; --force ersetzt sie";
     no_such_table(name, hint) = "there is no table \"{name}\"; {hint}" | "es gibt keine Tabelle „{name}“; {hint}";
     ending_says_the_format =
         "the ending of the file says the format: .xlsx, .csv, .json or .parquet"

@@ -9,6 +9,7 @@ use project::{Assumption, BODY_SHAPES, Expected, Fault, FileTrouble, Hint, Range
 use provenance::{Grade, Source};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND};
 use quantities::{Dimension, Language, Measure, QuantityError};
+use recording::{Damage, Limit, Place};
 use sizing::{CheckId, Figure, Note, TooManyInstants, Verdict};
 use std::io::ErrorKind;
 
@@ -240,6 +241,39 @@ fn recording_faults() -> Vec<Fault> {
     let faults = files.iter().flat_map(|file| recording::read_csv(file.as_bytes(), &layout).err().unwrap_or_default());
     let mut all: Vec<Fault> = faults.map(|fault| Fault::Recording { name: "run.csv".to_owned(), fault }).collect();
     assert!(all.len() >= files.len(), "{all:?}");
+    let name = || "name".to_owned();
+    let damages = [
+        Damage::NoParquet,
+        Damage::Encrypted,
+        Damage::Elsewhere,
+        Damage::Footer,
+        Damage::Page,
+        Damage::Packed,
+        Damage::Lengths,
+        Damage::Compression { name: name() },
+        Damage::Encoding { name: name() },
+        Damage::Values { text: name() },
+    ];
+    let limits = [
+        Limit::FileBytes,
+        Limit::Memory,
+        Limit::Rows,
+        Limit::Columns,
+        Limit::Nesting,
+        Limit::PathBytes,
+        Limit::RowGroups,
+        Limit::PageRatio,
+        Limit::UnpackedBytes,
+        Limit::DeltaBlock,
+    ];
+    let beyond = limits.map(|limit| recording::Fault::Beyond { limit, found: 2 << 20, most: 1 << 20 });
+    let damaged = damages.map(|reason| recording::Fault::ParquetUnreadable { reason });
+    let samples = [
+        recording::Fault::ValueImplausible { at: Place::Line(3), column: name(), text: name() },
+        recording::Fault::TooClose { at: Place::Row(3), length: q(1e-15) },
+    ];
+    let made = beyond.into_iter().chain(damaged).chain(samples);
+    all.extend(made.map(|fault| Fault::Recording { name: "run.parquet".to_owned(), fault }));
     let recorded = [
         RecordedFault::TooFew { samples: 2 },
         RecordedFault::NoCourse,
@@ -289,8 +323,15 @@ fn other_faults() -> Vec<Fault> {
         ErrorKind::IsADirectory,
         ErrorKind::FileTooLarge,
         ErrorKind::Unsupported,
+        ErrorKind::StorageFull,
+        ErrorKind::QuotaExceeded,
+        ErrorKind::ReadOnlyFilesystem,
+        ErrorKind::InvalidFilename,
     ];
-    all.extend(kinds.map(|kind| Fault::File { name: word(), trouble: FileTrouble { kind, system: word() } }));
+    all.extend(kinds.map(|kind| Fault::File {
+        name: word(),
+        trouble: FileTrouble { kind, no_regular_file: false, system: word() },
+    }));
     all.extend(
         [
             CurveFault::TooFewPoints,
@@ -305,6 +346,11 @@ fn other_faults() -> Vec<Fault> {
     );
     all.extend([
         Fault::FileTooLarge { bytes: 2, most: 1 },
+        Fault::FileOutOfReach { name: word() },
+        Fault::File {
+            name: word(),
+            trouble: FileTrouble { kind: ErrorKind::Other, no_regular_file: true, system: word() },
+        },
         Fault::Syntax { message: word() },
         Fault::MissingKey { path: path(), list: false },
         Fault::MissingKey { path: path(), list: true },

@@ -4,10 +4,10 @@
 use crate::answer;
 use crate::chapters::bearing_of_each_size;
 use crate::compare::compare;
+use crate::patience::Patience;
 use crate::sizing_use::{
     Candidate, CandidateId, Refusal, Sizing, check, check_own, explain, explain_own, reserve_of_watched, size_watched,
 };
-use crate::patience::Patience;
 use crate::tolerance::{Assessment, Draw, assess_watched};
 use order_code::OrderCode;
 use project::Project;
@@ -67,12 +67,7 @@ pub enum Response {
 ///
 /// # Errors
 /// Why an actuator cannot be judged.
-pub fn ask(
-    project: &Project,
-    request: &Request,
-    language: Language,
-    patience: &Patience,
-) -> Result<Response, Refusal> {
+pub fn ask(project: &Project, request: &Request, language: Language, patience: &Patience) -> Result<Response, Refusal> {
     Ok(match request {
         Request::Size { top, draw } => Response::Sizing(ranking(project, *top, *draw, patience)?.record(language)),
         Request::Check { code, draw } => {
@@ -106,12 +101,7 @@ pub struct Ranking<'p> {
 ///
 /// # Errors
 /// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
-pub fn ranking<'p>(
-    project: &'p Project,
-    top: usize,
-    draw: Draw,
-    patience: &Patience,
-) -> Result<Ranking<'p>, Refusal> {
+pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
     let told = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
     let sampling = draw.sampling(project, told, patience.is_limited())?;
     let sizing = size_watched(project, patience).map_err(Refusal::Stopped)?;
@@ -255,9 +245,7 @@ mod tests {
         let Ok(Response::Sizing(sizing)) = asked(&Request::Size { top: 3, draw }) else { panic!() };
         assert_eq!((sizing.judged, sizing.ranking.len()), (276, 3));
         assert!(sizing.ranking.iter().all(|ranked| ranked.of.tolerance.is_some()));
-        let Ok(Response::Judgement(judgement)) = asked(&Request::Check { code: Some(code), draw }) else {
-            panic!()
-        };
+        let Ok(Response::Judgement(judgement)) = asked(&Request::Check { code: Some(code), draw }) else { panic!() };
         assert!(judgement.tolerance.is_some() && judgement.candidate.called() == "CHA-32A-50-H-C1024");
         let one = Request::Explain { code: Some(code), check: Some(CheckId::Thermal) };
         let Ok(Response::Explanations(explained)) = asked(&one) else { panic!() };

@@ -29,6 +29,14 @@ pub struct CodeFault {
     pub table: Option<&'static str>,
 }
 
+impl CodeFault {
+    /// Stable id of its kind.
+    #[must_use]
+    pub const fn id(&self) -> &'static str {
+        if self.table.is_some() { "code_rule" } else { "code_spelling" }
+    }
+}
+
 /// Why a text is no code.
 #[derive(Clone, Debug)]
 pub struct CodeRefusal {

@@ -47,13 +47,14 @@ pub use order_code::{Field, OrderCode, Size};
 pub use patience::{Patience, Stopped};
 pub use plane::{Plane, curve_rows, plane, plane_of};
 pub use project::{
-    ALL_CORNERS_MOST, Assumption, BODY_SHAPES, BodyAnswer, BodyShape, Diagnostic, Fault, Files, Hint, InertiaAnswer,
-    Input, InputChange, NoFiles, OwnActuator, PROJECT_MAX_BYTES, Project, RatioAnswer, RecordingRead, SegmentLaw,
-    Tolerance, inertia, input_changes, inputs, place,
+    ALL_CORNERS_MOST, Assumption, BODY_SHAPES, BodyAnswer, BodyShape, Diagnostic, Fault, Files, Grant, Hint,
+    InertiaAnswer, Input, InputChange, NoFiles, NoRegularFile, OwnActuator, PROJECT_MAX_BYTES, Project, RatioAnswer,
+    Reach, RecordingRead, SegmentLaw, Tolerance, inertia, input_changes, inputs, place,
 };
 pub use provenance::Grade;
 pub use quantities::{self, Language};
 pub use reading::{read, read_all, schema};
+pub use recording::MEMORY_USUAL;
 pub use sheet::{Sheet, SheetNote, SheetRow, SheetSection, sheet};
 pub use sizing::derivation as workings;
 pub use sizing::{Check, CheckId, Course, Demand, Direction, Figure, FlangeSample, Part, Reserve, Sample, Verdict};

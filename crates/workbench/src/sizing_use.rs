@@ -277,12 +277,7 @@ pub(crate) fn reserve_of_watched<W: Watch>(
     reserve_watched(&project.axis, candidate.parameters, watch)
 }
 
-fn candidate<'p>(
-    cited: &mut Cited<'p>,
-    code: OrderCode,
-    parameters: &'p Parameters,
-    depth: Depth,
-) -> Candidate<'p> {
+fn candidate<'p>(cited: &mut Cited<'p>, code: OrderCode, parameters: &'p Parameters, depth: Depth) -> Candidate<'p> {
     let project = cited.project();
     let mut judgement = judge(&project.axis, parameters, depth);
     cited.cite(&mut judgement);

@@ -158,3 +158,8 @@ pub(super) fn force(language: Language) -> Arg {
     let help = help::force(language);
     Arg::new("force").long("force").action(ArgAction::SetTrue).help(help)
 }
+
+/// How much memory the recordings of a project may take.
+pub(super) fn memory(language: Language) -> Arg {
+    Arg::new("memory").long("memory").value_name(values::size(language)).help(help::memory(language))
+}

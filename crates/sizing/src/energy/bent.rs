@@ -26,12 +26,7 @@ pub(super) struct Walk<'a, 'p> {
 
 impl<'a, 'p> Walk<'a, 'p> {
     /// Adds the energies of the parts to those that are there; the larger of `peak` and the largest power given back.
-    pub(super) fn through(
-        panel: &'a Panel<'p>,
-        power: &'a CyclePower<'a>,
-        peak: f64,
-        parts: &'a mut Vec<f64>,
-    ) -> f64 {
+    pub(super) fn through(panel: &'a Panel<'p>, power: &'a CyclePower<'a>, peak: f64, parts: &'a mut Vec<f64>) -> f64 {
         let driven = |node: &Node| power.torque(node) * node.direction < 0.0;
         let rule = lobatto(panel.nodes.len());
         let mut walk = Walk { panel, power, parts, peak, from: 0.0, driven: panel.nodes.first().is_some_and(driven) };

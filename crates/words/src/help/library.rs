@@ -14,14 +14,6 @@ pub fn is_its_own(language: Language) -> bool {
 
 texts! {
     error = "error" | "Fehler";
-    unknown_command(name) = "unrecognized subcommand '{name}'" | "unbekannter Befehl „{name}“";
-    unknown_option(name) = "unexpected argument '{name}' found" | "unbekannte Option „{name}“";
-    missing_arguments(names) =
-        "the following required arguments were not provided: {names}"
-        | "es fehlt {names}";
-    invalid_value(value, option) = "invalid value '{value}' for '{option}'" | "„{value}“ ist kein Wert für {option}";
-    valid_values = "possible values" | "gültig";
-    similar = "a similar value exists" | "gemeint ist vielleicht";
     more = "For more information, try '--help'." | "Mehr dazu: antrieb --help --lang de";
     options_in_usage = "[OPTIONS]" | "[OPTIONEN]";
     command_in_usage = "<COMMAND>" | "<BEFEHL>";

@@ -20,6 +20,7 @@ texts! {
     old = "OLD" | "ALT";
     pattern = "PATTERN" | "MUSTER";
     project = "PROJECT" | "PROJEKT";
+    size = "SIZE" | "GRÖSSE";
     term = "TERM" | "BEGRIFF";
     text = "TEXT";
     theme = "THEME" | "FARBEN";

@@ -41,6 +41,7 @@ pub fn code_reading(reading: &CodeReading, language: Language) -> answers::CodeR
 #[must_use]
 pub fn code_faults(text: &str, refusal: &CodeRefusal, language: Language) -> CodeFaults {
     let fault = |fault: &crate::CodeFault| CodeFault {
+        id: fault.id(),
         position: text.get(..fault.span.start).map_or(1, |before| before.chars().count() + 1),
         span: [fault.span.start, fault.span.end],
         text: text.get(fault.span.clone()).map(str::to_owned),

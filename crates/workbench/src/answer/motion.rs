@@ -1,11 +1,11 @@
 //! The motion as a record.
 
 use crate::moves::{Move, Moves};
-use answers::{ColumnRole, Number, RecordedColumn, Recording, Segment, UnitBy, Units};
+use answers::{ColumnRole, Number, RecordedColumn, Recording, Segment, TextEncoding, UnitBy, Units};
 use project::RecordingRead;
 use quantities::unit::SECOND;
 use quantities::{Language, Measure};
-use recording::{KnownBy, Role};
+use recording::{Encoding, KnownBy, Role};
 use words::law_text;
 
 /// Every segment with what was given and what followed from it.
@@ -57,6 +57,12 @@ fn recording(read: &RecordingRead) -> Recording {
     });
     Recording {
         file: read.file.clone(),
+        encoding: recording.encoding.map(|encoding| match encoding {
+            Encoding::Utf8 => TextEncoding::Utf8,
+            Encoding::Utf16 => TextEncoding::Utf16,
+            Encoding::Utf16Guessed => TextEncoding::Utf16Guessed,
+            Encoding::Windows1252Guessed => TextEncoding::Windows1252Guessed,
+        }),
         samples: recording.time_s.len(),
         first_time: Number::in_unit(recording.first_time.si(), &SECOND),
         left_out_before: recording.left_out_before,

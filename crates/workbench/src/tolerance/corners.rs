@@ -21,7 +21,11 @@ pub(super) fn worst<W: Watch>(
     let cost = super::work::cost_of_a_variant(project, 1);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "a count")]
     let looks = (super::work::FOR_CORNERS / (cost * judged.len() as f64)) as usize;
-    judged.iter().zip(rising).map(|(judged, rising)| searched((project, &mut varied), judged, rising, (looks, watch))).collect()
+    judged
+        .iter()
+        .zip(rising)
+        .map(|(judged, rising)| searched((project, &mut varied), judged, rising, (looks, watch)))
+        .collect()
 }
 
 fn values(project: &Project, sign: impl Fn(usize) -> f64) -> Vec<f64> {

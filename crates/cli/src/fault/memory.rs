@@ -1,0 +1,52 @@
+//! How much memory the recordings of a project may take.
+
+use super::option_fault;
+use crate::answer::Answer;
+use clap::ArgMatches;
+use workbench::text::{Usage, UsageHint, usage_hint, usage_text};
+use workbench::{Language, MEMORY_USUAL};
+
+/// Says it for every call, where no option does.
+const VARIABLE: &str = "ANTRIEB_MEMORY";
+
+/// What may be allowed: 1 MiB to 64 GiB.
+const BYTES: std::ops::RangeInclusive<u64> = 1 << 20..=64 << 30;
+
+/// Units, and how many bytes each has.
+const UNITS: [(&str, u64); 6] =
+    [("KiB", 1 << 10), ("MiB", 1 << 20), ("GiB", 1 << 30), ("kB", 1_000), ("MB", 1_000_000), ("GB", 1_000_000_000)];
+
+/// The memory that `--memory` allows, else the variable, else the usual one.
+pub(super) fn allowed(matches: &ArgMatches, as_json: bool, language: Language) -> Result<u64, Answer> {
+    let said = matches.try_get_one::<String>("memory").ok().flatten().cloned();
+    let Some(written) = said.or_else(|| std::env::var(VARIABLE).ok()) else { return Ok(MEMORY_USUAL) };
+    bytes(&written).ok_or_else(|| {
+        let hint = usage_hint(&UsageHint::Memory, language);
+        let message = usage_text(&Usage::NoMemory { written: written.chars().take(40).collect() }, language);
+        option_fault("memory", (message, Some(hint)), as_json, language)
+    })
+}
+
+/// A whole number with its unit.
+fn bytes(written: &str) -> Option<u64> {
+    let written = written.trim();
+    let (number, size) = UNITS.iter().find_map(|(unit, size)| Some((written.strip_suffix(unit)?, size)))?;
+    let bytes = number.trim_end().parse::<u64>().ok()?.checked_mul(*size)?;
+    Some(bytes).filter(|bytes| BYTES.contains(bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn memory_has_a_unit_and_bounds() {
+        assert_eq!(bytes("512 MiB"), Some(512 << 20));
+        assert_eq!(bytes(" 2GB "), Some(2_000_000_000));
+        for written in
+            ["", "512", "MiB", "0 MiB", "-1 GiB", "1.5 GiB", "65 GiB", "900 KiB", "99999999999999999999 GB", "1 TiB"]
+        {
+            assert_eq!(bytes(written), None, "{written}");
+        }
+    }
+}

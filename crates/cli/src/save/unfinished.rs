@@ -1,0 +1,62 @@
+//! Temporary files that a signal takes with it.
+//!
+//! Interrupt, terminate and hang-up end the program with what is unfinished removed and the status that a shell gives
+//! them: 128 and the number of the signal. Nothing can be done about a kill, which leaves a hidden file behind.
+
+use std::path::PathBuf;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use tempfile::NamedTempFile;
+
+/// The temporary files of this process that are not renamed yet.
+static FILES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// A save that may be interrupted.
+pub(super) struct Unfinished;
+
+impl Unfinished {
+    pub(super) fn begin() -> Self {
+        #[cfg(unix)]
+        watch();
+        Self
+    }
+
+    /// Makes a temporary file and notes it, without a signal between.
+    pub(super) fn made(&self, make: impl FnOnce() -> std::io::Result<NamedTempFile>) -> std::io::Result<NamedTempFile> {
+        let mut files = self.hold();
+        let file = make()?;
+        files.push(file.path().to_owned());
+        Ok(file)
+    }
+
+    /// Keeps signals waiting.
+    pub(super) fn hold(&self) -> MutexGuard<'static, Vec<PathBuf>> {
+        FILES.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        self.hold().clear();
+    }
+}
+
+/// Waits for signals beside the work; once in the life of the program.
+#[cfg(unix)]
+fn watch() {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::iterator::Signals;
+    use std::sync::Once;
+
+    static WATCHED: Once = Once::new();
+    WATCHED.call_once(|| {
+        // Without a watch a signal ends the program as ever.
+        let Ok(mut signals) = Signals::new([SIGHUP, SIGINT, SIGTERM]) else { return };
+        drop(std::thread::spawn(move || {
+            if let Some(signal) = signals.forever().next() {
+                let files = FILES.lock().unwrap_or_else(PoisonError::into_inner);
+                files.iter().for_each(|path| drop(std::fs::remove_file(path)));
+                std::process::exit(128 + signal);
+            }
+        }));
+    });
+}

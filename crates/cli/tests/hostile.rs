@@ -1,0 +1,254 @@
+//! Hostile input as a user would meet it: files that claim too much, names that steer a terminal, calls that are wrong.
+#![cfg(unix)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+mod run;
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+use testkit::parquet::{Column, claimed_children, file, nested_groups, page, ramp_of_deltas};
+use workbench::quantities::is_unseen;
+
+/// Address space that a refusal may take, in KiB, and the time: a fraction of what the files claim.
+const SPACE_KIB: u32 = 400_000;
+const TIME: Duration = Duration::from_secs(5);
+
+fn antrieb(folder: &Path, arguments: &[&str]) -> Output {
+    let begin = Instant::now();
+    let script = format!("ulimit -v {SPACE_KIB}; exec \"$0\" \"$@\"");
+    let output = Command::new("sh")
+        .args(["-c", &script, env!("CARGO_BIN_EXE_antrieb")])
+        .args(arguments)
+        .current_dir(folder)
+        .env_remove("ANTRIEB_LANG")
+        .env("COLUMNS", "100")
+        // Colours as on a terminal: nothing is taken out on the way.
+        .env("CLICOLOR_FORCE", "1")
+        .stdin(Stdio::null())
+        .output()
+        .unwrap();
+    assert!(begin.elapsed() < TIME, "{arguments:?}: {:?}", begin.elapsed());
+    output
+}
+
+/// What is told, in JSON; never beside a verdict.
+fn faults(folder: &Path, arguments: &[&str]) -> serde_json::Value {
+    let output = antrieb(folder, &[arguments, &["--json"]].concat());
+    let out = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {out}{}", String::from_utf8_lossy(&output.stderr));
+    let found: serde_json::Value =
+        serde_json::from_str(&out).unwrap_or_else(|error| panic!("{arguments:?}: {error}: {out}"));
+    let errors = found["errors"].as_array().unwrap();
+    assert!(!errors.is_empty() && errors.iter().all(|error| error["message"].is_string()), "{found}");
+    assert!(found.get("verdict").is_none() && found.get("axes").is_none(), "{found}");
+    found["errors"].clone()
+}
+
+fn project(files: &[&str]) -> String {
+    let segments: String =
+        files.iter().map(|file| format!("[[motion]]\nlaw = \"recorded\"\nfile = \"{file}\"\n")).collect();
+    format!("format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n{segments}")
+}
+
+/// A folder with a recording and a project that names it once or several times.
+fn with_recording(name: &str, bytes: &[u8], times: usize) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join(name), bytes).unwrap();
+    fs::write(folder.path().join("axis.toml"), project(&vec![name; times])).unwrap();
+    folder
+}
+
+#[test]
+fn a_parquet_file_that_claims_too_much_is_refused_in_little_memory() {
+    let values = 1_i64 << 24;
+    let column = |name, codec, packed: &[u8], unpacked| {
+        let pages = page(0, values, packed, unpacked);
+        Column { name, physical: 5, codec, values, pages }
+    };
+    let packed = [0x28; 3_000];
+    let two_gib = |name| column(name, 6, &packed, i64::from(i32::MAX));
+    let gzip = |name| column(name, 2, &packed, 1 << 28);
+    let deltas = ramp_of_deltas(1 << 20, 1 << 20);
+    let ramp = |name| {
+        let pages = page(5, 1 << 20, &deltas, deltas.len() as i64);
+        Column { name, physical: 2, codec: 0, values: 1 << 20, pages }
+    };
+    let cases = [
+        ("recording_groups_too_deep", nested_groups(5_000)),
+        ("recording_groups_too_deep", nested_groups(10_000)),
+        ("recording_parquet_unreadable", claimed_children()),
+        ("recording_parquet_unreadable", file(values, &[two_gib("t [s]"), two_gib("q [deg]")])),
+        ("recording_page_ratio", file(values, &[gzip("t [s]"), gzip("q [deg]")])),
+        ("recording_delta_block", file(1 << 20, &[ramp("t [ms]"), ramp("q [deg]")])),
+    ];
+    for (id, bytes) in cases {
+        let folder = with_recording("run.parquet", &bytes, 4);
+        let errors = faults(folder.path(), &["size", "axis.toml"]);
+        assert_eq!((errors[0]["id"].as_str(), errors.as_array().unwrap().len()), (Some(id), 1), "{errors}");
+    }
+}
+
+#[test]
+fn the_memory_for_recordings_is_that_of_the_project() {
+    let rows: String = (0..60_000).map(|row| format!("{row},0\n")).collect();
+    let folder = with_recording("run.csv", format!("t [s],q [deg]\n{rows}").as_bytes(), 3);
+    let id = |arguments: &[&str]| faults(folder.path(), arguments)[0]["id"].as_str().unwrap().to_owned();
+    // 16 bytes a sample once, 32 for each segment: 6.7 MB.
+    assert_eq!(id(&["check", "axis.toml", "--memory", "4 MiB"]), "recording_memory");
+    let asked = faults(folder.path(), &["check", "axis.toml", "--memory", "4"]);
+    assert_eq!((asked[0]["option"].as_str(), asked[0]["hint"].is_string()), (Some("memory"), true));
+    let huge = with_recording("run.csv", b"", 1);
+    fs::File::options().write(true).open(huge.path().join("run.csv")).unwrap().set_len(1_100_000_000).unwrap();
+    assert_eq!(faults(huge.path(), &["size", "axis.toml"])[0]["id"], "recording_file_too_large");
+}
+
+#[test]
+fn times_and_positions_of_no_machine_have_no_verdict() {
+    for text in [
+        "t [s],q [deg],M [Nm]\n0,0,95\n1e307,0,95\n2e307,0,95\n",
+        "t [s],q [deg],M [Nm]\n0,1e308,95\n1,1e308,95\n2,1e308,95\n",
+    ] {
+        let folder = with_recording("run.csv", text.as_bytes(), 1);
+        assert_eq!(faults(folder.path(), &["size", "axis.toml"])[0]["id"], "recording_value_implausible");
+    }
+}
+
+#[test]
+fn what_is_no_regular_file_is_refused_and_not_waited_for() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(Command::new("mkfifo").arg(folder.path().join("run.csv")).status().unwrap().success());
+    for name in ["run.csv", "/dev/zero", "run.parquet/../run.csv"] {
+        fs::write(folder.path().join("axis.toml"), project(&[name])).unwrap();
+        let errors = faults(folder.path(), &["size", "axis.toml"]);
+        assert_eq!(errors[0]["id"], "file_unreadable", "{name}: {errors}");
+    }
+}
+
+#[test]
+fn many_columns_have_a_short_message() {
+    let header: String = (0..32_000).map(|_| "q,").collect();
+    let folder = with_recording("run.csv", format!("{header}t\n").as_bytes(), 1);
+    let output = antrieb(folder.path(), &["size", "axis.toml"]);
+    assert!(output.stderr.len() < 2_000, "{}", output.stderr.len());
+    let columns: String = (0..9_000).map(|_| "q,").collect();
+    let folder = with_recording("run.csv", format!("{columns}t\n").as_bytes(), 1);
+    let output = antrieb(folder.path(), &["size", "axis.toml"]);
+    assert!(output.stderr.len() < 2_000, "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn the_encoding_that_was_guessed_is_told() {
+    let latin = b"Zeit [s];Winkel [\xb0]\n0;0\n1;0\n2;0\n";
+    let folder = with_recording("run.csv", latin, 1);
+    let text = antrieb(folder.path(), &["size", "axis.toml"]);
+    assert!(String::from_utf8_lossy(&text.stdout).contains("text taken for Windows-1252"));
+    let json = antrieb(folder.path(), &["size", "axis.toml", "--json"]);
+    assert!(String::from_utf8_lossy(&json.stdout).contains("\"encoding\": \"windows1252_guessed\""));
+}
+
+/// Nothing is left that steers a terminal but colours, and none of these by the user.
+fn assert_seen(output: &Output, what: &str) {
+    for stream in [&output.stdout, &output.stderr] {
+        let text = String::from_utf8(stream.clone()).unwrap();
+        assert!(!text.contains("\u{1b}[31mX") && !text.contains("\u{1b}]"), "{what}: {text:?}");
+        let unseen = |sign: &char| is_unseen(*sign) && !matches!(sign, '\n' | '\t' | '\u{1b}');
+        assert_eq!(text.chars().find(unseen), None, "{what}: {text:?}");
+    }
+}
+
+#[test]
+fn nothing_that_steers_a_terminal_gets_there() {
+    const EVIL: &str = "\u{1b}[31mX\u{1b}]0;t\u{7}\u{9b}5m\u{202e}\u{61c}\r";
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let axis = fs::read_to_string(run::root().join("examples/indexing-table.toml")).unwrap();
+    fs::write(here.join("axis.toml"), &axis).unwrap();
+    let named = format!("axis{EVIL}.toml");
+    fs::write(here.join(&named), "format = 2\n").unwrap();
+    fs::write(here.join("key.toml"), format!("format = 1\n\"k{EVIL}\" = 1\nname{EVIL} = 2\n")).unwrap();
+    fs::write(here.join("long.toml"), format!("format = 1\n\"k{EVIL}\" = \"{}{EVIL}\"\n", "x".repeat(500))).unwrap();
+    fs::write(here.join("name.toml"), axis.replace("indexing table", "a\u{9b}\u{202e}b")).unwrap();
+    fs::write(here.join("file.toml"), project(&["a\\u009b\\u202e.csv"])).unwrap();
+    let out = format!("{EVIL}.svg");
+    let calls: [&[&str]; 17] = [
+        &["size", &named],
+        &["size", "key.toml"],
+        &["size", "long.toml"],
+        &["size", "name.toml"],
+        &["size", "file.toml"],
+        &["size", EVIL],
+        &["size", "axis.toml", "--axis", EVIL],
+        &["size", "axis.toml", "--memory", EVIL],
+        &["check", "axis.toml", "--code", EVIL],
+        &["export", "axis.toml", "--table", EVIL],
+        &["export", "axis.toml", "--date", EVIL, "--out", EVIL],
+        &["plot", "axis.toml", "--figure", EVIL],
+        &["report", "axis.toml", "--out", EVIL],
+        &["curve", "CHA-20A-100-H-C1024", "--voltage", EVIL],
+        &["man", EVIL],
+        &[EVIL],
+        &["size", "axis.toml", "--\u{1b}[31mX"],
+    ];
+    for call in calls {
+        for more in [&[][..], &["--json"], &["--lang", "de"]] {
+            let output = antrieb(here, &[call, more].concat());
+            assert_eq!(output.status.code(), Some(2), "{call:?}: {}", String::from_utf8_lossy(&output.stderr));
+            assert_seen(&output, &format!("{call:?} {more:?}"));
+        }
+    }
+    // A name is shown where it was written too.
+    let written = antrieb(here, &["curve", "CHA-20A-100-H-C1024", "--svg", &out]);
+    assert_eq!(written.status.code(), Some(0));
+    assert_seen(&written, "a file written");
+    assert!(String::from_utf8_lossy(&written.stdout).contains("\\u{9b}5m\\u{202e}"));
+}
+
+#[test]
+fn whoever_asks_for_json_gets_every_fault_as_json() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let axis = fs::read_to_string(run::root().join("examples/indexing-table.toml")).unwrap();
+    fs::write(here.join("axis.toml"), axis).unwrap();
+    let calls: [&[&str]; 12] = [
+        &["size", "axis.toml", "--top", "0"],
+        &["size", "axis.toml", "--top"],
+        &["size"],
+        &[],
+        &["siz"],
+        &["size", "axis.toml", "--tpo", "1"],
+        &["size", "axis.toml", "--top", "1", "--top", "2"],
+        &["size", "axis.toml", "--report", "no/x.pdf"],
+        &["size", "axis.toml", "--report", "-"],
+        &["export", "axis.toml", "--out", "no/x.xlsx"],
+        &["man", "siz"],
+        &["size", "axis.toml", "--memory", "1"],
+    ];
+    for call in calls {
+        let english = faults(here, call);
+        let german = faults(here, &[call, &["--lang", "de"]].concat());
+        assert_ne!(english[0]["message"], german[0]["message"], "{call:?}");
+    }
+    assert_eq!(faults(here, &["size", "axis.toml", "--top", "0"])[0]["option"], "top");
+    assert_eq!(faults(here, &["siz"])[0]["hint"], "did you mean `size`?");
+    let long = "x".repeat(201);
+    assert_eq!(faults(here, &["report", "axis.toml", "--out", "a.pdf", "--title", &long])[0]["option"], "title");
+    assert_eq!(fs::read_dir(here).unwrap().count(), 1, "nothing was written");
+}
+
+#[test]
+fn an_axis_that_cannot_be_answered_has_no_verdict_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let axis = |name: &str, own: &str| {
+        format!(
+            "[[axis]]\nname = \"{name}\"\n[axis.load]\ninertia = \"1 kg m^2\"\n[[axis.motion]]\nlaw = \"manual\"\n\
+             speed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n{own}"
+        )
+    };
+    let text = format!("format = 1\n{}{}", axis("one", ""), axis("two", ""));
+    fs::write(folder.path().join("two-axes.toml"), text).unwrap();
+    // Without a code each axis needs an actuator of its own.
+    let errors = faults(folder.path(), &["check", "two-axes.toml"]);
+    assert_eq!(errors.as_array().unwrap().len(), 1, "the same fault of both axes is told once: {errors}");
+}

@@ -1,0 +1,259 @@
+//! What is written: whole or not at all, only where it was asked for, whatever is in the way.
+#![cfg(unix)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+mod run;
+
+use run::root;
+use std::fs;
+use std::os::unix::fs::{PermissionsExt, symlink};
+use std::os::unix::process::ExitStatusExt;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
+    command.args(arguments).current_dir(folder).env_remove("ANTRIEB_LANG").env("COLUMNS", "100");
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command
+}
+
+fn antrieb(folder: &Path, arguments: &[&str]) -> Output {
+    command(folder, arguments).output().unwrap()
+}
+
+/// Refused with exit 2 and one fault in JSON that has this word.
+fn refused(folder: &Path, arguments: &[&str], word: &str) {
+    let output = antrieb(folder, &[arguments, &["--json"]].concat());
+    let (out, err) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {out}{err}");
+    let faults: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(faults.as_object().unwrap().keys().collect::<Vec<_>>(), ["errors"], "{faults}");
+    let message = faults["errors"][0]["message"].as_str().unwrap();
+    assert!(message.contains(word), "{arguments:?}: {message}");
+    assert!(err.contains(message), "{err}");
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> =
+        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+const CURVE: [&str; 3] = ["curve", "CHA-20A-100-H-C1024", "--force"];
+
+fn curve<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&CURVE, more].concat()
+}
+
+#[test]
+fn only_regular_files_are_replaced() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    assert!(Command::new("mkfifo").arg(here.join("pipe.svg")).status().unwrap().success());
+    fs::create_dir(here.join("folder.svg")).unwrap();
+    refused(here, &curve(&["--svg", "pipe.svg"]), "only regular files");
+    refused(here, &curve(&["--svg", "/dev/null"]), "only regular files");
+    refused(here, &curve(&["--svg", "folder.svg"]), "folder");
+    refused(here, &curve(&["--svg", "none/a.svg"]), "no such folder");
+    refused(here, &["report", "x.toml", "--out", "-"], "standard output");
+    refused(here, &curve(&["--png", "-"]), "standard output");
+    assert_eq!(names(here), ["folder.svg", "pipe.svg"]);
+}
+
+#[test]
+fn mode_and_write_protection_of_a_file_are_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg");
+    let mode = |mode| fs::set_permissions(&file, fs::Permissions::from_mode(mode)).unwrap();
+    fs::write(&file, "old").unwrap();
+    mode(0o600);
+    assert_eq!(antrieb(folder.path(), &curve(&["--svg", "a.svg"])).status.code(), Some(0));
+    assert_eq!(fs::metadata(&file).unwrap().permissions().mode() & 0o777, 0o600);
+    assert!(fs::read_to_string(&file).unwrap().starts_with("<svg"));
+    fs::write(&file, "old").unwrap();
+    mode(0o444);
+    refused(folder.path(), &curve(&["--svg", "a.svg"]), "write-protected");
+    assert_eq!(fs::read_to_string(&file).unwrap(), "old");
+}
+
+#[test]
+fn a_link_is_followed_within_its_folder_only() {
+    let (folder, away) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let here = folder.path();
+    fs::write(here.join("target.svg"), "old").unwrap();
+    fs::write(away.path().join("far.svg"), "old").unwrap();
+    symlink("target.svg", here.join("near.svg")).unwrap();
+    symlink(away.path().join("far.svg"), here.join("far.svg")).unwrap();
+    symlink("nothing.svg", here.join("nowhere.svg")).unwrap();
+    assert_eq!(antrieb(here, &curve(&["--svg", "near.svg"])).status.code(), Some(0));
+    assert!(here.join("near.svg").is_symlink());
+    assert!(fs::read_to_string(here.join("target.svg")).unwrap().starts_with("<svg"));
+    refused(here, &curve(&["--svg", "far.svg"]), "out of its folder");
+    refused(here, &curve(&["--svg", "nowhere.svg"]), "to nothing");
+    assert_eq!(fs::read_to_string(away.path().join("far.svg")).unwrap(), "old");
+    assert_eq!(names(here), ["far.svg", "near.svg", "nowhere.svg", "target.svg"]);
+}
+
+#[test]
+fn two_files_are_never_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    fs::write(here.join("a"), "old").unwrap();
+    fs::hard_link(here.join("a"), here.join("b")).unwrap();
+    symlink("a", here.join("c")).unwrap();
+    symlink(".", here.join("d")).unwrap();
+    for (svg, png) in [("a", "a"), ("a", "./a"), ("a", "b"), ("a", "c"), ("new", "new"), ("new", "d/new")] {
+        refused(here, &curve(&["--svg", svg, "--png", png]), "the same one");
+    }
+    assert_eq!(fs::read_to_string(here.join("a")).unwrap(), "old");
+    assert_eq!(names(here), ["a", "b", "c", "d"]);
+}
+
+#[test]
+fn what_is_read_is_not_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    for name in ["robot-joint.toml", "robot-joint.csv"] {
+        fs::copy(root().join("examples").join(name), here.join(name)).unwrap();
+    }
+    symlink("robot-joint.csv", here.join("link.csv")).unwrap();
+    let export = |out| ["export", "robot-joint.toml", "--table", "checks", "--force", "--out", out];
+    for out in ["robot-joint.csv", "./robot-joint.csv", "link.csv"] {
+        refused(here, &export(out), "the project is read from this file");
+    }
+    let plot = ["plot", "robot-joint.toml", "--figure", "cycle", "--force", "--svg", "robot-joint.toml"];
+    refused(here, &plot, "the project is read from this file");
+    assert!(fs::read_to_string(here.join("robot-joint.toml")).unwrap().starts_with("#"));
+}
+
+/// The kernel makes no files for anybody in this folder, the superuser included.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_takes_no_files_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    for (language, word) in [("en", "permission denied"), ("de", "kein Zugriff")] {
+        let output = antrieb(folder.path(), &curve(&["--svg", "/sys/a.svg", "--lang", language]));
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{told}");
+        assert!(told.contains("/sys/a.svg: ") && told.contains(word) && !told.contains(".antrieb-"), "{told}");
+    }
+}
+
+/// A disk without room, by a limit of the size of a file.
+#[test]
+fn a_full_disk_is_told_in_our_words_with_the_name_given() {
+    for (language, word) in [("en", "no room"), ("de", "kein Platz")] {
+        let folder = tempfile::tempdir().unwrap();
+        let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\"";
+        let output = Command::new("sh")
+            .args(["-c", script, env!("CARGO_BIN_EXE_antrieb")])
+            .args(curve(&["--svg", "a.svg", "--lang", language]))
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{told}");
+        assert!(told.contains("a.svg: ") && told.contains(word) && !told.contains(".antrieb-"), "{told}");
+        assert_eq!(names(folder.path()), [""; 0]);
+    }
+}
+
+#[test]
+fn many_writers_of_one_file_leave_one_whole_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let write = |language: &'static str| ["new", "arm", "--force", "--out", "axis.toml", "--lang", language];
+    let whole = ["en", "de"].map(|language| {
+        assert_eq!(antrieb(here, &write(language)).status.code(), Some(0));
+        fs::read_to_string(here.join("axis.toml")).unwrap()
+    });
+    let writers: Vec<Child> =
+        (0..20).map(|index| command(here, &write(["en", "de"][index % 2])).spawn().unwrap()).collect();
+    for writer in writers {
+        assert_eq!(writer.wait_with_output().unwrap().status.code(), Some(0));
+        assert!(whole.contains(&fs::read_to_string(here.join("axis.toml")).unwrap()));
+    }
+    assert_eq!(names(here), ["axis.toml"]);
+}
+
+/// How a program is ended, and what became of its files.
+struct Campaign {
+    whole: [Vec<u8>; 2],
+    folder: tempfile::TempDir,
+    /// How long a run takes that is not ended.
+    length: Duration,
+}
+
+impl Campaign {
+    const WRITE: [&str; 5] = ["new", "recording", "--force", "--out", "axis.toml"];
+
+    /// A folder in which the files stand once in each language, the last German.
+    fn begin() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let mut length = Duration::ZERO;
+        let whole = ["en", "de"].map(|language| {
+            let begin = Instant::now();
+            let output = antrieb(folder.path(), &[&Self::WRITE[..], &["--lang", language]].concat());
+            assert_eq!(output.status.code(), Some(0));
+            length = begin.elapsed();
+            fs::read(folder.path().join("axis.toml")).unwrap()
+        });
+        Self { whole, folder, length }
+    }
+
+    /// Runs that are ended after ever another part of their time; gives how each ended.
+    fn ended_by(&self, signal: &str, runs: usize) -> Vec<(Option<i32>, Option<i32>)> {
+        let here = self.folder.path();
+        (0..runs)
+            .map(|run| {
+                let language = ["en", "de"][run % 2];
+                let mut child = command(here, &[&Self::WRITE[..], &["--lang", language]].concat()).spawn().unwrap();
+                // The golden section spreads the instants evenly, however many there are.
+                let part = (run as f64 * 0.618_033_988_75).fract();
+                std::thread::sleep(self.length.mul_f64(1.2 * part));
+                let _ = Command::new("kill").args([signal, &child.id().to_string()]).stderr(Stdio::null()).status();
+                let status = child.wait().unwrap();
+                let found = fs::read(here.join("axis.toml")).unwrap();
+                assert!(self.whole.contains(&found), "run {run}: a part of a file");
+                (status.code(), status.signal())
+            })
+            .collect()
+    }
+
+    fn left(&self) -> usize {
+        names(self.folder.path()).iter().filter(|name| name.starts_with(".antrieb-")).count()
+    }
+}
+
+/// As many runs as the variable says, for a campaign of hours; by default few.
+fn runs(usual: usize) -> usize {
+    std::env::var("ANTRIEB_SAVE_RUNS").ok().and_then(|runs| runs.parse().ok()).unwrap_or(usual)
+}
+
+#[test]
+fn a_kill_at_any_instant_leaves_whole_files() {
+    let campaign = Campaign::begin();
+    let ends = campaign.ended_by("-KILL", runs(25));
+    let killed = ends.iter().filter(|(_, signal)| *signal == Some(9)).count();
+    eprintln!("{} runs, {killed} killed, {} hidden files left", ends.len(), campaign.left());
+    assert!(ends.iter().all(|end| matches!(end, (Some(0), None) | (None, Some(9)))), "{ends:?}");
+    assert!(killed > 0, "no run was killed: the campaign tries nothing");
+}
+
+#[test]
+fn an_interrupt_at_any_instant_leaves_whole_files_and_nothing_else() {
+    for (name, signal) in [("-INT", 2), ("-TERM", 15)] {
+        let campaign = Campaign::begin();
+        let ends = campaign.ended_by(name, runs(25));
+        // Before anything is written the signal itself ends the program; a shell gives both the same number.
+        let ours = |end: &(Option<i32>, Option<i32>)| *end == (Some(128 + signal), None);
+        let sound = |end| matches!(end, (Some(0), None)) || end == (None, Some(signal)) || ours(&end);
+        assert!(ends.iter().all(|end| sound(*end)), "{ends:?}");
+        let answered = ends.iter().filter(|end| ours(end)).count();
+        eprintln!("{} runs, {answered} interrupted while writing", ends.len());
+        assert_eq!(campaign.left(), 0, "{name}");
+    }
+}

@@ -1,0 +1,417 @@
+//! The footer of a Parquet file: schema, metadata and where the pages of a column lie.
+
+use super::thrift::{Broken, Kind, Stop, Thrift};
+use crate::faults::{Damage, Fault};
+use crate::limits::{COLUMNS_MAX, Limit, NESTING_MAX, PATH_BYTES_MAX, ROW_GROUPS_MAX, ROWS_MAX};
+use ::parquet::basic::{ConvertedType, Type};
+use std::ops::Range;
+
+/// The mark at the end of a file, and that of one with an encrypted footer.
+const MARK: &[u8] = b"PAR1";
+const MARK_ENCRYPTED: &[u8] = b"PARE";
+
+/// Bytes behind the footer: its length and the mark.
+const TAIL: usize = 8;
+
+/// Longest unit in the metadata that is looked at.
+const UNIT_BYTES_MAX: usize = 64;
+
+/// What the footer says.
+#[derive(Debug)]
+pub(super) struct Footer<'b> {
+    /// The columns of values, in the order of the schema.
+    pub(super) columns: Vec<Column>,
+    /// Rows that the file says it has.
+    pub(super) rows: u64,
+    /// Units in the metadata, by the key that says them.
+    pub(super) units: Vec<(String, String)>,
+    /// The list of row groups, not read yet.
+    groups: Option<Thrift<'b>>,
+    /// Bytes before the footer: in them all pages lie.
+    data: u64,
+}
+
+/// A column of values.
+#[derive(Clone, Debug)]
+pub(super) struct Column {
+    /// Its name, behind those of the groups that it lies in.
+    pub(super) path: String,
+    pub(super) physical: Type,
+    pub(super) logical: Logical,
+    /// What it is converted from, of older files.
+    pub(super) converted: ConvertedType,
+    /// Largest level of definition: zero where there are no nulls.
+    pub(super) defined: i16,
+    /// Whether a row has any number of values.
+    pub(super) repeated: bool,
+}
+
+/// What the values of a column mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Logical {
+    /// Nothing is said.
+    Plain,
+    Integer {
+        signed: bool,
+    },
+    /// Milliseconds, microseconds, nanoseconds.
+    Timestamp(TimeUnit),
+    /// Something else than numbers.
+    Other,
+}
+
+/// The unit of a timestamp.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum TimeUnit {
+    Millis,
+    Micros,
+    Nanos,
+}
+
+/// The pages of a column in a row group.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Chunk {
+    /// Compression, by the number of the format.
+    pub(super) codec: i64,
+    /// Values, nulls among them.
+    pub(super) values: u64,
+    /// Where they lie in the file.
+    pub(super) bytes: Range<usize>,
+}
+
+fn damaged(reason: Damage) -> Fault {
+    Fault::ParquetUnreadable { reason }
+}
+
+impl<'b> Footer<'b> {
+    /// Reads the footer of a file.
+    pub(super) fn read(file: &'b [u8]) -> Result<Self, Fault> {
+        let no_parquet = || damaged(Damage::NoParquet);
+        let (before, tail) = file.len().checked_sub(TAIL).map(|at| file.split_at(at)).ok_or_else(no_parquet)?;
+        let (length, mark) = tail.split_first_chunk::<4>().ok_or_else(no_parquet)?;
+        match mark {
+            MARK => {}
+            MARK_ENCRYPTED => return Err(damaged(Damage::Encrypted)),
+            _ => return Err(no_parquet()),
+        }
+        let length = usize::try_from(u32::from_le_bytes(*length)).map_err(|_| damaged(Damage::Footer))?;
+        let start = before.len().checked_sub(length).filter(|start| *start >= MARK.len());
+        let (data, footer) = start.map(|at| before.split_at(at)).ok_or_else(|| damaged(Damage::Footer))?;
+        let mut read = Self { columns: Vec::new(), rows: 0, units: Vec::new(), groups: None, data: data.len() as u64 };
+        let mut has_schema = false;
+        let footer = Thrift::new(footer).structure(|thrift, id, kind| {
+            match (id, kind) {
+                (2, Kind::List) => {
+                    read.columns = schema(thrift)?;
+                    has_schema = true;
+                }
+                (3, Kind::Integer) => read.rows = natural(thrift.integer()?)?,
+                (4, Kind::List) => {
+                    read.groups = Some(thrift.clone());
+                    thrift.skip(kind)?;
+                }
+                (5, Kind::List) => units(thrift, &mut read.units)?,
+                (8, Kind::Struct) => return Err(damaged(Damage::Encrypted).into()),
+                _ => thrift.skip(kind)?,
+            }
+            Ok(())
+        });
+        footer.map_err(|stop| stop.or(Damage::Footer))?;
+        if !has_schema {
+            return Err(damaged(Damage::Footer));
+        }
+        Limit::Rows.hold(read.rows, ROWS_MAX)?;
+        Ok(read)
+    }
+
+    /// Goes through the row groups: the chunks of the wanted columns, in their order, with the rows of the group.
+    pub(super) fn groups(
+        &self,
+        wanted: &[usize],
+        mut group: impl FnMut(u64, Vec<Chunk>) -> Result<(), Fault>,
+    ) -> Result<(), Fault> {
+        let Some(mut thrift) = self.groups.clone() else { return Ok(()) };
+        let mut each = || {
+            let (kind, count) = thrift.list()?;
+            if kind != Kind::Struct && count > 0 {
+                return Err(Stop::Broken);
+            }
+            Limit::RowGroups.hold(count as u64, ROW_GROUPS_MAX as u64)?;
+            let mut before = 0_u64;
+            for _ in 0..count {
+                let (rows, chunks) = self.group(&mut thrift, wanted)?;
+                before = before.saturating_add(rows);
+                Limit::Rows.hold(before, ROWS_MAX)?;
+                group(rows, chunks)?;
+            }
+            Ok(())
+        };
+        each().map_err(|stop| stop.or(Damage::Footer))
+    }
+
+    fn group(&self, thrift: &mut Thrift<'b>, wanted: &[usize]) -> Result<(u64, Vec<Chunk>), Stop> {
+        let (mut rows, mut found) = (None, Vec::new());
+        thrift.structure(|thrift, id, kind| {
+            match (id, kind) {
+                (1, Kind::List) => {
+                    let (kind, count) = thrift.list()?;
+                    if kind != Kind::Struct || count != self.columns.len() {
+                        return Err(Stop::Broken);
+                    }
+                    for index in 0..count {
+                        if wanted.contains(&index) {
+                            found.push((index, self.chunk(thrift)?));
+                        } else {
+                            thrift.skip(kind)?;
+                        }
+                    }
+                }
+                (3, Kind::Integer) => rows = Some(natural(thrift.integer()?)?),
+                _ => thrift.skip(kind)?,
+            }
+            Ok(())
+        })?;
+        let rows = rows.ok_or(Broken)?;
+        let mut chunks = Vec::new();
+        for index in wanted {
+            let (_, chunk) = found.iter().find(|(each, _)| each == index).ok_or(Broken)?;
+            // Columns without repetition have one value, be it a null, for each row.
+            if chunk.values != rows {
+                return Err(damaged(Damage::Lengths).into());
+            }
+            chunks.push(chunk.clone());
+        }
+        Ok((rows, chunks))
+    }
+
+    fn chunk(&self, thrift: &mut Thrift<'b>) -> Result<Chunk, Stop> {
+        let (mut codec, mut values, mut length) = (None, None, None);
+        let (mut data, mut dictionary) = (None, None);
+        thrift.structure(|thrift, id, kind| {
+            match (id, kind) {
+                (1, Kind::Binary) => return Err(damaged(Damage::Elsewhere).into()),
+                (8, Kind::Struct) => return Err(damaged(Damage::Encrypted).into()),
+                (3, Kind::Struct) => thrift.structure(|thrift, id, kind| {
+                    match (id, kind) {
+                        (4, Kind::Integer) => codec = Some(thrift.integer()?),
+                        (5, Kind::Integer) => values = Some(natural(thrift.integer()?)?),
+                        (7, Kind::Integer) => length = Some(natural(thrift.integer()?)?),
+                        (9, Kind::Integer) => data = Some(natural(thrift.integer()?)?),
+                        (11, Kind::Integer) => dictionary = Some(natural(thrift.integer()?)?),
+                        _ => thrift.skip(kind)?,
+                    }
+                    Ok(())
+                })?,
+                _ => thrift.skip(kind)?,
+            }
+            Ok(())
+        })?;
+        let (codec, values, length) = (codec.ok_or(Broken)?, values.ok_or(Broken)?, length.ok_or(Broken)?);
+        let data = data.ok_or(Broken)?;
+        // Some writers say that the dictionary begins at zero where there is none.
+        let start = dictionary.filter(|at| *at > 0).map_or(data, |at| at.min(data));
+        let end = start.checked_add(length).filter(|end| *end <= self.data).ok_or(Broken)?;
+        let place = |at: u64| usize::try_from(at).map_err(|_| Broken);
+        Ok(Chunk { codec, values, bytes: place(start)?..place(end)? })
+    }
+}
+
+fn natural(number: i64) -> Result<u64, Broken> {
+    u64::try_from(number).map_err(|_| Broken)
+}
+
+/// An element of the schema: a group or a column.
+#[derive(Default)]
+struct Element<'b> {
+    name: &'b [u8],
+    physical: Option<i64>,
+    repetition: i64,
+    children: Option<i64>,
+    converted: Option<i64>,
+    logical: Option<Logical>,
+}
+
+/// A group whose elements follow.
+struct Group {
+    /// Elements that are still to come.
+    left: u64,
+    /// Length of the path up to it.
+    path: usize,
+    defined: i16,
+    repeated: bool,
+}
+
+/// The columns of the schema, which lists its tree in the order of a walk.
+fn schema(thrift: &mut Thrift<'_>) -> Result<Vec<Column>, Stop> {
+    let (kind, count) = thrift.list()?;
+    if kind != Kind::Struct || count == 0 {
+        return Err(Stop::Broken);
+    }
+    let root = element(thrift)?;
+    let mut open = vec![Group { left: children(&root, thrift)?, path: 0, defined: 0, repeated: false }];
+    let (mut columns, mut path) = (Vec::new(), String::new());
+    for _ in 1..count {
+        while open.last().is_some_and(|group| group.left == 0) {
+            let _ = open.pop();
+        }
+        let depth = open.len() as u64;
+        let group = open.last_mut().ok_or(Broken)?;
+        group.left -= 1;
+        let each = element(thrift)?;
+        path.truncate(group.path);
+        if !path.is_empty() {
+            path.push('.');
+        }
+        path.push_str(&String::from_utf8_lossy(each.name));
+        Limit::PathBytes.hold(path.len() as u64, PATH_BYTES_MAX as u64)?;
+        let defined = group.defined + i16::from(each.repetition != 0);
+        let repeated = group.repeated || each.repetition == 2;
+        if let Some(physical) = each.physical {
+            Limit::Columns.hold(columns.len() as u64 + 1, COLUMNS_MAX as u64)?;
+            columns.push(Column {
+                path: path.clone(),
+                physical: physical_type(physical).ok_or(Broken)?,
+                logical: each.logical.unwrap_or(Logical::Plain),
+                converted: converted_type(each.converted),
+                defined,
+                repeated,
+            });
+        } else {
+            Limit::Nesting.hold(depth, NESTING_MAX as u64)?;
+            open.push(Group { left: children(&each, thrift)?, path: path.len(), defined, repeated });
+        }
+    }
+    if open.iter().any(|group| group.left > 0) { Err(Stop::Broken) } else { Ok(columns) }
+}
+
+/// How many elements a group claims; each takes a byte at least.
+fn children(group: &Element<'_>, thrift: &Thrift<'_>) -> Result<u64, Broken> {
+    natural(group.children.unwrap_or(0)).ok().filter(|count| *count <= thrift.left() as u64).ok_or(Broken)
+}
+
+fn element<'b>(thrift: &mut Thrift<'b>) -> Result<Element<'b>, Stop> {
+    let mut read = Element::default();
+    thrift.structure(|thrift, id, kind| {
+        match (id, kind) {
+            (1, Kind::Integer) => read.physical = Some(thrift.integer()?),
+            (3, Kind::Integer) => read.repetition = thrift.integer()?,
+            (4, Kind::Binary) => read.name = thrift.binary()?,
+            (5, Kind::Integer) => read.children = Some(thrift.integer()?),
+            (6, Kind::Integer) => read.converted = Some(thrift.integer()?),
+            (10, Kind::Struct) => read.logical = Some(logical(thrift)?),
+            _ => thrift.skip(kind)?,
+        }
+        Ok(())
+    })?;
+    Ok(read)
+}
+
+/// The one field of a union says what the values mean.
+fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
+    let mut found = Logical::Other;
+    thrift.structure(|thrift, id, kind| {
+        match (id, kind) {
+            (8, Kind::Struct) => {
+                let mut unit = None;
+                thrift.structure(|thrift, id, kind| match (id, kind) {
+                    (2, Kind::Struct) => thrift.structure(|thrift, id, kind| {
+                        unit = match id {
+                            1 => Some(TimeUnit::Millis),
+                            2 => Some(TimeUnit::Micros),
+                            3 => Some(TimeUnit::Nanos),
+                            _ => None,
+                        };
+                        Ok(thrift.skip(kind)?)
+                    }),
+                    _ => Ok(thrift.skip(kind)?),
+                })?;
+                found = unit.map_or(Logical::Other, Logical::Timestamp);
+            }
+            (10, Kind::Struct) => {
+                let mut signed = true;
+                thrift.structure(|thrift, id, kind| {
+                    if let (2, Kind::Bool(says)) = (id, kind) {
+                        signed = says;
+                    }
+                    Ok(thrift.skip(kind)?)
+                })?;
+                found = Logical::Integer { signed };
+            }
+            _ => thrift.skip(kind)?,
+        }
+        Ok(())
+    })?;
+    Ok(found)
+}
+
+/// Units in the metadata: keys `q.unit` and `unit:q`.
+fn units(thrift: &mut Thrift<'_>, units: &mut Vec<(String, String)>) -> Result<(), Stop> {
+    let (kind, count) = thrift.list()?;
+    for _ in 0..count {
+        if kind != Kind::Struct {
+            return Err(Stop::Broken);
+        }
+        let (mut key, mut value): (&[u8], &[u8]) = (&[], &[]);
+        thrift.structure(|thrift, id, kind| {
+            match (id, kind) {
+                (1, Kind::Binary) => key = thrift.binary()?,
+                (2, Kind::Binary) => value = thrift.binary()?,
+                _ => thrift.skip(kind)?,
+            }
+            Ok(())
+        })?;
+        let is_unit = key.ends_with(b".unit") || key.starts_with(b"unit:");
+        if is_unit && key.len() <= PATH_BYTES_MAX + b".unit".len() && value.len() <= UNIT_BYTES_MAX {
+            Limit::Columns.hold(units.len() as u64 + 1, 2 * COLUMNS_MAX as u64)?;
+            let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+            units.push((text(key), text(value)));
+        }
+    }
+    Ok(())
+}
+
+const fn physical_type(code: i64) -> Option<Type> {
+    Some(match code {
+        0 => Type::BOOLEAN,
+        1 => Type::INT32,
+        2 => Type::INT64,
+        3 => Type::INT96,
+        4 => Type::FLOAT,
+        5 => Type::DOUBLE,
+        6 => Type::BYTE_ARRAY,
+        7 => Type::FIXED_LEN_BYTE_ARRAY,
+        _ => return None,
+    })
+}
+
+/// What the format calls the numbers of converted types, in their order.
+const CONVERTED: [ConvertedType; 22] = [
+    ConvertedType::UTF8,
+    ConvertedType::MAP,
+    ConvertedType::MAP_KEY_VALUE,
+    ConvertedType::LIST,
+    ConvertedType::ENUM,
+    ConvertedType::DECIMAL,
+    ConvertedType::DATE,
+    ConvertedType::TIME_MILLIS,
+    ConvertedType::TIME_MICROS,
+    ConvertedType::TIMESTAMP_MILLIS,
+    ConvertedType::TIMESTAMP_MICROS,
+    ConvertedType::UINT_8,
+    ConvertedType::UINT_16,
+    ConvertedType::UINT_32,
+    ConvertedType::UINT_64,
+    ConvertedType::INT_8,
+    ConvertedType::INT_16,
+    ConvertedType::INT_32,
+    ConvertedType::INT_64,
+    ConvertedType::JSON,
+    ConvertedType::BSON,
+    ConvertedType::INTERVAL,
+];
+
+fn converted_type(code: Option<i64>) -> ConvertedType {
+    let Some(code) = code else { return ConvertedType::NONE };
+    // A number that the format does not have says at least that these are no plain numbers.
+    usize::try_from(code).ok().and_then(|code| CONVERTED.get(code)).copied().unwrap_or(ConvertedType::BSON)
+}

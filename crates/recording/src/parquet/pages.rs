@@ -1,0 +1,343 @@
+//! Pages of a Parquet column, checked before they are unpacked and before they are decoded.
+//!
+//! The library decodes the values. What its decoders take for granted of a page is checked here, so that a damaged file
+//! is refused with a reason; and no page is unpacked that claims more than its values can need.
+
+use super::footer::{Chunk, Column};
+use super::thrift::{Broken, Kind, Stop, Thrift};
+use super::unpack::Codec;
+use crate::faults::{Damage, Fault};
+use crate::limits::{DELTA_BLOCK_MAX, Limit, Memory, PAGE_BYTES_FREE, PAGE_RATIO_MAX, UNPACKED_BYTES_MAX};
+use ::parquet::basic::{Encoding, Type};
+use ::parquet::column::page::{Page, PageMetadata, PageReader};
+use ::parquet::errors::{ParquetError, Result};
+use bytes::Bytes;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Bytes that a value with its level may take in any encoding.
+const BYTES_PER_VALUE: u64 = 32;
+
+/// Bytes that a page may take besides, for heads and for blocks that are not full.
+const BYTES_PER_PAGE: u64 = 4096;
+
+/// Work that a page makes besides unpacking, in bytes.
+const WORK_PER_PAGE: u64 = 1024;
+
+/// Bits of an index; more do not fit into the 32 bits of an index.
+const INDEX_BITS_MAX: u8 = 32;
+
+/// The pages of a column in a row group.
+pub(super) struct Pages {
+    file: Bytes,
+    chunk: Chunk,
+    codec: Codec,
+    physical: Type,
+    defined: i16,
+    has_dictionary: bool,
+    /// Values that the rest of the pages may have.
+    values_left: u64,
+    /// The memory that is left, and among how many it is shared: pages of all columns, each with what is decoded of it.
+    memory: Memory,
+    share: u64,
+    /// What all pages of the file unpacked to.
+    spent: Arc<AtomicU64>,
+}
+
+/// The head of a page.
+#[derive(Default)]
+struct Head {
+    kind: i64,
+    unpacked: u64,
+    packed: usize,
+    values: u64,
+    encoding: i64,
+    level_encoding: i64,
+    /// Of pages of the second version.
+    nulls: u64,
+    rows: u64,
+    defined_bytes: u64,
+    repeated_bytes: u64,
+    is_packed: bool,
+}
+
+fn damaged(reason: Damage) -> Fault {
+    Fault::ParquetUnreadable { reason }
+}
+
+fn known(holds: bool) -> std::result::Result<(), Fault> {
+    if holds { Ok(()) } else { Err(damaged(Damage::Page)) }
+}
+
+impl Pages {
+    /// The pages of a chunk, one of so many `columns` that are read beside each other; none may take more than its share
+    /// of what is left of `memory` once it is unpacked.
+    pub(super) fn new(
+        file: Bytes,
+        chunk: Chunk,
+        column: &Column,
+        (memory, columns): (Memory, usize),
+        spent: Arc<AtomicU64>,
+    ) -> std::result::Result<Self, Fault> {
+        let codec = Codec::of(chunk.codec)?;
+        let (values_left, physical, defined) = (chunk.values, column.physical, column.defined);
+        let share = 2 * columns as u64;
+        Ok(Self { file, chunk, codec, physical, defined, has_dictionary: false, values_left, memory, share, spent })
+    }
+
+    /// The next page; `None` at the end.
+    fn page(&mut self) -> std::result::Result<Option<Page>, Fault> {
+        // The dictionary and every page with values; whatever lies behind the last value is none of ours.
+        while self.values_left > 0 && !self.chunk.bytes.is_empty() {
+            let here = self.file.get(self.chunk.bytes.clone()).ok_or_else(|| damaged(Damage::Page))?;
+            let mut thrift = Thrift::new(here);
+            let head = head(&mut thrift).map_err(|stop| stop.or(Damage::Page))?;
+            let start = self.chunk.bytes.end - thrift.left();
+            let end = start.checked_add(head.packed).filter(|end| *end <= self.chunk.bytes.end);
+            let end = end.ok_or_else(|| damaged(Damage::Page))?;
+            self.chunk.bytes.start = end;
+            let packed = self.file.slice(start..end);
+            match head.kind {
+                INDEX_PAGE => self.spend(0)?,
+                DICTIONARY_PAGE => return self.dictionary(&head, packed).map(Some),
+                DATA_PAGE => return self.first_version(&head, packed).map(Some),
+                DATA_PAGE_V2 => return self.second_version(&head, packed).map(Some),
+                _ => return Err(damaged(Damage::Page)),
+            }
+        }
+        if self.values_left > 0 { Err(damaged(Damage::Lengths)) } else { Ok(None) }
+    }
+
+    fn dictionary(&mut self, head: &Head, packed: Bytes) -> std::result::Result<Page, Fault> {
+        known(!self.has_dictionary)?;
+        self.has_dictionary = true;
+        let buf = self.unpacked(head, packed, 0)?;
+        let encoding = encoding(head.encoding)?;
+        known(matches!(encoding, Encoding::PLAIN | Encoding::PLAIN_DICTIONARY))?;
+        known(head.values.saturating_mul(size_of_value(self.physical)) <= buf.len() as u64)?;
+        Ok(Page::DictionaryPage { buf, num_values: count(head.values)?, encoding, is_sorted: false })
+    }
+
+    fn first_version(&mut self, head: &Head, packed: Bytes) -> std::result::Result<Page, Fault> {
+        self.count_values(head)?;
+        let buf = self.unpacked(head, packed, 0)?;
+        let def_level_encoding = encoding(head.level_encoding)?;
+        let levels = self.level_bytes(&buf, head.values, def_level_encoding)?;
+        let (encoding, length) = self.checked(head, &buf, levels)?;
+        Ok(Page::DataPage {
+            buf: buf.slice(..length),
+            num_values: count(head.values)?,
+            encoding,
+            def_level_encoding,
+            rep_level_encoding: Encoding::RLE,
+            statistics: None,
+        })
+    }
+
+    fn second_version(&mut self, head: &Head, packed: Bytes) -> std::result::Result<Page, Fault> {
+        self.count_values(head)?;
+        let levels = head.defined_bytes.saturating_add(head.repeated_bytes);
+        known(head.repeated_bytes == 0 && levels <= packed.len() as u64 && levels <= head.unpacked)?;
+        let levels = usize::try_from(levels).map_err(|_| damaged(Damage::Page))?;
+        let buf = self.unpacked(head, packed, levels)?;
+        let (encoding, length) = self.checked(head, &buf, levels)?;
+        Ok(Page::DataPageV2 {
+            buf: buf.slice(..length),
+            num_values: count(head.values)?,
+            encoding,
+            num_nulls: count(head.nulls)?,
+            num_rows: count(head.rows)?,
+            def_levels_byte_len: count(head.defined_bytes)?,
+            rep_levels_byte_len: 0,
+            is_compressed: false,
+            statistics: None,
+        })
+    }
+
+    fn count_values(&mut self, head: &Head) -> std::result::Result<(), Fault> {
+        let left = self.values_left.checked_sub(head.values);
+        self.values_left = left.ok_or_else(|| damaged(Damage::Lengths))?;
+        Ok(())
+    }
+
+    /// Counts what is done; a file may not ask for more than is worth it.
+    fn spend(&self, bytes: u64) -> std::result::Result<(), Fault> {
+        let bytes = bytes.saturating_add(WORK_PER_PAGE);
+        let spent = self.spent.fetch_add(bytes, Ordering::Relaxed).saturating_add(bytes);
+        Limit::UnpackedBytes.hold(spent, UNPACKED_BYTES_MAX)
+    }
+
+    /// The bytes of a page, of which the first `plain` are not packed.
+    fn unpacked(&self, head: &Head, packed: Bytes, plain: usize) -> std::result::Result<Bytes, Fault> {
+        if self.codec == Codec::None || !head.is_packed {
+            self.spend(0)?;
+            return Ok(packed);
+        }
+        known(head.unpacked <= head.values.saturating_mul(BYTES_PER_VALUE).saturating_add(BYTES_PER_PAGE))?;
+        if head.unpacked > PAGE_BYTES_FREE {
+            Limit::PageRatio.hold(head.unpacked / (packed.len() as u64).max(1), PAGE_RATIO_MAX)?;
+        }
+        self.memory.clone().take(head.unpacked.saturating_mul(self.share))?;
+        self.spend(head.unpacked)?;
+        let size = usize::try_from(head.unpacked).map_err(|_| damaged(Damage::Page))?;
+        let (plain, packed) = packed.split_at_checked(plain).ok_or_else(|| damaged(Damage::Page))?;
+        let rest = size.checked_sub(plain.len()).ok_or_else(|| damaged(Damage::Page))?;
+        let mut bytes = plain.to_vec();
+        // A page of nulls has nothing to unpack.
+        if rest > 0 {
+            self.codec.unpack(packed, rest, &mut bytes)?;
+        }
+        Ok(Bytes::from(bytes))
+    }
+
+    /// Length of the levels at the beginning of a page of the first version.
+    fn level_bytes(&self, buf: &[u8], count: u64, encoding: Encoding) -> std::result::Result<usize, Fault> {
+        if self.defined == 0 {
+            return Ok(0);
+        }
+        let length = match encoding {
+            Encoding::RLE => buf.first_chunk().map(|length| u64::from(u32::from_le_bytes(*length)).saturating_add(4)),
+            #[expect(deprecated, reason = "old files have it")]
+            Encoding::BIT_PACKED => {
+                Some(u64::from(16 - self.defined.leading_zeros()).saturating_mul(count).div_ceil(8))
+            }
+            _ => None,
+        };
+        let length = length.filter(|length| *length <= buf.len() as u64);
+        length.and_then(|length| usize::try_from(length).ok()).ok_or_else(|| damaged(Damage::Page))
+    }
+
+    /// The encoding of the values behind the levels, and how long the page is with those that are there.
+    fn checked(&self, head: &Head, buf: &[u8], levels: usize) -> std::result::Result<(Encoding, usize), Fault> {
+        let values = buf.get(levels..).ok_or_else(|| damaged(Damage::Page))?;
+        let encoding = encoding(head.encoding)?;
+        match encoding {
+            Encoding::RLE_DICTIONARY | Encoding::PLAIN_DICTIONARY => {
+                known(self.has_dictionary && values.first().is_some_and(|bits| *bits <= INDEX_BITS_MAX))?;
+            }
+            Encoding::BYTE_STREAM_SPLIT => known((values.len() as u64).is_multiple_of(size_of_value(self.physical)))?,
+            Encoding::PLAIN => {}
+            Encoding::DELTA_BINARY_PACKED => {
+                known(matches!(self.physical, Type::INT32 | Type::INT64))?;
+                let deltas = deltas(values).map_err(|stop| stop.or(Damage::Page))?;
+                known(deltas <= head.values)?;
+                if deltas == 0 {
+                    // A page of nulls; the decoder of deltas needs one value at least, the plain one none.
+                    return Ok((Encoding::PLAIN, levels));
+                }
+            }
+            other => {
+                let name = other.to_string();
+                return Err(damaged(Damage::Encoding { name }));
+            }
+        }
+        Ok((encoding, buf.len()))
+    }
+}
+
+/// The head of delta-coded values, checked; gives their number.
+fn deltas(values: &[u8]) -> std::result::Result<u64, Stop> {
+    let mut thrift = Thrift::new(values);
+    let (block, parts, count) = (thrift.varint()?, thrift.varint()?, thrift.varint()?);
+    Limit::DeltaBlock.hold(block, DELTA_BLOCK_MAX)?;
+    let part = block.checked_div(parts).ok_or(Broken)?;
+    if block.is_multiple_of(128) && part > 0 && part.is_multiple_of(32) && part * parts == block {
+        Ok(count)
+    } else {
+        Err(Stop::Broken)
+    }
+}
+
+const DATA_PAGE: i64 = 0;
+const INDEX_PAGE: i64 = 1;
+const DICTIONARY_PAGE: i64 = 2;
+const DATA_PAGE_V2: i64 = 3;
+
+fn head(thrift: &mut Thrift<'_>) -> std::result::Result<Head, Stop> {
+    let mut read = Head { is_packed: true, level_encoding: 3, ..Head::default() };
+    let natural = |thrift: &mut Thrift<'_>| -> std::result::Result<u64, Broken> {
+        u64::try_from(thrift.integer()?).map_err(|_| Broken)
+    };
+    thrift.structure(|thrift, id, kind| {
+        match (id, kind) {
+            (1, Kind::Integer) => read.kind = thrift.integer()?,
+            (2, Kind::Integer) => read.unpacked = natural(thrift)?,
+            (3, Kind::Integer) => read.packed = usize::try_from(natural(thrift)?).map_err(|_| Broken)?,
+            (5 | 7, Kind::Struct) => thrift.structure(|thrift, id, kind| {
+                match (id, kind) {
+                    (1, Kind::Integer) => read.values = natural(thrift)?,
+                    (2, Kind::Integer) => read.encoding = thrift.integer()?,
+                    (3, Kind::Integer) => read.level_encoding = thrift.integer()?,
+                    _ => thrift.skip(kind)?,
+                }
+                Ok(())
+            })?,
+            (8, Kind::Struct) => thrift.structure(|thrift, id, kind| {
+                match (id, kind) {
+                    (1, Kind::Integer) => read.values = natural(thrift)?,
+                    (2, Kind::Integer) => read.nulls = natural(thrift)?,
+                    (3, Kind::Integer) => read.rows = natural(thrift)?,
+                    (4, Kind::Integer) => read.encoding = thrift.integer()?,
+                    (5, Kind::Integer) => read.defined_bytes = natural(thrift)?,
+                    (6, Kind::Integer) => read.repeated_bytes = natural(thrift)?,
+                    (7, Kind::Bool(is_packed)) => read.is_packed = is_packed,
+                    _ => thrift.skip(kind)?,
+                }
+                Ok(())
+            })?,
+            _ => thrift.skip(kind)?,
+        }
+        Ok(())
+    })?;
+    Ok(read)
+}
+
+fn encoding(code: i64) -> std::result::Result<Encoding, Fault> {
+    #[expect(deprecated, reason = "old files have it")]
+    Ok(match code {
+        0 => Encoding::PLAIN,
+        2 => Encoding::PLAIN_DICTIONARY,
+        3 => Encoding::RLE,
+        4 => Encoding::BIT_PACKED,
+        5 => Encoding::DELTA_BINARY_PACKED,
+        6 => Encoding::DELTA_LENGTH_BYTE_ARRAY,
+        7 => Encoding::DELTA_BYTE_ARRAY,
+        8 => Encoding::RLE_DICTIONARY,
+        9 => Encoding::BYTE_STREAM_SPLIT,
+        other => return Err(damaged(Damage::Encoding { name: other.to_string() })),
+    })
+}
+
+fn count(number: u64) -> std::result::Result<u32, Fault> {
+    u32::try_from(number).map_err(|_| damaged(Damage::Page))
+}
+
+/// Bytes of a number.
+const fn size_of_value(physical: Type) -> u64 {
+    match physical {
+        Type::INT32 | Type::FLOAT => 4,
+        _ => 8,
+    }
+}
+
+impl Iterator for Pages {
+    type Item = Result<Page>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.get_next_page().transpose()
+    }
+}
+
+impl PageReader for Pages {
+    fn get_next_page(&mut self) -> Result<Option<Page>> {
+        self.page().map_err(|fault| ParquetError::External(Box::new(fault)))
+    }
+
+    fn peek_next_page(&mut self) -> Result<Option<PageMetadata>> {
+        Err(ParquetError::NYI(String::from("pages are read one after another")))
+    }
+
+    fn skip_next_page(&mut self) -> Result<()> {
+        Err(ParquetError::NYI(String::from("pages are read one after another")))
+    }
+}

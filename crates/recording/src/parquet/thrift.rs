@@ -1,0 +1,250 @@
+//! The compact protocol of Thrift, read without believing what it claims.
+//!
+//! A length or a count is looked at against the bytes that are there before anything is done with it, and nothing is
+//! allocated. What is not needed is passed over to a bounded depth. The library would read the same, but it allocates
+//! what a file claims and recurses as deep as a file asks.
+
+use crate::faults::{Damage, Fault};
+
+/// Structures within structures that are passed over.
+const DEPTH_MAX: u8 = 32;
+
+/// Bytes of a number of 64 bits.
+const VARINT_BYTES_MAX: u32 = 10;
+
+/// What a field holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A field holds its truth itself, an element of a list takes a byte.
+    Bool(bool),
+    Byte,
+    /// An integer of 16, 32 or 64 bits: all are written alike.
+    Integer,
+    Double,
+    Binary,
+    List,
+    Map,
+    Struct,
+    Uuid,
+}
+
+impl Kind {
+    const fn of(code: u8) -> Option<Self> {
+        Some(match code {
+            1 => Self::Bool(true),
+            2 => Self::Bool(false),
+            3 => Self::Byte,
+            4..=6 => Self::Integer,
+            7 => Self::Double,
+            8 => Self::Binary,
+            9 | 10 => Self::List,
+            11 => Self::Map,
+            12 => Self::Struct,
+            13 => Self::Uuid,
+            _ => return None,
+        })
+    }
+}
+
+/// The bytes do not follow the protocol.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Broken;
+
+/// Why a structure was not read: the bytes, or what they say.
+#[derive(Debug)]
+pub(super) enum Stop {
+    Broken,
+    Refused(Fault),
+}
+
+impl From<Broken> for Stop {
+    fn from(_: Broken) -> Self {
+        Self::Broken
+    }
+}
+
+impl From<Fault> for Stop {
+    fn from(fault: Fault) -> Self {
+        Self::Refused(fault)
+    }
+}
+
+impl Stop {
+    /// The fault; bytes that do not follow the protocol are this damage.
+    pub(super) fn or(self, damage: Damage) -> Fault {
+        match self {
+            Self::Broken => Fault::ParquetUnreadable { reason: damage },
+            Self::Refused(fault) => fault,
+        }
+    }
+}
+
+/// Bytes that are read from their beginning.
+#[derive(Clone, Debug)]
+pub(super) struct Thrift<'b> {
+    rest: &'b [u8],
+}
+
+impl<'b> Thrift<'b> {
+    pub(super) const fn new(bytes: &'b [u8]) -> Self {
+        Self { rest: bytes }
+    }
+
+    /// Bytes that are not read yet.
+    pub(super) const fn left(&self) -> usize {
+        self.rest.len()
+    }
+
+    fn byte(&mut self) -> Result<u8, Broken> {
+        let (first, rest) = self.rest.split_first().ok_or(Broken)?;
+        self.rest = rest;
+        Ok(*first)
+    }
+
+    fn take(&mut self, count: usize) -> Result<&'b [u8], Broken> {
+        let (taken, rest) = self.rest.split_at_checked(count).ok_or(Broken)?;
+        self.rest = rest;
+        Ok(taken)
+    }
+
+    pub(super) fn varint(&mut self) -> Result<u64, Broken> {
+        let mut value = 0;
+        for place in 0..VARINT_BYTES_MAX {
+            let byte = self.byte()?;
+            value |= u64::from(byte & 0x7f).wrapping_shl(7 * place);
+            if byte & 0x80 == 0 {
+                return Ok(value);
+            }
+        }
+        Err(Broken)
+    }
+
+    pub(super) fn integer(&mut self) -> Result<i64, Broken> {
+        let coded = self.varint()?;
+        Ok((coded >> 1).cast_signed() ^ -((coded & 1).cast_signed()))
+    }
+
+    pub(super) fn binary(&mut self) -> Result<&'b [u8], Broken> {
+        let length = self.varint()?;
+        self.take(usize::try_from(length).map_err(|_| Broken)?)
+    }
+
+    /// Begins a list: what its elements hold and how many there are. Each takes a byte at least.
+    pub(super) fn list(&mut self) -> Result<(Kind, usize), Broken> {
+        let head = self.byte()?;
+        // Some writers give an empty list no kind.
+        if head == 0 {
+            return Ok((Kind::Byte, 0));
+        }
+        let kind = Kind::of(head & 0x0f).ok_or(Broken)?;
+        let count = match head >> 4 {
+            15 => usize::try_from(self.varint()?).map_err(|_| Broken)?,
+            count => usize::from(count),
+        };
+        if count > self.left() { Err(Broken) } else { Ok((kind, count)) }
+    }
+
+    /// Reads a structure: every field is handed to `field`, which reads or passes over what it holds.
+    pub(super) fn structure(
+        &mut self,
+        mut field: impl FnMut(&mut Self, i64, Kind) -> Result<(), Stop>,
+    ) -> Result<(), Stop> {
+        let mut id = 0_i64;
+        loop {
+            let head = self.byte()?;
+            if head & 0x0f == 0 {
+                return Ok(());
+            }
+            let kind = Kind::of(head & 0x0f).ok_or(Broken)?;
+            id = match head >> 4 {
+                0 => self.integer()?,
+                step => id.saturating_add(i64::from(step)),
+            };
+            field(self, id, kind)?;
+        }
+    }
+
+    /// Passes over what a field holds.
+    pub(super) fn skip(&mut self, kind: Kind) -> Result<(), Broken> {
+        match kind {
+            // The field said it.
+            Kind::Bool(_) => Ok(()),
+            other => self.skip_element(other, DEPTH_MAX),
+        }
+    }
+
+    fn skip_element(&mut self, kind: Kind, depth: u8) -> Result<(), Broken> {
+        let depth = depth.checked_sub(1).ok_or(Broken)?;
+        match kind {
+            Kind::Bool(_) | Kind::Byte => drop(self.byte()?),
+            Kind::Integer => drop(self.varint()?),
+            Kind::Double => drop(self.take(8)?),
+            Kind::Uuid => drop(self.take(16)?),
+            Kind::Binary => drop(self.binary()?),
+            Kind::List => {
+                let (kind, count) = self.list()?;
+                for _ in 0..count {
+                    self.skip_element(kind, depth)?;
+                }
+            }
+            Kind::Map => {
+                let count = self.varint()?;
+                if count > self.left() as u64 {
+                    return Err(Broken);
+                }
+                if count > 0 {
+                    let kinds = self.byte()?;
+                    let key = Kind::of(kinds >> 4).ok_or(Broken)?;
+                    let value = Kind::of(kinds & 0x0f).ok_or(Broken)?;
+                    for _ in 0..count {
+                        self.skip_element(key, depth)?;
+                        self.skip_element(value, depth)?;
+                    }
+                }
+            }
+            Kind::Struct => loop {
+                let head = self.byte()?;
+                if head & 0x0f == 0 {
+                    break;
+                }
+                if head >> 4 == 0 {
+                    let _ = self.integer()?;
+                }
+                match Kind::of(head & 0x0f).ok_or(Broken)? {
+                    Kind::Bool(_) => {}
+                    kind => self.skip_element(kind, depth)?,
+                }
+            },
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_read_and_end() {
+        assert_eq!(Thrift::new(&[0xac, 0x02]).varint(), Ok(300));
+        assert_eq!(Thrift::new(&[0x03]).integer(), Ok(-2));
+        assert_eq!(Thrift::new(&[0xff; 20]).varint(), Err(Broken));
+        assert_eq!(Thrift::new(&[0x80]).varint(), Err(Broken));
+    }
+
+    #[test]
+    fn a_count_without_bytes_is_refused_before_anything_is_done() {
+        // 2³¹ − 1 structures in six bytes.
+        assert_eq!(Thrift::new(&[0xfc, 0xff, 0xff, 0xff, 0xff, 0x07]).list(), Err(Broken));
+        assert_eq!(Thrift::new(&[0xff, 0xff, 0xff, 0xff, 0x0f, b'x']).binary(), Err(Broken));
+        assert_eq!(Thrift::new(&[0xff, 0x7f, 0x88]).skip(Kind::Map), Err(Broken));
+    }
+
+    #[test]
+    fn structures_within_structures_are_passed_over_to_a_bounded_depth() {
+        let nested = |depth: usize| [vec![0x1c; depth], vec![0; depth + 1]].concat();
+        assert_eq!(Thrift::new(&nested(20)).skip(Kind::Struct), Ok(()));
+        assert_eq!(Thrift::new(&nested(1_000_000)).skip(Kind::Struct), Err(Broken));
+        assert_eq!(Thrift::new(&[0x19; 1_000_000]).skip(Kind::List), Err(Broken));
+    }
+}

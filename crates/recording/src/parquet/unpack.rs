@@ -1,0 +1,158 @@
+//! Unpacking of a page into exactly the bytes that it says it has.
+
+use crate::faults::{Damage, Fault};
+use std::io::{Cursor, Read};
+
+/// How the pages of a column are packed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Codec {
+    None,
+    Snappy,
+    Gzip,
+    /// Blocks with their lengths before them; older files have frames or a bare block under the same number.
+    Lz4,
+    Zstd,
+    Lz4Block,
+}
+
+impl Codec {
+    /// The codec by the number of the format.
+    pub(super) fn of(number: i64) -> Result<Self, Fault> {
+        Ok(match number {
+            0 => Self::None,
+            1 => Self::Snappy,
+            2 => Self::Gzip,
+            5 => Self::Lz4,
+            6 => Self::Zstd,
+            7 => Self::Lz4Block,
+            other => {
+                let name = match other {
+                    3 => "LZO".to_owned(),
+                    4 => "BROTLI".to_owned(),
+                    other => other.to_string(),
+                };
+                return Err(Fault::ParquetUnreadable { reason: Damage::Compression { name } });
+            }
+        })
+    }
+
+    /// Unpacks a page behind what `into` holds. No more than `size` bytes are made, whatever the packed bytes say.
+    ///
+    /// # Errors
+    /// [`Damage::Packed`] if they are not exactly `size`.
+    pub(super) fn unpack(self, packed: &[u8], size: usize, into: &mut Vec<u8>) -> Result<(), Fault> {
+        let before = into.len();
+        let whole = match self {
+            Self::None => {
+                into.extend_from_slice(packed.get(..size).unwrap_or_default());
+                true
+            }
+            Self::Snappy => {
+                snap::raw::decompress_len(packed).is_ok_and(|length| length == size)
+                    && in_place(into, size, |room| snap::raw::Decoder::new().decompress(packed, room).ok())
+            }
+            Self::Gzip => streamed(flate2::read::MultiGzDecoder::new(packed), size, into),
+            Self::Zstd => {
+                into.reserve_exact(size);
+                // It writes into the room that is there, and no further.
+                let mut room = Cursor::new(&mut *into);
+                room.set_position(before as u64);
+                let unpack = |mut with: zstd::bulk::Decompressor<'_>| with.decompress_to_buffer(packed, &mut room);
+                zstd::bulk::Decompressor::new().and_then(unpack).is_ok()
+            }
+            Self::Lz4Block => lz4_block(packed, size, into),
+            Self::Lz4 => {
+                let mut ways = [hadoop, lz4_frame, lz4_block].into_iter();
+                ways.any(|way| {
+                    into.truncate(before);
+                    way(packed, size, into)
+                })
+            }
+        };
+        if whole && into.len() - before == size {
+            Ok(())
+        } else {
+            Err(Fault::ParquetUnreadable { reason: Damage::Packed })
+        }
+    }
+}
+
+/// Unpacks into room that is made for it; true if it is filled.
+fn in_place(into: &mut Vec<u8>, size: usize, unpack: impl FnOnce(&mut [u8]) -> Option<usize>) -> bool {
+    let before = into.len();
+    into.resize(before + size, 0);
+    into.get_mut(before..).and_then(unpack) == Some(size)
+}
+
+/// Reads no more than a byte beyond the size.
+fn streamed(source: impl Read, size: usize, into: &mut Vec<u8>) -> bool {
+    source.take(size as u64 + 1).read_to_end(into).is_ok()
+}
+
+fn lz4_block(packed: &[u8], size: usize, into: &mut Vec<u8>) -> bool {
+    in_place(into, size, |room| lz4_flex::block::decompress_into(packed, room).ok())
+}
+
+fn lz4_frame(packed: &[u8], size: usize, into: &mut Vec<u8>) -> bool {
+    streamed(lz4_flex::frame::FrameDecoder::new(packed), size, into)
+}
+
+/// Blocks, each behind its unpacked and packed length as four bytes, the highest first.
+fn hadoop(packed: &[u8], size: usize, into: &mut Vec<u8>) -> bool {
+    let (mut rest, mut left) = (packed, size);
+    while !rest.is_empty() {
+        let Some((unpacked, behind)) = rest.split_first_chunk::<4>() else { return false };
+        let Some((length, behind)) = behind.split_first_chunk::<4>() else { return false };
+        let (unpacked, length) = (u32::from_be_bytes(*unpacked) as usize, u32::from_be_bytes(*length) as usize);
+        let Some((block, behind)) = behind.split_at_checked(length) else { return false };
+        if unpacked > left || !lz4_block(block, unpacked, into) {
+            return false;
+        }
+        left -= unpacked;
+        rest = behind;
+    }
+    left == 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn unpacked(codec: Codec, packed: &[u8], size: usize) -> Option<Vec<u8>> {
+        let mut into = b"levels".to_vec();
+        codec.unpack(packed, size, &mut into).ok()?;
+        Some(into.split_off(6))
+    }
+
+    #[test]
+    fn every_form_of_lz4_is_unpacked_and_no_byte_more() {
+        let text = b"the same the same the same the same".repeat(9);
+        let block = lz4_flex::block::compress(&text);
+        let lengths = [text.len(), block.len()].map(|length| u32::try_from(length).unwrap().to_be_bytes());
+        let hadoop = [lengths.as_flattened(), &block].concat();
+        let mut frame = lz4_flex::frame::FrameEncoder::new(Vec::new());
+        std::io::Write::write_all(&mut frame, &text).unwrap();
+        let frame = frame.finish().unwrap();
+        for packed in [&hadoop, &frame, &block] {
+            assert_eq!(unpacked(Codec::Lz4, packed, text.len()).as_deref(), Some(text.as_slice()));
+            assert_eq!(unpacked(Codec::Lz4, packed, text.len() - 1), None);
+            assert_eq!(unpacked(Codec::Lz4, packed, text.len() + 1), None);
+        }
+        assert_eq!(unpacked(Codec::Lz4Block, &block, text.len()).as_deref(), Some(text.as_slice()));
+    }
+
+    #[test]
+    fn what_unpacks_to_more_than_it_says_is_refused() {
+        let zeros = vec![0; 1 << 20];
+        let zstd = zstd::bulk::compress(&zeros, 3).unwrap();
+        let mut gzip = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::best());
+        std::io::Write::write_all(&mut gzip, &zeros).unwrap();
+        let gzip = gzip.finish().unwrap();
+        let snappy = snap::raw::Encoder::new().compress_vec(&zeros).unwrap();
+        for (codec, packed) in [(Codec::Zstd, &zstd), (Codec::Gzip, &gzip), (Codec::Snappy, &snappy)] {
+            assert_eq!(unpacked(codec, packed, zeros.len()), Some(zeros.clone()), "{codec:?}");
+            assert_eq!(unpacked(codec, packed, 1000), None, "{codec:?}");
+            assert_eq!(unpacked(codec, packed, zeros.len() + 1), None, "{codec:?}");
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! Where within a panel the sum of several lags turns from rising to falling.
+
+use super::Lag;
+use crate::Panel;
+use crate::rule::{MOST, PARTS, Values, dot, lagged, rule};
+
+/// A lag over one panel.
+pub(super) struct Course {
+    tau_s: f64,
+    /// Duration of the panel over τ.
+    lambda: f64,
+    /// e^(−λ)
+    decay: f64,
+    /// Nodes of the panel.
+    count: usize,
+    /// u at the nodes.
+    input: Values,
+    /// What the panel adds until its end.
+    gain: f64,
+}
+
+impl Course {
+    pub(super) fn of(lag: &Lag, panel: &Panel<'_>) -> Self {
+        let (lambda, count) = (panel.duration_s / lag.tau_s, panel.nodes.len());
+        let mut input = [0.0; MOST];
+        input.iter_mut().zip(panel.nodes).for_each(|(u, node)| *u = lag.form.at(node));
+        let gain = dot(&rule(count).weights(lambda), &input);
+        Self { tau_s: lag.tau_s, lambda, decay: (-lambda).exp(), count, input, gain }
+    }
+
+    /// y at the end.
+    pub(super) fn end(&self, start: f64) -> f64 {
+        start * self.decay + self.gain
+    }
+
+    /// y at a share of the panel.
+    fn at(&self, start: f64, s: f64) -> f64 {
+        let (rule, lambda) = (rule(self.count), s * self.lambda);
+        let part = rule.coefficients(&rule.first_part(&self.input, s));
+        start * (-lambda).exp() + lambda * dot(&lagged(lambda, self.count), &part)
+    }
+
+    /// y' at a share of the panel.
+    fn slope(&self, start: f64, s: f64) -> f64 {
+        (dot(&rule(self.count).shares(s), &self.input) - self.at(start, s)) / self.tau_s
+    }
+
+    /// Between these lies y' all through the panel.
+    fn slopes(&self, start: f64) -> (f64, f64) {
+        slopes(self.input.iter().take(self.count).copied(), (start, self.end(start)), self.lambda, self.tau_s)
+    }
+}
+
+/// Between these lies y' of a lag all through a panel, by its input at the nodes and its own ends.
+pub(super) fn slopes(
+    inputs: impl Iterator<Item = f64>,
+    (start, end): (f64, f64),
+    lambda: f64,
+    tau_s: f64,
+) -> (f64, f64) {
+    let (low, high) = inputs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), u| (a.min(u), b.max(u)));
+    let room = 0.125 * (high - low);
+    let (low, high) = (low - room, high + room);
+    // y strays from the straight line by less than λ/4 of what drives it.
+    let stray = 0.25 * lambda * (high - low + (end - start).abs());
+    ((low - start.max(end) - stray) / tau_s, (high - start.min(end) + stray) / tau_s)
+}
+
+/// Whether slopes between these two may fall from above zero to below.
+pub(super) fn turns(lowest: f64, highest: f64) -> bool {
+    lowest < 0.0 && highest > 0.0
+}
+
+/// Up to this λ, and from so many nodes on, a lag is the polynomial through its values at the nodes.
+const SMOOTH: (f64, usize) = (0.5, 8);
+
+/// Where within a panel the sum of lags turns from rising to falling, with the highest value, if that exceeds the least.
+pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64) -> Option<(f64, f64)> {
+    let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
+    for (course, state) in courses.iter().zip(states) {
+        let (low, high) = course.slopes(*state);
+        lowest += low;
+        highest += high;
+        start += state;
+        end += course.end(*state);
+    }
+    // A slope between these two takes the sum no further above its ends than that.
+    if !turns(lowest, highest) || f64::max(start, end) + 0.25 * duration * (highest - lowest) <= least {
+        return None;
+    }
+    let sum = |of: &dyn Fn(&Course, f64) -> f64| courses.iter().zip(states).map(|(c, y)| of(c, *y)).sum::<f64>();
+    let (slow, many) = SMOOTH;
+    if courses.iter().all(|course| course.lambda <= slow && course.count >= many) {
+        return turn_by_nodes(courses, states, least);
+    }
+    let slope = |s: f64| sum(&|course, start| course.slope(start, s));
+    let mut last = (0.0, slope(0.0));
+    let mut best = None;
+    let mut most = least;
+    for part in 1..=PARTS {
+        let s = f64::from(part) / f64::from(PARTS);
+        let here = (s, slope(s));
+        if last.1 > 0.0 && here.1 < 0.0 {
+            let (mut low, mut high) = (last.0, s);
+            for _ in 0..50 {
+                let middle = 0.5 * (low + high);
+                if slope(middle) > 0.0 { low = middle } else { high = middle }
+            }
+            let value = sum(&|course, start| course.at(start, low));
+            if value > most {
+                most = value;
+                best = Some((low, value));
+            }
+        }
+        last = here;
+    }
+    best
+}
+
+/// The same by the values at the nodes, where each lag is the polynomial through them.
+fn turn_by_nodes(courses: &[Course], states: &[f64], least: f64) -> Option<(f64, f64)> {
+    let rule = rule(courses.first()?.count);
+    let (mut slopes, mut sums) = ([0.0; MOST], [0.0; MOST]);
+    for (course, state) in courses.iter().zip(states) {
+        let lag = rule.lag_at_nodes(*state, &course.input, course.lambda);
+        for (((slope, sum), u), y) in slopes.iter_mut().zip(&mut sums).zip(&course.input).zip(lag).take(course.count) {
+            *slope += (u - y) / course.tau_s;
+            *sum += y;
+        }
+    }
+    let (mut best, mut most) = (None, least);
+    let mut last = (0.0, slopes.first().copied()?);
+    for (part, here) in (0..=PARTS).zip(rule.at_parts(&slopes)).skip(1) {
+        let here = (f64::from(part) / f64::from(PARTS), here);
+        if last.1 > 0.0 && here.1 < 0.0 {
+            let s = falls_through_zero(last, here, |s| dot(&rule.shares(s), &slopes));
+            // What lies clearly below is not worth the closed form.
+            if dot(&rule.shares(s), &sums) > most - 1e-6 * most.abs() {
+                let value = courses.iter().zip(states).map(|(course, state)| course.at(*state, s)).sum();
+                if value > most {
+                    most = value;
+                    best = Some((s, value));
+                }
+            }
+        }
+        last = here;
+    }
+    best
+}
+
+/// Where a smooth function that falls from above zero to below passes it: false position, the end that stays halved
+/// (Illinois), to 10⁻¹² of the panel.
+fn falls_through_zero(from: (f64, f64), to: (f64, f64), f: impl Fn(f64) -> f64) -> f64 {
+    let ((mut low, mut above), (mut high, mut below)) = (from, to);
+    let mut side = 0;
+    let mut at = low;
+    for _ in 0..40 {
+        at = (low * below - high * above) / (below - above);
+        let here = f(at);
+        if here == 0.0 || high - low < 1e-12 {
+            break;
+        }
+        if here > 0.0 {
+            (low, above) = (at, here);
+            if side == 1 {
+                below *= 0.5;
+            }
+            side = 1;
+        } else {
+            (high, below) = (at, here);
+            if side == -1 {
+                above *= 0.5;
+            }
+            side = -1;
+        }
+    }
+    at
+}

@@ -1,0 +1,152 @@
+//! Words about calls that cannot be understood.
+
+use super::{either, hint_text};
+use project::Hint;
+use quantities::Language;
+
+/// What is wrong with a call.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Usage {
+    /// No such command.
+    UnknownCommand {
+        /// As written.
+        written: String,
+    },
+    /// No such option.
+    UnknownOption {
+        /// As written.
+        written: String,
+    },
+    /// Arguments that must be there are not.
+    Missing {
+        /// How the help names them.
+        names: String,
+    },
+    /// No value for an argument.
+    BadValue {
+        /// As written.
+        written: String,
+        /// How the help names the argument.
+        name: String,
+    },
+    /// An option without its value.
+    ValueMissing {
+        /// How the help names it.
+        name: String,
+    },
+    /// An option that stands there twice.
+    Twice {
+        /// How the help names it.
+        name: String,
+    },
+    /// No command at all.
+    NoCommand,
+    /// An argument that is no UTF-8.
+    NotUtf8,
+    /// A text that is too long.
+    TooLong {
+        /// The most characters.
+        most: usize,
+    },
+    /// No amount of memory.
+    NoMemory {
+        /// As written.
+        written: String,
+    },
+    /// Anything else.
+    Other,
+}
+
+/// What would be right.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum UsageHint {
+    /// Something near, or everything that is valid.
+    Words(Hint),
+    /// Numbers from and to.
+    Range(String, String),
+    /// A whole number.
+    WholeNumber,
+    /// What an amount of memory looks like.
+    Memory,
+    /// Where it is told.
+    Help,
+}
+
+/// What is wrong with a call, in one sentence.
+#[must_use]
+pub fn usage_text(usage: &Usage, language: Language) -> String {
+    let e = |en: String, de: String| either(language, en, de);
+    let t = |en: &str, de: &str| either(language, en, de);
+    match usage {
+        Usage::UnknownCommand { written } => {
+            e(format!("unknown command \"{written}\""), format!("unbekannter Befehl „{written}“"))
+        }
+        Usage::UnknownOption { written } => {
+            e(format!("unknown option \"{written}\""), format!("unbekannte Option „{written}“"))
+        }
+        Usage::Missing { names } => e(format!("{names} is missing"), format!("es fehlt {names}")),
+        Usage::BadValue { written, name } => {
+            e(format!("\"{written}\" is no value for {name}"), format!("„{written}“ ist kein Wert für {name}"))
+        }
+        Usage::ValueMissing { name } => {
+            e(format!("{name} is given without its value"), format!("{name} steht ohne Wert"))
+        }
+        Usage::Twice { name } => e(format!("{name} is given twice"), format!("{name} steht zweimal")),
+        Usage::NoCommand => t("a command is missing", "es fehlt ein Befehl"),
+        Usage::NotUtf8 => t("an argument is not UTF-8 text", "ein Argument ist kein UTF-8-Text"),
+        Usage::TooLong { most } => e(format!("longer than {most} characters"), format!("länger als {most} Zeichen")),
+        Usage::NoMemory { written } => {
+            e(format!("\"{written}\" is no amount of memory"), format!("„{written}“ ist keine Speichermenge"))
+        }
+        Usage::Other => t("the call cannot be understood", "der Aufruf ist nicht zu verstehen"),
+    }
+}
+
+/// What would be right, in words.
+#[must_use]
+pub fn usage_hint(hint: &UsageHint, language: Language) -> String {
+    let t = |en: &str, de: &str| either(language, en, de);
+    match hint {
+        UsageHint::Words(hint) => hint_text(hint, language),
+        UsageHint::Range(from, to) => {
+            either(language, format!("valid is {from} to {to}"), format!("gültig ist {from} bis {to}"))
+        }
+        UsageHint::WholeNumber => t("a whole number is expected", "erwartet wird eine ganze Zahl"),
+        UsageHint::Memory => {
+            t("1 MiB to 64 GiB, for example \"512 MiB\"", "1 MiB bis 64 GiB, zum Beispiel \"512 MiB\"")
+        }
+        UsageHint::Help => t("--help tells how it is called", "--help nennt den Aufruf"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_fault_of_a_call_has_its_sentence_in_both_languages() {
+        let word = || "--word".to_owned();
+        let all = [
+            Usage::UnknownCommand { written: word() },
+            Usage::UnknownOption { written: word() },
+            Usage::Missing { names: word() },
+            Usage::BadValue { written: word(), name: word() },
+            Usage::ValueMissing { name: word() },
+            Usage::Twice { name: word() },
+            Usage::NoCommand,
+            Usage::NotUtf8,
+            Usage::TooLong { most: 1 },
+            Usage::NoMemory { written: word() },
+            Usage::Other,
+        ];
+        for usage in all {
+            let [en, de] = [Language::En, Language::De].map(|language| usage_text(&usage, language));
+            assert!(en.len() > 10 && de.len() > 10 && en != de, "{usage:?}");
+        }
+        let hints = [UsageHint::Range(word(), word()), UsageHint::WholeNumber, UsageHint::Memory, UsageHint::Help];
+        for hint in hints {
+            let [en, de] = [Language::En, Language::De].map(|language| usage_hint(&hint, language));
+            assert!(en.len() > 10 && de.len() > 10 && en != de, "{hint:?}");
+        }
+    }
+}
