@@ -2,53 +2,56 @@
 
 use crate::text::{any_edits, mutate, rest, tells};
 use arbitrary::{Result, Unstructured};
-use quantities::{Language, Reading, Unit, format_significant, parse, parse_german, unit};
+use quantities::{Dimension, Language, Reading, Unit, format_significant, parse, parse_german, unit};
 
 /// Digits that are printed to be read again.
 const DIGITS: usize = 6;
 
-/// An example of a dimension with edits, a number with a unit, or any text; held to every dimension.
+/// An example of a dimension with edits, a number with a unit, or any text; held to its dimension and two others.
 pub fn run(data: &[u8]) {
     let mut u = Unstructured::new(data);
-    if let Ok(text) = text(&mut u) {
-        hold(&text);
+    let chosen = |u: &mut Unstructured<'_>| -> Result<[Dimension; 3]> {
+        Ok([u.choose(unit::ALL)?.dimension, *u.choose(Dimension::ALL)?, *u.choose(Dimension::ALL)?])
+    };
+    let Ok(dimensions) = chosen(&mut u) else { return };
+    if let Ok(text) = text(&mut u, dimensions[0]) {
+        dimensions.into_iter().for_each(|dimension| hold(&text, dimension));
     }
 }
 
-fn text(u: &mut Unstructured<'_>) -> Result<String> {
-    let unit = *u.choose(unit::ALL)?;
+fn text(u: &mut Unstructured<'_>, dimension: Dimension) -> Result<String> {
     Ok(match u.int_in_range(0..=3)? {
         0 => rest(u),
         1 => {
-            let spellings: Vec<&str> = unit.spellings().collect();
+            let spellings: Vec<&str> = dimension.units().iter().flat_map(Unit::spellings).collect();
             let spelling = *u.choose(&spellings)?;
             let value = f64::from_bits(u.arbitrary()?);
             if u.ratio(1, 2)? { format!("{value:e} {spelling}") } else { format!("{value}{spelling}") }
         }
-        _ => mutate(unit.dimension.example(), &any_edits(u, 4)?),
+        _ => mutate(dimension.example(), &any_edits(u, 4)?),
     })
 }
 
-fn hold(text: &str) {
-    for unit in unit::ALL {
-        match parse(unit.dimension, text) {
-            Ok(reading) => read_again(text, unit, &reading),
-            Err(error) => {
-                assert!(text.get(error.span()).is_some(), "{text:?}: {error:?}");
-                for language in [Language::En, Language::De] {
-                    tells(&error.message(language));
-                    error.hint(language).iter().for_each(|hint| tells(hint));
-                }
+fn hold(text: &str, dimension: Dimension) {
+    match parse(dimension, text) {
+        Ok(reading) => read_again(text, dimension, &reading),
+        Err(error) => {
+            assert!(text.get(error.span()).is_some(), "{text:?}: {error:?}");
+            for language in [Language::En, Language::De] {
+                tells(&error.message(language));
+                error.hint(language).iter().for_each(|hint| tells(hint));
             }
         }
     }
 }
 
-fn read_again(text: &str, of: &Unit, reading: &Reading) {
-    assert!(reading.si.is_finite() && reading.value.is_finite(), "{text:?} as {:?}", of.dimension);
+fn read_again(text: &str, of: Dimension, reading: &Reading) {
+    assert!(reading.si.is_finite() && reading.value.is_finite(), "{text:?} as {of:?}");
     for spelling in reading.unit.spellings() {
+        // A ratio without a unit is a number.
+        let spelling = if *reading.unit == unit::ONE { "" } else { spelling };
         let printed = format!("{} {spelling}", reading.value);
-        let again = parse(of.dimension, &printed).map(|again| again.si.to_bits());
+        let again = parse(of, &printed).map(|again| again.si.to_bits());
         assert_eq!(again.ok(), Some(reading.si.to_bits()), "{text:?} printed as {printed:?}");
     }
     // What a person reads, in both languages. Beyond these bounds a power of ten is printed.

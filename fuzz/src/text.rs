@@ -77,11 +77,10 @@ pub fn any_edits(u: &mut Unstructured<'_>, most: usize) -> Result<Vec<(u16, u8)>
     (0..u.int_in_range(1..=most)?).map(|_| u.arbitrary()).collect()
 }
 
-/// What is told to a person: not empty, and without a sign that a terminal would act on.
+/// What is told to a person is not empty. What it quotes stands as it was written: the faces make signs that nobody sees
+/// harmless, each in its way.
 pub fn tells(text: &str) {
-    assert!(!text.trim().is_empty());
-    let acts = |c: char| c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    assert!(!text.chars().any(acts), "{text:?}");
+    assert!(!text.trim().is_empty(), "{text:?}");
 }
 
 /// Applies edits to a text: each edit is a place and a choice of what to do there.

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use crate::Error;
-use crate::cargo::Workspace;
 use arguments::{Arguments, Work};
 use engine::{Engine, Run, Stop};
 
@@ -192,6 +191,7 @@ fn listed(folder: &Path) -> Vec<PathBuf> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cargo::Workspace;
 
     #[test]
     fn every_target_of_the_package_has_its_limits() {

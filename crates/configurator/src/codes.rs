@@ -63,13 +63,13 @@ pub fn complete(pattern: &Pattern) -> impl Iterator<Item = &'static (OrderCode, 
 #[must_use]
 pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
     let plain = Pattern { special: Slot::Any, ..*pattern };
+    if complete(&plain).next().is_some() {
+        return Vec::new();
+    }
     let found: Vec<(OrderCode, Vec<BrokenRule>)> =
         writable().into_iter().filter(|code| plain.matches(code)).map(|code| (code, looked_up(&code).1)).collect();
     // The code that breaks the fewest stands for all.
     let Some((code, rules)) = found.iter().min_by_key(|(_, broken)| broken.len()) else { return Vec::new() };
-    if rules.is_empty() {
-        return Vec::new();
-    }
     let of_all = |rule: &BrokenRule| found.iter().all(|(_, broken)| broken.contains(rule));
     let common: Vec<(OrderCode, BrokenRule)> =
         rules.iter().filter(|rule| of_all(rule)).map(|rule| (*code, *rule)).collect();

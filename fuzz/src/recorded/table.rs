@@ -8,7 +8,7 @@ use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterVersion};
 use parquet::file::writer::SerializedFileWriter;
-use parquet::schema::types::{Type, TypePtr};
+use parquet::schema::types::{ColumnPath, Type, TypePtr};
 use std::sync::Arc;
 
 /// How the values of a column are stored.
@@ -35,6 +35,27 @@ const STORES: [Store; 10] = [
     Store::Text,
     Store::Bool,
 ];
+
+impl Store {
+    /// The encodings that its writer has.
+    const fn encodings(self) -> &'static [Encoding] {
+        match self {
+            Self::Double | Self::Float => &[Encoding::PLAIN, Encoding::BYTE_STREAM_SPLIT],
+            Self::Int32 | Self::Int64 | Self::Timestamp => {
+                &[Encoding::PLAIN, Encoding::DELTA_BINARY_PACKED, Encoding::BYTE_STREAM_SPLIT]
+            }
+            Self::Text => &[Encoding::PLAIN, Encoding::DELTA_LENGTH_BYTE_ARRAY, Encoding::DELTA_BYTE_ARRAY],
+            Self::Bool => &[Encoding::PLAIN, Encoding::RLE],
+        }
+    }
+}
+
+impl Stored<'_> {
+    fn path(&self) -> ColumnPath {
+        let group = self.nested.then(|| self.column.name.to_owned());
+        ColumnPath::new(group.into_iter().chain([self.name.clone()]).collect())
+    }
+}
 
 /// What may differ from column to column.
 struct Stored<'c> {
@@ -74,13 +95,17 @@ impl Columns {
             stored.iter().map(|each| KeyValue::new(format!("{key}{}", each.column.name), each.column.unit.to_owned()));
         let told = if in_names { None } else { Some(told.collect::<Vec<_>>()) };
         let groups = u.int_in_range(1..=3)?;
-        let properties = properties(u, told)?;
+        let properties = properties(u, &stored, told)?;
         let gaps = u.ratio(1, 8)?;
         Ok(write(&stored, properties, groups, gaps).unwrap_or_default())
     }
 }
 
-fn properties(u: &mut Unstructured<'_>, told: Option<Vec<KeyValue>>) -> Result<WriterProperties> {
+fn properties(
+    u: &mut Unstructured<'_>,
+    stored: &[Stored<'_>],
+    told: Option<Vec<KeyValue>>,
+) -> Result<WriterProperties> {
     let compressions = [
         Compression::UNCOMPRESSED,
         Compression::SNAPPY,
@@ -88,13 +113,6 @@ fn properties(u: &mut Unstructured<'_>, told: Option<Vec<KeyValue>>) -> Result<W
         Compression::LZ4,
         Compression::GZIP(parquet::basic::GzipLevel::default()),
         Compression::ZSTD(ZstdLevel::default()),
-    ];
-    let encodings = [
-        Encoding::PLAIN,
-        Encoding::DELTA_BINARY_PACKED,
-        Encoding::BYTE_STREAM_SPLIT,
-        Encoding::DELTA_BYTE_ARRAY,
-        Encoding::DELTA_LENGTH_BYTE_ARRAY,
     ];
     let version = if u.ratio(1, 2)? { WriterVersion::PARQUET_1_0 } else { WriterVersion::PARQUET_2_0 };
     let statistics = *u.choose(&[EnabledStatistics::None, EnabledStatistics::Chunk, EnabledStatistics::Page])?;
@@ -106,8 +124,11 @@ fn properties(u: &mut Unstructured<'_>, told: Option<Vec<KeyValue>>) -> Result<W
         .set_data_page_row_count_limit(u.int_in_range(1..=64)?)
         .set_write_batch_size(u.int_in_range(1..=32)?)
         .set_key_value_metadata(told);
-    if u.ratio(1, 3)? {
-        builder = builder.set_encoding(*u.choose(&encodings)?);
+    for of in stored {
+        let own = of.store.encodings();
+        if u.ratio(1, 3)? {
+            builder = builder.set_column_encoding(of.path(), *u.choose(own)?);
+        }
     }
     Ok(builder.build())
 }
