@@ -1,7 +1,7 @@
 //! Whole use cases on a drafted project: verdicts that follow from the checks, questions that agree with each other, answers
 //! that keep to their schema, tables and pictures that are whole.
 
-mod shown;
+mod forms;
 pub(crate) mod verdict;
 
 use crate::text::{any_edits, mutate, tells};
@@ -38,11 +38,18 @@ pub fn run(data: &[u8]) {
     }
 }
 
+/// The text that a case is.
+pub fn shown(data: &[u8]) -> String {
+    chosen(&mut Unstructured::new(data))
+        .map(|(question, language, text)| format!("# question {question}, {language:?}\n{text}"))
+        .unwrap_or_default()
+}
+
 fn chosen(u: &mut Unstructured<'_>) -> Result<(u8, Language, String)> {
     let question = u.int_in_range(0..=8)?;
     let language = if u.ratio(1, 2)? { Language::De } else { Language::En };
     let edits = if u.ratio(1, 6)? { any_edits(u, 3)? } else { Vec::new() };
-    let text = draft::project(u)?;
+    let text = draft::project(u, true)?;
     Ok((question, language, mutate(&text, &edits)))
 }
 
@@ -59,9 +66,9 @@ fn hold(case: &Case<'_>, question: u8) {
         3 => workings(case, &code),
         4 => beside(case, &sizing),
         5 => revisions(case, &code),
-        6 => shown::tables(case, &sizing, best),
-        7 => shown::figures(case, best),
-        _ => shown::dossier(case, &sizing, best),
+        6 => forms::tables(case, &sizing, best),
+        7 => forms::figures(case, best),
+        _ => forms::dossier(case, &sizing, best),
     }
 }
 

@@ -20,16 +20,17 @@ enum Load {
     Belt,
 }
 
-/// A project file with one axis or several, without recordings.
+/// A project file with one axis or several, without recordings. With `ratios` some have several ratios of their stage, for
+/// each of which the whole catalogue is sized while the file is read.
 ///
 /// # Errors
 /// When the case is out of bytes.
-pub fn project(u: &mut Unstructured<'_>) -> Result<String> {
+pub fn project(u: &mut Unstructured<'_>, ratios: bool) -> Result<String> {
     let tolerances = if u.ratio(1, 8)? { 4 } else { 0 };
     let edges = u.ratio(1, 6)?;
     let several = u.ratio(1, 10)?;
     let prefix = if several { "axis." } else { "" };
-    let mut page = Page { u, text: String::from("format = 1\n"), prefix, tolerances, edges, effective: &[] };
+    let mut page = Page { u, text: String::from("format = 1\n"), prefix, tolerances, edges, effective: &[], ratios };
     if several {
         for name in ["swivel", "lift", "wrist"].iter().take(page.u.int_in_range(2..=3)?) {
             page.text.push_str("[[axis]]\n");
@@ -240,8 +241,7 @@ fn stage(page: &mut Page<'_, '_>) -> Result<()> {
     page.table("stage");
     let kind = *page.u.choose(&["belt", "gear", "coupling"])?;
     page.word("kind", kind);
-    // Of several ratios each sizes the whole catalogue while the file is read.
-    if kind != "coupling" && page.u.ratio(1, 24)? {
+    if kind != "coupling" && page.ratios && page.seldom()? {
         page.plain("ratios", "[0.5, 1.5, 2, 4]");
     } else if kind != "coupling" {
         page.number("ratio", 0.3, 8.0)?;

@@ -19,14 +19,16 @@ pub struct Target {
     pub name: &'static str,
     /// Holds one case to its promises; a promise that is broken panics.
     pub run: fn(&[u8]),
+    /// What a case is, for people.
+    pub shown: fn(&[u8]) -> String,
 }
 
 /// Every target; `xtask/src/fuzz.rs` has their limits.
 pub const TARGETS: [Target; 6] = [
-    Target { name: "code", run: code::run },
-    Target { name: "quantity", run: quantity::run },
-    Target { name: "project", run: project::run },
-    Target { name: "csv", run: recorded::csv },
-    Target { name: "parquet", run: recorded::parquet },
-    Target { name: "axis", run: axis::run },
+    Target { name: "code", run: code::run, shown: code::shown },
+    Target { name: "quantity", run: quantity::run, shown: quantity::shown },
+    Target { name: "project", run: project::run, shown: project::shown },
+    Target { name: "csv", run: recorded::csv, shown: recorded::shown_csv },
+    Target { name: "parquet", run: recorded::parquet, shown: recorded::shown_parquet },
+    Target { name: "axis", run: axis::run, shown: axis::shown },
 ];

@@ -2,6 +2,7 @@
 #![no_main]
 
 use std::alloc::System;
+use std::io::Write as _;
 use std::sync::OnceLock;
 
 /// Counts what is allocated, and refuses what goes beyond the limit of the target: libFuzzer sees such a case as a crash,
@@ -10,6 +11,9 @@ use std::sync::OnceLock;
 static ALLOCATOR: cap::Cap<System> = cap::Cap::new(System, usize::MAX);
 
 static TARGET: OnceLock<fuzz::Target> = OnceLock::new();
+
+/// Whether each case is told: where one is repeated.
+static SHOWN: OnceLock<bool> = OnceLock::new();
 
 fn prepare() {
     let name = std::env::var("ANTRIEB_FUZZ_TARGET").unwrap_or_default();
@@ -26,6 +30,9 @@ fn prepare() {
 
 libfuzzer_sys::fuzz_target!(init: prepare(), |data: &[u8]| {
     if let Some(target) = TARGET.get() {
+        if *SHOWN.get_or_init(|| std::env::var_os("ANTRIEB_FUZZ_SHOW").is_some()) {
+            let _ = writeln!(std::io::stderr(), "{}", (target.shown)(data));
+        }
         (target.run)(data);
     }
 });

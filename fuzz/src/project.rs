@@ -8,10 +8,12 @@ use workbench::{Language, Project, answer, inputs, place, project_fingerprint};
 
 /// A project that is mostly valid, with edits in a share of the cases; or any text.
 pub fn run(data: &[u8]) {
-    let mut u = Unstructured::new(data);
-    if let Ok(text) = text(&mut u) {
-        hold(&text);
-    }
+    hold(&shown(data));
+}
+
+/// The text that a case is.
+pub fn shown(data: &[u8]) -> String {
+    text(&mut Unstructured::new(data)).unwrap_or_default()
 }
 
 fn text(u: &mut Unstructured<'_>) -> Result<String> {
@@ -19,10 +21,10 @@ fn text(u: &mut Unstructured<'_>) -> Result<String> {
         0 => Ok(rest(u)),
         1..=4 => {
             let edits = any_edits(u, 5)?;
-            let text = draft::project(u)?;
+            let text = draft::project(u, false)?;
             Ok(mutate(&text, &edits))
         }
-        _ => draft::project(u),
+        _ => draft::project(u, false),
     }
 }
 

@@ -9,14 +9,21 @@ const DIGITS: usize = 6;
 
 /// An example of a dimension with edits, a number with a unit, or any text; held to its dimension and two others.
 pub fn run(data: &[u8]) {
-    let mut u = Unstructured::new(data);
-    let chosen = |u: &mut Unstructured<'_>| -> Result<[Dimension; 3]> {
-        Ok([u.choose(unit::ALL)?.dimension, *u.choose(Dimension::ALL)?, *u.choose(Dimension::ALL)?])
-    };
-    let Ok(dimensions) = chosen(&mut u) else { return };
-    if let Ok(text) = text(&mut u, dimensions[0]) {
+    if let Ok((dimensions, text)) = made(data) {
         dimensions.into_iter().for_each(|dimension| hold(&text, dimension));
     }
+}
+
+/// The text that a case is.
+pub fn shown(data: &[u8]) -> String {
+    made(data).map(|(_, text)| text).unwrap_or_default()
+}
+
+fn made(data: &[u8]) -> Result<([Dimension; 3], String)> {
+    let mut u = Unstructured::new(data);
+    let first = u.choose(unit::ALL)?.dimension;
+    let dimensions = [first, *u.choose(Dimension::ALL)?, *u.choose(Dimension::ALL)?];
+    Ok((dimensions, text(&mut u, first)?))
 }
 
 fn text(u: &mut Unstructured<'_>, dimension: Dimension) -> Result<String> {

@@ -41,51 +41,65 @@ impl Files for Only<'_> {
 
 /// CSV as loggers write it, with edits in a share of the cases; or any bytes.
 pub fn csv(data: &[u8]) {
-    let mut u = Unstructured::new(data);
-    let made = |u: &mut Unstructured<'_>| -> Result<(String, Vec<u8>)> {
-        let project = project(u, "run.csv")?;
-        let bytes = match u.int_in_range(0..=9)? {
-            0 => rest(u).into_bytes(),
-            1..=3 => {
-                let edits = any_edits(u, 5)?;
-                let text = Columns::any(u)?.csv(u)?;
-                mutate(&text, &edits).into_bytes()
-            }
-            4 => {
-                let text = Columns::any(u)?.csv(u)?;
-                table::encoded(&text, u)?
-            }
-            _ => Columns::any(u)?.csv(u)?.into_bytes(),
-        };
-        Ok((project, bytes))
-    };
-    if let Ok((project, bytes)) = made(&mut u) {
+    if let Ok((project, bytes)) = made_csv(&mut Unstructured::new(data)) {
         hold(&project, &bytes);
     }
 }
 
 /// Parquet as the writer of the library makes it, with changed bytes in a share of the cases; or any bytes.
 pub fn parquet(data: &[u8]) {
-    let mut u = Unstructured::new(data);
-    let made = |u: &mut Unstructured<'_>| -> Result<(String, Vec<u8>)> {
-        let project = project(u, "run.parquet")?;
-        let bytes = match u.int_in_range(0..=9)? {
-            // The bytes are the file: what the engine changes is behind the magic and before it.
-            0 => u.bytes(u.len())?.to_vec(),
-            // The bytes are the footer of a file that has no columns to show for it.
-            1 => table::with_footer(u.bytes(u.len())?),
-            2..=5 => {
-                let edits: Vec<(u16, u8)> = any_edits(u, 6)?;
-                let bytes = Columns::any(u)?.parquet(u)?;
-                edit_bytes(bytes, &edits)
-            }
-            _ => Columns::any(u)?.parquet(u)?,
-        };
-        Ok((project, bytes))
-    };
-    if let Ok((project, bytes)) = made(&mut u) {
+    if let Ok((project, bytes)) = made_parquet(&mut Unstructured::new(data)) {
         hold(&project, &bytes);
     }
+}
+
+/// The project and the file that a case of CSV is.
+pub fn shown_csv(data: &[u8]) -> String {
+    made_csv(&mut Unstructured::new(data))
+        .map(|(project, bytes)| format!("{project}---\n{}", String::from_utf8_lossy(&bytes)))
+        .unwrap_or_default()
+}
+
+/// The project and the bytes that a case of Parquet is.
+pub fn shown_parquet(data: &[u8]) -> String {
+    made_parquet(&mut Unstructured::new(data))
+        .map(|(project, bytes)| format!("{project}---\n{}", bytes.escape_ascii()))
+        .unwrap_or_default()
+}
+
+fn made_csv(u: &mut Unstructured<'_>) -> Result<(String, Vec<u8>)> {
+    let project = project(u, "run.csv")?;
+    let bytes = match u.int_in_range(0..=9)? {
+        0 => rest(u).into_bytes(),
+        1..=3 => {
+            let edits = any_edits(u, 5)?;
+            let text = Columns::any(u)?.csv(u)?;
+            mutate(&text, &edits).into_bytes()
+        }
+        4 => {
+            let text = Columns::any(u)?.csv(u)?;
+            table::encoded(&text, u)?
+        }
+        _ => Columns::any(u)?.csv(u)?.into_bytes(),
+    };
+    Ok((project, bytes))
+}
+
+fn made_parquet(u: &mut Unstructured<'_>) -> Result<(String, Vec<u8>)> {
+    let project = project(u, "run.parquet")?;
+    let bytes = match u.int_in_range(0..=9)? {
+        // The bytes are the file: what the engine changes is behind the magic and before it.
+        0 => u.bytes(u.len())?.to_vec(),
+        // The bytes are the footer of a file that has no columns to show for it.
+        1 => table::with_footer(u.bytes(u.len())?),
+        2..=5 => {
+            let edits: Vec<(u16, u8)> = any_edits(u, 6)?;
+            let bytes = Columns::any(u)?.parquet(u)?;
+            edit_bytes(bytes, &edits)
+        }
+        _ => Columns::any(u)?.parquet(u)?,
+    };
+    Ok((project, bytes))
 }
 
 fn project(u: &mut Unstructured<'_>, file: &str) -> Result<String> {

@@ -1,5 +1,5 @@
 //! The corpora and what was once a crash, without the engine.
-#![allow(missing_docs, clippy::unwrap_used, reason = "a test fails loudly")]
+#![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "a test fails loudly")]
 
 use fuzz::{TARGETS, Target};
 use std::path::{Path, PathBuf};

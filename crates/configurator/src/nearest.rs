@@ -94,10 +94,14 @@ pub fn nearest(text: &str, most: usize) -> Vec<&'static (OrderCode, Availability
     let near: Vec<(usize, &Entry)> = at_least.filter(|(least, _)| *least <= half).collect();
     let mut written = Distances::from(&wanted);
     let mut reordered = Distances::from(&sorted_words(&wanted));
-    let mut score = |least: usize, entry: &Entry| {
-        let as_written = written.to(&entry.text);
-        // As many steps as the letters ask for at least: other words in another order are not nearer.
-        if as_written <= least + 1 { as_written } else { as_written.min(1 + reordered.to(&entry.sorted)) }
+    let mut score = |least: usize, entry: &Entry, most: usize| {
+        let as_written = written.within(&entry.text, most);
+        // As many steps as the letters ask for at least, or one more: other words in another order are not nearer.
+        if as_written.is_some_and(|steps| steps <= least + 1) || most == 0 {
+            return as_written;
+        }
+        let in_order = reordered.within(&entry.sorted, most - 1).map(|steps| steps + 1);
+        as_written.into_iter().chain(in_order).min()
     };
     // Those with the fewest letters apart tell how near the best one is at most, the others are looked at within that.
     let fewest = near.iter().map(|(least, _)| *least).min().unwrap_or(0);
@@ -108,7 +112,7 @@ pub fn nearest(text: &str, most: usize) -> Vec<&'static (OrderCode, Availability
             if *least > bound {
                 continue;
             }
-            let distance = score(*least, entry);
+            let Some(distance) = score(*least, entry, bound) else { continue };
             bound = bound.min(distance + 1);
             scored.push((distance, !entry.known.1.is_available(), entry.known));
         }

@@ -28,6 +28,8 @@ pub struct Distances {
     steps: Vec<usize>,
     /// For each row and each letter of `from`: the last row whose letter is the same, from 1 on; 0 for none.
     same_rows: Vec<usize>,
+    /// For each row the least that the distance of a text can be which begins with its letters.
+    least: Vec<usize>,
 }
 
 impl Distances {
@@ -37,18 +39,29 @@ impl Distances {
         let from: Vec<char> = capitals(text).collect();
         let steps = (0..=from.len()).collect();
         let same_rows = vec![0; from.len()];
-        Self { from, letters: Vec::new(), steps, same_rows }
+        Self { from, letters: Vec::new(), steps, same_rows, least: vec![0] }
     }
 
     /// How far a text is away.
     #[must_use]
     pub fn to(&mut self, text: &str) -> usize {
+        self.within(text, usize::MAX).unwrap_or(usize::MAX)
+    }
+
+    /// How far a text is away; `None` if further than `most`. A text that begins too far away is not read to its end.
+    #[must_use]
+    pub fn within(&mut self, text: &str, most: usize) -> Option<usize> {
         let common = capitals(text).zip(&self.letters).take_while(|(new, old)| new == *old).count();
         self.letters.truncate(common);
         self.steps.truncate((common + 1) * (self.from.len() + 1));
         self.same_rows.truncate((common + 1) * self.from.len());
-        capitals(text).skip(common).for_each(|letter| self.add(letter));
-        self.steps.last().copied().unwrap_or(0)
+        self.least.truncate(common + 1);
+        let mut rest = capitals(text).skip(common);
+        while self.least.last().is_some_and(|least| *least <= most) {
+            let Some(letter) = rest.next() else { return self.steps.last().copied().filter(|found| *found <= most) };
+            self.add(letter);
+        }
+        None
     }
 
     /// Works out the row of one more letter.
@@ -61,6 +74,8 @@ impl Distances {
         let (done, new) = self.steps.split_at_mut(begin);
         let above = done.get(begin - (width + 1)..).unwrap_or_default();
         let same_rows = self.same_rows.get(before..).unwrap_or_default();
+        // A way through the table goes through this row, or leaps over it as letters are swapped: that costs a step at least.
+        let mut row_least = self.least.last().map_or(row, |least| row.min(least + 1));
         let (mut left, mut same_column) = (row, 0);
         let columns = self.from.iter().zip(same_rows).zip(above.iter().zip(above.iter().skip(1)));
         for (column, (((from, same), (diagonal, up)), step)) in columns.zip(new.iter_mut().skip(1)).enumerate() {
@@ -77,7 +92,9 @@ impl Distances {
             }
             *step = least;
             left = least;
+            row_least = row_least.min(least);
         }
+        self.least.push(row_least);
         self.same_rows.extend_from_within(before..);
         let now = self.same_rows.get_mut(before + width..).unwrap_or_default();
         for (same, _) in now.iter_mut().zip(&self.from).filter(|(_, from)| **from == letter) {
@@ -131,7 +148,11 @@ mod tests {
         for a in texts.iter().filter(|a| a.len() < 5) {
             let mut distances = Distances::from(a);
             for b in &texts {
-                assert_eq!(distances.to(b), strsim::damerau_levenshtein(a, b), "{a} {b}");
+                let distance = strsim::damerau_levenshtein(a, b);
+                assert_eq!(distances.to(b), distance, "{a} {b}");
+                for most in 0..=5 {
+                    assert_eq!(distances.within(b, most), (distance <= most).then_some(distance), "{a} {b} {most}");
+                }
             }
         }
         let (a, b) = ("CHA-20A-100-H-C1024-B-EC", "CAH-25A-10-HM-C1042-EC-B");

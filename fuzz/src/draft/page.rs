@@ -37,17 +37,19 @@ pub(super) struct Page<'u, 'b> {
     pub(super) tolerances: usize,
     /// Whether some amounts are at the edge.
     pub(super) edges: bool,
+    /// Whether a stage may have several ratios.
+    pub(super) ratios: bool,
     /// The keys of `[bearing]` that have an effect on the loads of the mechanism; none where it has none.
     pub(super) effective: &'static [&'static str],
 }
 
 impl Page<'_, '_> {
     pub(super) fn table(&mut self, name: &str) {
-        let _ = write!(self.text, "[{}{name}]\n", self.prefix);
+        let _ = writeln!(self.text, "[{}{name}]", self.prefix);
     }
 
     pub(super) fn row(&mut self, name: &str) {
-        let _ = write!(self.text, "[[{}{name}]]\n", self.prefix);
+        let _ = writeln!(self.text, "[[{}{name}]]", self.prefix);
     }
 
     /// A key with what is written behind it.

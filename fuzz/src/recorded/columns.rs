@@ -29,7 +29,7 @@ impl Columns {
         let scaled = |values: &[f64], factor: f64| values.iter().map(|value| value * factor).collect::<Vec<f64>>();
         let time = times.iter().map(|t| t * duration * time_factor).collect();
         let mut columns =
-            vec![Column { name: *u.choose(&["time", "t", "Zeit", "timestamp"])?, unit: time_unit, values: time }];
+            vec![Column { name: u.choose(&["time", "t", "Zeit", "timestamp"])?, unit: time_unit, values: time }];
         if u.ratio(4, 5)? {
             let (unit, factor) =
                 *u.choose(&[("deg", 57.295_779_513), ("rad", 1.0), ("mm", 1e3), ("rev", 0.159_154_943)])?;
@@ -38,19 +38,11 @@ impl Columns {
         }
         if u.ratio(1, 2)? {
             let (unit, factor) = *u.choose(&[("1/min", 9.549_296_586), ("rad/s", 1.0), ("m/s", 1.0)])?;
-            columns.push(Column {
-                name: *u.choose(&["speed", "n", "Drehzahl"])?,
-                unit,
-                values: scaled(&speed, factor),
-            });
+            columns.push(Column { name: u.choose(&["speed", "n", "Drehzahl"])?, unit, values: scaled(&speed, factor) });
         }
         if u.ratio(1, 2)? {
             let (unit, factor) = *u.choose(&[("Nm", 1.0), ("N m", 1.0), ("N", 1.0)])?;
-            columns.push(Column {
-                name: *u.choose(&["torque", "M", "Moment"])?,
-                unit,
-                values: scaled(&torque, factor),
-            });
+            columns.push(Column { name: u.choose(&["torque", "M", "Moment"])?, unit, values: scaled(&torque, factor) });
         }
         if u.ratio(1, 4)? {
             columns.push(Column { name: "note", unit: "", values: times });

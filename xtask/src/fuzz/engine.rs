@@ -144,10 +144,10 @@ impl Engine {
         Ok(Run { cases: cases as u64, ..found })
     }
 
-    /// Runs one case, all that is said passed on.
+    /// Runs one case, told as what it is, all that is said passed on.
     pub(super) fn repeat(&self, target: &Target, file: &Path) -> Result<(), Error> {
         let path = fs::canonicalize(file).map_err(|source| Error::File { path: file.to_path_buf(), source })?;
-        must_succeed(self.command(target)?.arg(path))
+        must_succeed(self.command(target)?.env("ANTRIEB_FUZZ_SHOW", "1").arg(path))
     }
 
     /// Makes the corpus the fewest cases, old and new, that reach all that was reached.
