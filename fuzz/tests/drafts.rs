@@ -1,5 +1,5 @@
 //! The drafts reach what they are made to reach: a generator that gives refusals alone tries nothing.
-#![allow(missing_docs, clippy::unwrap_used, reason = "a test fails loudly")]
+#![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "a test fails loudly")]
 
 use arbitrary::Unstructured;
 use fuzz::{TARGETS, draft, project};
@@ -24,7 +24,7 @@ fn most_drafts_are_valid_and_all_kinds_are_among_them() {
     let mut refusals: Vec<String> = Vec::new();
     for case in 0..CASES {
         let bytes = bytes(case);
-        let text = draft::project(&mut Unstructured::new(&bytes), case % 8 == 0).unwrap();
+        let text = draft::project(&mut Unstructured::new(&bytes), true).unwrap();
         match workbench::read_all(&text, &workbench::NoFiles) {
             Ok(_) => {
                 valid += 1;
@@ -36,6 +36,7 @@ fn most_drafts_are_valid_and_all_kinds_are_among_them() {
             }
         }
     }
+    println!("{valid} of {CASES} are valid");
     assert!(valid * 10 > CASES * 7, "{valid} of {CASES} are valid; refused: {refusals:#?}");
     let kinds = [
         "[load]",
