@@ -38,6 +38,29 @@ pub enum Error {
         /// The crate that builds it.
         from_crate: &'static str,
     },
+    /// There is no C++ compiler.
+    NoCompiler,
+    /// A fuzz target has found what breaks a promise or a limit; it has been told.
+    Finds {
+        /// The target.
+        target: &'static str,
+        /// How many runs ended so.
+        count: usize,
+        /// Where the cases are.
+        folder: PathBuf,
+    },
+    /// A fuzz target ran nothing.
+    NoCases {
+        /// The target.
+        target: &'static str,
+    },
+    /// A word of the command line is wrong.
+    Word {
+        /// The word.
+        word: String,
+        /// What is wrong with it.
+        why: String,
+    },
     /// A package that a step needs is not in the workspace.
     NoPackage {
         /// Its name.
@@ -123,6 +146,17 @@ impl fmt::Display for Error {
                 f,
                 "{program} is not here and could not be installed; get it with `cargo install --locked {from_crate}`"
             ),
+            Self::NoCompiler => write!(
+                f,
+                "no C++ compiler is here, and the fuzzing engine is built with one; get g++ or clang++ (Debian: apt-get install g++)"
+            ),
+            Self::Finds { target, count, folder } => write!(
+                f,
+                "target `{target}` has {count} finds; the cases are in {}; when mended they belong into fuzz/crashes/{target}",
+                folder.display()
+            ),
+            Self::NoCases { target } => write!(f, "target `{target}` ran no case"),
+            Self::Word { word, why } => write!(f, "`{word}`: {why}"),
             Self::NoPackage { name } => write!(f, "no package `{name}` in the workspace"),
             Self::Ignored { count } => {
                 write!(f, "{count} tests were ignored; every test runs or goes")

@@ -1,18 +1,220 @@
-//! The fuzz step: package `fuzz`, run as plain tests for a bounded time.
+//! Fuzzing: the step of `ci`, campaigns, and how far the corpora reach. `fuzz/README.md` tells how to use it.
 
-use std::ffi::OsString;
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use crate::Error;
-use crate::cargo::{Workspace, cargo, must_succeed};
+use arguments::{Arguments, Work};
+use engine::{Engine, Run, Stop};
 
-/// How long each target runs; the package reads it, a caller may set it.
-const SECONDS: &str = "ANTRIEB_FUZZ_SECONDS";
-const SECONDS_DEFAULT: &str = "20";
+mod arguments;
+mod engine;
+pub mod instrument;
 
-pub(crate) fn run(root: &Path) -> Result<(), Error> {
-    Workspace::ask(root)?.require("fuzz")?;
-    let seconds = std::env::var_os(SECONDS).unwrap_or_else(|| OsString::from(SECONDS_DEFAULT));
-    let mut command = cargo(root, &["test", "--package", "fuzz", "--release"]);
-    must_succeed(command.env(SECONDS, seconds))
+/// A target with its limits. A case beyond one of them is a find.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Target {
+    /// Its name in `fuzz/src/lib.rs`, and that of its folders.
+    name: &'static str,
+    /// How long it runs in CI.
+    ci_seconds: u32,
+    /// Longest time for a case, many times what one takes on a machine with nothing else to do.
+    case_seconds: u32,
+    /// Most memory for a case.
+    memory_mb: u32,
+    /// Longest case in bytes.
+    bytes: u32,
+    /// How many cases a campaign has at least.
+    cases: u64,
+}
+
+const TARGETS: [Target; 6] = [
+    Target { name: "code", ci_seconds: 15, case_seconds: 2, memory_mb: 64, bytes: 128, cases: 10_000_000 },
+    Target { name: "quantity", ci_seconds: 15, case_seconds: 2, memory_mb: 64, bytes: 128, cases: 10_000_000 },
+    Target { name: "project", ci_seconds: 30, case_seconds: 5, memory_mb: 256, bytes: 1024, cases: 1_000_000 },
+    Target { name: "csv", ci_seconds: 25, case_seconds: 5, memory_mb: 256, bytes: 2048, cases: 1_000_000 },
+    Target { name: "parquet", ci_seconds: 25, case_seconds: 5, memory_mb: 256, bytes: 4096, cases: 200_000 },
+    Target { name: "axis", ci_seconds: 60, case_seconds: 20, memory_mb: 512, bytes: 1024, cases: 10_000 },
+];
+
+/// After so many finds of a target a run ends: they are rarely different.
+const FINDS_MOST: usize = 10;
+
+/// The variable that repeats a run.
+const SEED: &str = "ANTRIEB_FUZZ_SEED";
+
+/// The step of `ci`: all of the corpora and of what was once a crash, then new cases from another seed each time.
+pub(crate) fn step(root: &Path) -> Result<(), Error> {
+    let engine = Engine::build(root)?;
+    let seed = seed();
+    println!("fuzz: seed {seed}; {SEED}={seed} repeats this run");
+    let mut failed = Ok(());
+    for target in TARGETS {
+        let stop = Stop::Seconds(target.ci_seconds);
+        failed = failed.and(explored(&engine, &target, stop, 1, seed).map(drop));
+    }
+    failed
+}
+
+/// `cargo xtask fuzz` with its words.
+///
+/// # Errors
+/// A word that is not understood, a build that fails, or finds; they have been told then.
+pub fn run(root: &Path, words: &[String]) -> Result<(), Error> {
+    let arguments = Arguments::read(words, &TARGETS.map(|target| target.name))?;
+    let chosen = || TARGETS.iter().filter(|target| arguments.target.as_deref().is_none_or(|name| name == target.name));
+    let engine = Engine::build(root)?;
+    let seed = seed();
+    match &arguments.work {
+        Work::Case(file) => {
+            for target in chosen() {
+                engine.repeat(target, file)?;
+            }
+            Ok(())
+        }
+        Work::Coverage => {
+            println!("{:<9} {:>7} {:>9} {:>9} {:>9}", "target", "cases", "edges", "reached", "share");
+            for target in chosen() {
+                let found = engine.coverage(target)?;
+                let share = 100.0 * found.reached as f64 / found.edges.max(1) as f64;
+                println!(
+                    "{:<9} {:>7} {:>9} {:>9} {share:>7.1} %",
+                    target.name, found.cases, found.edges, found.reached
+                );
+            }
+            Ok(())
+        }
+        Work::Campaign { minutes } => {
+            println!("fuzz: seed {seed}; {SEED}={seed} repeats this run");
+            let share = minutes.map(|minutes| minutes * 60 / u32::try_from(chosen().count().max(1)).unwrap_or(1));
+            let mut failed = Ok(());
+            for target in chosen() {
+                let stop = share.map_or(Stop::Cases(target.cases), Stop::Seconds);
+                let outcome = explored(&engine, target, stop, arguments.jobs, seed);
+                engine.merge(target)?;
+                failed = failed.and(outcome.map(drop));
+            }
+            failed
+        }
+    }
+}
+
+/// Runs a target to its end, in several processes at once; a process that ends with a find is followed by another.
+fn explored(engine: &Engine, target: &Target, stop: Stop, jobs: u32, seed: u32) -> Result<Run, Error> {
+    let begin = Instant::now();
+    let finds = engine.finds(target)?;
+    let shares: Vec<Run> = std::thread::scope(|scope| {
+        let one = |job: u32| scope.spawn(move || job_of(engine, target, stop.shared(jobs), seed.wrapping_add(job)));
+        let started: Vec<_> = (0..jobs).map(one).collect();
+        started
+            .into_iter()
+            .map(|job| job.join().unwrap_or(Err(Error::NoCases { target: target.name })))
+            .collect::<Result<_, _>>()
+    })?;
+    let sum = shares.into_iter().fold(Run::default(), Run::and);
+    let seconds = begin.elapsed().as_secs_f64();
+    println!(
+        "fuzz: {:<9} {:>9} cases in {seconds:.0} s, {:.0} in a second; {} of {} edges; finds: {}",
+        target.name,
+        sum.cases,
+        sum.cases as f64 / seconds.max(1e-3),
+        sum.reached,
+        sum.edges,
+        sum.finds,
+    );
+    if sum.cases == 0 && sum.finds == 0 {
+        return Err(Error::NoCases { target: target.name });
+    }
+    if sum.finds > 0 {
+        for find in listed(&finds) {
+            println!("fuzz: cargo xtask fuzz --target {} --case {}", target.name, find.display());
+        }
+        return Err(Error::Finds { target: target.name, count: sum.finds, folder: finds });
+    }
+    Ok(sum)
+}
+
+fn job_of(engine: &Engine, target: &Target, stop: Stop, seed: u32) -> Result<Run, Error> {
+    let begin = Instant::now();
+    let mut sum = Run::default();
+    for attempt in 0.. {
+        let Some(left) = stop.after(begin.elapsed(), sum.cases) else { break };
+        // Another seed behind a find: the same one leads to the same place.
+        let run = engine.explore(target, left, seed.wrapping_add(attempt * 7919))?;
+        sum = sum.and(run);
+        if run.finds == 0 || sum.finds >= FINDS_MOST {
+            break;
+        }
+    }
+    Ok(sum)
+}
+
+impl Stop {
+    /// What each of several processes has to do.
+    fn shared(self, jobs: u32) -> Self {
+        match self {
+            Self::Seconds(seconds) => Self::Seconds(seconds),
+            Self::Cases(cases) => Self::Cases(cases.div_ceil(u64::from(jobs.max(1)))),
+        }
+    }
+
+    /// What is left.
+    fn after(self, spent: Duration, done: u64) -> Option<Self> {
+        match self {
+            Self::Seconds(seconds) => {
+                let left = Duration::from_secs(seconds.into()).checked_sub(spent)?.as_secs();
+                u32::try_from(left).ok().filter(|left| *left > 0).map(Self::Seconds)
+            }
+            Self::Cases(cases) => cases.checked_sub(done).filter(|left| *left > 0).map(Self::Cases),
+        }
+    }
+}
+
+/// Another seed each time, unless one is asked for.
+fn seed() -> u32 {
+    let asked = std::env::var(SEED).ok().and_then(|text| text.parse().ok());
+    asked.unwrap_or_else(|| {
+        let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        // libFuzzer takes zero for none.
+        (now.subsec_nanos() ^ std::process::id()).max(1)
+    })
+}
+
+fn listed(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok).map(|entry| entry.path());
+    let mut files: Vec<PathBuf> = entries.filter(|path| path.is_file()).collect();
+    files.sort();
+    files
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cargo::Workspace;
+
+    #[test]
+    fn every_target_of_the_package_has_its_limits() {
+        let text = fs::read_to_string(crate::root().join("fuzz/src/lib.rs")).unwrap();
+        let names: Vec<&str> =
+            text.split("Target { name: \"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+        assert_eq!(names, TARGETS.map(|target| target.name));
+        let seconds: u32 = TARGETS.iter().map(|target| target.ci_seconds).sum();
+        assert!(seconds <= 180, "the step runs for {seconds} s");
+    }
+
+    #[test]
+    fn what_is_left_is_what_was_not_done() {
+        let spent = Duration::from_secs;
+        assert_eq!(Stop::Seconds(60).after(spent(45), 9), Some(Stop::Seconds(15)));
+        assert_eq!(Stop::Seconds(60).after(spent(60), 9), None);
+        assert_eq!(Stop::Cases(100).shared(3), Stop::Cases(34));
+        assert_eq!(Stop::Cases(34).after(spent(1), 30), Some(Stop::Cases(4)));
+        assert_eq!(Stop::Cases(34).after(spent(1), 40), None);
+    }
+
+    #[test]
+    fn the_tools_of_the_workspace_know_the_package() {
+        assert!(Workspace::ask(&crate::root()).unwrap().require("fuzz").is_ok());
+    }
 }

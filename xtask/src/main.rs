@@ -3,9 +3,9 @@
 
 use std::process::ExitCode;
 
-use xtask::{Error, bench, ci, data, notices, root, samples, snapshots, tidy, tools};
+use xtask::{Error, bench, ci, data, fuzz, notices, root, samples, snapshots, tidy, tools};
 
-const COMMANDS: [(&str, &str); 9] = [
+const COMMANDS: [(&str, &str); 10] = [
     ("ci", "everything CI runs, in its order, or the steps named after it; stops at the first failure"),
     ("tools", "installs the tools that ci needs beside Rust, under target/tools"),
     ("tidy", "the house rules: layers, lengths, marks, the map of the house, data files"),
@@ -14,10 +14,14 @@ const COMMANDS: [(&str, &str); 9] = [
     ("samples", "rewrite the answers that the documents show, then read git diff"),
     ("notices", "rewrite THIRD-PARTY.md from the lock file"),
     ("bench", "the bench gates; words after `bench` go to the benches"),
+    ("fuzz", "a fuzz campaign; --minutes N, --target T, --jobs J; --coverage tells how far the corpora reach"),
     ("help", "this text"),
 ];
 
 fn main() -> ExitCode {
+    if let Some(compiled) = fuzz::instrument::as_wrapper() {
+        return compiled;
+    }
     let mut words = std::env::args().skip(1);
     let Some(command) = words.next() else {
         eprint!("{}", help());
@@ -34,6 +38,7 @@ fn main() -> ExitCode {
             eprintln!("error: `{command}` takes no further words, got `{}`", rest.join(" "));
             return ExitCode::from(2);
         }
+        "fuzz" => fuzz::run(&root(), &rest),
         "ci" => ci::run(&root(), &rest),
         "tools" => tools::install(&root()),
         "tidy" => tidy::run(&root()),

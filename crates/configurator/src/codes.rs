@@ -63,13 +63,13 @@ pub fn complete(pattern: &Pattern) -> impl Iterator<Item = &'static (OrderCode, 
 #[must_use]
 pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
     let plain = Pattern { special: Slot::Any, ..*pattern };
+    if complete(&plain).next().is_some() {
+        return Vec::new();
+    }
     let found: Vec<(OrderCode, Vec<BrokenRule>)> =
         writable().into_iter().filter(|code| plain.matches(code)).map(|code| (code, looked_up(&code).1)).collect();
     // The code that breaks the fewest stands for all.
     let Some((code, rules)) = found.iter().min_by_key(|(_, broken)| broken.len()) else { return Vec::new() };
-    if rules.is_empty() {
-        return Vec::new();
-    }
     let of_all = |rule: &BrokenRule| found.iter().all(|(_, broken)| broken.contains(rule));
     let common: Vec<(OrderCode, BrokenRule)> =
         rules.iter().filter(|rule| of_all(rule)).map(|rule| (*code, *rule)).collect();
@@ -81,14 +81,23 @@ pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
     each.flat_map(|(code, broken)| broken.iter().map(|rule| (*code, *rule))).collect()
 }
 
+/// The words that the valid codes of each size have.
+static TOKENS: LazyLock<Vec<(Field, Size, Vec<&'static str>)>> = LazyLock::new(|| {
+    let of_size = |field: Field, size: Size| {
+        let stands = |token: &&str| ALL.iter().any(|(code, _)| code.size == size && code.token(field) == Some(token));
+        (field, size, field.tokens().iter().copied().filter(stands).collect())
+    };
+    Field::ALL.iter().flat_map(|field| Size::ALL.iter().map(move |size| of_size(*field, *size))).collect()
+});
+
 /// The words of a field that some valid code of a size has.
 #[must_use]
-pub fn tokens_of_size(field: Field, size: Size) -> Vec<&'static str> {
+pub fn tokens_of_size(field: Field, size: Size) -> &'static [&'static str] {
     if field == Field::Special {
-        return field.tokens().to_vec();
+        return field.tokens();
     }
-    let of_size = |token: &&str| ALL.iter().any(|(code, _)| code.size == size && code.token(field) == Some(token));
-    field.tokens().iter().copied().filter(of_size).collect()
+    let found = TOKENS.iter().find(|(of, known, _)| (*of, *known) == (field, size));
+    found.map(|(_, _, tokens)| tokens.as_slice()).unwrap_or_default()
 }
 
 /// What may stand at one field of a partial code.

@@ -136,10 +136,11 @@ impl CodeError {
 /// begins most like the text, then the first in the order of the fields.
 pub(crate) fn nearest_token(found: &str, fields: &[Field]) -> Option<(Field, &'static str)> {
     let found: String = found.chars().take(16).collect();
+    let mut distances = crate::Distances::from(&found);
     fields
         .iter()
         .flat_map(|field| field.tokens().iter().map(move |token| (*field, *token)))
-        .map(|(field, token)| (crate::edit_distance(&found, token), field, token))
+        .map(|(field, token)| (distances.to(token), field, token))
         .filter(|(distance, _, token)| distance * 2 <= token.len())
         .min_by_key(|(distance, _, token)| (*distance, std::cmp::Reverse(common_beginning(&found, token))))
         .map(|(_, field, token)| (field, token))

@@ -122,9 +122,9 @@ pub(crate) fn spelling_faults(errors: &CodeErrors, language: Language) -> Vec<Co
 fn valid_here(error: &CodeError, size: Option<Size>) -> Vec<&'static str> {
     let of_size = |field: &Field| match size {
         Some(size) if *field != Field::Series => configurator::tokens_of_size(*field, size),
-        _ => field.tokens().to_vec(),
+        _ => field.tokens(),
     };
-    error.expected_fields().iter().flat_map(of_size).collect()
+    error.expected_fields().iter().flat_map(of_size).copied().collect()
 }
 
 /// Each field of a code with its token and what it means.

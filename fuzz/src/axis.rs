@@ -1,0 +1,200 @@
+//! Whole use cases on a drafted project: verdicts that follow from the checks, questions that agree with each other, answers
+//! that keep to their schema, tables and pictures that are whole.
+
+mod forms;
+pub(crate) mod verdict;
+
+use crate::text::{any_edits, mutate, tells};
+use crate::{draft, project};
+use arbitrary::{Result, Unstructured};
+use serde::Serialize;
+use serde_json::Value;
+use std::sync::LazyLock;
+use workbench::{
+    Candidate, CandidateId, CheckId, Draw, Language, OrderCode, Patience, Project, Request, Response, Sizing, answer,
+    answers, ask, check, difference, size,
+};
+
+/// Enough samples to go through everything.
+const FEW: Draw = Draw { samples: Some(5), seed: 1 };
+
+/// What a use case needs.
+struct Case<'c> {
+    text: &'c str,
+    /// Place of the axis in the file.
+    place: usize,
+    project: &'c Project,
+    language: Language,
+}
+
+/// A drafted project, at times with edits, sized; then one further question about it.
+pub fn run(data: &[u8]) {
+    let mut u = Unstructured::new(data);
+    let Ok((question, language, text)) = chosen(&mut u) else { return };
+    let Some(projects) = project::hold(&text) else { return };
+    for (place, project) in projects.iter().enumerate() {
+        let case = Case { text: &text, place, project, language };
+        hold(&case, question);
+    }
+}
+
+/// The text that a case is.
+pub fn shown(data: &[u8]) -> String {
+    chosen(&mut Unstructured::new(data))
+        .map(|(question, language, text)| format!("# question {question}, {language:?}\n{text}"))
+        .unwrap_or_default()
+}
+
+fn chosen(u: &mut Unstructured<'_>) -> Result<(u8, Language, String)> {
+    let question = u.int_in_range(0..=8)?;
+    let language = if u.ratio(1, 2)? { Language::De } else { Language::En };
+    let edits = if u.ratio(1, 6)? { any_edits(u, 3)? } else { Vec::new() };
+    let text = draft::project(u, true)?;
+    Ok((question, language, mutate(&text, &edits)))
+}
+
+fn hold(case: &Case<'_>, question: u8) {
+    let sizing = size(case.project);
+    sizing.candidates.iter().chain(&sizing.own).for_each(verdict::candidate);
+    assert!(sizing.candidates.is_sorted_by_key(|each| !each.fits()), "what fits stands first");
+    let Some(best) = sizing.candidates.first() else { return };
+    let CandidateId::Code(code) = best.id else { return };
+    match question {
+        0 => ranking(case),
+        1 => agree(case, &sizing),
+        2 => one(case, &code),
+        3 => workings(case, &code),
+        4 => beside(case, &sizing),
+        5 => revisions(case, &code),
+        6 => forms::tables(case, &sizing, best),
+        7 => forms::figures(case, best),
+        _ => forms::dossier(case, &sizing, best),
+    }
+}
+
+fn asked(case: &Case<'_>, request: &Request) -> Option<Response> {
+    ask(case.project, request, case.language, &Patience::from_now(None)).ok()
+}
+
+fn ranking(case: &Case<'_>) {
+    let Some(Response::Sizing(found)) = asked(case, &Request::Size { top: 2, draw: FEW }) else { return };
+    assert_eq!(found.answer.is_some(), found.fitting > 0);
+    keeps_to_schema("size", &found);
+    let Some(Response::Bearings(found)) = asked(case, &Request::Bearing) else { return };
+    keeps_to_schema("bearing", &found);
+}
+
+/// The ranking judges in stages, and a candidate alone in full: what fits there must fit here.
+fn agree(case: &Case<'_>, sizing: &Sizing<'_>) {
+    let fitting = sizing.candidates.iter().filter(|each| each.fits()).take(4);
+    let rejected = sizing.candidates.iter().filter(|each| !each.fits()).step_by(40);
+    for each in fitting.chain(rejected) {
+        let CandidateId::Code(code) = each.id else { continue };
+        // Options that the project asks for may break a rule; then the ranking alone judges it.
+        let Ok(alone) = check(case.project, &code) else { continue };
+        verdict::candidate(&alone);
+        assert_eq!(alone.fits(), each.fits(), "{code}: {:?}", alone.worst_failure());
+        for check in &each.judgement.checks {
+            let same = alone.judgement.checks.iter().find(|other| other.id == check.id);
+            let Some(same) = same else { continue };
+            assert_eq!((same.verdict, same.value, same.limit), (check.verdict, check.value, check.limit), "{code}");
+        }
+    }
+}
+
+fn one(case: &Case<'_>, code: &OrderCode) {
+    let request = Request::Check { code: Some(*code), draw: FEW };
+    if let Some(Response::Judgement(found)) = asked(case, &request) {
+        keeps_to_schema("check", &found);
+    }
+    if let Ok(judged) = check(case.project, code) {
+        verdict::reserve(case, code, &judged);
+    }
+    if let Some(Response::Judgement(found)) = asked(case, &Request::Check { code: None, draw: FEW }) {
+        keeps_to_schema("check", &found);
+    }
+}
+
+fn workings(case: &Case<'_>, code: &OrderCode) {
+    let request = Request::Explain { code: Some(*code), check: None };
+    let Some(Response::Explanations(found)) = asked(case, &request) else { return };
+    assert!(!found.checks.is_empty());
+    keeps_to_schema("explain", &found);
+    let one = Request::Explain { code: Some(*code), check: Some(CheckId::PeakTorque) };
+    if let Some(Response::Explanations(found)) = asked(case, &one) {
+        assert_eq!(found.checks.len(), 1);
+    }
+}
+
+/// The first two of the ranking, and the first with itself.
+fn beside(case: &Case<'_>, sizing: &Sizing<'_>) {
+    let of = |each: &Candidate<'_>| match each.id {
+        CandidateId::Code(code) => Some(code),
+        CandidateId::Own(_) => None,
+    };
+    let codes: Vec<OrderCode> = sizing.candidates.iter().filter_map(of).take(2).collect();
+    let Ok(found) = workbench::compare(case.project, &codes) else { return };
+    keeps_to_schema("compare", &answer::comparison(&found, &case.project.name, case.language));
+    assert!(found.checks.iter().all(|row| row.checks.len() == codes.len()));
+    let twice: Vec<OrderCode> = codes.iter().take(1).chain(codes.iter().take(1)).copied().collect();
+    let Ok(found) = workbench::compare(case.project, &twice) else { return };
+    assert!(found.demand.iter().chain(&found.data).all(workbench::DatumRow::is_same), "{:?}", found.demand);
+    assert!(found.checks.iter().all(|row| row.better.is_none()), "nothing is better than itself");
+}
+
+/// A revision that changes nothing changes nothing.
+fn revisions(case: &Case<'_>, code: &OrderCode) {
+    let Ok(found) = difference(case.project, case.project, Some(code)) else { return };
+    assert!(found.demand.iter().all(workbench::DatumRow::is_same), "{:?}", found.demand);
+    assert!(found.checks.iter().all(workbench::CheckChange::is_same), "{code}");
+    assert_eq!(found.best_before, found.best_after);
+    let inputs = workbench::input_changes((case.text, case.place), (case.text, case.place));
+    assert!(inputs.is_empty(), "{inputs:?}");
+    keeps_to_schema("diff", &answer::difference(&found, &inputs, &case.project.name, case.language));
+}
+
+/// The schema of each answer, compiled once.
+struct Compiled {
+    schemas: boon::Schemas,
+    of: Vec<(&'static str, boon::SchemaIndex)>,
+}
+
+static COMPILED: LazyLock<Option<Compiled>> = LazyLock::new(|| compiled(&answers::schema()));
+
+fn compiled(schema: &Value) -> Option<Compiled> {
+    let mut found = Compiled { schemas: boon::Schemas::new(), of: Vec::new() };
+    for command in ["size", "check", "explain", "compare", "diff", "bearing", "export --table"] {
+        let mut one = schema.get("properties")?.get(command)?.as_object()?.clone();
+        one.insert("$schema".into(), schema.get("$schema")?.clone());
+        one.insert("$defs".into(), schema.get("$defs")?.clone());
+        let mut compiler = boon::Compiler::new();
+        let name = format!("{}.json", command.replace(' ', ""));
+        compiler.add_resource(&name, Value::Object(one)).ok()?;
+        let index = compiler.compile(&name, &mut found.schemas).ok()?;
+        found.of.push((command, index));
+    }
+    Some(found)
+}
+
+/// An answer as JSON is what its schema says, and no text in it would be acted on by a terminal.
+fn keeps_to_schema(command: &str, record: &impl Serialize) {
+    let value = serde_json::to_value(record).unwrap_or_default();
+    let found = COMPILED.as_ref().and_then(|found| Some((found, found.of.iter().find(|(of, _)| *of == command)?.1)));
+    assert!(found.is_some(), "no schema of {command}");
+    if let Some((found, index)) = found
+        && let Err(fault) = found.schemas.validate(&value, index)
+    {
+        assert!(value.is_null(), "{command}: {fault:#}");
+        assert!(!value.is_null(), "{command}: no JSON");
+    }
+    texts(&value);
+}
+
+fn texts(value: &Value) {
+    match value {
+        Value::String(text) if !text.is_empty() => tells(text),
+        Value::Array(all) => all.iter().for_each(texts),
+        Value::Object(all) => all.values().for_each(texts),
+        _ => {}
+    }
+}

@@ -1,0 +1,85 @@
+//! Tables, pictures and what a report lays out.
+
+use super::Case;
+use crate::text::tells;
+use figures::{By, Figure, Style, draw};
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use tables::{Front, NAMES, Subject, Table};
+use workbench::{Candidate, Sampling, Sizing, answer, assess, reserve_of};
+
+/// Every table is whole, and has as many rows in every form.
+pub(super) fn tables(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>) {
+    let subject = Subject {
+        text: case.text,
+        axis: case.place,
+        project: case.project,
+        sizing,
+        chosen: best,
+        top: 3,
+        language: case.language,
+    };
+    let tables = subject.tables();
+    assert_eq!(tables.len(), NAMES.len());
+    for table in &tables {
+        assert!(table.rows.iter().all(|row| row.len() == table.columns.len()), "{}", table.name);
+        table.columns.iter().for_each(|column| tells(&column.title));
+        let names: Vec<&String> = table.columns.iter().map(|column| &column.name).collect();
+        assert!(names.iter().enumerate().all(|(at, name)| !names.iter().skip(at + 1).any(|other| other == name)));
+        super::keeps_to_schema("export --table", &tables::record(table));
+        assert_eq!(lines(&tables::csv(table)), table.rows.len() + 1, "{} as CSV", table.name);
+        assert_eq!(parquet_rows(table), Some(table.rows.len()), "{} as Parquet", table.name);
+    }
+    let front = Front {
+        file: "project.toml",
+        revision: None,
+        date: None,
+        project: case.project,
+        chosen: best,
+        language: case.language,
+    };
+    // A workbook takes as long as everything else together.
+    if case.text.len().is_multiple_of(8) {
+        assert!(tables::xlsx(&tables, &front).is_ok_and(|bytes| bytes.starts_with(b"PK")));
+    }
+}
+
+/// Lines of CSV, where a line break between two quotes is none.
+fn lines(text: &str) -> usize {
+    let mut quoted = false;
+    let breaks = |c: &char| {
+        quoted ^= *c == '"';
+        *c == '\n' && !quoted
+    };
+    text.chars().filter(breaks).count()
+}
+
+fn parquet_rows(table: &Table) -> Option<usize> {
+    let bytes = tables::parquet(table).ok()?;
+    let reader = SerializedFileReader::new(bytes::Bytes::from(bytes)).ok()?;
+    usize::try_from(reader.metadata().file_metadata().num_rows()).ok()
+}
+
+/// Every picture is well-formed and says what it shows.
+pub(super) fn figures(case: &Case<'_>, best: &Candidate<'_>) {
+    for figure in Figure::ALL {
+        let Ok(drawing) = draw(figure, case.project, best, By::Mass, case.language) else { continue };
+        [&drawing.title, &drawing.caption, &drawing.description].into_iter().for_each(|text| tells(text));
+        let picture = drawing.render(&Style::new(drawing.size()));
+        let parsed = roxmltree::Document::parse(picture.svg());
+        assert!(parsed.is_ok_and(|parsed| parsed.root_element().has_tag_name("svg")), "{}", figure.id());
+        assert!(!picture.svg().contains("NaN") && !picture.svg().contains("inf"), "{}", figure.id());
+    }
+}
+
+/// What a report is made from.
+pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>) {
+    let reserve = reserve_of(case.project, best);
+    let assessment = assess(case.project, &[best], Sampling { samples: 5, seed: 1 }).pop();
+    let about = (case.text, case.place, "antrieb");
+    let found = answer::dossier(case.project, sizing, best, (&reserve, assessment.as_ref()), about, case.language);
+    assert_eq!(found.sizing.judged, sizing.candidates.len());
+    assert!(!found.bill_of_material.is_empty() && !found.explained.is_empty());
+    let rejected: usize = found.rejections.iter().map(|group| group.codes.len()).sum();
+    assert_eq!(rejected, sizing.candidates.iter().filter(|each| !each.fits()).count());
+    super::texts(&serde_json::to_value(&found).unwrap_or_default());
+}

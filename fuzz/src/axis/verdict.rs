@@ -1,0 +1,75 @@
+//! What a verdict must be, whatever was asked.
+
+use super::Case;
+use workbench::quantities::Measure;
+use workbench::{Candidate, CandidateId, OrderCode, Verdict, check, inputs, reserve_of};
+
+/// What a check compares is finite, and the candidate fits if and only if nothing speaks against it.
+pub(crate) fn candidate(candidate: &Candidate<'_>) {
+    for check in &candidate.judgement.checks {
+        let judged = check.verdict != Verdict::NotChecked;
+        for figure in [check.value, check.limit] {
+            assert!(!judged || figure.is_some(), "{check:?}");
+            assert!(figure.is_none_or(|figure| figure.si.is_finite() && figure.value().is_finite()), "{check:?}");
+        }
+        assert!(check.utilisation.is_none_or(|share| share.is_finite() && share >= 0.0), "{check:?}");
+        assert!(check.at.is_none_or(|at| at.si().is_finite()), "{check:?}");
+        assert!(judged || check.missing.is_some(), "{check:?}");
+        if let (Verdict::Pass, Some(share)) = (check.verdict, check.utilisation) {
+            assert!(share <= 1.0 + 1e-9, "passes beyond its limit: {check:?}");
+        }
+    }
+    // Infinite where a limit of zero is exceeded: that candidate cannot fit.
+    let share = candidate.standing.utilisation;
+    assert!(share.is_finite() || (share == f64::INFINITY && !candidate.fits()), "{:?}", candidate.standing);
+    let failing = candidate.judgement.checks.iter().any(|check| check.verdict == Verdict::Fail);
+    assert_eq!(candidate.judgement_fits(), !failing, "{:?}", candidate.id);
+    assert!(!(candidate.fits() && failing), "{:?}", candidate.id);
+    // Of a user's own actuator a requirement may stay open without breaking it.
+    let of_the_catalogue = matches!(candidate.id, CandidateId::Code(_));
+    assert!(candidate.fits() || failing || !candidate.objections.is_empty(), "{:?}", candidate.id);
+    assert!(!of_the_catalogue || !candidate.fits() || candidate.objections.is_empty(), "{:?}", candidate.id);
+}
+
+/// At the reserve the actuator still fits, beyond it no longer: shown on the project with that value written into it.
+pub(super) fn reserve(case: &Case<'_>, code: &OrderCode, judged: &Candidate<'_>) {
+    let reserve = reserve_of(case.project, judged);
+    let factors = [reserve.load_factor, reserve.payload_factor];
+    assert!(factors.iter().flatten().all(|factor| factor.is_finite() && *factor > 0.0), "{reserve:?}");
+    assert!(reserve.cycle_time.is_none_or(|time| time.si().is_finite() && time.si() > 0.0), "{reserve:?}");
+    // One axis without a choice of ratios: a change of the load does not change what is judged.
+    if case.text.contains("[[axis]]") || case.text.contains("ratios") {
+        return;
+    }
+    if let Some(ambient) = reserve.ambient {
+        let degrees = ambient.si() - 273.15;
+        let at = |degrees: f64| fits_with(case, code, "ambient", &format!("{degrees} degC"));
+        if let Some(below) = at(degrees - 1e-6) {
+            assert!(below, "{code} does not fit at its highest ambient temperature of {degrees} °C");
+        }
+        // The search ends at 80 °C.
+        if degrees < 79.9
+            && let Some(above) = at(degrees + 1e-3)
+        {
+            assert!(!above, "{code} fits above its highest ambient temperature of {degrees} °C");
+        }
+    }
+    if ["payload", "[stage]"].iter().any(|other| case.text.contains(other)) {
+        return;
+    }
+    let inertia = inputs(case.text).into_iter().find(|input| input.path == "load.inertia");
+    if let (Some(factor), Some((inertia, unit))) = (reserve.load_factor, inertia.and_then(|input| input.amount)) {
+        let at = |factor: f64| fits_with(case, code, "inertia", &format!("{} {}", inertia * factor, unit.ascii));
+        assert!(at(factor * (1.0 - 1e-6)) != Some(false), "{code} does not fit at {factor} times its load");
+        assert!(at(factor * 1.01) != Some(true), "{code} fits beyond {factor} times its load");
+    }
+}
+
+/// Whether no check fails with another value behind the first key of this name; `None` where it cannot be read.
+fn fits_with(case: &Case<'_>, code: &OrderCode, key: &str, value: &str) -> Option<bool> {
+    let begin = format!("{key} = \"");
+    let line = case.text.lines().find(|line| line.starts_with(&begin))?;
+    let text = case.text.replacen(line, &format!("{begin}{value}\""), 1);
+    let project = workbench::read(&text).ok()?;
+    Some(check(&project, code).ok()?.judgement_fits())
+}

@@ -1,0 +1,303 @@
+//! Projects from bytes: every mechanism, law, stage, load and requirement, mostly of sizes that such machines have.
+
+mod asked;
+mod motion;
+mod page;
+
+use arbitrary::{Result, Unstructured};
+use page::{ANGLE, FORCE, INERTIA, LENGTH, MASS, Page, TORQUE};
+
+/// What hangs on the flange, as far as the motion must know it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Load {
+    /// Turns as far as it likes.
+    Free,
+    /// Turns, and comes back.
+    Bound,
+    /// Moves along a line, and comes back.
+    Line,
+    /// Moves along a line without end.
+    Belt,
+}
+
+/// A project file with one axis or several, without recordings. With `ratios` some have several ratios of their stage, for
+/// each of which the whole catalogue is sized while the file is read.
+///
+/// # Errors
+/// When the case is out of bytes.
+pub fn project(u: &mut Unstructured<'_>, ratios: bool) -> Result<String> {
+    let tolerances = if u.ratio(1, 8)? { 4 } else { 0 };
+    let edges = u.ratio(1, 6)?;
+    let several = u.ratio(1, 10)?;
+    let prefix = if several { "axis." } else { "" };
+    let mut page = Page { u, text: String::from("format = 1\n"), prefix, tolerances, edges, effective: &[], ratios };
+    if several {
+        for name in ["swivel", "lift", "wrist"].iter().take(page.u.int_in_range(2..=3)?) {
+            page.text.push_str("[[axis]]\n");
+            page.word("name", name);
+            axis(&mut page)?;
+        }
+    } else {
+        page.text.push_str("[axis]\n");
+        page.word("name", "axis of a case");
+        axis(&mut page)?;
+    }
+    Ok(page.text)
+}
+
+/// The tables of an axis behind its name; what belongs to `[axis]` comes first.
+fn axis(page: &mut Page<'_, '_>) -> Result<()> {
+    let single = page.seldom()?;
+    if single {
+        page.plain("single_move", true);
+    }
+    let load = load(page)?;
+    if page.u.ratio(1, 8)? {
+        stage(page)?;
+    }
+    motion::motions(page, load, single)?;
+    if page.u.ratio(1, 2)? {
+        bearing(page)?;
+    }
+    if page.often()? {
+        asked::requirements(page)?;
+    }
+    if page.u.ratio(1, 8)? {
+        asked::actuator(page)?;
+    }
+    if page.prefix.is_empty() && page.u.ratio(1, 12)? {
+        asked::curve(page)?;
+    }
+    Ok(())
+}
+
+/// Keys of `[bearing]` for what turns with the flange, for a screw or crank, a belt or rack, a conveyor.
+const TURNING: &[&str] = &["overhang", "payload_overhang", "flange_share"];
+const COUPLED: &[&str] = &["overhang", "flange_share", "wheel_mass"];
+const PULLED: &[&str] = &["overhang", "flange_share", "wheel_mass", "belt_tension"];
+const MESHED: &[&str] = &["overhang", "flange_share", "wheel_mass", "pressure_angle"];
+
+fn load(page: &mut Page<'_, '_>) -> Result<Load> {
+    let kind = page.u.int_in_range(0..=7)?;
+    page.effective = match kind {
+        1 | 2 => TURNING,
+        3 | 6 => COUPLED,
+        4 => *page.u.choose(&[PULLED, MESHED])?,
+        5 => PULLED,
+        _ => &[],
+    };
+    let found = match kind {
+        0 => {
+            page.table("load");
+            page.key("inertia", 1e-3, 20.0, INERTIA)?;
+            Load::Free
+        }
+        1 => turntable(page)?,
+        2 => {
+            page.table("mechanism.arm");
+            page.key("inertia", 0.01, 8.0, INERTIA)?;
+            page.key("mass", 0.2, 30.0, MASS)?;
+            page.key("centre_distance", 10.0, 600.0, LENGTH)?;
+            page.may("payload_distance", 50.0, 900.0, LENGTH)?;
+            page.key("axis_tilt", 0.0, 90.0, ANGLE)?;
+            page.key("start_angle", -90.0, 90.0, ANGLE)?;
+            Load::Bound
+        }
+        3 | 4 => {
+            let belt = kind == 4;
+            page.table(if belt { "mechanism.belt" } else { "mechanism.screw" });
+            if belt {
+                page.key("pulley_diameter", 20.0, 200.0, LENGTH)?
+            } else {
+                page.key("lead", 2.0, 60.0, LENGTH)?
+            }
+            page.key("mass", 0.5, 60.0, MASS)?;
+            line(page)?;
+            page.may("counterweight", 0.1, 20.0, MASS)?;
+            Load::Line
+        }
+        5 => {
+            page.table("mechanism.conveyor");
+            page.key("roller_diameter", 40.0, 300.0, LENGTH)?;
+            page.key("mass", 0.5, 80.0, MASS)?;
+            line(page)?;
+            Load::Belt
+        }
+        6 => {
+            page.table("mechanism.slider_crank");
+            let crank = page.between(10.0, 150.0)?;
+            page.exactly("crank", crank, LENGTH)?;
+            let rod = crank * page.between(1.5, 6.0)?;
+            page.exactly("rod", rod, LENGTH)?;
+            page.key("mass", 0.2, 20.0, MASS)?;
+            page.key("start_angle", 0.0, 180.0, ANGLE)?;
+            page.may("inclination", -90.0, 90.0, ANGLE)?;
+            page.may("process_force", -200.0, 200.0, FORCE)?;
+            page.may("inertia", 1e-3, 1.0, INERTIA)?;
+            Load::Free
+        }
+        _ => table(page)?,
+    };
+    // The bodies of a turntable are tables of their own, behind what all have.
+    if kind != 1 {
+        shared(page, kind != 0)?;
+    }
+    Ok(found)
+}
+
+/// What every mechanism may have.
+fn shared(page: &mut Page<'_, '_>, efficiencies: bool) -> Result<()> {
+    page.may("friction_torque", 0.1, 15.0, TORQUE)?;
+    page.may("viscous_friction", 0.01, 3.0, &[("N m s/rad", 1.0)])?;
+    page.may("external_torque", -10.0, 10.0, TORQUE)?;
+    if efficiencies {
+        page.may_number("efficiency", 0.6, 1.0)?;
+        page.may_number("efficiency_back", 0.3, 1.0)?;
+    }
+    Ok(())
+}
+
+/// What belongs to every mechanism along a line.
+fn line(page: &mut Page<'_, '_>) -> Result<()> {
+    page.may("inclination", -90.0, 90.0, ANGLE)?;
+    page.may("friction_force", 1.0, 80.0, FORCE)?;
+    page.may_number("friction_coefficient", 0.0, 0.3)?;
+    page.may("process_force", -300.0, 300.0, FORCE)?;
+    page.may("inertia", 1e-4, 0.5, INERTIA)
+}
+
+fn turntable(page: &mut Page<'_, '_>) -> Result<Load> {
+    let in_lines = page.u.ratio(1, 3)?;
+    page.table("mechanism.turntable");
+    let tilted = page.u.ratio(1, 3)?;
+    if tilted {
+        page.key("axis_tilt", 0.0, 90.0, ANGLE)?;
+        page.may("start_angle", -180.0, 180.0, ANGLE)?;
+        page.may("payload_distance", 50.0, 900.0, LENGTH)?;
+    }
+    shared(page, true)?;
+    if in_lines {
+        let bodies = ["disc diameter=300mm length=10mm mass=5kg", "point mass=1kg distance=200mm angle=30deg"];
+        let more = ["tube outer=90mm inner=60mm length=40mm density=7850kg/m^3", "sphere diameter=80mm mass=2kg"];
+        let chosen = format!("[\"{}\", \"{}\"]", page.u.choose(&bodies)?, page.u.choose(&more)?);
+        page.plain("bodies", chosen);
+    } else {
+        for _ in 0..page.u.int_in_range(1..=3)? {
+            page.row("mechanism.turntable.body");
+            body(page)?;
+        }
+    }
+    Ok(if tilted { Load::Bound } else { Load::Free })
+}
+
+fn body(page: &mut Page<'_, '_>) -> Result<()> {
+    let shapes: [(&str, &[&str]); 8] = [
+        ("cylinder", &["diameter", "length"]),
+        ("disc", &["diameter", "length"]),
+        ("tube", &["outer", "inner", "length"]),
+        ("box", &["a", "b", "height"]),
+        ("cone", &["diameter", "height"]),
+        ("sphere", &["diameter"]),
+        ("point", &[]),
+        ("rod", &["length"]),
+    ];
+    let (shape, sizes) = *page.u.choose(&shapes)?;
+    page.word("shape", shape);
+    for size in sizes {
+        let (low, high) = if *size == "inner" { (5.0, 40.0) } else { (41.0, 500.0) };
+        page.key(size, low, high, LENGTH)?;
+    }
+    if shape == "point" || shape == "rod" || page.u.ratio(1, 2)? {
+        page.key("mass", 0.1, 12.0, MASS)?;
+    } else {
+        page.key("density", 1000.0, 7850.0, &[("kg/m^3", 1.0)])?;
+    }
+    page.may("distance", 10.0, 400.0, LENGTH)?;
+    page.may("angle", -180.0, 180.0, ANGLE)?;
+    if page.seldom()? {
+        let count = page.u.int_in_range(1..=12)?;
+        page.plain("count", count);
+    }
+    Ok(())
+}
+
+fn table(page: &mut Page<'_, '_>) -> Result<Load> {
+    page.table("mechanism.table");
+    let mut rows = Vec::new();
+    let count = page.u.int_in_range(2..=6)?;
+    for index in 0..count {
+        let angle = -360.0 + 720.0 * f64::from(index) / f64::from(count - 1);
+        let inertia = page.between(0.05, 4.0)?;
+        let torque = page.between(-20.0, 20.0)?;
+        rows.push(format!("[\"{angle:.0} deg\", \"{inertia:.3} kg m^2\", \"{torque:.2} N m\"]"));
+    }
+    let rows = rows.join(", ");
+    page.plain("points", format!("[{rows}]"));
+    page.key("start_angle", -45.0, 45.0, ANGLE)?;
+    Ok(Load::Bound)
+}
+
+fn stage(page: &mut Page<'_, '_>) -> Result<()> {
+    page.table("stage");
+    let kind = *page.u.choose(&["belt", "gear", "coupling"])?;
+    page.word("kind", kind);
+    if kind != "coupling" && page.ratios && page.seldom()? {
+        page.plain("ratios", "[0.5, 1.5, 2, 4]");
+    } else if kind != "coupling" {
+        page.number("ratio", 0.3, 8.0)?;
+    }
+    page.effective = match kind {
+        "belt" => PULLED,
+        "gear" => MESHED,
+        _ => COUPLED,
+    };
+    page.may_number("efficiency", 0.8, 1.0)?;
+    page.may_number("efficiency_back", 0.7, 1.0)?;
+    page.may("inertia_driving", 1e-5, 0.05, INERTIA)?;
+    page.may("inertia_driven", 1e-4, 0.5, INERTIA)?;
+    page.may("stiffness", 1e3, 1e6, &[("N m/rad", 1.0)])?;
+    page.may("backlash", 0.01, 0.2, ANGLE)?;
+    if kind != "coupling" { page.may("pitch_diameter", 30.0, 300.0, LENGTH) } else { Ok(()) }
+}
+
+/// Forces at the flange, of the whole cycle or of a segment.
+fn forces(page: &mut Page<'_, '_>) -> Result<()> {
+    page.key("radial_force", 1.0, 2000.0, FORCE)?;
+    page.key("radial_distance", 1.0, 300.0, LENGTH)?;
+    page.key("axial_force", 1.0, 2000.0, FORCE)?;
+    page.key("axial_distance", 1.0, 200.0, LENGTH)
+}
+
+fn bearing(page: &mut Page<'_, '_>) -> Result<()> {
+    page.table("bearing");
+    let keys = page.effective;
+    let word =
+        if keys.is_empty() || page.u.ratio(1, 2)? { "" } else { *page.u.choose(&["add", "replace", "ignore"])? };
+    if word == "add" || word == "replace" {
+        let has = |key: &str| keys.contains(&key);
+        page.word("mechanism", word);
+        page.key("overhang", 5.0, 150.0, LENGTH)?;
+        page.may_number("flange_share", 0.0, 1.0)?;
+        if has("payload_overhang") {
+            page.may("payload_overhang", 5.0, 150.0, LENGTH)?;
+        }
+        if has("wheel_mass") && page.u.ratio(1, 2)? {
+            page.key("wheel_mass", 0.1, 5.0, MASS)?;
+            page.key("axis_tilt", 0.0, 90.0, ANGLE)?;
+        }
+        if has("belt_tension") {
+            page.may("belt_tension", 10.0, 600.0, FORCE)?;
+        }
+        if has("pressure_angle") {
+            page.key("pressure_angle", 14.5, 25.0, ANGLE)?;
+            page.may("helix_angle", 0.0, 30.0, ANGLE)?;
+        }
+    } else if word == "ignore" {
+        page.word("mechanism", word);
+    }
+    if word != "replace" && (word.is_empty() || page.u.ratio(1, 2)?) {
+        forces(page)?;
+    }
+    page.may_number("load_factor", 1.0, 2.0)?;
+    page.may_word("operating_condition", &["normal", "shock", "high_accuracy"])
+}

@@ -1,0 +1,142 @@
+//! The lines of a project file as they are chosen.
+
+use arbitrary::{Result, Unstructured};
+use std::fmt::Write as _;
+
+/// A unit of a dimension: its spelling and how many of it make one of the first.
+pub(super) type Units = &'static [(&'static str, f64)];
+
+pub(super) const ANGLE: Units = &[("deg", 1.0), ("rad", 0.017_453_292_519_943_295), ("arcmin", 60.0)];
+pub(super) const SPEED: Units = &[("1/min", 1.0), ("rad/s", 0.104_719_755), ("deg/s", 6.0)];
+pub(super) const ACCELERATION: Units = &[("rad/s^2", 1.0)];
+pub(super) const JERK: Units = &[("rad/s^3", 1.0)];
+pub(super) const LENGTH: Units = &[("mm", 1.0), ("m", 1e-3)];
+pub(super) const WAY_SPEED: Units = &[("m/s", 1.0)];
+pub(super) const WAY_ACCELERATION: Units = &[("m/s^2", 1.0)];
+pub(super) const WAY_JERK: Units = &[("m/s^3", 1.0)];
+pub(super) const TIME: Units = &[("s", 1.0), ("ms", 1e3)];
+pub(super) const LIFE: Units = &[("h", 1.0)];
+pub(super) const MASS: Units = &[("kg", 1.0), ("g", 1e3)];
+pub(super) const INERTIA: Units = &[("kg m^2", 1.0), ("kg cm^2", 1e4)];
+pub(super) const TORQUE: Units = &[("N m", 1.0)];
+pub(super) const FORCE: Units = &[("N", 1.0), ("kN", 1e-3)];
+pub(super) const VOLTAGE: Units = &[("V", 1.0)];
+pub(super) const CURRENT: Units = &[("A", 1.0)];
+pub(super) const TEMPERATURE: Units = &[("degC", 1.0)];
+
+/// Numbers at the edge of what a machine has, a file may say and a float can hold.
+const EDGES: [&str; 12] =
+    ["0", "-1", "1e-300", "1e-12", "1e-6", "1e-3", "1e4", "1e6", "1e9", "1e12", "1e300", "1.7e308"];
+
+/// The text so far, and whether its amounts have tolerances.
+pub(super) struct Page<'u, 'b> {
+    pub(super) u: &'u mut Unstructured<'b>,
+    pub(super) text: String,
+    /// What stands before the name of a table: `axis.` in one of several axes.
+    pub(super) prefix: &'static str,
+    pub(super) tolerances: usize,
+    /// Whether some amounts are at the edge.
+    pub(super) edges: bool,
+    /// Whether a stage may have several ratios.
+    pub(super) ratios: bool,
+    /// The keys of `[bearing]` that have an effect on the loads of the mechanism; none where it has none.
+    pub(super) effective: &'static [&'static str],
+}
+
+impl Page<'_, '_> {
+    pub(super) fn table(&mut self, name: &str) {
+        let _ = writeln!(self.text, "[{}{name}]", self.prefix);
+    }
+
+    pub(super) fn row(&mut self, name: &str) {
+        let _ = writeln!(self.text, "[[{}{name}]]", self.prefix);
+    }
+
+    /// A key with what is written behind it.
+    pub(super) fn plain(&mut self, key: &str, value: impl std::fmt::Display) {
+        let _ = writeln!(self.text, "{key} = {value}");
+    }
+
+    pub(super) fn word(&mut self, key: &str, value: &str) {
+        let _ = writeln!(self.text, "{key} = \"{value}\"");
+    }
+
+    pub(super) fn often(&mut self) -> Result<bool> {
+        self.u.ratio(3, 4)
+    }
+
+    pub(super) fn seldom(&mut self) -> Result<bool> {
+        self.u.ratio(1, 6)
+    }
+
+    /// A number between two, evenly over its powers of ten.
+    pub(super) fn between(&mut self, low: f64, high: f64) -> Result<f64> {
+        let share = f64::from(self.u.arbitrary::<u8>()?) / 255.0;
+        Ok(if low > 0.0 { low * (high / low).powf(share) } else { low + (high - low) * share })
+    }
+
+    /// A quantity of this size, at times at the edge or with a tolerance.
+    pub(super) fn amount(&mut self, value: f64, units: Units) -> Result<String> {
+        let (unit, factor) = *self.u.choose(units)?;
+        if self.edges && self.u.ratio(1, 24)? {
+            return Ok(format!("{} {unit}", self.u.choose(&EDGES)?));
+        }
+        let mut text = format!("{} {unit}", rounded(value * factor));
+        if self.tolerances > 0 && self.u.ratio(1, 6)? {
+            self.tolerances -= 1;
+            let half = self.u.choose(&["5 %", "1 %", "20 %", "0.1 %", "60 %"])?;
+            let _ = write!(text, " ± {half}");
+        }
+        Ok(text)
+    }
+
+    /// A key with a quantity of exactly this size.
+    pub(super) fn exactly(&mut self, key: &str, value: f64, units: Units) -> Result<()> {
+        let amount = self.amount(value, units)?;
+        self.word(key, &amount);
+        Ok(())
+    }
+
+    /// A quantity of this size, without a tolerance and never at the edge: what others must agree with.
+    pub(super) fn literal(&mut self, value: f64, units: Units) -> Result<String> {
+        let (unit, factor) = *self.u.choose(units)?;
+        Ok(format!("{} {unit}", rounded(value * factor)))
+    }
+
+    /// A key with a quantity between two sizes.
+    pub(super) fn key(&mut self, key: &str, low: f64, high: f64, units: Units) -> Result<()> {
+        let value = self.between(low, high)?;
+        self.exactly(key, value, units)
+    }
+
+    /// The same key in a share of the cases.
+    pub(super) fn may(&mut self, key: &str, low: f64, high: f64, units: Units) -> Result<()> {
+        if self.u.ratio(1, 3)? { self.key(key, low, high, units) } else { Ok(()) }
+    }
+
+    /// A plain number.
+    pub(super) fn number(&mut self, key: &str, low: f64, high: f64) -> Result<()> {
+        let value = rounded(self.between(low, high)?);
+        self.plain(key, value);
+        Ok(())
+    }
+
+    /// A plain number in a share of the cases.
+    pub(super) fn may_number(&mut self, key: &str, low: f64, high: f64) -> Result<()> {
+        if self.u.ratio(1, 3)? { self.number(key, low, high) } else { Ok(()) }
+    }
+
+    /// One of several words in a share of the cases.
+    pub(super) fn may_word(&mut self, key: &str, words: &[&str]) -> Result<()> {
+        if self.u.ratio(1, 3)? {
+            let word = *self.u.choose(words)?;
+            self.word(key, word);
+        }
+        Ok(())
+    }
+}
+
+/// With three significant digits, as one writes it.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}

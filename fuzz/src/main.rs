@@ -1,0 +1,38 @@
+//! One fuzz target under libFuzzer: `ANTRIEB_FUZZ_TARGET` names it. `cargo xtask fuzz` builds and starts this.
+#![no_main]
+
+use std::alloc::System;
+use std::io::Write as _;
+use std::sync::OnceLock;
+
+/// Counts what is allocated, and refuses what goes beyond the limit of the target: libFuzzer sees such a case as a crash,
+/// also where the memory is asked for and never touched.
+#[global_allocator]
+static ALLOCATOR: cap::Cap<System> = cap::Cap::new(System, usize::MAX);
+
+static TARGET: OnceLock<fuzz::Target> = OnceLock::new();
+
+/// Whether each case is told: where one is repeated.
+static SHOWN: OnceLock<bool> = OnceLock::new();
+
+fn prepare() {
+    let name = std::env::var("ANTRIEB_FUZZ_TARGET").unwrap_or_default();
+    let found = fuzz::TARGETS.iter().find(|target| target.name == name);
+    assert!(found.is_some(), "no target {name:?}; there are: {:?}", fuzz::TARGETS.map(|target| target.name));
+    if let Some(target) = found.copied() {
+        // What is loaded once per process is not put down to the first case.
+        (target.run)(&[]);
+        let megabytes = std::env::var("ANTRIEB_FUZZ_MEMORY_MB").ok().and_then(|text| text.parse::<usize>().ok());
+        assert!(megabytes.is_none_or(|most| ALLOCATOR.set_limit(ALLOCATOR.allocated() + (most << 20)).is_ok()));
+        TARGET.get_or_init(|| target);
+    }
+}
+
+libfuzzer_sys::fuzz_target!(init: prepare(), |data: &[u8]| {
+    if let Some(target) = TARGET.get() {
+        if *SHOWN.get_or_init(|| std::env::var_os("ANTRIEB_FUZZ_SHOW").is_some()) {
+            let _ = writeln!(std::io::stderr(), "{}", (target.shown)(data));
+        }
+        (target.run)(data);
+    }
+});

@@ -1,0 +1,131 @@
+//! Recordings as CSV and Parquet: whatever stands in the file, a recording or faults; what is read can be judged.
+
+mod columns;
+mod table;
+
+use crate::project::read;
+use crate::text::{any_edits, mutate, rest};
+use arbitrary::{Result, Unstructured};
+use columns::{Columns, edit_bytes};
+use std::io::Read;
+use workbench::{Files, Project, answer, check, course, moves};
+
+const LOAD: &str = "[load]\ninertia = \"0.5 kg m^2\"\nfriction_torque = \"1 N m\"\n";
+const ARM: &str = "[mechanism.arm]\ninertia = \"0.5 kg m^2\"\nmass = \"6 kg\"\ncentre_distance = \"0.3 m\"\n\
+                   axis_tilt = \"90 deg\"\nstart_angle = \"20 deg\"\nefficiency = 0.9\n";
+const JOINT: &str = "[mechanism.joint]\ninertia = \"1 kg m^2\"\n";
+const SCREW: &str = "[mechanism.screw]\nlead = \"10 mm\"\nmass = \"8 kg\"\n";
+
+/// What a segment may say about its recording.
+const SAID: [&str; 10] = [
+    "",
+    "standstill = \"0.01 1/min\"\n",
+    "smoothing = \"0.05 s\"\n",
+    "gaps = \"allow\"\n",
+    "from = \"0.1 s\"\nto = \"0.6 s\"\n",
+    "[motion.units]\ntime = \"ms\"\n",
+    "[motion.units]\nposition = \"rad\"\nspeed = \"rad/s\"\n",
+    "[motion.columns]\nposition = \"q\"\n",
+    "[motion.columns]\ntime = \"t\"\nspeed = \"none\"\n",
+    "smoothing = \"3 s\"\nstandstill = \"1 rad/s\"\ngaps = \"allow\"\n",
+];
+
+/// The one file that a project refers to.
+struct Only<'t>(&'t [u8]);
+
+impl Files for Only<'_> {
+    fn open(&self, _: &str) -> std::io::Result<Box<dyn Read>> {
+        Ok(Box::new(std::io::Cursor::new(self.0.to_vec())))
+    }
+}
+
+/// CSV as loggers write it, with edits in a share of the cases; or any bytes.
+pub fn csv(data: &[u8]) {
+    if let Ok((project, bytes)) = made_csv(&mut Unstructured::new(data)) {
+        hold(&project, &bytes);
+    }
+}
+
+/// Parquet as the writer of the library makes it, with changed bytes in a share of the cases; or any bytes.
+pub fn parquet(data: &[u8]) {
+    if let Ok((project, bytes)) = made_parquet(&mut Unstructured::new(data)) {
+        hold(&project, &bytes);
+    }
+}
+
+/// The project and the file that a case of CSV is.
+pub fn shown_csv(data: &[u8]) -> String {
+    made_csv(&mut Unstructured::new(data))
+        .map(|(project, bytes)| format!("{project}---\n{}", String::from_utf8_lossy(&bytes)))
+        .unwrap_or_default()
+}
+
+/// The project and the bytes that a case of Parquet is.
+pub fn shown_parquet(data: &[u8]) -> String {
+    made_parquet(&mut Unstructured::new(data))
+        .map(|(project, bytes)| format!("{project}---\n{}", bytes.escape_ascii()))
+        .unwrap_or_default()
+}
+
+fn made_csv(u: &mut Unstructured<'_>) -> Result<(String, Vec<u8>)> {
+    let project = project(u, "run.csv")?;
+    let bytes = match u.int_in_range(0..=9)? {
+        0 => rest(u).into_bytes(),
+        1..=3 => {
+            let edits = any_edits(u, 5)?;
+            let text = Columns::any(u)?.csv(u)?;
+            mutate(&text, &edits).into_bytes()
+        }
+        4 => {
+            let text = Columns::any(u)?.csv(u)?;
+            table::encoded(&text, u)?
+        }
+        _ => Columns::any(u)?.csv(u)?.into_bytes(),
+    };
+    Ok((project, bytes))
+}
+
+fn made_parquet(u: &mut Unstructured<'_>) -> Result<(String, Vec<u8>)> {
+    let project = project(u, "run.parquet")?;
+    let bytes = match u.int_in_range(0..=9)? {
+        // The bytes are the file: what the engine changes is behind the magic and before it.
+        0 => u.bytes(u.len())?.to_vec(),
+        // The bytes are the footer of a file that has no columns to show for it.
+        1 => table::with_footer(u.bytes(u.len())?),
+        2..=5 => {
+            let edits: Vec<(u16, u8)> = any_edits(u, 6)?;
+            let bytes = Columns::any(u)?.parquet(u)?;
+            edit_bytes(bytes, &edits)
+        }
+        _ => Columns::any(u)?.parquet(u)?,
+    };
+    Ok((project, bytes))
+}
+
+fn project(u: &mut Unstructured<'_>, file: &str) -> Result<String> {
+    let load = u.choose(&[LOAD, ARM, JOINT, SCREW])?;
+    let said = if u.ratio(1, 2)? { *u.choose(&SAID)? } else { "" };
+    Ok(format!(
+        "format = 1\n[axis]\nsingle_move = true\n{load}[[motion]]\nlaw = \"recorded\"\nfile = \"{file}\"\n{said}\
+         [requirements]\nsupply = \"560 V\"\n"
+    ))
+}
+
+/// What is read can be shown and judged; one actuator is enough, the target `axis` has the others.
+fn hold(text: &str, file: &[u8]) {
+    let Some(projects) = read(text, || workbench::read_all(text, &Only(file))) else { return };
+    for project in &projects {
+        told(project);
+    }
+}
+
+fn told(project: &Project) {
+    for language in [workbench::Language::En, workbench::Language::De] {
+        let _ = answer::motion(&moves(project), language);
+    }
+    let Ok(parsed) = order_code::parse("CHA-25A-100-H-C1024") else { return };
+    let Ok(candidate) = check(project, &parsed.code) else { return };
+    crate::axis::verdict::candidate(&candidate);
+    let samples = course(project, &candidate);
+    drop(samples);
+}

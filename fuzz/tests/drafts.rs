@@ -1,0 +1,104 @@
+//! The drafts reach what they are made to reach: a generator that gives refusals alone tries nothing.
+#![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, reason = "a test fails loudly")]
+
+use arbitrary::Unstructured;
+use fuzz::{TARGETS, draft, project};
+
+/// Bytes that have nothing in common from case to case (splitmix64).
+fn bytes(case: u64) -> Vec<u8> {
+    let mut state = case.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    let mut next = || {
+        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut mixed = state;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        (mixed ^ (mixed >> 31)).to_le_bytes()
+    };
+    (0..64).flat_map(|_| next()).collect()
+}
+
+#[test]
+fn most_drafts_are_valid_and_all_kinds_are_among_them() {
+    const CASES: u64 = 400;
+    let (mut valid, mut read) = (0, String::new());
+    let mut refusals: Vec<String> = Vec::new();
+    for case in 0..CASES {
+        let bytes = bytes(case);
+        let text = draft::project(&mut Unstructured::new(&bytes), true).unwrap();
+        match workbench::read_all(&text, &workbench::NoFiles) {
+            Ok(_) => {
+                valid += 1;
+                read.push_str(&text);
+            }
+            Err(faults) => {
+                let told = workbench::text::told(&faults, workbench::Language::En);
+                refusals.extend(told.into_iter().map(|fault| fault.message));
+            }
+        }
+    }
+    println!("{valid} of {CASES} are valid");
+    assert!(valid * 10 > CASES * 7, "{valid} of {CASES} are valid; refused: {refusals:#?}");
+    let kinds = [
+        "[load]",
+        "turntable",
+        "arm",
+        "screw",
+        "belt",
+        "conveyor",
+        "slider_crank",
+        "mechanism.table",
+        "[stage]",
+        "ratios",
+        "[actuator]",
+        "[[curve]]",
+        "[[axis]]",
+        "±",
+        "motion.bearing",
+        "overhang",
+        "payload",
+        "single_move",
+    ];
+    let laws = [
+        "manual",
+        "trapezoid",
+        "triangle",
+        "jerk",
+        "polynomial_5",
+        "modified_sine",
+        "modified_trapezoid",
+        "simple_sine",
+        "inclined_sine",
+        "parabola",
+        "constant",
+        "dwell",
+    ];
+    for law in laws {
+        assert!(read.contains(&format!("law = \"{law}\"")), "no valid draft with {law}");
+    }
+    for kind in kinds {
+        assert!(read.contains(kind), "no valid draft with {kind}");
+    }
+}
+
+#[test]
+fn every_target_holds_for_some_cases() {
+    for target in TARGETS {
+        // Sizing takes its time in a build that is not optimised.
+        let cases = if target.name == "axis" { 4 } else { 60 };
+        (0..cases).for_each(|case| (target.run)(&bytes(case)));
+    }
+}
+
+#[test]
+fn the_examples_keep_the_promises() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        let text = std::fs::read_to_string(&entry).unwrap();
+        if entry.extension().is_some_and(|ending| ending == "toml") && !text.contains("recorded") {
+            assert!(project::hold(&text).is_some(), "{}", entry.display());
+            count += 1;
+        }
+    }
+    assert!(count > 8);
+}

@@ -1,0 +1,245 @@
+//! The fuzz binary with libFuzzer in it: building and starting it, and reading what it says.
+
+use std::fs;
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use super::{Target, instrument, listed};
+use crate::Error;
+use crate::cargo::{Workspace, cargo, must_succeed, spelled};
+
+/// When a run ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stop {
+    Seconds(u32),
+    Cases(u64),
+}
+
+/// What came out of a run, or of several.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Run {
+    pub(super) cases: u64,
+    /// Edges of the instrumented crates.
+    pub(super) edges: u64,
+    /// Those that a case took.
+    pub(super) reached: u64,
+    pub(super) finds: usize,
+}
+
+impl Run {
+    pub(super) fn and(self, other: Self) -> Self {
+        Self {
+            cases: self.cases + other.cases,
+            edges: self.edges.max(other.edges),
+            reached: self.reached.max(other.reached),
+            finds: self.finds + other.finds,
+        }
+    }
+
+    /// Takes from a line what it tells.
+    fn hear(&mut self, line: &str) {
+        let after = |mark: &str| {
+            let rest = line.split_once(mark)?.1.trim_start();
+            rest.split(|c: char| !c.is_ascii_digit()).next()?.parse::<u64>().ok()
+        };
+        if line.contains("inline 8-bit counters") {
+            self.edges = after("(").unwrap_or(self.edges);
+        }
+        if let Some(cases) = after("stat::number_of_executed_units:") {
+            self.cases = cases;
+        }
+        if line.starts_with('#') {
+            self.reached = after("cov:").unwrap_or(self.reached).max(self.reached);
+            self.cases = after("#").unwrap_or(self.cases).max(self.cases);
+        }
+    }
+}
+
+/// The binary, and where its files are.
+pub(super) struct Engine {
+    root: PathBuf,
+    program: PathBuf,
+    /// What runs leave: new cases of each target, finds, logs.
+    work: PathBuf,
+}
+
+impl Engine {
+    /// Builds the binary.
+    pub(super) fn build(root: &Path) -> Result<Self, Error> {
+        let workspace = Workspace::ask(root)?;
+        workspace.require("fuzz")?;
+        compiler()?;
+        let own = std::env::current_exe();
+        let own = own.map_err(|source| Error::File { path: PathBuf::from("xtask"), source })?;
+        let arguments = ["build", "--release", "--package", "fuzz", "--features", "engine", "--bin", "fuzz-target"];
+        let mut command = cargo(root, &arguments);
+        must_succeed(command.env("RUSTC_WORKSPACE_WRAPPER", own).env(instrument::VARIABLE, "1"))?;
+        let file = format!("fuzz-target{}", std::env::consts::EXE_SUFFIX);
+        let program = workspace.target.join("release").join(file);
+        Ok(Self { root: root.to_path_buf(), program, work: workspace.target.join("fuzz-work") })
+    }
+
+    fn corpus(&self, target: &Target) -> PathBuf {
+        self.root.join("fuzz").join("corpus").join(target.name)
+    }
+
+    fn crashes(&self, target: &Target) -> PathBuf {
+        self.root.join("fuzz").join("crashes").join(target.name)
+    }
+
+    fn folder(&self, target: &Target, of: &str) -> Result<PathBuf, Error> {
+        let folder = self.work.join(target.name).join(of);
+        fs::create_dir_all(&folder).map_err(|source| Error::File { path: folder.clone(), source })?;
+        Ok(folder)
+    }
+
+    /// Where the finds of a target are left, emptied of those of earlier runs.
+    pub(super) fn finds(&self, target: &Target) -> Result<PathBuf, Error> {
+        let folder = self.folder(target, "finds")?;
+        for file in listed(&folder) {
+            fs::remove_file(&file).map_err(|source| Error::File { path: file.clone(), source })?;
+        }
+        Ok(folder)
+    }
+
+    /// The binary as a command for a target, with its limits.
+    fn command(&self, target: &Target) -> Result<Command, Error> {
+        let mut command = Command::new(&self.program);
+        command.env("ANTRIEB_FUZZ_TARGET", target.name).env("ANTRIEB_FUZZ_MEMORY_MB", target.memory_mb.to_string());
+        let mut prefix = self.folder(target, "finds")?.into_os_string();
+        prefix.push(std::path::MAIN_SEPARATOR_STR);
+        let mut artifact = std::ffi::OsString::from("-artifact_prefix=");
+        artifact.push(prefix);
+        command
+            .arg(artifact)
+            .arg(format!("-timeout={}", target.case_seconds))
+            .arg(format!("-max_len={}", target.bytes));
+        // The program itself takes some memory besides that of the case.
+        command.arg(format!("-rss_limit_mb={}", target.memory_mb + 512)).current_dir(&self.work);
+        Ok(command)
+    }
+
+    /// Replays the corpus and the crashes, then tries new cases.
+    pub(super) fn explore(&self, target: &Target, stop: Stop, seed: u32) -> Result<Run, Error> {
+        let new = self.folder(target, "new")?;
+        let mut command = self.command(target)?;
+        command.arg(match stop {
+            Stop::Seconds(seconds) => format!("-max_total_time={seconds}"),
+            Stop::Cases(cases) => format!("-runs={cases}"),
+        });
+        // The bytes are choices: a short case is no simpler one. Others at work find what this one can use.
+        command.args(["-len_control=0", "-print_final_stats=1", "-reload=10"]).arg(format!("-seed={seed}"));
+        command.arg(new).args([self.corpus(target), self.crashes(target)].iter().filter(|folder| folder.is_dir()));
+        self.run(command, target, &format!("{seed}.log"))
+    }
+
+    /// How far the corpus and the crashes reach.
+    pub(super) fn coverage(&self, target: &Target) -> Result<Run, Error> {
+        let mut command = self.command(target)?;
+        command.args(["-runs=0", "-print_final_stats=1"]);
+        command.args([self.corpus(target), self.crashes(target)].iter().filter(|folder| folder.is_dir()));
+        let found = self.run(command, target, "coverage.log")?;
+        let cases = listed(&self.corpus(target)).len() + listed(&self.crashes(target)).len();
+        Ok(Run { cases: cases as u64, ..found })
+    }
+
+    /// Runs one case, told as what it is, all that is said passed on.
+    pub(super) fn repeat(&self, target: &Target, file: &Path) -> Result<(), Error> {
+        let path = fs::canonicalize(file).map_err(|source| Error::File { path: file.to_path_buf(), source })?;
+        must_succeed(self.command(target)?.env("ANTRIEB_FUZZ_SHOW", "1").arg(path))
+    }
+
+    /// Makes the corpus the fewest cases, old and new, that reach all that was reached.
+    pub(super) fn merge(&self, target: &Target) -> Result<(), Error> {
+        let (merged, new, corpus) = (self.folder(target, "merged")?, self.folder(target, "new")?, self.corpus(target));
+        let file = |path: &Path| {
+            let path = path.to_path_buf();
+            move |source| Error::File { path, source }
+        };
+        for old in listed(&merged) {
+            fs::remove_file(&old).map_err(file(&old))?;
+        }
+        fs::create_dir_all(&corpus).map_err(file(&corpus))?;
+        let mut command = self.command(target)?;
+        command.arg("-set_cover_merge=1").args([&merged, &corpus, &new]);
+        self.run(command, target, "merge.log")?;
+        let kept = listed(&merged);
+        if kept.is_empty() {
+            return Err(Error::NoCases { target: target.name });
+        }
+        for old in listed(&corpus) {
+            fs::remove_file(&old).map_err(file(&old))?;
+        }
+        for case in &kept {
+            let name = case.file_name().unwrap_or_default();
+            fs::copy(case, corpus.join(name)).map_err(file(case))?;
+        }
+        println!("fuzz: {:<9} {} cases in the corpus", target.name, kept.len());
+        Ok(())
+    }
+
+    /// Runs the binary, its talk in a log; where it ends with a find, the end of the log is told.
+    fn run(&self, mut command: Command, target: &Target, log: &str) -> Result<Run, Error> {
+        let log = self.folder(target, "logs")?.join(log);
+        let told = |source| Error::File { path: log.clone(), source };
+        let not_started = |command: &Command, source| Error::NotStarted { command: spelled(command), source };
+        let mut writer = fs::File::create(&log).map_err(told)?;
+        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
+        let mut child = command.spawn().map_err(|source| not_started(&command, source))?;
+        let mut run = Run::default();
+        let mut last: Vec<String> = Vec::new();
+        if let Some(stream) = child.stderr.take() {
+            for line in BufReader::new(stream).split(b'\n').map_while(Result::ok) {
+                let line = String::from_utf8_lossy(&line).into_owned();
+                writeln!(writer, "{line}").map_err(told)?;
+                run.hear(&line);
+                if !line.starts_with('#') {
+                    last.push(line);
+                }
+            }
+        }
+        let status = child.wait().map_err(|source| not_started(&command, source))?;
+        if !status.success() {
+            run.finds = 1;
+            let begin = last.len().saturating_sub(LINES_TOLD);
+            eprintln!("fuzz: {} ended with {status}:", target.name);
+            last.iter().skip(begin).for_each(|line| eprintln!("  {line}"));
+        }
+        Ok(run)
+    }
+}
+
+/// Lines of the log that are told of a find.
+const LINES_TOLD: usize = 30;
+
+/// libFuzzer is C++.
+fn compiler() -> Result<(), Error> {
+    let asked = std::env::var("CXX").ok();
+    let names = asked.iter().map(String::as_str).chain(["c++", "g++", "clang++", "cl"]);
+    let works = |name: &str| {
+        let mut command = Command::new(name);
+        command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+        command.status().is_ok()
+    };
+    if names.into_iter().any(works) { Ok(()) } else { Err(Error::NoCompiler) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_engine_says_is_understood() {
+        let mut run = Run::default();
+        for line in [
+            "INFO: Loaded 1 modules   (51234 inline 8-bit counters): 51234 [0x1, 0x2), ",
+            "#2\tINITED cov: 412 ft: 413 corp: 1/1b exec/s: 0 rss: 40Mb",
+            "#4096\tpulse  cov: 733 ft: 1414 corp: 101/1Kb lim: 128 exec/s: 2048 rss: 41Mb",
+            "stat::number_of_executed_units: 5000",
+        ] {
+            run.hear(line);
+        }
+        assert_eq!(run, Run { cases: 5000, edges: 51234, reached: 733, finds: 0 });
+    }
+}
