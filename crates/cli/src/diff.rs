@@ -54,7 +54,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
     }
     if pairs.is_empty() {
         let what = terminal::no_common_axis(language);
-        let mut fault = simple(&what, as_json, language);
+        let mut fault = simple(what, as_json, language);
         fault.talk = talk + &fault.talk;
         return Err(fault);
     }

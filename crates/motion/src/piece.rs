@@ -302,7 +302,8 @@ fn zeros_of_sine(frequency: f64, phase: f64, end: f64) -> Vec<f64> {
     let (from, to) = (phase / PI, (frequency * end + phase) / PI);
     let (mut half_turn, last) = (from.min(to).floor(), from.max(to).ceil());
     let mut found = Vec::new();
-    if !(last - half_turn <= HALF_TURNS_MOST) {
+    // What is no number is none of them.
+    if (last - half_turn).is_nan() || last - half_turn > HALF_TURNS_MOST {
         return found;
     }
     while half_turn <= last {

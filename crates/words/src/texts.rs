@@ -69,6 +69,7 @@ macro_rules! texts {
     (@one $name:ident ($($arg:ident),+) = $en:literal | $de:literal) => {
         #[doc = concat!("`` ", $en, " ``")]
         #[must_use]
+        #[allow(clippy::too_many_arguments, reason = "as many as the text has values")]
         pub fn $name($($arg: &dyn ::std::fmt::Display,)+ language: $crate::Language) -> String {
             match language {
                 $crate::Language::En => format!($en),
