@@ -6,7 +6,7 @@
 use benches::{Gates, against, numpy, sort};
 use std::hint::black_box;
 use std::process::ExitCode;
-use workbench::size;
+use workbench::{check, reserve_of, size};
 
 const PROJECT: &str = include_str!("../../examples/indexing-table.toml");
 
@@ -15,6 +15,20 @@ fn with_moves(count: usize) -> String {
     let (head, tail) = PROJECT.split_once("[[motion]]").expect("the example has a move");
     let (one, rest) = tail.split_once("[bearing]").expect("the example has bearing loads");
     format!("{head}{}[bearing]{rest}", format!("[[motion]]{one}").repeat(count))
+}
+
+/// An arm that swings a thousand times under its weight, each time otherwise: nothing stands for anything else.
+fn swings() -> String {
+    let moves: String = (0..1000)
+        .map(|k| {
+            let angle = (40.0 + 0.05 * f64::from(k / 2)) * if k % 2 == 0 { 1.0 } else { -1.0 };
+            format!("[[motion]]\nlaw = \"modified_sine\"\ndistance = \"{angle} deg\"\ntime = \"0.7 s\"\n")
+        })
+        .collect();
+    format!(
+        "format = 1\n[mechanism.arm]\ninertia = \"0.5 kg m^2\"\nmass = \"2 kg\"\ncentre_distance = \"200 mm\"\n\
+         axis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\n{moves}[requirements]\nsupply = \"560 V\"\nambient = \"30 degC\"\n"
+    )
 }
 
 fn main() -> ExitCode {
@@ -60,5 +74,17 @@ fn main() -> ExitCode {
         });
         gates.at_most(&format!("cycle of {count} moves"), &found, ("one move", promise));
     }
+    let hard = workbench::read(&swings()).expect("a thousand swings are valid");
+    let code = workbench::read_code("CHA-25A-100-H-C1024", workbench::Language::En).expect("a code").parsed.code;
+    let numbers = || sort(2_000_000);
+    let ranked = against(3, numbers, || {
+        black_box(size(black_box(&hard)));
+    });
+    gates.at_most("rank for a thousand different swings of an arm", &ranked, ("sorting two million numbers", 60.0));
+    let checked = against(3, numbers, || {
+        let candidate = check(&hard, &code).expect("the code is in the catalogue");
+        black_box(reserve_of(&hard, &candidate));
+    });
+    gates.at_most("  check of one code, with its reserves", &checked, ("sorting two million numbers", 100.0));
     gates.close()
 }

@@ -99,12 +99,6 @@ impl Feedback {
         self.at_output(&self.resolution, ratio)
     }
 
-    /// Step of the absolute value at the output, φ / i for a feedback on the motor.
-    #[must_use]
-    pub fn resolution_absolute_out(&self, ratio: &Datum<f64>) -> Datum<Angle> {
-        self.at_output(&self.resolution_absolute, ratio)
-    }
-
     /// Largest deviation of the feedback at the output, φ / i for a feedback on the motor.
     #[must_use]
     pub fn accuracy_out(&self, ratio: &Datum<f64>) -> Datum<Angle> {

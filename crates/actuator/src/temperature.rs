@@ -96,8 +96,8 @@ impl Network {
     }
 
     /// C_w, C_h \[J/K\].
-    #[must_use]
-    pub const fn capacities_j_per_k(&self) -> [f64; 2] {
+    #[cfg(test)]
+    pub(crate) const fn capacities_j_per_k(&self) -> [f64; 2] {
         self.capacity_j_per_k
     }
 

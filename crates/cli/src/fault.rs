@@ -3,6 +3,7 @@
 mod memory;
 
 use crate::answer::Answer;
+use crate::table::width;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use clap::ArgMatches;
 use std::io::Read;
@@ -186,7 +187,8 @@ fn render(file: &str, text: &str, fault: &Told, language: Language) -> String {
     if let Some(hint) = fault.hint.as_deref() {
         group = group.element(Level::HELP.with_name(help_word(language)).message(hint));
     }
-    format!("{}\n", Renderer::styled().render(&[group]))
+    // A line that is wider than the terminal is shown about the place of the fault.
+    format!("{}\n", Renderer::styled().term_width(width()).render(&[group]))
 }
 
 /// A fault of an option, with what would help.

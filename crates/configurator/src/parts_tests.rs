@@ -96,7 +96,7 @@ fn absolute_ranges_and_the_battery() {
     assert!(!p.feedback.buffered_by_battery);
     assert_eq!(p.feedback.exchange_interval, Datum::NotApplicable);
     // 1296000″ / 8192 / 50 = 3.16″, printed 3,2.
-    assert!((value(&p.feedback.resolution_absolute_out(&p.ratio), &ARCSECOND) - 3.2).abs() < 0.05);
+    assert!((value(&p.feedback.resolution_absolute, &ARCSECOND) / 50.0 - 3.2).abs() < 0.05);
     let m128s = of("CHA-17A-100-H-M128S").feedback;
     assert!(m128s.buffered_by_battery);
     close(value(&m128s.exchange_interval, &YEAR), 6.0);

@@ -16,8 +16,8 @@ texts! {
         "Memory for the recordings of the project (512 MiB, or variable ANTRIEB_MEMORY)"
         | "Speicher für die Aufzeichnungen des Projekts (512 MiB, oder Variable ANTRIEB_MEMORY)";
     deadline =
-        "How long the answer may take, such as \"30 s\"; then the question is refused"
-        | "Wie lange die Antwort dauern darf, etwa \"30 s\"; danach wird die Frage abgewiesen";
+        "How long the answer may take, such as \"30 s\"; later none is given"
+        | "Wie lange die Antwort dauern darf, etwa \"30 s\"; danach gibt es keine";
     seed =
         "Seed of the samples; the same seed draws the same (1)"
         | "Startwert der Stichproben; derselbe Startwert zieht dasselbe (1)";

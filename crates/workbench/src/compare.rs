@@ -180,7 +180,9 @@ impl CheckChange {
     fn order(&self) -> (bool, bool, f64) {
         let fails = self.after.as_ref().is_some_and(|check| check.verdict == Verdict::Fail);
         let other = self.is_other_verdict();
-        (!(fails && other), !other, -self.change().map_or(0.0, f64::abs))
+        // What differs by rounding alone stays in its order.
+        let change = self.change().filter(|_| !self.is_same());
+        (!(fails && other), !other, -change.map_or(0.0, f64::abs))
     }
 }
 
