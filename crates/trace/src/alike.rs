@@ -126,6 +126,25 @@ mod tests {
         }
     }
 
+    /// Another load on the same motion: what is known of the copies is sought anew, or left alone where there are none.
+    #[test]
+    fn a_changed_trace_is_that_made_anew() {
+        for (angles, rounds) in [(&[0.7, 1.9, 0.3][..], 15), (&[0.5, 0.9, 1.4, 1.7, 0.2, 1.1, 0.8, 1.6], 1)] {
+            let motion = motion(&swings(angles, rounds));
+            let first = under(&arm(), &motion);
+            let heavier = arm().with_masses(1.7);
+            let changed = first.changed(&heavier, &motion, &[], &[]);
+            let anew = Trace::of(&heavier, &motion, &[], &[]);
+            let form = Form::square([0.3, 0.9, 1.1, 0.4]);
+            for taus in [[8.0, 0.6], [60.0, 2400.0], [0.05, 3.0]] {
+                let lags = taus.map(|tau_s| Lag { tau_s, form });
+                same(changed.peak_of_lags(&lags).value, anew.peak_of_lags(&lags).value, "lags");
+            }
+            let sought = TorqueWith { inertia_kgm2: 0.4 };
+            same(changed.largest(&sought).0, anew.largest(&sought).0, "torque");
+        }
+    }
+
     /// Moves that differ by a millionth are different ones.
     #[test]
     fn what_nearly_repeats_does_not() {

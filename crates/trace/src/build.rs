@@ -31,6 +31,8 @@ pub(super) struct Builder<'a> {
     holding: f64,
     /// Whether the load has kinks over the position.
     kinked: bool,
+    /// Whether panels that repeat are sought.
+    seeks_alike: bool,
 }
 
 /// Where the load depends on the position a panel covers at most this angle, so that sixteen nodes leave an error near
@@ -43,8 +45,11 @@ const PANELS_PER_SEARCH: f64 = 12.0;
 /// A panel covers at most this phase of the harmonic of its law.
 const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Instants of one cycle, recordings apart: beyond, the cycle is refused.
-pub const INSTANTS_MOST: f64 = 160_000.0;
+/// Instants of one cycle at most, recordings apart: beyond, it is refused. Where the load does not depend on the position
+/// the torque of an instant costs a quarter, and so many more are looked at.
+pub fn instants_most(mechanism: &Mechanism) -> f64 {
+    if mechanism.depends_on_position() { 1e5 } else { 4e5 }
+}
 
 /// A panel of so many nodes holds signals that are straight over time.
 const STRAIGHT: usize = 4;
@@ -77,12 +82,13 @@ impl<'a> Builder<'a> {
             span: (f64::INFINITY, f64::NEG_INFINITY),
             holding: 0.0,
             kinked: !mechanism.kinks().is_empty(),
+            seeks_alike: true,
         }
     }
 
-    /// With the strips of a trace of the same recordings.
-    pub(super) fn knowing(self, known: &'a [Strip]) -> Self {
-        Self { known, ..self }
+    /// With the strips of a trace of the same motion, and whether its panels repeat: another load or pace changes neither.
+    pub(super) fn knowing(self, known: &'a [Strip], has_copies: bool) -> Self {
+        Self { known, seeks_alike: has_copies, ..self }
     }
 
     pub(super) fn trace(mut self) -> Trace {
@@ -99,7 +105,9 @@ impl<'a> Builder<'a> {
             self.recording(placed);
         }
         self.close_block();
-        alike::find(&self.nodes, &mut self.panels, &mut self.blocks);
+        if self.seeks_alike {
+            alike::find(&self.nodes, &mut self.panels, &mut self.blocks);
+        }
         let mut gram = Gram::default();
         self.blocks.iter().for_each(|block| gram.join(&block.gram));
         Trace {

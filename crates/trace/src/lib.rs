@@ -15,7 +15,7 @@ mod recording;
 mod rule;
 mod search;
 
-pub use build::{INSTANTS_MOST, instants};
+pub use build::{instants, instants_most};
 pub use carried::Carried;
 pub use form::Form;
 pub use lags::{Lag, Peak};
@@ -424,7 +424,7 @@ impl Trace {
     #[must_use]
     pub fn changed(&self, mechanism: &Mechanism, motion: &Motion, extras: &[Extra], carried: &[Carried]) -> Self {
         let builder = build::Builder::new(mechanism, motion, extras, carried);
-        Self { is_changed: true, ..builder.knowing(&self.strips).trace() }
+        Self { is_changed: true, ..builder.knowing(&self.strips, self.has_copies()).trace() }
     }
 
     /// Sums of the products of the signals over the whole cycle.
@@ -501,6 +501,10 @@ impl Trace {
     #[must_use]
     pub fn instants(&self) -> usize {
         self.nodes.len() + self.strips.iter().map(Strip::intervals).sum::<usize>()
+    }
+
+    fn has_copies(&self) -> bool {
+        self.panels.iter().any(|kept| kept.like.is_copy)
     }
 
     /// Whether so few nodes make the cycle that each may be looked at for every candidate.
