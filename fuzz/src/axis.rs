@@ -73,7 +73,7 @@ fn hold(case: &Case<'_>, question: u8) {
 }
 
 fn asked(case: &Case<'_>, request: &Request) -> Option<Response> {
-    ask(case.project, request, case.language, &Patience::from_now(None)).ok()
+    ask(case.project, request, case.language, &Patience::endless()).ok()
 }
 
 fn ranking(case: &Case<'_>) {

@@ -3,13 +3,14 @@
 use crate::answer::{Answer, written};
 use crate::code::parse_for_use;
 use crate::fault::{Source, simple};
+use crate::waiting::time_limit;
 use clap::ArgMatches;
 use serde::Serialize;
 use std::path::PathBuf;
 use workbench::answers::{Answered, Axes, Fault, Faults, Fit};
 use workbench::quantities::format_significant;
 use workbench::text::{check_title, terminal};
-use workbench::{Candidate, CandidateId, Language, Project, Refusal, Stopped};
+use workbench::{Candidate, CandidateId, Language, Project, Refusal};
 
 /// The axes of the project, or the one that is asked for.
 pub(crate) fn axes_of(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
@@ -156,10 +157,9 @@ pub(crate) fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> An
         }
         Refusal::NoActuator => terminal::no_own_actuator(language).to_owned(),
         Refusal::TooManySamples { asked, most } => terminal::too_many_samples(asked, most, language),
-        Refusal::Stopped(Stopped::Cancelled) => terminal::cancelled(language).to_owned(),
-        Refusal::Stopped(Stopped::TimeOut(most)) => {
-            let most = format_significant(most.as_secs_f64(), 3, language);
-            terminal::not_in_time(&most, language)
+        Refusal::Stopped => {
+            let most = time_limit().map_or(0.0, |most| most.as_secs_f64());
+            terminal::not_in_time(&format_significant(most, 3, language), language)
         }
         Refusal::NoData | Refusal::Broken(_) => terminal::no_data(language).to_owned(),
     };

@@ -3,7 +3,7 @@
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::OnceLock;
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
 use workbench::quantities::format_number;
@@ -16,43 +16,68 @@ const QUIET: Duration = Duration::from_secs(1);
 /// Redrawn so often.
 const TICK: Duration = Duration::from_millis(100);
 
-static PATIENCE: OnceLock<Patience> = OnceLock::new();
+static PATIENCE: OnceLock<(Patience, Option<Duration>)> = OnceLock::new();
+
+fn caller() -> &'static (Patience, Option<Duration>) {
+    PATIENCE.get_or_init(|| (Patience::endless(), None))
+}
 
 /// That of whoever has called this process.
 pub(crate) fn patience() -> &'static Patience {
-    PATIENCE.get_or_init(|| Patience::from_now(None))
+    &caller().0
+}
+
+/// How long whoever has called waits at most.
+pub(crate) fn time_limit() -> Option<Duration> {
+    caller().1
 }
 
 /// As long as it lives the work goes on; a terminal shows so after a second, anything else shows nothing.
 pub(crate) struct Waiting {
-    done: Option<Sender<()>>,
-    thread: Option<JoinHandle<()>>,
+    done: Vec<(Sender<()>, JoinHandle<()>)>,
 }
 
 impl Waiting {
     /// From now on, for so long at most; `None` without end.
     pub(crate) fn begin(language: Language, most: Option<Duration>) -> Self {
-        let patience = PATIENCE.get_or_init(|| Patience::from_now(most));
-        if !std::io::stderr().is_terminal() {
-            return Self { done: None, thread: None };
-        }
-        let (done, is_done) = channel::<()>();
-        let thread = std::thread::spawn(move || {
-            if is_done.recv_timeout(QUIET) != Err(RecvTimeoutError::Timeout) {
-                return;
-            }
-            let bar = ProgressBar::new_spinner();
-            if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
-                bar.set_style(style);
-            }
-            while is_done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
-                bar.set_message(message(patience, language));
-                bar.tick();
-            }
-            bar.finish_and_clear();
+        let (patience, most) = PATIENCE.get_or_init(|| {
+            let patience = if most.is_some() { Patience::limited() } else { Patience::endless() };
+            (patience, most)
         });
-        Self { done: Some(done), thread: Some(thread) }
+        let mut waiting = Self { done: Vec::new() };
+        if let Some(most) = *most {
+            waiting.beside(move |is_done| {
+                if is_done.recv_timeout(most) == Err(RecvTimeoutError::Timeout) {
+                    patience.cancel();
+                }
+            });
+        }
+        if std::io::stderr().is_terminal() {
+            waiting.beside(move |is_done| show(&is_done, patience, language));
+        }
+        waiting
     }
+
+    fn beside(&mut self, work: impl FnOnce(Receiver<()>) + Send + 'static) {
+        let (done, is_done) = channel::<()>();
+        self.done.push((done, std::thread::spawn(move || work(is_done))));
+    }
+}
+
+/// A sign of life, until the work is done.
+fn show(is_done: &Receiver<()>, patience: &Patience, language: Language) {
+    if is_done.recv_timeout(QUIET) != Err(RecvTimeoutError::Timeout) {
+        return;
+    }
+    let bar = ProgressBar::new_spinner();
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
+        bar.set_style(style);
+    }
+    while is_done.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
+        bar.set_message(message(patience, language));
+        bar.tick();
+    }
+    bar.finish_and_clear();
 }
 
 /// What is being done, with the share that is done where it is known.
@@ -69,8 +94,8 @@ fn message(patience: &Patience, language: Language) -> String {
 
 impl Drop for Waiting {
     fn drop(&mut self) {
-        drop(self.done.take());
-        if let Some(thread) = self.thread.take() {
+        for (done, thread) in self.done.drain(..) {
+            drop(done);
             // What the thread drew is gone before the answer is written.
             let _ = thread.join();
         }

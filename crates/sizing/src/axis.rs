@@ -276,7 +276,7 @@ impl Axis {
         let found = trace::instants(mechanism, motion);
         let instants = found.iter().map(|(_, count)| count).sum::<f64>();
         let (segment, _) = found.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
-        let most = trace::instants_most(mechanism);
+        let most = trace::INSTANTS_MOST;
         (instants > most).then_some(TooManyInstants { segment: *segment, instants, most })
     }
 

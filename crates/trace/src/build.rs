@@ -45,11 +45,8 @@ const PANELS_PER_SEARCH: f64 = 12.0;
 /// A panel covers at most this phase of the harmonic of its law.
 const PANEL_PHASE: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Instants of one cycle at most, recordings apart: beyond, it is refused. Where the load does not depend on the position
-/// the torque of an instant costs a quarter, and so many more are looked at.
-pub fn instants_most(mechanism: &Mechanism) -> f64 {
-    if mechanism.depends_on_position() { 1e5 } else { 4e5 }
-}
+/// Instants of one cycle at most, recordings apart: beyond, it is refused.
+pub const INSTANTS_MOST: f64 = 130_000.0;
 
 /// A panel of so many nodes holds signals that are straight over time.
 const STRAIGHT: usize = 4;

@@ -15,7 +15,7 @@ mod recording;
 mod rule;
 mod search;
 
-pub use build::{instants, instants_most};
+pub use build::{INSTANTS_MOST, instants};
 pub use carried::Carried;
 pub use form::Form;
 pub use lags::{Lag, Peak};

@@ -115,7 +115,6 @@ texts! {
     too_many_samples(asked, most) =
         "{asked} samples of these tolerances take more than some ten seconds; at most {most} are judged unasked: state fewer with --samples, or how long the answer may take with --deadline"
         | "{asked} Stichproben dieser Toleranzen dauern länger als etwa zehn Sekunden; ungefragt werden höchstens {most} beurteilt: mit --samples weniger angeben, oder mit --deadline, wie lange die Antwort dauern darf";
-    cancelled = "stopped before the answer was there" | "abgebrochen, bevor die Antwort da war";
     not_in_time(most) =
         "not answered within {most} s; allow more with --deadline, or ask for less: fewer samples, a shorter cycle, one axis with --axis"
         | "in {most} s keine Antwort; mit --deadline mehr erlauben oder weniger fragen: weniger Stichproben, ein kürzerer Zyklus, mit --axis eine einzelne Achse";

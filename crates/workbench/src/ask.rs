@@ -4,7 +4,7 @@
 use crate::answer;
 use crate::chapters::bearing_of_each_size;
 use crate::compare::compare;
-use crate::patience::Patience;
+use crate::patience::{Patience, Stopped};
 use crate::sizing_use::{
     Candidate, CandidateId, Refusal, Sizing, check, check_own, explain, explain_own, reserve_of_watched, size_watched,
 };
@@ -104,11 +104,11 @@ pub struct Ranking<'p> {
 pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
     let told = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
     let sampling = draw.sampling(project, told, patience.is_limited())?;
-    let sizing = size_watched(project, patience).map_err(Refusal::Stopped)?;
+    let sizing = size_watched(project, patience).map_err(|Stopped| Refusal::Stopped)?;
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits());
     let chosen: Vec<&Candidate<'_>> = fitting.take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
     // Without tolerances there is no assessment, and so no pair.
-    let found = assess_watched(project, &chosen, sampling, patience).map_err(Refusal::Stopped)?;
+    let found = assess_watched(project, &chosen, sampling, patience).map_err(|Stopped| Refusal::Stopped)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
     Ok(Ranking { project, sizing, top, assessed })
 }
@@ -169,8 +169,8 @@ pub fn margins(
     patience: &Patience,
 ) -> Result<(Reserve, Option<Assessment>), Refusal> {
     let sampling = draw.sampling(project, 1, patience.is_limited())?;
-    let reserve = reserve_of_watched(project, candidate, patience).map_err(Refusal::Stopped)?;
-    let assessed = assess_watched(project, &[candidate], sampling, patience).map_err(Refusal::Stopped)?;
+    let reserve = reserve_of_watched(project, candidate, patience).map_err(|Stopped| Refusal::Stopped)?;
+    let assessed = assess_watched(project, &[candidate], sampling, patience).map_err(|Stopped| Refusal::Stopped)?;
     Ok((reserve, assessed.into_iter().next()))
 }
 
@@ -241,7 +241,7 @@ mod tests {
         let project = crate::read(PROJECT).unwrap();
         let draw = Draw { samples: Some(50), seed: 1 };
         let code = order_code::parse("CHA-32A-50-H-C1024").unwrap().code;
-        let asked = |request: &Request| ask(&project, request, Language::En, &Patience::from_now(None));
+        let asked = |request: &Request| ask(&project, request, Language::En, &Patience::endless());
         let Ok(Response::Sizing(sizing)) = asked(&Request::Size { top: 3, draw }) else { panic!() };
         assert_eq!((sizing.judged, sizing.ranking.len()), (276, 3));
         assert!(sizing.ranking.iter().all(|ranked| ranked.of.tolerance.is_some()));
@@ -261,7 +261,7 @@ mod tests {
     fn what_cannot_be_answered_is_refused() {
         let project = crate::read(PROJECT).unwrap();
         let own = Request::Check { code: None, draw: Draw::default() };
-        let ask = |project, request: &Request, language| ask(project, request, language, &Patience::from_now(None));
+        let ask = |project, request: &Request, language| ask(project, request, language, &Patience::endless());
         assert_eq!(ask(&project, &own, Language::De), Err(Refusal::NoActuator));
         let code = order_code::parse("CHA-32A-50-H-C1024").ok().map(|parsed| parsed.code);
         let brake = Request::Explain { code, check: Some(CheckId::BrakeHolding) };

@@ -44,7 +44,7 @@ pub use glossary::glossary;
 pub use limits::{NeededLimit, limits_needed};
 pub use moves::{Move, Moves, moves};
 pub use order_code::{Field, OrderCode, Size};
-pub use patience::{Patience, Stopped};
+pub use patience::Patience;
 pub use plane::{Plane, curve_rows, plane, plane_of};
 pub use project::{
     ALL_CORNERS_MOST, Assumption, BODY_SHAPES, BodyAnswer, BodyShape, Diagnostic, Fault, Files, Grant, Hint,

@@ -1,40 +1,33 @@
-//! How long somebody waits for an answer, and how far it has come.
+//! Somebody who waits for an answer: how far it has come, and that nobody waits any longer.
 
 use sizing::Watch;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
 
-/// Why work did not go on.
+/// Nobody waits any more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stopped {
-    /// Nobody waits any more.
-    Cancelled,
-    /// The answer was not there in this time.
-    TimeOut(Duration),
-}
+pub struct Stopped;
 
-/// Somebody who waits for an answer, for so long or until it is there. Shared between threads: one works, another shows how
-/// far it is or cancels it.
-#[derive(Debug)]
+/// Somebody who waits for an answer. Shared between threads: one works, another shows how far it is or cancels it, such as
+/// when its time is over; the work itself knows no clock.
+#[derive(Debug, Default)]
 pub struct Patience {
-    since: Instant,
-    most: Option<Duration>,
+    limited: bool,
     cancelled: AtomicBool,
     done: AtomicUsize,
     expected: AtomicUsize,
 }
 
 impl Patience {
-    /// From now on, for so long at most; `None` without end.
+    /// Until the answer is there.
     #[must_use]
-    pub fn from_now(most: Option<Duration>) -> Self {
-        Self {
-            since: Instant::now(),
-            most,
-            cancelled: AtomicBool::new(false),
-            done: AtomicUsize::new(0),
-            expected: AtomicUsize::new(0),
-        }
+    pub fn endless() -> Self {
+        Self::default()
+    }
+
+    /// For a time that whoever waits measures, and cancels when it is over.
+    #[must_use]
+    pub fn limited() -> Self {
+        Self { limited: true, ..Self::default() }
     }
 
     /// Ends the work before its next step.
@@ -45,7 +38,7 @@ impl Patience {
     /// Whether there is an end to it.
     #[must_use]
     pub const fn is_limited(&self) -> bool {
-        self.most.is_some()
+        self.limited
     }
 
     /// The steps that are done, and how many there are to be where that is known.
@@ -65,12 +58,6 @@ impl Watch for Patience {
 
     fn step(&self) -> Result<(), Stopped> {
         self.done.fetch_add(1, Ordering::Relaxed);
-        if self.cancelled.load(Ordering::Relaxed) {
-            return Err(Stopped::Cancelled);
-        }
-        match self.most {
-            Some(most) if self.since.elapsed() > most => Err(Stopped::TimeOut(most)),
-            _ => Ok(()),
-        }
+        if self.cancelled.load(Ordering::Relaxed) { Err(Stopped) } else { Ok(()) }
     }
 }

@@ -1,7 +1,6 @@
 //! Ranking the catalogue for an axis, and judging one actuator.
 
 use crate::cited::Cited;
-use crate::patience::Stopped;
 use actuator::Parameters;
 use configurator::{BrokenRule, Unmet, actuators, availability};
 use order_code::{Field, Option1, OrderCode};
@@ -145,7 +144,7 @@ pub enum Refusal {
         most: usize,
     },
     /// Whoever asked does not wait any longer.
-    Stopped(Stopped),
+    Stopped,
 }
 
 /// The actuators of the catalogue with the curves of a project.

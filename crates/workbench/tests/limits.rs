@@ -57,7 +57,7 @@ fn too_long_a_cycle_is_refused() {
         )
     };
     let slow = arm("law = \"trapezoid\"\ndistance = \"2000000 deg\"\ntime = \"20000 s\"");
-    for (language, words) in [(Language::En, "at most 100000 are"), (Language::De, "höchstens 100000 werden")] {
+    for (language, words) in [(Language::En, "at most 130000 are"), (Language::De, "höchstens 130000 werden")] {
         let faults = words::told(&workbench::read(&slow).unwrap_err(), language);
         assert!(faults.iter().any(|fault| fault.message.contains(words)), "{faults:?}");
     }
