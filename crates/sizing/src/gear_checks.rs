@@ -368,7 +368,9 @@ fn life(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
             work.given("T_N", &NEWTON_METRE, rated);
         }
         let law = LifeLaw::of(&actuator.gear)?;
-        Ok((law.l10_with(rated.value, mean, speed, work), rated.grade))
+        let life = law.l10_with(rated.value, mean, speed, work);
+        // Next to no load: the life is beyond every number.
+        if life.si().is_finite() { Ok((life, rated.grade)) } else { Err(Missing { symbol: "gear_load" }) }
     })();
     match found {
         Ok((life, grade)) => {
