@@ -70,7 +70,7 @@ impl Engine {
         let workspace = Workspace::ask(root)?;
         workspace.require("fuzz")?;
         compiler()?;
-        let own = std::env::current_exe();
+        let own = instrument::own();
         let own = own.map_err(|source| Error::File { path: PathBuf::from("xtask"), source })?;
         let arguments = ["build", "--release", "--package", "fuzz", "--features", "engine", "--bin", "fuzz-target"];
         let mut command = cargo(root, &arguments);

@@ -5,7 +5,10 @@
 //! needed: docs/decisions/0013-libfuzzer.md.
 
 use std::ffi::{OsStr, OsString};
+use std::io;
+use std::path::PathBuf;
 use std::process::{Command, ExitCode};
+use std::sync::OnceLock;
 
 /// The variable that makes this program the wrapper.
 pub(super) const VARIABLE: &str = "ANTRIEB_INSTRUMENT";
@@ -26,9 +29,24 @@ const FLAGS: [&str; 11] = [
     "-Cforce-frame-pointers=yes",
 ];
 
-/// Compiles if cargo has called this program as its wrapper; `None` if a person has.
+/// Where this program was when it began.
+static OWN: OnceLock<PathBuf> = OnceLock::new();
+
+/// The path of this program. A step of `ci` that builds the workspace with other features puts another build of it at the
+/// same place; a question for its path would then be answered with one that does not exist.
+///
+/// # Errors
+/// Those of [`std::env::current_exe`].
+pub(super) fn own() -> io::Result<PathBuf> {
+    OWN.get().map_or_else(std::env::current_exe, |path| Ok(path.clone()))
+}
+
+/// Compiles if cargo has called this program as its wrapper; `None` if a person has. To be asked before anything else.
 #[must_use]
 pub fn as_wrapper() -> Option<ExitCode> {
+    if let Ok(path) = std::env::current_exe() {
+        OWN.get_or_init(|| path);
+    }
     std::env::var_os(VARIABLE)?;
     let mut words = std::env::args_os().skip(1);
     let compiler = words.next()?;

@@ -123,9 +123,9 @@ impl Pages {
         let buf = self.unpacked(head, packed, 0)?;
         let def_level_encoding = encoding(head.level_encoding)?;
         let levels = self.level_bytes(&buf, head.values, def_level_encoding)?;
-        let (encoding, length) = self.checked(head, &buf, levels)?;
+        let (encoding, buf) = self.checked(head, buf, levels)?;
         Ok(Page::DataPage {
-            buf: buf.slice(..length),
+            buf,
             num_values: count(head.values)?,
             encoding,
             def_level_encoding,
@@ -140,9 +140,9 @@ impl Pages {
         known(head.repeated_bytes == 0 && levels <= packed.len() as u64 && levels <= head.unpacked)?;
         let levels = usize::try_from(levels).map_err(|_| damaged(Damage::Page))?;
         let buf = self.unpacked(head, packed, levels)?;
-        let (encoding, length) = self.checked(head, &buf, levels)?;
+        let (encoding, buf) = self.checked(head, buf, levels)?;
         Ok(Page::DataPageV2 {
-            buf: buf.slice(..length),
+            buf,
             num_values: count(head.values)?,
             encoding,
             num_nulls: count(head.nulls)?,
@@ -207,15 +207,20 @@ impl Pages {
         length.and_then(|length| usize::try_from(length).ok()).ok_or_else(|| damaged(Damage::Page))
     }
 
-    /// The encoding of the values behind the levels, and how long the page is with those that are there.
-    fn checked(&self, head: &Head, buf: &[u8], levels: usize) -> std::result::Result<(Encoding, usize), Fault> {
+    /// The encoding of the values behind the levels, and the page as the library shall have it.
+    fn checked(&self, head: &Head, buf: Bytes, levels: usize) -> std::result::Result<(Encoding, Bytes), Fault> {
         let values = buf.get(levels..).ok_or_else(|| damaged(Damage::Page))?;
         let encoding = encoding(head.encoding)?;
         match encoding {
             Encoding::RLE_DICTIONARY | Encoding::PLAIN_DICTIONARY => {
                 known(self.has_dictionary && values.first().is_some_and(|bits| *bits <= INDEX_BITS_MAX))?;
             }
-            Encoding::BYTE_STREAM_SPLIT => known((values.len() as u64).is_multiple_of(size_of_value(self.physical)))?,
+            Encoding::BYTE_STREAM_SPLIT => {
+                // The decoder of split values looks for bytes behind the end where there are fewer than levels; that of
+                // plain ones counts what is left.
+                self.memory.clone().take((buf.len() as u64).saturating_mul(self.share))?;
+                return Ok((Encoding::PLAIN, joined(&buf, levels, size_of_value(self.physical))?));
+            }
             Encoding::PLAIN => {}
             Encoding::DELTA_BINARY_PACKED => {
                 known(matches!(self.physical, Type::INT32 | Type::INT64))?;
@@ -223,7 +228,7 @@ impl Pages {
                 known(deltas <= head.values)?;
                 if deltas == 0 {
                     // A page of nulls; the decoder of deltas needs one value at least, the plain one none.
-                    return Ok((Encoding::PLAIN, levels));
+                    return Ok((Encoding::PLAIN, buf.slice(..levels)));
                 }
             }
             other => {
@@ -231,8 +236,18 @@ impl Pages {
                 return Err(damaged(Damage::Encoding { name }));
             }
         }
-        Ok((encoding, buf.len()))
+        Ok((encoding, buf))
     }
+}
+
+/// A page of split values, all first bytes before all second ones, as one of plain values behind the same levels.
+fn joined(page: &[u8], levels: usize, size: u64) -> std::result::Result<Bytes, Fault> {
+    let (levels, split) = page.split_at_checked(levels).ok_or_else(|| damaged(Damage::Page))?;
+    let size = usize::try_from(size).map_err(|_| damaged(Damage::Page))?;
+    known(split.len().is_multiple_of(size))?;
+    let count = split.len() / size;
+    let values = (0..count).flat_map(|value| split.iter().skip(value).step_by(count).copied());
+    Ok(levels.iter().copied().chain(values).collect())
 }
 
 /// The head of delta-coded values, checked; gives their number.
