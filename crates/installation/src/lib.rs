@@ -1,0 +1,4 @@
+//! From the ordering code to the running machine: wiring, joints and fits, commissioning values, upkeep.
+//!
+//! Each module answers one question about one ordering code with plain data that carry their sources. This crate speaks no
+//! language and opens no file; `words` says what its identifiers mean.
