@@ -17,6 +17,7 @@ mod files;
 mod glossary;
 mod id;
 mod judged;
+mod licences;
 mod motion;
 mod number;
 mod reference;
@@ -45,6 +46,7 @@ pub use judged::{
     Assessed, Candidate, Influence, Judgement, NeededLimit, Quantiles, Ranked, Rejection, Reserve, Sizing, Stage,
     StageRatio, Tolerance, ToleratedValue, WorstCorner,
 };
+pub use licences::{LicenceText, Licences};
 pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, TextEncoding, UnitBy};
 pub use number::Number;
 pub use provenance::Grade;

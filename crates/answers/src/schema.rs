@@ -2,8 +2,8 @@
 
 use crate::{
     Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, Comparison, Completion, Curves, Difference, Errata,
-    Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia, Judgement, ListedCode, PlotWritten,
-    ReportWritten, Sheet, Sizing, Table, Torsion,
+    Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia, Judgement, Licences, ListedCode,
+    PlotWritten, ReportWritten, Sheet, Sizing, Table, Torsion,
 };
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
@@ -56,6 +56,7 @@ const ENTRIES: &[Entry] = &[
     one::<Battery>("battery"),
     one::<Inertia>("inertia"),
     one::<Glossary>("glossary"),
+    one::<Licences>("licences"),
     one::<FilesWritten>("new --out"),
     one::<ReportWritten>("report"),
     one::<ExportWritten>("export --out"),

@@ -127,7 +127,7 @@ fn headed(command: Command, language: Language) -> Command {
 }
 
 /// One call of each command; every one of them runs.
-pub(crate) const EXAMPLES: [(&str, &str); 27] = [
+pub(crate) const EXAMPLES: &[(&str, &str)] = &[
     ("antrieb", "antrieb new screw --out axis.toml && antrieb size axis.toml"),
     ("size", "antrieb size axis.toml --top 5"),
     ("check", "antrieb check axis.toml --code CHA-25A-50-H-C1024"),
@@ -151,6 +151,7 @@ pub(crate) const EXAMPLES: [(&str, &str); 27] = [
     ("battery", "antrieb battery --hours-per-day 10"),
     ("new", "antrieb new arm --out axis.toml"),
     ("glossary", "antrieb glossary T_rms"),
+    ("licences", "antrieb licences"),
     ("schema", "antrieb schema"),
     ("completions", "antrieb completions bash"),
     ("man", "antrieb man size"),
@@ -364,6 +365,7 @@ fn commands(language: Language) -> Command {
                 .about(help::glossary(language))
                 .arg(Arg::new("term").value_name(values::term(language)).help(help::glossary_term(language))),
         )
+        .subcommand(Command::new("licences").about(help::licences(language)))
         .subcommand(schema(language))
         .subcommand(
             Command::new("completions").about(help::completions(language)).arg(

@@ -17,6 +17,7 @@ mod fault;
 mod glossary;
 mod inertia;
 mod judge;
+mod licences;
 mod moves;
 mod plot;
 #[cfg_attr(not(feature = "report"), path = "no_report.rs")]
@@ -93,6 +94,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("torsion", found)) => data::torsion(found, json, language),
         Some(("inertia", found)) => inertia::inertia(found, json, language),
         Some(("glossary", found)) => glossary::glossary(found, json, language),
+        Some(("licences", _)) => licences::licences(json),
         Some(("schema", found)) if found.get_flag("answers") => Answer::record(&workbench::answers::schema()),
         Some(("schema", _)) => Answer::record(&workbench::schema(language)),
         Some(("completions", found)) => command::completions(found, language),

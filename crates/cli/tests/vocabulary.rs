@@ -149,6 +149,17 @@ fn a_new_project_is_written_with_its_name_and_its_recording() {
 }
 
 #[test]
+fn the_program_carries_the_licences_of_what_is_in_it() {
+    let text = run(&["licences"]).out;
+    for wanted in ["MIT License", "SIL OPEN FONT LICENSE", "Apache License", "Inter", "typst-assets"] {
+        assert!(text.contains(wanted), "{wanted}");
+    }
+    let json: serde_json::Value = serde_json::from_str(&run(&["licences", "--json"]).out).unwrap();
+    let names = json["texts"].as_array().unwrap().iter().map(|text| text["name"].as_str().unwrap());
+    assert_eq!(names.collect::<Vec<_>>(), ["LICENSE", "THIRD-PARTY.md", "third-party/two-face.md"]);
+}
+
+#[test]
 fn the_glossary_answers_in_text_and_json() {
     let text = run(&["glossary", "Nachweis"]);
     assert!(text.code == 0 && text.out.contains("check"), "{}", text.out);

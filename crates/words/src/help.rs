@@ -108,6 +108,9 @@ texts! {
     glossary_term =
         "Symbol, name or word, for example T_rms; all without it"
         | "Zeichen, Name oder Wort, zum Beispiel T_rms; ohne Angabe alle";
+    licences =
+        "Licences of antrieb and of all that is built into it, fonts included"
+        | "Lizenzen von antrieb und von allem, was darin steckt, auch der Schriften";
     completions = "Completion script for a shell" | "Vervollständigung für eine Shell";
     help = "Help on a command" | "Hilfe zu einem Befehl";
     help_command = "Command; all of them without it" | "Befehl; ohne ihn alle";
