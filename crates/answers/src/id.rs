@@ -1,5 +1,6 @@
 //! Words of a fixed set, as data exchange has them.
 
+use catalogue::{Bound, Signal, Step};
 use order_code::Field;
 use provenance::Grade;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -63,6 +64,9 @@ macro_rules! identified {
 }
 
 identified! {
+    Bound as "Bound": Bound::ALL;
+    Signal as "Signal": Signal::ALL;
+    Step as "Step": Step::ALL;
     CheckId as "CheckId": CheckId::ALL;
     Verdict as "Verdict": &[Verdict::Pass, Verdict::Fail, Verdict::Advice, Verdict::NotChecked];
     Direction as "Direction": &[Direction::AtMost, Direction::AtLeast];

@@ -12,6 +12,7 @@ mod code;
 mod demand;
 mod dossier;
 mod errata;
+mod facts;
 mod fault;
 mod files;
 mod glossary;
@@ -34,6 +35,7 @@ pub use dossier::{
     RejectionGroup, ScrewJoint,
 };
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
+pub use facts::{Fact, FactValue};
 pub use fault::{Fault, Faults, Place};
 pub use files::{
     AxisWritten, ColumnKind, ExportWritten, FilesWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn,

@@ -13,6 +13,7 @@ mod diff;
 mod errata;
 mod explain;
 mod export;
+mod facts;
 mod fault;
 mod glossary;
 mod inertia;

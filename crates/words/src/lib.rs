@@ -9,6 +9,7 @@ mod codes;
 mod derivation;
 mod errata;
 mod examples;
+mod facts;
 mod faults;
 mod flange;
 pub mod help;
@@ -38,6 +39,7 @@ pub use codes::{describe_code_error, describe_field, describe_rule, describe_tok
 pub use derivation::{found_text, step_term, step_terms, symbol_shown};
 pub use errata::{erratum_kind, erratum_place, erratum_status};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
+pub use facts::{fact_source, fact_text, signal_word, step_title};
 pub use faults::{Told, battery_fault, fault_text, file_trouble, hint_text, told};
 pub use keys::about_text;
 pub use letters::{is_vowel, stands_before_a_number};

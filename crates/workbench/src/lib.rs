@@ -12,6 +12,7 @@ mod compare;
 mod errata;
 mod explain;
 mod export;
+mod facts;
 mod fingerprint;
 mod flange;
 mod glossary;
@@ -31,6 +32,7 @@ pub use answers::{self, Derivation, Node};
 pub use ask::{
     Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, verification,
 };
+pub use catalogue::{Fact, Signal, Step, Topic};
 pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
@@ -38,6 +40,7 @@ pub use configurator::{Availability, Choice, Uncovered, Unmet, catalogue_actuato
 pub use errata::{ErrataFound, ErrataRefusal, errata_about};
 pub use explain::{derivation, node_amount, trust};
 pub use export::{EXPORT_COLUMNS, export_rows};
+pub use facts::facts_about;
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
 pub use glossary::glossary;
