@@ -24,6 +24,7 @@ mod reference;
 mod schema;
 mod sheet;
 mod units;
+mod wiring;
 
 pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Difference, Head, InputChange};
 pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, Torsion};
@@ -55,3 +56,7 @@ pub use schema::{Answered, Axes, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;
+pub use wiring::{
+    AmbiguousColour, Cable, Connector, ConnectorExit, ConnectorPin, NotAvailable, VoltageDrop, VoltageDrops, Wiring,
+    WiringCheck, WiringFinding, WiringNote,
+};

@@ -29,6 +29,7 @@ mod subject;
 mod table;
 mod tolerance;
 mod waiting;
+mod wiring;
 
 use answer::Answer;
 use clap::ArgMatches;
@@ -84,6 +85,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("export", found)) => export::export(found, json, language),
         Some(("code", found)) => code::dispatch(found, json, language),
         Some(("data", found)) => data::sheet(found, json, language),
+        Some(("wiring", found)) => wiring::wiring(found, json, language),
         Some(("errata", found)) => errata::errata(found, json, language),
         Some(("catalogue", found)) => data::catalogue(found, json),
         Some(("curve", found)) => chapter::curve(found, json, language),

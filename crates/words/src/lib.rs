@@ -33,6 +33,7 @@ pub mod terminal;
 pub mod terms;
 mod texts;
 mod usage;
+pub mod wiring;
 
 pub use bodies::shape_title;
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token, describe_uncovered};
@@ -89,4 +90,5 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("tables", tables::TEXTS),
     ("terminal", terminal::TEXTS),
     ("terms", terms::TEXTS),
+    ("wiring", wiring::TEXTS),
 ];

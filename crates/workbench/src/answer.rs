@@ -12,6 +12,7 @@ mod inputs;
 mod judged;
 mod motion;
 mod sheet;
+mod wiring;
 
 pub use beside::{comparison, difference};
 pub use chapters::{battery, bearings, curves, inertia, torsion};
@@ -24,3 +25,4 @@ pub use fault::faults;
 pub use judged::{candidate, fit, judgement, objections, reserve, sizing, tolerance};
 pub use motion::motion;
 pub use sheet::{catalogue_cells, sheet, sheet_note_text};
+pub use wiring::{wiring, wiring_check};

@@ -26,6 +26,7 @@ mod sizing_use;
 mod templates;
 mod tolerance;
 mod torsion;
+mod wiring;
 
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
@@ -44,6 +45,9 @@ pub use facts::facts_about;
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
 pub use glossary::glossary;
+pub use installation::wiring::{
+    Connector, Group as SignalGroup, LISTED_BYTES_MAX, ListFault, Role, VoltageDrop, Wiring, voltage_drops, wiring,
+};
 pub use limits::{NeededLimit, limits_needed};
 pub use moves::{Move, Moves, moves};
 pub use order_code::{Field, OrderCode, Size};
@@ -70,6 +74,7 @@ pub use tolerance::{
     Assessment, Draw, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
 };
 pub use torsion::{TorsionAnswer, TorsionCurve, read_torque, torsion, torsion_of};
+pub use wiring::{CABLE_LENGTH_MAX_M, CROSS_SECTION_MAX_MM2, ListRead, cable_length, cross_section, read_list};
 
 /// The words of the house, and those of a whole candidate.
 pub mod text {
