@@ -1,5 +1,7 @@
 //! Words of a fixed set, as data exchange has them.
 
+use catalogue::{Bound, Signal, Step};
+use installation::wiring::{CableFor, CableRole, Circuit, Group, Role, Severity};
 use order_code::Field;
 use provenance::Grade;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -63,6 +65,15 @@ macro_rules! identified {
 }
 
 identified! {
+    CableFor as "CableFor": CableFor::ALL;
+    CableRole as "CableRole": CableRole::ALL;
+    Circuit as "Circuit": Circuit::ALL;
+    Group as "SignalGroup": Group::ALL;
+    Role as "ConnectorRole": Role::ALL;
+    Severity as "Severity": Severity::ALL;
+    Bound as "Bound": Bound::ALL;
+    Signal as "Signal": Signal::ALL;
+    Step as "Step": Step::ALL;
     CheckId as "CheckId": CheckId::ALL;
     Verdict as "Verdict": &[Verdict::Pass, Verdict::Fail, Verdict::Advice, Verdict::NotChecked];
     Direction as "Direction": &[Direction::AtMost, Direction::AtLeast];

@@ -12,6 +12,7 @@ mod code;
 mod demand;
 mod dossier;
 mod errata;
+mod facts;
 mod fault;
 mod files;
 mod glossary;
@@ -24,6 +25,7 @@ mod reference;
 mod schema;
 mod sheet;
 mod units;
+mod wiring;
 
 pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Difference, Head, InputChange};
 pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, Torsion};
@@ -35,6 +37,7 @@ pub use dossier::{
     RejectionGroup, ScrewJoint,
 };
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
+pub use facts::{Fact, FactValue};
 pub use fault::{Fault, Faults, Place};
 pub use files::{
     AxisWritten, ColumnKind, ExportWritten, FilesWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn,
@@ -55,3 +58,7 @@ pub use schema::{Answered, Axes, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;
+pub use wiring::{
+    AmbiguousColour, Cable, Connector, ConnectorExit, ConnectorPin, NotAvailable, VoltageDrop, VoltageDrops, Wiring,
+    WiringCheck, WiringFinding, WiringNote,
+};

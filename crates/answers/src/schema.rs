@@ -3,7 +3,7 @@
 use crate::{
     Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, Comparison, Completion, Curves, Difference, Errata,
     Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia, Judgement, Licences, ListedCode,
-    PlotWritten, ReportWritten, Sheet, Sizing, Table, Torsion,
+    PlotWritten, ReportWritten, Sheet, Sizing, Table, Torsion, Wiring, WiringCheck,
 };
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
@@ -66,6 +66,8 @@ const ENTRIES: &[Entry] = &[
     one::<Vec<ListedCode>>("code list"),
     one::<Completion>("code complete"),
     one::<Sheet>("data"),
+    one::<Wiring>("wiring"),
+    one::<WiringCheck>("wiring --check"),
     one::<Errata>("errata"),
     one::<Vec<CatalogueCell>>("catalogue export"),
     one::<CodeFaults>("faults of a code"),

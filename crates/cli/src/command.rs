@@ -16,7 +16,7 @@ mod files;
 pub(crate) mod library;
 pub(crate) mod usage;
 
-use files::{compare, curve, diff, export, plot, report, sheet};
+use files::{compare, curve, diff, export, plot, report, sheet, wiring};
 
 /// A help text, with a remark where the program was built without the typesetting engine.
 fn with_report(language: Language, help: &str) -> String {
@@ -141,6 +141,7 @@ pub(crate) const EXAMPLES: &[(&str, &str)] = &[
     ("list", "antrieb code list CHA-20A-*-H --available"),
     ("complete", "antrieb code complete CHA-14A-100-N"),
     ("data", "antrieb data CHA-20A-100-H-C1024"),
+    ("wiring", "antrieb wiring CHA-25A-100-H-M512P-B --check pins.csv"),
     ("catalogue", "antrieb catalogue export --format csv"),
     ("errata", "antrieb errata CHA-25A-50-H-M512P"),
     ("torsion", "antrieb torsion CHA-20A-100-H-C1024 --torque \"60 N m\""),
@@ -299,6 +300,7 @@ fn commands(language: Language) -> Command {
         .subcommand(export(language))
         .subcommand(code)
         .subcommand(data)
+        .subcommand(wiring(language))
         .subcommand(errata)
         .subcommand(catalogue)
         .subcommand(

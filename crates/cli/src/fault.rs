@@ -66,7 +66,12 @@ impl Source {
 
 /// At most one byte more than a project file may have: a large file or an endless stream is not read to its end.
 fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
-    let limit = PROJECT_MAX_BYTES as u64 + 1;
+    read_bytes_within(path, PROJECT_MAX_BYTES)
+}
+
+/// At most one byte more than `most`.
+pub(crate) fn read_bytes_within(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
+    let limit = most as u64 + 1;
     let mut bytes = Vec::new();
     if path.as_os_str() == "-" {
         std::io::stdin().lock().take(limit).read_to_end(&mut bytes)?;

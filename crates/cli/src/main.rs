@@ -13,6 +13,7 @@ mod diff;
 mod errata;
 mod explain;
 mod export;
+mod facts;
 mod fault;
 mod glossary;
 mod inertia;
@@ -29,6 +30,7 @@ mod subject;
 mod table;
 mod tolerance;
 mod waiting;
+mod wiring;
 
 use answer::Answer;
 use clap::ArgMatches;
@@ -84,6 +86,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("export", found)) => export::export(found, json, language),
         Some(("code", found)) => code::dispatch(found, json, language),
         Some(("data", found)) => data::sheet(found, json, language),
+        Some(("wiring", found)) => wiring::wiring(found, json, language),
         Some(("errata", found)) => errata::errata(found, json, language),
         Some(("catalogue", found)) => data::catalogue(found, json),
         Some(("curve", found)) => chapter::curve(found, json, language),

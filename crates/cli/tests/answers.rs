@@ -45,6 +45,9 @@ fn every_answer_keeps_to_the_schema() {
     ask("code list", &["code", "list", "CHA-20A-*-H"]);
     ask("code complete", &["code", "complete", "CHA-20A-120-H-C1024"]);
     ask("data", &["data", "CHA-20A-100-H-M512P-B-EC-SP"]);
+    ask("wiring", &["wiring", "CHA-20A-100-H-M512P-B-EC", "--length", "10 m"]);
+    ask("wiring", &["wiring", "CHA-58A-50-H-RES", "--length", "10 m", "--cross-section", "1 mm^2"]);
+    ask("wiring --check", &["wiring", "CHA-25A-100-H-M512P-B", "--check", "examples/pins.csv"]);
     ask("errata", &["errata"]);
     ask("catalogue export", &["catalogue", "export"]);
     ask("faults of a code", &["code", "parse", "CHA-14A-120-H-D2048"]);
@@ -55,6 +58,8 @@ fn every_answer_keeps_to_the_schema() {
     // What cannot be answered: an option, a code, a file, a question about every axis.
     ask("faults", &["battery", "--hours-per-day", "many"]);
     ask("faults", &["torsion", "CHA-20A-100-H-C1024", "--torque", "60"]);
+    ask("faults", &["wiring", "CHA-25A-100-H-M512P-B", "--check", "examples/robot-joint.csv"]);
+    ask("faults", &["wiring", "CHA-25A-100-H-M512P-B", "--length", "0 m"]);
     ask("faults", &["check", "examples/two-axes.toml"]);
     ask("faults", &["check", "examples/nowhere.toml"]);
     for (command, arguments) in asked {

@@ -40,6 +40,17 @@ shows! {
     code_without_completion: ["code", "complete", "CHA-20A-100-L"];
     code_without_completion_as_json: ["code", "complete", "CHA-*-160-E", "--json", "--lang", "de"];
     code_with_a_wrong_winding: ["code", "parse", "CHA-20A-100-X-C1024"];
+    wiring: ["wiring", "CHA-25A-100-H-M512P-B"];
+    wiring_in_german: ["wiring", "CHA-25A-100-H-M512P-B", "--lang", "de"];
+    wiring_without_colours: ["wiring", "CHA-14A-50-E-M128S"];
+    wiring_without_colours_in_german: ["wiring", "CHA-14A-50-E-M128S", "--lang", "de"];
+    wiring_on_a_long_cable: ["wiring", "CHA-20A-80-H-C1024-B-EC", "--length", "40 m", "--cross-section", "0.5 mm^2", "--lang", "de"];
+    wiring_checked: ["wiring", "CHA-25A-100-H-M512P-B", "--check", "examples/pins.csv"];
+    wiring_checked_in_german: ["wiring", "CHA-25A-100-H-M512P-B", "--check", "examples/pins.csv", "--lang", "de"];
+    wiring_as_picture: ["wiring", "CHA-14A-50-N-RES-B", "--connector", "motor", "--svg", "-"];
+    wiring_of_no_such_connector: ["wiring", "CHA-25A-100-H-M512P-B", "--connector", "output_encoder", "--svg", "-"];
+    wiring_help: ["wiring", "--help"];
+    wiring_help_in_german: ["wiring", "--help", "--lang", "de"];
     errata_of_a_table: ["errata", "40.1"];
     errata_of_a_text_in_german: ["errata", "text-ch3-torque-range", "--lang", "de"];
     errata_as_json: ["errata", "T59.1-buffer-current", "--json"];
@@ -84,6 +95,29 @@ fn every_fault_of_a_project() {
         assert_eq!(run.code, 2);
         assert_eq!(run.out, "");
         insta::assert_snapshot!(format!("every_fault_of_a_project_{language}"), run.err);
+    }
+}
+
+#[test]
+fn every_fault_of_a_list_of_pins() {
+    let text = "connector;pin;signal;shield;wire\nmoter;1;U;yes;a\nmotor;;V;perhaps;b\nmotor;3\n";
+    for language in ["en", "de"] {
+        let run = run_with(&["wiring", "CHA-25A-100-H-M512P-B", "--check", "-", "--lang", language], text.as_bytes());
+        assert_eq!((run.code, run.out.as_str()), (2, ""));
+        insta::assert_snapshot!(format!("every_fault_of_a_list_of_pins_{language}"), run.err);
+    }
+}
+
+#[test]
+fn every_difference_of_a_list_of_pins() {
+    let text = "connector\tpin\tsignal\tcolour\tshield\nmotor\t1\tV\tred\tyes\nmotor\t2\tU\tgreen\tno\nmotor\t4\tBRR+\t\t\n\
+                motor\t4\tBR+\t\t\nmotor\t9\tPE\t\t\nmotor\t5\tDATA+\t\t\nfeedback\t4\tA+\t\t\nfeedback\t6\txyz\t\t\nEC\t7\tGND\t\t\n\
+                EC\t10\tUp\t\t\nfeedback\t8\tKTY-\t\t\nfeedback\t9\tKTY+\t\t\n";
+    for language in ["en", "de"] {
+        let run =
+            run_with(&["wiring", "CHA-25A-100-H-M512P-B-EC", "--check", "-", "--lang", language], text.as_bytes());
+        assert_eq!((run.code, run.err.as_str()), (1, ""));
+        insta::assert_snapshot!(format!("every_difference_of_a_list_of_pins_{language}"), run.out);
     }
 }
 

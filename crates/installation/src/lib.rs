@@ -2,3 +2,5 @@
 //!
 //! Each module answers one question about one ordering code with plain data that carry their sources. This crate speaks no
 //! language and opens no file; `words` says what its identifiers mean.
+
+pub mod wiring;

@@ -67,6 +67,21 @@ texts! {
     data =
         "Data sheet of one actuator, each value with its table"
         | "Datenblatt eines Antriebs, jeder Wert mit seiner Tabelle";
+    wiring =
+        "Connectors, pins and cables of one actuator, and what is wrong in a list of pins"
+        | "Stecker, Stifte und Kabel eines Antriebs, und was an einer Stiftliste falsch ist";
+    wiring_check =
+        "Compare this list (CSV: connector, pin, signal; colour and shield if wanted) with the print; - is standard input"
+        | "Diese Liste (CSV: Stecker, Stift, Signal; auf Wunsch Farbe und Schirm) mit dem Druck vergleichen; - ist die Standardeingabe";
+    wiring_length =
+        "Length of the cable, such as \"15 m\": voltage lost by brake and encoder supply"
+        | "Länge des Kabels, etwa \"15 m\": Spannungsverlust von Bremse und Geberversorgung";
+    wiring_section =
+        "Cross-section of its wires, such as \"0.75 mm^2\""
+        | "Querschnitt seiner Adern, etwa \"0.75 mm^2\"";
+    wiring_connector =
+        "With --svg or --png: motor, feedback (default) or output_encoder"
+        | "Mit --svg oder --png: motor, feedback (Motorfeedback, Vorgabe) oder output_encoder (Geber am Abtrieb)";
     errata =
         "What is wrong or in doubt in the print, and what is used"
         | "Was im Druck falsch oder zweifelhaft ist, und was verwendet wird";

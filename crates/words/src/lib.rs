@@ -9,6 +9,7 @@ mod codes;
 mod derivation;
 mod errata;
 mod examples;
+mod facts;
 mod faults;
 mod flange;
 pub mod help;
@@ -32,12 +33,14 @@ pub mod terminal;
 pub mod terms;
 mod texts;
 mod usage;
+pub mod wiring;
 
 pub use bodies::shape_title;
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token, describe_uncovered};
 pub use derivation::{found_text, step_term, step_terms, symbol_shown};
 pub use errata::{erratum_kind, erratum_place, erratum_status};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
+pub use facts::{fact_source, fact_text, signal_word, step_title};
 pub use faults::{Told, battery_fault, fault_text, file_trouble, hint_text, told};
 pub use keys::about_text;
 pub use letters::{is_vowel, stands_before_a_number};
@@ -87,4 +90,5 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("tables", tables::TEXTS),
     ("terminal", terminal::TEXTS),
     ("terms", terms::TEXTS),
+    ("wiring", wiring::TEXTS),
 ];

@@ -12,6 +12,7 @@ mod compare;
 mod errata;
 mod explain;
 mod export;
+mod facts;
 mod fingerprint;
 mod flange;
 mod glossary;
@@ -25,12 +26,14 @@ mod sizing_use;
 mod templates;
 mod tolerance;
 mod torsion;
+mod wiring;
 
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
 pub use ask::{
     Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, verification,
 };
+pub use catalogue::{Fact, Signal, Step, Topic};
 pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
@@ -38,9 +41,13 @@ pub use configurator::{Availability, Choice, Uncovered, Unmet, catalogue_actuato
 pub use errata::{ErrataFound, ErrataRefusal, errata_about};
 pub use explain::{derivation, node_amount, trust};
 pub use export::{EXPORT_COLUMNS, export_rows};
+pub use facts::facts_about;
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
 pub use glossary::glossary;
+pub use installation::wiring::{
+    Connector, Group as SignalGroup, LISTED_BYTES_MAX, ListFault, Role, VoltageDrop, Wiring, voltage_drops, wiring,
+};
 pub use limits::{NeededLimit, limits_needed};
 pub use moves::{Move, Moves, moves};
 pub use order_code::{Field, OrderCode, Size};
@@ -67,6 +74,7 @@ pub use tolerance::{
     Assessment, Draw, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
 };
 pub use torsion::{TorsionAnswer, TorsionCurve, read_torque, torsion, torsion_of};
+pub use wiring::{CABLE_LENGTH_MAX_M, CROSS_SECTION_MAX_MM2, ListRead, cable_length, cross_section, read_list};
 
 /// The words of the house, and those of a whole candidate.
 pub mod text {

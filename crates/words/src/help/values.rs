@@ -3,6 +3,8 @@
 use crate::texts::texts;
 
 texts! {
+    area = "AREA" | "QUERSCHNITT";
+    connector = "CONNECTOR" | "STECKER";
     body = "BODY" | "KÖRPER";
     check = "CHECK" | "NACHWEIS";
     code = "CODE";
