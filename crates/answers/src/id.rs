@@ -1,5 +1,9 @@
 //! Words of a fixed set, as data exchange has them.
 
+use catalogue::{Bound, Signal, Step};
+use installation::fit::{FitKind, Side};
+use installation::joint::LoadCase;
+use installation::upkeep::{Rule, Task};
 use order_code::Field;
 use provenance::Grade;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -63,12 +67,20 @@ macro_rules! identified {
 }
 
 identified! {
+    Bound as "Bound": Bound::ALL;
+    Signal as "Signal": Signal::ALL;
+    Step as "Step": Step::ALL;
     CheckId as "CheckId": CheckId::ALL;
     Verdict as "Verdict": &[Verdict::Pass, Verdict::Fail, Verdict::Advice, Verdict::NotChecked];
     Direction as "Direction": &[Direction::AtMost, Direction::AtLeast];
     Part as "Part": Part::ALL;
     Field as "Field": Field::ALL;
     Grade as "Grade": &[Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
+    Side as "Side": Side::ALL;
+    FitKind as "FitKind": FitKind::ALL;
+    LoadCase as "LoadCase": LoadCase::ALL;
+    Task as "Task": Task::ALL;
+    Rule as "Rule": Rule::ALL;
 }
 
 /// Whether nothing speaks against an actuator, or against the best of several.

@@ -12,17 +12,20 @@ mod code;
 mod demand;
 mod dossier;
 mod errata;
+mod facts;
 mod fault;
 mod files;
 mod glossary;
 mod id;
 mod judged;
 mod motion;
+mod mount;
 mod number;
 mod reference;
 mod schema;
 mod sheet;
 mod units;
+mod upkeep;
 
 pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Difference, Head, InputChange};
 pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, Torsion};
@@ -34,6 +37,7 @@ pub use dossier::{
     RejectionGroup, ScrewJoint,
 };
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
+pub use facts::{Fact, FactValue};
 pub use fault::{Fault, Faults, Place};
 pub use files::{
     AxisWritten, ColumnKind, ExportWritten, FilesWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn,
@@ -46,6 +50,7 @@ pub use judged::{
     StageRatio, Tolerance, ToleratedValue, WorstCorner,
 };
 pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, TextEncoding, UnitBy};
+pub use mount::{Joint, JointCase, Mount, MountValue, Pilot};
 pub use number::Number;
 pub use provenance::Grade;
 pub use reference::reference;
@@ -53,3 +58,4 @@ pub use schema::{Answered, Axes, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;
+pub use upkeep::{Planned, Upkeep};

@@ -13,6 +13,7 @@ const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod files;
+mod installation;
 pub(crate) mod library;
 pub(crate) mod usage;
 
@@ -127,7 +128,7 @@ fn headed(command: Command, language: Language) -> Command {
 }
 
 /// One call of each command; every one of them runs.
-pub(crate) const EXAMPLES: [(&str, &str); 27] = [
+pub(crate) const EXAMPLES: [(&str, &str); 29] = [
     ("antrieb", "antrieb new screw --out axis.toml && antrieb size axis.toml"),
     ("size", "antrieb size axis.toml --top 5"),
     ("check", "antrieb check axis.toml --code CHA-25A-50-H-C1024"),
@@ -149,6 +150,8 @@ pub(crate) const EXAMPLES: [(&str, &str); 27] = [
     ("plot", "antrieb plot axis.toml --figure torque_speed --svg plane.svg"),
     ("bearing", "antrieb bearing axis.toml"),
     ("battery", "antrieb battery --hours-per-day 10"),
+    ("mount", "antrieb mount CHA-25A-100-H-M512P-B --bore K7"),
+    ("upkeep", "antrieb upkeep CHA-14A-50-E-M128S --delivered 2026-03-01 --storage \"6 months\" --hours-per-day 10"),
     ("new", "antrieb new arm --out axis.toml"),
     ("glossary", "antrieb glossary T_rms"),
     ("schema", "antrieb schema"),
@@ -339,6 +342,8 @@ fn commands(language: Language) -> Command {
                         .help(help::battery_storage(language)),
                 ),
         )
+        .subcommand(installation::mount(language))
+        .subcommand(installation::upkeep(language))
         .subcommand(
             Command::new("new")
                 .about(help::new(language))

@@ -59,6 +59,8 @@ fn answers(language: &str) {
         ask(&["plot", "examples/indexing-table.toml", "--figure", figure]);
     }
     ask(&["compare", "examples/belt-axis.toml", "--code", "CHA-14A-50-N-D2048", "--code", "CHA-17A-50-H-M128S-B"]);
+    ask(&["mount", "CHA-25A-100-H-M512P-B"]);
+    ask(&["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2026-03-01", "--hours-per-day", "10"]);
     for table in ["inputs", "assumptions", "demand", "motion", "candidates", "checks"] {
         ask(&["export", "examples/tilting-arm.toml", "--table", table, "--out", "-"]);
     }

@@ -9,12 +9,14 @@ mod codes;
 mod derivation;
 mod errata;
 mod examples;
+mod facts;
 mod faults;
 mod flange;
 pub mod help;
 mod keys;
 mod letters;
 mod motion;
+pub mod mounting;
 mod notes;
 pub mod pictures;
 mod print;
@@ -31,6 +33,7 @@ pub mod tables;
 pub mod terminal;
 pub mod terms;
 mod texts;
+pub mod upkeep;
 mod usage;
 
 pub use bodies::shape_title;
@@ -38,6 +41,7 @@ pub use codes::{describe_code_error, describe_field, describe_rule, describe_tok
 pub use derivation::{found_text, step_term, step_terms, symbol_shown};
 pub use errata::{erratum_kind, erratum_place, erratum_status};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
+pub use facts::{fact_source, fact_text, signal_word, step_title};
 pub use faults::{Told, battery_fault, fault_text, file_trouble, hint_text, told};
 pub use keys::about_text;
 pub use letters::{is_vowel, stands_before_a_number};
@@ -81,10 +85,12 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("help", help::TEXTS),
     ("help::library", help::library::TEXTS),
     ("help::values", help::values::TEXTS),
+    ("mounting", mounting::TEXTS),
     ("pictures", pictures::TEXTS),
     ("records", records::TEXTS),
     ("report", report::TEXTS),
     ("tables", tables::TEXTS),
     ("terminal", terminal::TEXTS),
     ("terms", terms::TEXTS),
+    ("upkeep", upkeep::TEXTS),
 ];

@@ -4,6 +4,7 @@ use crate::texts::texts;
 
 texts! {
     body = "BODY" | "KÖRPER";
+    bore = "BORE" | "BOHRUNG";
     check = "CHECK" | "NACHWEIS";
     code = "CODE";
     command = "COMMAND" | "BEFEHL";
@@ -12,6 +13,7 @@ texts! {
     file = "FILE" | "DATEI";
     format = "FORMAT";
     hours = "HOURS" | "STUNDEN";
+    interval = "INTERVAL" | "INTERVALL";
     kind = "KIND" | "ART";
     lang = "LANG" | "SPRACHE";
     length = "LENGTH" | "LÄNGE";
