@@ -1,9 +1,6 @@
 //! Words of a fixed set, as data exchange has them.
 
 use catalogue::{Bound, Signal, Step};
-use installation::fit::{FitKind, Side};
-use installation::joint::LoadCase;
-use installation::upkeep::{Rule, Task};
 use order_code::Field;
 use provenance::Grade;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -76,11 +73,14 @@ identified! {
     Part as "Part": Part::ALL;
     Field as "Field": Field::ALL;
     Grade as "Grade": &[Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
-    Side as "Side": Side::ALL;
-    FitKind as "FitKind": FitKind::ALL;
-    LoadCase as "LoadCase": LoadCase::ALL;
-    Task as "Task": Task::ALL;
-    Rule as "Rule": Rule::ALL;
+}
+
+identified! {
+    installation::fit::Side as "Side": installation::fit::Side::ALL;
+    installation::fit::FitKind as "FitKind": installation::fit::FitKind::ALL;
+    installation::joint::LoadCase as "LoadCase": installation::joint::LoadCase::ALL;
+    installation::upkeep::Task as "Task": installation::upkeep::Task::ALL;
+    installation::upkeep::Rule as "Rule": installation::upkeep::Rule::ALL;
 }
 
 /// Whether nothing speaks against an actuator, or against the best of several.

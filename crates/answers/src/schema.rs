@@ -2,8 +2,8 @@
 
 use crate::{
     Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, Comparison, Completion, Curves, Difference, Errata,
-    Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia, Judgement, ListedCode, Mount, PlotWritten,
-    ReportWritten, Sheet, Sizing, Table, Torsion, Upkeep,
+    Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia, Judgement, ListedCode, Mount,
+    PlotWritten, ReportWritten, Sheet, Sizing, Table, Torsion, Upkeep,
 };
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;

@@ -64,6 +64,6 @@ pub struct Planned {
     pub text: &'static str,
     /// Where the date is from.
     pub source: String,
-    /// How far it can be trusted.
-    pub grade: Id<Grade>,
+    /// How far it can be trusted; `null` where it follows from an interval that the user states.
+    pub grade: Option<Id<Grade>>,
 }

@@ -10,8 +10,7 @@ use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::answers::{Fit, Joint, Mount, MountValue, Number, Pilot, TableCell};
 use workbench::quantities::{Unit, format_number, format_significant};
-use workbench::text::mounting as words;
-use workbench::text::{grade_word, step_title, terminal, terms, verdict_word};
+use workbench::text::{grade_word, mounting, step_title, terminal, terms, verdict_word};
 use workbench::{Language, MountAsked, OrderCode};
 
 /// `antrieb mount CODE`
@@ -65,14 +64,14 @@ fn loaded(
 }
 
 fn text(mount: &Mount, language: Language) -> String {
-    let mut out = format!("{}\n\n{}\n", mount.code, words::fits_head(language));
+    let mut out = format!("{}\n\n{}\n", mount.code, mounting::fits_head(language));
     out.push_str(&fits(&mount.pilots, language));
-    let _ = writeln!(out, "\n{}", words::dimensions_head(language));
+    let _ = writeln!(out, "\n{}", mounting::dimensions_head(language));
     out.push_str(&values(mount.tolerances.iter().chain(&mount.dimensions), language));
     match mount.lifting_gear {
-        Some(true) => out.push_str(&paragraph("", words::lifting_gear_needed(language))),
+        Some(true) => out.push_str(&paragraph("", mounting::lifting_gear_needed(language))),
         Some(false) => {}
-        None => out.push_str(&paragraph("", words::lifting_gear_not_known(language))),
+        None => out.push_str(&paragraph("", mounting::lifting_gear_not_known(language))),
     }
     for joint in &mount.joints {
         joint_text(&mut out, joint, language);
@@ -81,14 +80,15 @@ fn text(mount: &Mount, language: Language) -> String {
     for note in &mount.notes {
         out.push_str(&labelled(terminal::note(language), note));
     }
-    let _ = writeln!(out, "\n{}", words::demands_head(language));
+    let _ = writeln!(out, "\n{}", mounting::demands_head(language));
     let same = |one: &workbench::answers::Fact, other: &workbench::answers::Fact| one.step == other.step;
     for facts in mount.facts.chunk_by(same) {
         let step = facts.first().and_then(|fact| fact.step);
-        let _ = writeln!(out, "{}", step.map_or_else(|| words::always(language), |step| step_title(*step, language)));
+        let _ =
+            writeln!(out, "{}", step.map_or_else(|| mounting::always(language), |step| step_title(*step, language)));
         out.push_str(&facts_text(facts, language));
     }
-    let _ = writeln!(out, "\n{}", words::errata_head(language));
+    let _ = writeln!(out, "\n{}", mounting::errata_head(language));
     for erratum in &mount.errata {
         out.push_str(&paragraph(&format!("* {}: ", erratum.id), &erratum.evidence));
     }
@@ -113,13 +113,13 @@ fn fits(pilots: &[Pilot], language: Language) -> String {
     let left = |head: &'static str| (head, Align::Left);
     let mut table = Table::new([
         left(""),
-        left(words::pilot(language)),
-        left(words::deviation_pilot(language)),
-        left(words::bore(language)),
-        left(words::deviation_bore(language)),
-        left(words::clearance_um(language)),
-        (words::off_centre_um(language), Align::Right),
-        left(words::fit_head(language)),
+        left(mounting::pilot(language)),
+        left(mounting::deviation_pilot(language)),
+        left(mounting::bore(language)),
+        left(mounting::deviation_bore(language)),
+        left(mounting::clearance_um(language)),
+        (mounting::off_centre_um(language), Align::Right),
+        left(mounting::fit_head(language)),
     ]);
     let signed = |value: Number| micrometres(value, true, language);
     let unsigned = |value: Number| micrometres(value, false, language);
@@ -128,7 +128,7 @@ fn fits(pilots: &[Pilot], language: Language) -> String {
             pilot.title.clone(),
             format!("{} {}", plain(pilot.nominal, language), pilot.zone),
             format!("{} / {}", signed(pilot.upper), signed(pilot.lower)),
-            pilot.bore.map_or_else(|| words::own_deviations(language).to_owned(), str::to_owned),
+            pilot.bore.map_or_else(|| mounting::own_deviations(language).to_owned(), str::to_owned),
             format!("{} / {}", signed(pilot.bore_upper), signed(pilot.bore_lower)),
             format!("{} … {}", unsigned(pilot.clearance_min), unsigned(pilot.clearance_max)),
             unsigned(pilot.off_centre_max),
@@ -146,7 +146,7 @@ fn values<'v>(values: impl Iterator<Item = &'v MountValue>, language: Language) 
         let shown = match &each.value {
             TableCell::Number(number) => plain(*number, language),
             TableCell::Text(text) => text.clone(),
-            _ => words::not_printed(language).to_owned(),
+            _ => mounting::not_printed(language).to_owned(),
         };
         let unit = Unit::of(each.unit).map_or(each.unit, |unit| unit.symbol);
         let source = each.source.clone().unwrap_or_else(|| "–".to_owned());
@@ -162,8 +162,8 @@ fn joint_text(out: &mut String, joint: &Joint, language: Language) {
     let percent = |value: Option<Number>| number(value.map(|value| Number(value.0 * 100.0)), 3);
     let exact = |value: Option<Number>| value.map_or_else(|| "–".to_owned(), |value| plain(value, language));
     let printed = |text: &Option<String>| text.clone().unwrap_or_else(|| "–".to_owned());
-    let _ = writeln!(out, "\n{}", words::joint_head(&joint.title, language));
-    let screws = words::joint_screws(
+    let _ = writeln!(out, "\n{}", mounting::joint_head(&joint.title, language));
+    let screws = mounting::joint_screws(
         &exact(joint.count),
         &printed(&joint.size),
         &printed(&joint.class),
@@ -177,16 +177,16 @@ fn joint_text(out: &mut String, joint: &Joint, language: Language) {
     out.push_str(&paragraph("", &format!("{screws}{source}")));
     let force = joint.clamp_force.map(|force| Number(force.0 / 1000.0));
     let estimated = grade_word(workbench::Grade::Estimated, language);
-    out.push_str(&paragraph("", &words::joint_clamp(&number(force, 3), &estimated, language)));
+    out.push_str(&paragraph("", &mounting::joint_clamp(&number(force, 3), &estimated, language)));
     let right = |head: &'static str| (head, Align::Right);
     let mut table = Table::new([
-        (words::load_head(language), Align::Left),
-        right(words::torque_nm(language)),
+        (mounting::load_head(language), Align::Left),
+        right(mounting::torque_nm(language)),
         right(terms::utilisation_short(language)),
         (terms::verdict(language), Align::Left),
-        right(words::tilting_nm(language)),
-        right(words::relieved_percent(language)),
-        right(words::with_moment_percent(language)),
+        right(mounting::tilting_nm(language)),
+        right(mounting::relieved_percent(language)),
+        right(mounting::with_moment_percent(language)),
         (terms::source(language), Align::Left),
     ]);
     for case in &joint.cases {
@@ -194,8 +194,8 @@ fn joint_text(out: &mut String, joint: &Joint, language: Language) {
         let of_moment_alone = case.torque.is_none() && case.missing.is_none();
         let together = if of_moment_alone && !opens {
             "–".to_owned()
-        } else if opens { 
-            words::joint_opens(language).to_owned()
+        } else if opens {
+            mounting::joint_opens(language).to_owned()
         } else {
             percent(case.utilisation_together)
         };

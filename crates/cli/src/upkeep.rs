@@ -14,7 +14,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use workbench::answers::{Fact, Fit};
 use workbench::quantities::unit::{HOUR, YEAR};
 use workbench::quantities::{Measure, Time, format_significant};
-use workbench::text::{grade_word, mounting, terminal, upkeep as words};
+use workbench::text::{grade_word, mounting, terminal, upkeep};
 use workbench::{Language, OrderCode, UpkeepAsked};
 
 /// Seconds of a day.
@@ -60,9 +60,7 @@ fn question(
     macro_rules! option {
         ($name:literal, $reader:expr) => {
             read($name).and_then(|text| {
-                $reader(text, language)
-                    .map_err(|fault| faults.push(option_fault($name, fault, as_json, language)))
-                    .ok()
+                $reader(text, language).map_err(|fault| faults.push(option_fault($name, fault, as_json, language))).ok()
             })
         };
     }
@@ -74,15 +72,16 @@ fn question(
     if let Some(file) = matches.get_one::<PathBuf>("ical")
         && file.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("ics"))
     {
-        let message = words::calendar_is_an_ics(&path_text(file), language);
+        let message = upkeep::calendar_is_an_ics(&path_text(file), language);
         faults.push(option_fault("ical", (message, None), as_json, language));
     }
     // The clock says nothing else than that a delivery has not been yet.
     if let Some(delivered) = delivered
         && let Some(today) = today.map_or_else(|| before(delivered), |today| (delivered > today).then_some(today))
     {
-        let message = words::delivered_in_the_future(&words::date_text(delivered), &words::date_text(today), language);
-        let hint = words::give_today(language).to_owned();
+        let message =
+            upkeep::delivered_in_the_future(&upkeep::date_text(delivered), &upkeep::date_text(today), language);
+        let hint = upkeep::give_today(language).to_owned();
         faults.push(option_fault("delivered", (message, Some(hint)), as_json, language));
     }
     match (code, delivered) {
@@ -114,17 +113,22 @@ fn hours(text: &str, language: Language) -> Result<Time, (String, Option<String>
 
 fn text(plan: &workbench::Upkeep, record: &workbench::answers::Upkeep, language: Language) -> String {
     let mut out = format!("{}\n", record.code);
-    let mut head = words::delivered_and_service(&record.delivered, &record.in_service, language);
+    let mut head = upkeep::delivered_and_service(&record.delivered, &record.in_service, language);
     if let Some(today) = &record.today {
-        let _ = write!(head, "; {}", words::seen_from(today, language));
+        let _ = write!(head, "; {}", upkeep::seen_from(today, language));
     }
     out.push_str(&paragraph("", &head));
-    let _ = writeln!(out, "\n{}", words::plan_head(language));
-    let heads = [words::date_head, words::task_head, words::rule_head, words::rests_on];
+    let _ = writeln!(out, "\n{}", upkeep::plan_head(language));
+    let heads = [upkeep::date_head, upkeep::task_head, upkeep::rule_head, upkeep::rests_on];
     let mut table = Table::new(heads.map(|head| (head(language), Align::Left)));
     for line in &record.plan {
-        let rule = if line.passed { format!("{}, {}", line.rule_text, words::passed(language)) } else { line.rule_text.clone() };
-        let rests = format!("{}, {}", grade_word(*line.grade, language), line.source);
+        let rule = if line.passed {
+            format!("{}, {}", line.rule_text, upkeep::passed(language))
+        } else {
+            line.rule_text.clone()
+        };
+        let grade = line.grade.map_or_else(|| upkeep::as_stated(language), |grade| grade_word(*grade, language));
+        let rests = format!("{grade}, {}", line.source);
         table.row([line.next.clone(), line.title.clone(), rule, rests]);
     }
     out.push_str(&table.render());
@@ -148,15 +152,15 @@ fn text(plan: &workbench::Upkeep, record: &workbench::answers::Upkeep, language:
     for note in &record.notes {
         out.push_str(&labelled(terminal::note(language), note));
     }
-    facts(&mut out, words::storage_head(language), &record.storage, language);
-    facts(&mut out, words::service_head(language), &record.service, language);
-    let _ = writeln!(out, "\n{}", words::shutdown_head(language));
+    facts(&mut out, upkeep::storage_head(language), &record.storage, language);
+    facts(&mut out, upkeep::service_head(language), &record.service, language);
+    let _ = writeln!(out, "\n{}", upkeep::shutdown_head(language));
     for (number, fact) in record.shutdown.iter().enumerate() {
         let word = fact.signal.map(|signal| workbench::text::signal_word(*signal, language));
         let text = word.map_or_else(|| fact.text.to_owned(), |word| format!("{word}: {}", fact.text));
         out.push_str(&paragraph(&format!("{:>2}. ", number + 1), &format!("{text} ({})", fact.source)));
     }
-    facts(&mut out, words::disposal_head(language), &record.disposal, language);
+    facts(&mut out, upkeep::disposal_head(language), &record.disposal, language);
     let _ = writeln!(out, "\n{}", mounting::errata_head(language));
     for erratum in &record.errata {
         out.push_str(&paragraph(&format!("* {}: ", erratum.id), &erratum.evidence));

@@ -95,10 +95,11 @@ impl Interval {
 pub fn read_date(text: &str) -> Result<NaiveDate, DateFault> {
     let text = text.trim();
     let no_date = || DateFault::NoDate { written: text.to_owned() };
-    let form = text.len() == 10 && text.bytes().enumerate().all(|(at, byte)| match at {
-        4 | 7 => byte == b'-',
-        _ => byte.is_ascii_digit(),
-    });
+    let form = text.len() == 10
+        && text.bytes().enumerate().all(|(at, byte)| match at {
+            4 | 7 => byte == b'-',
+            _ => byte.is_ascii_digit(),
+        });
     if !form {
         return Err(no_date());
     }
@@ -198,7 +199,9 @@ mod tests {
     #[test]
     fn what_is_no_date_is_told() {
         let fault = |text: &str| read_date(text).unwrap_err();
-        for text in ["", "2026-02-30", "01.03.2026", "2026-3-1", "+026-03-01", "2026/03/01", "2026-03-01T00", "２０２６-03"] {
+        for text in
+            ["", "2026-02-30", "01.03.2026", "2026-3-1", "+026-03-01", "2026/03/01", "2026-03-01T00", "２０２６-03"]
+        {
             assert!(matches!(fault(text), DateFault::NoDate { .. }), "{text}");
         }
         assert!(matches!(fault("0202-03-01"), DateFault::OutOfRange { .. }));

@@ -147,8 +147,11 @@ pub fn read_bore(text: &str) -> Result<Bore, BoreFault> {
     } else if let Some((upper, lower)) = text.split_once('/') {
         let unit = lower.trim().trim_start_matches(|sign: char| sign.is_ascii_digit() || "+-−. ".contains(sign));
         // The unit stands once for both, or with each.
-        let upper =
-            if upper.contains(|sign: char| sign.is_alphabetic()) { upper.to_owned() } else { format!("{upper} {unit}") };
+        let upper = if upper.contains(|sign: char| sign.is_alphabetic()) {
+            upper.to_owned()
+        } else {
+            format!("{upper} {unit}")
+        };
         Deviations { upper: length(&upper)?, lower: length(lower)? }
     } else {
         let known = bore_zones();

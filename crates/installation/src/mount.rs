@@ -97,7 +97,11 @@ pub(crate) fn needs_hoist(mass: &Datum<Mass>) -> Option<bool> {
 
 /// The mass of a code; that of the standard is none of a design that differs from it.
 pub(crate) fn mass_of(actuator: &Parameters, uncovered: &[Uncovered]) -> Datum<Mass> {
-    if uncovered.iter().any(|what| what.not_printed().contains(&"m")) { Datum::NotPrinted } else { actuator.mass.clone() }
+    if uncovered.iter().any(|what| what.not_printed().contains(&"m")) {
+        Datum::NotPrinted
+    } else {
+        actuator.mass.clone()
+    }
 }
 
 fn cell_of(table: &str, symbol: &'static str) -> impl Iterator<Item = &'static Cell> {

@@ -155,8 +155,8 @@ pub struct Planned {
     pub passed: bool,
     /// The fact that it rests on.
     pub fact: &'static Fact,
-    /// How far the date can be trusted.
-    pub grade: Grade,
+    /// How far the date can be trusted; `None` where it follows from an interval that the user states.
+    pub grade: Option<Grade>,
     /// Model that the date is from, where it is one.
     pub model: Option<Source>,
 }
@@ -320,7 +320,7 @@ struct Plan {
 impl Plan {
     /// Something that happens once.
     fn once(&mut self, task: Task, rule: Rule, date: NaiveDate) {
-        self.line(task, rule, None, (date, date), (Grade::Printed, None));
+        self.line(task, rule, None, (date, date), (Some(Grade::Printed), None));
     }
 
     fn line(
@@ -329,11 +329,11 @@ impl Plan {
         rule: Rule,
         interval: Option<Interval>,
         (first, next): (NaiveDate, NaiveDate),
-        (grade, model): (Grade, Option<Source>),
+        (grade, model): (Option<Grade>, Option<Source>),
     ) {
         let Some(fact) = catalogue::facts().iter().find(|fact| fact.id == task.fact()) else { return };
         let passed = self.today.is_some_and(|today| next < today);
-        let (grade, counted_from) = (fact.grade.worst(grade), self.in_service);
+        let (grade, counted_from) = (grade.map(|grade| fact.grade.worst(grade)), self.in_service);
         self.lines.push(Planned { task, rule, interval, counted_from, first, next, passed, fact, grade, model });
     }
 
@@ -349,9 +349,10 @@ impl Plan {
             self.notes.push(PlanNote::CleaningStaysShorter);
         }
         // Nobody but the user, or an assumption, says how often; the manual alone says how often to clean at least.
-        let grade = if stated.is_some() { Grade::Printed } else { Grade::Assumed };
+        let grade = stated.map_or(Some(Grade::Assumed), |_| None);
+        let clean = if cleaning == yearly { (Rule::EveryAtMost, Some(Grade::Printed)) } else { (Rule::Every, grade) };
         let series = [
-            (Task::Cleaning, Rule::EveryAtMost, cleaning, Grade::Printed),
+            (Task::Cleaning, clean.0, cleaning, clean.1),
             (Task::Cables, Rule::Every, interval, grade),
             (Task::ProtectiveEarth, Rule::Every, interval, grade),
             (Task::Screws, Rule::Every, interval, grade),
@@ -397,7 +398,7 @@ impl Plan {
             self.notes.push(PlanNote::BatteryOutlivesEncoder);
         } else if let Some(end) = later(self.in_service, life.life.value) {
             let source = Some(life.life.source.clone());
-            self.line(Task::BatteryEmpty, Rule::Estimated, None, (end, end), (life.life.grade, source));
+            self.line(Task::BatteryEmpty, Rule::Estimated, None, (end, end), (Some(life.life.grade), source));
         }
         let (source, grade, errata) = (life.life.source.clone(), life.life.grade, life.life.errata);
         Ok(Datum::Known(provenance::Sourced { value: life, source, grade, errata }))

@@ -3,7 +3,7 @@
 use chrono::{Datelike, NaiveTime};
 use icalendar::{Calendar, Component, Event, EventLike, Property};
 use workbench::answers::{self, Id};
-use workbench::text::upkeep::calendar_of;
+use workbench::text::upkeep;
 use workbench::{Interval, Language, Planned, Upkeep};
 
 /// The plan as the text of an iCalendar file: an event of a whole day for each line, a series for what is done at intervals.
@@ -18,7 +18,7 @@ pub fn calendar(plan: &Upkeep, record: &answers::Upkeep, name: Option<&str>, lan
     calendar.append_property(Property::new("VERSION", "2.0"));
     calendar.append_property(Property::new("PRODID", "-//antrieb//upkeep//EN"));
     calendar.append_property(Property::new("CALSCALE", "GREGORIAN"));
-    calendar.name(&calendar_of(&subject, language));
+    calendar.name(&upkeep::calendar_of(&subject, language));
     let stamp = plan.today.unwrap_or(plan.delivered).and_time(NaiveTime::MIN).and_utc();
     let identity = format!("{}\n{}\n{}", record.code, record.delivered, name.unwrap_or_default());
     for (line, told) in plan.plan.iter().zip(&record.plan) {

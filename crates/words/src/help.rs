@@ -102,8 +102,8 @@ texts! {
         "Fits, tolerances, screws and their utilisation, mass, purge air: how an actuator is mounted"
         | "Passungen, Toleranzen, Schrauben und ihre Auslastung, Masse, Sperrluft: wie ein Antrieb montiert wird";
     mount_bore =
-        "Bore over both pilots: a zone such as K7, or limit deviations such as \"+0.012/-0.003 mm\"; H7 without it, as the manual recommends"
-        | "Bohrung auf beiden Zentrierungen: ein Toleranzfeld wie K7 oder Grenzabmaße wie \"+0.012/-0.003 mm\"; ohne Angabe H7, wie die Anleitung empfiehlt";
+        "Bore over both pilots: a zone such as K7, or limit deviations such as \"+12/-3 um\"; H7 without it, as the manual recommends"
+        | "Bohrung auf beiden Zentrierungen: ein Toleranzfeld wie K7 oder Grenzabmaße wie \"+12/-3 um\"; ohne Angabe H7, wie die Anleitung empfiehlt";
     mount_bore_load = "Bore of the load, where it is another" | "Bohrung der Last, wo sie eine andere ist";
     mount_bore_housing = "Bore of the machine, where it is another" | "Bohrung der Maschine, wo sie eine andere ist";
     mount_project =

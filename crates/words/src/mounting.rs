@@ -50,15 +50,15 @@ pub fn bore_fault(fault: &BoreFault, language: Language) -> (String, Option<Stri
     };
     match fault {
         BoreFault::UnknownZone { written, known } => {
-            let message = no_tolerance_zone(written, language);
-            (message, Some(tolerance_zones(&known.join(", "), language)))
+            let message = crate::mounting::no_tolerance_zone(written, language);
+            (message, Some(crate::mounting::tolerance_zones(&known.join(", "), language)))
         }
         BoreFault::NoLength(error) => (quantity_fault(error, language), quantity_hint(error, language)),
         BoreFault::UpsideDown { upper, lower } => {
-            (deviations_upside_down(&millimetres(upper), &millimetres(lower), language), None)
+            (crate::mounting::deviations_upside_down(&millimetres(upper), &millimetres(lower), language), None)
         }
         BoreFault::TooLarge { deviation, most } => {
-            (deviation_too_large(&millimetres(deviation), &millimetres(most), language), None)
+            (crate::mounting::deviation_too_large(&millimetres(deviation), &millimetres(most), language), None)
         }
     }
 }
@@ -68,20 +68,20 @@ texts! {
         "`{written}` is neither a tolerance zone of a bore nor limit deviations"
         | "„{written}“ ist weder das Toleranzfeld einer Bohrung noch ein Paar Grenzabmaße";
     tolerance_zones(known) =
-        "zones: {known}; or limit deviations such as `+0.012/-0.003 mm`"
-        | "Toleranzfelder: {known}; oder Grenzabmaße wie `+0.012/-0.003 mm`";
+        "zones: {known}; or limit deviations such as `+12/-3 um`"
+        | "Toleranzfelder: {known}; oder Grenzabmaße wie `+12/-3 um`";
     deviations_upside_down(upper, lower) =
         "the upper limit deviation of {upper} mm is below the lower one of {lower} mm"
         | "das obere Grenzabmaß von {upper} mm liegt unter dem unteren von {lower} mm";
     deviation_too_large(deviation, most) =
         "a limit deviation of {deviation} mm makes no fit; at most {most} mm are taken"
         | "ein Grenzabmaß von {deviation} mm ergibt keine Passung; höchstens {most} mm werden angenommen";
-    fit_is_named_otherwise(zone, fit) =
-        "{zone} over h7 is a {fit}, though the manual calls it a transition fit (erratum T77.1-fit-name)"
-        | "{zone} auf h7 ist eine {fit}, obwohl die Anleitung sie Übergangspassung nennt (Druckfehler T77.1-fit-name)";
-    tolerances_are_drawn =
-        "what the tolerances a to d measure is drawn in figure 55.2, which is not at hand; outer contour, length and engagement of the screws are drawn only, too, and not stated here"
-        | "was die Toleranzen a bis d messen, zeigt Abbildung 55.2, die nicht vorliegt; auch Außenkontur, Länge und Einschraubtiefe der Schrauben sind nur gezeichnet und hier nicht angegeben";
+    fit_is_named_otherwise(zone, pilot, fit, id) =
+        "{zone} over {pilot} is a {fit}, though the manual calls it a transition fit (erratum {id})"
+        | "{zone} auf {pilot} ist eine {fit}, obwohl die Anleitung sie Übergangspassung nennt (Druckfehler {id})";
+    tolerances_are_drawn(figure) =
+        "what the tolerances a to d measure is drawn in figure {figure}, which is not at hand; outer contour, length and engagement of the screws are drawn only, too, and not stated here"
+        | "was die Toleranzen a bis d messen, zeigt Abbildung {figure}, die nicht vorliegt; auch Außenkontur, Länge und Einschraubtiefe der Schrauben sind nur gezeichnet und hier nicht angegeben";
     joint_loads_are_limits =
         "loads without a project: T_max, the collision torque T_M of an interchangeable gear, the holding torque of the brake, and the tilting moments that the output bearing permits; --project takes those of a project"
         | "Lasten ohne Projekt: T_max, das Kollisionsmoment T_M eines austauschbaren Getriebes, das Haltemoment der Bremse und die Kippmomente, die das Abtriebslager zulässt; --project nimmt die eines Projekts";

@@ -60,15 +60,15 @@ fn every(interval: Interval, language: Language) -> String {
 #[must_use]
 pub const fn plan_note(note: PlanNote, language: Language) -> &'static str {
     match note {
-        PlanNote::NoStorageStated => no_storage_stated(language),
-        PlanNote::StorageTooLong => storage_too_long(language),
-        PlanNote::IntervalAssumed => interval_assumed(language),
-        PlanNote::CleaningStaysShorter => cleaning_stays_shorter(language),
-        PlanNote::HoursNotStated => hours_not_stated(language),
-        PlanNote::NoBattery => no_battery(language),
-        PlanNote::BatteryOutlivesEncoder => battery_outlives_encoder(language),
-        PlanNote::SealIntervalNotStated => seal_interval_not_stated(language),
-        PlanNote::GreaseIntervalNotStated => grease_interval_not_stated(language),
+        PlanNote::NoStorageStated => crate::upkeep::no_storage_stated(language),
+        PlanNote::StorageTooLong => crate::upkeep::storage_too_long(language),
+        PlanNote::IntervalAssumed => crate::upkeep::interval_assumed(language),
+        PlanNote::CleaningStaysShorter => crate::upkeep::cleaning_stays_shorter(language),
+        PlanNote::HoursNotStated => crate::upkeep::hours_not_stated(language),
+        PlanNote::NoBattery => crate::upkeep::no_battery(language),
+        PlanNote::BatteryOutlivesEncoder => crate::upkeep::battery_outlives_encoder(language),
+        PlanNote::SealIntervalNotStated => crate::upkeep::seal_interval_not_stated(language),
+        PlanNote::GreaseIntervalNotStated => crate::upkeep::grease_interval_not_stated(language),
     }
 }
 
@@ -77,10 +77,10 @@ pub const fn plan_note(note: PlanNote, language: Language) -> &'static str {
 pub fn date_fault(fault: &DateFault, language: Language) -> (String, Option<String>) {
     match fault {
         DateFault::NoDate { written } => {
-            (crate::terminal::not_a_date(written, language), Some(date_form(language).to_owned()))
+            (crate::terminal::not_a_date(written, language), Some(crate::upkeep::date_form(language).to_owned()))
         }
         DateFault::OutOfRange { date } => {
-            (date_out_of_range(&date_text(*date), &YEARS.0, &YEARS.1, language), None)
+            (crate::upkeep::date_out_of_range(&date_text(*date), &YEARS.0, &YEARS.1, language), None)
         }
     }
 }
@@ -89,12 +89,12 @@ pub fn date_fault(fault: &DateFault, language: Language) -> (String, Option<Stri
 #[must_use]
 pub fn interval_fault(fault: &IntervalFault, language: Language) -> (String, Option<String>) {
     let message = match fault {
-        IntervalFault::NoWholeNumber { written } => interval_without_number(written, language),
-        IntervalFault::UnitMissing { written } => interval_without_unit(written, language),
-        IntervalFault::UnitUnknown { unit } => interval_of_unknown_unit(unit, language),
-        IntervalFault::TooLong { written } => interval_too_long(written, &INTERVAL_MOST_YEARS, language),
+        IntervalFault::NoWholeNumber { written } => crate::upkeep::interval_without_number(written, language),
+        IntervalFault::UnitMissing { written } => crate::upkeep::interval_without_unit(written, language),
+        IntervalFault::UnitUnknown { unit } => crate::upkeep::interval_of_unknown_unit(unit, language),
+        IntervalFault::TooLong { written } => crate::upkeep::interval_too_long(written, &INTERVAL_MOST_YEARS, language),
     };
-    (message, Some(interval_form(language).to_owned()))
+    (message, Some(crate::upkeep::interval_form(language).to_owned()))
 }
 
 /// Why there is no plan: the option concerned, what is wrong, and what would be right.
@@ -103,7 +103,7 @@ pub fn upkeep_fault(fault: &UpkeepFault, language: Language) -> (&'static str, S
     match fault {
         UpkeepFault::StorageBeforeDelivery { until, delivered } => (
             "storage",
-            storage_before_delivery(&date_text(*until), &date_text(*delivered), language),
+            crate::upkeep::storage_before_delivery(&date_text(*until), &date_text(*delivered), language),
             None,
         ),
         UpkeepFault::Battery(fault) => {
@@ -113,7 +113,7 @@ pub fn upkeep_fault(fault: &UpkeepFault, language: Language) -> (&'static str, S
             };
             (option, battery_fault(fault, language), None)
         }
-        UpkeepFault::BeyondTheCalendar => ("delivered", beyond_the_calendar(language).to_owned(), None),
+        UpkeepFault::BeyondTheCalendar => ("delivered", crate::upkeep::beyond_the_calendar(language).to_owned(), None),
     }
 }
 
@@ -179,6 +179,7 @@ texts! {
     task_head = "what" | "was";
     rule_head = "rule" | "Regel";
     rests_on = "rests on" | "beruht auf";
+    as_stated = "as stated (--inspect)" | "wie angegeben (--inspect)";
     passed = "passed" | "überschritten";
     storage_head = "transport and storage" | "Transport und Lagerung";
     service_head = "in service" | "im Betrieb";

@@ -36,6 +36,7 @@ pub use ask::{
 };
 pub use catalogue::{Fact, Signal, Step, Topic};
 pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
+pub use chrono::NaiveDate as Date;
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
 pub use configurator::{Availability, Choice, Uncovered, Unmet, catalogue_actuators, uncovered};
@@ -46,7 +47,6 @@ pub use facts::facts_about;
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
 pub use glossary::glossary;
-pub use chrono::NaiveDate as Date;
 pub use installation::calendar::Interval;
 pub use installation::mount::MountAsked;
 pub use installation::upkeep::{Planned, Upkeep, UpkeepAsked};

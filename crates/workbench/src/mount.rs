@@ -64,10 +64,5 @@ pub fn joint_loads(project: &Project, code: &OrderCode) -> Result<AxisLoads, Ref
 /// What a check compares with its limit, with where it is from.
 fn asked<Q: Measure>(check: &Check) -> Option<Sourced<Q>> {
     let value = check.value.filter(|figure| figure.unit.dimension == Q::DIMENSION)?;
-    Some(Sourced {
-        value: Q::from_si(value.si),
-        source: check.value_source.clone()?,
-        grade: check.grade?,
-        errata: &[],
-    })
+    Some(Sourced { value: Q::from_si(value.si), source: check.value_source.clone()?, grade: check.grade?, errata: &[] })
 }

@@ -10,14 +10,17 @@ use provenance::{Datum, Grade, Sourced};
 use quantities::unit::{KILOGRAM, MICROMETRE, MILLIMETRE, NEWTON, NEWTON_METRE, ONE};
 use quantities::{Language, Measure, Unit};
 use sizing::Verdict;
-use words::mounting::{
-    fit_is_named_otherwise, fit_word, joint_loads_are_limits, joint_loads_of, joint_model, load_case_title,
-    no_flange_loads_known, nothing_known_of, side_title, tolerances_are_drawn,
-};
+use words::mounting::{self, fit_word, load_case_title, side_title};
 use words::{cell_text, describe_uncovered, evidence_text, source_text, symbol_term};
 
+/// The erratum that tells of the name of the recommended fit.
+const FIT_NAME: &str = "T77.1-fit-name";
+
 /// The printed matter that the answer rests on where it is in doubt.
-const ERRATA: [&str; 2] = ["T77.1-fit-name", "T79.1-securing"];
+const ERRATA: [&str; 2] = [FIT_NAME, "T79.1-securing"];
+
+/// The figure that shows what the tolerances of the flange measure.
+const TOLERANCES_DRAWN_IN: &str = "55.2";
 
 /// How an actuator is mounted; with the name of the axis whose loads take the place of the limits.
 #[must_use]
@@ -69,23 +72,25 @@ fn notes(mount: &Mount, asked: &MountAsked, axis: Option<&str>, language: Langua
     let mut notes: Vec<String> =
         mount.uncovered.iter().map(|what| describe_uncovered(*what, language).to_owned()).collect();
     let named_otherwise = mount.fits.iter().find_map(|fit| match fit.bore {
-        Bore::Zone(zone) if zone == fit.recommended.value && fit.kind != FitKind::Transition => Some((zone, fit.kind)),
+        Bore::Zone(zone) if zone == fit.recommended.value && fit.kind != FitKind::Transition => {
+            Some((zone, fit.pilot_zone, fit.kind))
+        }
         _ => None,
     });
-    if let Some((zone, kind)) = named_otherwise {
-        notes.push(fit_is_named_otherwise(&zone, &fit_word(kind, language), language));
+    if let Some((zone, pilot, kind)) = named_otherwise {
+        notes.push(mounting::fit_is_named_otherwise(&zone, &pilot, &fit_word(kind, language), &FIT_NAME, language));
     }
-    notes.push(tolerances_are_drawn(language).to_owned());
+    notes.push(mounting::tolerances_are_drawn(&TOLERANCES_DRAWN_IN, language));
     match axis {
-        None => notes.push(joint_loads_are_limits(language).to_owned()),
+        None => notes.push(mounting::joint_loads_are_limits(language).to_owned()),
         Some(name) => {
-            notes.push(joint_loads_of(&name, language));
+            notes.push(mounting::joint_loads_of(&name, language));
             if asked.axis.flange.is_none() {
-                notes.push(no_flange_loads_known(language).to_owned());
+                notes.push(mounting::no_flange_loads_known(language).to_owned());
             }
         }
     }
-    notes.push(joint_model(language).to_owned());
+    notes.push(mounting::joint_model(language).to_owned());
     notes
 }
 
@@ -144,8 +149,7 @@ fn value<Q: Measure>(symbol: &'static str, datum: &Datum<Q>, unit: &Unit, langua
     MountValue {
         symbol,
         name: words::figure_term(symbol, language),
-        value: known
-            .map_or(TableCell::Empty, |known| TableCell::Number(Number::in_unit(known.value.si(), unit))),
+        value: known.map_or(TableCell::Empty, |known| TableCell::Number(Number::in_unit(known.value.si(), unit))),
         unit: unit.json,
         grade: known.map(|known| Id(known.grade)),
         source: known.map(|known| source_text(&known.source, language)),
@@ -173,7 +177,8 @@ fn source<T>(datum: &Datum<T>, language: Language) -> Option<String> {
 
 fn joint(joint: &installation::joint::Joint, language: Language) -> Joint {
     let screws = &joint.screws;
-    let printed = |datum: &Datum<_>| datum.known().map(|known: &Sourced<std::borrow::Cow<'_, str>>| known.value.to_string());
+    let printed =
+        |datum: &Datum<_>| datum.known().map(|known: &Sourced<std::borrow::Cow<'_, str>>| known.value.to_string());
     Joint {
         side: Id(joint.side),
         title: side_title(joint.side, language),
@@ -194,13 +199,11 @@ fn joint(joint: &installation::joint::Joint, language: Language) -> Joint {
 fn case(found: &CaseAnswer, language: Language) -> JointCase {
     let alone = found.alone.known();
     let together = found.together.known().map(|known| &known.value);
-    let verdict = alone.map_or(Verdict::NotChecked, |share| {
-        if share.value.si() <= 1.0 { Verdict::Pass } else { Verdict::Fail }
-    });
+    let verdict =
+        alone.map_or(Verdict::NotChecked, |share| if share.value.si() <= 1.0 { Verdict::Pass } else { Verdict::Fail });
     let holds = |slip: Option<quantities::Ratio>| slip.is_some_and(|slip| slip.si() <= 1.0);
-    let verdict_together = together.map_or(Verdict::NotChecked, |joint| {
-        if holds(joint.slip) { Verdict::Pass } else { Verdict::Advice }
-    });
+    let verdict_together =
+        together.map_or(Verdict::NotChecked, |joint| if holds(joint.slip) { Verdict::Pass } else { Verdict::Advice });
     let missing = match (found.case, &found.torque) {
         (LoadCase::Collision, Datum::NotPrinted) => Some("T_M"),
         (LoadCase::Brake, Datum::NotPrinted) => Some("T_Br"),
@@ -220,6 +223,6 @@ fn case(found: &CaseAnswer, language: Language) -> JointCase {
         relieved: together.map(|joint| Number(joint.relieved.si())),
         utilisation_together: together.and_then(|joint| joint.slip).map(|slip| Number(slip.si())),
         verdict_together: Id(verdict_together),
-        missing: missing.map(|symbol| nothing_known_of(&symbol_term(symbol, language), language)),
+        missing: missing.map(|symbol| mounting::nothing_known_of(&symbol_term(symbol, language), language)),
     }
 }

@@ -52,6 +52,6 @@ fn planned(line: &installation::upkeep::Planned, language: Language) -> Planned 
         fact: line.fact.id,
         text: fact_text(line.fact, language),
         source: model.unwrap_or_else(|| fact_source(line.fact, language)),
-        grade: Id(line.grade),
+        grade: line.grade.map(Id),
     }
 }
