@@ -82,6 +82,14 @@ identified! {
     Grade as "Grade": &[Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
 }
 
+identified! {
+    installation::fit::Side as "Side": installation::fit::Side::ALL;
+    installation::fit::FitKind as "FitKind": installation::fit::FitKind::ALL;
+    installation::joint::LoadCase as "LoadCase": installation::joint::LoadCase::ALL;
+    installation::upkeep::Task as "Task": installation::upkeep::Task::ALL;
+    installation::upkeep::Rule as "Rule": installation::upkeep::Rule::ALL;
+}
+
 /// Whether nothing speaks against an actuator, or against the best of several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

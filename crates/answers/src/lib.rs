@@ -20,11 +20,13 @@ mod id;
 mod judged;
 mod licences;
 mod motion;
+mod mount;
 mod number;
 mod reference;
 mod schema;
 mod sheet;
 mod units;
+mod upkeep;
 mod wiring;
 
 pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Difference, Head, InputChange};
@@ -51,6 +53,7 @@ pub use judged::{
 };
 pub use licences::{LicenceText, Licences};
 pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, TextEncoding, UnitBy};
+pub use mount::{Joint, JointCase, Mount, MountValue, Pilot};
 pub use number::Number;
 pub use provenance::Grade;
 pub use reference::reference;
@@ -58,6 +61,7 @@ pub use schema::{Answered, Axes, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;
+pub use upkeep::{Planned, Upkeep};
 pub use wiring::{
     AmbiguousColour, Cable, Connector, ConnectorExit, ConnectorPin, NotAvailable, VoltageDrop, VoltageDrops, Wiring,
     WiringCheck, WiringFinding, WiringNote,

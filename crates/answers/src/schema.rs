@@ -2,8 +2,8 @@
 
 use crate::{
     Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, Comparison, Completion, Curves, Difference, Errata,
-    Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia, Judgement, Licences, ListedCode,
-    PlotWritten, ReportWritten, Sheet, Sizing, Table, Torsion, Wiring, WiringCheck,
+    Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia, Judgement, Licences, ListedCode, Mount,
+    PlotWritten, ReportWritten, Sheet, Sizing, Table, Torsion, Upkeep, Wiring, WiringCheck,
 };
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
@@ -54,6 +54,8 @@ const ENTRIES: &[Entry] = &[
     one::<Curves>("curve"),
     one::<Torsion>("torsion"),
     one::<Battery>("battery"),
+    one::<Mount>("mount"),
+    one::<Upkeep>("upkeep"),
     one::<Inertia>("inertia"),
     one::<Glossary>("glossary"),
     one::<Licences>("licences"),

@@ -13,6 +13,7 @@ const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod files;
+mod installation;
 pub(crate) mod library;
 pub(crate) mod usage;
 
@@ -150,6 +151,8 @@ pub(crate) const EXAMPLES: &[(&str, &str)] = &[
     ("plot", "antrieb plot axis.toml --figure torque_speed --svg plane.svg"),
     ("bearing", "antrieb bearing axis.toml"),
     ("battery", "antrieb battery --hours-per-day 10"),
+    ("mount", "antrieb mount CHA-25A-100-H-M512P-B --bore K7"),
+    ("upkeep", "antrieb upkeep CHA-14A-50-E-M128S --delivered 2026-03-01 --storage \"6 months\" --hours-per-day 10"),
     ("new", "antrieb new arm --out axis.toml"),
     ("glossary", "antrieb glossary T_rms"),
     ("licences", "antrieb licences"),
@@ -342,6 +345,8 @@ fn commands(language: Language) -> Command {
                         .help(help::battery_storage(language)),
                 ),
         )
+        .subcommand(installation::mount(language))
+        .subcommand(installation::upkeep(language))
         .subcommand(
             Command::new("new")
                 .about(help::new(language))

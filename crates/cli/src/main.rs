@@ -19,6 +19,7 @@ mod glossary;
 mod inertia;
 mod judge;
 mod licences;
+mod mount;
 mod moves;
 mod plot;
 #[cfg_attr(not(feature = "report"), path = "no_report.rs")]
@@ -29,6 +30,7 @@ mod say;
 mod subject;
 mod table;
 mod tolerance;
+mod upkeep;
 mod waiting;
 mod wiring;
 
@@ -93,6 +95,8 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("plot", found)) => plot::plot(found, json, language),
         Some(("bearing", found)) => chapter::bearing(found, json, language),
         Some(("battery", found)) => chapter::battery(found, json, language),
+        Some(("mount", found)) => mount::mount(found, json, language),
+        Some(("upkeep", found)) => upkeep::upkeep(found, json, language),
         Some(("new", found)) => chapter::template(found, json, language),
         Some(("torsion", found)) => data::torsion(found, json, language),
         Some(("inertia", found)) => inertia::inertia(found, json, language),

@@ -113,6 +113,37 @@ texts! {
     battery_storage =
         "Storage before operation, for example \"1 a\"; none without it"
         | "Lagerung vor dem Betrieb, zum Beispiel \"1 a\"; ohne Angabe keine";
+    mount =
+        "Fits, tolerances, screws and their utilisation, mass, purge air: how an actuator is mounted"
+        | "Passungen, Toleranzen, Schrauben und ihre Auslastung, Masse, Sperrluft: wie ein Antrieb montiert wird";
+    mount_bore =
+        "Bore over both pilots: a zone such as K7, or limit deviations such as \"+12/-3 um\"; H7 without it, as the manual recommends"
+        | "Bohrung auf beiden Zentrierungen: ein Toleranzfeld wie K7 oder Grenzabmaße wie \"+12/-3 um\"; ohne Angabe H7, wie die Anleitung empfiehlt";
+    mount_bore_load = "Bore of the load, where it is another" | "Bohrung der Last, wo sie eine andere ist";
+    mount_bore_housing = "Bore of the machine, where it is another" | "Bohrung der Maschine, wo sie eine andere ist";
+    mount_project =
+        "Project whose torques and loads on the flange take the place of the limits"
+        | "Projekt, dessen Drehmomente und Lasten am Flansch an die Stelle der Grenzen treten";
+    upkeep =
+        "Plan with dates for storage, upkeep and exchange, shutting down, disposal"
+        | "Plan mit Terminen für Lagerung, Wartung und Tausch, Stillsetzen, Entsorgung";
+    upkeep_delivered = "Day of delivery, 2026-03-01" | "Tag der Lieferung, 2026-03-01";
+    upkeep_storage =
+        "Storage before service: a time such as \"1 a\" or \"6 months\", or the day on which it ends"
+        | "Lagerung vor dem Betrieb: eine Zeit wie \"1 a\" oder \"6 Monate\", oder der Tag, an dem sie endet";
+    upkeep_hours =
+        "Hours of operation a day, 0 to 24, for the battery of the M128S encoder"
+        | "Betriebsstunden je Tag, 0 bis 24, für die Batterie des Gebers M128S";
+    upkeep_inspect =
+        "Interval of what the manual wants regularly, such as \"6 months\"; a year without it, told as assumed"
+        | "Intervall für das, was die Anleitung regelmäßig verlangt, etwa \"6 Monate\"; ohne Angabe ein Jahr, als angenommen genannt";
+    upkeep_today =
+        "Day to look from: it marks what has passed, and the next date of each series"
+        | "Tag der Betrachtung: er zeigt, was überschritten ist, und den nächsten Termin jeder Reihe";
+    upkeep_ical = "Write the plan as iCalendar file (.ics)" | "Den Plan als iCalendar-Datei (.ics) schreiben";
+    upkeep_name =
+        "Name of the actuator in the calendar: tells two of one code apart"
+        | "Name des Antriebs im Kalender: unterscheidet zwei mit gleichem Code";
     new = "A commented project file to fill in" | "Eine kommentierte Projektdatei zum Ausfüllen";
     new_out =
         "Project file to write, with an example recording beside it for kind recording"

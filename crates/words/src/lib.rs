@@ -16,6 +16,7 @@ pub mod help;
 mod keys;
 mod letters;
 mod motion;
+pub mod mounting;
 mod notes;
 pub mod pictures;
 mod print;
@@ -32,6 +33,7 @@ pub mod tables;
 pub mod terminal;
 pub mod terms;
 mod texts;
+pub mod upkeep;
 mod usage;
 pub mod wiring;
 
@@ -84,6 +86,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("help", help::TEXTS),
     ("help::library", help::library::TEXTS),
     ("help::values", help::values::TEXTS),
+    ("mounting", mounting::TEXTS),
     ("pictures", pictures::TEXTS),
     ("records", records::TEXTS),
     ("report", report::TEXTS),
@@ -91,4 +94,5 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("terminal", terminal::TEXTS),
     ("terms", terms::TEXTS),
     ("wiring", wiring::TEXTS),
+    ("upkeep", upkeep::TEXTS),
 ];

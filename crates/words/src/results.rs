@@ -489,7 +489,7 @@ pub fn source_text(source: &Source, language: Language) -> String {
 }
 
 /// Models by their names in German; the English ones are those of the pages in docs/theory.
-const MODELS: [(&str, &str); 18] = [
+const MODELS: [(&str, &str); 19] = [
     ("battery", "Batterie"),
     ("brake", "Bremse"),
     ("continuous-torque", "Dauerdrehmoment"),
@@ -504,6 +504,7 @@ const MODELS: [(&str, &str); 18] = [
     ("moments", "Zeitintegrale"),
     ("output-bearing", "Abtriebslager"),
     ("overload", "Überlast"),
+    ("screw-joint", "Schraubverbindung"),
     ("short-time-torque", "Kurzzeitdrehmoment"),
     ("stage", "Stufe"),
     ("thermal", "Erwärmung"),

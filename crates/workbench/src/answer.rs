@@ -11,7 +11,9 @@ mod fault;
 mod inputs;
 mod judged;
 mod motion;
+mod mount;
 mod sheet;
+mod upkeep;
 mod wiring;
 
 pub use beside::{comparison, difference};
@@ -24,5 +26,7 @@ pub use facts::facts;
 pub use fault::faults;
 pub use judged::{candidate, fit, judgement, objections, reserve, sizing, tolerance};
 pub use motion::motion;
+pub use mount::mount;
 pub use sheet::{catalogue_cells, sheet, sheet_note_text};
+pub use upkeep::upkeep;
 pub use wiring::{wiring, wiring_check};

@@ -6,6 +6,7 @@ texts! {
     area = "AREA" | "QUERSCHNITT";
     connector = "CONNECTOR" | "STECKER";
     body = "BODY" | "KÖRPER";
+    bore = "BORE" | "BOHRUNG";
     check = "CHECK" | "NACHWEIS";
     code = "CODE";
     command = "COMMAND" | "BEFEHL";
@@ -14,6 +15,7 @@ texts! {
     file = "FILE" | "DATEI";
     format = "FORMAT";
     hours = "HOURS" | "STUNDEN";
+    interval = "INTERVAL" | "INTERVALL";
     kind = "KIND" | "ART";
     lang = "LANG" | "SPRACHE";
     length = "LENGTH" | "LÄNGE";
