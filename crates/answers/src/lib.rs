@@ -9,6 +9,7 @@ mod beside;
 mod chapters;
 mod check;
 mod code;
+mod commission;
 mod demand;
 mod dossier;
 mod errata;
@@ -33,6 +34,11 @@ pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Diffe
 pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, Torsion};
 pub use check::{Check, CitedErratum, Derivation, Explained, Explanations, Node};
 pub use code::{Choice, CodeFault, CodeFaults, CodeField, CodeReading, Completion, ListedCode, OpenField};
+pub use commission::{
+    CommissionAnswer, CommissionEntry, CommissionGap, CommissionList, CommissionParameter, CommissionWritten,
+    Commissioning, DriveObject, DriveParameter, EncoderValue, OverloadSupervision, OverloadTrip, Recorded,
+    RecordedValue, SensorThreshold,
+};
 pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
 pub use dossier::{
     Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, MechanismKind, Missing,

@@ -1,9 +1,10 @@
 //! The JSON Schema of every answer, and the reference page made from it.
 
 use crate::{
-    Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, Comparison, Completion, Curves, Difference, Errata,
-    Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia, Judgement, Licences, ListedCode, Mount,
-    PlotWritten, ReportWritten, Sheet, Sizing, Table, Torsion, Upkeep, Wiring, WiringCheck,
+    Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, CommissionAnswer, CommissionWritten, Comparison,
+    Completion, Curves, Difference, Errata, Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia,
+    Judgement, Licences, ListedCode, Mount, PlotWritten, Recorded, ReportWritten, Sheet, Sizing, Table, Torsion,
+    Upkeep, Wiring, WiringCheck,
 };
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
@@ -57,6 +58,9 @@ const ENTRIES: &[Entry] = &[
     one::<Mount>("mount"),
     one::<Upkeep>("upkeep"),
     one::<Inertia>("inertia"),
+    one::<CommissionAnswer>("commission"),
+    one::<Recorded>("commission --record"),
+    one::<Vec<CommissionWritten>>("commission --out"),
     one::<Glossary>("glossary"),
     one::<Licences>("licences"),
     one::<FilesWritten>("new --out"),

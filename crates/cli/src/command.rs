@@ -145,6 +145,7 @@ pub(crate) const EXAMPLES: &[(&str, &str)] = &[
     ("wiring", "antrieb wiring CHA-25A-100-H-M512P-B --check pins.csv"),
     ("catalogue", "antrieb catalogue export --format csv"),
     ("errata", "antrieb errata CHA-25A-50-H-M512P"),
+    ("commission", "antrieb commission CHA-25A-100-H-M512P-B --for sinamics"),
     ("torsion", "antrieb torsion CHA-20A-100-H-C1024 --torque \"60 N m\""),
     ("inertia", "antrieb inertia \"disc diameter=200mm length=20mm density=7850kg/m^3\""),
     ("curve", "antrieb curve CHA-20A-100-H-C1024 --voltage \"220 V\""),
@@ -324,6 +325,7 @@ fn commands(language: Language) -> Command {
                         .help(help::torsion_torque(language)),
                 ),
         )
+        .subcommand(installation::commission(language))
         .subcommand(inertia(language))
         .subcommand(curve(language))
         .subcommand(plot(language))

@@ -7,6 +7,7 @@ mod answer;
 mod chapter;
 mod code;
 mod command;
+mod commission;
 mod compare;
 mod data;
 mod diff;
@@ -98,6 +99,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("mount", found)) => mount::mount(found, json, language),
         Some(("upkeep", found)) => upkeep::upkeep(found, json, language),
         Some(("new", found)) => chapter::template(found, json, language),
+        Some(("commission", found)) => commission::commission(found, json, language),
         Some(("torsion", found)) => data::torsion(found, json, language),
         Some(("inertia", found)) => inertia::inertia(found, json, language),
         Some(("glossary", found)) => glossary::glossary(found, json, language),

@@ -21,6 +21,7 @@ fn every_answer_keeps_to_the_schema() {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("cycle.svg").display().to_string();
     let table = folder.path().join("checks.csv").display().to_string();
+    let objects = folder.path().join("motor.eds").display().to_string();
     let code = "CHA-25A-50-H-C1024";
     let mut asked: Vec<(String, Vec<String>)> = Vec::new();
     let mut ask = |command: &str, arguments: &[&str]| {
@@ -41,6 +42,12 @@ fn every_answer_keeps_to_the_schema() {
     ask("torsion", &["torsion", "CHA-20A-100-H-C1024", "--torque", "60 N m"]);
     ask("battery", &["battery", "--hours-per-day", "10"]);
     ask("inertia", &["inertia", "disc diameter=200mm length=20mm mass=5kg", "point mass=1kg distance=100mm"]);
+    let record = "examples/commissioning/three-faults.toml";
+    ask("commission", &["commission", "CHA-14A-50-E-M128S", "--for", "plain"]);
+    ask("commission", &["commission", "CHA-25A-100-H-M512P-B", "--for", "sinamics"]);
+    ask("commission", &["commission", "CHA-25A-100-H-M512P-B-EC", "--for", "cia402"]);
+    ask("commission --record", &["commission", "CHA-25A-100-H-M512P-B", "--record", record]);
+    ask("commission --out", &["commission", "CHA-25A-100-H-M512P-B", "--for", "cia402", "--out", &objects]);
     ask("code parse", &["code", "parse", "CHA-14A-50-E-RES-K-SP"]);
     ask("code list", &["code", "list", "CHA-20A-*-H"]);
     ask("code complete", &["code", "complete", "CHA-20A-120-H-C1024"]);

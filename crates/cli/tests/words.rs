@@ -51,6 +51,14 @@ shows! {
     wiring_of_no_such_connector: ["wiring", "CHA-25A-100-H-M512P-B", "--connector", "output_encoder", "--svg", "-"];
     wiring_help: ["wiring", "--help"];
     wiring_help_in_german: ["wiring", "--help", "--lang", "de"];
+    commissioning_for_a_sinamics_drive: ["commission", "CHA-25A-100-H-M512P-B", "--for", "sinamics"];
+    commissioning_for_a_sinamics_drive_in_german: ["commission", "CHA-25A-100-H-M512P-B", "--for", "sinamics", "--lang", "de"];
+    commissioning_in_objects: ["commission", "CHA-14A-50-E-M128S", "--for", "cia402"];
+    commissioning_in_objects_in_german: ["commission", "CHA-14A-50-E-M128S", "--for", "cia402", "--lang", "de"];
+    commissioning_objects_as_json: ["commission", "CHA-25A-100-H-M512P-B", "--for", "cia402", "--json"];
+    commissioning_recorded: ["commission", "CHA-25A-100-H-M512P-B", "--record", "examples/commissioning/three-faults.toml"];
+    commissioning_recorded_in_german: ["commission", "CHA-25A-100-H-M512P-B", "--record", "examples/commissioning/three-faults.toml", "--lang", "de"];
+    commissioning_help: ["commission", "--help"];
     errata_of_a_table: ["errata", "40.1"];
     errata_of_a_text_in_german: ["errata", "text-ch3-torque-range", "--lang", "de"];
     errata_as_json: ["errata", "T59.1-buffer-current", "--json"];

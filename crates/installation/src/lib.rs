@@ -4,6 +4,7 @@
 //! language and opens no file; `words` says what its identifiers mean.
 
 pub mod calendar;
+pub mod commission;
 pub mod fit;
 pub mod joint;
 pub mod mount;

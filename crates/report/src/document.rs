@@ -2,6 +2,7 @@
 
 mod alternatives;
 mod axis;
+pub(crate) mod checklist;
 mod checks;
 mod demand;
 mod inputs;

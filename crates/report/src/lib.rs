@@ -15,7 +15,7 @@ mod template;
 #[cfg(feature = "png")]
 pub use press::pages_png;
 #[cfg(feature = "pdf")]
-pub use press::{overlaps, page_fills, page_texts, pdf, prepare, right_edges};
+pub use press::{checklist_pdf, checklist_texts, overlaps, page_fills, page_texts, pdf, prepare, right_edges};
 
 use answers::Dossier;
 use quantities::Language;

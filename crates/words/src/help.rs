@@ -88,6 +88,28 @@ texts! {
     errata_about =
         "Ordering code, number of a table, or id of an erratum; all without it"
         | "Bestellbezeichnung, Nummer einer Tabelle oder Name eines Druckfehlers; ohne Angabe alle";
+    commission =
+        "Values for the drive, check-lists, and the judgement of what was measured"
+        | "Werte für den Regler, Prüflisten und das Urteil über Gemessenes";
+    commission_for =
+        "Form of the values: sinamics, cia402, plain"
+        | "Form der Werte: sinamics, cia402, plain (neutral)";
+    commission_ambient =
+        "Temperature at which winding and sensors are measured (20 degC)"
+        | "Temperatur, bei der Wicklung und Sensoren gemessen werden (20 degC)";
+    commission_out =
+        "Write the form into this file: parameters line by line, an EDS, or JSON"
+        | "Die Form in diese Datei schreiben: Parameter zeilenweise, eine EDS oder JSON";
+    commission_checklist = "Write the check-lists into this PDF" | "Die Prüflisten in dieses PDF schreiben";
+    commission_record =
+        "Judge the measured values of this file and name likely causes"
+        | "Die gemessenen Werte dieser Datei beurteilen und wahrscheinliche Ursachen nennen";
+    commission_blank =
+        "Write an empty record of measured values to fill in"
+        | "Eine leere Datei für gemessene Werte zum Ausfüllen schreiben";
+    commission_exit =
+        "With --record: exit code 0 nothing is off, 1 something is, 2 the file cannot be read."
+        | "Mit --record: Rückgabewert 0 nichts auffällig, 1 etwas auffällig, 2 Datei nicht lesbar.";
     catalogue = "The whole catalogue" | "Der ganze Katalog";
     catalogue_export =
         "Every cell of the maker's tables in long form"

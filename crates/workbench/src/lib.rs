@@ -8,6 +8,7 @@ mod ask;
 mod chapters;
 mod cited;
 mod codes;
+mod commission;
 mod compare;
 mod errata;
 mod explain;
@@ -39,6 +40,10 @@ pub use catalogue::{Fact, Signal, Step, Topic};
 pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
 pub use chrono::NaiveDate as Date;
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
+pub use commission::{
+    Commissioning, DriveForm, Judged, Measured, blank_record, commission, eds, judge, measured, sinamics_script,
+    usual_ambient,
+};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
 pub use configurator::{Availability, Choice, Uncovered, Unmet, catalogue_actuators, uncovered};
 pub use errata::{ErrataFound, ErrataRefusal, errata_about};

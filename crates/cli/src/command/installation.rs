@@ -1,10 +1,11 @@
-//! The commands of what follows from an ordering code: mounting and upkeep.
+//! The commands of what follows from an ordering code: mounting, commissioning and upkeep.
 
-use super::{axis, files::force};
-use clap::{Arg, ArgAction, Command, value_parser};
-use workbench::Language;
+use super::{axis, files::force, with_report};
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, ArgAction, ArgGroup, Command, value_parser};
 use workbench::text::help::values;
 use workbench::text::{capitalised, help, terms};
+use workbench::{DriveForm, Language};
 
 fn code(language: Language) -> Arg {
     Arg::new("code")
@@ -49,4 +50,38 @@ pub(super) fn upkeep(language: Language) -> Command {
         )
         .arg(text("name", values::text(language), help::upkeep_name(language)).action(ArgAction::Set))
         .arg(force(language))
+}
+
+pub(super) fn commission(language: Language) -> Command {
+    let file = |name: &'static str, help: String| {
+        Arg::new(name)
+            .long(name)
+            .value_name(values::file(language))
+            .value_parser(value_parser!(std::path::PathBuf))
+            .help(help)
+    };
+    Command::new("commission")
+        .about(help::commission(language))
+        .arg(code(language))
+        .arg(
+            Arg::new("for")
+                .long("for")
+                .value_name(values::drive(language))
+                .value_parser(PossibleValuesParser::new(DriveForm::ALL.map(DriveForm::id)))
+                .help(help::commission_for(language)),
+        )
+        .arg(
+            Arg::new("ambient")
+                .long("ambient")
+                .value_name(values::temperature(language))
+                .allow_hyphen_values(true)
+                .help(help::commission_ambient(language)),
+        )
+        .arg(file("out", help::commission_out(language).to_owned()).short('o').requires("for"))
+        .arg(file("checklist", with_report(language, help::commission_checklist(language))))
+        .arg(file("record", help::commission_record(language).to_owned()))
+        .arg(file("blank", help::commission_blank(language).to_owned()))
+        .arg(force(language))
+        .group(ArgGroup::new("wanted").args(["for", "checklist", "record", "blank"]).multiple(true).required(true))
+        .after_help(help::commission_exit(language))
 }

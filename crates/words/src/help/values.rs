@@ -11,6 +11,7 @@ texts! {
     code = "CODE";
     command = "COMMAND" | "BEFEHL";
     date = "DATE" | "DATUM";
+    drive = "DRIVE" | "REGLER";
     figure = "FIGURE" | "BILD";
     file = "FILE" | "DATEI";
     format = "FORMAT";
@@ -25,6 +26,7 @@ texts! {
     pattern = "PATTERN" | "MUSTER";
     project = "PROJECT" | "PROJEKT";
     size = "SIZE" | "GRÖSSE";
+    temperature = "TEMPERATURE" | "TEMPERATUR";
     term = "TERM" | "BEGRIFF";
     text = "TEXT";
     theme = "THEME" | "FARBEN";
