@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use workbench::answers::{Connector, ConnectorExit, NoteBy, Number, VoltageDrops, WiringCheck};
 use workbench::quantities::{Area, Length, format_number, format_significant};
-use workbench::text::{capitalised, evidence_text, file_trouble, terminal, terms, verdict_word, wiring as texts};
+use workbench::text::{capitalised, evidence_text, file_trouble, terminal, terms, verdict_word, wiring};
 use workbench::{LISTED_BYTES_MAX, Language, Role, answer};
 
 /// `antrieb wiring CODE`
@@ -29,7 +29,7 @@ pub(crate) fn wiring(matches: &ArgMatches, as_json: bool, language: Language) ->
         Err(answer) => return answer,
     };
     let answer = match matches.get_one::<PathBuf>("check") {
-        Some(_) if plot::is_asked(matches) => return simple(texts::check_or_draw(language), as_json, language),
+        Some(_) if plot::is_asked(matches) => return simple(wiring::check_or_draw(language), as_json, language),
         Some(path) => check(&found, path, as_json, language),
         None if plot::is_asked(matches) => draw(&found, matches, as_json, language),
         None => {
@@ -54,11 +54,11 @@ fn draw(wiring: &workbench::Wiring, matches: &ArgMatches, as_json: bool, languag
     let wanted = matches.get_one::<String>("connector").map_or(Role::Feedback.id(), String::as_str);
     let Some(connector) = wiring.connectors.iter().find(|connector| connector.role.id() == wanted) else {
         let roles: Vec<&str> = wiring.connectors.iter().map(|connector| connector.role.id()).collect();
-        let what = texts::no_such_connector(&wiring.code, &roles.join(", "), language);
+        let what = wiring::no_such_connector(&wiring.code, &roles.join(", "), language);
         return option_fault("connector", (what, None), as_json, language);
     };
     if connector.pins.is_empty() {
-        return simple(texts::no_pins_to_draw(language), as_json, language);
+        return simple(wiring::no_pins_to_draw(language), as_json, language);
     }
     plot::put(&figures::mating_face(&wiring.code, connector, language), matches, &[], as_json, language)
 }
@@ -67,7 +67,7 @@ fn check(wiring: &workbench::Wiring, path: &std::path::Path, as_json: bool, lang
     let name = if path.as_os_str() == "-" { "stdin".to_owned() } else { path_text(path) };
     let bytes = match read_bytes_within(path, LISTED_BYTES_MAX) {
         Ok(bytes) if bytes.len() > LISTED_BYTES_MAX => {
-            let what = texts::pin_list_too_large(&LISTED_BYTES_MAX, language);
+            let what = wiring::pin_list_too_large(&LISTED_BYTES_MAX, language);
             return unreadable(&name, &what, as_json, language);
         }
         Ok(bytes) => bytes,
@@ -89,9 +89,9 @@ fn check(wiring: &workbench::Wiring, path: &std::path::Path, as_json: bool, lang
 fn check_text(record: &WiringCheck, name: &str, language: Language) -> String {
     let mut out = format!("{}, {name}\n", record.code);
     let counted = if record.agreeing == record.rows {
-        texts::agrees(&record.rows, language)
+        wiring::agrees(&record.rows, language)
     } else {
-        texts::differs(&record.agreeing, &record.rows, language)
+        wiring::differs(&record.agreeing, &record.rows, language)
     };
     let _ = writeln!(out, "{counted}");
     if record.findings.is_empty() {
@@ -99,16 +99,16 @@ fn check_text(record: &WiringCheck, name: &str, language: Language) -> String {
     }
     out.push('\n');
     let mut table = Table::new([
-        (texts::line(language), Align::Right),
-        (texts::severity(language), Align::Left),
-        (texts::connector(language), Align::Left),
-        (texts::pin(language), Align::Left),
-        (texts::finding(language), Align::Left),
+        (wiring::line(language), Align::Right),
+        (wiring::severity(language), Align::Left),
+        (wiring::connector(language), Align::Left),
+        (wiring::pin(language), Align::Left),
+        (wiring::finding(language), Align::Left),
     ]);
     for finding in &record.findings {
         table.row([
             finding.line.map_or_else(|| "–".into(), |line| line.to_string()),
-            texts::severity_word(*finding.severity, language).to_owned(),
+            wiring::severity_word(*finding.severity, language).to_owned(),
             finding.connector.id().to_owned(),
             finding.pin.clone().unwrap_or_else(|| "–".into()),
             format!("{}; {}", finding.message, finding.action),
@@ -127,15 +127,15 @@ fn wiring_text(record: &workbench::answers::Wiring, language: Language) -> Strin
     for connector in &record.connectors {
         connector_text(&mut out, connector, language);
     }
-    heading(&mut out, texts::cables(language));
+    heading(&mut out, wiring::cables(language));
     if record.cables.is_empty() {
-        let _ = writeln!(out, "{}", texts::no_cables(language));
+        let _ = writeln!(out, "{}", wiring::no_cables(language));
     } else {
         let mut table = Table::new([
-            (texts::material_number(language), Align::Left),
-            (texts::length(language), Align::Right),
-            (texts::connects(language), Align::Left),
-            (texts::goes_to(language), Align::Left),
+            (wiring::material_number(language), Align::Left),
+            (wiring::length(language), Align::Right),
+            (wiring::connects(language), Align::Left),
+            (wiring::goes_to(language), Align::Left),
             (terminal::table(language), Align::Left),
         ]);
         for cable in &record.cables {
@@ -143,7 +143,7 @@ fn wiring_text(record: &workbench::answers::Wiring, language: Language) -> Strin
             table.row([
                 cable.material_number.to_owned(),
                 length.or(cable.length_code.map(str::to_owned)).unwrap_or_else(|| "–".into()),
-                texts::cable_role(*cable.role, language).to_owned(),
+                wiring::cable_role(*cable.role, language).to_owned(),
                 cable.goal.clone(),
                 cable.table.to_owned(),
             ]);
@@ -153,7 +153,7 @@ fn wiring_text(record: &workbench::answers::Wiring, language: Language) -> Strin
     if let Some(drops) = &record.voltage_drop {
         drops_text(&mut out, drops, language);
     }
-    heading(&mut out, texts::not_available(language));
+    heading(&mut out, wiring::not_available(language));
     for absent in &record.not_available {
         let text = format!("{} ({} {})", absent.text, terminal::table(language), absent.table);
         out.push_str(&hanging("  ", &text));
@@ -164,7 +164,7 @@ fn wiring_text(record: &workbench::answers::Wiring, language: Language) -> Strin
         let table = note.table.map(|table| format!(" ({} {table})", terminal::table(language)));
         out.push_str(&hanging("  ", &format!("{by}{}{}", note.text, table.unwrap_or_default())));
     }
-    heading(&mut out, texts::rules(language));
+    heading(&mut out, wiring::rules(language));
     out.push_str(&facts_text(&record.rules, language));
     if !record.errata.is_empty() {
         out.push('\n');
@@ -177,21 +177,21 @@ fn wiring_text(record: &workbench::answers::Wiring, language: Language) -> Strin
 
 fn connector_text(out: &mut String, connector: &Connector, language: Language) {
     let exit = connector.exit.map(|exit| match exit {
-        ConnectorExit::Cable => texts::at_the_end_of_a_cable(language),
-        ConnectorExit::Housing => texts::in_the_housing(language),
+        ConnectorExit::Cable => wiring::at_the_end_of_a_cable(language),
+        ConnectorExit::Housing => wiring::in_the_housing(language),
     });
     let exit = exit.map(|exit| format!(", {exit}")).unwrap_or_default();
     let [kind, pins] = connector.tables;
     let table = terminal::table(language);
-    let name = texts::role_name(*connector.role, language);
+    let name = wiring::role_name(*connector.role, language);
     heading(out, &format!("{name}: {}{exit} ({table} {kind}, {table} {pins})", connector.kind));
     let mut mating = connector
         .material_number
-        .map(|number| texts::mating_coupling(&number, language))
+        .map(|number| wiring::mating_coupling(&number, language))
         .into_iter()
         .collect::<Vec<_>>();
-    mating.extend(connector.outer_diameter.map(|value| texts::outer_diameter(&value, language)));
-    mating.extend(connector.length.map(|value| texts::length_of_coupling(&value, language)));
+    mating.extend(connector.outer_diameter.map(|value| wiring::outer_diameter(&value, language)));
+    mating.extend(connector.length.map(|value| wiring::length_of_coupling(&value, language)));
     if !mating.is_empty() {
         out.push_str(&paragraph("", &mating.join(", ")));
     }
@@ -200,9 +200,9 @@ fn connector_text(out: &mut String, connector: &Connector, language: Language) {
     }
     let coloured = connector.pins.iter().any(|pin| pin.colour.is_some());
     let mut columns =
-        vec![(texts::pin(language).to_owned(), Align::Left), (texts::signal(language).to_owned(), Align::Left)];
+        vec![(wiring::pin(language).to_owned(), Align::Left), (wiring::signal(language).to_owned(), Align::Left)];
     if coloured {
-        columns.push((texts::colour(language).to_owned(), Align::Left));
+        columns.push((wiring::colour(language).to_owned(), Align::Left));
     }
     columns.push((terminal::meaning(language).to_owned(), Align::Left));
     let mut rows = Table::of(columns);
@@ -217,7 +217,7 @@ fn connector_text(out: &mut String, connector: &Connector, language: Language) {
     }
     out.push_str(&rows.render());
     for colour in &connector.ambiguous {
-        let text = texts::same_colour(&colour.colour, &colour.pins.join(", "), language);
+        let text = wiring::same_colour(&colour.colour, &colour.pins.join(", "), language);
         out.push_str(&labelled(terminal::note(language), &text));
     }
 }
@@ -227,15 +227,15 @@ fn number(value: Number, language: Language) -> String {
 }
 
 fn drops_text(out: &mut String, drops: &VoltageDrops, language: Language) {
-    heading(out, &texts::voltage_drop(&number(drops.length_m, language), language));
+    heading(out, &wiring::voltage_drop(&number(drops.length_m, language), language));
     let mut table = Table::new([
-        (texts::circuit(language), Align::Left),
+        (wiring::circuit(language), Align::Left),
         ("A", Align::Right),
-        (texts::nominal_v(language), Align::Right),
-        (texts::least_v(language), Align::Right),
-        (texts::at_20_degc(language), Align::Right),
-        (texts::at_70_degc(language), Align::Right),
-        (texts::least_mm2(language), Align::Right),
+        (wiring::nominal_v(language), Align::Right),
+        (wiring::least_v(language), Align::Right),
+        (wiring::at_20_degc(language), Align::Right),
+        (wiring::at_70_degc(language), Align::Right),
+        (wiring::least_mm2(language), Align::Right),
         (terms::verdict(language), Align::Left),
     ]);
     let shown = |value: Option<Number>| value.map_or_else(|| "–".into(), |value| number(value, language));
@@ -245,7 +245,7 @@ fn drops_text(out: &mut String, drops: &VoltageDrops, language: Language) {
             let _ = write!(verdict, ": {}", circuit.reason);
         }
         if circuit.sense_lines {
-            let _ = write!(verdict, "; {}", texts::sense_makes_up(language));
+            let _ = write!(verdict, "; {}", wiring::sense_makes_up(language));
         }
         table.row([
             circuit.name.to_owned(),

@@ -3,7 +3,6 @@
 use crate::drawing::{Drawing, Figure};
 use plot::{FaceChart, FacePin, Tone};
 use std::f64::consts::TAU;
-use workbench::text::wiring::{cell_or_dash, face_described, joined, role_name, schematic, unconnected};
 use workbench::text::{capitalised, cell_text, wiring};
 use workbench::{Connector, Language, OrderCode, SignalGroup};
 
@@ -57,13 +56,13 @@ pub fn mating_face(code: &OrderCode, connector: &Connector, language: Language) 
     let mut told = Vec::new();
     for (index, pin) in connector.pins.iter().enumerate() {
         let mut text = match pin.carries {
-            Some(_) => cell_or_dash(pin.signal, language).to_owned(),
-            None => unconnected(pin.colour.is_some(), language).to_owned(),
+            Some(_) => wiring::cell_or_dash(pin.signal, language).to_owned(),
+            None => wiring::unconnected(pin.colour.is_some(), language).to_owned(),
         };
         told.push(format!("{} {text}", pin.name));
         if let Some(other) = &pin.joined {
             text.push(' ');
-            text.push_str(&joined(other, language));
+            text.push_str(&wiring::joined(other, language));
         }
         if let Some(colour) = pin.colour {
             text.push_str(", ");
@@ -76,9 +75,9 @@ pub fn mating_face(code: &OrderCode, connector: &Connector, language: Language) 
             None => drawn,
         });
     }
-    let description = face_described(&connector.poles, &connector.thread, &told.join(", "), language);
-    let note = schematic(language);
-    let of = format!("{}, {code}", role_name(connector.role, language));
+    let description = wiring::face_described(&connector.poles, &connector.thread, &told.join(", "), language);
+    let note = wiring::schematic(language);
+    let of = format!("{}, {code}", wiring::role_name(connector.role, language));
     let mut drawing = Drawing::new(Figure::MatingFace, &of, (135.0, 85.0), language);
     drawing.title = format!("{}: {of} ({})", capitalised(wiring::mating_face(language)), connector.kind.corrected);
     drawing.face(note.to_owned(), description, chart.note(note))

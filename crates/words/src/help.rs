@@ -77,8 +77,8 @@ texts! {
         "Length of the cable, such as \"15 m\": voltage lost by brake and encoder supply"
         | "Länge des Kabels, etwa \"15 m\": Spannungsverlust von Bremse und Geberversorgung";
     wiring_section =
-        "Cross-section of its wires, such as \"0.75 mm^2\""
-        | "Querschnitt seiner Adern, etwa \"0.75 mm^2\"";
+        "Cross-section of its wires, such as \"1 mm²\""
+        | "Querschnitt seiner Adern, etwa \"1 mm²\"";
     wiring_connector =
         "With --svg or --png: motor, feedback (default) or output_encoder"
         | "Mit --svg oder --png: motor, feedback (Motorfeedback, Vorgabe) oder output_encoder (Geber am Abtrieb)";

@@ -4,7 +4,7 @@ use crate::read_quantity;
 use installation::wiring::{Comparison, ListFault, Wiring, compare, read_pin_list};
 use quantities::unit::{METRE, SQUARE_MILLIMETRE};
 use quantities::{Area, Language, Length, Measure};
-use words::{Told, wiring as texts};
+use words::{Told, wiring};
 
 /// A cable is no longer than this \[m\].
 pub const CABLE_LENGTH_MAX_M: f64 = 1000.0;
@@ -26,7 +26,7 @@ impl ListRead {
     pub fn told(&self, language: Language) -> Vec<Told> {
         let faults = self.outcome.as_ref().err().map(Vec::as_slice).unwrap_or_default();
         let told = |fault: &ListFault| {
-            let (message, hint) = (texts::list_fault(fault, language), texts::list_fault_hint(fault, language));
+            let (message, hint) = (wiring::list_fault(fault, language), wiring::list_fault_hint(fault, language));
             Told::at(&self.text, fault.span(), fault.id(), message, hint)
         };
         faults.iter().map(told).collect()
@@ -53,7 +53,7 @@ pub fn cable_length(text: &str, language: Language) -> Result<Length, (String, O
     if metres > 0.0 && metres <= CABLE_LENGTH_MAX_M {
         return Ok(length);
     }
-    Err((texts::length_must_be_positive(&CABLE_LENGTH_MAX_M, language), None))
+    Err((wiring::length_must_be_positive(&CABLE_LENGTH_MAX_M, language), None))
 }
 
 /// The cross-section of a wire.
@@ -66,7 +66,7 @@ pub fn cross_section(text: &str, language: Language) -> Result<Area, (String, Op
     if section > 0.0 && section <= CROSS_SECTION_MAX_MM2 {
         return Ok(area);
     }
-    Err((texts::section_must_be_positive(&CROSS_SECTION_MAX_MM2, language), None))
+    Err((wiring::section_must_be_positive(&CROSS_SECTION_MAX_MM2, language), None))
 }
 
 #[cfg(test)]

@@ -410,31 +410,37 @@ fn nearest(connector: &Connector, wanted: &str) -> Option<&'static str> {
     (distance <= 1 + wanted.chars().count() / 3).then_some(printed)
 }
 
-/// Colours by the words of both languages and the letters of IEC 60757.
+/// Colours by their English word, with the letters of IEC 60757, those of German practice, and spellings without umlauts.
 const COLOURS: [(&str, &[&str]); 13] = [
-    ("rot", &["RED", "RD", "RT"]),
-    ("schwarz", &["BLACK", "BK", "SW"]),
-    ("weiß", &["WHITE", "WH", "WS", "WEISS", "WEISZ"]),
-    ("braun", &["BROWN", "BN", "BR"]),
-    ("blau", &["BLUE", "BU", "BL"]),
-    ("gelb", &["YELLOW", "YE", "GE"]),
-    ("grün", &["GREEN", "GN", "GRUEN"]),
-    ("grau", &["GREY", "GRAY", "GY", "GR"]),
-    ("orange", &["ORANGE", "OG", "OR"]),
-    ("violett", &["VIOLET", "PURPLE", "VT"]),
-    ("rosa", &["PINK", "PK", "RS"]),
-    ("türkis", &["TURQUOISE", "TQ", "TUERKIS"]),
+    ("red", &["RD", "RT"]),
+    ("black", &["BK", "SW"]),
+    ("white", &["WH", "WS", "WEISS", "WEISZ"]),
+    ("brown", &["BN", "BR"]),
+    ("blue", &["BU", "BL"]),
+    ("yellow", &["YE", "GE"]),
+    ("green", &["GN", "GRUEN"]),
+    ("grey", &["GRAY", "GY", "GR"]),
+    ("orange", &["OG", "OR"]),
+    ("violet", &["PURPLE", "VT", "VIOLET", "VIOLETT"]),
+    ("pink", &["PK", "RS", "ROSA"]),
+    ("turquoise", &["TQ", "TUERKIS"]),
     ("transparent", &["CLEAR", "TR"]),
 ];
+
+/// The printed word of each colour with the English one.
+fn printed_colours() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let cells = catalogue::cells().iter().filter(|cell| cell.place.symbol == "wire_colour");
+    cells.map(|cell| (cell.corrected, cell.corrected_en()))
+}
 
 /// The colours that a text names, in order; `None` if it has a word that is none.
 fn colours(text: &str) -> Option<Vec<&'static str>> {
     let words = text.split(|sign: char| !sign.is_alphabetic()).filter(|word| !word.is_empty());
     let one = |word: &str| {
+        let lower = word.to_lowercase();
+        let printed = printed_colours().find(|(printed, _)| *printed == lower).map_or(lower.as_str(), |(_, en)| en);
         let capitals = word.to_uppercase();
-        let named = COLOURS
-            .iter()
-            .find(|(name, others)| name.to_uppercase() == capitals || others.contains(&capitals.as_str()));
+        let named = COLOURS.iter().find(|(name, others)| *name == printed || others.contains(&capitals.as_str()));
         named.map(|(name, _)| *name)
     };
     let mut found = Vec::new();

@@ -69,6 +69,12 @@ pub fn difference_text(finding: &Finding, language: Language) -> String {
         ),
         Difference::WrongPin { written, belongs, .. } => {
             let belongs = belongs.join(", ");
+            if *expected == "-" {
+                return e(
+                    format!("{written} on pin {pin}, which is not connected; it belongs on pin {belongs}"),
+                    format!("{written} auf Stift {pin}, der nicht belegt ist; es gehört auf Stift {belongs}"),
+                );
+            }
             e(
                 format!("{written} on pin {pin}, which is {expected}; it belongs on pin {belongs}"),
                 format!("{written} auf Stift {pin}, der {expected} ist; es gehört auf Stift {belongs}"),

@@ -14,7 +14,7 @@ use provenance::{Grade, Source};
 use quantities::unit::{AMPERE, METRE, SQUARE_MILLIMETRE, VOLT};
 use quantities::{Area, ElectricPotential, Language, Length, Measure};
 use sizing::Verdict;
-use words::{cell_text, source_text, table_note, wiring as texts};
+use words::{cell_text, source_text, table_note, wiring};
 
 /// The wiring of a code, with the losses on a cable of a length where one is given.
 #[must_use]
@@ -29,7 +29,7 @@ pub fn wiring(wiring: &Wiring, cable: Option<(Length, Option<Area>)>, language: 
             .iter()
             .map(|absence| NotAvailable {
                 id: absence.what.id(),
-                text: texts::absent_text(absence.what, language),
+                text: wiring::absent_text(absence.what, language),
                 table: absence.table,
             })
             .collect(),
@@ -71,12 +71,12 @@ fn connector(connector: &Connector, language: Language) -> answers::Connector {
 
 fn pin(connector: &Connector, pin: &Pin, language: Language) -> ConnectorPin {
     let meaning = match pin.carries {
-        Some(signal) => texts::signal_meaning(signal, language),
-        None => texts::unconnected(pin.colour.is_some(), language).to_owned(),
+        Some(signal) => wiring::signal_meaning(signal, language),
+        None => wiring::unconnected(pin.colour.is_some(), language).to_owned(),
     };
     let source = match pin.signal.or(pin.colour) {
         Some(cell) => cell_source(cell, language),
-        None => texts::empty_field(&connector.table.id, &pin.name, language),
+        None => wiring::empty_field(&connector.table.id, &pin.name, language),
     };
     let errata = [pin.signal, pin.colour].into_iter().flatten().flat_map(|cell| cell.errata).copied().collect();
     ConnectorPin {
@@ -103,7 +103,7 @@ fn record_of_cable(cable: &Cable, language: Language) -> answers::Cable {
         material_number: cable.number.corrected,
         length_m,
         length_code,
-        goal: texts::cable_goal(cable.goal, language).to_owned(),
+        goal: wiring::cable_goal(cable.goal, language).to_owned(),
         drive: Id(cable.goal),
         table: cable.number.place.table,
         source: cell_source(cable.number, language),
@@ -135,14 +135,14 @@ fn notes(wiring: &Wiring, language: Language) -> Vec<WiringNote> {
     for connector in &wiring.connectors {
         let with = |meaning| connector.pins.iter().find(|pin| pin.carries.is_some_and(|s| s.meaning == meaning));
         if let (Some(supply), Some(ground)) = (with(Meaning::SupplySense), with(Meaning::GroundSense)) {
-            found.push(ours(texts::sense_lines(&supply.name, &ground.name, language), Some(connector.table.id)));
+            found.push(ours(wiring::sense_lines(&supply.name, &ground.name, language), Some(connector.table.id)));
         }
     }
     let letters = wiring.cables.iter().find_map(|cable| match cable.length {
         CableLength::InNumber(code) => Some(code.letters),
         CableLength::Metres(_) => None,
     });
-    found.extend(letters.map(|letters| ours(texts::length_in_number(&letters, language), None)));
+    found.extend(letters.map(|letters| ours(wiring::length_in_number(&letters, language), None)));
     found
 }
 
@@ -166,7 +166,7 @@ fn drops(wiring: &Wiring, length: Length, section: Option<Area>, language: Langu
         length_m: Number::in_unit(length.si(), &METRE),
         cross_section_mm2: section.map(|section| Number::in_unit(section.si(), &SQUARE_MILLIMETRE)),
         circuits: found.iter().map(|each| drop_of(each, language)).collect(),
-        assumptions: texts::copper(language),
+        assumptions: wiring::copper(language),
         resistivity_source: source.unwrap_or_default(),
     }
 }
@@ -195,7 +195,7 @@ fn drop_of(drop: &VoltageDrop, language: Language) -> answers::VoltageDrop {
         needed_v: needed.map(volts),
         cross_section_min_mm2: drop.cross_section_min.map(|section| Number::in_unit(section.si(), &SQUARE_MILLIMETRE)),
         verdict: Id(verdict),
-        reason: texts::drop_reason(drop.verdict, language),
+        reason: wiring::drop_reason(drop.verdict, language),
         sense_lines: drop.sense,
         grade: Id(Grade::Published.worst(drop.current.grade)),
     }
@@ -203,8 +203,8 @@ fn drop_of(drop: &VoltageDrop, language: Language) -> answers::VoltageDrop {
 
 fn circuit_name(drop: &VoltageDrop, language: Language) -> &'static str {
     match (drop.circuit, drop.verdict) {
-        (Circuit::Brake, DropVerdict::NoOpeningCurrent) => texts::held_brake(language),
-        (circuit, _) => texts::circuit_name(circuit, language),
+        (Circuit::Brake, DropVerdict::NoOpeningCurrent) => wiring::held_brake(language),
+        (circuit, _) => wiring::circuit_name(circuit, language),
     }
 }
 
@@ -218,8 +218,8 @@ pub fn wiring_check(wiring: &Wiring, comparison: &Comparison, language: Language
         line: finding.line,
         pin: Some(finding.pin.clone()).filter(|pin| !pin.is_empty()),
         expected: Some(finding.expected).filter(|expected| !expected.is_empty()),
-        message: texts::difference_text(finding, language),
-        action: texts::difference_action(finding, language),
+        message: wiring::difference_text(finding, language),
+        action: wiring::difference_action(finding, language),
     };
     WiringCheck {
         code: wiring.code.to_string(),
