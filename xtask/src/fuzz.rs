@@ -34,10 +34,34 @@ pub(crate) struct Target {
 
 const TARGETS: [Target; 6] = [
     Target { name: "code", ci_seconds: 15, case_seconds: 2, memory_mb: 64, bytes: 128, cases: 10_000_000, gate: None },
-    Target { name: "quantity", ci_seconds: 15, case_seconds: 2, memory_mb: 64, bytes: 128, cases: 10_000_000, gate: None },
-    Target { name: "project", ci_seconds: 30, case_seconds: 5, memory_mb: 256, bytes: 1024, cases: 1_000_000, gate: None },
+    Target {
+        name: "quantity",
+        ci_seconds: 15,
+        case_seconds: 2,
+        memory_mb: 64,
+        bytes: 128,
+        cases: 10_000_000,
+        gate: None,
+    },
+    Target {
+        name: "project",
+        ci_seconds: 30,
+        case_seconds: 5,
+        memory_mb: 256,
+        bytes: 1024,
+        cases: 1_000_000,
+        gate: None,
+    },
     Target { name: "csv", ci_seconds: 25, case_seconds: 5, memory_mb: 256, bytes: 2048, cases: 1_000_000, gate: None },
-    Target { name: "parquet", ci_seconds: 25, case_seconds: 5, memory_mb: 256, bytes: 4096, cases: 200_000, gate: Some("the footer") },
+    Target {
+        name: "parquet",
+        ci_seconds: 25,
+        case_seconds: 5,
+        memory_mb: 256,
+        bytes: 4096,
+        cases: 200_000,
+        gate: Some("the footer"),
+    },
     Target { name: "axis", ci_seconds: 60, case_seconds: 20, memory_mb: 512, bytes: 1024, cases: 10_000, gate: None },
 ];
 
