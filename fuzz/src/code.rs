@@ -13,11 +13,12 @@ static CODES: LazyLock<Vec<OrderCode>> =
 pub fn run(data: &[u8]) {
     let text = shown(data);
     hold(&text);
-    // What a partial code allows is sought among all: that takes as long as fifty codes, and the languages differ in words.
+    // The nearest codes, and what a partial code allows, are sought among all: each takes as long as ten other cases or
+    // more, and the languages differ in words.
     let language = if one_in(2, &text) { Language::De } else { Language::En };
-    if one_in(3, &text) {
+    if one_in(7, &text) {
         hold_read(&text, language);
-    } else if one_in(7, &text) {
+    } else if one_in(9, &text) {
         hold_partial(&text, language);
     }
 }

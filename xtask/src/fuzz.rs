@@ -91,20 +91,17 @@ pub(crate) fn step(root: &Path) -> Result<(), Error> {
 pub fn run(root: &Path, words: &[String]) -> Result<(), Error> {
     let arguments = Arguments::read(words, &TARGETS.map(|target| target.name))?;
     let chosen = || TARGETS.iter().filter(|target| arguments.target.as_deref().is_none_or(|name| name == target.name));
-    if arguments.work == Work::Coverage {
-        return coverage::tell(root, &chosen().collect::<Vec<_>>());
-    }
-    let engine = Engine::build(root)?;
-    let seed = seed();
     match &arguments.work {
-        Work::Coverage => Ok(()),
+        Work::Coverage => coverage::tell(root, &chosen().collect::<Vec<_>>()),
         Work::Case(file) => {
+            let engine = Engine::build(root)?;
             for target in chosen() {
                 engine.repeat(target, file)?;
             }
             Ok(())
         }
         Work::Campaign { minutes } => {
+            let (engine, seed) = (Engine::build(root)?, seed());
             println!("fuzz: seed {seed}; {SEED}={seed} repeats this run");
             let share = minutes.map(|minutes| minutes * 60 / u32::try_from(chosen().count().max(1)).unwrap_or(1));
             let mut failed = Ok(());

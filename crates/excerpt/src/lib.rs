@@ -51,7 +51,11 @@ pub fn show(text: &str, fault: &Fault<'_>, style: &Style<'_>) -> String {
         return format!("{}: {}\n  --> {place}\n{help}", style.error, fault.message);
     }
     // Each sign that is not seen is one of three bytes in what is shown.
-    let shown = blanked(part.text);
+    let mut shown = blanked(part.text);
+    if part.span.start == part.text.len() && (part.text.is_empty() || part.text.ends_with('\n')) {
+        // A line without any sign in it would be taken for the one before.
+        shown.to_mut().push(' ');
+    }
     let place = |at: usize| part.text.get(..at).map_or(shown.len(), |before| blanked(before).len());
     let span = place(part.span.start)..place(part.span.end);
     let snippet = Snippet::source(shown.as_ref()).line_start(part.line).path(style.file);
@@ -167,10 +171,20 @@ mod tests {
     fn places_at_the_edge_and_beyond_are_shown() {
         for text in ["", "\n", "a", "a\n", "a\r\nß", "\u{feff}", "\r", "a\n\n\n"] {
             for (start, end) in [(0, 0), (0, 1), (1, 1), (1, 9), (2, 3), (9, 9), (3, 2)] {
-                let line = text.get(..start).map_or(1, |before| before.matches('\n').count() + 1);
+                let start_in = floor(text, start);
+                let line = text[..start_in].matches('\n').count() + 1;
                 let fault = Fault { span: start..end, line, column: 1, message: "wrong", hint: None };
-                assert!(plain(&show(text, &fault, &STYLE)).starts_with("error: wrong"), "{text:?} {start} {end}");
+                let found = plain(&show(text, &fault, &STYLE));
+                assert!(found.starts_with("error: wrong"), "{text:?} {start} {end}");
+                assert!(found.contains(&format!("a.toml:{line}:")), "{text:?} {start} {end} in {line}: {found}");
             }
         }
+    }
+
+    #[test]
+    fn a_fault_behind_the_last_line_is_in_the_line_behind_it() {
+        let fault = Fault { span: 10..10, line: 3, column: 1, message: "no end", hint: None };
+        let found = plain(&show("a = \"\"\"\nb\n", &fault, &STYLE));
+        assert!(found.contains("--> a.toml:3:1") && found.contains("\n  | ^"), "{found}");
     }
 }
