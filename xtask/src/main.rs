@@ -14,7 +14,10 @@ const COMMANDS: [(&str, &str); 10] = [
     ("samples", "rewrite the answers that the documents show, then read git diff"),
     ("notices", "rewrite THIRD-PARTY.md from the lock file"),
     ("bench", "the bench gates; words after `bench` go to the benches"),
-    ("fuzz", "a fuzz campaign; --minutes N, --target T, --jobs J; --coverage tells how far the corpora reach"),
+    (
+        "fuzz",
+        "a fuzz campaign; --minutes N, --target T, --jobs J; --coverage tells which share of lines the corpora reach",
+    ),
     ("help", "this text"),
 ];
 

@@ -28,7 +28,7 @@ pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> A
         Ok(found) => found,
         Err(answer) => return answer,
     };
-    if let Err(answer) = free(matches, &inputs, as_json, language) {
+    if let Err(answer) = destination(matches, &inputs, as_json, language) {
         return answer;
     }
     let [project] = projects.as_slice() else {
@@ -57,18 +57,24 @@ pub(crate) fn is_asked(matches: &ArgMatches) -> bool {
     matches.contains_id("svg") || matches.contains_id("png")
 }
 
-/// Whether the picture can be written where it is asked to, before work is done for it.
-fn free(matches: &ArgMatches, inputs: &[PathBuf], as_json: bool, language: Language) -> Result<(), Answer> {
-    let asked = |name: &str| matches.get_one::<PathBuf>(name).map(PathBuf::as_path);
+/// Whether the picture could be written where it is asked to, before the work for it begins; a fault is the finished
+/// answer.
+pub(crate) fn destination(
+    matches: &ArgMatches,
+    inputs: &[PathBuf],
+    as_json: bool,
+    language: Language,
+) -> Result<(), Answer> {
+    let asked = |name: &str| matches.get_one::<PathBuf>(name);
     if asked("png").is_some_and(|path| path.as_os_str() == "-") {
         return Err(refused(terminal::png_needs_a_file(language), as_json, language));
     }
     let svg = asked("svg").filter(|path| path.as_os_str() != "-");
-    let files: Vec<&Path> = svg.into_iter().chain(asked("png")).collect();
+    let files: Vec<&Path> = svg.into_iter().chain(asked("png")).map(PathBuf::as_path).collect();
     ready(&files, inputs, matches.get_flag("force")).map_err(|fault| fault.answer(as_json, language))
 }
 
-/// Draws and writes where it is asked to: to files, or to standard output.
+/// Draws and writes where [`destination`] has found room: to files, or to standard output.
 pub(crate) fn put(
     drawing: &Drawing,
     matches: &ArgMatches,
@@ -76,8 +82,7 @@ pub(crate) fn put(
     as_json: bool,
     language: Language,
 ) -> Answer {
-    let style = free(matches, inputs, as_json, language).and_then(|()| style(drawing, matches, as_json, language));
-    let style = match style {
+    let style = match style(drawing, matches, as_json, language) {
         Ok(style) => style,
         Err(answer) => return answer,
     };

@@ -60,6 +60,9 @@ fn draw(wiring: &workbench::Wiring, matches: &ArgMatches, as_json: bool, languag
     if connector.pins.is_empty() {
         return simple(wiring::no_pins_to_draw(language), as_json, language);
     }
+    if let Err(answer) = plot::destination(matches, &[], as_json, language) {
+        return answer;
+    }
     plot::put(&figures::mating_face(&wiring.code, connector, language), matches, &[], as_json, language)
 }
 

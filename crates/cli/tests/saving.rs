@@ -97,6 +97,29 @@ fn a_link_is_followed_within_its_folder_only() {
     assert_eq!(names(here), ["far.svg", "near.svg", "nowhere.svg", "target.svg"]);
 }
 
+/// A picture that cannot be written is not drawn: its place is told before what only drawing would tell.
+#[test]
+fn the_place_of_a_picture_is_asked_for_first() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::copy(root().join("examples/indexing-table.toml"), folder.path().join("a.toml")).unwrap();
+    let plot = ["plot", "a.toml", "--figure", "torque_speed", "--code", "CHA-99A"];
+    refused(folder.path(), &[&plot[..], &["--svg", "none/a.svg"]].concat(), "no such folder");
+    refused(folder.path(), &[&plot[..], &["--svg", "a.toml"]].concat(), "a.toml");
+    refused(folder.path(), &curve(&["--voltage", "220 V", "--png", "none/a.png"]), "no such folder");
+}
+
+#[test]
+fn a_save_removes_what_a_kill_left_the_day_before() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    for (name, hours) in [(".antrieb-abc123", 30), (".antrieb-new123", 1)] {
+        let file = fs::File::create(here.join(name)).unwrap();
+        file.set_modified(std::time::SystemTime::now() - Duration::from_secs(hours * 3600)).unwrap();
+    }
+    assert!(antrieb(here, &curve(&["--svg", "a.svg"])).status.success());
+    assert_eq!(names(here), [".antrieb-new123", "a.svg"]);
+}
+
 #[test]
 fn two_files_are_never_one() {
     let folder = tempfile::tempdir().unwrap();

@@ -3,7 +3,7 @@
 //! A face gathers what the workbench answers into a [`Content`], adds what stands on the title page ([`Settings`]) and
 //! asks for the PDF. Same content and settings, same bytes: no clock, no file, no system font is touched.
 
-#[cfg(feature = "pdf")]
+#[cfg(feature = "document")]
 mod document;
 #[cfg(feature = "pdf")]
 mod glyphs;
@@ -21,6 +21,16 @@ use answers::Dossier;
 use quantities::Language;
 use serde::Serialize;
 use words::terminal;
+
+/// What the template is given: every number in the words of its language, every list in its order.
+///
+/// # Errors
+/// [`Fault::NoAxis`] and [`Fault::Date`]; [`Fault::Typesetting`] where it is no JSON, which is a defect.
+#[cfg(feature = "document")]
+pub fn document(content: &Content, settings: &Settings) -> Result<serde_json::Value, Fault> {
+    let document = document::Document::build(content, settings)?;
+    serde_json::to_value(&document).map_err(|fault| Fault::Typesetting { message: fault.to_string() })
+}
 
 /// Everything that stands in the report, as data.
 #[derive(Clone, Debug)]

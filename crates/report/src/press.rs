@@ -3,7 +3,7 @@
 //! The only file that knows the engine's interface, which changes with its every minor version.
 
 use crate::document::checklist::CheckListDocument;
-use crate::document::{Document, figure_file};
+use crate::document::figure_file;
 use crate::glyphs::Glyphs;
 use crate::{Content, Fault, Settings, template};
 use answers::Commissioning;
@@ -248,10 +248,7 @@ fn forget() {
 
 fn typeset(content: &Content, settings: &Settings) -> Result<PagedDocument, Fault> {
     let fonts = fonts();
-    let document = Document::build(content, settings)?;
-    let document =
-        serde_json::to_value(&document).map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
-    let document = fonts.glyphs.printable(document);
+    let document = fonts.glyphs.printable(crate::document(content, settings)?);
     let mut files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
     files.insert("data.json".to_owned(), document.to_string().into_bytes());
     for (axis, of_axis) in content.axes.iter().enumerate() {
