@@ -21,6 +21,8 @@ mod moves;
 mod plot;
 #[cfg_attr(not(feature = "report"), path = "no_report.rs")]
 mod report;
+#[cfg(test)]
+mod reference;
 mod reserve;
 mod save;
 mod say;

@@ -35,6 +35,8 @@ pub use label::input_label;
 pub use recorded::{Files, Grant, NoFiles, Reach, RecordingRead};
 pub use schema::{SchemaText, schema};
 pub use segment::SegmentLaw;
+pub use read::example;
+pub use spec::{Key, Kind, ROOT as KEYS, Variants};
 pub use stage::RatioAnswer;
 pub use stated::Within;
 pub use tolerance::{ALL_CORNERS_MOST, Tolerance, Variant, Varied, sign};

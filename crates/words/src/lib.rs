@@ -16,9 +16,11 @@ mod keys;
 mod letters;
 mod motion;
 mod notes;
+pub mod pages;
 pub mod pictures;
 mod print;
 mod project_file;
+mod project_page;
 mod quantity;
 mod recording;
 pub mod records;
@@ -46,6 +48,7 @@ pub use print::{
     cell_text, document_note, erratum_readings, own_and_foreign, table_note, table_title, term_remark, word_meaning,
 };
 pub use project_file::{body_key, key_word, short_label, table_of_project};
+pub use project_page::project_page;
 pub use quantity::{quantity_fault, quantity_hint};
 pub use recording::encoding_guess;
 pub use results::{
@@ -81,6 +84,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("help", help::TEXTS),
     ("help::library", help::library::TEXTS),
     ("help::values", help::values::TEXTS),
+    ("pages", pages::TEXTS),
     ("pictures", pictures::TEXTS),
     ("records", records::TEXTS),
     ("report", report::TEXTS),
