@@ -16,8 +16,8 @@ use crate::tools::{LYCHEE, MDBOOK};
 
 /// The order of the pages.
 pub(crate) const SUMMARY: &str = "docs/SUMMARY.md";
-/// What mdBook is told.
-const SETTINGS: &str = "docs/book.toml";
+/// What mdBook is told, and how wide a page is.
+const SETTINGS: [&str; 2] = ["docs/book.toml", "docs/book.css"];
 
 /// Builds the book and tries every link in it.
 ///
@@ -67,10 +67,14 @@ fn lay_out(root: &Path, tree: &Tree, folder: &Path) -> Result<(), Error> {
         create(to.parent().unwrap_or(folder))?;
         match tree.text(file).filter(|_| file.ends_with(".md")) {
             Some(text) => write(&to, &with_indices(&text))?,
-            None => drop(fs::copy(root.join(file), &to).map_err(|source| Error::File { path: root.join(file), source })?),
+            None => {
+                drop(fs::copy(root.join(file), &to).map_err(|source| Error::File { path: root.join(file), source })?)
+            }
         }
     }
-    write(&folder.join("book.toml"), &tree.text(SETTINGS).unwrap_or_default())?;
+    for file in SETTINGS {
+        write(&folder.join(file.trim_start_matches("docs/")), &tree.text(file).unwrap_or_default())?;
+    }
     write(&folder.join("src").join("SUMMARY.md"), &from_the_root(&tree.text(SUMMARY).unwrap_or_default()))
 }
 
@@ -92,10 +96,11 @@ fn as_index(path: &str) -> String {
 /// A page with its links to a README as links to an index.
 fn with_indices(page: &str) -> String {
     let links = Document::read(page).links.into_iter().map(|link| link.target);
-    links.filter(|target| leads_to("", target).is_some_and(|file| file.ends_with("README.md"))).fold(
-        page.to_owned(),
-        |text, target| text.replace(&format!("]({target})"), &format!("]({})", as_index(&target))),
-    )
+    links
+        .filter(|target| leads_to("", target).is_some_and(|file| file.ends_with("README.md")))
+        .fold(page.to_owned(), |text, target| {
+            text.replace(&format!("]({target})"), &format!("]({})", as_index(&target)))
+        })
 }
 
 /// mdBook knows one language for a book; a screen reader wants that of the page.
@@ -120,10 +125,7 @@ mod tests {
     #[test]
     fn the_summary_is_told_from_the_root() {
         let summary = "# Summary\n\n[antrieb](../README.md)\n\n- [Axis](guide/first-axis.md)\n";
-        assert_eq!(
-            from_the_root(summary),
-            "# Summary\n\n[antrieb](index.md)\n\n- [Axis](docs/guide/first-axis.md)\n"
-        );
+        assert_eq!(from_the_root(summary), "# Summary\n\n[antrieb](index.md)\n\n- [Axis](docs/guide/first-axis.md)\n");
     }
 
     #[test]

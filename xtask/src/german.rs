@@ -86,7 +86,8 @@ fn is_latin(letter: char) -> bool {
 /// Words that the glossary keeps out, where they begin a word.
 fn kept_out(text: &str) -> Vec<(usize, &'static str)> {
     let words = of_document(text);
-    let twins = catalogue::words().iter().flat_map(|word| word.not_de.iter().copied()).filter(|twin| !twin.contains(' '));
+    let twins =
+        catalogue::words().iter().flat_map(|word| word.not_de.iter().copied()).filter(|twin| !twin.contains(' '));
     twins
         .flat_map(|twin| {
             let begins = move |word: &str| word.to_lowercase().starts_with(&twin.to_lowercase());
@@ -162,7 +163,8 @@ mod tests {
     use super::*;
 
     fn words() -> Words {
-        let listed = ["drehmoment", "moment", "kurve", "dreh", "zahl", "geeignet", "grenze", "antrieb", "antriebs", "welle"];
+        let listed =
+            ["drehmoment", "moment", "kurve", "dreh", "zahl", "geeignet", "grenze", "antrieb", "antriebs", "welle"];
         Words { listed: listed.map(String::from).into(), own: BTreeSet::new() }
     }
 
@@ -190,7 +192,8 @@ mod tests {
 
     #[test]
     fn code_signs_and_names_in_capitals_are_not_read() {
-        let page = "Ein `Kodewort` mit [two-way.toml](x.toml), T_rms, U_DCmax, PDF und 90deg.\n\n```console\nMurks\n```\n";
+        let page =
+            "Ein `Kodewort` mit [two-way.toml](x.toml), T_rms, U_DCmax, PDF und 90deg.\n\n```console\nMurks\n```\n";
         let found: Vec<String> = of_document(page).into_iter().map(|(_, word)| word).collect();
         assert_eq!(found, ["Ein", "mit", "und"]);
     }

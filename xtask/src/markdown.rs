@@ -45,8 +45,7 @@ pub(crate) struct Section {
 
 impl Document {
     pub(crate) fn read(text: &str) -> Self {
-        let begins: Vec<usize> =
-            std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
+        let begins: Vec<usize> = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
         let line = |place: &Range<usize>| begins.partition_point(|begin| *begin <= place.start);
         let mut document = Self { sections: vec![Section { line: 1, ..Section::default() }], ..Self::default() };
         let mut open: Option<Code> = None;

@@ -19,10 +19,10 @@ mod inertia;
 mod judge;
 mod moves;
 mod plot;
-#[cfg_attr(not(feature = "report"), path = "no_report.rs")]
-mod report;
 #[cfg(test)]
 mod reference;
+#[cfg_attr(not(feature = "report"), path = "no_report.rs")]
+mod report;
 mod reserve;
 mod save;
 mod say;

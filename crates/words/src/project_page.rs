@@ -14,7 +14,11 @@ pub fn project_page(language: Language) -> String {
         below(&mut page, "", key, language);
     }
     let example = format!("`\"{} ± 10 %\"`", Dimension::MomentOfInertia.example());
-    page.push_str(&format!("\n## {}\n\n{}\n\n", pages::quantities_title(language), pages::quantities_told(&example, language)));
+    page.push_str(&format!(
+        "\n## {}\n\n{}\n\n",
+        pages::quantities_title(language),
+        pages::quantities_told(&example, language)
+    ));
     page.push_str(&format!("{}\n|---|---|\n", pages::columns_of_quantities(language)));
     for dimension in Dimension::ALL {
         let units: Vec<String> = dimension.units().iter().map(|unit| format!("`{}`", unit.ascii)).collect();

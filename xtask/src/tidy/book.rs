@@ -53,16 +53,22 @@ mod tests {
     fn a_page_is_named_in_both_lists() {
         let whole = "[a](guide/a.md)\n";
         assert_eq!(told(whole, whole), Vec::<String>::new());
-        assert_eq!(told("# Summary\n", whole), ["docs/SUMMARY.md:1: book: `docs/guide/a.md` is not named: no reader finds it"]);
+        assert_eq!(
+            told("# Summary\n", whole),
+            ["docs/SUMMARY.md:1: book: `docs/guide/a.md` is not named: no reader finds it"]
+        );
         assert_eq!(told(whole, "# Documents\n").len(), 1);
     }
 
     #[test]
     fn a_page_that_is_gone_or_named_twice_is_told() {
         let found = told("[a](guide/a.md)\n[b](guide/b.md)\n[a](guide/a.md)\n", "[a](guide/a.md)\n");
-        assert_eq!(found, [
-            "docs/SUMMARY.md:2: book: `docs/guide/b.md` is not in the tree",
-            "docs/SUMMARY.md:3: book: `docs/guide/a.md` is named twice: a page has one place",
-        ]);
+        assert_eq!(
+            found,
+            [
+                "docs/SUMMARY.md:2: book: `docs/guide/b.md` is not in the tree",
+                "docs/SUMMARY.md:3: book: `docs/guide/a.md` is named twice: a page has one place",
+            ]
+        );
     }
 }

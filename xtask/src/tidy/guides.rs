@@ -14,9 +14,8 @@ const IN_GERMAN: &str = " --lang de";
 
 pub(super) fn rule(root: &Path) -> Vec<Finding> {
     let tree = Tree::read(root);
-    let pages = |folder: &str| -> Vec<String> {
-        tree.under(folder, ".md").map(|page| page.replacen(folder, "", 1)).collect()
-    };
+    let pages =
+        |folder: &str| -> Vec<String> { tree.under(folder, ".md").map(|page| page.replacen(folder, "", 1)).collect() };
     let (english, german) = (pages(ENGLISH), pages(GERMAN));
     let mut findings = Vec::new();
     let mut alone = |page: &String, here: &str, there: &str| {
