@@ -65,11 +65,10 @@ fn lay_out(root: &Path, tree: &Tree, folder: &Path) -> Result<(), Error> {
     for file in &files {
         let to = folder.join("src").join(as_index(file));
         create(to.parent().unwrap_or(folder))?;
-        match tree.text(file).filter(|_| file.ends_with(".md")) {
-            Some(text) => write(&to, &with_indices(&text))?,
-            None => {
-                drop(fs::copy(root.join(file), &to).map_err(|source| Error::File { path: root.join(file), source })?)
-            }
+        if let Some(text) = tree.text(file).filter(|_| file.ends_with(".md")) {
+            write(&to, &with_indices(&text))?;
+        } else {
+            fs::copy(root.join(file), &to).map_err(|source| Error::File { path: root.join(file), source })?;
         }
     }
     for file in SETTINGS {

@@ -89,7 +89,7 @@ fn figures(section: &Section) -> Vec<String> {
             let within = matches!(sign, '.' | ',') && !figure.is_empty();
             if sign.is_ascii_digit() {
                 figure.push(sign);
-            } else if !(within && signs.peek().is_some_and(char::is_ascii_digit)) && !figure.is_empty() {
+            } else if !(figure.is_empty() || within && signs.peek().is_some_and(char::is_ascii_digit)) {
                 found.push(std::mem::take(&mut figure));
             }
         }
