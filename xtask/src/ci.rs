@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use crate::cargo::Workspace;
-use crate::{Error, bench, data, fuzz, lint, notices, readme, slim, standard, test, tidy, tools};
+use crate::{Error, bench, book, data, fuzz, german, lint, notices, readme, slim, standard, test, tidy, tools};
 use forecast::{Cost, Forecast};
 
 mod forecast;
@@ -20,11 +20,13 @@ const fn step(name: &'static str, cost: Cost, run: fn(&Path) -> Result<(), Error
 }
 
 /// Cheap steps first: a slip is told within seconds. For the costs see [`Cost`].
-const STEPS: [Step; 16] = [
+const STEPS: [Step; 18] = [
     step("fmt", Cost::on_one(2), lint::fmt),
     step("tools", Cost::on_one(15), tools::install),
     step("typos", Cost::on_one(1), standard::typos),
+    step("german", Cost::on_one(2), german::run),
     step("links", Cost::on_one(1), standard::links),
+    step("book", Cost::on_one(5), book::run),
     step("deny", Cost::on_one(3), standard::deny),
     step("tidy", Cost::on_one(2), tidy::run),
     step("notices", Cost::on_one(3), notices::check),
@@ -77,7 +79,7 @@ fn all(steps: &[Step], root: &Path, mut forecast: Forecast, strict: bool) -> Res
         let seconds = step_begin.elapsed().as_secs_f64();
         let word = match &result {
             Ok(()) => "passed",
-            Err(Error::NoTool { .. } | Error::NoCompiler) if !strict => "NOT RUN",
+            Err(Error::NoTool { .. } | Error::NoWords { .. } | Error::NoCompiler) if !strict => "NOT RUN",
             Err(_) => "FAILED",
         };
         eprintln!("ci: {number}/{} {} {word} after {seconds:.1} s", steps.len(), step.name);

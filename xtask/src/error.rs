@@ -38,6 +38,16 @@ pub enum Error {
         /// The crate that builds it.
         from_crate: &'static str,
     },
+    /// A list of words is neither there nor to be had.
+    NoWords {
+        /// The package that holds it.
+        package: &'static str,
+    },
+    /// German documents have words that nobody knows; they have been printed.
+    UnknownWords {
+        /// How many.
+        count: usize,
+    },
     /// There is no C++ compiler.
     NoCompiler,
     /// A tool of LLVM is not there that comes with a component of the toolchain.
@@ -150,6 +160,13 @@ impl fmt::Display for Error {
             Self::NoTool { program, from_crate } => write!(
                 f,
                 "{program} is not here and could not be installed; get it with `cargo install --locked {from_crate}`"
+            ),
+            Self::NoWords { package } => {
+                write!(f, "the words of {package} are not here and could not be installed; it takes Python with pip")
+            }
+            Self::UnknownWords { count } => write!(
+                f,
+                "{count} words are not known as German; one that is right belongs into xtask/german-words.txt"
             ),
             Self::NoCompiler => write!(
                 f,

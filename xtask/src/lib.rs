@@ -2,20 +2,24 @@
 //!
 //! [`ci`] is exactly what CI runs. [`tidy`] holds the rules of the house that no compiler holds.
 //! [`data`] prints the cross-checks of the data in [`audit`], [`snapshots`] rewrites the snapshots, [`samples`] the
-//! answers that the documents show, [`notices`] the list of third parties, [`mod@bench`] runs the bench gates, [`fuzz`] the targets. A Rust toolchain is enough to start: [`tools`] gets the rest.
+//! answers that the documents show, [`notices`] the list of third parties, [`mod@book`] makes the book, [`german`] reads its German, [`picture`] composes that of the README, [`mod@bench`] runs the bench gates, [`fuzz`] the targets. A Rust toolchain is enough to start: [`tools`] gets the rest.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who started it")]
 
 use std::path::{Path, PathBuf};
 
 pub mod audit;
 pub mod bench;
+pub mod book;
 mod cargo;
 pub mod ci;
 pub mod data;
 mod error;
 pub mod fuzz;
+pub mod german;
 mod lint;
+mod markdown;
 pub mod notices;
+pub mod picture;
 mod readme;
 pub mod samples;
 mod slim;

@@ -3,15 +3,17 @@
 
 use std::process::ExitCode;
 
-use xtask::{Error, bench, ci, data, fuzz, notices, root, samples, snapshots, tidy, tools};
+use xtask::{Error, bench, book, ci, data, fuzz, notices, picture, root, samples, snapshots, tidy, tools};
 
-const COMMANDS: [(&str, &str); 10] = [
+const COMMANDS: [(&str, &str); 12] = [
     ("ci", "everything CI runs, in its order, or the steps named after it; stops at the first failure"),
     ("tools", "installs the tools that ci needs beside Rust, under target/tools"),
     ("tidy", "the house rules: layers, lengths, marks, the map of the house, data files"),
     ("data", "cross-checks of the data"),
     ("snapshots", "run the tests and rewrite the snapshots, then list what changed"),
     ("samples", "rewrite the answers that the documents show, then read git diff"),
+    ("book", "builds the book from docs/, under target/book, and tries its links"),
+    ("picture", "compose the picture of the README from the program's own output"),
     ("notices", "rewrite THIRD-PARTY.md from the lock file"),
     ("bench", "the bench gates; words after `bench` go to the benches"),
     (
@@ -37,7 +39,7 @@ fn main() -> ExitCode {
             Ok(())
         }
         "bench" => bench::run(&root(), &rest),
-        "tools" | "tidy" | "data" | "snapshots" | "samples" | "notices" if !rest.is_empty() => {
+        "tools" | "tidy" | "data" | "snapshots" | "samples" | "book" | "picture" | "notices" if !rest.is_empty() => {
             eprintln!("error: `{command}` takes no further words, got `{}`", rest.join(" "));
             return ExitCode::from(2);
         }
@@ -48,6 +50,8 @@ fn main() -> ExitCode {
         "data" => data::run(),
         "snapshots" => snapshots::run(&root()),
         "samples" => samples::run(&root()),
+        "book" => book::run(&root()),
+        "picture" => picture::run(&root()),
         "notices" => notices::run(&root()),
         unknown => {
             eprintln!("error: no command `{unknown}`");

@@ -7,7 +7,7 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
 use crate::cargo::Workspace;
-use crate::{Error, samples};
+use crate::{Error, picture, samples};
 
 const PREFIX: &str = "cargo run -- ";
 /// A command that the README shows must answer while the reader waits; on a slow machine with others at work he waits long.
@@ -26,7 +26,8 @@ pub(crate) fn run(root: &Path) -> Result<(), Error> {
     // Built first: the patience is with the program, not with the compiler.
     let program = samples::built(root)?;
     lines.iter().try_for_each(|line| line.try_in(&program, &desk))?;
-    samples::check(root)
+    samples::check(root)?;
+    picture::check(root)
 }
 
 /// A fresh folder under the target directory with a copy of `examples/`.

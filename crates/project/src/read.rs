@@ -561,8 +561,8 @@ fn in_body(path: &str, fault: Fault) -> Fault {
     Fault::InBody { path: path.to_owned(), fault: Box::new(fault) }
 }
 
-/// A line that would be valid here.
-pub(crate) fn example(key: &Key) -> Option<String> {
+/// A line that would be valid for a key, `None` for one of no words.
+pub fn example(key: &Key) -> Option<String> {
     let name = key.name;
     match key.kind {
         Kind::Quantity(dimension, _) => {

@@ -7,7 +7,7 @@ use quantities::Dimension;
 
 /// What may stand behind a key.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// A number with its unit, written as text.
     Quantity(Dimension, Range),
     /// A number with a unit of one of two dimensions: of the rotation, or of the line of a linear mechanism.
@@ -61,24 +61,28 @@ impl Kind {
 
 /// Tables of several kinds that share a description: one key says which kind it is, and so which others belong.
 #[derive(Debug)]
-pub(crate) struct Variants {
-    pub(crate) keys: &'static [Key],
+pub struct Variants {
+    /// The keys of all kinds.
+    pub keys: &'static [Key],
     /// The key that names the kind.
-    pub(crate) by: &'static str,
+    pub by: &'static str,
     /// Name, keys that must be there, keys that may be there besides those of every kind.
-    pub(crate) kinds: &'static [(&'static str, &'static [&'static str], &'static [&'static str])],
+    pub kinds: &'static [(&'static str, &'static [&'static str], &'static [&'static str])],
     /// Keys that every kind may have.
-    pub(crate) shared: &'static [&'static str],
+    pub shared: &'static [&'static str],
 }
 
 /// One key of the project file.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Key {
-    pub(crate) name: &'static str,
-    pub(crate) kind: Kind,
-    pub(crate) required: bool,
+pub struct Key {
+    /// Its name in the file.
+    pub name: &'static str,
+    /// What may stand behind it.
+    pub kind: Kind,
+    /// Whether its table must have it.
+    pub required: bool,
     /// What it is for.
-    pub(crate) about: About,
+    pub about: About,
 }
 
 pub(crate) const fn key(name: &'static str, kind: Kind, required: bool, about: About) -> Key {
@@ -117,9 +121,9 @@ pub(crate) const APPLICATIONS: &[&str] = &[
     "amusement",
 ];
 
-/// The root of the project file.
+/// The root of the project file, and under its tables every other key.
 #[rustfmt::skip] // one line per key
-pub(crate) const ROOT: &[Key] = &[
+pub const ROOT: &[Key] = &[
     key("format", Kind::Integer(FORMAT, FORMAT), true, About::Format),
     key("axis", Kind::OneOrMany(AXIS, AXES), false, About::Axis),
     key("load", Kind::Table(LOAD), false, About::Load),

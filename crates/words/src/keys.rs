@@ -54,8 +54,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "J_L, Massenträgheitsmoment der Last am Abtrieb",
         ),
         About::FrictionTorque => (
-            "T_L, friction torque at the output; opposes every motion",
-            "T_L, Reibmoment am Abtrieb; wirkt jeder Bewegung entgegen",
+            "T_L, friction torque at the output; opposes every motion; zero where no friction is stated, listed as assumed",
+            "T_L, Reibmoment am Abtrieb; wirkt jeder Bewegung entgegen; null, wo keine Reibung angegeben ist, als angenommen genannt",
         ),
         About::ViscousFriction => (
             "friction at the output in proportion to the speed",
@@ -66,12 +66,12 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "konstantes Moment am Abtrieb gegen die positive Richtung; kehrt nicht um",
         ),
         About::Efficiency => (
-            "efficiency while the actuator drives the load",
-            "Wirkungsgrad, wenn der Antrieb die Last treibt",
+            "efficiency while the actuator drives the load; 1 without it, listed as assumed",
+            "Wirkungsgrad, wenn der Antrieb die Last treibt; ohne Angabe 1, als angenommen genannt",
         ),
         About::EfficiencyBack => (
-            "efficiency while the load drives the actuator",
-            "Wirkungsgrad, wenn die Last den Antrieb treibt",
+            "efficiency while the load drives the actuator; 1 without it, listed as assumed where efficiency is stated",
+            "Wirkungsgrad, wenn die Last den Antrieb treibt; ohne Angabe 1, als angenommen genannt, wo efficiency angegeben ist",
         ),
         About::Mass => ("moved mass", "bewegte Masse"),
         About::TurningInertia => (
@@ -109,17 +109,17 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
         ),
         About::StageKind => ("what the stage is", "Art der Stufe"),
         About::StageRatio => (
-            "i_s, turns of the actuator's output per turn of the mechanism",
-            "i_s, Umdrehungen des Antriebs je Umdrehung des Mechanismus",
+            "i_s, turns of the actuator's output per turn of the mechanism; a coupling has 1 without it",
+            "i_s, Umdrehungen des Antriebs je Umdrehung des Mechanismus; eine Kupplung hat ohne Angabe 1",
         ),
         About::StageRatios => (
             "several ratios, of which the best is found",
             "mehrere Übersetzungen, aus denen die beste gesucht wird",
         ),
-        About::StageEfficiency => ("efficiency while the actuator drives", "Wirkungsgrad, wenn der Antrieb treibt"),
+        About::StageEfficiency => ("efficiency while the actuator drives; 1 without it, listed as assumed", "Wirkungsgrad, wenn der Antrieb treibt; ohne Angabe 1, als angenommen genannt"),
         About::StageEfficiencyBack => (
-            "efficiency while the mechanism drives",
-            "Wirkungsgrad, wenn der Mechanismus treibt",
+            "efficiency while the mechanism drives; 1 without it, listed as assumed where efficiency is stated",
+            "Wirkungsgrad, wenn der Mechanismus treibt; ohne Angabe 1, als angenommen genannt, wo efficiency angegeben ist",
         ),
         About::StageInertiaDriving => (
             "J_1, moment of inertia of what turns with the actuator",
@@ -130,10 +130,10 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "J_2, Massenträgheitsmoment dessen, was sich mit dem Mechanismus dreht",
         ),
         About::StageStiffness => (
-            "K_s, torsional stiffness of the stage on the side of the mechanism",
-            "K_s, Torsionssteifigkeit der Stufe auf der Seite des Mechanismus",
+            "K_s, torsional stiffness of the stage on the side of the mechanism; rigid without it, listed as assumed",
+            "K_s, Torsionssteifigkeit der Stufe auf der Seite des Mechanismus; ohne Angabe starr, als angenommen genannt",
         ),
-        About::StageBacklash => ("backlash on the side of the mechanism", "Spiel auf der Seite des Mechanismus"),
+        About::StageBacklash => ("backlash on the side of the mechanism; none without it, listed as assumed", "Spiel auf der Seite des Mechanismus; ohne Angabe keines, als angenommen genannt"),
         About::StagePitchDiameter => (
             "pitch diameter of pulley or wheel on the actuator",
             "Wirkdurchmesser von Scheibe oder Rad am Antrieb",
@@ -282,8 +282,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Geschwindigkeit am Ende des Abschnitts; ohne Angabe Stillstand",
         ),
         About::MotionHold => (
-            "what holds the load at rest; the motor without it",
-            "was die Last im Stillstand hält; ohne Angabe der Motor",
+            "what holds the load at rest; the motor without it, listed as assumed",
+            "was die Last im Stillstand hält; ohne Angabe der Motor, als angenommen genannt",
         ),
         About::MotionFile => (
             "CSV or Parquet file with the recording, beside the project file",
@@ -344,10 +344,10 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "L_a, distance of the axial force from the axis",
             "L_a, Abstand der Axialkraft von der Drehachse",
         ),
-        About::BearingLoadFactor => ("f_w, load factor of table 74.2", "f_w, Betriebsfaktor nach Tabelle 74.2"),
+        About::BearingLoadFactor => ("f_w, load factor of table 74.2; the life of the output bearing is not checked without it", "f_w, Betriebsfaktor nach Tabelle 74.2; ohne Angabe wird die Lebensdauer des Abtriebslagers nicht geprüft"),
         About::BearingOperatingCondition => (
-            "operating condition of table 76.3",
-            "Betriebsbedingung nach Tabelle 76.3",
+            "operating condition of table 76.3; the static safety is shown and not judged without it",
+            "Betriebsbedingung nach Tabelle 76.3; ohne Angabe wird die statische Sicherheit gezeigt und nicht beurteilt",
         ),
         About::BearingMechanism => (
             "loads that follow from the mechanism: they add to the stated ones, are replaced by those of a segment, or do not count; they do not count without it",
@@ -362,8 +362,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Abstand der Nutzlast eines Abschnitts von der Flanschfläche",
         ),
         About::BearingFlangeShare => (
-            "share of the mechanism's forces that reaches the flange; other bearings carry the rest",
-            "Anteil der Kräfte des Mechanismus, der den Flansch erreicht; den Rest tragen andere Lager",
+            "share of the mechanism's forces that reaches the flange; other bearings carry the rest; needed for a screw, elsewhere 1 without it, listed as assumed",
+            "Anteil der Kräfte des Mechanismus, der den Flansch erreicht; den Rest tragen andere Lager; beim Gewindetrieb nötig, sonst ohne Angabe 1, als angenommen genannt",
         ),
         About::BearingBeltTension => (
             "F_v, tension of each span of the belt at rest",
@@ -374,29 +374,29 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Eingriffswinkel von Ritzel und Zahnstange im Normalschnitt",
         ),
         About::BearingHelixAngle => (
-            "helix angle of the teeth; spur teeth without it",
-            "Schrägungswinkel der Verzahnung; ohne Angabe Geradverzahnung",
+            "helix angle of the teeth; spur teeth without it, listed as assumed",
+            "Schrägungswinkel der Verzahnung; ohne Angabe Geradverzahnung, als angenommen genannt",
         ),
         About::BearingWheelMass => (
-            "mass of pulley, pinion or crank on the flange",
-            "Masse von Scheibe, Ritzel oder Kurbel am Flansch",
+            "mass of pulley, pinion or crank on the flange; weightless without it, listed as assumed",
+            "Masse von Scheibe, Ritzel oder Kurbel am Flansch; ohne Angabe gewichtslos, als angenommen genannt",
         ),
         About::BearingAxisTilt => (
             "tilt of the rotation axis from the vertical, for the weight of the wheel",
             "Neigung der Drehachse gegen die Senkrechte, für das Gewicht des Rads",
         ),
-        About::RequirementsFeedback => ("permitted motor feedback systems", "zulässige Motorfeedbacksysteme"),
+        About::RequirementsFeedback => ("permitted motor feedback systems; any without it", "zulässige Motorfeedbacksysteme; ohne Angabe jedes"),
         About::RequirementsBrake => (
-            "with (true) or without (false) holding brake",
-            "mit (true) oder ohne (false) Haltebremse",
+            "with (true) or without (false) holding brake; either without it",
+            "mit (true) oder ohne (false) Haltebremse; ohne Angabe beides",
         ),
         About::RequirementsHollowShaftMin => ("smallest bore of the hollow shaft", "kleinster Hohlwellendurchmesser"),
         About::RequirementsLengthMax => ("largest length of the actuator", "größte Länge des Antriebs"),
         About::RequirementsMassMax => ("largest mass of the actuator", "größte Masse des Antriebs"),
         About::RequirementsSupply => ("DC link voltage", "Zwischenkreisspannung"),
         About::RequirementsModulationReserve => (
-            "share of U_DC/√2 that the drive can give as fundamental",
-            "Anteil von U_DC/√2, den der Regler als Grundwelle stellen kann",
+            "share of U_DC/√2 that the drive can give as fundamental; 0.9 without it, listed as assumed",
+            "Anteil von U_DC/√2, den der Regler als Grundwelle stellen kann; ohne Angabe 0,9, als angenommen genannt",
         ),
         About::RequirementsAmbient => ("ambient temperature in operation", "Umgebungstemperatur im Betrieb"),
         About::RequirementsBearingLifeMin => (
@@ -464,8 +464,8 @@ pub const fn about_text(about: About, language: Language) -> &'static str {
             "Betrieb je Tag, für die Batterie von M128S",
         ),
         About::RequirementsStorage => (
-            "storage before operation, for the battery of M128S",
-            "Lagerung vor dem Betrieb, für die Batterie von M128S",
+            "storage before operation, for the battery of M128S; none without it",
+            "Lagerung vor dem Betrieb, für die Batterie von M128S; ohne Angabe keine",
         ),
         About::RequirementsBatteryLifeMin => ("life required of the battery", "geforderte Lebensdauer der Batterie"),
         About::RequirementsCollisionTorque => (

@@ -21,9 +21,11 @@ mod measured_keys;
 mod motion;
 pub mod mounting;
 mod notes;
+pub mod pages;
 pub mod pictures;
 mod print;
 mod project_file;
+mod project_page;
 mod quantity;
 mod recording;
 pub mod records;
@@ -59,6 +61,7 @@ pub use print::{
     cell_text, document_note, erratum_readings, own_and_foreign, table_note, table_title, term_remark, word_meaning,
 };
 pub use project_file::{body_key, key_word, short_label, table_of_project};
+pub use project_page::project_page;
 pub use quantity::{quantity_fault, quantity_hint};
 pub use recording::encoding_guess;
 pub use results::{
@@ -96,6 +99,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("help::library", help::library::TEXTS),
     ("help::values", help::values::TEXTS),
     ("mounting", mounting::TEXTS),
+    ("pages", pages::TEXTS),
     ("pictures", pictures::TEXTS),
     ("records", records::TEXTS),
     ("report", report::TEXTS),

@@ -1,0 +1,46 @@
+//! Words of the reference pages that are made from the program: of the commands, of the project file.
+
+use crate::texts::texts;
+
+texts! {
+    title = "Project file, key by key" | "Projektdatei, Schlüssel für Schlüssel";
+    introduction =
+        "This page is made from the description by which the program reads a project file. The guide tells with examples how the keys work together: [project file](../guide/project-file.md). A key in bold must be there; what holds without another one is said with its meaning, and without such a word nothing follows: a check that needs the value is not checked and names it."
+        | "Diese Seite entsteht aus der Beschreibung, nach der das Programm eine Projektdatei liest. Wie die Schlüssel zusammenwirken, zeigt die Anleitung an Beispielen: [Projektdatei](../anleitung/project-file.md). Ein fetter Schlüssel muss da sein; was ohne einen anderen gilt, steht bei seiner Bedeutung, und ohne ein solches Wort folgt nichts: ein Nachweis, der den Wert braucht, ist nicht geprüft und nennt ihn.";
+    root = "Root of the file" | "Wurzel der Datei";
+    columns_of_keys =
+        "| key | value | example | meaning |" | "| Schlüssel | Wert | Beispiel | Bedeutung |";
+    columns_of_kinds(by) = "| `{by}` | needs | may have |" | "| `{by}` | braucht | darf haben |";
+    every_kind_may_have(keys) = "Every one of them may have {keys}." | "Alle dürfen {keys} haben.";
+    several_axes(keys) =
+        "Of several axes each is an `[[axis]]` with a `name` and with {keys} inside it, as they are described at the root."
+        | "Von mehreren Achsen ist jede eine `[[axis]]` mit einem `name` und mit {keys} darin, wie sie an der Wurzel beschrieben sind.";
+    from_to(low, high) = "{low} to {high}" | "{low} bis {high}";
+    at_most(count) = ", at most {count}" | ", höchstens {count}";
+    number = "number" | "Zahl";
+    numbers = "list of numbers" | "Liste von Zahlen";
+    integer = "whole number" | "ganze Zahl";
+    text = "text" | "Text";
+    list_of = "list of" | "Liste aus";
+    rows_of = "rows of" | "Zeilen aus";
+    or = "or" | "oder";
+    table = "table" | "Tabelle";
+    tables = "tables" | "Tabellen";
+    table_or_tables = "table, or several" | "Tabelle, oder mehrere";
+    bodies = "list of texts, a body each" | "Liste von Texten, je ein Körper";
+    quantities_title = "Quantities and their units" | "Größen und ihre Einheiten";
+    quantities_told(example) =
+        "A quantity is a text with number and unit, perhaps with a tolerance: {example}. The usual unit stands first; other spellings of a unit are understood too."
+        | "Eine Größe ist ein Text mit Zahl und Einheit, vielleicht mit Toleranz: {example}. Die übliche Einheit steht zuerst; andere Schreibweisen einer Einheit werden auch verstanden.";
+    columns_of_quantities = "| quantity | units |" | "| Größe | Einheiten |";
+    commands = "Commands" | "Befehle";
+    commands_told =
+        "Every command with its arguments, as `antrieb help` tells them. This page is made from the command line itself; what the answers mean is told by the guide."
+        | "Jeder Befehl mit seinen Argumenten, wie `antrieb help` sie nennt. Diese Seite entsteht aus der Befehlszeile selbst; was die Antworten bedeuten, steht in der Anleitung.";
+    every_command_takes = "Options of every command" | "Optionen jedes Befehls";
+    columns_of_arguments = "| argument | meaning |" | "| Argument | Bedeutung |";
+    one_of(words) = "one of {words}" | "eines von {words}";
+    without_it(value) = "{value} without it" | "ohne Angabe {value}";
+    required = "required" | "nötig";
+    several = "more than once" | "mehrfach";
+}
