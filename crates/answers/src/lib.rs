@@ -19,6 +19,7 @@ mod files;
 mod glossary;
 mod id;
 mod judged;
+mod laid_out;
 mod licences;
 mod motion;
 mod mount;
@@ -57,6 +58,7 @@ pub use judged::{
     Assessed, Candidate, Influence, Judgement, NeededLimit, Quantiles, Ranked, Rejection, Reserve, Sizing, Stage,
     StageRatio, Tolerance, ToleratedValue, WorstCorner,
 };
+pub use laid_out::{Block, Chapter, Column, Grid, Hazard, Picture, Task};
 pub use licences::{LicenceText, Licences};
 pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, TextEncoding, UnitBy};
 pub use mount::{Joint, JointCase, Mount, MountValue, Pilot};

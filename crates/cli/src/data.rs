@@ -11,7 +11,7 @@ use workbench::answer::sheet_note_text;
 use workbench::quantities::unit::{ARCMINUTE, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE};
 use workbench::quantities::{Measure, Unit, format_significant};
 use workbench::text::{
-    cell_text, condition_text, describe_uncovered, evidence_text, symbol_term, table_title, terminal, terms,
+    cell_text, condition_text, decimal, describe_uncovered, evidence_text, symbol_term, table_title, terminal, terms,
 };
 use workbench::{EXPORT_COLUMNS, Language, Sheet, SheetNote, SheetRow, SheetSection, Uncovered, export_rows};
 
@@ -134,13 +134,6 @@ fn mark_of(notes: &mut Vec<(String, SheetNote)>, note: SheetNote) -> String {
     };
     notes.push((mark.clone(), note));
     mark
-}
-
-/// Printed numbers have a decimal comma; English readers get a point. Texts stay as they are.
-pub(crate) fn decimal(text: &str, language: Language) -> String {
-    let numeric = text.chars().all(|c| c.is_ascii_digit() || " ,.<>≤≥±%-".contains(c));
-    let mark = language.decimal_mark();
-    if numeric { text.chars().map(|sign| if sign == ',' { mark } else { sign }).collect() } else { text.to_owned() }
 }
 
 /// `antrieb torsion CODE --torque "60 N m"`

@@ -2,7 +2,6 @@
 
 use crate::answer::Answer;
 use crate::code::refused;
-use crate::data::decimal;
 use crate::fault::simple;
 use crate::subject::refuse;
 use crate::table::paragraph;
@@ -10,7 +9,7 @@ use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::answers::{Erratum, ErratumStatus};
 use workbench::quantities::Unit;
-use workbench::text::{erratum_kind, erratum_status, terminal};
+use workbench::text::{decimal, erratum_kind, erratum_status, terminal};
 use workbench::{ErrataRefusal, Language, errata_about};
 
 /// `antrieb errata [CODE | TABLE | ID]`

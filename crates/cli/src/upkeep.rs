@@ -2,20 +2,18 @@
 
 use crate::answer::{Answer, written};
 use crate::code::{parse_for_use, read_argument};
-use crate::facts::facts_text;
 use crate::fault::{option_fault, path_text, text_option};
+use crate::laid_out::shown;
 use crate::save::save;
 use crate::subject::{refuse, refused_together};
-use crate::table::{Align, Table, labelled, paragraph};
 use clap::ArgMatches;
-use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
-use workbench::answers::{Fact, Fit};
-use workbench::quantities::unit::{HOUR, YEAR};
-use workbench::quantities::{Measure, Time, format_significant};
-use workbench::text::{grade_word, mounting, terminal, upkeep};
-use workbench::{Language, OrderCode, UpkeepAsked};
+use workbench::answers::Fit;
+use workbench::quantities::unit::HOUR;
+use workbench::quantities::{Measure, Time};
+use workbench::text::upkeep;
+use workbench::{Language, OrderCode, UpkeepAsked, chapter};
 
 /// Seconds of a day.
 const DAY_S: u64 = 86_400;
@@ -38,7 +36,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
             .map_err(|fault| one(fault.answer(as_json, language)))?;
         record.calendar = Some(path_text(file));
     }
-    let data = if as_json { written(&record) } else { text(&plan, &record, language) };
+    let data = if as_json { written(&record) } else { text(&record, language) };
     Ok(Answer { talk, ..Answer::data(data) }.fits(record.verdict == Fit::Fits))
 }
 
@@ -111,67 +109,7 @@ fn hours(text: &str, language: Language) -> Result<Time, (String, Option<String>
     }
 }
 
-fn text(plan: &workbench::Upkeep, record: &workbench::answers::Upkeep, language: Language) -> String {
-    let mut out = format!("{}\n", record.code);
-    let mut head = upkeep::delivered_and_service(&record.delivered, &record.in_service, language);
-    if let Some(today) = &record.today {
-        let _ = write!(head, "; {}", upkeep::seen_from(today, language));
-    }
-    out.push_str(&paragraph("", &head));
-    let _ = writeln!(out, "\n{}", upkeep::plan_head(language));
-    let heads = [upkeep::date_head, upkeep::task_head, upkeep::rule_head, upkeep::rests_on];
-    let mut table = Table::new(heads.map(|head| (head(language), Align::Left)));
-    for line in &record.plan {
-        let rule = if line.passed {
-            format!("{}, {}", line.rule_text, upkeep::passed(language))
-        } else {
-            line.rule_text.clone()
-        };
-        let grade = line.grade.map_or_else(|| upkeep::as_stated(language), |grade| grade_word(*grade, language));
-        let rests = format!("{grade}, {}", line.source);
-        table.row([line.next.clone(), line.title.clone(), rule, rests]);
-    }
-    out.push_str(&table.render());
-    if let Some(battery) = plan.battery.known() {
-        let years = |time: Time| format_significant(time.in_unit(&YEAR), 3, language);
-        let life = &battery.value;
-        let grade = grade_word(life.life.grade, language);
-        let told = terminal::battery(
-            &years(life.life.value),
-            &grade,
-            &years(life.exchange_recommended),
-            &years(life.exchange_latest),
-            language,
-        );
-        out.push('\n');
-        for line in told.lines() {
-            out.push_str(&paragraph("", line));
-        }
-    }
-    out.push('\n');
-    for note in &record.notes {
-        out.push_str(&labelled(terminal::note(language), note));
-    }
-    facts(&mut out, upkeep::storage_head(language), &record.storage, language);
-    facts(&mut out, upkeep::service_head(language), &record.service, language);
-    let _ = writeln!(out, "\n{}", upkeep::shutdown_head(language));
-    for (number, fact) in record.shutdown.iter().enumerate() {
-        let word = fact.signal.map(|signal| workbench::text::signal_word(*signal, language));
-        let text = word.map_or_else(|| fact.text.to_owned(), |word| format!("{word}: {}", fact.text));
-        out.push_str(&paragraph(&format!("{:>2}. ", number + 1), &format!("{text} ({})", fact.source)));
-    }
-    facts(&mut out, upkeep::disposal_head(language), &record.disposal, language);
-    let _ = writeln!(out, "\n{}", mounting::errata_head(language));
-    for erratum in &record.errata {
-        out.push_str(&paragraph(&format!("* {}: ", erratum.id), &erratum.evidence));
-    }
-    if let Some(file) = &record.calendar {
-        let _ = writeln!(out, "\n{file}");
-    }
-    out
-}
-
-fn facts(out: &mut String, head: &str, facts: &[Fact], language: Language) {
-    let _ = writeln!(out, "\n{head}");
-    out.push_str(&facts_text(facts, language));
+fn text(record: &workbench::answers::Upkeep, language: Language) -> String {
+    let text = shown(&chapter::upkeep(record, language), language);
+    record.calendar.as_ref().map_or_else(|| text.clone(), |file| format!("{text}\n{file}\n"))
 }

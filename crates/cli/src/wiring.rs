@@ -2,18 +2,18 @@
 
 use crate::answer::Answer;
 use crate::code::{parse_for_use, read_argument};
-use crate::facts::facts_text;
 use crate::fault::{option_fault, path_text, read_bytes_within, report, simple, unreadable};
+use crate::laid_out::shown;
 use crate::plot;
 use crate::subject::refuse;
-use crate::table::{Align, Table, hanging, labelled, paragraph};
+use crate::table::{Align, Table};
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use workbench::answers::{Connector, ConnectorExit, NoteBy, Number, VoltageDrops, WiringCheck};
-use workbench::quantities::{Area, Length, format_number, format_significant};
-use workbench::text::{capitalised, evidence_text, file_trouble, terminal, terms, verdict_word, wiring};
-use workbench::{LISTED_BYTES_MAX, Language, Role, answer};
+use workbench::answers::WiringCheck;
+use workbench::quantities::{Area, Length};
+use workbench::text::{file_trouble, wiring};
+use workbench::{LISTED_BYTES_MAX, Language, Role, answer, chapter};
 
 /// `antrieb wiring CODE`
 pub(crate) fn wiring(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -34,7 +34,11 @@ pub(crate) fn wiring(matches: &ArgMatches, as_json: bool, language: Language) ->
         None if plot::is_asked(matches) => draw(&found, matches, as_json, language),
         None => {
             let record = answer::wiring(&found, cable, language);
-            if as_json { Answer::record(&record) } else { Answer::data(wiring_text(&record, language)) }
+            if as_json {
+                Answer::record(&record)
+            } else {
+                Answer::data(shown(&chapter::wiring(&record, Vec::new(), language), language))
+            }
         }
     };
     Answer { talk: talk + &answer.talk, ..answer }
@@ -119,149 +123,4 @@ fn check_text(record: &WiringCheck, name: &str, language: Language) -> String {
     }
     out.push_str(&table.render());
     out
-}
-
-fn heading(out: &mut String, text: &str) {
-    let _ = write!(out, "\n{}", hanging("", &capitalised(text)));
-}
-
-fn wiring_text(record: &workbench::answers::Wiring, language: Language) -> String {
-    let mut out = format!("{}\n", record.code);
-    for connector in &record.connectors {
-        connector_text(&mut out, connector, language);
-    }
-    heading(&mut out, wiring::cables(language));
-    if record.cables.is_empty() {
-        let _ = writeln!(out, "{}", wiring::no_cables(language));
-    } else {
-        let mut table = Table::new([
-            (wiring::material_number(language), Align::Left),
-            (wiring::length(language), Align::Right),
-            (wiring::connects(language), Align::Left),
-            (wiring::goes_to(language), Align::Left),
-            (terminal::table(language), Align::Left),
-        ]);
-        for cable in &record.cables {
-            let length = cable.length_m.map(|length| format!("{} m", format_number(length.0, 0, language)));
-            table.row([
-                cable.material_number.to_owned(),
-                length.or(cable.length_code.map(str::to_owned)).unwrap_or_else(|| "–".into()),
-                wiring::cable_role(*cable.role, language).to_owned(),
-                cable.goal.clone(),
-                cable.table.to_owned(),
-            ]);
-        }
-        out.push_str(&table.render());
-    }
-    if let Some(drops) = &record.voltage_drop {
-        drops_text(&mut out, drops, language);
-    }
-    heading(&mut out, wiring::not_available(language));
-    for absent in &record.not_available {
-        let text = format!("{} ({} {})", absent.text, terminal::table(language), absent.table);
-        out.push_str(&hanging("  ", &text));
-    }
-    heading(&mut out, terms::remarks(language));
-    for note in &record.notes {
-        let by = if note.by == NoteBy::Antrieb { "antrieb: " } else { "" };
-        let table = note.table.map(|table| format!(" ({} {table})", terminal::table(language)));
-        out.push_str(&hanging("  ", &format!("{by}{}{}", note.text, table.unwrap_or_default())));
-    }
-    heading(&mut out, wiring::rules(language));
-    out.push_str(&facts_text(&record.rules, language));
-    if !record.errata.is_empty() {
-        out.push('\n');
-    }
-    for id in &record.errata {
-        out.push_str(&paragraph(&format!("* {id}: "), evidence_text(id, language)));
-    }
-    out
-}
-
-fn connector_text(out: &mut String, connector: &Connector, language: Language) {
-    let exit = connector.exit.map(|exit| match exit {
-        ConnectorExit::Cable => wiring::at_the_end_of_a_cable(language),
-        ConnectorExit::Housing => wiring::in_the_housing(language),
-    });
-    let exit = exit.map(|exit| format!(", {exit}")).unwrap_or_default();
-    let [kind, pins] = connector.tables;
-    let table = terminal::table(language);
-    let name = wiring::role_name(*connector.role, language);
-    heading(out, &format!("{name}: {}{exit} ({table} {kind}, {table} {pins})", connector.kind));
-    let mut mating = connector
-        .material_number
-        .map(|number| wiring::mating_coupling(&number, language))
-        .into_iter()
-        .collect::<Vec<_>>();
-    mating.extend(connector.outer_diameter.map(|value| wiring::outer_diameter(&value, language)));
-    mating.extend(connector.length.map(|value| wiring::length_of_coupling(&value, language)));
-    if !mating.is_empty() {
-        out.push_str(&paragraph("", &mating.join(", ")));
-    }
-    if connector.pins.is_empty() {
-        return;
-    }
-    let coloured = connector.pins.iter().any(|pin| pin.colour.is_some());
-    let mut columns =
-        vec![(wiring::pin(language).to_owned(), Align::Left), (wiring::signal(language).to_owned(), Align::Left)];
-    if coloured {
-        columns.push((wiring::colour(language).to_owned(), Align::Left));
-    }
-    columns.push((terminal::meaning(language).to_owned(), Align::Left));
-    let mut rows = Table::of(columns);
-    for pin in &connector.pins {
-        let name = pin.joined_with.as_ref().map_or_else(|| pin.pin.clone(), |other| format!("{} ({other})", pin.pin));
-        let mut row = vec![name, pin.signal.to_owned()];
-        if coloured {
-            row.push(pin.colour.unwrap_or("–").to_owned());
-        }
-        row.push(pin.meaning.clone());
-        rows.push(row);
-    }
-    out.push_str(&rows.render());
-    for colour in &connector.ambiguous {
-        let text = wiring::same_colour(&colour.colour, &colour.pins.join(", "), language);
-        out.push_str(&labelled(terminal::note(language), &text));
-    }
-}
-
-fn number(value: Number, language: Language) -> String {
-    format_significant(value.0, 3, language)
-}
-
-fn drops_text(out: &mut String, drops: &VoltageDrops, language: Language) {
-    heading(out, &wiring::voltage_drop(&number(drops.length_m, language), language));
-    let mut table = Table::new([
-        (wiring::circuit(language), Align::Left),
-        ("A", Align::Right),
-        (wiring::nominal_v(language), Align::Right),
-        (wiring::least_v(language), Align::Right),
-        (wiring::at_20_degc(language), Align::Right),
-        (wiring::at_70_degc(language), Align::Right),
-        (wiring::least_mm2(language), Align::Right),
-        (terms::verdict(language), Align::Left),
-    ]);
-    let shown = |value: Option<Number>| value.map_or_else(|| "–".into(), |value| number(value, language));
-    for circuit in &drops.circuits {
-        let mut verdict = verdict_word(*circuit.verdict, language);
-        if !circuit.reason.is_empty() {
-            let _ = write!(verdict, ": {}", circuit.reason);
-        }
-        if circuit.sense_lines {
-            let _ = write!(verdict, "; {}", wiring::sense_makes_up(language));
-        }
-        table.row([
-            circuit.name.to_owned(),
-            number(circuit.current_a, language),
-            shown(circuit.nominal_v),
-            shown(circuit.least_v),
-            shown(circuit.loss_20_degc_v),
-            shown(circuit.loss_70_degc_v),
-            shown(circuit.cross_section_min_mm2),
-            verdict,
-        ]);
-    }
-    out.push_str(&table.render());
-    out.push_str(&labelled(terms::assumptions(language), drops.assumptions));
-    out.push_str(&labelled(terms::source(language), &drops.resistivity_source));
 }

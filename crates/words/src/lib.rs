@@ -58,7 +58,8 @@ pub use letters::{is_vowel, stands_before_a_number};
 pub use measured_keys::measured_key_text;
 pub use motion::law_text;
 pub use print::{
-    cell_text, document_note, erratum_readings, own_and_foreign, table_note, table_title, term_remark, word_meaning,
+    cell_text, decimal, document_note, erratum_readings, own_and_foreign, table_note, table_title, term_remark,
+    word_meaning,
 };
 pub use project_file::{body_key, key_word, short_label, table_of_project};
 pub use project_page::project_page;

@@ -64,6 +64,7 @@ pub fn bore_fault(fault: &BoreFault, language: Language) -> (String, Option<Stri
 }
 
 texts! {
+    title(code) = "Mounting of {code}" | "Montage von {code}";
     no_tolerance_zone(written) =
         "`{written}` is neither a tolerance zone of a bore nor limit deviations"
         | "„{written}“ ist weder das Toleranzfeld einer Bohrung noch ein Paar Grenzabmaße";

@@ -74,3 +74,11 @@ pub const fn own_and_foreign<'t>(en: &'t str, de: &'t str, language: Language) -
         Language::De => [de, en],
     }
 }
+
+/// Printed numbers have a decimal comma; English readers get a point. Texts stay as they are.
+#[must_use]
+pub fn decimal(text: &str, language: Language) -> String {
+    let numeric = text.chars().all(|c| c.is_ascii_digit() || " ,.<>≤≥±%-".contains(c));
+    let mark = language.decimal_mark();
+    if numeric { text.chars().map(|sign| if sign == ',' { mark } else { sign }).collect() } else { text.to_owned() }
+}

@@ -118,6 +118,7 @@ pub fn upkeep_fault(fault: &UpkeepFault, language: Language) -> (&'static str, S
 }
 
 texts! {
+    title(code) = "Upkeep of {code}" | "Wartung von {code}";
     date_form = "a date is written 2026-03-01" | "ein Datum wird 2026-03-01 geschrieben";
     date_out_of_range(date, from, to) =
         "{date} is outside the years {from} to {to}"

@@ -12,6 +12,7 @@ use installation::wiring::{
 use quantities::Language;
 
 texts! {
+    title(code) = "Wiring of {code}" | "Verdrahtung von {code}";
     pin = "pin" | "Stift";
     signal = "signal" | "Signal";
     colour = "colour" | "Farbe";

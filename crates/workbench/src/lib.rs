@@ -5,6 +5,7 @@
 
 pub mod answer;
 mod ask;
+pub mod chapter;
 mod chapters;
 mod cited;
 mod codes;
