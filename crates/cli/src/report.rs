@@ -1,7 +1,7 @@
 //! `report`: the results as the PDF that an engineer signs.
 
 use crate::answer::{Answer, written};
-use crate::fault::{Source, path_text, simple, text_option};
+use crate::fault::{Source, option_fault, path_text, simple, text_option};
 use crate::save::{Unwritten, ready, save};
 use crate::subject::candidate;
 use crate::subject::{picked, refuse};
@@ -10,9 +10,12 @@ use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Style, Theme};
 use report::{AxisContent, Content, Place, Settings};
 use std::path::{Path, PathBuf};
-use workbench::answers::{AxisWritten, Commissioning, Fit, ReportWritten};
+use workbench::answers::{AxisWritten, Chapter, Commissioning, Fit, Picture, ReportWritten};
 use workbench::text::{SaveTrouble, standing_text, terminal};
-use workbench::{Candidate, Draw, Language, Project, Refusal, Sizing, answer};
+use workbench::{
+    Candidate, CandidateId, Draw, DriveForm, Language, MountAsked, OrderCode, Project, Refusal, Sizing, UpkeepAsked,
+    answer, chapter, usual_ambient,
+};
 
 /// The figures of the report beside the map of the candidates, each with its place there.
 const FIGURES: [(Place, &str, Figure); 4] = [
@@ -52,13 +55,24 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         let what = terminal::code_is_for_one_axis(&names, language);
         return Err(simple(&what, as_json, language));
     }
+    let flag = |name: &str| matches.try_get_one::<bool>(name).ok().flatten().copied().unwrap_or(false);
+    let with_installation = flag("installation");
+    let delivered = matches.try_get_one::<String>("delivered").ok().flatten();
+    let delivered = delivered
+        .map(|text| workbench::read_date(text, language))
+        .transpose()
+        .map_err(|fault| option_fault("delivered", fault, as_json, language))?;
     let (mut axes, mut told, mut talk, mut standings) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for (place, project) in &projects {
         let sizing = workbench::size(project);
         let best = || sizing.candidates.first().map(|best| best.id.clone());
         let (candidate, said) = candidate(project, best, matches, as_json, language)?;
-        let content = content((*place, project), &sizing, &candidate, &source.text, language)
+        let mut content = content((*place, project), &sizing, &candidate, &source.text, language)
             .map_err(|refusal| refuse(&refusal, as_json, language))?;
+        if let (true, CandidateId::Code(code)) = (with_installation, &candidate.id) {
+            content.chapters = installation(code, project, delivered, language)
+                .map_err(|(what, hint)| option_fault("delivered", (what, hint), as_json, language))?;
+        }
         axes.push(content);
         told.push(AxisWritten {
             axis: project.name.clone(),
@@ -143,8 +157,41 @@ fn content(
             (text, place, concat!("antrieb ", env!("CARGO_PKG_VERSION"))),
             language,
         );
-        Ok(AxisContent { dossier, figures: drawn.join().unwrap_or_else(|_| figures()) })
+        Ok(AxisContent { dossier, figures: drawn.join().unwrap_or_else(|_| figures()), chapters: Vec::new() })
     })
+}
+
+/// What follows from the code for those who build and run the machine, the joints under the loads of the project.
+fn installation(
+    code: &OrderCode,
+    project: &Project,
+    delivered: Option<workbench::Date>,
+    language: Language,
+) -> Result<Vec<Chapter>, (String, Option<String>)> {
+    let mut chapters = Vec::new();
+    if let Some(found) = workbench::wiring(code) {
+        let faces = found.connectors.iter().filter(|connector| !connector.pins.is_empty());
+        let drawings = faces.map(|connector| {
+            let drawing = figures::mating_face(code, connector, language);
+            let (svg, alternative_text) = as_svg(connector.role.id(), &drawing, language);
+            Picture { svg, caption: format!("{}; {}", drawing.title, drawing.caption), alternative_text }
+        });
+        chapters.push(chapter::wiring(&answer::wiring(&found, None, language), drawings.collect(), language));
+    }
+    let asked = MountAsked { axis: workbench::joint_loads(project, code).unwrap_or_default(), ..MountAsked::default() };
+    if let Some(found) = workbench::mount(code, &asked) {
+        chapters.push(chapter::mount(&answer::mount(&found, &asked, Some(&project.name), language), language));
+    }
+    if let Some(about) = workbench::commission(code) {
+        let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), language);
+        chapters.push(chapter::commission(&sheet, &[], language));
+    }
+    if let Some(delivered) = delivered {
+        let asked = UpkeepAsked { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
+        let plan = workbench::upkeep(code, &asked, language).map_err(|(_, what, hint)| (what, hint))?;
+        chapters.push(chapter::upkeep(&answer::upkeep(&plan, language), language));
+    }
+    Ok(chapters)
 }
 
 fn drawn_figures(
@@ -162,11 +209,12 @@ fn drawn_figures(
 }
 
 fn drawn((place, id): (Place, &str), drawing: &Drawing, language: Language) -> report::Figure {
+    let (svg, alternative_text) = as_svg(id, drawing, language);
+    report::Figure { place, svg, caption: drawing.caption.clone(), alternative_text }
+}
+
+/// A drawing on paper, and what it shows.
+fn as_svg(id: &str, drawing: &Drawing, language: Language) -> (String, String) {
     let style = Style::new(drawing.size()).theme(Theme::Light).language(language).id(id);
-    report::Figure {
-        place,
-        svg: drawing.render(&style).into_svg(),
-        caption: drawing.caption.clone(),
-        alternative_text: drawing.description.clone(),
-    }
+    (drawing.render(&style).into_svg(), drawing.description.clone())
 }

@@ -7,6 +7,7 @@ pub(crate) mod checklist;
 mod checks;
 mod demand;
 mod inputs;
+pub(crate) mod laid_out;
 mod origins;
 mod shown;
 

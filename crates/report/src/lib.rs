@@ -17,7 +17,7 @@ pub use press::pages_png;
 #[cfg(feature = "pdf")]
 pub use press::{checklist_pdf, checklist_texts, overlaps, page_fills, page_texts, pdf, prepare, right_edges};
 
-use answers::Dossier;
+use answers::{Chapter, Dossier};
 use quantities::Language;
 use serde::Serialize;
 use words::terminal;
@@ -48,6 +48,8 @@ pub struct AxisContent {
     pub dossier: Dossier,
     /// Drawn diagrams, in the order in which they shall stand.
     pub figures: Vec<Figure>,
+    /// What follows from the code for those who build and run the machine; empty where it is not asked for.
+    pub chapters: Vec<Chapter>,
 }
 
 /// The part of a report in which a diagram stands.

@@ -3,7 +3,7 @@
 //! The only file that knows the engine's interface, which changes with its every minor version.
 
 use crate::document::checklist::CheckListDocument;
-use crate::document::figure_file;
+use crate::document::{figure_file, laid_out};
 use crate::glyphs::Glyphs;
 use crate::{Content, Fault, Settings, template};
 use answers::Commissioning;
@@ -254,6 +254,9 @@ fn typeset(content: &Content, settings: &Settings) -> Result<PagedDocument, Faul
     for (axis, of_axis) in content.axes.iter().enumerate() {
         for (index, figure) in of_axis.figures.iter().enumerate() {
             files.insert(figure_file(axis, index), figure.svg.clone().into_bytes());
+        }
+        for (index, picture) in laid_out::pictures(&of_axis.chapters).enumerate() {
+            files.insert(laid_out::picture_file(axis, index), picture.svg.clone().into_bytes());
         }
     }
     compile(Press { template: template()?, files })

@@ -13,6 +13,7 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("tolerances.typ", include_str!("../template/tolerances.typ")),
     ("alternatives.typ", include_str!("../template/alternatives.typ")),
     ("build.typ", include_str!("../template/build.typ")),
+    ("laid-out.typ", include_str!("../template/laid-out.typ")),
     ("sources.typ", include_str!("../template/sources.typ")),
 ];
 

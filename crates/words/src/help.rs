@@ -259,6 +259,12 @@ texts! {
     report_full =
         "With the derivation of every check, all sources and all codes as appendices"
         | "Mit Herleitung jedes Nachweises, allen Quellen und allen Bestellbezeichnungen im Anhang";
+    report_installation =
+        "With wiring, mounting and commissioning of the code; with upkeep where --delivered tells its beginning"
+        | "Mit Verdrahtung, Montage und Inbetriebnahme zur Bestellbezeichnung; mit Wartung, wenn --delivered ihren Beginn nennt";
+    report_delivered =
+        "Day of delivery, 2026-03-01, from which the plan of upkeep counts"
+        | "Tag der Lieferung, 2026-03-01, ab dem der Wartungsplan zählt";
     date =
         "Date of the document, 2026-11-21; none without it, so that the same call gives the same bytes"
         | "Datum des Dokuments, 2026-11-21; ohne Angabe keines, damit derselbe Aufruf dieselben Bytes gibt";

@@ -171,7 +171,14 @@ pub(super) fn report(language: Language) -> Command {
                 .required(true)
                 .value_parser(value_parser!(std::path::PathBuf)),
         )
-        .arg(Arg::new("full").long("full").action(ArgAction::SetTrue).help(help::report_full(language)));
+        .arg(Arg::new("full").long("full").action(ArgAction::SetTrue).help(help::report_full(language)))
+        .arg(
+            Arg::new("installation")
+                .long("installation")
+                .action(ArgAction::SetTrue)
+                .help(help::report_installation(language)),
+        )
+        .arg(text("delivered", values::date(language), help::report_delivered(language)).requires("installation"));
     sheet(command, language)
 }
 

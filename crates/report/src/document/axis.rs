@@ -5,6 +5,7 @@ use super::checks::{Checks, Titles};
 use super::demand::{DemandTable, MotionTable};
 use super::figure_file;
 use super::inputs::{Group, Mechanism, groups};
+use super::laid_out::{LaidOut, laid_out};
 use super::origins::{Derived, Source, derived, sources};
 use super::shown::{Shown, tied};
 use crate::{AxisContent, Figure, Place};
@@ -31,6 +32,8 @@ pub(super) struct Axis {
     screws: Vec<ScrewJoint>,
     errata: Vec<Erratum>,
     figures: Vec<Placed>,
+    /// What follows from the code for those who build and run the machine, where it is asked for.
+    chapters: Vec<LaidOut>,
     /// Only of the full form.
     derivations: Vec<Derived>,
     /// Only of the full form.
@@ -153,6 +156,7 @@ impl Axis {
             screws: dossier.screws.iter().map(tied_joint).collect(),
             errata: dossier.errata.iter().map(erratum).collect(),
             figures: content.figures.iter().enumerate().map(|(place, figure)| placed(index, place, figure)).collect(),
+            chapters: laid_out(index, &content.chapters),
             derivations: if full { derived(&dossier.explained, shown) } else { Vec::new() },
             sources: if full { sources(&dossier.explained) } else { Vec::new() },
             checks,

@@ -73,7 +73,7 @@ pub fn made(text: &str, code: Option<&str>, language: Language, pictures: bool) 
         let (text, program) = ((text, place, "antrieb of the tests"), (&reserve, assessed.first()));
         let dossier = workbench::answer::dossier(project, &ranked, &chosen, program, text, language);
         let figures = if pictures { figures_of(project, &ranked, &chosen, language) } else { Vec::new() };
-        AxisContent { dossier, figures }
+        AxisContent { dossier, figures, chapters: Vec::new() }
     });
     Content { language, axes: axes.collect() }
 }

@@ -1,0 +1,74 @@
+//! Chapters that come laid out, as the template reads them: units tied to their numbers, pictures as names of files.
+
+use super::shown::tied;
+use answers::{Block, Chapter, Grid, Hazard, Picture, Task};
+use serde::Serialize;
+
+#[derive(Serialize)]
+pub(super) struct LaidOut {
+    title: String,
+    blocks: Vec<Placed>,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Placed {
+    Block(Block),
+    Picture { kind: &'static str, file: String, caption: String, alternative: String },
+}
+
+/// The name under which the template finds a picture of the chapters of an axis.
+pub(crate) fn picture_file(axis: usize, index: usize) -> String {
+    format!("chapter-{axis}-{index}.svg")
+}
+
+/// The pictures of chapters, in the order of their names.
+pub(crate) fn pictures(chapters: &[Chapter]) -> impl Iterator<Item = &Picture> {
+    chapters.iter().flat_map(|chapter| &chapter.blocks).filter_map(|block| match block {
+        Block::Picture(picture) => Some(picture),
+        _ => None,
+    })
+}
+
+/// The chapters of an axis.
+pub(super) fn laid_out(axis: usize, chapters: &[Chapter]) -> Vec<LaidOut> {
+    let mut index = 0;
+    let mut placed = |block: &Block| match block {
+        Block::Picture(picture) => {
+            let file = picture_file(axis, index);
+            index += 1;
+            Placed::Picture {
+                kind: "picture",
+                file,
+                caption: tied(&picture.caption),
+                alternative: picture.alternative_text.clone(),
+            }
+        }
+        other => Placed::Block(told(other)),
+    };
+    let one = |chapter: &Chapter| LaidOut {
+        title: chapter.title.clone(),
+        blocks: chapter.blocks.iter().map(&mut placed).collect(),
+    };
+    chapters.iter().map(one).collect()
+}
+
+fn told(block: &Block) -> Block {
+    let all = |items: &[String]| items.iter().map(|item| tied(item)).collect();
+    let hazard = |item: &Hazard| Hazard { text: tied(&item.text), ..item.clone() };
+    match block {
+        Block::Section { text } => Block::Section { text: tied(text) },
+        Block::Text { text } => Block::Text { text: tied(text) },
+        Block::Points { items } => Block::Points { items: all(items) },
+        Block::Steps { items } => Block::Steps { items: all(items) },
+        Block::Grid(grid) => {
+            Block::Grid(Grid { columns: grid.columns.clone(), rows: grid.rows.iter().map(|row| all(row)).collect() })
+        }
+        Block::Hazards { items } => Block::Hazards { items: items.iter().map(hazard).collect() },
+        Block::Tasks { items } => {
+            let task = |item: &Task| Task { what: hazard(&item.what), expected: tied(&item.expected), ..item.clone() };
+            Block::Tasks { items: items.iter().map(task).collect() }
+        }
+        Block::Picture(picture) => Block::Picture(picture.clone()),
+    }
+}
