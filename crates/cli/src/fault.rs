@@ -3,7 +3,9 @@
 mod memory;
 
 use crate::answer::Answer;
+use crate::subject::refuse;
 use crate::table::width;
+use crate::waiting::patience;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use clap::ArgMatches;
 use std::io::Read;
@@ -11,7 +13,7 @@ use std::path::{Path, PathBuf};
 use workbench::answers::{Fault, Faults};
 use workbench::quantities::{Measure, is_unseen, seen};
 use workbench::text::{Told, Usage, file_trouble, terminal, told, usage_text};
-use workbench::{Files, Grant, Language, NoRegularFile, PROJECT_MAX_BYTES, Project, Reach};
+use workbench::{Files, Grant, Language, NoRegularFile, PROJECT_MAX_BYTES, Project, Reach, Refusal, Unread};
 
 /// Longest line that is shown with an underline; a longer one is cut out of the picture.
 const LINE_MAX: usize = 400;
@@ -59,8 +61,11 @@ impl Source {
 
     /// All its axes; a fault is the finished answer.
     pub(crate) fn projects(&self, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
-        workbench::read_all(&self.text, &Beside { folder: self.folder(), memory: self.memory })
-            .map_err(|faults| report(&self.name, &self.text, &told(&faults, language), as_json, language))
+        let files = Beside { folder: self.folder(), memory: self.memory };
+        workbench::read_all_watched(&self.text, &files, patience()).map_err(|unread| match unread {
+            Unread::Faults(faults) => report(&self.name, &self.text, &told(&faults, language), as_json, language),
+            Unread::Stopped => refuse(&Refusal::Stopped, as_json, language),
+        })
     }
 }
 
