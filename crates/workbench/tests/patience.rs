@@ -53,7 +53,7 @@ fn work_is_cancelled_from_elsewhere() {
 /// Of several ratios of a stage the best is sought while the project is read.
 #[test]
 fn the_choice_among_ratios_is_cancelled_too() {
-    let text = format!("{}\n[stage]\nkind = \"belt\"\nratios = [1, 1.5, 2, 2.5, 3]\n", swings(3));
+    let text = format!("{}\n[stage]\nkind = \"belt\"\nratios = [1, 1.5, 2, 2.5, 3]\n", swings(2));
     let read = |patience: &Patience| workbench::read_all_watched(&text, &NoFiles, patience);
     let patience = Patience::endless();
     let chosen = read(&patience).unwrap();
