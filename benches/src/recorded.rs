@@ -19,10 +19,10 @@ fn samples() -> Samples {
     let speed = |t: f64| 0.8 * (0.9 * t).sin() + 0.5 * (3.1 * t).sin() + 0.2 * (12.0 * t).sin();
     let torque = |t: f64| 14.0 * (0.45 * t).cos() + 6.0 * (3.1 * t).cos() + 5.0 * (12.0 * t).cos();
     Samples {
-        speed_rad_s: Some(time_s.iter().map(|t| speed(*t)).collect()),
-        torque_nm: Some(time_s.iter().map(|t| torque(*t)).collect()),
+        speed_rad_s: Some(Arc::new(time_s.iter().map(|t| speed(*t)).collect())),
+        torque_nm: Some(Arc::new(time_s.iter().map(|t| torque(*t)).collect())),
         position_rad: None,
-        time_s,
+        time_s: time_s.into(),
     }
 }
 

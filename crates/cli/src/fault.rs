@@ -3,14 +3,17 @@
 mod memory;
 
 use crate::answer::Answer;
+use crate::subject::refuse;
 use crate::table::width;
+use crate::waiting::patience;
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use clap::ArgMatches;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use workbench::answers::{Fault, Faults};
 use workbench::quantities::{Measure, seen};
 use workbench::text::{Told, Usage, file_trouble, terminal, told, usage_text};
-use workbench::{Files, Grant, Language, NoRegularFile, PROJECT_MAX_BYTES, Project, Reach};
+use workbench::{Files, Grant, Language, NoRegularFile, PROJECT_MAX_BYTES, Project, Reach, Refusal, Unread};
 
 /// The text of a project file.
 pub(crate) struct Source {
@@ -55,8 +58,11 @@ impl Source {
 
     /// All its axes; a fault is the finished answer.
     pub(crate) fn projects(&self, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
-        workbench::read_all(&self.text, &Beside { folder: self.folder(), memory: self.memory })
-            .map_err(|faults| report(&self.name, &self.text, &told(&faults, language), as_json, language))
+        let files = Beside { folder: self.folder(), memory: self.memory };
+        workbench::read_all_watched(&self.text, &files, patience()).map_err(|unread| match unread {
+            Unread::Faults(faults) => report(&self.name, &self.text, &told(&faults, language), as_json, language),
+            Unread::Stopped => refuse(&Refusal::Stopped, as_json, language),
+        })
     }
 }
 

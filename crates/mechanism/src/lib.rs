@@ -11,6 +11,7 @@ mod flange;
 mod friction;
 mod joint;
 mod linear;
+mod loading;
 mod rotor;
 mod slider_crank;
 mod stage;
@@ -21,6 +22,7 @@ pub use flange::{Aligned, Contact, FlangeForces, Mounting};
 pub use friction::Friction;
 pub use joint::Joint;
 pub use linear::{Linear, LinearKind};
+pub use loading::{Load, Loading};
 pub use rotor::Rotor;
 pub use slider_crank::SliderCrank;
 pub use stage::{Stage, StageKind};
@@ -181,7 +183,7 @@ impl Mechanism {
 
     pub(crate) fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
         match &self.kind {
-            Kind::Rotor(rotor) => rotor.reduced(position_rad, extra),
+            Kind::Rotor(rotor) => rotor.laden(extra).reduced(position_rad),
             Kind::Linear(linear) => linear.reduced(extra),
             Kind::SliderCrank(crank) => crank.reduced(position_rad, extra),
             Kind::Table(table) => table.reduced(position_rad, extra),
@@ -198,12 +200,10 @@ impl Mechanism {
     /// # Source   docs/theory/mechanisms.md, Lagrange's equation of one degree of freedom; cha-manual eq. 70.3, 70.5
     #[must_use]
     pub fn useful_torque(&self, output: &Output, extra: &Extra) -> f64 {
-        let behind = self.behind(output);
-        let reduced = self.reduced(behind.position_rad, extra);
-        self.useful(&reduced, &behind)
+        self.loading(extra).at(output).useful_nm
     }
 
-    fn useful(&self, reduced: &Reduced, output: &Output) -> f64 {
+    pub(crate) fn useful(&self, reduced: &Reduced, output: &Output) -> f64 {
         reduced.inertia * output.acceleration_rad_s2
             + 0.5 * reduced.slope * output.speed_rad_s * output.speed_rad_s
             + reduced.holding
@@ -220,19 +220,17 @@ impl Mechanism {
     /// # Valid    at rest (σ = 0) neither friction nor efficiency counts: the torque that holds without their help
     #[must_use]
     pub fn torque(&self, output: &Output, extra: &Extra) -> f64 {
-        match self.gearing() {
-            None => self.own_torque(output, extra),
-            Some(stage) => {
-                let behind = stage.behind(output);
-                stage.torque(self.own_torque(&behind, extra), &behind, output)
-            }
-        }
+        self.loading(extra).at(output).torque_nm
     }
 
     /// The torque that the mechanism takes, behind the stage \[Nm\].
     pub(crate) fn own_torque(&self, output: &Output, extra: &Extra) -> f64 {
         let reduced = self.reduced(output.position_rad, extra);
-        let useful = self.useful(&reduced, output);
+        self.passed(self.useful(&reduced, output), output)
+    }
+
+    /// What the mechanism takes for a useful torque, with its losses and the friction at its side of the stage \[Nm\].
+    pub(crate) fn passed(&self, useful: f64, output: &Output) -> f64 {
         let power = useful * output.direction;
         let passed = if power > 0.0 {
             useful / self.efficiency_driving
@@ -247,23 +245,34 @@ impl Mechanism {
     /// J_L at a position of the actuator's output, referred to it.
     #[must_use]
     pub fn inertia(&self, position_rad: f64, extra: &Extra) -> MomentOfInertia {
+        let reduced = self.reduced(position_rad / self.stage_ratio(), extra);
+        MomentOfInertia::from_si(self.inertia_of(&reduced))
+    }
+
+    /// J_L \[kgm²\]
+    pub(crate) fn inertia_of(&self, reduced: &Reduced) -> f64 {
         let inertia = match &self.kind {
             // What is not stated does not become known by a stage.
-            Kind::Joint(joint) if joint.inertia.si() == 0.0 => return joint.inertia,
+            Kind::Joint(joint) if joint.inertia.si() == 0.0 => return 0.0,
             Kind::Joint(joint) => joint.inertia.si(),
-            _ => self.reduced(position_rad / self.stage_ratio(), extra).inertia,
+            _ => reduced.inertia,
         };
-        MomentOfInertia::from_si(self.gearing().map_or(inertia, |stage| stage.inertia(inertia)))
+        self.gearing().map_or(inertia, |stage| stage.inertia(inertia))
     }
 
     /// Torque that holds the load at rest at a position without the help of friction.
     #[must_use]
     pub fn holding_torque(&self, position_rad: f64, extra: &Extra) -> Torque {
-        if let Kind::Joint(joint) = &self.kind {
-            return Torque::from_si(self.before_stage(joint.holding_torque.map_or(0.0, Measure::si)));
-        }
         let reduced = self.reduced(position_rad / self.stage_ratio(), extra);
-        Torque::from_si(self.before_stage(reduced.holding + self.friction.external.si()))
+        Torque::from_si(self.holding_of(&reduced))
+    }
+
+    /// Torque that holds the load \[Nm\].
+    pub(crate) fn holding_of(&self, reduced: &Reduced) -> f64 {
+        self.before_stage(match &self.kind {
+            Kind::Joint(joint) => joint.holding_torque.map_or(0.0, Measure::si),
+            _ => reduced.holding + self.friction.external.si(),
+        })
     }
 
     /// Whether torque or inertia depend on the position.

@@ -42,20 +42,43 @@ impl Rotor {
         }
     }
 
-    pub(crate) fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
+    /// What no position changes, worked out once for many.
+    pub(crate) fn laden(&self, extra: &Extra) -> Laden {
         let payload = extra.mass.si() * self.payload_radius.si();
         let unbalance = self.mass.si() * self.radius.si() + payload;
-        let lever = if unbalance == 0.0 { 0.0 } else { (position_rad + self.angle.si()).cos() * self.tilt.si().sin() };
-        Reduced {
+        Laden {
             inertia: self.inertia.si() + extra.inertia.si() + payload * self.payload_radius.si(),
-            slope: 0.0,
-            holding: gravity_m_s2() * unbalance * lever + extra.torque.si(),
-            coulomb: 0.0,
+            weight_nm: gravity_m_s2() * unbalance,
+            angle_rad: self.angle.si(),
+            sine_of_tilt: self.tilt.si().sin(),
+            torque_nm: extra.torque.si(),
         }
     }
 
     /// Whether gravity makes a torque that depends on the position.
     pub(crate) fn is_unbalanced(&self) -> bool {
         self.tilt.si().sin() != 0.0 && (self.mass.si() * self.radius.si() != 0.0 || self.payload_radius.si() != 0.0)
+    }
+}
+
+/// A rotor with what a segment adds to it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Laden {
+    /// J \[kgm²\]
+    inertia: f64,
+    /// g (m r + m_p r_p) \[Nm\]
+    weight_nm: f64,
+    /// q_0 \[rad\]
+    angle_rad: f64,
+    /// sin β
+    sine_of_tilt: f64,
+    /// Process torque \[Nm\].
+    torque_nm: f64,
+}
+
+impl Laden {
+    pub(crate) fn reduced(&self, position_rad: f64) -> Reduced {
+        let lever = if self.weight_nm == 0.0 { 0.0 } else { (position_rad + self.angle_rad).cos() * self.sine_of_tilt };
+        Reduced { inertia: self.inertia, slope: 0.0, holding: self.weight_nm * lever + self.torque_nm, coulomb: 0.0 }
     }
 }

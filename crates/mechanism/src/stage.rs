@@ -102,11 +102,6 @@ impl Mechanism {
         self.stage.as_ref().filter(|stage| !stage.changes_nothing())
     }
 
-    /// The state of the mechanism while the output of the actuator is in a state.
-    pub(crate) fn behind(&self, output: &Output) -> Output {
-        self.gearing().map_or(*output, |stage| stage.behind(output))
-    }
-
     /// Turns of the actuator's output per turn of the mechanism; 1 without a stage.
     #[must_use]
     pub fn stage_ratio(&self) -> f64 {
@@ -117,10 +112,7 @@ impl Mechanism {
     /// a stage.
     #[must_use]
     pub fn stage_torque(&self, output: &Output, extra: &Extra) -> f64 {
-        self.gearing().map_or(0.0, |stage| {
-            let behind = stage.behind(output);
-            stage.handed_on(self.own_torque(&behind, extra), &behind)
-        })
+        self.loading(extra).at(output).stage_nm
     }
 
     /// Stiffness between the motor and the mechanism, at the output of the actuator: that of the gear and of the stage in

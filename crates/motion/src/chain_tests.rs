@@ -1,6 +1,7 @@
 use super::*;
 use quantities::AngularJerk;
 use quantities::unit::{REVOLUTION_PER_MINUTE, SECOND};
+use std::sync::Arc;
 
 fn one(speed: f64, [t1, t2, t3, tp]: [f64; 4]) -> SegmentSpec {
     let s = |t| Time::new_in(t, &SECOND);
@@ -101,13 +102,17 @@ fn the_closing_asks_for_what_the_load_needs() {
 }
 
 fn recorded(samples: crate::Samples) -> SegmentSpec {
-    SegmentSpec::Recorded(std::sync::Arc::new(Recorded::new(samples, crate::Treatment::default()).unwrap()))
+    SegmentSpec::Recorded(Arc::new(Recorded::new(samples, crate::Treatment::default()).unwrap()))
 }
 
 fn half_turn() -> crate::Samples {
     let time_s: Vec<f64> = (0..=100).map(|k| f64::from(k) * 0.01).collect();
     let position = time_s.iter().map(|t| 0.5 - 0.5 * (std::f64::consts::TAU * t).cos());
-    crate::Samples { position_rad: Some(position.collect()), time_s, ..crate::Samples::default() }
+    crate::Samples {
+        position_rad: Some(Arc::new(position.collect())),
+        time_s: time_s.into(),
+        ..crate::Samples::default()
+    }
 }
 
 #[test]
@@ -132,20 +137,20 @@ fn a_recording_stands_where_it_says_unless_the_start_is_stated() {
 fn a_recording_that_jumps_or_does_not_close_is_told() {
     let fault = |segments: &[SegmentSpec]| Motion::new(segments, None, Closing::Position).unwrap_err()[0].fault;
     let mut open = half_turn();
-    open.position_rad.as_mut().unwrap().truncate(60);
-    open.time_s.truncate(60);
+    Arc::make_mut(open.position_rad.as_mut().unwrap()).truncate(60);
+    Arc::make_mut(&mut open.time_s).truncate(60);
     assert!(matches!(fault(&[recorded(open.clone())]), MoveFault::SpeedNotClosed { .. }));
     assert!(Motion::new(&[recorded(open.clone())], None, Closing::SingleMove).is_ok());
     let dwell = SegmentSpec::Dwell(Time::from_si(0.1), Hold::Motor);
     assert!(matches!(fault(&[recorded(open), dwell.clone()]), MoveFault::StillMoving { .. }));
     let mut elsewhere = half_turn();
-    elsewhere.position_rad.as_mut().unwrap().iter_mut().for_each(|q| *q += 0.3);
+    Arc::make_mut(elsewhere.position_rad.as_mut().unwrap()).iter_mut().for_each(|q| *q += 0.3);
     assert!(matches!(
         fault(&[recorded(half_turn()), recorded(elsewhere)]),
         MoveFault::RecordingPositionJumps { gap } if (gap.si() - 0.3).abs() < 1e-9
     ));
     let mut moving = half_turn();
-    moving.time_s.drain(..20);
-    moving.position_rad.as_mut().unwrap().drain(..20);
+    Arc::make_mut(&mut moving.time_s).drain(..20);
+    Arc::make_mut(moving.position_rad.as_mut().unwrap()).drain(..20);
     assert!(matches!(fault(&[dwell, recorded(moving)]), MoveFault::RecordingSpeedJumps { .. }));
 }

@@ -50,8 +50,8 @@ fn state(motion: &Motion, t: f64) -> crate::State {
 /// The exact positions from one instant to another, in even steps.
 fn sample(motion: &Motion, (from, to): (f64, f64), steps: u32, smoothing: Option<f64>) -> SegmentSpec {
     let time_s: Vec<f64> = (0..=steps).map(|k| (to - from) * f64::from(k) / f64::from(steps)).collect();
-    let position_rad = Some(time_s.iter().map(|t| state(motion, from + t).position_rad).collect());
-    let samples = Samples { time_s, position_rad, ..Samples::default() };
+    let position_rad = Some(Arc::new(time_s.iter().map(|t| state(motion, from + t).position_rad).collect()));
+    let samples = Samples { time_s: time_s.into(), position_rad, ..Samples::default() };
     let treatment = Treatment { smoothing: smoothing.map(Time::from_si), ..Treatment::default() };
     SegmentSpec::Recorded(Arc::new(Recorded::new(samples, treatment).unwrap()))
 }
@@ -112,8 +112,9 @@ fn recordings_that_do_not_close_are_refused() {
 #[test]
 fn equal_samples_at_an_end_are_rest() {
     let time_s: Vec<f64> = (0..8).map(f64::from).collect();
-    let position_rad = Some(vec![0.0, 0.0, 1.0, 3.0, 5.0, 6.0, 7.0, 7.0]);
-    let recorded = Recorded::new(Samples { time_s, position_rad, ..Samples::default() }, Treatment::default()).unwrap();
+    let position_rad = Some(vec![0.0, 0.0, 1.0, 3.0, 5.0, 6.0, 7.0, 7.0].into());
+    let samples = Samples { time_s: time_s.into(), position_rad, ..Samples::default() };
+    let recorded = Recorded::new(samples, Treatment::default()).unwrap();
     assert_eq!(recorded.end_speeds_rad_s(), (0.0, 0.0));
     assert_eq!(recorded.speed_rad_s()[1], 0.5);
 }

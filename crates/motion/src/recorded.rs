@@ -7,17 +7,17 @@ use std::sync::Arc;
 /// Recorded position and speed may differ by so much of the travel before one of them must be wrong.
 const CONTRADICTION: f64 = 0.05;
 
-/// Samples as they come from a file, in SI at the output.
+/// Samples as they come from a file, in SI at the output; what is not changed on the way to a motion is shared with it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Samples {
     /// Instants \[s\], strictly increasing.
-    pub time_s: Vec<f64>,
+    pub time_s: Arc<Vec<f64>>,
     /// Positions \[rad\].
-    pub position_rad: Option<Vec<f64>>,
+    pub position_rad: Option<Arc<Vec<f64>>>,
     /// Speeds [rad/s].
-    pub speed_rad_s: Option<Vec<f64>>,
+    pub speed_rad_s: Option<Arc<Vec<f64>>>,
     /// Torques that the actuator gives to the load, positive in the positive direction \[Nm\].
-    pub torque_nm: Option<Vec<f64>>,
+    pub torque_nm: Option<Arc<Vec<f64>>>,
 }
 
 /// What is done to samples before they are a motion. Nothing is done unless it is asked for.
@@ -38,10 +38,10 @@ pub struct Treatment {
 /// without a position the speed is integrated
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recorded {
-    time_s: Vec<f64>,
-    position_rad: Vec<f64>,
-    speed_rad_s: Vec<f64>,
-    torque_nm: Option<Vec<f64>>,
+    time_s: Arc<Vec<f64>>,
+    position_rad: Arc<Vec<f64>>,
+    speed_rad_s: Arc<Vec<f64>>,
+    torque_nm: Option<Arc<Vec<f64>>>,
     is_placed: bool,
     is_differentiated: bool,
     end_errors_rad_s: (f64, f64),
@@ -56,7 +56,7 @@ impl Recorded {
         let Samples { time_s, position_rad, speed_rad_s, torque_nm } = samples;
         check(&time_s, [position_rad.as_ref(), speed_rad_s.as_ref(), torque_nm.as_ref()])?;
         let start = time_s.first().copied().unwrap_or(0.0);
-        let time_s: Vec<f64> = if start == 0.0 { time_s } else { time_s.iter().map(|t| t - start).collect() };
+        let time_s = if start == 0.0 { time_s } else { Arc::new(time_s.iter().map(|t| t - start).collect()) };
         let window = treatment.smoothing.map(Measure::si);
         let (is_placed, is_differentiated) = (position_rad.is_some(), speed_rad_s.is_none());
         if let (Some(position), Some(speed)) = (&position_rad, &speed_rad_s) {
@@ -68,25 +68,25 @@ impl Recorded {
             (Some(position), None, None) => {
                 let speed = slopes(&time_s, &position);
                 end_errors = (slope_error(&time_s, &position, 0.0), slope_error_at_end(&time_s, &position, 0.0));
-                (Some(position), speed)
+                (Some(position), Arc::new(speed))
             }
             (Some(position), None, Some(window)) => {
                 let (position, speed) = smooth(&time_s, &position, window)?;
                 let half = 0.5 * window;
                 end_errors = (slope_error(&time_s, &position, half), slope_error_at_end(&time_s, &position, half));
-                (Some(position), speed)
+                (Some(Arc::new(position)), Arc::new(speed))
             }
             (position, Some(speed), None) => (position, speed),
-            (position, Some(speed), Some(window)) => (position, smooth(&time_s, &speed, window)?.0),
+            (position, Some(speed), Some(window)) => (position, Arc::new(smooth(&time_s, &speed, window)?.0)),
         };
         if let Some(least) = treatment.standstill {
-            for speed in speed.iter_mut().filter(|speed| speed.abs() < least.si()) {
+            for speed in Arc::make_mut(&mut speed).iter_mut().filter(|speed| speed.abs() < least.si()) {
                 *speed = 0.0;
             }
         }
-        let position = position.unwrap_or_else(|| integral(&time_s, &speed));
+        let position = position.unwrap_or_else(|| Arc::new(integral(&time_s, &speed)));
         let torque_nm = match (torque_nm, window) {
-            (Some(torque), Some(window)) => Some(smooth(&time_s, &torque, window)?.0),
+            (Some(torque), Some(window)) => Some(Arc::new(smooth(&time_s, &torque, window)?.0)),
             (torque, _) => torque,
         };
         Ok(Self {
@@ -102,7 +102,7 @@ impl Recorded {
 
     /// The same samples in front of a stage that turns `ratio` times as far; the torque stays that of the mechanism.
     pub(crate) fn geared(&self, ratio: f64) -> Self {
-        let times = |values: &[f64]| values.iter().map(|value| value * ratio).collect();
+        let times = |values: &[f64]| Arc::new(values.iter().map(|value| value * ratio).collect());
         Self { position_rad: times(&self.position_rad), speed_rad_s: times(&self.speed_rad_s), ..self.clone() }
     }
 
@@ -127,7 +127,7 @@ impl Recorded {
     /// Torques \[Nm\], if they are recorded.
     #[must_use]
     pub fn torque_nm(&self) -> Option<&[f64]> {
-        self.torque_nm.as_deref()
+        self.torque_nm.as_ref().map(|torque| torque.as_slice())
     }
 
     /// Whether positions are recorded: then they say where the axis stands, else only how far it went.
@@ -246,7 +246,7 @@ impl Placed {
         let (from, to) = pair(&recorded.time_s)?;
         let (q0, q1) = pair(&recorded.position_rad)?;
         let (w0, w1) = pair(&recorded.speed_rad_s)?;
-        let (m0, m1) = recorded.torque_nm.as_deref().and_then(pair).unwrap_or((0.0, 0.0));
+        let (m0, m1) = recorded.torque_nm().and_then(pair).unwrap_or((0.0, 0.0));
         Some(Interval {
             start_s: self.start_s + from * self.stretch,
             duration_s: (to - from) * self.stretch,
@@ -278,14 +278,14 @@ fn ends(values: &[f64]) -> (f64, f64) {
     (values.first().copied().unwrap_or(0.0), values.last().copied().unwrap_or(0.0))
 }
 
-fn check(time: &[f64], columns: [Option<&Vec<f64>>; 3]) -> Result<(), RecordedFault> {
+fn check(time: &[f64], columns: [Option<&Arc<Vec<f64>>>; 3]) -> Result<(), RecordedFault> {
     if time.len() < 3 {
         return Err(RecordedFault::TooFew { samples: time.len() });
     }
     if columns.iter().flatten().any(|column| column.len() != time.len()) {
         return Err(RecordedFault::Uneven);
     }
-    for column in columns.into_iter().flatten().map(Vec::as_slice).chain([time]) {
+    for column in columns.into_iter().flatten().map(|column| column.as_slice()).chain([time]) {
         if let Some(index) = column.iter().position(|value| !value.is_finite()) {
             return Err(RecordedFault::NotFinite { index });
         }
@@ -302,21 +302,20 @@ fn check(time: &[f64], columns: [Option<&Vec<f64>>; 3]) -> Result<(), RecordedFa
 /// ẏ_k = (h_1 d_0 + h_0 d_1)/(h_0 + h_1), d slopes of the secants, h distances of the instants; error h²/6 of the third
 /// derivative, h²/3 at the ends.
 fn slopes(time: &[f64], values: &[f64]) -> Vec<f64> {
-    let secants: Vec<(f64, f64)> = time
-        .iter()
-        .zip(values)
-        .zip(time.iter().zip(values).skip(1))
-        .map(|((t0, y0), (t1, y1))| (t1 - t0, (y1 - y0) / (t1 - t0)))
-        .collect();
+    // Made as they are looked at: of a long recording they would take as much as two of its columns.
+    let secants = || {
+        let ends = time.iter().zip(values).zip(time.iter().zip(values).skip(1));
+        ends.map(|((t0, y0), (t1, y1))| (t1 - t0, (y1 - y0) / (t1 - t0)))
+    };
+    let pairs = || secants().zip(secants().skip(1));
     let mut slopes = Vec::with_capacity(time.len());
-    if let [(h0, d0), (h1, d1), ..] = secants.as_slice() {
+    if let Some(((h0, d0), (h1, d1))) = pairs().next() {
         // A motion that stands from its first sample to the next sets out from rest, not backwards.
-        slopes.push(if *d0 == 0.0 { 0.0 } else { d0 + h0 * (d0 - d1) / (h0 + h1) });
+        slopes.push(if d0 == 0.0 { 0.0 } else { d0 + h0 * (d0 - d1) / (h0 + h1) });
     }
-    slopes
-        .extend(secants.iter().zip(secants.iter().skip(1)).map(|((h0, d0), (h1, d1))| (h1 * d0 + h0 * d1) / (h0 + h1)));
-    if let [.., (h0, d0), (h1, d1)] = secants.as_slice() {
-        slopes.push(if *d1 == 0.0 { 0.0 } else { d1 + h1 * (d1 - d0) / (h0 + h1) });
+    slopes.extend(pairs().map(|((h0, d0), (h1, d1))| (h1 * d0 + h0 * d1) / (h0 + h1)));
+    if let Some(((h0, d0), (h1, d1))) = pairs().next_back() {
+        slopes.push(if d1 == 0.0 { 0.0 } else { d1 + h1 * (d1 - d0) / (h0 + h1) });
     }
     slopes
 }

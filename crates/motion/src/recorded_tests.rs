@@ -20,7 +20,7 @@ fn of(time: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
 fn a_parabola_of_positions_is_differentiated_exactly() {
     let time = times(40, 0.01);
     let position = of(&time, |t| 0.3 + 2.0 * t - 1.5 * t * t);
-    let samples = Samples { time_s: time.clone(), position_rad: Some(position), ..Samples::default() };
+    let samples = Samples { time_s: time.clone().into(), position_rad: Some(position.into()), ..Samples::default() };
     for smoothing in [None, Some(Time::from_si(0.1))] {
         let treatment = Treatment { smoothing, ..Treatment::default() };
         let recorded = Recorded::new(samples.clone(), treatment).unwrap();
@@ -37,7 +37,8 @@ fn the_error_of_the_difference_falls_with_the_square_of_the_step() {
     let worst = |n: u32, h: f64| {
         let time = times(n, h);
         let position = of(&time, f64::sin);
-        let samples = Samples { time_s: time.clone(), position_rad: Some(position), ..Samples::default() };
+        let samples =
+            Samples { time_s: time.clone().into(), position_rad: Some(position.into()), ..Samples::default() };
         let recorded = Recorded::new(samples, Treatment::default()).unwrap();
         time.iter().zip(recorded.speed_rad_s()).map(|(t, w)| (w - t.cos()).abs()).fold(0.0, f64::max)
     };
@@ -51,8 +52,8 @@ fn smoothing_takes_the_noise_and_leaves_the_motion() {
     let time: Vec<f64> = (0..2000).map(|k| f64::from(k) * 1e-3).collect();
     // Two samples above, two below by one encoder step: what hurts central differences most.
     let noisy = |k: usize, t: f64| (2.0 * t).sin() + if k % 4 < 2 { 1e-5 } else { -1e-5 };
-    let position = time.iter().enumerate().map(|(k, t)| noisy(k, *t)).collect();
-    let samples = Samples { time_s: time.clone(), position_rad: Some(position), ..Samples::default() };
+    let position: Vec<f64> = time.iter().enumerate().map(|(k, t)| noisy(k, *t)).collect();
+    let samples = Samples { time_s: time.clone().into(), position_rad: Some(position.into()), ..Samples::default() };
     let worst = |treatment| {
         let recorded = Recorded::new(samples.clone(), treatment).unwrap();
         let pairs = recorded.speed_rad_s().windows(2).zip(time.iter());
@@ -70,7 +71,8 @@ fn smoothing_takes_the_noise_and_leaves_the_motion() {
 #[test]
 fn speeds_are_integrated_and_standstill_is_cut() {
     let time = vec![0.0, 1.0, 2.0, 4.0];
-    let samples = Samples { time_s: time, speed_rad_s: Some(vec![0.0, 2.0, 2.0, 0.001]), ..Samples::default() };
+    let samples =
+        Samples { time_s: time.into(), speed_rad_s: Some(vec![0.0, 2.0, 2.0, 0.001].into()), ..Samples::default() };
     let recorded = Recorded::new(samples.clone(), Treatment::default()).unwrap();
     assert_eq!(recorded.position_rad()[..3], [0.0, 1.0, 3.0]);
     assert!((recorded.ends_rad().1 - 5.001).abs() < 1e-12);
@@ -83,9 +85,9 @@ fn speeds_are_integrated_and_standstill_is_cut() {
 fn what_is_no_motion_is_told() {
     let new = |time: &[f64], position: Option<&[f64]>, speed: Option<&[f64]>, window: Option<f64>| {
         let samples = Samples {
-            time_s: time.to_vec(),
-            position_rad: position.map(<[f64]>::to_vec),
-            speed_rad_s: speed.map(<[f64]>::to_vec),
+            time_s: time.to_vec().into(),
+            position_rad: position.map(|values| values.to_vec().into()),
+            speed_rad_s: speed.map(|values| values.to_vec().into()),
             torque_nm: None,
         };
         Recorded::new(samples, Treatment { smoothing: window.map(Time::from_si), standstill: None }).err()

@@ -214,7 +214,7 @@ pub struct Project {
 
 /// Chooses among the ratios that a stage may have, in the order of the file: gives the project with the one to go on with.
 /// The second argument makes the project with a ratio.
-pub type Choose = fn(&[f64], &dyn Fn(f64) -> Option<Project>) -> Option<Project>;
+pub type Choose<'c> = &'c dyn Fn(&[f64], &dyn Fn(f64) -> Option<Project>) -> Option<Project>;
 
 impl Project {
     /// The solid bodies that the axis turns, with their inertia; `None` where it turns something else.
@@ -227,7 +227,7 @@ impl Project {
     ///
     /// # Errors
     /// Every fault of the file, each with its place, in the order of the file.
-    pub fn read(text: &str, choose: Choose) -> Result<Self, Vec<Diagnostic>> {
+    pub fn read(text: &str, choose: Choose<'_>) -> Result<Self, Vec<Diagnostic>> {
         let mut axes = Self::read_all(text, &NoFiles, choose)?;
         match (axes.pop(), axes.is_empty()) {
             (Some(only), true) => Ok(only),
@@ -239,7 +239,7 @@ impl Project {
     ///
     /// # Errors
     /// Every fault of the file, each with its place, in the order of the file.
-    pub fn read_all(text: &str, files: &dyn Files, choose: Choose) -> Result<Vec<Self>, Vec<Diagnostic>> {
+    pub fn read_all(text: &str, files: &dyn Files, choose: Choose<'_>) -> Result<Vec<Self>, Vec<Diagnostic>> {
         if text.len() > PROJECT_MAX_BYTES {
             let fault = Fault::FileTooLarge { bytes: text.len(), most: PROJECT_MAX_BYTES };
             return Err(vec![Diagnostic::at(text, 0..0, fault, None)]);
@@ -273,7 +273,7 @@ impl Project {
     fn build(
         mut root: Section,
         index: Option<usize>,
-        (recordings, own_catalogue, choose): (&mut Recordings<'_>, Option<&Arc<OwnCatalogue>>, Choose),
+        (recordings, own_catalogue, choose): (&mut Recordings<'_>, Option<&Arc<OwnCatalogue>>, Choose<'_>),
         reader: &mut Reader<'_>,
     ) -> Option<Self> {
         recordings.resolve(&mut root, reader);

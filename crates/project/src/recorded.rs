@@ -232,9 +232,9 @@ fn layout(section: &Section, reader: &mut Reader<'_>) -> Layout {
 /// `travel`: way along the line per angle [m/rad], where the mechanism has one.
 pub(crate) fn motion(section: &Section, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Arc<Recorded>> {
     let Some(Entry::Recording(RecordingRead { file, recording })) = section.get("file") else { return None };
-    let mut turned = |along: Along, values: &[f64], per_metre: bool| -> Option<Vec<f64>> {
+    let mut turned = |along: Along, values: &Arc<Vec<f64>>, per_metre: bool| -> Option<Arc<Vec<f64>>> {
         let factor = match (along, travel) {
-            (Along::Turning, _) => return Some(values.to_vec()),
+            (Along::Turning, _) => return Some(Arc::clone(values)),
             (Along::Line, Some(travel)) if per_metre => 1.0 / travel,
             (Along::Line, Some(travel)) => travel,
             (Along::Line, None) => {
@@ -242,7 +242,7 @@ pub(crate) fn motion(section: &Section, travel: Option<f64>, reader: &mut Reader
                 return None;
             }
         };
-        Some(values.iter().map(|value| value * factor).collect())
+        Some(Arc::new(values.iter().map(|value| value * factor).collect()))
     };
     let position = recording.course.position.as_ref().map(|series| turned(series.along, &series.values, true));
     let speed = recording.course.speed.as_ref().map(|series| turned(series.along, &series.values, true));
@@ -251,7 +251,7 @@ pub(crate) fn motion(section: &Section, travel: Option<f64>, reader: &mut Reader
         return None;
     }
     let samples = Samples {
-        time_s: recording.time_s.clone(),
+        time_s: Arc::clone(&recording.time_s),
         position_rad: position.flatten(),
         speed_rad_s: speed.flatten(),
         torque_nm: torque.flatten(),
@@ -333,7 +333,7 @@ mod tests {
             "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n{}",
             segments.collect::<String>()
         );
-        let read = Project::read_all(&text, shelf, |_, _| None);
+        let read = Project::read_all(&text, shelf, &|_, _| None);
         read.err().unwrap_or_default().into_iter().map(|diagnostic| diagnostic.fault).collect()
     }
 

@@ -9,6 +9,7 @@ use crate::number::{Bad, Tick};
 use crate::series::{Along, ColumnRead, Course, Effort, Recording, Series};
 use quantities::{Measure, Time, Unit};
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 /// What is to be done with a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -261,7 +262,7 @@ impl<'m> Gather<'m> {
             let channel = self.channels.iter_mut().find(|channel| channel.role == role)?;
             let mut values = std::mem::take(&mut channel.values);
             values.shrink_to_fit();
-            Some((Along::of(channel.unit), values))
+            Some((Along::of(channel.unit), Arc::new(values)))
         };
         let course = Course {
             position: series(Role::Position).map(|(along, values)| Series { along, values }),
@@ -273,7 +274,7 @@ impl<'m> Gather<'m> {
         let mut time_s = std::mem::take(&mut self.time_s);
         time_s.shrink_to_fit();
         Some(Recording {
-            time_s,
+            time_s: Arc::new(time_s),
             first_time,
             course,
             torque,

@@ -10,10 +10,10 @@
 //!
 //! let text = "t [ms];Winkel [deg];M\n;;Nm\n100;0,0;1,5\n101;0,9;1,6\n102;1,8;1,7\n";
 //! let recording = read_csv(text.as_bytes(), &Layout::default()).unwrap();
-//! assert_eq!(recording.time_s, [0.0, 0.001, 0.002]);
+//! assert_eq!(*recording.time_s, [0.0, 0.001, 0.002]);
 //! let position = recording.course.position.unwrap();
 //! assert_eq!((position.along, position.values.len()), (Along::Turning, 3));
-//! assert_eq!(recording.torque.unwrap().values, [1.5, 1.6, 1.7]);
+//! assert_eq!(*recording.torque.unwrap().values, [1.5, 1.6, 1.7]);
 //! ```
 
 mod columns;

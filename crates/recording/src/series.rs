@@ -2,12 +2,13 @@
 
 use crate::layout::Role;
 use quantities::{Dimension, Time, Unit};
+use std::sync::Arc;
 
-/// Recorded samples in SI.
+/// Recorded samples in SI. Its arrays are shared with the motion that is made of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
     /// Times since the first kept sample \[s\], strictly rising; the first is zero.
-    pub time_s: Vec<f64>,
+    pub time_s: Arc<Vec<f64>>,
     /// Time of the first kept sample, as the file counts it.
     pub first_time: Time,
     /// Position, speed or both.
@@ -71,7 +72,7 @@ pub struct Series {
     /// Turning (rad, rad/s) or along a line (m, m/s).
     pub along: Along,
     /// Values in SI, one per time.
-    pub values: Vec<f64>,
+    pub values: Arc<Vec<f64>>,
 }
 
 /// A torque or force at every time.
@@ -80,7 +81,7 @@ pub struct Effort {
     /// Turning (Nm) or along a line (N).
     pub along: Along,
     /// Values in SI, one per time.
-    pub values: Vec<f64>,
+    pub values: Arc<Vec<f64>>,
 }
 
 /// Which column was read as what.

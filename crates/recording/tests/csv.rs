@@ -46,7 +46,7 @@ fn commas_semicolons_and_tabs_separate() {
         "t,q\n[s],(rad)\n0,1.5\n0.5,2\n1,3",
     ] {
         let recording = read(text);
-        assert_eq!(recording.time_s, [0.0, 0.5, 1.0], "{text}");
+        assert_eq!(*recording.time_s, [0.0, 0.5, 1.0], "{text}");
         assert_eq!(position(&recording), [1.5, 2.0, 3.0], "{text}");
         assert_eq!(recording.course.speed, None);
         assert_eq!(recording.torque, None);
@@ -84,7 +84,7 @@ fn a_unit_is_known_from_header_row_or_layout() {
     let recording = read_csv(text.as_bytes(), &layout).unwrap();
     let known: Vec<KnownBy> = recording.columns.iter().map(|column| column.known_by).collect();
     assert_eq!(known, [KnownBy::Header, KnownBy::UnitRow, KnownBy::Layout]);
-    assert_eq!(recording.time_s, [0.0, 1e-3, 2e-3]);
+    assert_eq!(*recording.time_s, [0.0, 1e-3, 2e-3]);
     let speed = recording.course.speed.unwrap();
     assert!((speed.values[0] - std::f64::consts::TAU).abs() < 1e-12);
     assert_eq!((speed.along, recording.torque.unwrap().along), (Along::Turning, Along::Turning));
@@ -94,7 +94,7 @@ fn a_unit_is_known_from_header_row_or_layout() {
 fn lengths_and_forces_are_along_a_line() {
     let recording = read("t [us],weg [mm],v [mm/s],F [N]\n0,1,2,3\n1,1,2,3\n2,1,2,3\n");
     assert_eq!(recording.course.position.unwrap().along, Along::Line);
-    assert_eq!(recording.course.speed.unwrap().values, [0.002; 3]);
+    assert_eq!(*recording.course.speed.unwrap().values, [0.002; 3]);
     assert_eq!(recording.torque.unwrap().along, Along::Line);
     assert!((recording.time_s[2] - 2e-6).abs() < 1e-20);
 }

@@ -45,8 +45,8 @@ fn times(count: i32) -> Column {
 fn a_file_made_by_hand_is_read() {
     let bytes = file(4, &[times(4), plain("q [rad]", [0.0, 0.5, 0.25, 0.0].into_iter())]);
     let recording = read(bytes).unwrap();
-    assert_eq!(recording.time_s, [0.0, 1.0, 2.0, 3.0]);
-    assert_eq!(recording.course.position.unwrap().values, [0.0, 0.5, 0.25, 0.0]);
+    assert_eq!(*recording.time_s, [0.0, 1.0, 2.0, 3.0]);
+    assert_eq!(*recording.course.position.unwrap().values, [0.0, 0.5, 0.25, 0.0]);
 }
 
 #[test]
@@ -224,7 +224,7 @@ fn lines_may_end_with_a_carriage_return_alone() {
     let text = "# logger\rt [s];q [rad]\r0;1,5\r1;2\r\r2;3\r";
     for text in [text.to_owned(), text.trim_end().to_owned(), text.replace('\r', "\r\n")] {
         let recording = read_csv(text.as_bytes(), &Layout::default()).unwrap();
-        assert_eq!(recording.course.position.unwrap().values, [1.5, 2.0, 3.0], "{text:?}");
+        assert_eq!(*recording.course.position.unwrap().values, [1.5, 2.0, 3.0], "{text:?}");
     }
     let found = read_csv("t [s];q [rad]\r0;x\r".as_bytes(), &Layout::default()).unwrap_err();
     assert!(matches!(found.as_slice(), [Fault::ValueUnreadable { at: Place::Line(2), .. }]), "{found:?}");

@@ -12,6 +12,7 @@ use provenance::{CellRef, Grade, Missing, Source, Sourced};
 use quantities::unit::{ARCMINUTE, DEGREE, HOUR, METRE, NEWTON, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, ONE};
 use quantities::{Angle, Force, Length, Measure, Time, Torque};
 use std::borrow::Cow;
+use std::cell::OnceCell;
 
 /// The model of tilting moment, life, safety and tilt.
 const MODEL: Source = Source::Model { name: "output-bearing" };
@@ -22,20 +23,47 @@ const DERIVED: Source = Source::Model { name: "flange-loads" };
 /// Every check of the output bearing; none where no loads are known.
 pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing, explain: bool, checks: &mut Vec<Check>) {
     let Some(duty) = &axis.bearing else { return };
+    let borne = &Borne::of(axis, duty, bearing);
     checks.push(explained(explain, |work| {
         let limit = bearing.axial_max.require("F_A_dyn_max");
         let names = ("F_a", "max F_a over the segments", "bearing.axial_force");
-        force(CheckId::BearingAxial, axis, duty, (names, |loads| loads.axial), ("F_A_dyn_max", limit, bearing), work)
+        force(CheckId::BearingAxial, borne, (names, |loads| loads.axial), ("F_A_dyn_max", limit), work)
     }));
     checks.push(explained(explain, |work| {
         let limit = bearing.radial_max.require("F_R_dyn_max");
         let names = ("F_r", "max F_r over the segments", "bearing.radial_force");
-        force(CheckId::BearingRadial, axis, duty, (names, |loads| loads.radial), ("F_R_dyn_max", limit, bearing), work)
+        force(CheckId::BearingRadial, borne, (names, |loads| loads.radial), ("F_R_dyn_max", limit), work)
     }));
-    checks.push(explained(explain, |work| tilting_moment(axis, duty, bearing, work)));
+    checks.push(explained(explain, |work| tilting_moment(borne, work)));
     checks.push(explained(explain, |work| life(axis, duty, bearing, work)));
-    checks.push(explained(explain, |work| static_safety(axis, duty, bearing, work)));
-    checks.push(explained(explain, |work| tilt_angle(axis, duty, bearing, work)));
+    checks.push(explained(explain, |work| static_safety(borne, work)));
+    checks.push(explained(explain, |work| tilt_angle(borne, work)));
+}
+
+/// A bearing with what it bears: four checks look at the same loads.
+pub(crate) struct Borne<'a> {
+    axis: &'a Axis,
+    duty: &'a BearingDuty,
+    bearing: &'a OutputBearing,
+    loads: OnceCell<CycleLoads>,
+}
+
+impl<'a> Borne<'a> {
+    pub(crate) const fn of(axis: &'a Axis, duty: &'a BearingDuty, bearing: &'a OutputBearing) -> Self {
+        Self { axis, duty, bearing, loads: OnceCell::new() }
+    }
+
+    /// The loads over the cycle, found when they are first asked for.
+    fn loads(&self) -> &CycleLoads {
+        self.loads.get_or_init(|| cycle_loads(self.axis, self.duty, self.bearing))
+    }
+
+    /// The largest tilting moment of the cycle.
+    pub(crate) fn largest_moment(&self) -> Result<Peak, Missing> {
+        self.bearing.offset.require("R")?;
+        self.duty.moment_known(self.axis)?;
+        Ok(self.loads().moment)
+    }
 }
 
 /// The loads over the cycle; averages only where loads follow from the mechanism.
@@ -69,15 +97,15 @@ type Names = (&'static str, &'static str, &'static str);
 /// F_a ≤ F_A,dyn(max) and F_r ≤ F_R,dyn(max), each alone (table 55.1, footnote 4).
 fn force<Q: Measure>(
     id: CheckId,
-    axis: &Axis,
-    duty: &BearingDuty,
+    borne: &Borne<'_>,
     (names, of): (Names, fn(&CycleLoads) -> Peak),
-    (symbol, limit, bearing): (&'static str, Result<&Sourced<Q>, Missing>, &OutputBearing),
+    (symbol, limit): (&'static str, Result<&Sourced<Q>, Missing>),
     work: &mut Workings,
 ) -> Check {
+    let (axis, duty) = (borne.axis, borne.duty);
     match limit.and_then(|limit| duty.forces_known(axis).map(|()| limit)) {
         Ok(limit) => {
-            let peak = of(&cycle_loads(axis, duty, bearing));
+            let peak = of(borne.loads());
             let source = if duty.derived.is_some() { DERIVED } else { Source::Project { key: names.2.into() } };
             largest_force(duty, names, peak.value, work);
             work.given(symbol, &NEWTON, limit);
@@ -91,17 +119,6 @@ fn force<Q: Measure>(
         }
         Err(missing) => not_checked(id, missing),
     }
-}
-
-/// The largest tilting moment of the cycle.
-pub(crate) fn largest_tilting_moment(
-    axis: &Axis,
-    duty: &BearingDuty,
-    bearing: &OutputBearing,
-) -> Result<Peak, Missing> {
-    bearing.offset.require("R")?;
-    duty.moment_known(axis)?;
-    Ok(cycle_loads(axis, duty, bearing).moment)
 }
 
 /// Whether every segment carries the same.
@@ -157,10 +174,11 @@ fn load_moment(
 }
 
 /// The workings of the largest tilting moment, `M`.
-pub(crate) fn largest_moment(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) {
+pub(crate) fn explain_largest_moment(borne: &Borne<'_>, work: &mut Workings) {
+    let (duty, bearing) = (borne.duty, borne.bearing);
     let Some(offset) = bearing.offset.known().filter(|_| work.is_on()) else { return };
     if duty.derived.is_some() {
-        let moment = cycle_loads(axis, duty, bearing).moment.value;
+        let moment = borne.loads().moment.value;
         work.found("M", &NEWTON_METRE, moment, FROM_THE_MECHANISM, &DERIVED, Grade::Computed);
         return;
     }
@@ -245,17 +263,16 @@ fn only_load<'a>(axis: &Axis, duty: &'a BearingDuty) -> Option<&'a FlangeLoad> {
 }
 
 /// M ≤ M_dyn(max): from the tilt that the gear allows, so it holds even where the life would allow more.
-fn tilting_moment(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
+fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Check {
     let id = CheckId::BearingTiltingMoment;
-    let found = largest_tilting_moment(axis, duty, bearing)
-        .and_then(|m| Ok((m, bearing.tilting_moment_max.require("M_dyn_max")?)));
+    let found = borne.largest_moment().and_then(|m| Ok((m, borne.bearing.tilting_moment_max.require("M_dyn_max")?)));
     match found {
         Ok((moment, limit)) => {
-            largest_moment(axis, duty, bearing, work);
+            explain_largest_moment(borne, work);
             work.value("M");
             work.given("M_dyn_max", &NEWTON_METRE, limit);
             work.limit("M_dyn_max");
-            let at = instant(duty, moment);
+            let at = instant(borne.duty, moment);
             Comparison { at, ..Comparison::with(id, &NEWTON_METRE, moment.value, MODEL, limit) }.answer(Verdict::Fail)
         }
         Err(missing) => not_checked(id, missing),
@@ -406,14 +423,15 @@ fn explain_equivalent_load(
 
 /// f_s = C_0/P_0 ≥ the least of the operating condition (eq. 76.1, table 76.3), of the largest F_r, F_a and M of the cycle
 /// taken together, as the maker's sister series does (docs/theory/output-bearing.md).
-fn static_safety(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
+fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Check {
     let id = CheckId::BearingStatic;
+    let (duty, bearing) = (borne.duty, borne.bearing);
     let found = (|| {
         let offset = bearing.offset.require("R")?;
         let pitch = bearing.pitch_diameter.require("d_p")?;
         let rating = bearing.static_rating.require("C_0")?;
-        duty.moment_known(axis)?;
-        let largest = cycle_loads(axis, duty, bearing);
+        duty.moment_known(borne.axis)?;
+        let largest = borne.loads();
         let load = FlangeLoad {
             radial_force: Force::from_si(largest.radial.value),
             radial_distance: Length::from_si(0.0),
@@ -428,7 +446,7 @@ fn static_safety(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work:
         if work.is_on() {
             match duty.loads.first().filter(|_| duty.derived.is_none() && is_constant(duty)) {
                 Some(load) => load_moment(duty, load, offset, "", work),
-                None => explain_largest(&largest, duty, work),
+                None => explain_largest(largest, duty, work),
             }
             work.given("d_p", &METRE, pitch);
             work.given("C_0", &NEWTON, rating);
@@ -461,20 +479,21 @@ fn explain_largest(largest: &CycleLoads, duty: &BearingDuty, work: &mut Workings
 }
 
 /// γ = M/K_B ≤ the tilt permitted (eq. 76.4).
-fn tilt_angle(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
+fn tilt_angle(borne: &Borne<'_>, work: &mut Workings) -> Check {
     let id = CheckId::TiltAngle;
-    let found = largest_tilting_moment(axis, duty, bearing)
-        .and_then(|m| Ok((Torque::from_si(m.value), bearing.tilting_stiffness.require("K_B")?)));
+    let found = borne
+        .largest_moment()
+        .and_then(|m| Ok((Torque::from_si(m.value), borne.bearing.tilting_stiffness.require("K_B")?)));
     let (moment, stiffness) = match found {
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
     let tilt = actuator::tilt_angle(moment, stiffness.value).si();
-    largest_moment(axis, duty, bearing, work);
+    explain_largest_moment(borne, work);
     work.given("K_B", &NEWTON_METRE_PER_ARCMINUTE, stiffness);
     work.formula("gamma", &ARCMINUTE, tilt, "M/K_B", &equation("76.4"));
     work.value("gamma");
-    let (limit, key) = (duty.tilt_max.map(Measure::si), "requirements.tilt_angle_max");
+    let (limit, key) = (borne.duty.tilt_max.map(Measure::si), "requirements.tilt_angle_max");
     work.asked("gamma_max", &ARCMINUTE, limit, key);
     against_asked(id, &ARCMINUTE, tilt, limit, key, equation("76.4"))
 }

@@ -7,8 +7,12 @@ use quantities::{Measure, Time, Unit};
 use std::borrow::Cow;
 
 /// A check with its workings, if they are asked for.
+#[inline]
 pub(crate) fn explained(explain: bool, check: impl FnOnce(&mut Workings) -> Check) -> Check {
-    let mut work = if explain { Workings::on() } else { Workings::off() };
+    if !explain {
+        return check(&mut Workings::off());
+    }
+    let mut work = Workings::on();
     let mut check = check(&mut work);
     check.workings = work.into_steps();
     check

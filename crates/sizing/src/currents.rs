@@ -15,10 +15,14 @@ use quantities::unit::{
 };
 use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, ThermodynamicTemperature, Time};
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use trace::{Convex, Extent, Form, Node, Sought};
 
 /// The gear's temperature where no heat model tells it: the warmest for which friction is printed, 80 °C, in kelvin.
 const WARMEST: f64 = 353.15;
+
+/// How many notes a check of current or voltage has at most, but for rare errata.
+const NOTES_USUAL: usize = 4;
 
 /// Picks ω out of (α, T_L, σ, ω).
 pub(crate) const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
@@ -40,6 +44,8 @@ pub(crate) struct Currents {
     heat: Result<(HeatModel, Settled), Missing>,
     pub(crate) grade: Grade,
     errata: [&'static [&'static str]; 2],
+    /// The instant of the largest current, found when it is first asked for.
+    peak: OnceCell<Node>,
 }
 
 impl Currents {
@@ -75,6 +81,7 @@ impl Currents {
             heat,
             grade: grades.into_iter().fold(Grade::Computed, Grade::worst),
             errata: [inertia.errata, torque_constant.errata],
+            peak: OnceCell::new(),
         })
     }
 
@@ -93,11 +100,14 @@ impl Currents {
 
     /// How friction counts, and the errata of the inputs.
     fn notes(&self) -> Notes {
-        let mut notes: Notes = Cow::Owned(vec![Note::FrictionTemperatures {
+        // Room for what most checks say besides.
+        let mut told = Vec::with_capacity(NOTES_USUAL);
+        told.push(Note::FrictionTemperatures {
             cold: self.cold.temperature,
             settled: self.heat.as_ref().ok().map(|(_, settled)| settled.housing),
-        }]);
-        notes.to_mut().extend(self.cold_band.map(|(low, high)| Note::FrictionExtrapolated { low, high }));
+        });
+        told.extend(self.cold_band.map(|(low, high)| Note::FrictionExtrapolated { low, high }));
+        let mut notes: Notes = Cow::Owned(told);
         for errata in self.errata {
             cite(&mut notes, errata);
         }
@@ -143,6 +153,12 @@ impl Currents {
     /// The larger current of the two states at an instant, signed \[A\].
     fn extreme(&self, node: &Node) -> f64 {
         self.in_state(node, self.larger(node))
+    }
+
+    /// The instant of the largest current, in either state.
+    fn peak(&self, axis: &Axis) -> Node {
+        let bound = |extent: &Extent| self.bound(extent);
+        *self.peak.get_or_init(|| axis.trace.largest(&Convex(bound, |node: &Node| self.extreme(node).abs())).1)
     }
 
     /// Both losses at an instant of the settled cycle, if there is a heat model.
@@ -451,12 +467,7 @@ fn current_check(
     let published = curve.map(|curve| &curve.value);
     let both = [&currents.cold, &currents.warm];
     let over = Overcurrent::of(currents, printed, published, &both);
-    let (_, node) = match curve {
-        None => axis
-            .trace
-            .largest(&Convex(|extent: &Extent| currents.bound(extent), |node: &Node| currents.extreme(node).abs())),
-        Some(_) => axis.trace.largest(&over),
-    };
+    let node = if curve.is_some() { axis.trace.largest(&over).1 } else { currents.peak(axis) };
     let (current, most) = (currents.extreme(&node).abs(), over.permitted(&node, currents.larger(&node)));
     // What the settled cycle asks beyond the limit no warm-up mends.
     let settled = || axis.trace.largest(&Overcurrent::of(currents, printed, published, &[&currents.warm])).0;

@@ -176,9 +176,9 @@ fn a_recording_agrees_with_its_law() {
     let n = 6000;
     let time: Vec<f64> = (0..=n).map(|k| 1.2 * f64::from(k) / f64::from(n)).collect();
     let samples = Samples {
-        position_rad: Some(time.iter().map(|t| piece_at(*t).position_rad).collect()),
-        speed_rad_s: Some(time.iter().map(|t| piece_at(*t).speed_rad_s).collect()),
-        time_s: time,
+        position_rad: Some(std::sync::Arc::new(time.iter().map(|t| piece_at(*t).position_rad).collect())),
+        speed_rad_s: Some(std::sync::Arc::new(time.iter().map(|t| piece_at(*t).speed_rad_s).collect())),
+        time_s: time.into(),
         torque_nm: None,
     };
     let recorded = Recorded::new(samples, Treatment::default()).unwrap();

@@ -1,7 +1,7 @@
 //! The checks of the gear.
 
 use crate::axis::Axis;
-use crate::bearing_checks;
+use crate::bearing_checks::{self, Borne};
 use crate::check::{Check, CheckId, Note, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, equation, explained, not_checked};
 use crate::resonance;
@@ -166,10 +166,8 @@ fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f
 fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::ErrorBudget;
     let bearing = &actuator.output_bearing;
-    let moment = axis
-        .bearing
-        .as_ref()
-        .and_then(|duty| Some(bearing_checks::largest_tilting_moment(axis, duty, bearing).ok()?.value));
+    let moment =
+        axis.bearing.as_ref().and_then(|duty| Some(Borne::of(axis, duty, bearing).largest_moment().ok()?.value));
     let case = BudgetCase {
         torque: axis.moments().load_peak,
         tilting_moment: moment.map(Torque::from_si),
@@ -296,7 +294,7 @@ fn explain_tilt(axis: &Axis, actuator: &Parameters, case: &BudgetCase, work: &mu
     };
     match (case.tilting_moment, actuator.output_bearing.tilting_stiffness.known(), &axis.bearing) {
         (Some(moment), Some(stiffness), Some(duty)) => {
-            bearing_checks::largest_moment(axis, duty, &actuator.output_bearing, work);
+            bearing_checks::explain_largest_moment(&Borne::of(axis, duty, &actuator.output_bearing), work);
             work.given("K_B", &NEWTON_METRE_PER_ARCMINUTE, stiffness);
             let tilt = actuator::tilt_angle(moment, stiffness.value);
             work.formula("gamma", &ARCMINUTE, tilt.si(), "M/K_B", &equation("76.4"));

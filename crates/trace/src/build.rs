@@ -2,9 +2,9 @@
 
 use super::alike;
 use super::recording::Strip;
-use super::rule::{MOST, rule};
+use super::rule::rule;
 use super::{BLOCK, Block, Carried, Extent, GROUP, Gram, Group, Kept, Like, Node, Panel, Place, Run, Share, Trace};
-use mechanism::{Endless, Extra, Mechanism, Output};
+use mechanism::{Endless, Extra, Load, Loading, Mechanism, Output};
 use motion::{Motion, Piece, Placed, Runs, State, lobatto};
 use quantities::{Angle, Measure};
 use std::f64::consts::TAU;
@@ -202,17 +202,18 @@ impl<'a> Builder<'a> {
             let start_s = piece.start_s + times * period;
             self.turning(&Piece { start_s, duration_s: left, position_rad, ..*piece }, extra);
         } else {
-            self.see(&output(&piece.at(piece.duration_s), piece.speed_rad_s.signum()), extra);
+            let output = output(&piece.at(piece.duration_s), piece.speed_rad_s.signum());
+            self.see(&output, &self.mechanism.loading(extra).at(&output));
         }
     }
 
     fn turning(&mut self, piece: &Piece, extra: &Extra) {
-        let runs = piece.runs();
-        let cuts = self.cuts(piece, extra, &runs);
+        let (runs, loading) = (piece.runs(), self.mechanism.loading(extra));
+        let cuts = self.cuts(piece, &loading, &runs);
         let nodes = nodes_per_panel(self.mechanism, piece);
         for pair in cuts.windows(2) {
             if let [from, to] = pair {
-                self.panel(piece, extra, (*from, *to, runs.direction(0.5 * (from + to))), nodes);
+                self.panel(piece, &loading, (*from, *to, runs.direction(0.5 * (from + to))), nodes);
                 // What repeats is one block.
                 if self.times == 1.0 && self.nodes.len() - self.blocked.0 >= BLOCK {
                     self.close_block();
@@ -223,7 +224,8 @@ impl<'a> Builder<'a> {
 
     fn rest(&mut self, piece: &Piece, extra: &Extra) {
         let output = output(&piece.at(0.0), 0.0);
-        let holding = self.mechanism.torque(&output, extra);
+        let load = self.mechanism.loading(extra).at(&output);
+        let holding = load.torque_nm;
         let carried = self.carried.get(piece.segment).copied().unwrap_or_default();
         let (until, again) = carried.ends(piece.duration_s);
         for (from, to, load) in [(0.0, until, holding), (until, again, 0.0), (again, piece.duration_s, holding)] {
@@ -250,21 +252,19 @@ impl<'a> Builder<'a> {
                 like: Like::default(),
             });
         }
-        self.see(&output, extra);
+        self.see(&output, &load);
     }
 
     /// Notes extremes at an instant.
-    fn see(&mut self, output: &Output, extra: &Extra) {
-        let inertia = Measure::si(self.mechanism.inertia(output.position_rad, extra));
-        self.inertia = (self.inertia.0.max(inertia), self.inertia.1.min(inertia));
+    fn see(&mut self, output: &Output, load: &Load) {
+        self.inertia = (self.inertia.0.max(load.inertia_kgm2), self.inertia.1.min(load.inertia_kgm2));
         self.span = (self.span.0.min(output.position_rad), self.span.1.max(output.position_rad));
-        let holding = Measure::si(self.mechanism.holding_torque(output.position_rad, extra));
-        self.holding = self.holding.max(holding.abs());
+        self.holding = self.holding.max(load.holding_nm.abs());
     }
 
     /// Panel borders: reversals, changes of sign of the torque and kinks of the load, and then as many equal parts as a
     /// smooth integrand needs.
-    fn cuts(&self, piece: &Piece, extra: &Extra, runs: &Runs) -> Vec<f64> {
+    fn cuts(&self, piece: &Piece, loading: &Loading<'_>, runs: &Runs) -> Vec<f64> {
         let mut cuts = vec![0.0];
         cuts.extend(runs.reversals());
         let ramp = piece.speed_degree().is_some_and(|degree| degree <= 1);
@@ -285,23 +285,30 @@ impl<'a> Builder<'a> {
             }
             let state = piece.states();
             let at = |t: f64| output(&state(t), runs.direction(t));
+            let looked = |output: Output| (output, loading.at(&output));
+            let (kinks, mut seen, mut values) = (self.mechanism.kinks(), Vec::new(), Vec::new());
             let mut k = 0.0;
             while k < spans {
                 let from = k * span;
                 // Every function looks at the same instants first.
-                let outputs: Vec<Output> = motion::root_steps(span).map(|t| at(from + t)).collect();
-                let mut search = |f: &dyn Fn(&Output) -> f64| {
-                    let values: Vec<f64> = outputs.iter().map(f).collect();
-                    let found = motion::roots_between(&values, |t| f(&at(from + t)), span);
+                seen.clear();
+                seen.extend(motion::root_steps(span).map(|t| looked(at(from + t))));
+                let mut search = |f: &dyn Fn(&(Output, Load)) -> f64| {
+                    values.clear();
+                    values.extend(seen.iter().map(f));
+                    let found = motion::roots_between(&values, |t| f(&looked(at(from + t))), span);
                     cuts.extend(found.into_iter().map(|t| from + t));
                 };
-                search(&|output| self.mechanism.useful_torque(output, extra));
-                search(&|output| self.mechanism.torque(output, extra));
-                if self.mechanism.stage.is_some() {
-                    search(&|output| self.mechanism.stage_torque(output, extra));
+                // Without friction and losses both torques are one and pass zero together.
+                if seen.iter().any(|(_, load)| load.useful_nm != load.torque_nm) {
+                    search(&|(_, load)| load.useful_nm);
                 }
-                for kink in self.mechanism.kinks() {
-                    search(&|output| wrapped(output.position_rad / self.mechanism.stage_ratio() - kink));
+                search(&|(_, load)| load.torque_nm);
+                if self.mechanism.stage.is_some() {
+                    search(&|(_, load)| load.stage_nm);
+                }
+                for kink in &kinks {
+                    search(&|(output, _)| wrapped(output.position_rad / self.mechanism.stage_ratio() - kink));
                 }
                 k += 1.0;
             }
@@ -329,7 +336,7 @@ impl<'a> Builder<'a> {
         fine
     }
 
-    fn panel(&mut self, piece: &Piece, extra: &Extra, (from, to, direction): (f64, f64, f64), nodes: usize) {
+    fn panel(&mut self, piece: &Piece, loading: &Loading<'_>, (from, to, direction): (f64, f64, f64), nodes: usize) {
         let mut travelled = 0.0;
         let (kinked, beside, state) = (self.kinked, 1e-9 * (to - from), piece.states());
         let first = self.nodes.len();
@@ -339,16 +346,17 @@ impl<'a> Builder<'a> {
             // At a kink of the load each panel takes the slope of its own side.
             let beside = if kinked { (t.max(from + beside)).min(to - beside) } else { t };
             let output = output(&state(beside), direction);
+            let load = loading.at(&output);
             self.nodes.push(Node {
                 time_s: piece.start_s + t,
                 weight_s: weight * (to - from) * self.times,
                 acceleration_rad_s2: output.acceleration_rad_s2,
                 speed_rad_s: output.speed_rad_s,
                 direction,
-                load_nm: self.mechanism.torque(&output, extra),
+                load_nm: load.torque_nm,
             });
             travelled += self.times * weight * (to - from) * output.speed_rad_s * direction;
-            self.see(&output, extra);
+            self.see(&output, &load);
         }
         let bow = bow(self.nodes.get(first..).unwrap_or_default());
         let extent = Extent::of(self.nodes.get(first..).unwrap_or_default(), &bow);
@@ -380,18 +388,14 @@ fn bow(nodes: &[Node]) -> [f64; 4] {
     let rule = rule(nodes.len());
     let shares = rule.nodes();
     let gap = shares.iter().zip(shares.iter().skip(1)).map(|(a, b)| 2.0 * (b - a)).fold(0.0, f64::max);
-    for (index, bow) in bow.iter_mut().enumerate() {
-        let mut values = [0.0; MOST];
-        let of = |node: &Node| node.signals().get(index).copied().unwrap_or(0.0);
-        values.iter_mut().zip(nodes).for_each(|(value, node)| *value = of(node));
-        let mut j = 0.0;
-        for a in rule.coefficients(&values) {
+    let mut j = 0.0;
+    for factors in rule.coefficients_of(nodes) {
+        for (bow, a) in bow.iter_mut().zip(factors) {
             *bow += a.abs() * (j - 1.0) * j * (j + 1.0) * (j + 2.0) / 8.0;
-            j += 1.0;
         }
-        *bow *= gap * gap / 8.0;
+        j += 1.0;
     }
-    bow
+    bow.map(|bow| bow * (gap * gap / 8.0))
 }
 
 /// How many whole revolutions of the load a piece makes at constant speed, if it repeats with each and there are several.

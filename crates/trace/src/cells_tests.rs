@@ -23,8 +23,12 @@ fn noisy(with_torque: bool) -> Motion {
     let mut speeds: Vec<f64> = time_s.iter().map(|t| speed(*t, noise())).collect();
     (speeds[0], speeds[count as usize - 1]) = (0.0, 0.0);
     let torque: Vec<f64> = time_s.iter().map(|t| 6.0 * (1.7 * t).cos() + 2.0 * noise()).collect();
-    let samples =
-        Samples { time_s, speed_rad_s: Some(speeds), torque_nm: with_torque.then_some(torque), position_rad: None };
+    let samples = Samples {
+        time_s: time_s.into(),
+        speed_rad_s: Some(speeds.into()),
+        torque_nm: with_torque.then(|| torque.into()),
+        position_rad: None,
+    };
     let recorded = Recorded::new(samples, Treatment::default()).unwrap();
     Motion::new(&[SegmentSpec::Recorded(Arc::new(recorded))], None, Closing::SingleMove).unwrap()
 }

@@ -142,6 +142,17 @@ impl Rule {
         coefficients
     }
 
+    /// The same of every signal of a panel, in the order of the polynomials.
+    pub(super) fn coefficients_of(&self, nodes: &[Node]) -> impl Iterator<Item = [f64; 4]> {
+        self.legendre.iter().map(move |row| {
+            let mut sums = [0.0; 4];
+            for (l, node) in row.iter().zip(nodes) {
+                sums.iter_mut().zip(node.signals()).for_each(|(sum, signal)| *sum += l * signal);
+            }
+            sums
+        })
+    }
+
     /// The weights of the values at the nodes in the lag at the end of the panel, for its duration over the time constant.
     pub(super) fn weights(&self, lambda: f64) -> Values {
         let mut weights = [0.0; MOST];

@@ -228,11 +228,16 @@ pub(super) fn swing(samples: u32) -> Motion {
     let speed = time_s.iter().map(|t| phase(*t, 1.0).sin() + 0.4 * phase(*t, 3.0).sin() - 0.7 * phase(*t, 7.0).sin());
     let torque = time_s.iter().map(|t| 12.0 * phase(*t, 2.0).cos() + 3.0 * phase(*t, 11.0).sin());
     let mut speed: Vec<f64> = speed.collect();
-    let torque = torque.collect();
+    let torque: Vec<f64> = torque.collect();
     // It stands for a while.
     speed.iter_mut().skip(samples as usize / 3).take(samples as usize / 10).for_each(|speed| *speed = 0.0);
     (speed[0], speed[samples as usize - 1]) = (0.0, 0.0);
-    let samples = Samples { time_s, speed_rad_s: Some(speed), torque_nm: Some(torque), position_rad: None };
+    let samples = Samples {
+        time_s: time_s.into(),
+        speed_rad_s: Some(speed.into()),
+        torque_nm: Some(torque.into()),
+        position_rad: None,
+    };
     let recorded = Recorded::new(samples, Treatment::default()).unwrap();
     Motion::new(&[SegmentSpec::Recorded(std::sync::Arc::new(recorded))], None, Closing::SingleMove).unwrap()
 }
@@ -302,9 +307,9 @@ fn a_sampled_law_comes_near_the_law() {
             piece.at(t - piece.start_s)
         };
         let samples = Samples {
-            position_rad: Some(time_s.iter().map(|t| at(*t).position_rad).collect()),
-            speed_rad_s: Some(time_s.iter().map(|t| at(*t).speed_rad_s).collect()),
-            time_s,
+            position_rad: Some(std::sync::Arc::new(time_s.iter().map(|t| at(*t).position_rad).collect())),
+            speed_rad_s: Some(std::sync::Arc::new(time_s.iter().map(|t| at(*t).speed_rad_s).collect())),
+            time_s: time_s.into(),
             torque_nm: None,
         };
         let recorded = Recorded::new(samples, Treatment::default()).unwrap();

@@ -15,8 +15,8 @@ pub(crate) struct Cited<'p> {
 #[derive(Debug)]
 struct Known {
     role: Key,
-    /// Only loads on the flange are told apart by it.
-    si: Option<f64>,
+    /// The value that told it apart from others of its role; `None` where no value does.
+    si: Option<Option<f64>>,
     within: Within,
     /// `None` where the role is the key itself.
     key: Option<Key>,
@@ -47,19 +47,24 @@ impl<'p> Cited<'p> {
 
     fn rename(&mut self, source: &mut Source, si: Option<f64>, within: Within) {
         let Source::Project { key } = source else { return };
-        if is_final(key) {
-            return;
-        }
-        let si = si.filter(|_| key.starts_with("bearing."));
-        let same = |known: &&Known| known.role == *key && known.si == si && known.within == within;
-        let found = self.known.iter().find(same).map(|known| known.key.clone());
-        let stated = found.unwrap_or_else(|| {
-            let stated = self.project.stated_at(key, si, within).map(Key::from);
-            if self.known.len() < KNOWN_MOST {
-                self.known.push(Known { role: key.clone(), si, within, key: stated.clone() });
+        // Most names of the engine are the same few texts.
+        let is_role = |role: &Key| std::ptr::eq(&**role, &**key) || role == key;
+        let same =
+            |known: &&Known| known.within == within && known.si.is_none_or(|known| known == si) && is_role(&known.role);
+        let stated = match self.known.iter().find(same) {
+            Some(known) => known.key.clone(),
+            None if is_final(key) => return,
+            None => {
+                // Only loads on the flange are told apart by their value.
+                let by_value = key.starts_with("bearing.");
+                let stated = self.project.stated_at(key, si.filter(|_| by_value), within).map(Key::from);
+                if self.known.len() < KNOWN_MOST {
+                    let si = by_value.then_some(si);
+                    self.known.push(Known { role: key.clone(), si, within, key: stated.clone() });
+                }
+                stated
             }
-            stated
-        });
+        };
         if let Some(stated) = stated {
             *key = stated;
         }

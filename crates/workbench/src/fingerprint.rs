@@ -20,7 +20,7 @@ pub fn project_fingerprint(text: &str, recordings: &[RecordingRead]) -> String {
         let course = [&recording.course.position, &recording.course.speed].into_iter().flatten();
         let columns = course.map(|series| &series.values).chain(recording.torque.as_ref().map(|effort| &effort.values));
         for column in columns.chain([&recording.time_s]) {
-            for value in column {
+            for value in column.iter() {
                 hasher.update(&value.to_le_bytes());
             }
         }

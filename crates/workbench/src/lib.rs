@@ -73,7 +73,7 @@ pub use project::{
 };
 pub use provenance::Grade;
 pub use quantities::{self, Language};
-pub use reading::{read, read_all, schema};
+pub use reading::{Unread, read, read_all, read_all_watched, schema};
 pub use recording::MEMORY_USUAL;
 pub use sheet::{Sheet, SheetNote, SheetRow, SheetSection, sheet};
 pub use sizing::derivation as workings;

@@ -9,18 +9,20 @@ mod project_tests;
 #[cfg(test)]
 mod stage_tests;
 
-use crate::sizing_use::size;
+use crate::patience::{Patience, Stopped};
+use crate::sizing_use::size_watched;
 use project::{Diagnostic, Files, Project, RatioAnswer};
 use quantities::Language;
 use serde_json::Value;
-use sizing::rank;
+use sizing::{Unwatched, Watch, finished, rank};
+use std::cell::Cell;
 
 /// Reads a project file with one axis that refers to no other file.
 ///
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::told`] words them.
 pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
-    Project::read(text, best_ratio)
+    Project::read(text, &|ratios, with| finished(best_ratio(ratios, with, &Unwatched)))
 }
 
 /// Reads a project file with one axis or several, in their order, and the files that it refers to.
@@ -28,7 +30,33 @@ pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
 /// # Errors
 /// Every fault of the file, each with its place, in the order of the file; [`words::told`] words them.
 pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagnostic>> {
-    Project::read_all(text, files, best_ratio)
+    Project::read_all(text, files, &|ratios, with| finished(best_ratio(ratios, with, &Unwatched)))
+}
+
+/// Why there is no project.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unread {
+    /// Every fault of the file, each with its place, in the order of the file.
+    Faults(Vec<Diagnostic>),
+    /// Whoever asked does not wait any longer.
+    Stopped,
+}
+
+/// Reads as [`read_all`] does, for somebody who may stop it: among several ratios of a stage the best is sought, and the
+/// catalogue judged for each.
+///
+/// # Errors
+/// [`Unread`].
+pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> Result<Vec<Project>, Unread> {
+    let stopped = Cell::new(false);
+    let choose = |ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>| {
+        best_ratio(ratios, with, patience).unwrap_or_else(|Stopped| {
+            stopped.set(true);
+            None
+        })
+    };
+    let read = Project::read_all(text, files, &choose);
+    if stopped.get() { Err(Unread::Stopped) } else { read.map_err(Unread::Faults) }
 }
 
 /// The JSON Schema of the project file (draft 2020-12).
@@ -42,12 +70,19 @@ pub fn schema(language: Language) -> Value {
 ///
 /// Each ratio is judged by itself, because it changes the axis and not the actuator: all that is told of the axis (demand,
 /// motion, checks, report) is then of one ratio, and each candidate of the ranking is judged under the same.
-fn best_ratio(ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>) -> Option<Project> {
+///
+/// # Errors
+/// Where it was stopped.
+fn best_ratio<W: Watch>(
+    ratios: &[f64],
+    with: &dyn Fn(f64) -> Option<Project>,
+    watch: &W,
+) -> Result<Option<Project>, W::Stop> {
     let mut answers: Vec<RatioAnswer> = Vec::new();
     let mut best: Option<(Project, sizing::Standing, usize)> = None;
     for ratio in ratios {
         let Some(trial) = with(*ratio) else { continue };
-        let sizing = size(&trial);
+        let sizing = size_watched(&trial, watch)?;
         let Some(first) = sizing.candidates.first() else { continue };
         let standing = first.standing;
         answers.push(RatioAnswer {
@@ -62,10 +97,10 @@ fn best_ratio(ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>) -> Option<P
             best = Some((trial, standing, answers.len() - 1));
         }
     }
-    let (mut chosen, _, index) = best?;
+    let Some((mut chosen, _, index)) = best else { return Ok(None) };
     if let Some(answer) = answers.get_mut(index) {
         answer.chosen = true;
     }
     chosen.ratios = answers;
-    Some(chosen)
+    Ok(Some(chosen))
 }

@@ -1,21 +1,24 @@
 //! Work that somebody waits for: it can be cancelled, and what costs too much is refused before it begins.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
-use workbench::{Draw, Patience, Project, Refusal};
+use workbench::{Draw, NoFiles, Patience, Project, Refusal, Unread};
 
 /// An arm that swings many times, each time otherwise, so that no move stands for another.
 fn long(count: u32) -> Project {
+    workbench::read(&swings(count)).unwrap_or_else(|faults| panic!("{faults:#?}"))
+}
+
+fn swings(count: u32) -> String {
     let moves: String = (0..count)
         .map(|k| {
             let angle = (40.0 + 0.01 * f64::from(k / 2)) * if k % 2 == 0 { 1.0 } else { -1.0 };
             format!("[[motion]]\nlaw = \"modified_sine\"\ndistance = \"{angle} deg\"\ntime = \"0.7 s\"\n")
         })
         .collect();
-    let text = format!(
+    format!(
         "format = 1\n[mechanism.arm]\ninertia = \"0.5 kg m^2 ± 5 %\"\nmass = \"2 kg\"\ncentre_distance = \"200 mm\"\n\
          axis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\n{moves}"
-    );
-    workbench::read(&text).unwrap_or_else(|faults| panic!("{faults:#?}"))
+    )
 }
 
 fn code() -> workbench::OrderCode {
@@ -45,6 +48,25 @@ fn work_is_cancelled_from_elsewhere() {
         patience.cancel();
         assert_eq!(worker.join().unwrap().unwrap_err(), Refusal::Stopped);
     });
+}
+
+/// Of several ratios of a stage the best is sought while the project is read.
+#[test]
+fn the_choice_among_ratios_is_cancelled_too() {
+    let text = format!("{}\n[stage]\nkind = \"belt\"\nratios = [1, 1.5, 2, 2.5, 3]\n", swings(2));
+    let read = |patience: &Patience| workbench::read_all_watched(&text, &NoFiles, patience);
+    let patience = Patience::endless();
+    let chosen = read(&patience).unwrap();
+    assert_eq!((chosen.len(), chosen[0].ratios.len()), (1, 5));
+    let (steps, _) = patience.progress();
+    assert_eq!(steps, 5 * 276, "the catalogue for each ratio");
+    let patience = Patience::limited();
+    patience.cancel();
+    assert_eq!(read(&patience).unwrap_err(), Unread::Stopped);
+    assert_eq!(patience.progress().0, 2, "one step of each thread, and no other ratio");
+    // A fault of the file is told all the same.
+    let wrong = text.replace("0.7 s", "0.7 m");
+    assert!(matches!(workbench::read_all_watched(&wrong, &NoFiles, &patience), Err(Unread::Faults(_))));
 }
 
 #[test]

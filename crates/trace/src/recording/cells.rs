@@ -53,37 +53,23 @@ struct Point {
 const DIRECTIONS: usize = 4;
 
 impl Cells {
-    #[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
     pub(super) fn of(strip: &Strip) -> Self {
-        let mut groups: [Vec<Point>; DIRECTIONS] = Default::default();
-        let mut add = |direction: usize, signals: [f32; 3], index: usize| {
-            if let Some(group) = groups.get_mut(direction) {
-                group.push(Point { signals, index: count(index) });
-            }
-        };
-        let recorded = &*strip.surveyed.recorded;
-        if strip.plain.is_some() && recorded.torque_nm().is_none() {
-            let intervals = recorded.time_s().windows(2).zip(recorded.speed_rad_s().windows(2));
-            for (index, pair) in intervals.enumerate() {
-                let ([from, to], [w0, w1]) = pair else { continue };
-                let acceleration = (w1 - w0) / (to - from);
-                add(direction(*w0, *w1), [acceleration as f32, (0.5 * (w0 + w1)) as f32, 0.0], index);
-            }
-        } else {
-            for index in 0..strip.intervals() {
-                if let Some((direction, signals)) = signals(strip, index) {
-                    add(direction, signals, index);
-                }
-            }
-        }
-        let mut all = Self { cells: Vec::new(), order: Vec::with_capacity(strip.intervals()) };
+        let speeds = strip.surveyed.recorded.speed_rad_s();
+        let directions = || speeds.windows(2).map(|pair| if let [from, to] = pair { direction(*from, *to) } else { 0 });
+        let mut counts = [0; DIRECTIONS];
+        directions().for_each(|here| counts.iter_mut().skip(here).take(1).for_each(|count| *count += 1));
+        let cells = counts.iter().map(|points| 1 + cells_of(*points)).sum();
+        let mut all = Self { cells: Vec::with_capacity(cells), order: Vec::with_capacity(strip.intervals()) };
         let mut root = None;
         let sides = [Some(-1.0), Some(0.0), Some(1.0), None];
-        for (points, side) in groups.iter_mut().zip(sides).filter(|(points, _)| !points.is_empty()) {
-            let own = all.group(strip, side, points);
+        // One direction after the other: the points of all of them would take as much as two columns of the recording.
+        for ((here, count), side) in counts.into_iter().enumerate().zip(sides).filter(|((_, count), _)| *count > 0) {
+            let mut points = Vec::with_capacity(count);
+            let indices = directions().enumerate().filter(|(_, direction)| *direction == here);
+            points.extend(indices.filter_map(|(index, _)| Point::of(strip, index)));
+            let own = all.group(strip, side, &mut points);
             root = Some(root.map_or(own, |root| join(&mut all.cells, [root, own])));
         }
-        all.cells.shrink_to_fit();
         all.cells.iter_mut().zip(0..).for_each(|(cell, number)| cell.number = number);
         all
     }
@@ -99,7 +85,7 @@ impl Cells {
             // Two halves, each by its own thread; the cells of the second follow upon those of the first.
             let middle = part(points, &scale);
             let (low, high) = points.split_at_mut(middle);
-            let mut others = Vec::new();
+            let mut others = Vec::with_capacity(cells_of(high.len()));
             let from = first + count(middle);
             let (a, b) = std::thread::scope(|scope| {
                 let other = scope.spawn(|| split(of, high, from, &scale, &mut others));
@@ -179,18 +165,26 @@ const fn count(n: usize) -> u32 {
     n as u32
 }
 
-/// The direction of an interval, and what it is sorted by; exactness is of no matter here.
-#[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
-fn signals(strip: &Strip, index: usize) -> Option<(usize, [f32; 3])> {
-    let interval = strip.surveyed.interval(index)?;
-    let [from, to] = interval.speed_rad_s;
-    let mut torque = 0.5 * (interval.torque_nm[0] + interval.torque_nm[1]);
-    if strip.plain.is_none() {
-        strip.raw_interval(index, &mut |panel: Panel<'_>| {
-            torque = panel.nodes.get(panel.nodes.len() / 2).map_or(0.0, |node| node.load_nm);
-        });
+/// At most so many cells hold so many intervals: each is halved until it is a leaf.
+const fn cells_of(points: usize) -> usize {
+    2 * points.div_ceil(LEAF).next_power_of_two()
+}
+
+impl Point {
+    /// Of an interval; exactness is of no matter here.
+    #[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
+    fn of(strip: &Strip, index: usize) -> Option<Self> {
+        let interval = strip.surveyed.interval(index)?;
+        let [from, to] = interval.speed_rad_s;
+        let mut torque = 0.5 * (interval.torque_nm[0] + interval.torque_nm[1]);
+        if strip.plain.is_none() {
+            strip.raw_interval(index, &mut |panel: Panel<'_>| {
+                torque = panel.nodes.get(panel.nodes.len() / 2).map_or(0.0, |node| node.load_nm);
+            });
+        }
+        let signals = [interval.acceleration_rad_s2() as f32, (0.5 * (from + to)) as f32, torque as f32];
+        Some(Self { signals, index: count(index) })
     }
-    Some((direction(from, to), [interval.acceleration_rad_s2() as f32, (0.5 * (from + to)) as f32, torque as f32]))
 }
 
 /// In which of the [`DIRECTIONS`] an interval is run through, by the speeds at its ends.

@@ -1,0 +1,66 @@
+//! What the load asks for at many states, one after the other.
+
+use crate::rotor::Laden;
+use crate::{Extra, Kind, Mechanism, Output, Reduced};
+
+/// What a mechanism asks for at one state of the output.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Load {
+    /// Torque that the load takes on the far side of the transmission, see [`Mechanism::useful_torque`] \[Nm\].
+    pub useful_nm: f64,
+    /// Torque that the output must give, see [`Mechanism::torque`] \[Nm\].
+    pub torque_nm: f64,
+    /// Torque that a stage hands on, see [`Mechanism::stage_torque`] \[Nm\].
+    pub stage_nm: f64,
+    /// J_L, see [`Mechanism::inertia`] \[kgm²\].
+    pub inertia_kgm2: f64,
+    /// Torque that holds the load at rest, see [`Mechanism::holding_torque`] \[Nm\].
+    pub holding_nm: f64,
+}
+
+/// A mechanism in one segment of the motion, with what does not change within it worked out once.
+#[derive(Clone, Copy, Debug)]
+pub struct Loading<'m> {
+    mechanism: &'m Mechanism,
+    extra: &'m Extra,
+    /// Of a rotor only; the other kinds have nothing that is worth while.
+    laden: Option<Laden>,
+}
+
+impl Mechanism {
+    /// The mechanism in a segment that adds something to the load.
+    #[must_use]
+    pub fn loading<'m>(&'m self, extra: &'m Extra) -> Loading<'m> {
+        let laden = match &self.kind {
+            Kind::Rotor(rotor) => Some(rotor.laden(extra)),
+            _ => None,
+        };
+        Loading { mechanism: self, extra, laden }
+    }
+}
+
+impl Loading<'_> {
+    /// What it asks for at a state of the output.
+    #[must_use]
+    pub fn at(&self, output: &Output) -> Load {
+        let (mechanism, stage) = (self.mechanism, self.mechanism.gearing());
+        let behind = stage.map_or(*output, |stage| stage.behind(output));
+        let reduced = self.reduced(behind.position_rad);
+        let useful = mechanism.useful(&reduced, &behind);
+        let own = mechanism.passed(useful, &behind);
+        Load {
+            useful_nm: useful,
+            torque_nm: stage.map_or(own, |stage| stage.torque(own, &behind, output)),
+            stage_nm: stage.map_or(0.0, |stage| stage.handed_on(own, &behind)),
+            inertia_kgm2: mechanism.inertia_of(&reduced),
+            holding_nm: mechanism.holding_of(&reduced),
+        }
+    }
+
+    fn reduced(&self, position_rad: f64) -> Reduced {
+        match &self.laden {
+            Some(laden) => laden.reduced(position_rad),
+            None => self.mechanism.reduced(position_rad, self.extra),
+        }
+    }
+}
