@@ -136,8 +136,8 @@ texts! {
         "Storage before operation, for example \"1 a\"; none without it"
         | "Lagerung vor dem Betrieb, zum Beispiel \"1 a\"; ohne Angabe keine";
     mount =
-        "Fits, tolerances, screws and their utilisation, mass, purge air: how an actuator is mounted"
-        | "Passungen, Toleranzen, Schrauben und ihre Auslastung, Masse, Sperrluft: wie ein Antrieb montiert wird";
+        "Fits, screws and their utilisation, mass: how an actuator is mounted"
+        | "Passungen, Schrauben und ihre Auslastung, Masse: wie ein Antrieb montiert wird";
     mount_bore =
         "Bore over both pilots: a zone such as K7, or limit deviations such as \"+12/-3 um\"; H7 without it, as the manual recommends"
         | "Bohrung auf beiden Zentrierungen: ein Toleranzfeld wie K7 oder Grenzabmaße wie \"+12/-3 um\"; ohne Angabe H7, wie die Anleitung empfiehlt";
