@@ -215,7 +215,7 @@ mod tests {
     #[test]
     fn the_script_reads_back_as_the_lines_in_either_language() {
         for (code, _) in crate::list_codes(None) {
-            let Some(about) = commission(&code) else { continue };
+            let Some(about) = commission(code) else { continue };
             let lines: Vec<(u16, f64)> =
                 sinamics::lines(&about).iter().map(|line| (line.entry.number, line.value)).collect();
             assert!(lines.len() >= 15, "{code}");

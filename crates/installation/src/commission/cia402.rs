@@ -178,7 +178,10 @@ fn whole(draft: Draft) -> Option<Object> {
         Rounding::Nearest => exact.round(),
         Rounding::Down => exact.floor(),
     };
-    let fits = rounded >= 0.0 && rounded <= f64::from(data_type.largest());
+    if rounded < 0.0 || rounded > f64::from(data_type.largest()) {
+        return None;
+    }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole and within the type")]
-    fits.then(|| Object { id, index, sub, data_type, value: rounded as u32, exact, unit, rounding, from, document })
+    let value = rounded as u32;
+    Some(Object { id, index, sub, data_type, value, exact, unit, rounding, from, document })
 }
