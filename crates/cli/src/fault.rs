@@ -6,7 +6,6 @@ use crate::answer::Answer;
 use crate::subject::refuse;
 use crate::table::width;
 use crate::waiting::patience;
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use clap::ArgMatches;
 use std::io::Read;
 use std::path::{Path, PathBuf};
