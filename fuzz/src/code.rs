@@ -1,6 +1,6 @@
 //! Ordering codes: never another code than the one written, and every fault has its place and its words.
 
-use crate::text::{any_edits, mutate, rest, tells};
+use crate::text::{any_edits, mutate, one_in, rest, tells};
 use arbitrary::{Result, Unstructured};
 use order_code::{Field, OrderCode, Pattern, parse};
 use std::sync::LazyLock;
@@ -13,14 +13,13 @@ static CODES: LazyLock<Vec<OrderCode>> =
 pub fn run(data: &[u8]) {
     let text = shown(data);
     hold(&text);
-    // The nearest codes, and what a partial code allows, are searched among all: that takes ten times as long as all else,
-    // and the languages differ in words only.
-    match text.len() % 8 {
-        0 => hold_read(&text, Language::En),
-        4 => hold_read(&text, Language::De),
-        2 => hold_partial(&text, Language::En),
-        6 => hold_partial(&text, Language::De),
-        _ => {}
+    // The nearest codes, and what a partial code allows, are sought among all: each takes as long as ten other cases or
+    // more, and the languages differ in words.
+    let language = if one_in(2, &text) { Language::De } else { Language::En };
+    if one_in(7, &text) {
+        hold_read(&text, language);
+    } else if one_in(9, &text) {
+        hold_partial(&text, language);
     }
 }
 

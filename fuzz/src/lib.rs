@@ -4,6 +4,8 @@
 //! recording, [`text`] an edited text. So an engine that changes bytes goes from one valid project to another.
 //! A target knows no engine; `main.rs` puts it under libFuzzer, and `tests/` replays the corpora without one.
 
+use std::sync::atomic::AtomicU64;
+
 pub mod axis;
 pub mod code;
 pub mod draft;
@@ -11,6 +13,9 @@ pub mod project;
 pub mod quantity;
 pub mod recorded;
 pub mod text;
+
+/// How many cases got past the first gate of their target: for Parquet the footer. Others have none.
+pub static PAST_THE_GATE: AtomicU64 = AtomicU64::new(0);
 
 /// A fuzz target.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,14 @@
 //! One fuzz target under libFuzzer: `ANTRIEB_FUZZ_TARGET` names it. `cargo xtask fuzz` builds and starts this.
 #![no_main]
 
+use fuzz::PAST_THE_GATE;
 use std::alloc::System;
 use std::io::Write as _;
 use std::sync::OnceLock;
+use std::sync::atomic::Ordering;
+
+/// Cases past the gate from one time that they are told to the next.
+const STEP: u64 = 1000;
 
 /// Counts what is allocated, and refuses what goes beyond the limit of the target: libFuzzer sees such a case as a crash,
 /// also where the memory is asked for and never touched.
@@ -33,6 +38,12 @@ libfuzzer_sys::fuzz_target!(init: prepare(), |data: &[u8]| {
         if *SHOWN.get_or_init(|| std::env::var_os("ANTRIEB_FUZZ_SHOW").is_some()) {
             let _ = writeln!(std::io::stderr(), "{}", (target.shown)(data));
         }
+        let before = PAST_THE_GATE.load(Ordering::Relaxed);
         (target.run)(data);
+        let past = PAST_THE_GATE.load(Ordering::Relaxed);
+        // The engine tells nobody when it ends, so this is told in steps. `xtask/src/fuzz/engine.rs` listens.
+        if past / STEP > before / STEP {
+            let _ = writeln!(std::io::stderr(), "stat::past_the_gate: {past}");
+        }
     }
 });

@@ -1,10 +1,12 @@
 //! Project files: whatever the text, a project or faults that have their place and their words.
 
 use crate::draft;
-use crate::text::{any_edits, mutate, rest, tells};
+use crate::text::{any_edits, mutate, one_in, rest, tells};
 use arbitrary::{Result, Unstructured};
-use workbench::text::told;
-use workbench::{Language, Project, answer, inputs, place, project_fingerprint};
+use std::ops::Range;
+use workbench::quantities::{is_unseen, seen};
+use workbench::text::{Told, told};
+use workbench::{Diagnostic, Language, Project, answer, inputs, place, project_fingerprint};
 
 /// A project that is mostly valid, with edits in a share of the cases; or any text.
 pub fn run(data: &[u8]) {
@@ -41,31 +43,73 @@ pub fn read(
     let faults = match with() {
         Ok(projects) => {
             assert!(!projects.is_empty());
-            for input in inputs(text) {
-                assert!(text.get(input.span.clone()).is_some(), "{text:?}: {input:?}");
-            }
-            for project in &projects {
-                let _ = project_fingerprint(text, &project.recordings);
+            // What is not judged by its text is not read a second time in every case.
+            if one_in(4, text) {
+                for input in inputs(text) {
+                    assert!(text.get(input.span.clone()).is_some(), "{text:?}: {input:?}");
+                }
+                for project in &projects {
+                    let _ = project_fingerprint(text, &project.recordings);
+                }
             }
             return Some(projects);
         }
         Err(faults) => faults,
     };
-    let [english, german] = [Language::En, Language::De].map(|language| told(&faults, language));
-    assert!(!english.is_empty());
-    assert!(english.is_sorted_by_key(|fault| fault.span.start), "{text:?}");
-    for faults in [&english, &german] {
-        for fault in faults {
-            assert!(text.get(fault.span.clone()).is_some(), "{text:?}: {fault:?}");
-            assert_eq!((fault.line, fault.column), place(text, fault.span.start), "{fault:?}");
-            tells(&fault.message);
-            fault.hint.iter().for_each(|hint| tells(hint));
-        }
-        let _ = answer::faults("project.toml", faults);
+    assert!(!faults.is_empty());
+    assert!(faults.is_sorted_by_key(|fault| fault.span.start), "{text:?}");
+    for fault in &faults {
+        assert!(text.get(fault.span.clone()).is_some(), "{text:?}: {fault:?}");
+        assert_eq!((fault.line, fault.column), place(text, fault.span.start), "{fault:?}");
     }
-    let places = |faults: &[workbench::text::Told]| {
-        faults.iter().map(|fault| (fault.id, fault.span.clone())).collect::<Vec<_>>()
-    };
-    assert_eq!(places(&english), places(&german), "{text:?}: the languages disagree about the faults");
+    let first = if one_in(2, text) { Language::En } else { Language::De };
+    wording(text, &faults, first);
+    if one_in(5, text) {
+        let [english, german] = [Language::En, Language::De].map(|language| wording(text, &faults, language));
+        assert_eq!(english, german, "{text:?}: the languages disagree about the faults");
+    }
     None
+}
+
+/// Holds the words of faults to their promises, also as they are shown within the text; their ids and places.
+fn wording(text: &str, faults: &[Diagnostic], language: Language) -> Vec<(&'static str, Range<usize>)> {
+    let told = told(faults, language);
+    for fault in &told {
+        tells(&fault.message);
+        fault.hint.iter().for_each(|hint| tells(hint));
+    }
+    let _ = answer::faults("project.toml", &told);
+    excerpts(text, &told);
+    told.into_iter().map(|fault| (fault.id, fault.span)).collect()
+}
+
+/// Each fault as it is shown within the text: nothing in it acts on a terminal but its colours.
+fn excerpts(text: &str, faults: &[Told]) {
+    // All of them cost as much as the rest of the case, and are as the first and the last.
+    let ends = faults.iter().take(1).chain(faults.last());
+    for fault in ends {
+        let (message, hint) = (seen(&fault.message), fault.hint.as_deref().map(seen));
+        let of_text = excerpt::Fault {
+            span: fault.span.clone(),
+            line: fault.line,
+            column: fault.column,
+            message: &message,
+            hint: hint.as_deref(),
+        };
+        let style = excerpt::Style { file: "project.toml", error: "error", help: "help", width: 60 + text.len() % 60 };
+        let shown = excerpt::show(text, &of_text, &style);
+        let place = format!("project.toml:{}:", fault.line);
+        assert!(shown.contains(&place), "{text:?}: {shown:?} does not name {place}");
+        let acts = |part: &str| part.chars().any(|sign| is_unseen(sign) && !matches!(sign, '\n' | '\r' | '\t'));
+        assert!(!plain(&shown).any(acts), "{text:?}: {shown:?}");
+    }
+}
+
+/// What is shown, between the colours.
+fn plain(shown: &str) -> impl Iterator<Item = &str> {
+    let is_colour = |code: &str| code.chars().all(|sign| sign.is_ascii_digit() || sign == ';');
+    shown.split("\u{1b}[").enumerate().map(move |(index, part)| match part.split_once('m') {
+        Some((code, rest)) if index > 0 && is_colour(code) => rest,
+        _ => part,
+    })
 }

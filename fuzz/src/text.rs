@@ -69,6 +69,17 @@ pub fn rest(u: &mut Unstructured<'_>) -> String {
     String::from_utf8_lossy(u.bytes(length).unwrap_or_default()).into_owned()
 }
 
+/// Whether a case is of the share of one in `many`, told by its text or bytes (FNV-1a): for what costs more than it finds in every
+/// case. Shares with no common divisor are independent.
+#[must_use]
+pub fn one_in(many: u64, case: impl AsRef<[u8]>) -> bool {
+    let mixed = case
+        .as_ref()
+        .iter()
+        .fold(0xCBF2_9CE4_8422_2325_u64, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01B3));
+    (mixed >> 7).is_multiple_of(many)
+}
+
 /// One to `most` edits for [`mutate`].
 ///
 /// # Errors
@@ -143,6 +154,15 @@ fn edit_line(characters: &[char], place: usize, choice: u8) -> Vec<char> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_share_is_as_large_as_it_says() {
+        for many in [2, 3, 7] {
+            let chosen = (0..7000).filter(|number| one_in(many, format!("CHA-{number}"))).count();
+            let expected = 7000 / usize::try_from(many).unwrap_or(1);
+            assert!(chosen.abs_diff(expected) < expected / 5, "{chosen} of 7000, one in {many}");
+        }
+    }
 
     #[test]
     fn lines_are_doubled_dropped_and_swapped() {

@@ -50,6 +50,11 @@ pub enum Error {
     },
     /// There is no C++ compiler.
     NoCompiler,
+    /// A tool of LLVM is not there that comes with a component of the toolchain.
+    NoCoverageTool {
+        /// The program.
+        program: &'static str,
+    },
     /// A fuzz target has found what breaks a promise or a limit; it has been told.
     Finds {
         /// The target.
@@ -167,6 +172,9 @@ impl fmt::Display for Error {
                 f,
                 "no C++ compiler is here, and the fuzzing engine is built with one; get g++ or clang++ (Debian: apt-get install g++)"
             ),
+            Self::NoCoverageTool { program } => {
+                write!(f, "{program} is not here; get it with `rustup component add llvm-tools`")
+            }
             Self::Finds { target, count, folder } => write!(
                 f,
                 "target `{target}` has {count} finds; the cases are in {}; when mended they belong into fuzz/crashes/{target}",

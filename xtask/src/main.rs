@@ -16,7 +16,10 @@ const COMMANDS: [(&str, &str); 12] = [
     ("picture", "compose the picture of the README from the program's own output"),
     ("notices", "rewrite THIRD-PARTY.md from the lock file"),
     ("bench", "the bench gates; words after `bench` go to the benches"),
-    ("fuzz", "a fuzz campaign; --minutes N, --target T, --jobs J; --coverage tells how far the corpora reach"),
+    (
+        "fuzz",
+        "a fuzz campaign; --minutes N, --target T, --jobs J; --coverage tells which share of lines the corpora reach",
+    ),
     ("help", "this text"),
 ];
 

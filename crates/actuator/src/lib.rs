@@ -49,6 +49,8 @@ pub use parameters::Parameters;
 pub use plane::{
     CurveKind, PerformanceCurve, intermittent_torque, performance_curves, short_time_torque, short_time_torque_with,
 };
-pub use screw_joint::{ScrewJoint, joint_friction_force, joint_utilisation};
+pub use screw_joint::{
+    JointLoad, LoadedJoint, ScrewJoint, clamp_force, joint_friction_force, joint_utilisation, loaded_joint,
+};
 pub use temperature::{Gains, HeatFlows, Losses, Network, Temperatures};
 pub use voltage::MotorVoltage;

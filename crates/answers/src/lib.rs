@@ -9,31 +9,43 @@ mod beside;
 mod chapters;
 mod check;
 mod code;
+mod commission;
 mod demand;
 mod dossier;
 mod errata;
+mod facts;
 mod fault;
 mod files;
 mod glossary;
 mod id;
 mod judged;
+mod licences;
 mod motion;
+mod mount;
 mod number;
 mod reference;
 mod schema;
 mod sheet;
 mod units;
+mod upkeep;
+mod wiring;
 
 pub use beside::{CheckChange, CheckRow, Comparison, DatumChange, DatumRow, Difference, Head, InputChange};
 pub use chapters::{Battery, BearingOfSize, Bearings, Body, Centre, Curve, CurveKind, Curves, Inertia, Torsion};
 pub use check::{Check, CitedErratum, Derivation, Explained, Explanations, Node};
 pub use code::{Choice, CodeFault, CodeFaults, CodeField, CodeReading, Completion, ListedCode, OpenField};
+pub use commission::{
+    CommissionAnswer, CommissionEntry, CommissionGap, CommissionList, CommissionParameter, CommissionWritten,
+    Commissioning, DriveObject, DriveParameter, EncoderValue, OverloadSupervision, OverloadTrip, Recorded,
+    RecordedValue, SensorThreshold,
+};
 pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
 pub use dossier::{
     Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, MechanismKind, Missing,
     RejectionGroup, ScrewJoint,
 };
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
+pub use facts::{Fact, FactValue};
 pub use fault::{Fault, Faults, Place};
 pub use files::{
     AxisWritten, ColumnKind, ExportWritten, FilesWritten, PlotWritten, ReportWritten, Table, TableCell, TableColumn,
@@ -45,7 +57,9 @@ pub use judged::{
     Assessed, Candidate, Influence, Judgement, NeededLimit, Quantiles, Ranked, Rejection, Reserve, Sizing, Stage,
     StageRatio, Tolerance, ToleratedValue, WorstCorner,
 };
+pub use licences::{LicenceText, Licences};
 pub use motion::{ColumnRole, Motion, RecordedColumn, Recording, Segment, TextEncoding, UnitBy};
+pub use mount::{Joint, JointCase, Mount, MountValue, Pilot};
 pub use number::Number;
 pub use provenance::Grade;
 pub use reference::reference;
@@ -53,3 +67,8 @@ pub use schema::{Answered, Axes, VERSION, schema};
 pub use sheet::{CatalogueCell, NoteBy, Sheet, SheetNote, SheetSection, SheetValue};
 pub use sizing::{CheckId, Direction, Part, Verdict};
 pub use units::Units;
+pub use upkeep::{Planned, Upkeep};
+pub use wiring::{
+    AmbiguousColour, Cable, Connector, ConnectorExit, ConnectorPin, NotAvailable, VoltageDrop, VoltageDrops, Wiring,
+    WiringCheck, WiringFinding, WiringNote,
+};

@@ -1,9 +1,10 @@
 //! The JSON Schema of every answer, and the reference page made from it.
 
 use crate::{
-    Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, Comparison, Completion, Curves, Difference, Errata,
-    Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia, Judgement, ListedCode, PlotWritten,
-    ReportWritten, Sheet, Sizing, Table, Torsion,
+    Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, CommissionAnswer, CommissionWritten, Comparison,
+    Completion, Curves, Difference, Errata, Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia,
+    Judgement, Licences, ListedCode, Mount, PlotWritten, Recorded, ReportWritten, Sheet, Sizing, Table, Torsion,
+    Upkeep, Wiring, WiringCheck,
 };
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
@@ -54,8 +55,14 @@ const ENTRIES: &[Entry] = &[
     one::<Curves>("curve"),
     one::<Torsion>("torsion"),
     one::<Battery>("battery"),
+    one::<Mount>("mount"),
+    one::<Upkeep>("upkeep"),
     one::<Inertia>("inertia"),
+    one::<CommissionAnswer>("commission"),
+    one::<Recorded>("commission --record"),
+    one::<Vec<CommissionWritten>>("commission --out"),
     one::<Glossary>("glossary"),
+    one::<Licences>("licences"),
     one::<FilesWritten>("new --out"),
     one::<ReportWritten>("report"),
     one::<ExportWritten>("export --out"),
@@ -65,6 +72,8 @@ const ENTRIES: &[Entry] = &[
     one::<Vec<ListedCode>>("code list"),
     one::<Completion>("code complete"),
     one::<Sheet>("data"),
+    one::<Wiring>("wiring"),
+    one::<WiringCheck>("wiring --check"),
     one::<Errata>("errata"),
     one::<Vec<CatalogueCell>>("catalogue export"),
     one::<CodeFaults>("faults of a code"),

@@ -5,6 +5,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a build script speaks to cargo over stdout")]
 
 mod embed;
+mod facts;
 mod read;
 
 use std::path::{Path, PathBuf};
@@ -15,7 +16,8 @@ fn main() -> ExitCode {
     println!("cargo::rerun-if-changed={}", root.display());
     let mut faults = Vec::new();
     let data = read::read_all(&root, &mut faults);
-    let text = embed::embed(&data, &mut faults);
+    let mut text = embed::embed(&data, &mut faults);
+    facts::embed(&data.facts, &data.sources, &mut text, &mut faults);
     if !faults.is_empty() {
         for fault in &faults {
             println!("cargo::error={fault}");

@@ -1,5 +1,6 @@
 //! The files of `data/` as they are written: one struct per file format.
 
+use crate::facts::{Fact, FactsFile};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -166,6 +167,7 @@ pub(crate) struct Data {
     pub(crate) glossary: Vec<Term>,
     pub(crate) texts: Vec<Text>,
     pub(crate) words: Vec<Word>,
+    pub(crate) facts: Vec<Fact>,
 }
 
 fn read_file<T: for<'de> Deserialize<'de>>(path: &Path, faults: &mut Vec<String>) -> Option<T> {
@@ -186,7 +188,7 @@ fn read_file<T: for<'de> Deserialize<'de>>(path: &Path, faults: &mut Vec<String>
     }
 }
 
-/// The table files below `folder`, in the order of their names read as numbers.
+/// The TOML files below `folder`, in the order of their names read as numbers.
 fn table_paths(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
     let entries = match std::fs::read_dir(folder) {
         Ok(entries) => entries,
@@ -236,6 +238,14 @@ pub(crate) fn read_all(root: &Path, faults: &mut Vec<String>) -> Data {
     }
     if let Some(file) = read_file::<TextsFile>(&root.join("cha/texts.toml"), faults) {
         data.texts = file.text;
+    }
+    for path in table_paths(&root.join("cha/facts"), faults) {
+        let Some(file) = read_file::<FactsFile>(&path, faults) else { continue };
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        for mut fact in file.fact {
+            fact.file.clone_from(&name);
+            data.facts.push(fact);
+        }
     }
     data
 }

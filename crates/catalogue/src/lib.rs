@@ -5,12 +5,15 @@
 //! other crates fill from here.
 
 mod drive;
+mod fact;
 mod record;
 
 pub use drive::{Drive, cells_about, datum_of, drive, drives, size_cell};
+pub use fact::{Bound, Fact, FactValue, HoldsFor, Signal, Step, Topic};
 pub use record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value, Word};
 
 mod embedded {
+    use crate::fact::{Bound, Fact, FactValue, HoldsFor, Signal, Step, Topic};
     use crate::record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value, Word};
     use provenance::CellRef;
     include!(concat!(env!("OUT_DIR"), "/data.rs"));
@@ -74,4 +77,16 @@ pub fn documents() -> &'static [Document] {
 #[must_use]
 pub fn document(id: &str) -> Option<&'static Document> {
     embedded::SOURCES.iter().find(|document| document.id == id)
+}
+
+/// Every fact that a source states in prose, file by file.
+#[must_use]
+pub fn facts() -> &'static [Fact] {
+    embedded::FACTS
+}
+
+/// The fact with this identifier.
+#[must_use]
+pub fn fact(id: &str) -> Option<&'static Fact> {
+    embedded::FACTS.iter().find(|fact| fact.id == id)
 }

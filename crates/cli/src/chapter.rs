@@ -26,6 +26,11 @@ pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> 
         Ok(voltage) => voltage,
         Err(answer) => return answer,
     };
+    if plot::is_asked(matches)
+        && let Err(answer) = plot::destination(matches, &[], as_json, language)
+    {
+        return answer;
+    }
     let code = reading.parsed.code;
     let Some(Ok(curves)) = workbench::curves(&code, voltage) else {
         return refuse(&workbench::Refusal::NoData, as_json, language);

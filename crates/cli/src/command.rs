@@ -13,10 +13,11 @@ const NAME: &str = "antrieb";
 const LANG_VARIABLE: &str = "ANTRIEB_LANG";
 
 mod files;
+mod installation;
 pub(crate) mod library;
 pub(crate) mod usage;
 
-use files::{compare, curve, diff, export, plot, report, sheet};
+use files::{compare, curve, diff, export, plot, report, sheet, wiring};
 
 /// A help text, with a remark where the program was built without the typesetting engine.
 fn with_report(language: Language, help: &str) -> String {
@@ -127,7 +128,7 @@ fn headed(command: Command, language: Language) -> Command {
 }
 
 /// One call of each command; every one of them runs.
-pub(crate) const EXAMPLES: [(&str, &str); 27] = [
+pub(crate) const EXAMPLES: &[(&str, &str)] = &[
     ("antrieb", "antrieb new screw --out axis.toml && antrieb size axis.toml"),
     ("size", "antrieb size axis.toml --top 5"),
     ("check", "antrieb check axis.toml --code CHA-25A-50-H-C1024"),
@@ -141,16 +142,21 @@ pub(crate) const EXAMPLES: [(&str, &str); 27] = [
     ("list", "antrieb code list CHA-20A-*-H --available"),
     ("complete", "antrieb code complete CHA-14A-100-N"),
     ("data", "antrieb data CHA-20A-100-H-C1024"),
+    ("wiring", "antrieb wiring CHA-25A-100-H-M512P-B --check pins.csv"),
     ("catalogue", "antrieb catalogue export --format csv"),
     ("errata", "antrieb errata CHA-25A-50-H-M512P"),
+    ("commission", "antrieb commission CHA-25A-100-H-M512P-B --for sinamics"),
     ("torsion", "antrieb torsion CHA-20A-100-H-C1024 --torque \"60 N m\""),
     ("inertia", "antrieb inertia \"disc diameter=200mm length=20mm density=7850kg/m^3\""),
     ("curve", "antrieb curve CHA-20A-100-H-C1024 --voltage \"220 V\""),
     ("plot", "antrieb plot axis.toml --figure torque_speed --svg plane.svg"),
     ("bearing", "antrieb bearing axis.toml"),
     ("battery", "antrieb battery --hours-per-day 10"),
+    ("mount", "antrieb mount CHA-25A-100-H-M512P-B --bore K7"),
+    ("upkeep", "antrieb upkeep CHA-14A-50-E-M128S --delivered 2026-03-01 --storage \"6 months\" --hours-per-day 10"),
     ("new", "antrieb new arm --out axis.toml"),
     ("glossary", "antrieb glossary T_rms"),
+    ("licences", "antrieb licences"),
     ("schema", "antrieb schema"),
     ("completions", "antrieb completions bash"),
     ("man", "antrieb man size"),
@@ -298,6 +304,7 @@ fn commands(language: Language) -> Command {
         .subcommand(export(language))
         .subcommand(code)
         .subcommand(data)
+        .subcommand(wiring(language))
         .subcommand(errata)
         .subcommand(catalogue)
         .subcommand(
@@ -318,6 +325,7 @@ fn commands(language: Language) -> Command {
                         .help(help::torsion_torque(language)),
                 ),
         )
+        .subcommand(installation::commission(language))
         .subcommand(inertia(language))
         .subcommand(curve(language))
         .subcommand(plot(language))
@@ -339,6 +347,8 @@ fn commands(language: Language) -> Command {
                         .help(help::battery_storage(language)),
                 ),
         )
+        .subcommand(installation::mount(language))
+        .subcommand(installation::upkeep(language))
         .subcommand(
             Command::new("new")
                 .about(help::new(language))
@@ -364,6 +374,7 @@ fn commands(language: Language) -> Command {
                 .about(help::glossary(language))
                 .arg(Arg::new("term").value_name(values::term(language)).help(help::glossary_term(language))),
         )
+        .subcommand(Command::new("licences").about(help::licences(language)))
         .subcommand(schema(language))
         .subcommand(
             Command::new("completions").about(help::completions(language)).arg(

@@ -4,17 +4,13 @@ mod memory;
 
 use crate::answer::Answer;
 use crate::table::width;
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use clap::ArgMatches;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use workbench::answers::{Fault, Faults};
-use workbench::quantities::{Measure, is_unseen, seen};
+use workbench::quantities::{Measure, seen};
 use workbench::text::{Told, Usage, file_trouble, terminal, told, usage_text};
 use workbench::{Files, Grant, Language, NoRegularFile, PROJECT_MAX_BYTES, Project, Reach};
-
-/// Longest line that is shown with an underline; a longer one is cut out of the picture.
-const LINE_MAX: usize = 400;
 
 /// The text of a project file.
 pub(crate) struct Source {
@@ -66,7 +62,12 @@ impl Source {
 
 /// At most one byte more than a project file may have: a large file or an endless stream is not read to its end.
 fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
-    let limit = PROJECT_MAX_BYTES as u64 + 1;
+    read_bytes_within(path, PROJECT_MAX_BYTES)
+}
+
+/// At most one byte more than `most`.
+pub(crate) fn read_bytes_within(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
+    let limit = most as u64 + 1;
     let mut bytes = Vec::new();
     if path.as_os_str() == "-" {
         std::io::stdin().lock().take(limit).read_to_end(&mut bytes)?;
@@ -131,10 +132,6 @@ pub(crate) const fn error_word(language: Language) -> &'static str {
     terminal::error(language)
 }
 
-const fn help_word(language: Language) -> &'static str {
-    terminal::help(language)
-}
-
 /// Every fault of a text, underlined.
 pub(crate) fn report(file: &str, text: &str, faults: &[Told], as_json: bool, language: Language) -> Answer {
     let mut talk = String::new();
@@ -145,12 +142,17 @@ pub(crate) fn report(file: &str, text: &str, faults: &[Told], as_json: bool, lan
         ..fault.clone()
     };
     let faults: Vec<Told> = faults.iter().map(visible).collect();
-    let shown = blanked(text);
+    let (error, help) = (error_word(language), terminal::help(language));
+    let style = excerpt::Style { file: &file, error, help, width: width() };
     for fault in &faults {
-        // Each sign that is not seen is one of three bytes in what is shown.
-        let place = |at: usize| text.get(..at).map_or(at, |before| blanked(before).len());
-        let span = place(fault.span.start)..place(fault.span.end);
-        talk.push_str(&render(&file, &shown, &Told { span, ..fault.clone() }, language));
+        let of_text = excerpt::Fault {
+            span: fault.span.clone(),
+            line: fault.line,
+            column: fault.column,
+            message: &fault.message,
+            hint: fault.hint.as_deref(),
+        };
+        talk.push_str(&excerpt::show(text, &of_text, &style));
         talk.push('\n');
     }
     let counted = match faults.len() {
@@ -163,32 +165,6 @@ pub(crate) fn report(file: &str, text: &str, faults: &[Told], as_json: bool, lan
         terminal::nothing_was_calculated(language)
     ));
     Answer::refused(talk, workbench::answer::faults(&file, &faults), as_json)
-}
-
-/// A text with a mark in the place of each sign that is not seen; lines and tabs stay.
-fn blanked(text: &str) -> String {
-    let blank = |sign| if is_unseen(sign) && !matches!(sign, '\n' | '\r' | '\t') { '\u{fffd}' } else { sign };
-    text.chars().map(blank).collect()
-}
-
-fn render(file: &str, text: &str, fault: &Told, language: Language) -> String {
-    let place = format!("{file}:{}:{}", fault.line, fault.column);
-    let line = text.lines().nth(fault.line.saturating_sub(1)).unwrap_or_default();
-    let long = line.len() > LINE_MAX || fault.span.len() > LINE_MAX;
-    let help = fault.hint.as_deref().map(|hint| format!("{}: {hint}", help_word(language)));
-    if long {
-        let help = help.map(|help| format!("  {help}\n")).unwrap_or_default();
-        return format!("{}: {}\n  --> {place}\n{help}", error_word(language), fault.message);
-    }
-    let level = Level::ERROR.with_name(error_word(language));
-    let mut group: Group<'_> = level
-        .primary_title(fault.message.as_str())
-        .element(Snippet::source(text).path(file).annotation(AnnotationKind::Primary.span(fault.span.clone())));
-    if let Some(hint) = fault.hint.as_deref() {
-        group = group.element(Level::HELP.with_name(help_word(language)).message(hint));
-    }
-    // A line that is wider than the terminal is shown about the place of the fault.
-    format!("{}\n", Renderer::styled().term_width(width()).render(&[group]))
 }
 
 /// A fault of an option, with what would help.

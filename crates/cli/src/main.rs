@@ -7,16 +7,20 @@ mod answer;
 mod chapter;
 mod code;
 mod command;
+mod commission;
 mod compare;
 mod data;
 mod diff;
 mod errata;
 mod explain;
 mod export;
+mod facts;
 mod fault;
 mod glossary;
 mod inertia;
 mod judge;
+mod licences;
+mod mount;
 mod moves;
 mod plot;
 #[cfg(test)]
@@ -29,7 +33,9 @@ mod say;
 mod subject;
 mod table;
 mod tolerance;
+mod upkeep;
 mod waiting;
+mod wiring;
 
 use answer::Answer;
 use clap::ArgMatches;
@@ -85,16 +91,21 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("export", found)) => export::export(found, json, language),
         Some(("code", found)) => code::dispatch(found, json, language),
         Some(("data", found)) => data::sheet(found, json, language),
+        Some(("wiring", found)) => wiring::wiring(found, json, language),
         Some(("errata", found)) => errata::errata(found, json, language),
         Some(("catalogue", found)) => data::catalogue(found, json),
         Some(("curve", found)) => chapter::curve(found, json, language),
         Some(("plot", found)) => plot::plot(found, json, language),
         Some(("bearing", found)) => chapter::bearing(found, json, language),
         Some(("battery", found)) => chapter::battery(found, json, language),
+        Some(("mount", found)) => mount::mount(found, json, language),
+        Some(("upkeep", found)) => upkeep::upkeep(found, json, language),
         Some(("new", found)) => chapter::template(found, json, language),
+        Some(("commission", found)) => commission::commission(found, json, language),
         Some(("torsion", found)) => data::torsion(found, json, language),
         Some(("inertia", found)) => inertia::inertia(found, json, language),
         Some(("glossary", found)) => glossary::glossary(found, json, language),
+        Some(("licences", _)) => licences::licences(json),
         Some(("schema", found)) if found.get_flag("answers") => Answer::record(&workbench::answers::schema()),
         Some(("schema", _)) => Answer::record(&workbench::schema(language)),
         Some(("completions", found)) => command::completions(found, language),

@@ -5,6 +5,7 @@ use crate::fault::simple;
 use clap::ArgMatches;
 use std::path::Path;
 use workbench::Language;
+use workbench::answers::Commissioning;
 use workbench::text::terminal;
 
 /// `antrieb report PROJECT --out FILE`
@@ -14,6 +15,11 @@ pub(crate) fn report(_: &ArgMatches, as_json: bool, language: Language) -> Answe
 
 /// `antrieb size PROJECT --report FILE`
 pub(crate) fn write(_: &ArgMatches, _: &Path, as_json: bool, language: Language) -> Result<Answer, Answer> {
+    Err(refusal(as_json, language))
+}
+
+/// `antrieb commission CODE --checklist FILE`
+pub(crate) fn checklist(_: &Commissioning, as_json: bool, language: Language) -> Result<Vec<u8>, Answer> {
     Err(refusal(as_json, language))
 }
 

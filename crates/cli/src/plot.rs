@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use crate::fault::{path_text, quantity, simple};
-use crate::save::save;
+use crate::save::{ready, save};
 use crate::subject::{axes_with_inputs, candidate};
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
@@ -28,6 +28,9 @@ pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> A
         Ok(found) => found,
         Err(answer) => return answer,
     };
+    if let Err(answer) = destination(matches, &inputs, as_json, language) {
+        return answer;
+    }
     let [project] = projects.as_slice() else {
         let names: Vec<&str> = projects.iter().map(|project| project.name.as_str()).collect();
         let names = names.join(", ");
@@ -54,7 +57,24 @@ pub(crate) fn is_asked(matches: &ArgMatches) -> bool {
     matches.contains_id("svg") || matches.contains_id("png")
 }
 
-/// Draws and writes where it is asked to: to files, or to standard output.
+/// Whether the picture could be written where it is asked to, before the work for it begins; a fault is the finished
+/// answer.
+pub(crate) fn destination(
+    matches: &ArgMatches,
+    inputs: &[PathBuf],
+    as_json: bool,
+    language: Language,
+) -> Result<(), Answer> {
+    let asked = |name: &str| matches.get_one::<PathBuf>(name);
+    if asked("png").is_some_and(|path| path.as_os_str() == "-") {
+        return Err(refused(terminal::png_needs_a_file(language), as_json, language));
+    }
+    let svg = asked("svg").filter(|path| path.as_os_str() != "-");
+    let files: Vec<&Path> = svg.into_iter().chain(asked("png")).map(PathBuf::as_path).collect();
+    ready(&files, inputs, matches.get_flag("force")).map_err(|fault| fault.answer(as_json, language))
+}
+
+/// Draws and writes where [`destination`] has found room: to files, or to standard output.
 pub(crate) fn put(
     drawing: &Drawing,
     matches: &ArgMatches,
@@ -68,10 +88,6 @@ pub(crate) fn put(
     };
     let is_file = |path: &&PathBuf| path.as_os_str() != "-";
     let asked = |name: &str| matches.get_one::<PathBuf>(name);
-    if asked("png").is_some_and(|path| path.as_os_str() == "-") {
-        let what = terminal::png_needs_a_file(language);
-        return refused(what, as_json, language);
-    }
     let picture = drawing.render(&style);
     let (svg, png) = (asked("svg").filter(is_file), asked("png"));
     let mut pixels = Vec::new();

@@ -10,7 +10,7 @@ use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Style, Theme};
 use report::{AxisContent, Content, Place, Settings};
 use std::path::{Path, PathBuf};
-use workbench::answers::{AxisWritten, Fit, ReportWritten};
+use workbench::answers::{AxisWritten, Commissioning, Fit, ReportWritten};
 use workbench::text::{SaveTrouble, standing_text, terminal};
 use workbench::{Candidate, Draw, Language, Project, Refusal, Sizing, answer};
 
@@ -98,6 +98,11 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         }
     };
     Ok(Answer { talk: talk.concat(), ..Answer::data(data) }.fits(fits))
+}
+
+/// The check-lists of a commissioning as PDF.
+pub(crate) fn checklist(sheet: &Commissioning, as_json: bool, language: Language) -> Result<Vec<u8>, Answer> {
+    report::checklist_pdf(sheet, language).map_err(|fault| simple(&fault.message(language), as_json, language))
 }
 
 fn settings(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Settings, Answer> {

@@ -1,5 +1,6 @@
 //! Files that are written: whole or not at all, in the place that was named and nowhere else.
 
+mod left;
 mod unfinished;
 
 use crate::answer::Answer;
@@ -39,6 +40,7 @@ struct Place<'p> {
 /// A signal that ends the program takes what is unfinished with it.
 pub(crate) fn save(files: &[(&Path, &[u8])], inputs: &[PathBuf], force: bool) -> Result<(), Unwritten> {
     let places = places(files.iter().map(|(path, _)| *path), inputs, force)?;
+    places.iter().filter_map(|place| place.target.parent()).for_each(left::clear);
     let unfinished = Unfinished::begin();
     let mut staged: Vec<(TempPath, &Place<'_>)> = Vec::new();
     for (place, (_, bytes)) in places.iter().zip(files) {
@@ -140,7 +142,7 @@ fn place(asked: &Path, force: bool) -> Result<Place<'_>, SaveTrouble> {
 fn stage(place: &Place<'_>, bytes: &[u8], unfinished: &Unfinished) -> std::io::Result<TempPath> {
     let folder = place.target.parent().unwrap_or(Path::new("."));
     let mut builder = Builder::new();
-    builder.prefix(".antrieb-");
+    builder.prefix(left::PREFIX);
     readable(&mut builder);
     let mut file: NamedTempFile = unfinished.made(|| builder.tempfile_in(folder))?;
     if place.exists {

@@ -109,8 +109,8 @@ pub(crate) fn together<T: Serialize>(parts: Vec<Result<Part<T>, Answer>>, as_jso
     Answer { data, talk: talk.concat(), ..Answer::none() }.fits(fits)
 }
 
-/// The faults of several axes, each once.
-fn refused_together(refused: Vec<Answer>, as_json: bool) -> Answer {
+/// Several faults as one answer, each once.
+pub(crate) fn refused_together(refused: Vec<Answer>, as_json: bool) -> Answer {
     let (mut talk, mut errors): (Vec<String>, Vec<Fault>) = (Vec::new(), Vec::new());
     for fault in refused {
         if !talk.contains(&fault.talk) {

@@ -21,6 +21,7 @@ fn every_answer_keeps_to_the_schema() {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("cycle.svg").display().to_string();
     let table = folder.path().join("checks.csv").display().to_string();
+    let objects = folder.path().join("motor.eds").display().to_string();
     let code = "CHA-25A-50-H-C1024";
     let mut asked: Vec<(String, Vec<String>)> = Vec::new();
     let mut ask = |command: &str, arguments: &[&str]| {
@@ -41,10 +42,19 @@ fn every_answer_keeps_to_the_schema() {
     ask("torsion", &["torsion", "CHA-20A-100-H-C1024", "--torque", "60 N m"]);
     ask("battery", &["battery", "--hours-per-day", "10"]);
     ask("inertia", &["inertia", "disc diameter=200mm length=20mm mass=5kg", "point mass=1kg distance=100mm"]);
+    let record = "examples/commissioning/three-faults.toml";
+    ask("commission", &["commission", "CHA-14A-50-E-M128S", "--for", "plain"]);
+    ask("commission", &["commission", "CHA-25A-100-H-M512P-B", "--for", "sinamics"]);
+    ask("commission", &["commission", "CHA-25A-100-H-M512P-B-EC", "--for", "cia402"]);
+    ask("commission --record", &["commission", "CHA-25A-100-H-M512P-B", "--record", record]);
+    ask("commission --out", &["commission", "CHA-25A-100-H-M512P-B", "--for", "cia402", "--out", &objects]);
     ask("code parse", &["code", "parse", "CHA-14A-50-E-RES-K-SP"]);
     ask("code list", &["code", "list", "CHA-20A-*-H"]);
     ask("code complete", &["code", "complete", "CHA-20A-120-H-C1024"]);
     ask("data", &["data", "CHA-20A-100-H-M512P-B-EC-SP"]);
+    ask("wiring", &["wiring", "CHA-20A-100-H-M512P-B-EC", "--length", "10 m"]);
+    ask("wiring", &["wiring", "CHA-58A-50-H-RES", "--length", "10 m", "--cross-section", "1 mm^2"]);
+    ask("wiring --check", &["wiring", "CHA-25A-100-H-M512P-B", "--check", "examples/pins.csv"]);
     ask("errata", &["errata"]);
     ask("catalogue export", &["catalogue", "export"]);
     ask("faults of a code", &["code", "parse", "CHA-14A-120-H-D2048"]);
@@ -55,6 +65,8 @@ fn every_answer_keeps_to_the_schema() {
     // What cannot be answered: an option, a code, a file, a question about every axis.
     ask("faults", &["battery", "--hours-per-day", "many"]);
     ask("faults", &["torsion", "CHA-20A-100-H-C1024", "--torque", "60"]);
+    ask("faults", &["wiring", "CHA-25A-100-H-M512P-B", "--check", "examples/robot-joint.csv"]);
+    ask("faults", &["wiring", "CHA-25A-100-H-M512P-B", "--length", "0 m"]);
     ask("faults", &["check", "examples/two-axes.toml"]);
     ask("faults", &["check", "examples/nowhere.toml"]);
     for (command, arguments) in asked {

@@ -97,6 +97,29 @@ fn a_link_is_followed_within_its_folder_only() {
     assert_eq!(names(here), ["far.svg", "near.svg", "nowhere.svg", "target.svg"]);
 }
 
+/// A picture that cannot be written is not drawn: its place is told before what only drawing would tell.
+#[test]
+fn the_place_of_a_picture_is_asked_for_first() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::copy(root().join("examples/indexing-table.toml"), folder.path().join("a.toml")).unwrap();
+    let plot = ["plot", "a.toml", "--figure", "torque_speed", "--code", "CHA-99A"];
+    refused(folder.path(), &[&plot[..], &["--svg", "none/a.svg"]].concat(), "no such folder");
+    refused(folder.path(), &[&plot[..], &["--svg", "a.toml"]].concat(), "a.toml");
+    refused(folder.path(), &curve(&["--voltage", "220 V", "--png", "none/a.png"]), "no such folder");
+}
+
+#[test]
+fn a_save_removes_what_a_kill_left_the_day_before() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    for (name, hours) in [(".antrieb-abc123", 30), (".antrieb-new123", 1)] {
+        let file = fs::File::create(here.join(name)).unwrap();
+        file.set_modified(std::time::SystemTime::now() - Duration::from_secs(hours * 3600)).unwrap();
+    }
+    assert!(antrieb(here, &curve(&["--svg", "a.svg"])).status.success());
+    assert_eq!(names(here), [".antrieb-new123", "a.svg"]);
+}
+
 #[test]
 fn two_files_are_never_one() {
     let folder = tempfile::tempdir().unwrap();
@@ -256,4 +279,34 @@ fn an_interrupt_at_any_instant_leaves_whole_files_and_nothing_else() {
         eprintln!("{} runs, {answered} interrupted while writing", ends.len());
         assert_eq!(campaign.left(), 0, "{name}");
     }
+}
+
+#[test]
+fn a_plan_of_upkeep_is_written_once_and_replaced_with_force_only() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("plan.ics");
+    let file = path.to_str().unwrap();
+    let call = ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2026-03-01", "--ical", file];
+    let first = run::run(&call);
+    assert_eq!(first.code, 0, "{}", first.err);
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.starts_with("BEGIN:VCALENDAR") && text.trim_end().ends_with("END:VCALENDAR"), "{text}");
+    assert_eq!(run::run(&call).code, 2);
+    let again = run::run(&[&call[..], &["--force", "--json"]].concat());
+    assert_eq!(again.code, 0, "{}", again.err);
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
+    let json: serde_json::Value = serde_json::from_str(&again.out).unwrap();
+    assert_eq!(json.get("calendar").and_then(serde_json::Value::as_str), Some(file));
+}
+
+/// Only of a delivery that has not been yet does the clock speak: a day before today is answered alike on every day.
+#[test]
+fn the_clock_is_looked_at_for_a_delivery_in_the_future_only() {
+    let ask = |day: &str| run::run(&["upkeep", "CHA-14A-50-E-M128S", "--delivered", day]);
+    let future = ask("2199-12-31");
+    assert_eq!(future.code, 2);
+    assert!(future.err.contains("2199-12-31 is in the future"), "{}", future.err);
+    assert_eq!(ask("2020-01-01").code, 0);
+    let ahead = run::run(&["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2190-01-01", "--today", "2190-01-01"]);
+    assert_eq!(ahead.code, 0, "{}", ahead.err);
 }

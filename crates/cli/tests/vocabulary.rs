@@ -59,6 +59,8 @@ fn answers(language: &str) {
         ask(&["plot", "examples/indexing-table.toml", "--figure", figure]);
     }
     ask(&["compare", "examples/belt-axis.toml", "--code", "CHA-14A-50-N-D2048", "--code", "CHA-17A-50-H-M128S-B"]);
+    ask(&["mount", "CHA-25A-100-H-M512P-B"]);
+    ask(&["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2026-03-01", "--hours-per-day", "10"]);
     for table in ["inputs", "assumptions", "demand", "motion", "candidates", "checks"] {
         ask(&["export", "examples/tilting-arm.toml", "--table", table, "--out", "-"]);
     }
@@ -92,12 +94,14 @@ fn a_twin_is_found_where_a_word_begins() {
 fn no_line_is_wider_than_the_terminal() {
     for columns in ["60", "110", "200"] {
         for arguments in [
-            ["check", "examples/manual-example.toml", "--lang", "de"],
-            ["explain", "examples/manual-example.toml", "--lang", "en"],
-            ["glossary", "torque", "--lang", "en"],
-            ["size", "--help", "--lang", "de"],
+            ["check", "examples/manual-example.toml", "--lang", "de"].as_slice(),
+            &["explain", "examples/manual-example.toml", "--lang", "en"],
+            &["glossary", "torque", "--lang", "en"],
+            &["mount", "CHA-25A-100-H-M512P-B", "--lang", "de"],
+            &["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2026-03-01", "--hours-per-day", "10", "--lang", "de"],
+            &["size", "--help", "--lang", "de"],
         ] {
-            let found = run::run_in(&arguments, columns);
+            let found = run::run_in(arguments, columns);
             let most: usize = columns.parse().unwrap();
             for line in found.out.lines() {
                 assert!(line.chars().count() <= most, "{columns} {arguments:?}: {line}");
@@ -146,6 +150,17 @@ fn a_new_project_is_written_with_its_name_and_its_recording() {
     let again = run(&["new", "recording", "--out", file]);
     assert_eq!(again.code, 2);
     assert!(again.err.contains("--force"), "{}", again.err);
+}
+
+#[test]
+fn the_program_carries_the_licences_of_what_is_in_it() {
+    let text = run(&["licences"]).out;
+    for wanted in ["MIT License", "SIL OPEN FONT LICENSE", "Apache License", "Inter", "typst-assets"] {
+        assert!(text.contains(wanted), "{wanted}");
+    }
+    let json: serde_json::Value = serde_json::from_str(&run(&["licences", "--json"]).out).unwrap();
+    let names = json["texts"].as_array().unwrap().iter().map(|text| text["name"].as_str().unwrap());
+    assert_eq!(names.collect::<Vec<_>>(), ["LICENSE", "THIRD-PARTY.md", "third-party/two-face.md"]);
 }
 
 #[test]

@@ -40,10 +40,51 @@ shows! {
     code_without_completion: ["code", "complete", "CHA-20A-100-L"];
     code_without_completion_as_json: ["code", "complete", "CHA-*-160-E", "--json", "--lang", "de"];
     code_with_a_wrong_winding: ["code", "parse", "CHA-20A-100-X-C1024"];
+    wiring: ["wiring", "CHA-25A-100-H-M512P-B"];
+    wiring_in_german: ["wiring", "CHA-25A-100-H-M512P-B", "--lang", "de"];
+    wiring_without_colours: ["wiring", "CHA-14A-50-E-M128S"];
+    wiring_without_colours_in_german: ["wiring", "CHA-14A-50-E-M128S", "--lang", "de"];
+    wiring_on_a_long_cable: ["wiring", "CHA-20A-80-H-C1024-B-EC", "--length", "40 m", "--cross-section", "0.5 mm^2", "--lang", "de"];
+    wiring_checked: ["wiring", "CHA-25A-100-H-M512P-B", "--check", "examples/pins.csv"];
+    wiring_checked_in_german: ["wiring", "CHA-25A-100-H-M512P-B", "--check", "examples/pins.csv", "--lang", "de"];
+    wiring_as_picture: ["wiring", "CHA-14A-50-N-RES-B", "--connector", "motor", "--svg", "-"];
+    wiring_of_no_such_connector: ["wiring", "CHA-25A-100-H-M512P-B", "--connector", "output_encoder", "--svg", "-"];
+    wiring_help: ["wiring", "--help"];
+    wiring_help_in_german: ["wiring", "--help", "--lang", "de"];
+    commissioning_for_a_sinamics_drive: ["commission", "CHA-25A-100-H-M512P-B", "--for", "sinamics"];
+    commissioning_for_a_sinamics_drive_in_german: ["commission", "CHA-25A-100-H-M512P-B", "--for", "sinamics", "--lang", "de"];
+    commissioning_in_objects: ["commission", "CHA-14A-50-E-M128S", "--for", "cia402"];
+    commissioning_in_objects_in_german: ["commission", "CHA-14A-50-E-M128S", "--for", "cia402", "--lang", "de"];
+    commissioning_objects_as_json: ["commission", "CHA-25A-100-H-M512P-B", "--for", "cia402", "--json"];
+    commissioning_recorded: ["commission", "CHA-25A-100-H-M512P-B", "--record", "examples/commissioning/three-faults.toml"];
+    commissioning_recorded_in_german: ["commission", "CHA-25A-100-H-M512P-B", "--record", "examples/commissioning/three-faults.toml", "--lang", "de"];
+    commissioning_help: ["commission", "--help"];
     errata_of_a_table: ["errata", "40.1"];
     errata_of_a_text_in_german: ["errata", "text-ch3-torque-range", "--lang", "de"];
     errata_as_json: ["errata", "T59.1-buffer-current", "--json"];
     errata_of_what_is_not_known: ["errata", "77.2"];
+    mounting: ["mount", "CHA-25A-100-H-M512P-B"];
+    mounting_in_german: ["mount", "CHA-25A-100-H-M512P-B", "--lang", "de", "--bore", "K7"];
+    mounting_of_a_small_one: ["mount", "CHA-14A-50-E-M128S", "--bore-housing", "+0.012/-0.003 mm"];
+    mounting_of_a_small_one_in_german: ["mount", "CHA-14A-50-E-M128S", "--lang", "de"];
+    mounting_of_a_special_design: ["mount", "CHA-20A-50-H-C1024-SP"];
+    mounting_under_the_loads_of_a_project: ["mount", "CHA-32A-50-H-C1024", "--project", "examples/indexing-table.toml"];
+    mounting_as_json: ["mount", "CHA-14A-50-E-M128S", "--json"];
+    mounting_with_every_fault: ["mount", "CHA-99-50-E", "--bore", "H9", "--bore-load", "+12/-3 mm", "--bore-housing", "-0.01/+0.01 mm"];
+    mounting_with_faults_in_german: ["mount", "CHA-14A-50-E-M128S", "--lang", "de", "--bore", "5 N", "--bore-load", "0.01/0.02", "--bore-housing", "0,01/0 mm"];
+    mounting_without_data: ["mount", "CHA-58A-50-H-RES"];
+    mount_help: ["mount", "--help"];
+    upkeep_of_an_encoder_with_battery: ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2026-03-01", "--storage", "6 months", "--hours-per-day", "10"];
+    upkeep_in_german: ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2026-03-01", "--today", "2033-01-15", "--inspect", "26 weeks", "--lang", "de"];
+    upkeep_with_a_brake: ["upkeep", "CHA-25A-100-H-M512P-B", "--delivered", "2026-03-01", "--storage", "2028-06-01", "--inspect", "2 a", "--hours-per-day", "8"];
+    upkeep_with_a_brake_in_german: ["upkeep", "CHA-25A-100-H-M512P-B", "--delivered", "2024-02-29", "--lang", "de"];
+    upkeep_as_json: ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2026-03-01", "--hours-per-day", "24", "--json"];
+    upkeep_with_every_fault: ["upkeep", "CHA-99", "--delivered", "2026-13-01", "--inspect", "6 mm", "--storage", "3", "--hours-per-day", "5 kg", "--today", "1.3.2026", "--ical", "plan.txt"];
+    upkeep_with_faults_in_german: ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "0202-03-01", "--inspect", "0 Monate", "--storage", "99 a", "--lang", "de"];
+    upkeep_of_what_is_not_delivered: ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2030-01-01", "--today", "2026-03-01"];
+    upkeep_stored_before_delivery: ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2025-01-01", "--storage", "2024-01-01", "--lang", "de"];
+    upkeep_stored_beyond_the_model: ["upkeep", "CHA-14A-50-E-M128S", "--delivered", "2025-01-01", "--storage", "4 a", "--hours-per-day", "8"];
+    upkeep_help_in_german: ["upkeep", "--help", "--lang", "de"];
     help_in_english: ["--help"];
     help_in_german: ["size", "--help", "--lang", "de"];
     unknown_command: ["siz", "x"];
@@ -84,6 +125,29 @@ fn every_fault_of_a_project() {
         assert_eq!(run.code, 2);
         assert_eq!(run.out, "");
         insta::assert_snapshot!(format!("every_fault_of_a_project_{language}"), run.err);
+    }
+}
+
+#[test]
+fn every_fault_of_a_list_of_pins() {
+    let text = "connector;pin;signal;shield;wire\nmoter;1;U;yes;a\nmotor;;V;perhaps;b\nmotor;3\n";
+    for language in ["en", "de"] {
+        let run = run_with(&["wiring", "CHA-25A-100-H-M512P-B", "--check", "-", "--lang", language], text.as_bytes());
+        assert_eq!((run.code, run.out.as_str()), (2, ""));
+        insta::assert_snapshot!(format!("every_fault_of_a_list_of_pins_{language}"), run.err);
+    }
+}
+
+#[test]
+fn every_difference_of_a_list_of_pins() {
+    let text = "connector\tpin\tsignal\tcolour\tshield\nmotor\t1\tV\tred\tyes\nmotor\t2\tU\tgreen\tno\nmotor\t4\tBRR+\t\t\n\
+                motor\t4\tBR+\t\t\nmotor\t9\tPE\t\t\nmotor\t5\tDATA+\t\t\nfeedback\t4\tA+\t\t\nfeedback\t6\txyz\t\t\nEC\t7\tGND\t\t\n\
+                EC\t10\tUp\t\t\nfeedback\t8\tKTY-\t\t\nfeedback\t9\tKTY+\t\t\n";
+    for language in ["en", "de"] {
+        let run =
+            run_with(&["wiring", "CHA-25A-100-H-M512P-B-EC", "--check", "-", "--lang", language], text.as_bytes());
+        assert_eq!((run.code, run.err.as_str()), (1, ""));
+        insta::assert_snapshot!(format!("every_difference_of_a_list_of_pins_{language}"), run.out);
     }
 }
 

@@ -5,7 +5,7 @@ use order_code::{Brake, Feedback, Field, Option1, Option2, OrderCode, Pattern, R
 use std::sync::LazyLock;
 
 /// Every code that can be written, whether it exists or not, without the special design.
-fn writable() -> Vec<OrderCode> {
+static WRITABLE: LazyLock<Vec<OrderCode>> = LazyLock::new(|| {
     let mut codes = Vec::new();
     for &size in Size::ALL {
         for &ratio in Ratio::ALL {
@@ -32,10 +32,10 @@ fn writable() -> Vec<OrderCode> {
         }
     }
     codes
-}
+});
 
 static ALL: LazyLock<Vec<(OrderCode, Availability)>> =
-    LazyLock::new(|| writable().into_iter().filter_map(|code| Some((code, availability(&code).ok()?))).collect());
+    LazyLock::new(|| WRITABLE.iter().filter_map(|code| Some((*code, availability(code).ok()?))).collect());
 
 /// The same codes as special designs.
 static SPECIAL: LazyLock<Vec<(OrderCode, Availability)>> = LazyLock::new(|| {
@@ -67,7 +67,7 @@ pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
         return Vec::new();
     }
     let found: Vec<(OrderCode, Vec<BrokenRule>)> =
-        writable().into_iter().filter(|code| plain.matches(code)).map(|code| (code, looked_up(&code).1)).collect();
+        WRITABLE.iter().filter(|code| plain.matches(code)).map(|code| (*code, looked_up(code).1)).collect();
     // The code that breaks the fewest stands for all.
     let Some((code, rules)) = found.iter().min_by_key(|(_, broken)| broken.len()) else { return Vec::new() };
     let of_all = |rule: &BrokenRule| found.iter().all(|(_, broken)| broken.contains(rule));

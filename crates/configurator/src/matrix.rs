@@ -2,7 +2,6 @@
 
 use catalogue::Cell;
 use order_code::{Brake, Feedback, Option1, Option2, Ratio, Size, Winding};
-use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// One entry of table 12.1.
@@ -22,7 +21,8 @@ pub(crate) enum Entry {
 
 /// Table 12.1 and 11.3 in a form that answers at once.
 pub(crate) struct Matrix {
-    entries: BTreeMap<(Size, &'static str), Entry>,
+    /// For each size in turn, one for each of [`CONDITIONS`].
+    entries: Vec<Entry>,
     pairs: Vec<(Winding, Feedback)>,
     windings_ordered: Vec<Winding>,
 }
@@ -44,34 +44,50 @@ fn entry_of(cell: &Cell) -> Option<Entry> {
     }
 }
 
-/// Every condition of table 12.1 that an ordering code can ask about.
-fn conditions() -> Vec<&'static str> {
-    let mut found: Vec<&'static str> = Vec::new();
-    for cell in table("12.1") {
-        if !found.contains(&cell.place.condition) {
-            found.push(cell.place.condition);
-        }
-    }
-    found
-}
+/// The conditions of table 12.1, each field's in the order of its values: whoever asks counts on it.
+const CONDITIONS: [&str; 20] = [
+    "ratio=30",
+    "ratio=50",
+    "ratio=80",
+    "ratio=100",
+    "ratio=120",
+    "ratio=160",
+    "winding=E",
+    "winding=H",
+    "winding=L",
+    "winding=N",
+    "feedback=C1024",
+    "feedback=M512P",
+    "feedback=RES",
+    "feedback=D2048",
+    "feedback=M128S",
+    "brake=B",
+    "option_1=EC",
+    "option_2=K",
+    "option_2=R",
+    "option_2=S",
+];
+const RATIOS: usize = 0;
+const WINDINGS: usize = 6;
+const FEEDBACKS: usize = 10;
+const BRAKE: usize = 15;
+const OPTION_1: usize = 16;
+const OPTIONS_2: usize = 17;
 
 fn table(id: &str) -> &'static [Cell] {
     catalogue::table(id).map(catalogue::Table::cells).unwrap_or_default()
 }
 
 static MATRIX: LazyLock<Matrix> = LazyLock::new(|| {
-    let mut entries = BTreeMap::new();
-    let conditions = conditions();
+    let mut entries = Vec::new();
     for &size in Size::ALL {
         let head = format!("CHA-{size}");
-        for &condition in &conditions {
+        for condition in CONDITIONS {
             // A cell merged over several sizes names all of them.
             let covers = |cell: &&Cell| {
                 cell.place.condition == condition && cell.place.drive.split(" / ").any(|each| each == head)
             };
-            if let Some(entry) = table("12.1").iter().find(covers).and_then(entry_of) {
-                entries.insert((size, condition), entry);
-            }
+            entries.push(table("12.1").iter().find(covers).and_then(entry_of).unwrap_or(Entry::NotAvailable));
         }
     }
     let mut pairs = Vec::new();
@@ -96,64 +112,35 @@ pub(crate) fn matrix() -> &'static Matrix {
 }
 
 impl Matrix {
-    fn entry(&self, size: Size, condition: &'static str) -> Entry {
-        self.entries.get(&(size, condition)).copied().unwrap_or(Entry::NotAvailable)
+    fn entry(&self, size: Size, condition: usize) -> Entry {
+        self.entries.get(size as usize * CONDITIONS.len() + condition).copied().unwrap_or(Entry::NotAvailable)
     }
 
     pub(crate) fn ratio(&self, size: Size, ratio: Ratio) -> Entry {
-        let condition = match ratio {
-            Ratio::R30 => "ratio=30",
-            Ratio::R50 => "ratio=50",
-            Ratio::R80 => "ratio=80",
-            Ratio::R100 => "ratio=100",
-            Ratio::R120 => "ratio=120",
-            Ratio::R160 => "ratio=160",
-        };
-        self.entry(size, condition)
+        self.entry(size, RATIOS + ratio as usize)
     }
 
     pub(crate) fn winding(&self, size: Size, winding: Winding) -> Entry {
-        let condition = match winding {
-            Winding::E => "winding=E",
-            Winding::H => "winding=H",
-            Winding::L => "winding=L",
-            Winding::N => "winding=N",
-        };
-        self.entry(size, condition)
+        self.entry(size, WINDINGS + winding as usize)
     }
 
     pub(crate) fn feedback(&self, size: Size, feedback: Feedback) -> Entry {
-        let condition = match feedback {
-            Feedback::C1024 => "feedback=C1024",
-            Feedback::M512P => "feedback=M512P",
-            Feedback::RES => "feedback=RES",
-            Feedback::D2048 => "feedback=D2048",
-            Feedback::M128S => "feedback=M128S",
-        };
-        self.entry(size, condition)
+        self.entry(size, FEEDBACKS + feedback as usize)
     }
 
     pub(crate) fn brake(&self, size: Size, brake: Brake) -> Entry {
         match brake {
             Brake::Without => Entry::Available,
-            Brake::With => self.entry(size, "brake=B"),
+            Brake::With => self.entry(size, BRAKE),
         }
     }
 
     pub(crate) fn option_1(&self, size: Size, option: Option<Option1>) -> Entry {
-        match option {
-            None => Entry::Available,
-            Some(Option1::EC) => self.entry(size, "option_1=EC"),
-        }
+        option.map_or(Entry::Available, |option| self.entry(size, OPTION_1 + option as usize))
     }
 
     pub(crate) fn option_2(&self, size: Size, option: Option<Option2>) -> Entry {
-        match option {
-            None => Entry::Available,
-            Some(Option2::K) => self.entry(size, "option_2=K"),
-            Some(Option2::R) => self.entry(size, "option_2=R"),
-            Some(Option2::S) => self.entry(size, "option_2=S"),
-        }
+        option.map_or(Entry::Available, |option| self.entry(size, OPTIONS_2 + option as usize))
     }
 
     /// Whether table 11.3 lists this pair of winding and feedback.
@@ -190,7 +177,25 @@ mod tests {
     fn every_entry_of_the_matrix_is_understood() {
         for cell in table("12.1") {
             assert!(entry_of(cell).is_some(), "{cell:?}");
+            assert!(CONDITIONS.contains(&cell.place.condition), "{cell:?}");
         }
-        assert_eq!(matrix().entries.len(), Size::ALL.len() * conditions().len());
+        for (size, condition) in Size::ALL.iter().flat_map(|size| CONDITIONS.map(|condition| (size, condition))) {
+            let head = format!("CHA-{size}");
+            let stands = |cell: &Cell| cell.place.condition == condition && cell.place.drive.contains(&head);
+            assert!(table("12.1").iter().any(stands), "{size} {condition}");
+        }
+    }
+
+    #[test]
+    fn each_value_has_its_condition() {
+        let holds = |first: usize, place: usize, text: String| assert_eq!(CONDITIONS[first + place], text);
+        Ratio::ALL.iter().for_each(|each| holds(RATIOS, *each as usize, format!("ratio={each}")));
+        Winding::ALL.iter().for_each(|each| holds(WINDINGS, *each as usize, format!("winding={each}")));
+        Feedback::ALL.iter().for_each(|each| holds(FEEDBACKS, *each as usize, format!("feedback={each}")));
+        Option1::ALL.iter().for_each(|each| holds(OPTION_1, *each as usize, format!("option_1={each}")));
+        Option2::ALL.iter().for_each(|each| holds(OPTIONS_2, *each as usize, format!("option_2={each}")));
+        assert_eq!((CONDITIONS[BRAKE], CONDITIONS.len()), ("brake=B", OPTIONS_2 + Option2::ALL.len()));
+        let places = Size::ALL.iter().map(|size| *size as usize);
+        assert!(places.eq(0..Size::ALL.len()), "the sizes are declared in their order");
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::codes::all;
 use crate::rules::Availability;
-use order_code::{Brake, Distances, Field, OrderCode, Size, Winding};
+use order_code::{Brake, CodeErrors, Distances, Field, OrderCode, Pattern, Size, Texts, Winding};
 use std::sync::LazyLock;
 
 /// A valid code with data, and its availability.
@@ -11,20 +11,34 @@ type Known = (OrderCode, Availability);
 /// What a search must know of a code, worked out once.
 struct Entry {
     known: &'static Known,
-    text: String,
-    /// Its words in alphabetical order.
-    sorted: String,
     letters: Letters,
 }
 
-/// The valid codes that the manual prints data for.
-static WITH_DATA: LazyLock<Vec<Entry>> = LazyLock::new(|| {
+/// What a search must know of all codes.
+struct Index {
+    /// The valid codes that the manual prints data for, in the order of the fields.
+    entries: Vec<Entry>,
+    /// As they are written.
+    written: Texts,
+    /// With their words in alphabetical order.
+    reordered: Texts,
+    /// Which entry each of `reordered` is of.
+    of: Vec<usize>,
+}
+
+static WITH_DATA: LazyLock<Index> = LazyLock::new(|| {
     let has_data = |(code, _): &&Known| catalogue::drive(code.size, code.winding, code.feedback).is_some();
-    let entry = |known: &'static Known| {
-        let text = known.0.to_string();
-        Entry { known, sorted: sorted_words(&text), letters: Letters::of(&text), text }
-    };
-    all().iter().filter(has_data).map(entry).collect()
+    let known: Vec<&'static Known> = all().iter().filter(has_data).collect();
+    let texts: Vec<String> = known.iter().map(|(code, _)| code.to_string()).collect();
+    let entry = |(known, text): (&&'static Known, &String)| Entry { known, letters: Letters::of(text) };
+    let mut sorted: Vec<(String, usize)> = texts.iter().map(|text| sorted_words(text)).zip(0..).collect();
+    sorted.sort_unstable();
+    Index {
+        entries: known.iter().zip(&texts).map(entry).collect(),
+        written: Texts::new(texts.iter().map(String::as_str)),
+        reordered: Texts::new(sorted.iter().map(|(text, _)| text.as_str())),
+        of: sorted.into_iter().map(|(_, entry)| entry).collect(),
+    }
 });
 
 /// The words of a code in alphabetical order, so that two codes with the same words in another order are equal.
@@ -34,10 +48,10 @@ fn sorted_words(text: &str) -> String {
     words.join("-")
 }
 
-/// How often each letter, digit and hyphen stands in a text, and how many other characters.
+/// How often each letter, digit and hyphen stands in a text, and how many other characters; of a text of up to 255.
 struct Letters {
     counts: [u8; 37],
-    others: usize,
+    others: u8,
 }
 
 impl Letters {
@@ -50,10 +64,9 @@ impl Letters {
                 '-' => 36,
                 _ => u32::MAX,
             };
-            match usize::try_from(place).ok().and_then(|place| letters.counts.get_mut(place)) {
-                Some(count) => *count = count.saturating_add(1),
-                None => letters.others += 1,
-            }
+            let place = usize::try_from(place).ok();
+            let count = place.and_then(|place| letters.counts.get_mut(place)).unwrap_or(&mut letters.others);
+            *count = count.saturating_add(1);
         }
         letters
     }
@@ -62,9 +75,9 @@ impl Letters {
     fn distance_at_least(&self, other: &Self) -> usize {
         let excess = |one: &Self, than: &Self| {
             let more = one.counts.iter().zip(&than.counts).map(|(one, than)| one.saturating_sub(*than));
-            more.map(usize::from).sum::<usize>() + one.others
+            more.fold(one.others, u8::saturating_add)
         };
-        excess(self, other).max(excess(other, self))
+        usize::from(excess(self, other).max(excess(other, self)))
     }
 }
 
@@ -72,53 +85,59 @@ impl Letters {
 /// wrong order count as one step. Only codes with data, and with all the words that were understood if there are such; of
 /// several as near, those available without asking first.
 ///
-/// Cost: a count of letters per valid code; two edit distances for each that may be near by it.
+/// Cost: a count of letters per valid code; a row of two tables of edit distances for each beginning of codes that may
+/// lead to one near.
 #[must_use]
 pub fn nearest(text: &str, most: usize) -> Vec<&'static (OrderCode, Availability)> {
     let wanted: String = text.trim().to_uppercase().chars().take(40).collect();
-    // Every code has the series, none of these is a special design.
-    let telling = Field::ALL.iter().filter(|field| !matches!(field, Field::Series | Field::Special));
-    let understood: Vec<(Field, &str)> = match order_code::parse(text) {
-        Err(faults) => telling.filter_map(|field| Some((*field, faults.understood(*field)?))).collect(),
-        Ok(_) => Vec::new(),
-    };
-    let keeps = |code: &OrderCode| understood.iter().all(|(field, word)| code.token(*field) == Some(word));
-    let mut kept: Vec<&Entry> = WITH_DATA.iter().filter(|entry| keeps(&entry.known.0)).collect();
-    if kept.is_empty() {
-        kept = WITH_DATA.iter().collect();
-    }
+    let Index { entries, written, reordered, of } = &*WITH_DATA;
+    // No code here is a special design.
+    let understood =
+        |faults: CodeErrors| Pattern::of(|field| faults.understood(field).filter(|_| field != Field::Special));
+    let pattern = order_code::parse(text).err().map(understood).unwrap_or_default();
+    let any = entries.iter().any(|entry| pattern.matches(&entry.known.0));
+    let pattern = if any { pattern } else { Pattern::default() };
     // A code that shares less than half of its letters is no help.
     let half = wanted.chars().count() / 2;
     let letters = Letters::of(&wanted);
-    let at_least = kept.into_iter().map(|entry| (entry.letters.distance_at_least(&letters), entry));
-    let near: Vec<(usize, &Entry)> = at_least.filter(|(least, _)| *least <= half).collect();
-    let mut written = Distances::from(&wanted);
-    let mut reordered = Distances::from(&sorted_words(&wanted));
-    let mut score = |least: usize, entry: &Entry, most: usize| {
-        let as_written = written.within(&entry.text, most);
-        // As many steps as the letters ask for at least, or one more: other words in another order are not nearer.
-        if as_written.is_some_and(|steps| steps <= least + 1) || most == 0 {
-            return as_written;
-        }
-        let in_order = reordered.within(&entry.sorted, most - 1).map(|steps| steps + 1);
-        as_written.into_iter().chain(in_order).min()
+    let at_least = |entry: &Entry| {
+        let kept = pattern.matches(&entry.known.0);
+        if kept { entry.letters.distance_at_least(&letters) } else { usize::MAX }
     };
-    // Those with the fewest letters apart tell how near the best one is at most, the others are looked at within that.
-    let fewest = near.iter().map(|(least, _)| *least).min().unwrap_or(0);
-    let mut scored: Vec<(usize, bool, &Known)> = Vec::new();
-    let mut bound = half;
-    for first in [true, false] {
-        for (least, entry) in near.iter().filter(|(least, _)| (*least == fewest) == first) {
-            if *least > bound {
-                continue;
-            }
-            let Some(distance) = score(*least, entry, bound) else { continue };
-            bound = bound.min(distance + 1);
-            scored.push((distance, !entry.known.1.is_available(), entry.known));
+    let least: Vec<usize> = entries.iter().map(at_least).collect();
+    let Some(fewest) = least.iter().copied().min().filter(|fewest| *fewest <= half) else { return Vec::new() };
+    let may_be = |entry: usize, bound: usize| least.get(entry).is_some_and(|least| *least <= bound);
+    let (mut as_written, mut in_order) = (Distances::from(&wanted), Distances::from(&sorted_words(&wanted)));
+    // First those that are as near as the letters let any be, then ever further away, until one is found; then those
+    // that are one step further.
+    let mut bound = half.min(fewest + 1);
+    loop {
+        let mut found: Vec<(usize, usize)> = Vec::new();
+        written.within(&mut as_written, bound, |entry| may_be(entry, bound), |entry, far| found.push((entry, far)));
+        if let Some(within) = bound.checked_sub(1) {
+            let entry = |place: usize| of.get(place).copied().unwrap_or(usize::MAX);
+            let asked = |place: usize| may_be(entry(place), bound);
+            reordered.within(&mut in_order, within, asked, |place, far| found.push((entry(place), far + 1)));
+        }
+        match found.iter().map(|(_, far)| *far).min() {
+            Some(best) if best < bound || bound == half => return ranked(found, best + 1, most),
+            Some(_) => bound += 1,
+            None if bound == half => return Vec::new(),
+            None => bound = half.min(bound + 2),
         }
     }
-    scored.retain(|(distance, ..)| *distance <= bound);
-    scored.sort_by_key(|(distance, asked, (code, _))| (*distance, *asked, *code));
+}
+
+/// The codes found at most so far away: the nearest first, of several as near those available without asking.
+fn ranked(found: Vec<(usize, usize)>, furthest: usize, most: usize) -> Vec<&'static Known> {
+    let near = found.into_iter().filter(|(_, far)| *far <= furthest);
+    let known = near.filter_map(|(entry, far)| Some((far, WITH_DATA.entries.get(entry)?.known)));
+    let mut scored: Vec<(usize, bool, &Known)> =
+        known.map(|(far, known)| (far, !known.1.is_available(), known)).collect();
+    scored.sort_by_key(|(far, asked, (code, _))| (*code, *far, *asked));
+    // One that is found as it is written and by its words counts with the fewer steps.
+    scored.dedup_by_key(|(_, _, (code, _))| *code);
+    scored.sort_by_key(|(far, asked, (code, _))| (*far, *asked, *code));
     scored.into_iter().take(most).map(|(_, _, known)| known).collect()
 }
 
@@ -127,11 +146,17 @@ pub fn nearest(text: &str, most: usize) -> Vec<&'static (OrderCode, Availability
 #[must_use]
 pub fn nearest_to(wanted: &OrderCode, most: usize) -> Vec<&'static (OrderCode, Availability)> {
     let mut scored: Vec<(f64, &Known)> =
-        WITH_DATA.iter().map(|entry| (distance(wanted, &entry.known.0), entry.known)).collect();
-    scored.sort_by(|(a, one), (b, other)| {
+        WITH_DATA.entries.iter().map(|entry| (distance(wanted, &entry.known.0), entry.known)).collect();
+    let order = |(a, one): &(f64, &Known), (b, other): &(f64, &Known)| {
         let asked = |known: &Known| !known.1.is_available();
         a.total_cmp(b).then_with(|| (asked(one), one.0).cmp(&(asked(other), other.0)))
-    });
+    };
+    // Only the first few are put in order.
+    if most < scored.len() {
+        scored.select_nth_unstable_by(most, order);
+        scored.truncate(most);
+    }
+    scored.sort_by(order);
     scored.into_iter().take(most).map(|(_, known)| known).collect()
 }
 
@@ -195,7 +220,7 @@ mod tests {
         let keeps = |(code, _): &&Known| {
             understood.iter().all(|(field, word)| *field == Field::Special || code.token(*field) == Some(word))
         };
-        let with_data = || WITH_DATA.iter().map(|entry| entry.known);
+        let with_data = || WITH_DATA.entries.iter().map(|entry| entry.known);
         let mut kept: Vec<&Known> = with_data().filter(keeps).collect();
         if kept.is_empty() {
             kept = with_data().collect();
@@ -224,7 +249,8 @@ mod tests {
         let pieces = ["", "-", "A", "B", "C", "0", "1", "4", "X", "ß", " ", "EC", "SP", "100", "20A", "H", "--", "RES"];
         let mut proposed = 0;
         for _ in 0..CASES {
-            let mut letters: Vec<char> = WITH_DATA[any(WITH_DATA.len())].text.chars().collect();
+            let mut letters: Vec<char> =
+                WITH_DATA.entries[any(WITH_DATA.entries.len())].known.0.to_string().chars().collect();
             if any(3) == 0 {
                 letters.reverse();
             }

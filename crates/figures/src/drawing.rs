@@ -1,8 +1,8 @@
 //! The figures there are, and one that is laid out.
 
-use plot::{BarChart, MapChart, Picture, Size, StackedChart, Style, XyChart};
+use plot::{BarChart, FaceChart, MapChart, Picture, Size, StackedChart, Style, XyChart};
 use workbench::Language;
-use workbench::text::{capitalised, pictures, terms};
+use workbench::text::{capitalised, pictures, terms, wiring};
 
 /// The figures there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,10 +19,12 @@ pub enum Figure {
     BearingLoad,
     /// All candidates, margin over mass or length.
     CandidateMap,
+    /// Mating face of a connector; of a code and not of a project.
+    MatingFace,
 }
 
 impl Figure {
-    /// Every figure.
+    /// Every figure of a project.
     pub const ALL: [Self; 6] =
         [Self::TorqueSpeed, Self::Cycle, Self::Utilisation, Self::Torsion, Self::BearingLoad, Self::CandidateMap];
 
@@ -36,6 +38,7 @@ impl Figure {
             Self::Torsion => "torsion",
             Self::BearingLoad => "bearing_load",
             Self::CandidateMap => "candidate_map",
+            Self::MatingFace => "mating_face",
         }
     }
 
@@ -55,6 +58,7 @@ impl Figure {
             Self::Torsion => pictures::torsion_of_the_gear,
             Self::BearingLoad => pictures::load_on_the_output_bearing,
             Self::CandidateMap => terms::candidates,
+            Self::MatingFace => wiring::mating_face,
         };
         capitalised(title(language))
     }
@@ -81,6 +85,7 @@ pub(crate) enum Chart {
     Xy(XyChart),
     Stacked(StackedChart),
     Bars(BarChart),
+    Face(FaceChart),
     Map(MapChart),
 }
 
@@ -111,6 +116,7 @@ impl Drawing {
             Chart::Stacked(chart) => chart.render(style),
             Chart::Bars(chart) => chart.render(style),
             Chart::Map(chart) => chart.render(style),
+            Chart::Face(chart) => chart.render(style),
         }
     }
 
@@ -128,6 +134,12 @@ impl Drawing {
 
     pub(crate) fn bars(mut self, caption: String, description: String, chart: BarChart) -> Self {
         self.chart = Chart::Bars(chart.title(self.title.as_str()).description(&description));
+        (self.caption, self.description) = (caption, description);
+        self
+    }
+
+    pub(crate) fn face(mut self, caption: String, description: String, chart: FaceChart) -> Self {
+        self.chart = Chart::Face(chart.title(self.title.as_str()).description(&description));
         (self.caption, self.description) = (caption, description);
         self
     }

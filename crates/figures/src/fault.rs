@@ -1,7 +1,7 @@
 //! Why a figure cannot be drawn.
 
 use workbench::Language;
-use workbench::text::{pictures, terms};
+use workbench::text::{pictures, terms, wiring};
 
 /// Why a figure cannot be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,6 +10,8 @@ pub enum NoFigure {
     NoFlangeLoads,
     /// The stiffness of the gear is not known.
     NoStiffness,
+    /// The figure is one of an ordering code, not of a project.
+    OfACode,
 }
 
 impl NoFigure {
@@ -18,6 +20,7 @@ impl NoFigure {
     pub fn message(self, language: Language) -> &'static str {
         match self {
             Self::NoFlangeLoads => terms::no_flange_loads(language),
+            Self::OfACode => wiring::face_of_a_code(language),
             Self::NoStiffness => pictures::no_stiffness(language),
         }
     }

@@ -5,6 +5,7 @@
 mod bearing;
 mod cycle;
 mod drawing;
+mod face;
 mod fault;
 mod map;
 mod plane;
@@ -16,6 +17,7 @@ mod words;
 pub use bearing::bearing_load;
 pub use cycle::cycle;
 pub use drawing::{Drawing, Figure};
+pub use face::mating_face;
 pub use fault::NoFigure;
 pub use map::{By, candidate_map};
 pub use plane::{curves, torque_speed};
@@ -42,6 +44,7 @@ pub fn draw(
         Figure::Utilisation => Ok(utilisation(candidate, language)),
         Figure::Torsion => torsion(project, candidate, language),
         Figure::BearingLoad => bearing_load(project, candidate, language),
+        Figure::MatingFace => Err(NoFigure::OfACode),
         Figure::CandidateMap => Ok(candidate_map(&workbench::size(project), by, Some(&candidate.id), language)),
     }
 }

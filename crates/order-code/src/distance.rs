@@ -52,16 +52,26 @@ impl Distances {
     #[must_use]
     pub fn within(&mut self, text: &str, most: usize) -> Option<usize> {
         let common = capitals(text).zip(&self.letters).take_while(|(new, old)| new == *old).count();
+        self.go_on(capitals(text), common, most)
+    }
+
+    /// How far a text is away of which the first `common` letters are those compared last.
+    fn go_on(&mut self, text: impl Iterator<Item = char>, common: usize, most: usize) -> Option<usize> {
         self.letters.truncate(common);
         self.steps.truncate((common + 1) * (self.from.len() + 1));
         self.same_rows.truncate((common + 1) * self.from.len());
         self.least.truncate(common + 1);
-        let mut rest = capitals(text).skip(common);
-        while self.least.last().is_some_and(|least| *least <= most) {
+        let mut rest = text.skip(common);
+        while !self.is_beyond(most) {
             let Some(letter) = rest.next() else { return self.steps.last().copied().filter(|found| *found <= most) };
             self.add(letter);
         }
         None
+    }
+
+    /// Whether every text that begins with the letters compared last is further away than `most`.
+    fn is_beyond(&self, most: usize) -> bool {
+        self.least.last().is_none_or(|least| *least > most)
     }
 
     /// Works out the row of one more letter.
@@ -103,13 +113,66 @@ impl Distances {
     }
 }
 
+/// Texts in which those near another one are sought: neighbours that begin alike are compared, or given up, at once.
+#[derive(Clone, Debug)]
+pub struct Texts {
+    texts: Vec<Letters>,
+}
+
+#[derive(Clone, Debug)]
+struct Letters {
+    capitals: Vec<char>,
+    /// How many of them the text before begins with too.
+    shared: usize,
+}
+
+impl Texts {
+    /// Prepares texts for the search; quickest in alphabetical order.
+    #[must_use]
+    pub fn new<'t>(texts: impl IntoIterator<Item = &'t str>) -> Self {
+        let mut found: Vec<Letters> = Vec::new();
+        for text in texts {
+            let capitals: Vec<char> = capitals(text).collect();
+            let before = found.last().map(|letters| letters.capitals.as_slice()).unwrap_or_default();
+            let shared = capitals.iter().zip(before).take_while(|(new, old)| new == old).count();
+            found.push(Letters { capitals, shared });
+        }
+        Self { texts: found }
+    }
+
+    /// The texts not further away than `most`, of those that `asked` wants by their place: place and distance.
+    ///
+    /// Cost: a row of the table for each beginning that may lead to such a text.
+    pub fn within(
+        &self,
+        distances: &mut Distances,
+        most: usize,
+        asked: impl Fn(usize) -> bool,
+        mut found: impl FnMut(usize, usize),
+    ) {
+        // What the text at hand has in common with the one that was compared last.
+        let mut shared = 0;
+        for (place, text) in self.texts.iter().enumerate() {
+            shared = shared.min(text.shared);
+            if (shared >= distances.letters.len() && distances.is_beyond(most)) || !asked(place) {
+                continue;
+            }
+            let common = shared.min(distances.letters.len());
+            if let Some(distance) = distances.go_on(text.capitals.iter().copied(), common, most) {
+                found(place, distance);
+            }
+            shared = usize::MAX;
+        }
+    }
+}
+
 fn capitals(text: &str) -> impl Iterator<Item = char> {
     text.chars().flat_map(char::to_uppercase)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Distances, edit_distance};
+    use super::{Distances, Texts, edit_distance};
 
     #[test]
     fn the_distance_counts_single_edits_whatever_the_case() {
@@ -152,6 +215,27 @@ mod tests {
                 assert_eq!(distances.to(b), distance, "{a} {b}");
                 for most in 0..=5 {
                     assert_eq!(distances.within(b, most), (distance <= most).then_some(distance), "{a} {b} {most}");
+                }
+            }
+        }
+        let alphabetical = Texts::new(texts.iter().map(String::as_str));
+        for a in texts.iter().step_by(7) {
+            for most in [0, 2, 4] {
+                for asked in [1, 3] {
+                    let mut found = Vec::new();
+                    let mut distances = Distances::from(a);
+                    // A search before leaves nothing that a later one takes for its own.
+                    let _ = distances.to("CAB");
+                    alphabetical.within(
+                        &mut distances,
+                        most,
+                        |place| place % asked == 0,
+                        |place, far| {
+                            found.push((place, far));
+                        },
+                    );
+                    let each = texts.iter().map(|b| strsim::damerau_levenshtein(a, b)).enumerate().step_by(asked);
+                    assert_eq!(found, each.filter(|(_, distance)| *distance <= most).collect::<Vec<_>>(), "{a} {most}");
                 }
             }
         }

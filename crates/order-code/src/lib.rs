@@ -51,7 +51,7 @@ mod pattern;
 mod scan;
 mod tokens;
 
-pub use distance::{Distances, edit_distance};
+pub use distance::{Distances, Texts, edit_distance};
 pub use error::{CodeError, CodeErrors};
 pub use field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
 pub use parse::{Departure, Parsed, Spans, parse};

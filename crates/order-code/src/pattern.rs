@@ -78,18 +78,23 @@ impl Pattern {
     pub fn parse_with_spans(text: &str) -> Result<(Self, Spans), CodeErrors> {
         let (tokens, _) = scan(text, Form::Pattern)?;
         let token = |field: Field| tokens.iter().find(|found| found.field == field).and_then(|found| found.token);
-        let pattern = Self {
-            size: token(Field::Size).and_then(Size::of).map_or(Slot::Any, Slot::Exactly),
-            ratio: token(Field::Ratio).and_then(Ratio::of).map_or(Slot::Any, Slot::Exactly),
-            winding: token(Field::Winding).and_then(Winding::of).map_or(Slot::Any, Slot::Exactly),
-            feedback: token(Field::Feedback).and_then(Feedback::of).map_or(Slot::Any, Slot::Exactly),
-            brake: token(Field::Brake).map_or(Slot::Any, |_| Slot::Exactly(Brake::With)),
-            option_1: token(Field::Option1).map_or(Slot::Any, |token| Slot::Exactly(Option1::of(token))),
-            option_2: token(Field::Option2).map_or(Slot::Any, |token| Slot::Exactly(Option2::of(token))),
-            special: token(Field::Special).map_or(Slot::Any, |_| Slot::Exactly(true)),
-        };
         let named = tokens.iter().filter(|found| found.token.is_some());
-        Ok((pattern, named.map(|found| (found.field, found.span.clone())).collect()))
+        Ok((Self::of(token), named.map(|found| (found.field, found.span.clone())).collect()))
+    }
+
+    /// The codes that have these words, each a token of its field; a field without one is open.
+    #[must_use]
+    pub fn of<'w>(word: impl Fn(Field) -> Option<&'w str>) -> Self {
+        Self {
+            size: word(Field::Size).and_then(Size::of).map_or(Slot::Any, Slot::Exactly),
+            ratio: word(Field::Ratio).and_then(Ratio::of).map_or(Slot::Any, Slot::Exactly),
+            winding: word(Field::Winding).and_then(Winding::of).map_or(Slot::Any, Slot::Exactly),
+            feedback: word(Field::Feedback).and_then(Feedback::of).map_or(Slot::Any, Slot::Exactly),
+            brake: word(Field::Brake).map_or(Slot::Any, |_| Slot::Exactly(Brake::With)),
+            option_1: word(Field::Option1).map_or(Slot::Any, |word| Slot::Exactly(Option1::of(word))),
+            option_2: word(Field::Option2).map_or(Slot::Any, |word| Slot::Exactly(Option2::of(word))),
+            special: word(Field::Special).map_or(Slot::Any, |_| Slot::Exactly(true)),
+        }
     }
 
     /// Whether a code is among those that the pattern allows.

@@ -3,6 +3,7 @@
 mod bars;
 mod canvas;
 mod draw;
+mod face;
 mod font;
 mod geometry;
 mod item;
@@ -22,6 +23,7 @@ mod xy;
 
 pub use bars::{Bar, BarChart, Verdict};
 pub use canvas::Hatch;
+pub use face::{FaceChart, FacePin};
 pub use font::{FONT_FAMILY, font_files};
 pub use geometry::Rect;
 pub use item::{Area, Dash, Item, Line, Markers, Note, Reference, Shape, Width};

@@ -7,10 +7,12 @@ macro_rules! abouts {
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum About {
             $($name,)+
+            /// A key of a record of measured values.
+            Measured(MeasuredKey),
         }
 
         impl About {
-            /// Every purpose.
+            /// Every purpose of a key of the project file.
             pub const ALL: &'static [Self] = &[$(Self::$name),+];
         }
     };
@@ -48,4 +50,69 @@ abouts! {
     ActuatorResistanceLl ActuatorWindingTemperatureMax ActuatorInductanceLl ActuatorPolePairs ActuatorMass
     ActuatorLength ActuatorHollowShaft ActuatorDcLinkMax ActuatorTerminalVoltageMin ActuatorShortTimeCurve
     ActuatorContinuousCurve
+}
+
+/// A key of a record of measured values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeasuredKey {
+    /// `format`
+    Format,
+    /// `[winding]`
+    Winding,
+    /// `winding.temperature`
+    WindingTemperature,
+    /// `winding.resistance_ll`
+    ResistanceLl,
+    /// `winding.inductance_ll`
+    InductanceLl,
+    /// `[emf]`
+    Emf,
+    /// `emf.voltage_ll`
+    EmfVoltage,
+    /// `emf.speed_motor`
+    EmfSpeed,
+    /// `[sensor]`
+    Sensor,
+    /// `sensor.temperature`
+    SensorTemperature,
+    /// `sensor.kty`
+    Kty,
+    /// `sensor.ptc`
+    Ptc,
+    /// `[brake]`
+    Brake,
+    /// `brake.voltage`
+    BrakeVoltage,
+    /// `brake.opening_current`
+    OpeningCurrent,
+    /// `brake.holding_current`
+    HoldingCurrent,
+    /// `brake.opening_time`
+    OpeningTime,
+    /// `brake.closing_time`
+    ClosingTime,
+    /// `[direction]`
+    Direction,
+    /// `direction.motor`
+    DirectionMotor,
+    /// `direction.flange`
+    DirectionFlange,
+    /// `direction.position`
+    DirectionPosition,
+    /// `[speed]`
+    Speed,
+    /// `speed.motor`
+    SpeedMotor,
+    /// `speed.flange`
+    SpeedFlange,
+    /// `speed.electrical_frequency`
+    SpeedFrequency,
+    /// `[[no_load]]`
+    NoLoad,
+    /// `no_load.speed_out`
+    NoLoadSpeed,
+    /// `no_load.current`
+    NoLoadCurrent,
+    /// `no_load.temperature`
+    NoLoadTemperature,
 }

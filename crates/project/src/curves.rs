@@ -8,7 +8,7 @@ use configurator::{actuators, catalogue_actuators};
 use order_code::{Option1, OrderCode, Pattern};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{AngularVelocity, Measure, Torque};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// What a curve limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,34 +19,35 @@ enum Kind {
     ShortTime,
 }
 
-/// The catalogue with the user's curves in the place of its own.
+/// The catalogue with the user's curves in the place of its own, made when it is first asked for: to read a project, to
+/// draw its cycle or to compare its texts takes none.
 #[derive(Clone, Debug)]
 pub struct OwnCatalogue {
-    /// Without options, and with the encoder at the output.
-    actuators: [Vec<(OrderCode, Parameters)>; 2],
+    curves: Vec<UserCurve>,
+    plain: OnceLock<Vec<(OrderCode, Parameters)>>,
+    output_encoder: OnceLock<Vec<(OrderCode, Parameters)>>,
 }
 
 impl OwnCatalogue {
     /// Its actuators, with or without the encoder at the output.
     #[must_use]
     pub fn actuators(&self, output_encoder: bool) -> &[(OrderCode, Parameters)] {
-        let [plain, encoder] = &self.actuators;
-        if output_encoder { encoder } else { plain }
+        let (made, option_1) =
+            if output_encoder { (&self.output_encoder, Some(Option1::EC)) } else { (&self.plain, None) };
+        made.get_or_init(|| self.changed(option_1))
     }
 
-    fn with(curves: &[UserCurve]) -> Self {
-        let changed = |option_1| {
-            let mut actuators = actuators(option_1).to_vec();
-            for (code, parameters) in &mut actuators {
-                curves.iter().filter(|curve| curve.pattern.matches(code)).for_each(|curve| curve.apply(parameters));
-            }
-            actuators
-        };
-        Self { actuators: [changed(None), changed(Some(Option1::EC))] }
+    fn changed(&self, option_1: Option<Option1>) -> Vec<(OrderCode, Parameters)> {
+        let mut actuators = actuators(option_1).to_vec();
+        for (code, parameters) in &mut actuators {
+            self.curves.iter().filter(|curve| curve.pattern.matches(code)).for_each(|curve| curve.apply(parameters));
+        }
+        actuators
     }
 }
 
 /// A curve with the codes that it holds for.
+#[derive(Clone, Debug)]
 struct UserCurve {
     /// Its number in the file, from one.
     index: usize,
@@ -105,7 +106,8 @@ pub(crate) fn read(root: &Section, reader: &mut Reader<'_>) -> Option<Arc<OwnCat
             found.push(UserCurve { index: index + 1, pattern, kind, curve, source });
         }
     }
-    (!found.is_empty()).then(|| Arc::new(OwnCatalogue::with(&found)))
+    (!found.is_empty())
+        .then(|| Arc::new(OwnCatalogue { curves: found, plain: OnceLock::new(), output_encoder: OnceLock::new() }))
 }
 
 /// A curve by its corner points.

@@ -43,15 +43,20 @@ impl<'t> Reader<'t> {
         Self { text, faults: Vec::new(), tolerances: Vec::new(), inputs: None, damaged: false, more: 0 }
     }
 
-    /// Reads the whole file; faults are collected in `self.faults`.
+    /// Reads the whole project file; faults are collected in `self.faults`.
     pub(crate) fn read(&mut self) -> Section {
+        self.read_as(ROOT)
+    }
+
+    /// Reads a whole file against its description; faults are collected in `self.faults`.
+    pub(crate) fn read_as(&mut self, keys: &'static [Key]) -> Section {
         let (root, errors) = DeTable::parse_recoverable(self.text);
         for error in &errors {
             let span = error.span().unwrap_or(0..0);
             self.fault(span, Fault::Syntax { message: error.message().to_owned() }, None);
         }
         self.damaged = !errors.is_empty();
-        self.section(root.get_ref(), 0..0, ROOT, "", self.damaged)
+        self.section(root.get_ref(), 0..0, keys, "", self.damaged)
     }
 
     /// A reader of the same text without faults, for a trial.

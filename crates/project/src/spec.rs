@@ -85,11 +85,11 @@ pub struct Key {
     pub about: About,
 }
 
-const fn key(name: &'static str, kind: Kind, required: bool, about: About) -> Key {
+pub(crate) const fn key(name: &'static str, kind: Kind, required: bool, about: About) -> Key {
     Key { name, kind, required, about }
 }
 
-const fn quantity(name: &'static str, d: Dimension, range: Range, about: About) -> Key {
+pub(crate) const fn quantity(name: &'static str, d: Dimension, range: Range, about: About) -> Key {
     key(name, Kind::Quantity(d, range), false, about)
 }
 
@@ -98,7 +98,7 @@ const fn along(name: &'static str, d: [Dimension; 2], range: Range, about: About
     key(name, Kind::Along(turning, line, range), false, about)
 }
 
-const fn needed(name: &'static str, d: Dimension, range: Range, about: About) -> Key {
+pub(crate) const fn needed(name: &'static str, d: Dimension, range: Range, about: About) -> Key {
     key(name, Kind::Quantity(d, range), true, about)
 }
 

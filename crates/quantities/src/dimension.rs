@@ -61,6 +61,8 @@ dimensions! {
     Time: a "time", eine "Zeit", "0.1 s";
     /// Length, SI unit m.
     Length: a "length", eine "Länge", "50 mm";
+    /// Area, SI unit m²: the cross-section of a wire.
+    Area: an "area", eine "Fläche", "0.75 mm^2";
     /// Mass, SI unit kg.
     Mass: a "mass", eine "Masse", "3.2 kg";
     /// Mass per volume, SI unit kg/m³.
@@ -73,6 +75,8 @@ dimensions! {
     Voltage: a "voltage", eine "Spannung", "560 V";
     /// Electrical resistance, SI unit Ω.
     Resistance: a "resistance", ein "Widerstand", "5.9 ohm";
+    /// Electrical resistivity, SI unit Ω m.
+    Resistivity: an "electrical resistivity", ein "spezifischer Widerstand", "0.0172 ohm mm^2/m";
     /// Inductance, SI unit H.
     Inductance: an "inductance", eine "Induktivität", "8 mH";
     /// Plane angle, SI unit rad.

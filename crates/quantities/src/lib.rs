@@ -44,9 +44,9 @@ pub use seen::{is_unseen, seen};
 pub use tolerance::{HalfWidth, PLUS_MINUS, parse_toleranced, without_tolerance};
 pub use units::Unit;
 pub use uom::si::f64::{
-    Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, ElectricCurrent, ElectricPotential,
-    ElectricalResistance, Energy, Force, Frequency, Inductance, Jerk, Length, Mass, MassDensity, MomentOfInertia,
-    Power, Pressure, Ratio, TemperatureInterval, ThermodynamicTemperature, Time, Torque, Velocity,
+    Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, Area, ElectricCurrent, ElectricPotential,
+    ElectricalResistance, ElectricalResistivity, Energy, Force, Frequency, Inductance, Jerk, Length, Mass, MassDensity,
+    MomentOfInertia, Power, Pressure, Ratio, TemperatureInterval, ThermodynamicTemperature, Time, Torque, Velocity,
 };
 
 /// A language of the program.

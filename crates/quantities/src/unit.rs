@@ -155,6 +155,11 @@ units! {
         MICROMETRE: "um", "µm", "um", [], (is micrometer);
         KILOMETRE: "km", "km", "km", [], (is kilometer);
     }
+    Area [Area area] {
+        SQUARE_MILLIMETRE: "mm^2", "mm²", "mm^2", [], (is square_millimeter);
+        SQUARE_CENTIMETRE: "cm^2", "cm²", "cm^2", [], (is square_centimeter);
+        SQUARE_METRE: "m^2", "m²", "m^2", [], (is square_meter);
+    }
     Mass [Mass mass] {
         KILOGRAM: "kg", "kg", "kg", [], (is kilogram);
         GRAM: "g", "g", "g", [], (is gram);
@@ -190,6 +195,12 @@ units! {
         MILLIOHM: "mohm", "mΩ", "mohm", ["mOhm"], (is milliohm);
         KILOOHM: "kohm", "kΩ", "kohm", ["kOhm"], (is kiloohm);
         MEGAOHM: "Mohm", "MΩ", "Mohm", ["MOhm"], (is megaohm);
+    }
+    Resistivity [ElectricalResistivity electrical_resistivity] {
+        ///
+        /// 1 Ω across 1 m of 1 mm², 10⁻⁶ Ω m.
+        OHM_SQUARE_MILLIMETRE_PER_METRE: "ohm mm^2/m", "Ω mm²/m", "ohm mm^2/m", [], (over 1e6);
+        OHM_METRE: "ohm m", "Ω m", "ohm m", [], (is ohm_meter);
     }
     Inductance [Inductance inductance] {
         MILLIHENRY: "mH", "mH", "mH", [], (is millihenry);

@@ -139,6 +139,18 @@ impl<R: Read> Read for Utf8<R> {
     }
 }
 
+/// A whole text as a controller, a spreadsheet or an editor writes it, without the mark at its beginning, and how it is read.
+///
+/// # Errors
+/// Of the source.
+pub fn read_text(source: impl Read) -> std::io::Result<(String, Encoding)> {
+    let (mut utf8, mut bytes) = (Utf8::new(source), Vec::new());
+    utf8.read_to_end(&mut bytes)?;
+    let encoding = if std::str::from_utf8(&bytes).is_ok() { utf8.encoding() } else { Encoding::Windows1252Guessed };
+    let whole = text(&bytes);
+    Ok((whole.strip_prefix('\u{feff}').unwrap_or(&whole).to_owned(), encoding))
+}
+
 /// What Windows-1252 has at 0x80 to 0x9f, where Latin-1 has control characters; a gap is told as such.
 const WINDOWS: [char; 32] = [
     '€', '\u{fffd}', '‚', 'ƒ', '\u{201e}', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{fffd}', 'Ž', '\u{fffd}',

@@ -29,6 +29,7 @@ mod parquet;
 mod series;
 
 pub use csv::{read_csv, read_csv_within};
+pub use encoding::read_text;
 pub use faults::{Damage, Fault, Place, Stamp};
 pub use layout::{ColumnSpec, Layout, Role};
 pub use limits::{

@@ -2,6 +2,8 @@
 
 mod alternatives;
 mod axis;
+#[cfg(feature = "pdf")]
+pub(crate) mod checklist;
 mod checks;
 mod demand;
 mod inputs;

@@ -3,7 +3,7 @@
 //! A face gathers what the workbench answers into a [`Content`], adds what stands on the title page ([`Settings`]) and
 //! asks for the PDF. Same content and settings, same bytes: no clock, no file, no system font is touched.
 
-#[cfg(feature = "pdf")]
+#[cfg(feature = "document")]
 mod document;
 #[cfg(feature = "pdf")]
 mod glyphs;
@@ -15,12 +15,22 @@ mod template;
 #[cfg(feature = "png")]
 pub use press::pages_png;
 #[cfg(feature = "pdf")]
-pub use press::{overlaps, page_fills, page_texts, pdf, prepare, right_edges};
+pub use press::{checklist_pdf, checklist_texts, overlaps, page_fills, page_texts, pdf, prepare, right_edges};
 
 use answers::Dossier;
 use quantities::Language;
 use serde::Serialize;
 use words::terminal;
+
+/// What the template is given: every number in the words of its language, every list in its order.
+///
+/// # Errors
+/// [`Fault::NoAxis`] and [`Fault::Date`]; [`Fault::Typesetting`] where it is no JSON, which is a defect.
+#[cfg(feature = "document")]
+pub fn document(content: &Content, settings: &Settings) -> Result<serde_json::Value, Fault> {
+    let document = document::Document::build(content, settings)?;
+    serde_json::to_value(&document).map_err(|fault| Fault::Typesetting { message: fault.to_string() })
+}
 
 /// Everything that stands in the report, as data.
 #[derive(Clone, Debug)]

@@ -2,9 +2,12 @@
 //!
 //! The only file that knows the engine's interface, which changes with its every minor version.
 
-use crate::document::{Document, figure_file};
+use crate::document::checklist::CheckListDocument;
+use crate::document::figure_file;
 use crate::glyphs::Glyphs;
 use crate::{Content, Fault, Settings, template};
+use answers::Commissioning;
+use quantities::Language;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 use typst::diag::{FileError, FileResult, SourceDiagnostic};
@@ -27,12 +30,54 @@ pub fn pdf(content: &Content, settings: &Settings) -> Result<Vec<u8>, Fault> {
         return Err(Fault::NoDate);
     }
     let document = typeset(content, settings)?;
-    let standards: &[PdfStandard] = if settings.pdf_a { &[PdfStandard::A_2a] } else { &[PdfStandard::V_1_7] };
+    let standard = if settings.pdf_a { PdfStandard::A_2a } else { PdfStandard::V_1_7 };
+    // A constant: the document's identity is told by its hashes in the text, and time must not enter.
+    export(&document, format!("antrieb report {} {}", settings.number, settings.revision), standard)
+}
+
+/// The check-lists of a commissioning as PDF, tagged, with boxes to tick and lines to write on.
+///
+/// # Errors
+/// [`Fault::Typesetting`] and [`Fault::Export`] when the engine refuses, which is a defect.
+pub fn checklist_pdf(sheet: &Commissioning, language: Language) -> Result<Vec<u8>, Fault> {
+    let document = typeset_checklist(sheet, language)?;
+    export(&document, format!("antrieb commission {}", sheet.code), PdfStandard::V_1_7)
+}
+
+/// The text of every page of the check-lists, as set.
+///
+/// # Errors
+/// As [`checklist_pdf`].
+pub fn checklist_texts(sheet: &Commissioning, language: Language) -> Result<Vec<String>, Fault> {
+    let document = typeset_checklist(sheet, language)?;
+    let texts = document.pages().iter().map(|page| {
+        let mut text = String::new();
+        collect_text(&page.frame, &mut text);
+        text
+    });
+    let texts = texts.collect();
+    forget();
+    Ok(texts)
+}
+
+fn typeset_checklist(sheet: &Commissioning, language: Language) -> Result<PagedDocument, Fault> {
+    static TEMPLATE: OnceLock<Template> = OnceLock::new();
+    let template = match TEMPLATE.get() {
+        Some(template) => template,
+        None => Template::read(template::CHECKLIST, "checklist.typ").map(|read| TEMPLATE.get_or_init(|| read))?,
+    };
+    let document = serde_json::to_value(CheckListDocument::build(sheet, language))
+        .map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
+    let document = fonts().glyphs.printable(document);
+    let files = BTreeMap::from([("data.json".to_owned(), document.to_string().into_bytes())]);
+    compile(Press { template, files })
+}
+
+fn export(document: &PagedDocument, ident: String, standard: PdfStandard) -> Result<Vec<u8>, Fault> {
     let standards =
-        PdfStandards::new(standards).map_err(|fault| Fault::Export { message: fault.message().to_string() })?;
+        PdfStandards::new(&[standard]).map_err(|fault| Fault::Export { message: fault.message().to_string() })?;
     let options = PdfOptions {
-        // A constant: the document's identity is told by its hashes in the text, and time must not enter.
-        ident: Smart::Custom(format!("antrieb report {} {}", settings.number, settings.revision)),
+        ident: Smart::Custom(ident),
         creator: Smart::Custom(Some(concat!("antrieb ", env!("CARGO_PKG_VERSION")).to_owned())),
         timestamp: None,
         page_ranges: None,
@@ -40,8 +85,7 @@ pub fn pdf(content: &Content, settings: &Settings) -> Result<Vec<u8>, Fault> {
         tagged: true,
         pretty: false,
     };
-    let bytes =
-        typst_pdf::pdf(&document, &options).map_err(|faults| Fault::Export { message: messages(&faults, None) });
+    let bytes = typst_pdf::pdf(document, &options).map_err(|faults| Fault::Export { message: messages(&faults, None) });
     forget();
     bytes
 }
@@ -204,10 +248,7 @@ fn forget() {
 
 fn typeset(content: &Content, settings: &Settings) -> Result<PagedDocument, Fault> {
     let fonts = fonts();
-    let document = Document::build(content, settings)?;
-    let document =
-        serde_json::to_value(&document).map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
-    let document = fonts.glyphs.printable(document);
+    let document = fonts.glyphs.printable(crate::document(content, settings)?);
     let mut files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
     files.insert("data.json".to_owned(), document.to_string().into_bytes());
     for (axis, of_axis) in content.axes.iter().enumerate() {
@@ -215,7 +256,10 @@ fn typeset(content: &Content, settings: &Settings) -> Result<PagedDocument, Faul
             files.insert(figure_file(axis, index), figure.svg.clone().into_bytes());
         }
     }
-    let press = Press { template: template()?, files };
+    compile(Press { template: template()?, files })
+}
+
+fn compile(press: Press) -> Result<PagedDocument, Fault> {
     typst::compile::<PagedDocument>(&press)
         .output
         .map_err(|faults| Fault::Typesetting { message: messages(&faults, Some(&press)) })
@@ -267,12 +311,12 @@ struct Template {
 }
 
 impl Template {
-    fn read() -> Result<Self, Fault> {
+    fn read(files: &'static [(&'static str, &'static str)], main: &str) -> Result<Self, Fault> {
         let mut sources = BTreeMap::new();
-        for (name, text) in template::FILES {
+        for (name, text) in files {
             sources.insert(*name, Source::new(file_id(name)?, (*text).to_owned()));
         }
-        Ok(Self { library: LazyHash::new(Library::builder().build()), main: file_id("main.typ")?, sources })
+        Ok(Self { library: LazyHash::new(Library::builder().build()), main: file_id(main)?, sources })
     }
 }
 
@@ -280,7 +324,7 @@ fn template() -> Result<&'static Template, Fault> {
     static TEMPLATE: OnceLock<Template> = OnceLock::new();
     match TEMPLATE.get() {
         Some(template) => Ok(template),
-        None => Template::read().map(|read| TEMPLATE.get_or_init(|| read)),
+        None => Template::read(template::FILES, "main.typ").map(|read| TEMPLATE.get_or_init(|| read)),
     }
 }
 

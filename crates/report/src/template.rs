@@ -16,6 +16,9 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("sources.typ", include_str!("../template/sources.typ")),
 ];
 
+/// The same for the check-lists, which stand by themselves.
+pub(crate) const CHECKLIST: &[(&str, &str)] = &[("checklist.typ", include_str!("../template/checklist.typ"))];
+
 #[cfg(test)]
 mod tests {
     use super::*;

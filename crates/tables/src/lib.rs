@@ -5,12 +5,15 @@
 //! [`parquet`] one table each. They give bytes; nothing here touches a file or the clock, and the same tables give
 //! the same bytes.
 //!
+//! [`calendar`] writes the dates of a plan of upkeep for a calendar program.
+//!
 //! Names of tables and columns and their units are the contract with scripts and are the same in both languages;
 //! titles, remarks and sources are words.
 
 mod csv;
 mod define;
 mod error;
+mod ical;
 mod json;
 mod parquet;
 mod results;
@@ -22,5 +25,6 @@ pub use crate::json::record;
 pub use crate::parquet::parquet;
 pub use define::{NAMES, Subject};
 pub use error::WriteError;
+pub use ical::calendar;
 pub use table::{Cell, Column, Derived, Kind, Table};
 pub use xlsx::{Front, SHEET_ROWS_MOST, xlsx};

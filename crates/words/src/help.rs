@@ -67,12 +67,49 @@ texts! {
     data =
         "Data sheet of one actuator, each value with its table"
         | "Datenblatt eines Antriebs, jeder Wert mit seiner Tabelle";
+    wiring =
+        "Connectors, pins and cables of one actuator, and what is wrong in a list of pins"
+        | "Stecker, Stifte und Kabel eines Antriebs, und was an einer Stiftliste falsch ist";
+    wiring_check =
+        "Compare this list (CSV: connector, pin, signal; colour and shield if wanted) with the print; - is standard input"
+        | "Diese Liste (CSV: Stecker, Stift, Signal; auf Wunsch Farbe und Schirm) mit dem Druck vergleichen; - ist die Standardeingabe";
+    wiring_length =
+        "Length of the cable, such as \"15 m\": voltage lost by brake and encoder supply"
+        | "Länge des Kabels, etwa \"15 m\": Spannungsverlust von Bremse und Geberversorgung";
+    wiring_section =
+        "Cross-section of its wires, such as \"1 mm²\""
+        | "Querschnitt seiner Adern, etwa \"1 mm²\"";
+    wiring_connector =
+        "With --svg or --png: motor, feedback (default) or output_encoder"
+        | "Mit --svg oder --png: motor, feedback (Motorfeedback, Vorgabe) oder output_encoder (Geber am Abtrieb)";
     errata =
         "What is wrong or in doubt in the print, and what is used"
         | "Was im Druck falsch oder zweifelhaft ist, und was verwendet wird";
     errata_about =
         "Ordering code, number of a table, or id of an erratum; all without it"
         | "Bestellbezeichnung, Nummer einer Tabelle oder Name eines Druckfehlers; ohne Angabe alle";
+    commission =
+        "Values for the drive, check-lists, and the judgement of what was measured"
+        | "Werte für den Regler, Prüflisten und das Urteil über Gemessenes";
+    commission_for =
+        "Form of the values: sinamics, cia402, plain"
+        | "Form der Werte: sinamics, cia402, plain (neutral)";
+    commission_ambient =
+        "Temperature at which winding and sensors are measured (20 degC)"
+        | "Temperatur, bei der Wicklung und Sensoren gemessen werden (20 degC)";
+    commission_out =
+        "Write the form into this file: parameters line by line, an EDS, or JSON"
+        | "Die Form in diese Datei schreiben: Parameter zeilenweise, eine EDS oder JSON";
+    commission_checklist = "Write the check-lists into this PDF" | "Die Prüflisten in dieses PDF schreiben";
+    commission_record =
+        "Judge the measured values of this file and name likely causes"
+        | "Die gemessenen Werte dieser Datei beurteilen und wahrscheinliche Ursachen nennen";
+    commission_blank =
+        "Write an empty record of measured values to fill in"
+        | "Eine leere Datei für gemessene Werte zum Ausfüllen schreiben";
+    commission_exit =
+        "With --record: exit code 0 nothing is off, 1 something is, 2 the file cannot be read."
+        | "Mit --record: Rückgabewert 0 nichts auffällig, 1 etwas auffällig, 2 Datei nicht lesbar.";
     catalogue = "The whole catalogue" | "Der ganze Katalog";
     catalogue_export =
         "Every cell of the maker's tables in long form"
@@ -98,6 +135,37 @@ texts! {
     battery_storage =
         "Storage before operation, for example \"1 a\"; none without it"
         | "Lagerung vor dem Betrieb, zum Beispiel \"1 a\"; ohne Angabe keine";
+    mount =
+        "Fits, tolerances, screws and their utilisation, mass, purge air: how an actuator is mounted"
+        | "Passungen, Toleranzen, Schrauben und ihre Auslastung, Masse, Sperrluft: wie ein Antrieb montiert wird";
+    mount_bore =
+        "Bore over both pilots: a zone such as K7, or limit deviations such as \"+12/-3 um\"; H7 without it, as the manual recommends"
+        | "Bohrung auf beiden Zentrierungen: ein Toleranzfeld wie K7 oder Grenzabmaße wie \"+12/-3 um\"; ohne Angabe H7, wie die Anleitung empfiehlt";
+    mount_bore_load = "Bore of the load, where it is another" | "Bohrung der Last, wo sie eine andere ist";
+    mount_bore_housing = "Bore of the machine, where it is another" | "Bohrung der Maschine, wo sie eine andere ist";
+    mount_project =
+        "Project whose torques and loads on the flange take the place of the limits"
+        | "Projekt, dessen Drehmomente und Lasten am Flansch an die Stelle der Grenzen treten";
+    upkeep =
+        "Plan with dates for storage, upkeep and exchange, shutting down, disposal"
+        | "Plan mit Terminen für Lagerung, Wartung und Tausch, Stillsetzen, Entsorgung";
+    upkeep_delivered = "Day of delivery, 2026-03-01" | "Tag der Lieferung, 2026-03-01";
+    upkeep_storage =
+        "Storage before service: a time such as \"1 a\" or \"6 months\", or the day on which it ends"
+        | "Lagerung vor dem Betrieb: eine Zeit wie \"1 a\" oder \"6 Monate\", oder der Tag, an dem sie endet";
+    upkeep_hours =
+        "Hours of operation a day, 0 to 24, for the battery of the M128S encoder"
+        | "Betriebsstunden je Tag, 0 bis 24, für die Batterie des Gebers M128S";
+    upkeep_inspect =
+        "Interval of what the manual wants regularly, such as \"6 months\"; a year without it, told as assumed"
+        | "Intervall für das, was die Anleitung regelmäßig verlangt, etwa \"6 Monate\"; ohne Angabe ein Jahr, als angenommen genannt";
+    upkeep_today =
+        "Day to look from: it marks what has passed, and the next date of each series"
+        | "Tag der Betrachtung: er zeigt, was überschritten ist, und den nächsten Termin jeder Reihe";
+    upkeep_ical = "Write the plan as iCalendar file (.ics)" | "Den Plan als iCalendar-Datei (.ics) schreiben";
+    upkeep_name =
+        "Name of the actuator in the calendar: tells two of one code apart"
+        | "Name des Antriebs im Kalender: unterscheidet zwei mit gleichem Code";
     new = "A commented project file to fill in" | "Eine kommentierte Projektdatei zum Ausfüllen";
     new_out =
         "Project file to write, with an example recording beside it for kind recording"
@@ -108,6 +176,9 @@ texts! {
     glossary_term =
         "Symbol, name or word, for example T_rms; all without it"
         | "Zeichen, Name oder Wort, zum Beispiel T_rms; ohne Angabe alle";
+    licences =
+        "Licences of antrieb and of all that is built into it, fonts included"
+        | "Lizenzen von antrieb und von allem, was darin steckt, auch der Schriften";
     completions = "Completion script for a shell" | "Vervollständigung für eine Shell";
     help = "Help on a command" | "Hilfe zu einem Befehl";
     help_command = "Command; all of them without it" | "Befehl; ohne ihn alle";

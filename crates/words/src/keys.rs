@@ -8,6 +8,7 @@ use quantities::Language;
 #[rustfmt::skip] // one line per key and language
 pub const fn about_text(about: About, language: Language) -> &'static str {
     let (en, de) = match about {
+        About::Measured(key) => return super::measured_key_text(key, language),
         About::Format => ("version of the file format, 1", "Version des Dateiformats, 1"),
         About::Axis => (
             "the axis; or [[axis]], several axes with load, motion and all else inside",

@@ -6,15 +6,20 @@
 
 mod bodies;
 mod codes;
+pub mod commission;
+mod commissioned;
 mod derivation;
 mod errata;
 mod examples;
+mod facts;
 mod faults;
 mod flange;
 pub mod help;
 mod keys;
 mod letters;
+mod measured_keys;
 mod motion;
+pub mod mounting;
 mod notes;
 pub mod pages;
 pub mod pictures;
@@ -33,16 +38,24 @@ pub mod tables;
 pub mod terminal;
 pub mod terms;
 mod texts;
+pub mod upkeep;
 mod usage;
+pub mod wiring;
 
 pub use bodies::shape_title;
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token, describe_uncovered};
+pub use commissioned::{
+    band_text, cause_text, choice_text, conversion_text, gap_text, measurand_name, object_name, parameter_name,
+    unjudged_text,
+};
 pub use derivation::{found_text, step_term, step_terms, symbol_shown};
 pub use errata::{erratum_kind, erratum_place, erratum_status};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
+pub use facts::{fact_source, fact_text, signal_word, step_title};
 pub use faults::{Told, battery_fault, fault_text, file_trouble, hint_text, told};
 pub use keys::about_text;
 pub use letters::{is_vowel, stands_before_a_number};
+pub use measured_keys::measured_key_text;
 pub use motion::law_text;
 pub use print::{
     cell_text, document_note, erratum_readings, own_and_foreign, table_note, table_title, term_remark, word_meaning,
@@ -81,9 +94,11 @@ pub fn capitalised(text: &str) -> String {
 
 /// Every module of texts by name, for whoever looks at all of them.
 pub const MODULES: &[(&str, &[Text])] = &[
+    ("commission", commission::TEXTS),
     ("help", help::TEXTS),
     ("help::library", help::library::TEXTS),
     ("help::values", help::values::TEXTS),
+    ("mounting", mounting::TEXTS),
     ("pages", pages::TEXTS),
     ("pictures", pictures::TEXTS),
     ("records", records::TEXTS),
@@ -91,4 +106,6 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("tables", tables::TEXTS),
     ("terminal", terminal::TEXTS),
     ("terms", terms::TEXTS),
+    ("wiring", wiring::TEXTS),
+    ("upkeep", upkeep::TEXTS),
 ];

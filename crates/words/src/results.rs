@@ -121,7 +121,7 @@ pub fn symbol_term(symbol: &str, language: Language) -> String {
 }
 
 /// Words of table conditions in German, longer phrases before their parts.
-const CONDITIONS: [(&str, &str); 18] = [
+const CONDITIONS: [(&str, &str); 23] = [
     ("no condensation", "ohne Kondensation"),
     ("above sea level", "über NN"),
     ("aluminium, ambient", "Aluminium, Umgebung"),
@@ -138,6 +138,11 @@ const CONDITIONS: [(&str, &str); 18] = [
     ("mating coupling", "Kabelkupplung"),
     ("series=", "Baureihe "),
     ("ratio=", "i = "),
+    ("winding=", "Wicklung "),
+    ("without brake", "ohne Bremse"),
+    ("with brake", "mit Bremse"),
+    ("open end", "offenes Ende"),
+    ("pin ", "Stift "),
     ("grease", "Fettschmierung"),
     ("maximum", "Kurzzeit"),
 ];
@@ -151,7 +156,8 @@ pub fn condition_text(condition: &str, language: Language) -> String {
             text = text.replace(en, de);
         }
     } else {
-        let named = text.replace("sensor=", "sensor ").replace("series=", "series ").replace("ratio=", "i = ");
+        let named = text.replace("sensor=", "sensor ").replace("series=", "series ");
+        let named = named.replace("ratio=", "i = ").replace("winding=", "winding ");
         text = with_points(&named);
     }
     text
@@ -483,7 +489,7 @@ pub fn source_text(source: &Source, language: Language) -> String {
 }
 
 /// Models by their names in German; the English ones are those of the pages in docs/theory.
-const MODELS: [(&str, &str); 18] = [
+const MODELS: [(&str, &str); 19] = [
     ("battery", "Batterie"),
     ("brake", "Bremse"),
     ("continuous-torque", "Dauerdrehmoment"),
@@ -498,6 +504,7 @@ const MODELS: [(&str, &str); 18] = [
     ("moments", "Zeitintegrale"),
     ("output-bearing", "Abtriebslager"),
     ("overload", "Überlast"),
+    ("screw-joint", "Schraubverbindung"),
     ("short-time-torque", "Kurzzeitdrehmoment"),
     ("stage", "Stufe"),
     ("thermal", "Erwärmung"),

@@ -8,14 +8,17 @@ mod ask;
 mod chapters;
 mod cited;
 mod codes;
+mod commission;
 mod compare;
 mod errata;
 mod explain;
 mod export;
+mod facts;
 mod fingerprint;
 mod flange;
 mod glossary;
 mod limits;
+mod mount;
 mod moves;
 mod patience;
 mod plane;
@@ -25,23 +28,39 @@ mod sizing_use;
 mod templates;
 mod tolerance;
 mod torsion;
+mod upkeep;
+mod wiring;
 
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
 pub use ask::{
     Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, verification,
 };
+pub use catalogue::{Fact, Signal, Step, Topic};
 pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
+pub use chrono::NaiveDate as Date;
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
+pub use commission::{
+    Commissioning, DriveForm, Judged, Measured, blank_record, commission, eds, judge, measured, sinamics_script,
+    usual_ambient,
+};
 pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compare, difference};
 pub use configurator::{Availability, Choice, Uncovered, Unmet, catalogue_actuators, uncovered};
 pub use errata::{ErrataFound, ErrataRefusal, errata_about};
 pub use explain::{derivation, node_amount, trust};
 pub use export::{EXPORT_COLUMNS, export_rows};
+pub use facts::facts_about;
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
 pub use glossary::glossary;
+pub use installation::calendar::Interval;
+pub use installation::mount::MountAsked;
+pub use installation::upkeep::{Planned, Upkeep, UpkeepAsked};
+pub use installation::wiring::{
+    Connector, Group as SignalGroup, LISTED_BYTES_MAX, ListFault, Role, VoltageDrop, Wiring, voltage_drops, wiring,
+};
 pub use limits::{NeededLimit, limits_needed};
+pub use mount::{joint_loads, mount, read_bore};
 pub use moves::{Move, Moves, moves};
 pub use order_code::{Field, OrderCode, Size};
 pub use patience::Patience;
@@ -67,6 +86,8 @@ pub use tolerance::{
     Assessment, Draw, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
 };
 pub use torsion::{TorsionAnswer, TorsionCurve, read_torque, torsion, torsion_of};
+pub use upkeep::{OptionFault, day_of_clock, read_date, read_interval, read_storage, upkeep};
+pub use wiring::{CABLE_LENGTH_MAX_M, CROSS_SECTION_MAX_MM2, ListRead, cable_length, cross_section, read_list};
 
 /// The words of the house, and those of a whole candidate.
 pub mod text {

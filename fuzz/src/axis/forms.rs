@@ -4,6 +4,8 @@ use super::Case;
 use crate::text::tells;
 use figures::{By, Figure, Style, draw};
 use parquet::file::reader::{FileReader, SerializedFileReader};
+use report::{AxisContent, Content, Settings};
+use serde_json::Value;
 use tables::{Front, NAMES, Subject, Table};
 use workbench::{Candidate, Sampling, Sizing, answer, assess, reserve_of};
 
@@ -71,7 +73,7 @@ pub(super) fn figures(case: &Case<'_>, best: &Candidate<'_>) {
     }
 }
 
-/// What a report is made from.
+/// What a report is made from, and what its template is given.
 pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>) {
     let reserve = reserve_of(case.project, best);
     let assessment = assess(case.project, &[best], Sampling { samples: 5, seed: 1 }).pop();
@@ -82,4 +84,35 @@ pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>
     let rejected: usize = found.rejections.iter().map(|group| group.codes.len()).sum();
     assert_eq!(rejected, sizing.candidates.iter().filter(|each| !each.fits()).count());
     super::texts(&serde_json::to_value(&found).unwrap_or_default());
+    let figure = report::Figure {
+        place: report::Place::Motion,
+        svg: String::new(),
+        caption: String::from("caption"),
+        alternative_text: String::from("description"),
+    };
+    let axis = AxisContent { dossier: found, figures: vec![figure] };
+    let content = Content { language: case.language, axes: vec![axis.clone(), axis] };
+    let date = Some(String::from("2026-11-22"));
+    for full in [false, true] {
+        let settings = Settings { date: date.clone(), full, ..Settings::default() };
+        let document = report::document(&content, &settings);
+        assert!(document.is_ok(), "{:?}", document.err());
+        let document = document.unwrap_or_default();
+        let axes = document.get("axes").and_then(Value::as_array).map(Vec::len);
+        assert_eq!(axes, Some(2), "an axis is not told");
+        numbers(&document);
+    }
+}
+
+/// No number that is none gets into a document, as a number or in its words.
+fn numbers(value: &Value) {
+    match value {
+        Value::String(text) => {
+            let words = || text.split(|sign: char| !sign.is_alphanumeric());
+            assert!(words().all(|word| !matches!(word, "NaN" | "inf")), "{text:?}");
+        }
+        Value::Array(all) => all.iter().for_each(numbers),
+        Value::Object(all) => all.values().for_each(numbers),
+        _ => {}
+    }
 }

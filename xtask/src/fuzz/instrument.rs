@@ -1,4 +1,4 @@
-//! Compiling the crates of the workspace so that the engine sees which edges a case takes.
+//! Compiling the crates of the workspace so that the engine sees which edges a case takes, or the report which lines.
 //!
 //! cargo calls a wrapper for the compiler of workspace members; this program is that wrapper. Dependencies are compiled as for
 //! any release build and shared with it. So no nightly compiler, no further tool and no second copy of the dependencies is
@@ -13,14 +13,45 @@ use std::sync::OnceLock;
 /// The variable that makes this program the wrapper.
 pub(super) const VARIABLE: &str = "ANTRIEB_INSTRUMENT";
 
-/// Counters on the edges and traced comparisons, as cargo-fuzz sets them; faults of arithmetic end a case; places in the
-/// sources for what is told of one. One unit of code: with several, nothing is inlined across them.
-const FLAGS: [&str; 11] = [
+/// What the code is made to count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Count {
+    /// Edges, for the engine.
+    Edges,
+    /// Lines of the sources, for a report.
+    Lines,
+}
+
+impl Count {
+    /// What stands in the variable.
+    pub(super) const fn word(self) -> &'static str {
+        match self {
+            Self::Edges => "edges",
+            Self::Lines => "lines",
+        }
+    }
+
+    fn of(word: &OsStr) -> Option<Self> {
+        [Self::Edges, Self::Lines].into_iter().find(|count| word == count.word())
+    }
+
+    /// The flags for a crate.
+    fn flags(self, words: &[OsString]) -> Vec<&'static str> {
+        match self {
+            Self::Edges if is_compared(words) => [&FLAGS[..], &[COMPARED]].concat(),
+            Self::Edges => FLAGS.to_vec(),
+            Self::Lines => vec!["-Cinstrument-coverage", "-Cdebug-assertions=on", "-Coverflow-checks=on"],
+        }
+    }
+}
+
+/// Counters on the edges, as cargo-fuzz sets them; faults of arithmetic end a case; places in the sources for what is told
+/// of one. One unit of code: with several, nothing is inlined across them.
+const FLAGS: [&str; 10] = [
     "-Cpasses=sancov-module",
     "-Cllvm-args=-sanitizer-coverage-level=4",
     "-Cllvm-args=-sanitizer-coverage-inline-8bit-counters",
     "-Cllvm-args=-sanitizer-coverage-pc-table",
-    "-Cllvm-args=-sanitizer-coverage-trace-compares",
     "-Ccodegen-units=1",
     "-Cdebug-assertions=on",
     "-Coverflow-checks=on",
@@ -28,6 +59,20 @@ const FLAGS: [&str; 11] = [
     "-Cdebuginfo=line-tables-only",
     "-Cforce-frame-pointers=yes",
 ];
+
+/// Comparisons are traced where bytes of the case are compared as they are. Elsewhere they are those of what was made of
+/// them, the engine can use none, and to trace them takes longer than all else.
+const COMPARED: &str = "-Cllvm-args=-sanitizer-coverage-trace-compares";
+
+/// The crates that read any text or bytes.
+const READERS: [&str; 2] = ["quantities", "recording"];
+
+fn is_compared(words: &[OsString]) -> bool {
+    words.windows(2).any(|pair| match pair {
+        [key, name] => key == "--crate-name" && READERS.iter().any(|reader| name == reader),
+        _ => false,
+    })
+}
 
 /// Where this program was when it began.
 static OWN: OnceLock<PathBuf> = OnceLock::new();
@@ -47,14 +92,14 @@ pub fn as_wrapper() -> Option<ExitCode> {
     if let Ok(path) = std::env::current_exe() {
         OWN.get_or_init(|| path);
     }
-    std::env::var_os(VARIABLE)?;
+    let count = Count::of(&std::env::var_os(VARIABLE)?)?;
     let mut words = std::env::args_os().skip(1);
     let compiler = words.next()?;
     let words: Vec<OsString> = words.collect();
     let mut command = Command::new(compiler);
     command.args(&words);
     if is_of_the_target(&words) {
-        command.args(FLAGS);
+        command.args(count.flags(&words));
     }
     let code = command.status().ok()?.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1);
     Some(ExitCode::from(code))
@@ -76,5 +121,16 @@ mod tests {
         assert!(is_of_the_target(&words("--crate-name order_code -C opt-level=3 -C embed-bitcode=no")));
         assert!(!is_of_the_target(&words("--crate-name quantities -C embed-bitcode=no")));
         assert!(!is_of_the_target(&words("--crate-name build_script_build -C opt-level=3")));
+    }
+
+    #[test]
+    fn comparisons_are_traced_where_bytes_are_read() {
+        let flags = |count: Count, name: &str| count.flags(&["--crate-name", name].map(OsString::from));
+        assert!(flags(Count::Edges, "quantities").contains(&COMPARED));
+        assert!(!flags(Count::Edges, "sizing").contains(&COMPARED));
+        assert!(flags(Count::Edges, "sizing").contains(&"-Cllvm-args=-sanitizer-coverage-inline-8bit-counters"));
+        assert_eq!(flags(Count::Lines, "quantities").first(), Some(&"-Cinstrument-coverage"));
+        assert_eq!(Count::of(OsStr::new("lines")), Some(Count::Lines));
+        assert_eq!(Count::of(OsStr::new("1")), None);
     }
 }

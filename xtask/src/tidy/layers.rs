@@ -18,7 +18,7 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 29] = [
+const ROOMS: [(&str, Room); 30] = [
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
     ("order-code", Room::Layer(0)),
@@ -29,6 +29,7 @@ const ROOMS: [(&str, Room); 29] = [
     ("mechanism", Room::Layer(1)),
     ("actuator", Room::Layer(1)),
     ("plot", Room::Layer(1)),
+    ("excerpt", Room::Layer(1)),
     ("configurator", Room::Layer(2)),
     ("trace", Room::Layer(2)),
     ("sizing", Room::Layer(3)),

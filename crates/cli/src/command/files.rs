@@ -50,6 +50,41 @@ pub(super) fn plot(language: Language) -> Command {
     picture(command, language).after_help(help::plot_without_files(language))
 }
 
+pub(super) fn wiring(language: Language) -> Command {
+    let command = Command::new("wiring")
+        .about(help::wiring(language))
+        .arg(
+            Arg::new("code")
+                .value_name(values::code(language))
+                .required(true)
+                .num_args(1..)
+                .help(capitalised(terms::ordering_code(language))),
+        )
+        .arg(
+            Arg::new("check")
+                .long("check")
+                .value_name(values::file(language))
+                .value_parser(value_parser!(std::path::PathBuf))
+                .help(help::wiring_check(language)),
+        )
+        .arg(Arg::new("length").long("length").value_name(values::length(language)).help(help::wiring_length(language)))
+        .arg(
+            Arg::new("cross-section")
+                .long("cross-section")
+                .value_name(values::area(language))
+                .requires("length")
+                .help(help::wiring_section(language)),
+        )
+        .arg(
+            Arg::new("connector")
+                .long("connector")
+                .value_name(values::connector(language))
+                .value_parser(PossibleValuesParser::new(workbench::Role::ALL.iter().map(|role| role.id())))
+                .help(help::wiring_connector(language)),
+        );
+    picture(command, language)
+}
+
 /// The options of a command that draws.
 fn picture(command: Command, language: Language) -> Command {
     let file = |name, help| {

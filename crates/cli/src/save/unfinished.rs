@@ -1,7 +1,8 @@
 //! Temporary files that a signal takes with it.
 //!
 //! Interrupt, terminate and hang-up end the program with what is unfinished removed and the status that a shell gives
-//! them: 128 and the number of the signal. Nothing can be done about a kill, which leaves a hidden file behind.
+//! them: 128 and the number of the signal. Nothing can be done about a kill: the hidden file that it
+//! leaves goes with a later save in the same folder.
 
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};

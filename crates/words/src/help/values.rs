@@ -3,15 +3,20 @@
 use crate::texts::texts;
 
 texts! {
+    area = "AREA" | "QUERSCHNITT";
+    connector = "CONNECTOR" | "STECKER";
     body = "BODY" | "KÖRPER";
+    bore = "BORE" | "BOHRUNG";
     check = "CHECK" | "NACHWEIS";
     code = "CODE";
     command = "COMMAND" | "BEFEHL";
     date = "DATE" | "DATUM";
+    drive = "DRIVE" | "REGLER";
     figure = "FIGURE" | "BILD";
     file = "FILE" | "DATEI";
     format = "FORMAT";
     hours = "HOURS" | "STUNDEN";
+    interval = "INTERVAL" | "INTERVALL";
     kind = "KIND" | "ART";
     lang = "LANG" | "SPRACHE";
     length = "LENGTH" | "LÄNGE";
@@ -21,6 +26,7 @@ texts! {
     pattern = "PATTERN" | "MUSTER";
     project = "PROJECT" | "PROJEKT";
     size = "SIZE" | "GRÖSSE";
+    temperature = "TEMPERATURE" | "TEMPERATUR";
     term = "TERM" | "BEGRIFF";
     text = "TEXT";
     theme = "THEME" | "FARBEN";

@@ -1,0 +1,209 @@
+//! Dates and intervals of a plan. A year is a year of the calendar here, and a month one of its months.
+
+use chrono::{Datelike, Days, Months, NaiveDate};
+
+/// The years that a date may lie in: what is outside is a slip of the pen.
+pub const YEARS: (i32, i32) = (1990, 2199);
+
+/// A whole number of months or of days.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interval {
+    /// Months of the calendar; twelve of them are a year.
+    Months(u32),
+    /// Days; seven of them are a week.
+    Days(u32),
+}
+
+/// What is wrong with a date.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DateFault {
+    /// No date of the calendar, or not written as `2026-03-01`.
+    NoDate {
+        /// As written.
+        written: String,
+    },
+    /// Outside [`YEARS`].
+    OutOfRange {
+        /// The date.
+        date: NaiveDate,
+    },
+}
+
+/// What is wrong with an interval.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum IntervalFault {
+    /// It does not begin with a whole number above zero.
+    NoWholeNumber {
+        /// As written.
+        written: String,
+    },
+    /// A number without a unit.
+    UnitMissing {
+        /// As written.
+        written: String,
+    },
+    /// A unit that is none of time, or too short for a plan.
+    UnitUnknown {
+        /// As written.
+        unit: String,
+    },
+    /// Longer than a plan may be.
+    TooLong {
+        /// As written.
+        written: String,
+    },
+}
+
+/// The longest interval of a plan, in years.
+pub const INTERVAL_MOST_YEARS: u32 = 20;
+
+/// The units of an interval with what they are, in both languages.
+const UNITS: [(&[&str], Interval); 4] = [
+    (&["a", "year", "years", "jahr", "jahre", "jahren"], Interval::Months(12)),
+    (&["month", "months", "monat", "monate", "monaten"], Interval::Months(1)),
+    (&["week", "weeks", "woche", "wochen"], Interval::Days(7)),
+    (&["d", "day", "days", "tag", "tage", "tagen"], Interval::Days(1)),
+];
+
+impl Interval {
+    /// The date so many intervals after another. A day that its month lacks is the last one of the month.
+    #[must_use]
+    pub fn after(self, start: NaiveDate, times: u32) -> Option<NaiveDate> {
+        match self {
+            Self::Months(months) => start.checked_add_months(Months::new(months.checked_mul(times)?)),
+            Self::Days(days) => start.checked_add_days(Days::new(u64::from(days) * u64::from(times))),
+        }
+    }
+
+    /// The first date of a series from `start`, itself left out, that is not before `from`.
+    #[must_use]
+    pub fn next(self, start: NaiveDate, from: NaiveDate) -> Option<NaiveDate> {
+        (1..).map_while(|times| self.after(start, times)).find(|date| *date >= from)
+    }
+
+    /// The shorter of two intervals, by their dates.
+    #[must_use]
+    pub fn shorter(self, other: Self, start: NaiveDate) -> Self {
+        if other.after(start, 1) < self.after(start, 1) { other } else { self }
+    }
+}
+
+/// Reads a date as `2026-03-01`.
+///
+/// # Errors
+/// [`DateFault`] for what is none, or lies outside [`YEARS`].
+pub fn read_date(text: &str) -> Result<NaiveDate, DateFault> {
+    let text = text.trim();
+    let no_date = || DateFault::NoDate { written: text.to_owned() };
+    let form = text.len() == 10
+        && text.bytes().enumerate().all(|(at, byte)| match at {
+            4 | 7 => byte == b'-',
+            _ => byte.is_ascii_digit(),
+        });
+    if !form {
+        return Err(no_date());
+    }
+    let date = NaiveDate::parse_from_str(text, "%Y-%m-%d").map_err(|_| no_date())?;
+    if (YEARS.0..=YEARS.1).contains(&date.year()) { Ok(date) } else { Err(DateFault::OutOfRange { date }) }
+}
+
+/// Reads an interval such as `6 months`, `1 a`, `26 weeks`, `90 d`.
+///
+/// # Errors
+/// [`IntervalFault`] for what is none.
+pub fn read_interval(text: &str) -> Result<Interval, IntervalFault> {
+    let text = text.trim();
+    let written = || text.to_owned();
+    let end = text.bytes().take_while(u8::is_ascii_digit).count();
+    let (number, unit) = text.split_at_checked(end).unwrap_or((text, ""));
+    let unit = unit.trim();
+    if number.is_empty() || unit.starts_with(['.', ',']) {
+        return Err(IntervalFault::NoWholeNumber { written: written() });
+    }
+    if unit.is_empty() {
+        return Err(IntervalFault::UnitMissing { written: written() });
+    }
+    let known = UNITS.iter().find(|(names, _)| names.contains(&unit.to_lowercase().as_str()));
+    let Some((_, one)) = known else { return Err(IntervalFault::UnitUnknown { unit: unit.to_owned() }) };
+    let too_long = || IntervalFault::TooLong { written: written() };
+    let count: u32 = number.parse().map_err(|_| too_long())?;
+    if count == 0 {
+        return Err(IntervalFault::NoWholeNumber { written: written() });
+    }
+    let interval = match *one {
+        Interval::Months(months) => count.checked_mul(months).map(Interval::Months),
+        Interval::Days(days) => count.checked_mul(days).map(Interval::Days),
+    };
+    interval
+        .filter(|interval| match interval {
+            Interval::Months(months) => *months <= 12 * INTERVAL_MOST_YEARS,
+            Interval::Days(days) => *days <= 366 * INTERVAL_MOST_YEARS,
+        })
+        .ok_or_else(too_long)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn date(text: &str) -> NaiveDate {
+        read_date(text).unwrap()
+    }
+
+    #[test]
+    fn a_year_is_one_of_the_calendar() {
+        let year = read_interval("1 a").unwrap();
+        assert_eq!(year.after(date("2026-03-01"), 6), Some(date("2032-03-01")));
+        assert_eq!(year.after(date("2024-02-29"), 1), Some(date("2025-02-28")));
+        assert_eq!(year.after(date("2024-02-29"), 4), Some(date("2028-02-29")));
+        assert_eq!(Interval::Months(1).after(date("2026-01-31"), 1), Some(date("2026-02-28")));
+    }
+
+    #[test]
+    fn the_next_of_a_series_is_not_before_a_day() {
+        let half = read_interval("6 months").unwrap();
+        assert_eq!(half.next(date("2026-03-01"), date("2026-03-01")), Some(date("2026-09-01")));
+        assert_eq!(half.next(date("2026-03-01"), date("2027-03-01")), Some(date("2027-03-01")));
+        assert_eq!(half.next(date("2026-03-01"), date("2027-03-02")), Some(date("2027-09-01")));
+    }
+
+    #[test]
+    fn intervals_are_read_in_both_languages() {
+        for (text, expected) in [
+            ("6 months", Interval::Months(6)),
+            ("6 Monate", Interval::Months(6)),
+            ("2a", Interval::Months(24)),
+            ("2 Jahre", Interval::Months(24)),
+            ("26 weeks", Interval::Days(182)),
+            (" 90 d ", Interval::Days(90)),
+        ] {
+            assert_eq!(read_interval(text), Ok(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_interval_is_told() {
+        let fault = |text: &str| read_interval(text).unwrap_err();
+        assert!(matches!(fault("months"), IntervalFault::NoWholeNumber { .. }));
+        assert!(matches!(fault("-6 months"), IntervalFault::NoWholeNumber { .. }));
+        assert!(matches!(fault("0 months"), IntervalFault::NoWholeNumber { .. }));
+        assert!(matches!(fault("1.5 a"), IntervalFault::NoWholeNumber { .. }));
+        assert!(matches!(fault("6"), IntervalFault::UnitMissing { .. }));
+        assert!(matches!(fault("6 mm"), IntervalFault::UnitUnknown { .. }));
+        assert!(matches!(fault("99999999999 a"), IntervalFault::TooLong { .. }));
+        assert!(matches!(fault("4000000000 a"), IntervalFault::TooLong { .. }));
+        assert!(matches!(fault("21 a"), IntervalFault::TooLong { .. }));
+        assert!(matches!(fault(""), IntervalFault::NoWholeNumber { .. }));
+    }
+
+    #[test]
+    fn what_is_no_date_is_told() {
+        let fault = |text: &str| read_date(text).unwrap_err();
+        for text in
+            ["", "2026-02-30", "01.03.2026", "2026-3-1", "+026-03-01", "2026/03/01", "2026-03-01T00", "２０２６-03"]
+        {
+            assert!(matches!(fault(text), DateFault::NoDate { .. }), "{text}");
+        }
+        assert!(matches!(fault("0202-03-01"), DateFault::OutOfRange { .. }));
+    }
+}

@@ -1,0 +1,467 @@
+//! What a drive is told about the motor of an ordering code, and what is measured when it runs for the first time.
+//!
+//! One neutral list of [`Parameter`]s, each in SI with its sources; the forms of the drives ([`sinamics`], [`cia402`]) are tables
+//! that name a parameter, a unit and a rounding, and compute nothing else. What the manual leaves open is a [`Gap`].
+
+pub mod checklist;
+pub mod cia402;
+pub mod encoder;
+pub mod expected;
+pub mod recorded;
+pub mod sensors;
+pub mod sinamics;
+
+use crate::commission::encoder::EncoderRow;
+use actuator::Parameters;
+use catalogue::Drive;
+use order_code::{Brake, OrderCode, Winding};
+use provenance::{Datum, Grade, Source};
+use quantities::unit::{
+    AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, HERTZ, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIHENRY,
+    MILLISECOND, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, OHM, ONE, REVOLUTION_PER_MINUTE, VOLT,
+    VOLT_PER_THOUSAND_REVOLUTIONS,
+};
+use quantities::{Measure, MomentOfInertia, ThermodynamicTemperature, Unit};
+
+macro_rules! parameters {
+    ($($(#[$doc:meta])* $name:ident => $id:literal, $symbol:literal, $unit:ident, $conversion:ident;)+) => {
+        /// What a drive may be told.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum ParameterId { $($(#[$doc])* $name,)+ }
+
+        impl ParameterId {
+            /// Every one, in the order of the list.
+            pub const ALL: &'static [Self] = &[$(Self::$name),+];
+
+            /// The identifier in data exchange.
+            #[must_use]
+            pub const fn id(self) -> &'static str {
+                match self { $(Self::$name => $id,)+ }
+            }
+
+            /// The symbol of the tables, or that of the computed value.
+            #[must_use]
+            pub const fn symbol(self) -> &'static str {
+                match self { $(Self::$name => $symbol,)+ }
+            }
+
+            /// The unit in which the list shows it.
+            #[must_use]
+            pub fn unit(self) -> &'static Unit {
+                match self { $(Self::$name => &$unit,)+ }
+            }
+
+            /// How it follows from what is printed.
+            #[must_use]
+            pub const fn conversion(self) -> Conversion {
+                match self { $(Self::$name => Conversion::$conversion,)+ }
+            }
+        }
+    };
+}
+
+parameters! {
+    /// Reduction ratio of the gear.
+    ReductionRatio => "reduction_ratio", "i", ONE, AsPrinted;
+    /// Pole pairs of the motor.
+    PolePairs => "pole_pairs", "p", ONE, AsPrinted;
+    /// Largest speed of the motor.
+    SpeedMotorMax => "speed_motor_max", "n_mot_max", REVOLUTION_PER_MINUTE, AsPrinted;
+    /// Rated speed of the motor.
+    SpeedMotorRated => "speed_motor_rated", "n_N", REVOLUTION_PER_MINUTE, AsPrinted;
+    /// Frequency of the current at rated speed.
+    FrequencyRated => "frequency_rated", "f_N", HERTZ, Frequency;
+    /// Largest speed at the output.
+    SpeedOutMax => "speed_out_max", "n_max", REVOLUTION_PER_MINUTE, AsPrinted;
+    /// Largest torque at the output.
+    TorqueOutMax => "torque_out_max", "T_max", NEWTON_METRE, AsPrinted;
+    /// Stall torque at the output.
+    StallTorqueOut => "stall_torque_out", "T_0", NEWTON_METRE, AsPrinted;
+    /// Torque of the motor at stall current.
+    StallTorqueMotor => "stall_torque_motor", "T_0M", NEWTON_METRE, TorqueOfCurrent;
+    /// Largest current, rms.
+    CurrentMax => "current_max", "I_max", AMPERE, AsPrinted;
+    /// The same as amplitude.
+    CurrentMaxPeak => "current_max_peak", "I_max_pk", AMPERE, Amplitude;
+    /// Stall current, rms.
+    StallCurrent => "stall_current", "I_0", AMPERE, AsPrinted;
+    /// The same as amplitude.
+    StallCurrentPeak => "stall_current_peak", "I_0_pk", AMPERE, Amplitude;
+    /// Current at which the magnets begin to lose, rms.
+    CurrentDemagnetisation => "current_demagnetisation", "I_E", AMPERE, AsPrinted;
+    /// The smaller one of I_max and I_E, rms.
+    CurrentLimit => "current_limit", "I_lim", AMPERE, Smaller;
+    /// Torque constant of the motor.
+    TorqueConstantMotor => "torque_constant_motor", "k_TM", NEWTON_METRE_PER_AMPERE, AsPrinted;
+    /// Torque constant at the output.
+    TorqueConstantOut => "torque_constant_out", "k_Tout", NEWTON_METRE_PER_AMPERE, AsPrinted;
+    /// Voltage constant, rms between two terminals.
+    VoltageConstant => "voltage_constant_motor", "k_EM", VOLT_PER_THOUSAND_REVOLUTIONS, AsPrinted;
+    /// Induced voltage at rated speed, rms between two terminals.
+    EmfRated => "emf_rated", "U_EMF", VOLT, EmfOfSpeed;
+    /// Resistance between two terminals at 20 °C.
+    ResistanceLl => "resistance_ll", "R_LL", OHM, AsPrinted;
+    /// Resistance of one phase at 20 °C.
+    ResistancePhase => "resistance_phase", "R_ph", OHM, PhaseOfStar;
+    /// Inductance between two terminals.
+    InductanceLl => "inductance_ll", "L_LL", MILLIHENRY, AsPrinted;
+    /// Inductance of one phase.
+    InductancePhase => "inductance_phase", "L_ph", MILLIHENRY, PhaseOfStar;
+    /// Moment of inertia on the motor side, of the ordered variant with or without brake.
+    InertiaMotor => "inertia_motor", "J", KILOGRAM_SQUARE_METRE, FromTenThousandths;
+    /// Mass of the actuator.
+    Mass => "mass", "m", KILOGRAM, AsPrinted;
+    /// Largest steady voltage of the DC link.
+    DcLinkMax => "dc_link_max", "U_DCmax", VOLT, AsPrinted;
+    /// No-load starting current, rms.
+    NoLoadStartingCurrent => "no_load_starting_current", "I_NLS", AMPERE, AsPrinted;
+    /// Rise of the no-load current with the output speed at 30 °C.
+    NoLoadCurrentConstant30 => "no_load_current_constant_30", "K_INL_30", AMPERE_PER_REVOLUTION_PER_MINUTE, AsPrinted;
+    /// The same at 80 °C.
+    NoLoadCurrentConstant80 => "no_load_current_constant_80", "K_INL_80", AMPERE_PER_REVOLUTION_PER_MINUTE, AsPrinted;
+    /// Winding temperature at which the drive warns.
+    WindingWarning => "winding_warning", "T_KTY_warning", DEGREE_CELSIUS, AsPrinted;
+    /// Winding temperature at which the drive switches off.
+    WindingShutdown => "winding_shutdown", "T_KTY_shutdown", DEGREE_CELSIUS, AsPrinted;
+    /// Increments of the feedback in one turn of the motor.
+    EncoderIncrements => "encoder_increments", "inc", ONE, AsPrinted;
+    /// Voltage of the brake.
+    BrakeVoltage => "brake_voltage", "U_Br", VOLT, AsPrinted;
+    /// Current that opens the brake.
+    BrakeOpeningCurrent => "brake_opening_current", "I_OBr", AMPERE, AsPrinted;
+    /// Current that keeps it open.
+    BrakeHoldingCurrent => "brake_holding_current", "I_HBr", AMPERE, AsPrinted;
+    /// Time until it is open.
+    BrakeOpeningTime => "brake_opening_time", "t_o", MILLISECOND, AsPrinted;
+    /// Time until it is closed.
+    BrakeClosingTime => "brake_closing_time", "t_c", MILLISECOND, AsPrinted;
+    /// Holding torque of the brake at the output.
+    BrakeHoldingTorque => "brake_holding_torque", "T_Br", NEWTON_METRE, AsPrinted;
+}
+
+/// How a value follows from what is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Conversion {
+    /// The printed value, after errata.
+    AsPrinted,
+    /// 1e-4 kgm² in print, kgm² here.
+    FromTenThousandths,
+    /// Half of the value between two terminals: the winding is a star (cha-manual section 11.1).
+    PhaseOfStar,
+    /// √2 times the rms value: the current is a sine.
+    Amplitude,
+    /// f_N = p n_N/60.
+    Frequency,
+    /// U = k_EM n_N/1000.
+    EmfOfSpeed,
+    /// T = k_TM I_0.
+    TorqueOfCurrent,
+    /// The smaller one of two.
+    Smaller,
+}
+
+impl Conversion {
+    /// Every one.
+    pub const ALL: [Self; 8] = [
+        Self::AsPrinted,
+        Self::FromTenThousandths,
+        Self::PhaseOfStar,
+        Self::Amplitude,
+        Self::Frequency,
+        Self::EmfOfSpeed,
+        Self::TorqueOfCurrent,
+        Self::Smaller,
+    ];
+
+    /// The identifier in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::AsPrinted => "as_printed",
+            Self::FromTenThousandths => "from_1e-4_kgm2",
+            Self::PhaseOfStar => "half_of_line_to_line",
+            Self::Amplitude => "rms_times_sqrt_2",
+            Self::Frequency => "p*n_N/60",
+            Self::EmfOfSpeed => "k_EM*n_N",
+            Self::TorqueOfCurrent => "k_TM*I_0",
+            Self::Smaller => "min(I_max, I_E)",
+        }
+    }
+}
+
+/// One value that a drive may be told.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Which.
+    pub id: ParameterId,
+    /// Its value in SI.
+    pub si: f64,
+    /// Where what went in stands.
+    pub sources: Vec<Source>,
+    /// How far it can be trusted.
+    pub grade: Grade,
+    /// Errata that touch it.
+    pub errata: Vec<&'static str>,
+}
+
+impl Parameter {
+    /// The value in the unit of the list, without the noise of a change of units.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        clean(self.id.unit().from_si(self.si))
+    }
+}
+
+/// A number with fifteen significant digits: what the print has stays, and what only a change of units has made goes.
+///
+/// The relative error is at most 5e-16.
+#[must_use]
+pub fn clean(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value)
+}
+
+/// What a drive may ask for and nobody states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Gap {
+    /// Rated current, torque and power at rated speed: no table has them.
+    RatedPoint,
+    /// Rated voltage of the motor.
+    RatedVoltage,
+    /// Angle between encoder and rotor.
+    CommutationOffset,
+    /// Currents and time of the pole position identification.
+    PolePosition,
+    /// Thermal time constant of the winding for I²t.
+    ThermalTimeConstant,
+    /// Difference of the inductances along and across the rotor, and saturation.
+    Saliency,
+    /// Gains of the loops.
+    LoopGains,
+    /// Resistance, inductance, inertia and pole pairs in CiA 402: the profile has no object for them.
+    OwnObjects,
+    /// A value for which the table has a dash.
+    NotPrinted(ParameterId),
+}
+
+impl Gap {
+    /// The identifier in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::RatedPoint => "rated_point",
+            Self::RatedVoltage => "rated_voltage",
+            Self::CommutationOffset => "commutation_offset",
+            Self::PolePosition => "pole_position_identification",
+            Self::ThermalTimeConstant => "thermal_time_constant",
+            Self::Saliency => "saliency",
+            Self::LoopGains => "loop_gains",
+            Self::OwnObjects => "own_objects",
+            Self::NotPrinted(parameter) => parameter.id(),
+        }
+    }
+}
+
+/// All that is known for the commissioning of one code.
+#[derive(Clone, Debug)]
+pub struct Commissioning {
+    /// The code.
+    pub code: OrderCode,
+    /// Every value that is known, in the order of [`ParameterId::ALL`].
+    pub parameters: Vec<Parameter>,
+    /// What is not.
+    pub gaps: Vec<Gap>,
+    /// What is printed about its encoders.
+    pub encoder: Vec<EncoderRow>,
+    /// What is known of the actuator as a whole.
+    pub actuator: Parameters,
+}
+
+impl Commissioning {
+    /// The value of a parameter, if it is known.
+    #[must_use]
+    pub fn get(&self, id: ParameterId) -> Option<&Parameter> {
+        self.parameters.iter().find(|parameter| parameter.id == id)
+    }
+
+    /// Whether the winding has a PTC: it sits in the 8-pin motor connector (cha-manual tables 66.3 and 67.3), which the
+    /// configurations E and N have; the 6-pin one of H has no contact for it (table 63.3).
+    #[must_use]
+    pub fn has_ptc(&self) -> bool {
+        matches!(self.code.winding, Winding::E | Winding::N)
+    }
+
+    /// Whether the code has a brake.
+    #[must_use]
+    pub fn has_brake(&self) -> bool {
+        self.code.brake == Brake::With
+    }
+}
+
+/// What is known for the commissioning of a code; `None` where the manual prints no data for it.
+#[must_use]
+pub fn commission(code: &OrderCode) -> Option<Commissioning> {
+    let actuator = configurator::parameters(code)?;
+    let drive = catalogue::drive(code.size, code.winding, code.feedback)?;
+    let mut parameters = Vec::new();
+    let mut gaps = vec![
+        Gap::RatedPoint,
+        Gap::RatedVoltage,
+        Gap::CommutationOffset,
+        Gap::PolePosition,
+        Gap::ThermalTimeConstant,
+        Gap::Saliency,
+        Gap::LoopGains,
+        Gap::OwnObjects,
+    ];
+    for &id in ParameterId::ALL {
+        match find(id, code, drive, &actuator) {
+            Found::Known(parameter) => parameters.push(parameter),
+            Found::NotPrinted => gaps.push(Gap::NotPrinted(id)),
+            Found::NotApplicable => {}
+        }
+    }
+    Some(Commissioning { code: *code, parameters, gaps, encoder: encoder::rows(code), actuator })
+}
+
+/// What is found about a parameter.
+enum Found {
+    Known(Parameter),
+    NotPrinted,
+    NotApplicable,
+}
+
+/// A datum as a parameter.
+fn plain<Q: Measure>(id: ParameterId, datum: &Datum<Q>) -> Found {
+    number(id, datum, Q::si)
+}
+
+fn number<T: Copy>(id: ParameterId, datum: &Datum<T>, si: impl Fn(T) -> f64) -> Found {
+    match datum {
+        Datum::Known(known) => Found::Known(Parameter {
+            id,
+            si: si(known.value),
+            sources: vec![known.source.clone()],
+            grade: known.grade,
+            errata: known.errata.to_vec(),
+        }),
+        Datum::NotPrinted => Found::NotPrinted,
+        Datum::NotApplicable => Found::NotApplicable,
+    }
+}
+
+/// One datum of a drive under a factor: half, √2.
+fn times<Q: Measure>(id: ParameterId, datum: &Datum<Q>, factor: f64) -> Found {
+    computed(plain(id, datum), |si| si * factor)
+}
+
+fn computed(found: Found, change: impl Fn(f64) -> f64) -> Found {
+    match found {
+        Found::Known(parameter) => Found::Known(Parameter {
+            si: change(parameter.si),
+            grade: parameter.grade.worst(Grade::Computed),
+            ..parameter
+        }),
+        other => other,
+    }
+}
+
+/// Two data joined to a third.
+fn joined(one: Found, other: Found, join: impl Fn(f64, f64) -> f64) -> Found {
+    match (one, other) {
+        (Found::Known(one), Found::Known(other)) => Found::Known(Parameter {
+            id: one.id,
+            si: join(one.si, other.si),
+            grade: one.grade.worst(other.grade).worst(Grade::Computed),
+            sources: [one.sources, other.sources].concat(),
+            errata: [one.errata, other.errata].concat(),
+        }),
+        (Found::NotPrinted, _) | (_, Found::NotPrinted) => Found::NotPrinted,
+        _ => Found::NotApplicable,
+    }
+}
+
+fn find(id: ParameterId, code: &OrderCode, drive: &'static Drive, actuator: &Parameters) -> Found {
+    use ParameterId as P;
+    let identity = |value: f64| value;
+    match id {
+        P::ReductionRatio => number(id, &actuator.ratio, identity),
+        P::PolePairs => number(id, &actuator.pole_pairs, identity),
+        P::SpeedMotorMax => plain(id, &actuator.speed_motor_max),
+        P::SpeedMotorRated => plain(id, &actuator.speed_motor_rated),
+        // rad/s over a full turn is Hz.
+        P::FrequencyRated => {
+            let (pairs, speed) = (number(id, &actuator.pole_pairs, identity), plain(id, &actuator.speed_motor_rated));
+            joined(pairs, speed, |pairs, speed| pairs * speed / std::f64::consts::TAU)
+        }
+        P::SpeedOutMax => plain(id, &actuator.speed_max),
+        P::TorqueOutMax => plain(id, &actuator.torque_max),
+        P::StallTorqueOut => plain(id, &actuator.stall_torque),
+        P::StallTorqueMotor => {
+            let (constant, current) = (plain(id, &actuator.torque_constant_motor), plain(id, &actuator.stall_current));
+            joined(constant, current, |constant, current| constant * current)
+        }
+        P::CurrentMax => plain(id, &actuator.current_max),
+        P::CurrentMaxPeak => times(id, &actuator.current_max, std::f64::consts::SQRT_2),
+        P::StallCurrent => plain(id, &actuator.stall_current),
+        P::StallCurrentPeak => times(id, &actuator.stall_current, std::f64::consts::SQRT_2),
+        P::CurrentDemagnetisation => plain(id, &actuator.current_demagnetisation),
+        P::CurrentLimit => limit(id, actuator),
+        P::TorqueConstantMotor => plain(id, &actuator.torque_constant_motor),
+        P::TorqueConstantOut => plain(id, &actuator.torque_constant_out),
+        P::VoltageConstant => plain(id, &actuator.voltage_constant_motor),
+        P::EmfRated => {
+            let (constant, speed) =
+                (plain(id, &actuator.voltage_constant_motor), plain(id, &actuator.speed_motor_rated));
+            joined(constant, speed, |constant, speed| constant * speed)
+        }
+        P::ResistanceLl => plain(id, &actuator.resistance_ll),
+        P::ResistancePhase => times(id, &actuator.resistance_ll, 0.5),
+        P::InductanceLl => plain(id, &actuator.inductance_ll),
+        P::InductancePhase => times(id, &actuator.inductance_ll, 0.5),
+        P::InertiaMotor => {
+            let symbol = if code.brake == Brake::With { "J_brake" } else { "J" };
+            plain(id, &drive.datum::<MomentOfInertia>(symbol, "", code.feedback, code.ratio))
+        }
+        P::Mass => plain(id, &actuator.mass),
+        P::DcLinkMax => plain(id, &actuator.dc_link_max),
+        P::NoLoadStartingCurrent => plain(id, &actuator.no_load_starting_current),
+        P::NoLoadCurrentConstant30 => plain(id, &actuator.no_load_current_constant_30),
+        P::NoLoadCurrentConstant80 => plain(id, &actuator.no_load_current_constant_80),
+        P::WindingWarning => threshold(id, "warning"),
+        P::WindingShutdown => threshold(id, "shutdown"),
+        P::EncoderIncrements => {
+            encoder::increments(code).map_or(Found::NotPrinted, |cell| match cell.limit().number() {
+                Some(steps) => Found::Known(Parameter {
+                    id,
+                    si: steps,
+                    sources: vec![Source::Cell(&cell.place)],
+                    grade: Grade::Printed,
+                    errata: cell.errata.to_vec(),
+                }),
+                None => Found::NotPrinted,
+            })
+        }
+        P::BrakeVoltage => plain(id, &actuator.brake.voltage),
+        P::BrakeOpeningCurrent => plain(id, &actuator.brake.opening_current),
+        P::BrakeHoldingCurrent => plain(id, &actuator.brake.holding_current),
+        P::BrakeOpeningTime => plain(id, &actuator.brake.opening_time),
+        P::BrakeClosingTime => plain(id, &actuator.brake.closing_time),
+        P::BrakeHoldingTorque => plain(id, &actuator.brake.holding_torque),
+    }
+}
+
+/// I_max, or I_E where that is printed and smaller: a drive must not be told a current that weakens the magnets.
+fn limit(id: ParameterId, actuator: &Parameters) -> Found {
+    let largest = plain(id, &actuator.current_max);
+    match plain(id, &actuator.current_demagnetisation) {
+        Found::Known(magnets) => joined(largest, Found::Known(magnets), f64::min),
+        _ => largest,
+    }
+}
+
+/// A threshold of table 62.3.
+fn threshold(id: ParameterId, which: &str) -> Found {
+    let cells = catalogue::table("62.3").map(catalogue::Table::cells).unwrap_or_default();
+    let cell = cells.iter().find(|cell| cell.place.condition == which);
+    cell.map_or(Found::NotPrinted, |cell| plain(id, &catalogue::datum_of::<ThermodynamicTemperature>(cell)))
+}

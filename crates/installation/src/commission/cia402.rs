@@ -1,0 +1,184 @@
+//! The objects of the drive profile CiA 402 that follow from a code, as whole numbers with the error of rounding them.
+
+use super::{Commissioning, Parameter, ParameterId, clean};
+use quantities::unit::{MILLIAMPERE, MILLINEWTON_METRE, ONE, REVOLUTION_PER_MINUTE};
+
+/// A type of CiA 301.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DataType {
+    /// 16 bit without sign.
+    Unsigned16,
+    /// 32 bit without sign.
+    Unsigned32,
+}
+
+impl DataType {
+    /// Its name in CiA 301.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Unsigned16 => "UNSIGNED16",
+            Self::Unsigned32 => "UNSIGNED32",
+        }
+    }
+
+    /// Its number in CiA 301, as an EDS has it.
+    #[must_use]
+    pub const fn number(self) -> u16 {
+        match self {
+            Self::Unsigned16 => 6,
+            Self::Unsigned32 => 7,
+        }
+    }
+
+    /// The largest value.
+    #[must_use]
+    pub const fn largest(self) -> u32 {
+        match self {
+            Self::Unsigned16 => u16::MAX as u32,
+            Self::Unsigned32 => u32::MAX,
+        }
+    }
+}
+
+/// What an object says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ObjectId {
+    /// 0x6072
+    MaxTorque,
+    /// 0x6073
+    MaxCurrent,
+    /// 0x6075
+    MotorRatedCurrent,
+    /// 0x6076
+    MotorRatedTorque,
+    /// 0x6080
+    MaxMotorSpeed,
+    /// 0x608F sub 1
+    EncoderIncrements,
+    /// 0x608F sub 2
+    EncoderRevolutions,
+    /// 0x6091 sub 1
+    GearMotorRevolutions,
+    /// 0x6091 sub 2
+    GearShaftRevolutions,
+}
+
+/// How an exact value becomes a whole one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounding {
+    /// To the nearest: the error is half a unit at most. For what others are related to.
+    Nearest,
+    /// Downwards: the error is less than one unit. For limits.
+    Down,
+}
+
+impl Rounding {
+    /// The identifier in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Nearest => "nearest",
+            Self::Down => "down",
+        }
+    }
+}
+
+/// One object with its value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    /// What it says.
+    pub id: ObjectId,
+    /// Index.
+    pub index: u16,
+    /// Sub-index.
+    pub sub: u8,
+    /// Type.
+    pub data_type: DataType,
+    /// The value to write.
+    pub value: u32,
+    /// The value before it was rounded.
+    pub exact: f64,
+    /// Unit of both.
+    pub unit: &'static str,
+    /// How it was rounded.
+    pub rounding: Rounding,
+    /// The parameters that went in.
+    pub from: Vec<Parameter>,
+    /// Document that names the object, its type and its unit.
+    pub document: &'static str,
+}
+
+struct Draft {
+    id: ObjectId,
+    place: (u16, u8),
+    data_type: DataType,
+    exact: f64,
+    unit: &'static str,
+    rounding: Rounding,
+    from: Vec<Parameter>,
+    document: &'static str,
+}
+
+/// Per mille of the rated value.
+const PER_MILLE: f64 = 1000.0;
+
+/// The objects whose values are known, by index and sub-index.
+///
+/// Rated are the stall values of the motor, I_0 and k_TM I_0: a drive takes the torque as proportional to the current, so
+/// 0x6072 and 0x6073 are both 1000 I_lim/I_0. A value that its type cannot hold is left out.
+#[must_use]
+pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
+    use DataType::{Unsigned16, Unsigned32};
+    use Rounding::{Down, Nearest};
+    let get = |id| commissioning.get(id).cloned();
+    let mut drafts: Vec<Draft> = Vec::new();
+    if let (Some(limit), Some(stall)) = (get(ParameterId::CurrentLimit), get(ParameterId::StallCurrent)) {
+        let exact = clean(PER_MILLE * (limit.si / stall.si));
+        let share = |id, index, document| Draft {
+            id,
+            place: (index, 0),
+            data_type: Unsigned16,
+            exact,
+            unit: "0.1 %",
+            rounding: Down,
+            from: vec![limit.clone(), stall.clone()],
+            document,
+        };
+        drafts.push(share(ObjectId::MaxTorque, 0x6072, "beckhoff-ax8xxx"));
+        drafts.push(share(ObjectId::MaxCurrent, 0x6073, "festo-cmmp"));
+    }
+    let mut one = |id, place, parameter: Option<Parameter>, unit: &quantities::Unit, shown, document| {
+        if let Some(parameter) = parameter {
+            let exact = clean(unit.from_si(parameter.si));
+            let (data_type, rounding, from) = (Unsigned32, Nearest, vec![parameter]);
+            drafts.push(Draft { id, place, data_type, exact, unit: shown, rounding, from, document });
+        }
+    };
+    let stall = get(ParameterId::StallCurrent);
+    one(ObjectId::MotorRatedCurrent, (0x6075, 0), stall, &MILLIAMPERE, "mA", "elmo-dsp402");
+    let torque = get(ParameterId::StallTorqueMotor);
+    one(ObjectId::MotorRatedTorque, (0x6076, 0), torque, &MILLINEWTON_METRE, "mNm", "elmo-dsp402");
+    let speed = get(ParameterId::SpeedMotorMax);
+    one(ObjectId::MaxMotorSpeed, (0x6080, 0), speed, &REVOLUTION_PER_MINUTE, "1/min", "infranor-xtrapuls");
+    let (increments, ratio) = (get(ParameterId::EncoderIncrements), get(ParameterId::ReductionRatio));
+    let document = "beckhoff-ax8xxx";
+    one(ObjectId::EncoderIncrements, (0x608F, 1), increments.clone(), &ONE, "inc", document);
+    // Per one turn.
+    let single = |parameter: Option<Parameter>| parameter.map(|parameter| Parameter { si: 1.0, ..parameter });
+    one(ObjectId::EncoderRevolutions, (0x608F, 2), single(increments), &ONE, "rev", document);
+    one(ObjectId::GearMotorRevolutions, (0x6091, 1), ratio.clone(), &ONE, "rev", document);
+    one(ObjectId::GearShaftRevolutions, (0x6091, 2), single(ratio), &ONE, "rev", document);
+    drafts.into_iter().filter_map(whole).collect()
+}
+
+fn whole(draft: Draft) -> Option<Object> {
+    let Draft { id, place: (index, sub), data_type, exact, unit, rounding, from, document } = draft;
+    let rounded = match rounding {
+        Rounding::Nearest => exact.round(),
+        Rounding::Down => exact.floor(),
+    };
+    let fits = rounded >= 0.0 && rounded <= f64::from(data_type.largest());
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole and within the type")]
+    fits.then(|| Object { id, index, sub, data_type, value: rounded as u32, exact, unit, rounding, from, document })
+}

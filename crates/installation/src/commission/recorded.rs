@@ -1,0 +1,316 @@
+//! A recorded commissioning: each measured value against what it should be, and the likely cause of what is off.
+
+mod causes;
+
+pub use causes::Cause;
+
+use super::Commissioning;
+use super::expected::{Expected, Measurand};
+use order_code::Feedback;
+use provenance::{Grade, Source};
+use quantities::{
+    AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Frequency, Inductance, Measure,
+    ThermodynamicTemperature, Time,
+};
+
+/// A direction of rotation, seen from the front.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// Clockwise.
+    Clockwise,
+    /// Counter-clockwise.
+    CounterClockwise,
+}
+
+/// What the counted position does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counting {
+    /// It grows.
+    Rising,
+    /// It falls.
+    Falling,
+}
+
+/// The no-load current at one speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoLoad {
+    /// Speed of the flange.
+    pub speed_out: AngularVelocity,
+    /// Current, rms.
+    pub current: ElectricCurrent,
+    /// Temperature of the gear, taken as that of the housing.
+    pub temperature: ThermodynamicTemperature,
+}
+
+/// What was measured.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Measured {
+    /// Temperature of the winding while its resistance was measured.
+    pub winding_temperature: Option<ThermodynamicTemperature>,
+    /// Between two terminals.
+    pub resistance_ll: Option<ElectricalResistance>,
+    /// Between two terminals.
+    pub inductance_ll: Option<Inductance>,
+    /// Induced voltage between two terminals, rms, and the speed of the motor.
+    pub emf: Option<(ElectricPotential, AngularVelocity)>,
+    /// Temperature of the winding while its sensors were measured.
+    pub sensor_temperature: Option<ThermodynamicTemperature>,
+    /// Resistance of the KTY.
+    pub kty: Option<ElectricalResistance>,
+    /// Resistance of the PTC.
+    pub ptc: Option<ElectricalResistance>,
+    /// Voltage at the brake.
+    pub brake_voltage: Option<ElectricPotential>,
+    /// Current while it opens.
+    pub brake_opening_current: Option<ElectricCurrent>,
+    /// Current that keeps it open.
+    pub brake_holding_current: Option<ElectricCurrent>,
+    /// Time until it is open.
+    pub brake_opening_time: Option<Time>,
+    /// Time until it is closed.
+    pub brake_closing_time: Option<Time>,
+    /// Direction of the motor, seen from the front.
+    pub direction_motor: Option<Turn>,
+    /// Direction of the flange at the same time.
+    pub direction_flange: Option<Turn>,
+    /// The position at the same time.
+    pub position: Option<Counting>,
+    /// Speed of the motor.
+    pub speed_motor: Option<AngularVelocity>,
+    /// Speed of the flange at the same time.
+    pub speed_flange: Option<AngularVelocity>,
+    /// Frequency of the current at the same time.
+    pub electrical_frequency: Option<Frequency>,
+    /// Currents without load.
+    pub no_load: Vec<NoLoad>,
+}
+
+/// What comes out for one measurement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Inside the band.
+    Pass,
+    /// Off.
+    Fail,
+    /// Outside a band that nobody guarantees: look at it.
+    Advice,
+    /// Nothing to compare with, or nothing measured.
+    NotChecked,
+}
+
+/// Why a measurement is not judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unjudged {
+    /// It is not in the record.
+    NotMeasured,
+    /// The manual states no value for this code, or none for this condition.
+    NotStated,
+    /// The code does not have the part.
+    NotThere,
+}
+
+/// One measurement with its verdict.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judged {
+    /// What was measured.
+    pub what: Measurand,
+    /// Which of several, from one.
+    pub number: Option<usize>,
+    /// The value in SI; for a direction one where it is as it should be, zero where not.
+    pub value: Option<f64>,
+    /// What it should be.
+    pub expected: Option<Expected>,
+    /// What comes out.
+    pub verdict: Verdict,
+    /// The likely cause of what is off.
+    pub cause: Option<Cause>,
+    /// Why it is not judged.
+    pub unjudged: Option<Unjudged>,
+    /// Where the value to compare with stands, where there is no band: a fact by its id.
+    pub fact: Option<&'static str>,
+    /// How far the judgement can be trusted.
+    pub grade: Option<Grade>,
+}
+
+impl Judged {
+    fn open(what: Measurand, value: Option<f64>, why: Unjudged) -> Self {
+        Self {
+            what,
+            number: None,
+            value,
+            expected: None,
+            verdict: Verdict::NotChecked,
+            cause: None,
+            unjudged: Some(why),
+            fact: None,
+            grade: None,
+        }
+    }
+
+    fn of(value: f64, expected: Expected, cause: Option<Cause>) -> Self {
+        let inside = value >= expected.low && value <= expected.high;
+        let cause = cause.filter(|_| !inside);
+        let verdict = match (inside, expected.band.is_firm() || cause.is_some_and(Cause::is_certain)) {
+            (true, _) => Verdict::Pass,
+            (false, true) => Verdict::Fail,
+            (false, false) => Verdict::Advice,
+        };
+        Self {
+            what: expected.what,
+            number: None,
+            value: Some(value),
+            grade: Some(expected.grade),
+            expected: Some(expected),
+            verdict,
+            cause,
+            unjudged: None,
+            fact: None,
+        }
+    }
+
+    /// An answer of yes or no that a fact of the manual gives.
+    fn by_fact(what: Measurand, right: bool, fact: &'static str, cause: Cause) -> Self {
+        Self {
+            what,
+            number: None,
+            value: Some(if right { 1.0 } else { 0.0 }),
+            expected: None,
+            verdict: if right { Verdict::Pass } else { Verdict::Fail },
+            cause: (!right).then_some(cause),
+            unjudged: None,
+            fact: Some(fact),
+            grade: Some(Grade::Printed),
+        }
+    }
+
+    /// Sources of what it is compared with.
+    #[must_use]
+    pub fn sources(&self) -> &[Source] {
+        self.expected.as_ref().map_or(&[], |expected| &expected.sources)
+    }
+}
+
+/// Judges a record against what is known of a code: one entry for each measurand, and one for each point of the no-load
+/// current. What is not in the record is `not checked`, never passed.
+#[must_use]
+pub fn judge(about: &Commissioning, measured: &Measured) -> Vec<Judged> {
+    let mut judged = Vec::new();
+    for what in Measurand::ALL {
+        match what {
+            Measurand::NoLoadCurrent => judged.extend(no_load(about, measured)),
+            what => judged.push(one(about, measured, what)),
+        }
+    }
+    judged
+}
+
+fn one(about: &Commissioning, measured: &Measured, what: Measurand) -> Judged {
+    let brake = |value: Option<f64>, expected: Option<Expected>| {
+        if about.has_brake() {
+            compare(about, what, value, expected)
+        } else {
+            Judged::open(what, value, Unjudged::NotThere)
+        }
+    };
+    match what {
+        Measurand::ResistanceLl => {
+            let expected = measured.winding_temperature.and_then(|winding| about.expected_resistance(winding));
+            compare(about, what, measured.resistance_ll.map(Measure::si), expected)
+        }
+        Measurand::InductanceLl => {
+            compare(about, what, measured.inductance_ll.map(Measure::si), about.expected_inductance())
+        }
+        Measurand::Emf => {
+            let expected = measured.emf.and_then(|(_, speed)| about.expected_emf(speed));
+            compare(about, what, measured.emf.map(|(voltage, _)| voltage.si()), expected)
+        }
+        Measurand::Kty => {
+            let expected = measured.sensor_temperature.and_then(|sensor| about.expected_kty(sensor));
+            compare(about, what, measured.kty.map(Measure::si), expected)
+        }
+        Measurand::Ptc if !about.has_ptc() => Judged::open(what, measured.ptc.map(Measure::si), Unjudged::NotThere),
+        Measurand::Ptc => {
+            let expected = measured.sensor_temperature.and_then(|sensor| about.expected_ptc(sensor));
+            compare(about, what, measured.ptc.map(Measure::si), expected)
+        }
+        Measurand::BrakeVoltage => brake(measured.brake_voltage.map(Measure::si), about.expected_brake_voltage()),
+        Measurand::BrakeOpeningCurrent => {
+            brake(measured.brake_opening_current.map(Measure::si), about.expected_brake(what))
+        }
+        Measurand::BrakeHoldingCurrent => {
+            brake(measured.brake_holding_current.map(Measure::si), about.expected_brake(what))
+        }
+        Measurand::BrakeOpeningTime => brake(measured.brake_opening_time.map(Measure::si), about.expected_brake(what)),
+        Measurand::BrakeClosingTime => brake(measured.brake_closing_time.map(Measure::si), about.expected_brake(what)),
+        Measurand::DirectionFlange => match (measured.direction_motor, measured.direction_flange) {
+            (Some(motor), Some(flange)) => {
+                Judged::by_fact(what, motor != flange, "direction_reversed_by_gear", Cause::SameDirection)
+            }
+            _ => Judged::open(what, None, Unjudged::NotMeasured),
+        },
+        Measurand::DirectionPosition => position(about, measured),
+        Measurand::Ratio => {
+            let value = quotient(measured.speed_motor, measured.speed_flange);
+            compare(about, what, value, about.expected_ratio())
+        }
+        Measurand::PolePairs => {
+            let turns = measured.speed_motor.map(|speed| speed.si().abs() / std::f64::consts::TAU);
+            let frequency = measured.electrical_frequency.map(Measure::si);
+            let value = turns.zip(frequency).filter(|(turns, _)| *turns > 0.0).map(|(turns, hertz)| hertz / turns);
+            compare(about, what, value, about.expected_pole_pairs())
+        }
+        // Each of its points is judged by itself.
+        Measurand::NoLoadCurrent => Judged::open(what, None, Unjudged::NotMeasured),
+    }
+}
+
+fn quotient(one: Option<AngularVelocity>, other: Option<AngularVelocity>) -> Option<f64> {
+    let other = other.map(|speed| speed.si().abs()).filter(|speed| *speed > 0.0)?;
+    Some(one?.si().abs() / other)
+}
+
+fn compare(about: &Commissioning, what: Measurand, value: Option<f64>, expected: Option<Expected>) -> Judged {
+    match (value, expected) {
+        (None, _) => Judged::open(what, None, Unjudged::NotMeasured),
+        (Some(value), None) => Judged::open(what, Some(value), Unjudged::NotStated),
+        (Some(value), Some(expected)) => {
+            let cause = causes::of(about, value, &expected);
+            Judged::of(value, expected, cause)
+        }
+    }
+}
+
+/// Section 6.22 states it for the absolute encoders and gives the signal sequence of C1024 and D2048 for the same direction; of
+/// the resolver it says nothing.
+fn position(about: &Commissioning, measured: &Measured) -> Judged {
+    let what = Measurand::DirectionPosition;
+    let (Some(motor), Some(counting)) = (measured.direction_motor, measured.position) else {
+        return Judged::open(what, None, Unjudged::NotMeasured);
+    };
+    let fact = match about.code.feedback {
+        Feedback::M512P | Feedback::M128S => "position_rises_absolute",
+        Feedback::C1024 | Feedback::D2048 => "signals_valid_clockwise",
+        Feedback::RES => return Judged::open(what, None, Unjudged::NotStated),
+    };
+    let right = (motor == Turn::Clockwise) == (counting == Counting::Rising);
+    Judged::by_fact(what, right, fact, Cause::CountingReversed)
+}
+
+fn no_load(about: &Commissioning, measured: &Measured) -> Vec<Judged> {
+    let what = Measurand::NoLoadCurrent;
+    if measured.no_load.is_empty() {
+        return vec![Judged::open(what, None, Unjudged::NotMeasured)];
+    }
+    let judged = |(number, point): (usize, &NoLoad)| {
+        let expected = about.expected_no_load(point.speed_out, point.temperature);
+        let value = point.current.si().abs();
+        let mut judged = compare(about, what, Some(value), expected);
+        judged.number = Some(number);
+        if let Some(cause) = causes::of_speed(about, point.speed_out) {
+            judged.cause = Some(cause);
+            judged.verdict = Verdict::Fail;
+        }
+        judged
+    };
+    (1..).zip(&measured.no_load).map(judged).collect()
+}

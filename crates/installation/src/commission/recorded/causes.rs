@@ -1,0 +1,261 @@
+//! Typical causes of a measured value that is off, by the quotient of measured and expected.
+
+use crate::commission::expected::{Expected, KTY_OPEN_OHM, KTY_SHORT_OHM, Measurand, SHORT_CIRCUIT_OHM};
+use crate::commission::{Commissioning, ParameterId, sensors};
+use order_code::Ratio;
+use quantities::unit::DEGREE_CELSIUS;
+use quantities::{AngularVelocity, ElectricalResistance, Measure};
+use std::f64::consts::SQRT_2;
+
+/// What most likely stands behind a value that is off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cause {
+    /// Half: the value of one phase.
+    OnePhase,
+    /// Twice: a phase value taken for one between terminals, doubled once more.
+    Doubled,
+    /// Three quarters of the resistance: two terminals were joined.
+    TerminalsJoined,
+    /// The winding is not at the temperature stated but at about this one \[°C\].
+    WindingTemperature(f64),
+    /// A small resistance that is too large by this \[Ω\]: leads and contacts.
+    Leads(f64),
+    /// No passage.
+    Open,
+    /// A short circuit.
+    Short,
+    /// 1/√3: measured against the star point.
+    PhaseVoltage,
+    /// √2: the amplitude instead of the rms value.
+    Amplitude,
+    /// √2/√3: the amplitude against the star point.
+    PhaseAmplitude,
+    /// 2√2: from peak to peak.
+    PeakToPeak,
+    /// √3: taken for a phase value and converted.
+    RootThree,
+    /// Twice or half, so that the speed may be off by two: pole pairs or the reading of the frequency.
+    SpeedFactor,
+    /// The speed of the flange instead of that of the motor.
+    SpeedOfFlange,
+    /// Somewhat low: the magnets are hot or have lost.
+    Magnets,
+    /// The KTY shows this temperature \[°C\], or its poles are exchanged.
+    KtyPolesOrTemperature(f64),
+    /// The other sensor was measured.
+    OtherSensor,
+    /// The PTC has responded: the winding is hot, or there is no passage.
+    PtcResponded,
+    /// No current: the brake is not connected, or its supply is off.
+    BrakeNotConnected,
+    /// Half the voltage.
+    HalfVoltage,
+    /// The current that keeps open instead of that which opens.
+    HoldingCurrent,
+    /// The current that opens instead of that which keeps open: nothing lowers it.
+    OpeningCurrent,
+    /// Slow: voltage too low, or a diode across the coil lets its current die slowly.
+    SlowBrake,
+    /// Much more current than friction explains: brake closed or dragging, jammed hollow shaft, commutation offset.
+    Dragging,
+    /// 1/√2: converted to rms once too often.
+    ConvertedTwice,
+    /// Faster than the flange can turn: the speed is that of the motor.
+    SpeedOfMotor,
+    /// Motor and flange seen from opposite sides: they turn the same way in the record.
+    SameDirection,
+    /// The position counts the other way: signals or phases exchanged, or the drive inverts it.
+    CountingReversed,
+    /// The ratio is that of another gear.
+    OtherRatio(Ratio),
+    /// The pole pairs come out as this number.
+    PolePairs(f64),
+}
+
+impl Cause {
+    /// The identifier in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::OnePhase => "one_phase",
+            Self::Doubled => "doubled",
+            Self::TerminalsJoined => "terminals_joined",
+            Self::WindingTemperature(_) => "winding_temperature",
+            Self::Leads(_) => "leads",
+            Self::Open => "open",
+            Self::Short => "short",
+            Self::PhaseVoltage => "phase_voltage",
+            Self::Amplitude => "amplitude",
+            Self::PhaseAmplitude => "phase_amplitude",
+            Self::PeakToPeak => "peak_to_peak",
+            Self::RootThree => "root_three",
+            Self::SpeedFactor => "speed_factor",
+            Self::SpeedOfFlange => "speed_of_flange",
+            Self::Magnets => "magnets",
+            Self::KtyPolesOrTemperature(_) => "kty_poles_or_temperature",
+            Self::OtherSensor => "other_sensor",
+            Self::PtcResponded => "ptc_responded",
+            Self::BrakeNotConnected => "brake_not_connected",
+            Self::HalfVoltage => "half_voltage",
+            Self::HoldingCurrent => "holding_current",
+            Self::OpeningCurrent => "opening_current",
+            Self::SlowBrake => "slow_brake",
+            Self::Dragging => "dragging",
+            Self::ConvertedTwice => "converted_twice",
+            Self::SpeedOfMotor => "speed_of_motor",
+            Self::SameDirection => "same_direction",
+            Self::CountingReversed => "counting_reversed",
+            Self::OtherRatio(_) => "other_ratio",
+            Self::PolePairs(_) => "pole_pairs",
+        }
+    }
+
+    /// Whether the value cannot be right if this is its cause, however wide the band: the pattern is a slip, no scatter.
+    #[must_use]
+    pub const fn is_certain(self) -> bool {
+        !matches!(self, Self::SlowBrake | Self::Leads(_) | Self::Amplitude | Self::ConvertedTwice)
+    }
+}
+
+/// How near a quotient must be to that of a cause, as a share. The inductance has a wide band of its own.
+const NEAR: f64 = 0.05;
+const NEAR_INDUCTANCE: f64 = 0.15;
+const NEAR_BRAKE: f64 = 0.15;
+
+/// So many times what is expected is more than friction.
+const DRAGGING: f64 = 2.0;
+
+/// Leads and contacts of a two-wire measurement have up to so much.
+const LEADS_MOST_OHM: f64 = 0.5;
+
+fn near(quotient: f64, pattern: f64, share: f64) -> bool {
+    (quotient / pattern - 1.0).abs() <= share
+}
+
+fn first(quotient: f64, share: f64, patterns: &[(f64, Cause)]) -> Option<Cause> {
+    patterns.iter().find(|(pattern, _)| near(quotient, *pattern, share)).map(|(_, cause)| *cause)
+}
+
+/// The likely cause of a value that is not what is expected; `None` where no pattern fits.
+pub(super) fn of(about: &Commissioning, value: f64, expected: &Expected) -> Option<Cause> {
+    let quotient = value / expected.nominal.unwrap_or(expected.high);
+    match expected.what {
+        Measurand::ResistanceLl => resistance(about, value, quotient, expected),
+        Measurand::InductanceLl => match quotient {
+            ..0.1 => Some(Cause::Short),
+            _ => first(quotient, NEAR_INDUCTANCE, &[(0.5, Cause::OnePhase), (2.0, Cause::Doubled)]),
+        },
+        Measurand::Emf => emf(about, quotient),
+        Measurand::Kty => kty(about, value),
+        Measurand::Ptc => ptc(value, expected),
+        Measurand::BrakeVoltage => match quotient {
+            ..0.05 => Some(Cause::BrakeNotConnected),
+            _ => first(quotient, NEAR_BRAKE, &[(0.5, Cause::HalfVoltage)]),
+        },
+        Measurand::BrakeOpeningCurrent | Measurand::BrakeHoldingCurrent => brake_current(about, expected, quotient),
+        Measurand::BrakeOpeningTime | Measurand::BrakeClosingTime => (quotient > 1.0).then_some(Cause::SlowBrake),
+        Measurand::NoLoadCurrent => {
+            first(quotient, NEAR, &[(SQRT_2, Cause::Amplitude), (1.0 / SQRT_2, Cause::ConvertedTwice)])
+                .or_else(|| (quotient > DRAGGING).then_some(Cause::Dragging))
+        }
+        Measurand::Ratio => {
+            let other = Ratio::ALL.iter().copied().find(|ratio| near(value, f64::from(ratio.value()), 0.02));
+            other.map(Cause::OtherRatio)
+        }
+        Measurand::PolePairs => Some(Cause::PolePairs(value)),
+        Measurand::DirectionFlange | Measurand::DirectionPosition => None,
+    }
+}
+
+/// A speed that the flange cannot have is that of the motor.
+pub(super) fn of_speed(about: &Commissioning, speed_out: AngularVelocity) -> Option<Cause> {
+    let (most, ratio) = (about.get(ParameterId::SpeedMotorMax)?, about.get(ParameterId::ReductionRatio)?);
+    (speed_out.si().abs() > 1.05 * most.si / ratio.si).then_some(Cause::SpeedOfMotor)
+}
+
+fn resistance(about: &Commissioning, value: f64, quotient: f64, expected: &Expected) -> Option<Cause> {
+    match quotient {
+        ..0.1 => return Some(Cause::Short),
+        10.0.. => return Some(Cause::Open),
+        _ => {}
+    }
+    let patterns = [(0.5, Cause::OnePhase), (0.75, Cause::TerminalsJoined), (2.0, Cause::Doubled)];
+    if let Some(cause) = first(quotient, NEAR, &patterns) {
+        return Some(cause);
+    }
+    let excess = value - expected.nominal?;
+    let at_20 = about.get(ParameterId::ResistanceLl)?.si;
+    if excess > 0.0 && excess <= LEADS_MOST_OHM && at_20 <= 3.0 * LEADS_MOST_OHM {
+        return Some(Cause::Leads(excess));
+    }
+    // The law of copper the other way round, at two points of it.
+    let degree = |celsius: f64| quantities::ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS);
+    let rise = actuator::copper_resistance(ElectricalResistance::from_si(1.0), degree(21.0)).si() - 1.0;
+    let celsius = 20.0 + (value / at_20 - 1.0) / rise;
+    (-20.0..=180.0).contains(&celsius).then_some(Cause::WindingTemperature(celsius))
+}
+
+fn emf(about: &Commissioning, quotient: f64) -> Option<Cause> {
+    let root_three = 3.0_f64.sqrt();
+    let ratio = about.get(ParameterId::ReductionRatio).map_or(1.0, |ratio| ratio.si);
+    let patterns = [
+        (1.0 / root_three, Cause::PhaseVoltage),
+        (SQRT_2 / root_three, Cause::PhaseAmplitude),
+        (SQRT_2, Cause::Amplitude),
+        (root_three, Cause::RootThree),
+        (2.0 * SQRT_2, Cause::PeakToPeak),
+        (0.5, Cause::SpeedFactor),
+        (2.0, Cause::SpeedFactor),
+        (ratio, Cause::SpeedOfFlange),
+        (1.0 / ratio, Cause::SpeedOfFlange),
+    ];
+    match first(quotient, NEAR, &patterns) {
+        None if quotient < 0.02 => Some(Cause::Open),
+        None if (0.6..1.0).contains(&quotient) => Some(Cause::Magnets),
+        found => found,
+    }
+}
+
+fn kty(about: &Commissioning, value: f64) -> Option<Cause> {
+    match value {
+        ..KTY_SHORT_OHM => Some(Cause::Short),
+        KTY_OPEN_OHM.. => Some(Cause::Open),
+        ..=250.0 if about.has_ptc() => Some(Cause::OtherSensor),
+        _ => {
+            let shown = sensors::kty_temperature(ElectricalResistance::from_si(value))?;
+            Some(Cause::KtyPolesOrTemperature(shown.in_unit(&DEGREE_CELSIUS)))
+        }
+    }
+}
+
+fn ptc(value: f64, expected: &Expected) -> Option<Cause> {
+    // A KTY has 330 Ω at -50 °C and 880 Ω at 80 °C.
+    const KTY_OHM: std::ops::Range<f64> = 330.0..880.0;
+    const RESPONDED_OHM: f64 = 1330.0;
+    if value < SHORT_CIRCUIT_OHM {
+        Some(Cause::Short)
+    } else if value >= RESPONDED_OHM {
+        Some(Cause::PtcResponded)
+    } else if value > expected.high && KTY_OHM.contains(&value) {
+        Some(Cause::OtherSensor)
+    } else {
+        None
+    }
+}
+
+fn brake_current(about: &Commissioning, expected: &Expected, quotient: f64) -> Option<Cause> {
+    if quotient < 0.05 {
+        return Some(Cause::BrakeNotConnected);
+    }
+    let opening = about.get(ParameterId::BrakeOpeningCurrent).map(|parameter| parameter.si);
+    let holding = about.get(ParameterId::BrakeHoldingCurrent).map(|parameter| parameter.si);
+    let share = opening.zip(holding).map(|(opening, holding)| holding / opening).filter(|share| *share < 0.9);
+    match (expected.what, share) {
+        // Half the voltage and the holding current may look alike; the holding current is the nearer one then.
+        (Measurand::BrakeOpeningCurrent, Some(share)) if near(quotient, share, 0.1) => Some(Cause::HoldingCurrent),
+        (Measurand::BrakeHoldingCurrent, Some(share)) if near(quotient, 1.0 / share, 0.1) => {
+            Some(Cause::OpeningCurrent)
+        }
+        _ => first(quotient, NEAR_BRAKE, &[(0.5, Cause::HalfVoltage)]),
+    }
+}

@@ -1,0 +1,124 @@
+//! Temperature sensors: the resistance of the KTY over its temperature, and the corner points of the PTC.
+
+use catalogue::Cell;
+use order_code::OrderCode;
+use quantities::unit::DEGREE_CELSIUS;
+use quantities::{ElectricalResistance, Measure, ThermodynamicTemperature};
+
+/// Where the closed form holds; a nanokelvin more at both ends is the rounding of a unit.
+const RANGE_CELSIUS: std::ops::RangeInclusive<f64> = -40.000_000_001..=250.000_000_001;
+
+/// Resistance of a KTY 84-130.
+///
+/// R = 1000 (1 + 6.12e-3 (ϑ − 100) + 1.1e-5 (ϑ − 100)²)
+///
+/// # Symbols  ϑ temperature \[°C\], R \[Ω\]
+/// # Source   nxp-kty84: 1000 Ω at 100 °C; the constants are held against the table kty84-130, worst 0.7 Ω
+/// # Valid    −40 °C to 250 °C, `None` outside
+#[must_use]
+pub fn kty_resistance(temperature: ThermodynamicTemperature) -> Option<ElectricalResistance> {
+    let celsius = temperature.in_unit(&DEGREE_CELSIUS);
+    let from_100 = celsius - 100.0;
+    let ohm = 1000.0 * (1.0 + 6.12e-3 * from_100 + 1.1e-5 * from_100 * from_100);
+    RANGE_CELSIUS.contains(&celsius).then(|| ElectricalResistance::from_si(ohm))
+}
+
+/// The temperature at which a KTY 84-130 has a resistance; the inverse of [`kty_resistance`].
+///
+/// # Valid    −40 °C to 250 °C, `None` outside
+#[must_use]
+pub fn kty_temperature(resistance: ElectricalResistance) -> Option<ThermodynamicTemperature> {
+    let (linear, square) = (6.12e-3, 1.1e-5);
+    let root = linear * linear - 4.0 * square * (1.0 - resistance.si() / 1000.0);
+    let celsius = 100.0 + (root.max(0.0).sqrt() - linear) / (2.0 * square);
+    (root >= 0.0 && RANGE_CELSIUS.contains(&celsius))
+        .then(|| ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS))
+}
+
+/// The cell of the table kty84-130 that is nearest to a temperature.
+#[must_use]
+pub fn kty_cell(temperature: ThermodynamicTemperature) -> Option<&'static Cell> {
+    let celsius = temperature.in_unit(&DEGREE_CELSIUS);
+    let cells = catalogue::table("kty84-130").map(catalogue::Table::cells).unwrap_or_default();
+    let away = |cell: &&Cell| cell_celsius(cell).map_or(f64::INFINITY, |at| (at - celsius).abs());
+    cells.iter().min_by(|one, other| away(one).total_cmp(&away(other)))
+}
+
+/// The temperature at which a cell of that table holds: `typical, 80 degC`.
+fn cell_celsius(cell: &Cell) -> Option<f64> {
+    cell.place.condition.split([' ', ',']).find_map(|part| part.parse().ok())
+}
+
+/// The cell of the response temperature T_NAT of the PTC of a size.
+#[must_use]
+pub fn ptc_response(code: &OrderCode) -> Option<&'static Cell> {
+    let head = format!("CHA-{}", code.size);
+    let cells = catalogue::table("62.1").map(catalogue::Table::cells).unwrap_or_default();
+    cells.iter().find(|cell| cell.place.symbol == "T_NAT" && cell.place.drive.split(" / ").any(|drive| drive == head))
+}
+
+/// The bounds of a single PTC (DIN 44081), as the table has them: up to T_NAT − 20 K, at −5 K, +5 K, +15 K.
+#[must_use]
+pub fn ptc_bounds() -> Vec<&'static Cell> {
+    let cells = catalogue::table("ptc-din44081").map(catalogue::Table::cells).unwrap_or_default();
+    cells.iter().filter(|cell| cell.place.symbol == "R_PTC" && cell.place.condition.starts_with("single")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(celsius: f64) -> ThermodynamicTemperature {
+        ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS)
+    }
+
+    /// nxp-kty84 as kty-c-lib lists it: the two thresholds of the manual, and the corners.
+    #[test]
+    fn the_closed_form_meets_the_data_sheet() {
+        let printed = [
+            (-40.0, 359.0),
+            (0.0, 498.0),
+            (20.0, 581.0),
+            (25.0, 603.0),
+            (80.0, 882.0),
+            (90.0, 940.0),
+            (100.0, 1000.0),
+            (160.0, 1407.0),
+            (250.0, 2166.0),
+        ];
+        for (celsius, ohm) in printed {
+            let found = kty_resistance(at(celsius)).unwrap().si();
+            assert!((found - ohm).abs() < 0.75, "{celsius} degC: {found}");
+            let back = kty_temperature(ElectricalResistance::from_si(found)).unwrap();
+            assert!((back.in_unit(&DEGREE_CELSIUS) - celsius).abs() < 1e-9);
+        }
+        assert!(kty_resistance(at(251.0)).is_none() && kty_temperature(ElectricalResistance::from_si(10.0)).is_none());
+    }
+
+    #[test]
+    fn the_closed_form_lies_within_one_ohm_of_every_cell_of_the_table() {
+        let table = catalogue::table("kty84-130").unwrap();
+        let mut count = 0;
+        for cell in table.cells() {
+            let celsius = cell_celsius(cell).unwrap_or(f64::NAN);
+            assert_eq!(kty_cell(at(celsius)), Some(cell));
+            if celsius <= 250.0 {
+                let found = kty_resistance(at(celsius)).unwrap().si();
+                assert!((found - cell.value.number().unwrap()).abs() <= 1.0, "{celsius}: {found}");
+                count += 1;
+            }
+        }
+        assert_eq!(count, 31, "{:?}", table.cells().first().map(|cell| cell.place));
+    }
+
+    #[test]
+    fn the_ptc_responds_at_120_or_145_degrees() {
+        let of = |code: &str| {
+            let code = order_code::parse(code).unwrap().code;
+            ptc_response(&code).and_then(|cell| cell.value.number())
+        };
+        assert_eq!(of("CHA-17A-50-E-RES"), Some(120.0));
+        assert_eq!(of("CHA-20A-50-H-C1024"), Some(145.0));
+        assert_eq!(ptc_bounds().len(), 4);
+    }
+}

@@ -1,0 +1,301 @@
+//! Fits of the pilots: limit deviations of a pilot and of the bore that goes over it, and the clearance between them.
+
+use catalogue::{Cell, Table};
+use order_code::OrderCode;
+use provenance::{Datum, Grade, Source, Sourced};
+use quantities::unit::MILLIMETRE;
+use quantities::{Length, Measure, QuantityError, Unit, parse_as};
+
+/// The side of the actuator that a joint is on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The output flange, which carries the load.
+    Load,
+    /// The housing, which the machine carries.
+    Housing,
+}
+
+impl Side {
+    /// Both sides.
+    pub const ALL: &'static [Self] = &[Self::Load, Self::Housing];
+
+    /// Identifier in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Load => "load",
+            Self::Housing => "housing",
+        }
+    }
+}
+
+/// Limit deviations from a nominal size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviations {
+    /// ES of a bore, es of a shaft.
+    pub upper: Length,
+    /// EI of a bore, ei of a shaft.
+    pub lower: Length,
+}
+
+/// The bore that goes over a pilot, as somebody asks for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bore {
+    /// A tolerance zone of ISO 286: `H7`.
+    Zone(&'static str),
+    /// Limit deviations of one's own.
+    Limits(Deviations),
+}
+
+/// What a fit is by ISO 286-1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FitKind {
+    /// Never interference; no clearance in the extreme case.
+    Clearance,
+    /// Clearance or interference, as the parts turn out.
+    Transition,
+    /// Never clearance.
+    Interference,
+}
+
+impl FitKind {
+    /// All kinds.
+    pub const ALL: &'static [Self] = &[Self::Clearance, Self::Transition, Self::Interference];
+
+    /// Identifier in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Clearance => "clearance",
+            Self::Transition => "transition",
+            Self::Interference => "interference",
+        }
+    }
+}
+
+/// A pilot with the bore over it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fit {
+    /// Which pilot.
+    pub side: Side,
+    /// Nominal diameter, as printed.
+    pub nominal: Sourced<Length>,
+    /// Tolerance zone of the pilot, as printed: `h7`.
+    pub pilot_zone: &'static str,
+    /// Limit deviations of the pilot.
+    pub pilot: Sourced<Deviations>,
+    /// Zone that the manual recommends for the bore.
+    pub recommended: Sourced<&'static str>,
+    /// The bore, as asked for or as recommended.
+    pub bore: Bore,
+    /// Limit deviations of the bore.
+    pub bore_deviations: Deviations,
+    /// Where they are from; `None` where they were asked for.
+    pub bore_source: Option<Source>,
+    /// Smallest clearance; interference is negative.
+    pub clearance_min: Length,
+    /// Largest clearance.
+    pub clearance_max: Length,
+    /// What the fit is.
+    pub kind: FitKind,
+}
+
+/// What is wrong with a bore that somebody asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BoreFault {
+    /// No tolerance zone that the table carries, and no limit deviations.
+    UnknownZone {
+        /// As written.
+        written: String,
+        /// The zones that there are.
+        known: Vec<&'static str>,
+    },
+    /// One of the limit deviations is no length.
+    NoLength(QuantityError),
+    /// The upper limit deviation is below the lower one.
+    UpsideDown {
+        /// As written.
+        upper: Length,
+        /// As written.
+        lower: Length,
+    },
+    /// A limit deviation too large for any fit: mostly a slip of the unit.
+    TooLarge {
+        /// The deviation.
+        deviation: Length,
+        /// The largest that is taken.
+        most: Length,
+    },
+}
+
+/// Largest limit deviation that is taken for one of a fit: ten times IT8 at 255 mm.
+const DEVIATION_MOST_MM: f64 = 1.0;
+
+/// A length below which clearance is none: conversions of units round far below a nanometre.
+const NOTHING_M: f64 = 1e-12;
+
+/// Reads a bore: a zone such as `H7`, limit deviations such as `+0.012/-0.003 mm`, or `±0.01 mm`.
+///
+/// # Errors
+/// [`BoreFault`] for what is neither.
+pub fn read_bore(text: &str) -> Result<Bore, BoreFault> {
+    let text = text.trim();
+    let length = |text: &str| parse_as::<Length>(text).map_err(BoreFault::NoLength);
+    let deviations = if let Some(half) = text.strip_prefix('±') {
+        let half = length(half)?;
+        Deviations { upper: half, lower: -half }
+    } else if let Some((upper, lower)) = text.split_once('/') {
+        let unit = lower.trim().trim_start_matches(|sign: char| sign.is_ascii_digit() || "+-−. ".contains(sign));
+        // The unit stands once for both, or with each.
+        let upper = if upper.contains(|sign: char| sign.is_alphabetic()) {
+            upper.to_owned()
+        } else {
+            format!("{upper} {unit}")
+        };
+        Deviations { upper: length(&upper)?, lower: length(lower)? }
+    } else {
+        let known = bore_zones();
+        return match known.iter().find(|zone| zone.eq_ignore_ascii_case(text)) {
+            // h7 is a shaft: capitals and small letters are told apart.
+            Some(zone) if text.starts_with(|letter: char| letter.is_ascii_uppercase()) => Ok(Bore::Zone(zone)),
+            _ => Err(BoreFault::UnknownZone { written: text.to_owned(), known }),
+        };
+    };
+    let most = Length::new_in(DEVIATION_MOST_MM, &MILLIMETRE);
+    if let Some(deviation) =
+        [deviations.upper, deviations.lower].into_iter().find(|deviation| deviation.si().abs() > most.si() + NOTHING_M)
+    {
+        return Err(BoreFault::TooLarge { deviation, most });
+    }
+    if deviations.upper.si() < deviations.lower.si() {
+        return Err(BoreFault::UpsideDown { upper: deviations.upper, lower: deviations.lower });
+    }
+    Ok(Bore::Limits(deviations))
+}
+
+fn iso_cells() -> &'static [Cell] {
+    catalogue::table("iso286").map(Table::cells).unwrap_or_default()
+}
+
+/// Zone and range of a cell of the ISO table: `H7, 50 ... 80 mm`.
+fn zone_of(cell: &'static Cell) -> Option<(&'static str, f64, f64)> {
+    let (zone, range) = cell.place.condition.split_once(", ")?;
+    let (over, to) = range.strip_suffix(" mm")?.split_once(" ... ")?;
+    Some((zone, over.parse().ok()?, to.parse().ok()?))
+}
+
+/// The tolerance zones of bores that the table carries, in its order.
+#[must_use]
+pub fn bore_zones() -> Vec<&'static str> {
+    let mut zones: Vec<&'static str> = Vec::new();
+    for cell in iso_cells().iter().filter(|cell| cell.place.symbol == "deviation_upper") {
+        if let Some((zone, ..)) = zone_of(cell)
+            && zone.starts_with(|letter: char| letter.is_ascii_uppercase())
+            && !zones.contains(&zone)
+        {
+            zones.push(zone);
+        }
+    }
+    zones
+}
+
+/// Limit deviations of a tolerance zone at a nominal size; not printed outside the table.
+///
+/// # Source   ISO 286-2, data/published/iso286.toml
+/// # Valid    nominal sizes over 30 up to and including 315 mm
+#[must_use]
+pub fn deviations(zone: &str, nominal: Length) -> Datum<Deviations> {
+    let size = nominal.in_unit(&MILLIMETRE);
+    let find = |symbol: &str| {
+        iso_cells().iter().filter(|cell| cell.place.symbol == symbol).find(|cell| {
+            zone_of(cell).is_some_and(|(of, over, to)| of == zone && size > over + 1e-9 && size <= to + 1e-9)
+        })
+    };
+    let value = |cell: &'static Cell| {
+        let unit = Unit::of(cell.unit)?;
+        Some(Length::from_si(unit.to_si(cell.value.number()?)))
+    };
+    let found = find("deviation_upper").zip(find("deviation_lower"));
+    let read = found.and_then(|(upper, lower)| {
+        let deviations = Deviations { upper: value(upper)?, lower: value(lower)? };
+        Some(Sourced {
+            value: deviations,
+            source: Source::Published(&upper.place),
+            grade: Grade::Published,
+            errata: upper.errata,
+        })
+    });
+    read.map_or(Datum::NotPrinted, Datum::Known)
+}
+
+/// The clearance between a bore and the pilot in it.
+///
+/// s_min = EI − es, s_max = ES − ei
+///
+/// # Symbols  ES, EI upper and lower limit deviation of the bore, es, ei of the pilot
+/// # Source   ISO 286-1
+/// # Valid    parts within their limits, at 20 °C and round; interference is a negative clearance
+#[must_use]
+pub fn clearance(bore: &Deviations, pilot: &Deviations) -> (Length, Length) {
+    (bore.lower - pilot.upper, bore.upper - pilot.lower)
+}
+
+/// What a fit is, from its extreme clearances.
+#[must_use]
+pub fn fit_kind(clearance_min: Length, clearance_max: Length) -> FitKind {
+    if clearance_min.si() >= -NOTHING_M {
+        FitKind::Clearance
+    } else if clearance_max.si() <= NOTHING_M {
+        FitKind::Interference
+    } else {
+        FitKind::Transition
+    }
+}
+
+/// The pilot of a side with the bore asked for, or with the one that the manual recommends.
+///
+/// # Source   cha-manual table 77.1
+#[must_use]
+pub fn fit(code: &OrderCode, side: Side, bore: Option<Bore>) -> Option<Fit> {
+    let (symbol, zone_symbol) = match side {
+        Side::Load => ("fit_inner_ring", "fit_inner_ring_zone"),
+        Side::Housing => ("fit_housing", "fit_housing_zone"),
+    };
+    let cell = catalogue::size_cell(code.size, code.ratio, symbol)?;
+    let (nominal, pilot_zone) = cell.corrected.split_once(' ')?;
+    let unit = Unit::of_dimension(Length::DIMENSION, cell.unit)?;
+    let printed = |cell: &'static Cell| (Source::Cell(&cell.place), cell.errata);
+    let (source, errata) = printed(cell);
+    let nominal = Sourced {
+        value: Length::from_si(unit.to_si(quantities::parse_german(nominal)?)),
+        source,
+        grade: Grade::Printed,
+        errata,
+    };
+    let zone = catalogue::table(cell.place.table)?.cells().iter().find(|cell| cell.place.symbol == zone_symbol)?;
+    let (source, errata) = printed(zone);
+    let recommended = Sourced { value: zone.corrected, source, grade: Grade::Printed, errata };
+    let pilot = deviations(pilot_zone, nominal.value).known()?.clone();
+    let bore = bore.unwrap_or(Bore::Zone(recommended.value));
+    let (bore_deviations, bore_source) = match bore {
+        Bore::Zone(zone) => match deviations(zone, nominal.value) {
+            Datum::Known(found) => (found.value, Some(found.source)),
+            _ => return None,
+        },
+        Bore::Limits(limits) => (limits, None),
+    };
+    let (clearance_min, clearance_max) = clearance(&bore_deviations, &pilot.value);
+    Some(Fit {
+        side,
+        nominal,
+        pilot_zone,
+        pilot,
+        recommended,
+        bore,
+        bore_deviations,
+        bore_source,
+        clearance_min,
+        clearance_max,
+        kind: fit_kind(clearance_min, clearance_max),
+    })
+}

@@ -1,0 +1,147 @@
+//! The cables that sections 6.24 and 6.25 list.
+
+use super::{Role, holds};
+use catalogue::{Cell, Table};
+use order_code::{Brake, Option1, OrderCode};
+
+/// A cable with its material number.
+#[derive(Clone, Copy, Debug)]
+pub struct Cable {
+    /// What it connects.
+    pub role: CableRole,
+    /// Its material number.
+    pub number: &'static Cell,
+    /// Its length.
+    pub length: CableLength,
+    /// What it goes to.
+    pub goal: CableFor,
+}
+
+/// What a cable connects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum CableRole {
+    /// The motor connector.
+    Motor,
+    /// The connector of the motor feedback.
+    Feedback,
+    /// The connector of the encoder at the output.
+    OutputEncoder,
+    /// A set under one number; what it holds is not printed.
+    Set,
+}
+
+impl CableRole {
+    /// Every role.
+    pub const ALL: &'static [Self] = &[Self::Motor, Self::Feedback, Self::OutputEncoder, Self::Set];
+
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Motor => "motor",
+            Self::Feedback => "feedback",
+            Self::OutputEncoder => "output_encoder",
+            Self::Set => "set",
+        }
+    }
+}
+
+/// How long a cable is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CableLength {
+    /// As printed \[m\].
+    Metres(f64),
+    /// Written in the material number, in letters that the drive's maker explains.
+    InNumber(LengthCode),
+}
+
+/// The place of a length in a material number of another maker.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LengthCode {
+    /// The letters that stand for it: `xx`.
+    pub letters: &'static str,
+}
+
+/// What a cable goes to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum CableFor {
+    /// SINAMICS S120 with a sensor module SMC.
+    SinamicsSmc,
+    /// SINAMICS S120 with the sensor module SMC20.
+    SinamicsSmc20,
+    /// SIMODRIVE.
+    Simodrive,
+    /// `YukonDrive`.
+    YukonDrive,
+    /// Anything: its end is open.
+    OpenEnd,
+}
+
+impl CableFor {
+    /// Every goal.
+    pub const ALL: &'static [Self] =
+        &[Self::SinamicsSmc, Self::SinamicsSmc20, Self::Simodrive, Self::YukonDrive, Self::OpenEnd];
+
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::SinamicsSmc => "sinamics_s120_smc",
+            Self::SinamicsSmc20 => "sinamics_s120_smc20",
+            Self::Simodrive => "simodrive",
+            Self::YukonDrive => "yukondrive",
+            Self::OpenEnd => "open_end",
+        }
+    }
+}
+
+/// Tables of cables.
+const TABLES: [&str; 6] = ["64.1", "64.2", "64.3", "65.7", "67.7", "68.4"];
+
+/// The cables of a code, in the order of the manual.
+pub(super) fn cables(code: &OrderCode) -> Vec<Cable> {
+    let winding = format!("winding={}", code.winding);
+    let cells = TABLES.into_iter().filter_map(catalogue::table).flat_map(Table::cells);
+    cells.filter_map(|cell| cable(cell, code, &winding)).collect()
+}
+
+fn cable(cell: &'static Cell, code: &OrderCode, winding: &str) -> Option<Cable> {
+    let condition = cell.place.condition;
+    let of_output = cell.place.table == "68.4";
+    let role = if of_output { Role::OutputEncoder } else { Role::Feedback };
+    if of_output && code.option_1 != Some(Option1::EC) || !holds(cell, role, code) {
+        return None;
+    }
+    if !of_output && condition.split(", ").next() != Some(winding) {
+        return None;
+    }
+    let brake = match condition {
+        text if text.ends_with("without brake") => Some(Brake::Without),
+        text if text.ends_with("with brake") => Some(Brake::With),
+        _ => None,
+    };
+    if brake.is_some_and(|brake| brake != code.brake) {
+        return None;
+    }
+    let role = match cell.place.symbol {
+        "power_cable" => CableRole::Motor,
+        "feedback_cable" | "mat_no" if of_output => CableRole::OutputEncoder,
+        "feedback_cable" => CableRole::Feedback,
+        "mat_no" => CableRole::Set,
+        _ => return None,
+    };
+    let goal = match condition {
+        text if text.contains("SMC20") => CableFor::SinamicsSmc20,
+        text if text.contains("SIMODRIVE") => CableFor::Simodrive,
+        text if text.contains("YukonDrive") => CableFor::YukonDrive,
+        text if text.contains("open end") => CableFor::OpenEnd,
+        _ => CableFor::SinamicsSmc,
+    };
+    let length = if cell.corrected.contains("xx") {
+        CableLength::InNumber(LengthCode { letters: "xx" })
+    } else {
+        let metres = condition.rsplit(", ").next()?.strip_suffix(" m")?;
+        CableLength::Metres(metres.parse().ok()?)
+    };
+    Some(Cable { role, number: cell, length, goal })
+}

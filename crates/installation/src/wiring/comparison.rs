@@ -1,0 +1,465 @@
+//! A user's list of pins against the wiring of a code.
+
+use super::pin_list::{ListedPin, PinList};
+use super::signal::{is_nothing, plain, printed_signals, spellings};
+use super::{Connector, Pin, Role, Wiring};
+use crate::wiring::signal::Group;
+
+/// What a comparison found.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// Every finding, by line; those about no line at the end.
+    pub findings: Vec<Finding>,
+    /// Rows of the list.
+    pub rows: usize,
+    /// Rows that agree with the print.
+    pub agreeing: usize,
+}
+
+impl Comparison {
+    /// Whether the list may be wired: nothing but advice.
+    #[must_use]
+    pub fn agrees(&self) -> bool {
+        self.findings.iter().all(|finding| finding.severity() == Severity::Advice)
+    }
+}
+
+/// How grave a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// People or parts can be harmed.
+    Danger,
+    /// It will not work, or not be recognised.
+    Fault,
+    /// Worth a look.
+    Advice,
+}
+
+impl Severity {
+    /// Every severity, gravest first.
+    pub const ALL: &'static [Self] = &[Self::Danger, Self::Fault, Self::Advice];
+
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Danger => "danger",
+            Self::Fault => "fault",
+            Self::Advice => "advice",
+        }
+    }
+}
+
+/// One difference between list and print.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// The connector.
+    pub role: Role,
+    /// Line of the list; `None` where it is about what is not in it.
+    pub line: Option<usize>,
+    /// The pin as the print names it, or as written where there is none; empty where it is about the connector.
+    pub pin: String,
+    /// What the print has there; empty where it is about the connector.
+    pub expected: &'static str,
+    /// What is different.
+    pub difference: Difference,
+}
+
+/// What is different.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Difference {
+    /// The code has no such connector.
+    NoSuchConnector,
+    /// The list has no row of this connector.
+    ConnectorNotListed,
+    /// The pins of this connector are not printed for the code: nothing to compare with.
+    PinsNotPrinted,
+    /// The list has the pin-out of the other encoder, whose plug is the same: the supply is reversed.
+    OtherEncoder {
+        /// Whose pin-out it is.
+        of: Role,
+    },
+    /// The connector has no such pin.
+    NoSuchPin,
+    /// The pin stands twice.
+    PinTwice {
+        /// Line of the first.
+        first: usize,
+    },
+    /// Both ends of a pair are exchanged.
+    Reversed {
+        /// Of which kind.
+        group: Group,
+        /// The pin of the other end.
+        with: String,
+    },
+    /// Two signals are exchanged.
+    Swapped {
+        /// Of which kind the gravest is.
+        group: Group,
+        /// The pin of the other.
+        with: String,
+        /// As written.
+        written: String,
+    },
+    /// A signal of this connector on a pin that is not its own.
+    WrongPin {
+        /// As written.
+        written: String,
+        /// Of which kind the gravest is.
+        group: Group,
+        /// Where it belongs.
+        belongs: Vec<String>,
+    },
+    /// A signal that this connector does not have.
+    ForeignSignal {
+        /// As written.
+        written: String,
+    },
+    /// A signal that no connector has.
+    UnknownSignal {
+        /// As written.
+        written: String,
+        /// The nearest that this connector has.
+        nearest: Option<&'static str>,
+    },
+    /// A signal where nothing is connected.
+    NotConnected {
+        /// As written.
+        written: String,
+    },
+    /// The list says that nothing is connected.
+    LeftOpen {
+        /// Of which kind the signal is.
+        group: Group,
+    },
+    /// The pin is not in the list.
+    Missing {
+        /// Of which kind its signal is.
+        group: Group,
+    },
+    /// The wire is listed without a shield.
+    Unshielded,
+    /// The colour is not the printed one.
+    Colour {
+        /// As written.
+        written: String,
+        /// As printed.
+        printed: &'static str,
+    },
+}
+
+impl Difference {
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(&self) -> &'static str {
+        match self {
+            Self::NoSuchConnector => "no_such_connector",
+            Self::ConnectorNotListed => "connector_not_listed",
+            Self::PinsNotPrinted => "pins_not_printed",
+            Self::OtherEncoder { .. } => "other_encoder",
+            Self::NoSuchPin => "no_such_pin",
+            Self::PinTwice { .. } => "pin_twice",
+            Self::Reversed { .. } => "polarity_reversed",
+            Self::Swapped { .. } => "swapped",
+            Self::WrongPin { .. } => "wrong_pin",
+            Self::ForeignSignal { .. } => "foreign_signal",
+            Self::UnknownSignal { .. } => "unknown_signal",
+            Self::NotConnected { .. } => "not_connected",
+            Self::LeftOpen { .. } => "left_open",
+            Self::Missing { group: Group::Shield } => "shield_missing",
+            Self::Missing { group: Group::Earth } => "protective_earth_missing",
+            Self::Missing { .. } => "pin_missing",
+            Self::Unshielded => "unshielded",
+            Self::Colour { .. } => "colour",
+        }
+    }
+}
+
+/// Whether a wrong wire of this kind can harm.
+const fn harms(group: Group) -> bool {
+    matches!(group, Group::Phase | Group::Earth | Group::Brake | Group::Supply)
+}
+
+impl Finding {
+    /// How grave it is.
+    #[must_use]
+    pub const fn severity(&self) -> Severity {
+        match &self.difference {
+            Difference::OtherEncoder { .. } => Severity::Danger,
+            Difference::Reversed { group, .. }
+            | Difference::Swapped { group, .. }
+            | Difference::WrongPin { group, .. }
+                if harms(*group) =>
+            {
+                Severity::Danger
+            }
+            Difference::LeftOpen { group: Group::Earth } | Difference::Missing { group: Group::Earth } => {
+                Severity::Danger
+            }
+            Difference::ConnectorNotListed | Difference::Colour { .. } => Severity::Advice,
+            Difference::LeftOpen { group: Group::Sense } | Difference::Missing { group: Group::Sense } => {
+                Severity::Advice
+            }
+            _ => Severity::Fault,
+        }
+    }
+}
+
+/// Compares a list with the wiring of a code.
+#[must_use]
+pub fn compare(wiring: &Wiring, list: &PinList) -> Comparison {
+    let mut findings = Vec::new();
+    let mut agreeing = 0;
+    for &role in Role::ALL {
+        let rows: Vec<&ListedPin> = list.pins.iter().filter(|listed| listed.role == role).collect();
+        let finding = |line, difference| Finding { role, line, pin: String::new(), expected: "", difference };
+        match (wiring.connector(role), rows.first()) {
+            (None, Some(first)) => findings.push(finding(Some(first.line), Difference::NoSuchConnector)),
+            (Some(_), None) => findings.push(finding(None, Difference::ConnectorNotListed)),
+            (Some(connector), Some(first)) if connector.pins.is_empty() => {
+                findings.push(finding(Some(first.line), Difference::PinsNotPrinted));
+            }
+            (Some(connector), Some(first)) => {
+                if let Some(of) = other_encoder(wiring, connector, &rows) {
+                    findings.push(finding(Some(first.line), Difference::OtherEncoder { of }));
+                } else {
+                    agreeing += of_connector(wiring, connector, &rows, &mut findings);
+                }
+            }
+            (None, None) => {}
+        }
+    }
+    told_once(&mut findings);
+    findings.sort_by_key(|finding| (finding.line.is_none(), finding.line));
+    Comparison { findings, rows: list.pins.len(), agreeing }
+}
+
+/// An exchange of two pins is told at the first of them.
+fn told_once(findings: &mut Vec<Finding>) {
+    let exchanges: Vec<(Role, String, String)> = findings
+        .iter()
+        .filter_map(|finding| match &finding.difference {
+            Difference::Reversed { with, .. } | Difference::Swapped { with, .. } => {
+                Some((finding.role, finding.pin.clone(), with.clone()))
+            }
+            _ => None,
+        })
+        .collect();
+    let mut told: Vec<(Role, String, String)> = Vec::new();
+    let mut exchanges = exchanges.into_iter();
+    findings.retain(|finding| {
+        if !matches!(finding.difference, Difference::Reversed { .. } | Difference::Swapped { .. }) {
+            return true;
+        }
+        let Some((role, pin, with)) = exchanges.next() else { return true };
+        let mirrored = told.iter().any(|(of, first, second)| *of == role && *first == with && *second == pin);
+        told.push((role, pin, with));
+        !mirrored
+    });
+}
+
+/// The pin of a connector that a text names: `7`, `07`, `Pin 7`, `pe`.
+fn pin_named<'c>(connector: &'c Connector, text: &str) -> Option<&'c Pin> {
+    let plain = plain(text);
+    let name = ["PIN", "STIFT", "NO", "NR"].iter().find_map(|word| plain.strip_prefix(word)).unwrap_or(&plain);
+    let name = name.trim_start_matches('0');
+    connector.pins.iter().find(|pin| plain_eq(&pin.name, name))
+}
+
+fn plain_eq(one: &str, other: &str) -> bool {
+    plain(one) == plain(other)
+}
+
+/// The pins of a connector whose signal a text can mean.
+fn pins_of_signal<'c>(connector: &'c Connector, text: &str) -> Vec<&'c Pin> {
+    let wanted = plain(text);
+    let carrying = || connector.pins.iter().filter(|pin| pin.carries.is_some());
+    // The print itself goes before what it may be called.
+    let exact: Vec<&Pin> = carrying().filter(|pin| plain(pin.printed()) == wanted).collect();
+    if !exact.is_empty() {
+        return exact;
+    }
+    carrying().filter(|pin| spellings(pin.printed()).iter().any(|each| plain(each) == wanted)).collect()
+}
+
+/// How many pins of a connector a list has as printed, of those that carry something.
+fn matching(connector: &Connector, rows: &[&ListedPin]) -> (usize, usize) {
+    let carrying = |row: &&&ListedPin| !is_nothing(&row.signal);
+    let agrees = |row: &&&ListedPin| {
+        pin_named(connector, &row.pin)
+            .is_some_and(|pin| pins_of_signal(connector, &row.signal).iter().any(|other| other.name == pin.name))
+    };
+    let supply = |row: &&&ListedPin| {
+        pin_named(connector, &row.pin).and_then(|pin| pin.carries).is_some_and(|s| s.group() == Group::Supply)
+    };
+    let supplied = rows.iter().filter(carrying).filter(agrees).filter(supply).count();
+    (rows.iter().filter(carrying).filter(agrees).count(), supplied)
+}
+
+/// Whether the list of one encoder's connector is the pin-out of the other's, which has the same plug.
+fn other_encoder(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin]) -> Option<Role> {
+    let of = match connector.role {
+        Role::Motor => return None,
+        Role::Feedback => Role::OutputEncoder,
+        Role::OutputEncoder => Role::Feedback,
+    };
+    let other = wiring.connector(of).filter(|other| other.kind.corrected == connector.kind.corrected)?;
+    let ((own, own_supply), (foreign, foreign_supply)) = (matching(connector, rows), matching(other, rows));
+    (foreign > own && own_supply == 0 && foreign_supply == 2).then_some(of)
+}
+
+/// What is different at one connector; gives the number of rows that agree.
+fn of_connector(wiring: &Wiring, connector: &Connector, rows: &[&ListedPin], findings: &mut Vec<Finding>) -> usize {
+    let role = connector.role;
+    let mut seen: Vec<(&str, &ListedPin)> = Vec::new();
+    for row in rows {
+        let Some(pin) = pin_named(connector, &row.pin) else {
+            let difference = Difference::NoSuchPin;
+            findings.push(Finding { role, line: Some(row.line), pin: row.pin.clone(), expected: "", difference });
+            continue;
+        };
+        let mut push = |difference| {
+            let (pin, expected) = (pin.name.clone(), pin.printed());
+            findings.push(Finding { role, line: Some(row.line), pin, expected, difference });
+        };
+        if let Some((_, first)) = seen.iter().find(|(name, _)| *name == pin.name) {
+            push(Difference::PinTwice { first: first.line });
+            continue;
+        }
+        seen.push((&pin.name, row));
+        if row.shield == Some(false) && pin.carries.is_some() {
+            push(Difference::Unshielded);
+        }
+        if let (Some(written), Some(printed)) = (&row.colour, pin.colour)
+            && !same_colour(written, printed)
+        {
+            push(Difference::Colour { written: written.clone(), printed: printed.corrected });
+        }
+    }
+    let mut agreeing = 0;
+    for (name, row) in &seen {
+        let Some(pin) = connector.pin(name) else { continue };
+        match difference(connector, pin, row, &seen) {
+            None => agreeing += 1,
+            Some(difference) => {
+                let (pin, expected) = (pin.name.clone(), pin.printed());
+                findings.push(Finding { role, line: Some(row.line), pin, expected, difference });
+            }
+        }
+    }
+    for pin in &connector.pins {
+        let Some(signal) = pin.carries else { continue };
+        let free = signal.group() == Group::Brake && wiring.code.brake == order_code::Brake::Without;
+        if !free && !seen.iter().any(|(name, _)| *name == pin.name) {
+            let difference = Difference::Missing { group: signal.group() };
+            findings.push(Finding { role, line: None, pin: pin.name.clone(), expected: pin.printed(), difference });
+        }
+    }
+    agreeing
+}
+
+/// The graver of two kinds: that whose wrong wire harms.
+const fn graver(one: Group, other: Group) -> Group {
+    if !harms(one) && harms(other) { other } else { one }
+}
+
+/// What is wrong with the signal of one row; `None`: it is as printed.
+fn difference(connector: &Connector, pin: &Pin, row: &ListedPin, seen: &[(&str, &ListedPin)]) -> Option<Difference> {
+    let written = row.signal.clone();
+    if is_nothing(&row.signal) {
+        return pin.carries.map(|signal| Difference::LeftOpen { group: signal.group() });
+    }
+    let meant = pins_of_signal(connector, &row.signal);
+    if meant.iter().any(|each| each.name == pin.name) {
+        return None;
+    }
+    // Of several pins with the signal, the one that has this pin's.
+    let row_of = |other: &Pin| seen.iter().find(|(name, _)| *name == other.name).map(|(_, row)| row);
+    let has_own = |other: &&&Pin| {
+        row_of(other).is_some_and(|row| pins_of_signal(connector, &row.signal).iter().any(|each| each.name == pin.name))
+    };
+    if let Some(foreign) = meant.first().and_then(|one| one.carries) {
+        let group = pin.carries.map_or_else(|| foreign.group(), |own| graver(own.group(), foreign.group()));
+        return Some(match (meant.iter().find(has_own), pin.carries) {
+            (Some(other), Some(own)) if other.carries.is_some_and(|end| own.is_other_end_of(end)) => {
+                Difference::Reversed { group, with: other.name.clone() }
+            }
+            (Some(other), Some(_)) => Difference::Swapped { group, with: other.name.clone(), written },
+            _ => Difference::WrongPin { written, group, belongs: meant.iter().map(|each| each.name.clone()).collect() },
+        });
+    }
+    if pin.carries.is_none() {
+        return Some(Difference::NotConnected { written });
+    }
+    let wanted = plain(&row.signal);
+    if printed_signals().iter().any(|printed| spellings(printed).iter().any(|each| plain(each) == wanted)) {
+        return Some(Difference::ForeignSignal { written });
+    }
+    let nearest = nearest(connector, &wanted);
+    Some(Difference::UnknownSignal { written, nearest })
+}
+
+/// The printed signal of a connector that is most like a text.
+fn nearest(connector: &Connector, wanted: &str) -> Option<&'static str> {
+    let scored = connector.pins.iter().filter(|pin| pin.carries.is_some()).flat_map(|pin| {
+        let printed = pin.printed();
+        spellings(printed).into_iter().map(move |each| (strsim::damerau_levenshtein(&plain(&each), wanted), printed))
+    });
+    let (distance, printed) = scored.min_by_key(|(distance, _)| *distance)?;
+    (distance <= 1 + wanted.chars().count() / 3).then_some(printed)
+}
+
+/// Colours by their English word, with the letters of IEC 60757, those of German practice, and spellings without umlauts.
+const COLOURS: [(&str, &[&str]); 13] = [
+    ("red", &["RD", "RT"]),
+    ("black", &["BK", "SW"]),
+    ("white", &["WH", "WS", "WEISS", "WEISZ"]),
+    ("brown", &["BN", "BR"]),
+    ("blue", &["BU", "BL"]),
+    ("yellow", &["YE", "GE"]),
+    ("green", &["GN", "GRUEN"]),
+    ("grey", &["GRAY", "GY", "GR"]),
+    ("orange", &["OG", "OR"]),
+    ("violet", &["PURPLE", "VT", "VIOLET", "VIOLETT"]),
+    ("pink", &["PK", "RS", "ROSA"]),
+    ("turquoise", &["TQ", "TUERKIS"]),
+    ("transparent", &["CLEAR", "TR"]),
+];
+
+/// The printed word of each colour with the English one.
+fn printed_colours() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let cells = catalogue::cells().iter().filter(|cell| cell.place.symbol == "wire_colour");
+    cells.map(|cell| (cell.corrected, cell.corrected_en()))
+}
+
+/// The colours that a text names, in order; `None` if it has a word that is none.
+fn colours(text: &str) -> Option<Vec<&'static str>> {
+    let words = text.split(|sign: char| !sign.is_alphabetic()).filter(|word| !word.is_empty());
+    let one = |word: &str| {
+        let lower = word.to_lowercase();
+        let printed = printed_colours().find(|(printed, _)| *printed == lower).map_or(lower.as_str(), |(_, en)| en);
+        let capitals = word.to_uppercase();
+        let named = COLOURS.iter().find(|(name, others)| *name == printed || others.contains(&capitals.as_str()));
+        named.map(|(name, _)| *name)
+    };
+    let mut found = Vec::new();
+    for word in words {
+        match one(word) {
+            Some(colour) => found.push(colour),
+            // Two codes without a joint: GNYE.
+            None => {
+                let (first, second) = word.split_at_checked(2)?;
+                found.extend([one(first)?, one(second)?]);
+            }
+        }
+    }
+    Some(found)
+}
+
+fn same_colour(written: &str, printed: &'static catalogue::Cell) -> bool {
+    match (colours(written), colours(printed.corrected)) {
+        (Some(written), Some(printed)) => written == printed,
+        _ => plain_eq(written, printed.corrected) || plain_eq(written, printed.corrected_en()),
+    }
+}

@@ -1,0 +1,222 @@
+//! Voltage lost on the wires of brake and encoder supply.
+
+use catalogue::{Cell, Table, Value};
+use order_code::{Brake, Feedback, Option1, OrderCode};
+use provenance::{CellRef, Datum, Source, Sourced};
+use quantities::{Area, ElectricCurrent, ElectricPotential, ElectricalResistivity, Length, Measure};
+
+/// A warm wire: 70 °C, what PVC insulation bears in continuous operation (IEC 60364-5-52); nobody stated a temperature.
+pub const HOT: WireHot = WireHot { degrees_celsius: 70.0 };
+
+/// The temperature of a warm wire.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WireHot {
+    /// \[°C\]
+    pub degrees_celsius: f64,
+}
+
+/// Temperature that the resistivity holds for \[°C\].
+const REFERENCE_DEGC: f64 = 20.0;
+
+/// A circuit whose wires lose voltage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Circuit {
+    /// The holding brake while it opens.
+    Brake,
+    /// Supply of the motor feedback.
+    Feedback,
+    /// Supply of the encoder at the output.
+    OutputEncoder,
+}
+
+impl Circuit {
+    /// Every circuit.
+    pub const ALL: &'static [Self] = &[Self::Brake, Self::Feedback, Self::OutputEncoder];
+
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Brake => "brake",
+            Self::Feedback => "feedback_supply",
+            Self::OutputEncoder => "output_encoder_supply",
+        }
+    }
+}
+
+/// Whether the voltage that arrives is enough.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DropVerdict {
+    /// It is, on a warm wire too.
+    Pass,
+    /// It is not on a warm wire.
+    Fail,
+    /// No cross-section was stated.
+    NoCrossSection,
+    /// The manual prints no tolerance.
+    NoTolerance,
+    /// The manual prints the holding current of the brake only.
+    NoOpeningCurrent,
+    /// The manual prints a range, not what the drive supplies.
+    NoNominal,
+}
+
+/// The loss of one circuit.
+#[derive(Clone, Debug)]
+pub struct VoltageDrop {
+    /// Which circuit.
+    pub circuit: Circuit,
+    /// Its current.
+    pub current: Sourced<ElectricCurrent>,
+    /// The cell that the voltages are from.
+    pub supply: &'static Cell,
+    /// Voltage that the source has, if one is printed.
+    pub nominal: Option<ElectricPotential>,
+    /// Least voltage at the load, if one is printed.
+    pub least: Option<ElectricPotential>,
+    /// Loss forth and back at 20 °C and on a warm wire; `None` without a cross-section.
+    pub loss: Option<[ElectricPotential; 2]>,
+    /// Smallest cross-section that a warm wire needs; `None` where no limit is printed.
+    pub cross_section_min: Option<Area>,
+    /// Whether it is enough.
+    pub verdict: DropVerdict,
+    /// Whether the connector has sense lines, by which a drive can make up for the loss.
+    pub sense: bool,
+    /// Where the resistivity is from.
+    pub resistivity: Sourced<ElectricalResistivity>,
+}
+
+/// Resistivity of copper at a temperature.
+///
+/// ρ = ρ_20 (1 + α_20 (ϑ − 20 °C))
+///
+/// # Source
+/// iec-60028, table copper-wire
+fn resistivity(degrees_celsius: f64) -> Option<Sourced<ElectricalResistivity>> {
+    let cells = catalogue::table("copper-wire").map(Table::cells)?;
+    let cell = |symbol: &str| cells.iter().find(|cell| cell.place.symbol == symbol);
+    let Datum::Known(at_20) = catalogue::datum_of::<ElectricalResistivity>(cell("rho_Cu")?) else { return None };
+    let alpha = cell("alpha_Cu")?.value.number()?;
+    let warmer = at_20.value.si() * (1.0 + alpha * (degrees_celsius - REFERENCE_DEGC));
+    let source = match at_20.source {
+        Source::Cell(place) => Source::Published(place),
+        other => other,
+    };
+    Some(Sourced { value: Measure::from_si(warmer), source, grade: provenance::Grade::Published, errata: &[] })
+}
+
+/// Voltage lost on both wires of a circuit.
+///
+/// ΔU = 2 ρ L I / A
+///
+/// # Symbols
+/// ρ resistivity [Ω m], L length of the cable \[m\], I current \[A\], A cross-section of one wire \[m²\]
+fn loss(rho: ElectricalResistivity, length: Length, current: ElectricCurrent, section: Area) -> ElectricPotential {
+    Measure::from_si(2.0 * rho.si() * length.si() * current.si() / section.si())
+}
+
+/// The losses of the circuits of a code on a cable, judged against the printed tolerance of the supply.
+///
+/// # Source
+/// currents and voltages: the brake table of the drive, tables 57.1 to 61.1 and 68.1
+/// # Valid
+/// Direct current in copper wires of one cross-section; the source holds the nominal voltage. The excitation of the
+/// resolver is an alternating voltage: only the ohmic part is told.
+#[must_use]
+pub fn voltage_drops(code: &OrderCode, length: Length, section: Option<Area>) -> Vec<VoltageDrop> {
+    let mut found = Vec::new();
+    found.extend(brake(code, length, section));
+    let sense = matches!(code.feedback, Feedback::C1024 | Feedback::M512P | Feedback::M128S);
+    let table = match code.feedback {
+        Feedback::C1024 => "57.1",
+        Feedback::M512P => "58.1",
+        Feedback::RES => "58.2",
+        Feedback::M128S => "59.1",
+        Feedback::D2048 => "61.1",
+    };
+    found.extend(encoder(Circuit::Feedback, table, length, section, sense));
+    if code.option_1 == Some(Option1::EC) {
+        found.extend(encoder(Circuit::OutputEncoder, "68.1", length, section, true));
+    }
+    found
+}
+
+/// The brake takes most current while it opens; where only the holding current is printed, the loss is told and not judged.
+fn brake(code: &OrderCode, length: Length, section: Option<Area>) -> Option<VoltageDrop> {
+    let drive = catalogue::drive(code.size, code.winding, code.feedback).filter(|_| code.brake == Brake::With)?;
+    let supply = drive.cell("U_Br", "", code.feedback, code.ratio)?;
+    match drive.datum("I_OBr", "", code.feedback, code.ratio) {
+        Datum::Known(opening) => judged(Circuit::Brake, supply, opening, length, section, false),
+        _ => match drive.datum("I_HBr", "", code.feedback, code.ratio) {
+            Datum::Known(holding) => judged(Circuit::Brake, supply, holding, length, section, false)
+                .map(|drop| VoltageDrop { verdict: DropVerdict::NoOpeningCurrent, cross_section_min: None, ..drop }),
+            _ => None,
+        },
+    }
+}
+
+fn encoder(circuit: Circuit, table: &str, length: Length, section: Option<Area>, sense: bool) -> Option<VoltageDrop> {
+    let cells = catalogue::table(table).map(Table::cells)?;
+    let cell = |symbol: &str| cells.iter().find(|cell| cell.place.symbol == symbol);
+    let supply = cell("U_b")?;
+    let current = match cell("I_b") {
+        Some(cell) => match catalogue::datum_of(cell) {
+            Datum::Known(current) => current,
+            _ => return None,
+        },
+        // A power is printed: its current is greatest at the least voltage.
+        None => {
+            let power = cell("P_b")?;
+            let Value::Range { low, .. } = supply.value else { return None };
+            let amperes = power.value.number()? / low;
+            let place: &'static CellRef = &power.place;
+            let grade = provenance::Grade::Computed;
+            Sourced { value: Measure::from_si(amperes), source: Source::Cell(place), grade, errata: power.errata }
+        }
+    };
+    judged(circuit, supply, current, length, section, sense)
+}
+
+fn judged(
+    circuit: Circuit,
+    supply: &'static Cell,
+    current: Sourced<ElectricCurrent>,
+    length: Length,
+    section: Option<Area>,
+    sense: bool,
+) -> Option<VoltageDrop> {
+    let (cold, warm) = (resistivity(REFERENCE_DEGC)?, resistivity(HOT.degrees_celsius)?);
+    let volts = ElectricPotential::from_si;
+    let (nominal, least) = match supply.value {
+        Value::Tolerance { nominal, plus_minus_percent } => {
+            (Some(volts(nominal)), Some(volts(nominal * (1.0 - plus_minus_percent / 100.0))))
+        }
+        Value::Range { low, .. } => (None, Some(volts(low))),
+        Value::Number(nominal) => (Some(volts(nominal)), None),
+        _ => (None, None),
+    };
+    let spare = nominal.zip(least).map(|(nominal, least)| nominal - least);
+    let cross_section_min =
+        spare.map(|spare| Area::from_si(2.0 * warm.value.si() * length.si() * current.value.si() / spare.si()));
+    let loss = section
+        .map(|section| [&cold, &warm].map(|resistivity| loss(resistivity.value, length, current.value, section)));
+    let verdict = match (loss, spare) {
+        (_, None) if least.is_none() => DropVerdict::NoTolerance,
+        (_, None) => DropVerdict::NoNominal,
+        (None, Some(_)) => DropVerdict::NoCrossSection,
+        (Some([_, warm]), Some(spare)) if warm <= spare => DropVerdict::Pass,
+        _ => DropVerdict::Fail,
+    };
+    Some(VoltageDrop {
+        circuit,
+        current,
+        supply,
+        nominal,
+        least,
+        loss,
+        cross_section_min,
+        verdict,
+        sense,
+        resistivity: cold,
+    })
+}

@@ -1,0 +1,343 @@
+//! A user's list of pins, read from CSV.
+
+use super::Role;
+use super::signal::plain;
+use std::ops::Range;
+
+/// Longest list that is read.
+pub const LISTED_BYTES_MAX: usize = 1 << 20;
+
+/// Most faults of a list that are told.
+const FAULTS_MAX: usize = 50;
+
+/// Pins as a user lists them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PinList {
+    /// The pins, in the order of the file.
+    pub pins: Vec<ListedPin>,
+}
+
+/// One row of the list.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ListedPin {
+    /// Line of the file, from 1.
+    pub line: usize,
+    /// The connector.
+    pub role: Role,
+    /// The pin as written.
+    pub pin: String,
+    /// The signal as written.
+    pub signal: String,
+    /// The colour as written; `None` where the list has no such column or the cell is empty.
+    pub colour: Option<String>,
+    /// Whether the wire is shielded, where the list says so.
+    pub shield: Option<bool>,
+}
+
+/// A column of the list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Column {
+    /// The connector.
+    Connector,
+    /// The pin.
+    Pin,
+    /// The signal.
+    Signal,
+    /// The colour of the wire.
+    Colour,
+    /// Whether the wire is shielded.
+    Shield,
+}
+
+impl Column {
+    /// Every column, those that must be there first.
+    pub const ALL: &'static [Self] = &[Self::Connector, Self::Pin, Self::Signal, Self::Colour, Self::Shield];
+
+    /// Heads that are understood, plain; the first is the English one of the documentation.
+    #[must_use]
+    pub const fn heads(self) -> &'static [&'static str] {
+        match self {
+            Self::Connector => &["CONNECTOR", "STECKER", "STECKVERBINDER", "ROLE", "PLUG"],
+            Self::Pin => &["PIN", "STIFT", "STECKERSTIFT", "KONTAKT", "CONTACT", "PINNO"],
+            Self::Signal => &["SIGNAL", "MOTORPHASE", "FUNCTION", "FUNKTION"],
+            Self::Colour => &["COLOUR", "COLOR", "FARBE", "ADERFARBE", "WIRECOLOUR"],
+            Self::Shield => &["SHIELD", "SCHIRM", "SHIELDED", "GESCHIRMT"],
+        }
+    }
+
+    const fn is_needed(self) -> bool {
+        matches!(self, Self::Connector | Self::Pin | Self::Signal)
+    }
+}
+
+/// Why a list cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ListFault {
+    /// Nothing but white space and comments.
+    Empty,
+    /// A column that must be there is not.
+    ColumnMissing {
+        /// Which.
+        column: Column,
+        /// The heads that were found.
+        found: Vec<String>,
+    },
+    /// Two heads name the same column.
+    ColumnTwice {
+        /// Which.
+        column: Column,
+        /// Place of the second.
+        span: Range<usize>,
+    },
+    /// A head names no column.
+    ColumnUnknown {
+        /// The head as written.
+        head: String,
+        /// Its place.
+        span: Range<usize>,
+    },
+    /// A row has another number of cells than the header.
+    Ragged {
+        /// Place of the row.
+        span: Range<usize>,
+        /// Its cells.
+        found: usize,
+        /// The header's.
+        expected: usize,
+    },
+    /// A cell that must be filled is empty.
+    CellEmpty {
+        /// Of which column.
+        column: Column,
+        /// Place of the row.
+        span: Range<usize>,
+    },
+    /// A connector that no actuator has.
+    ConnectorUnknown {
+        /// As written.
+        written: String,
+        /// Its place.
+        span: Range<usize>,
+    },
+    /// A shield that is neither said to be there nor not.
+    ShieldUnclear {
+        /// As written.
+        written: String,
+        /// Its place.
+        span: Range<usize>,
+    },
+    /// There is a header and no row.
+    NoRows,
+    /// More faults than are told.
+    More,
+}
+
+impl ListFault {
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(&self) -> &'static str {
+        match self {
+            Self::Empty | Self::NoRows => "pin_list_empty",
+            Self::ColumnMissing { .. } => "pin_list_column_missing",
+            Self::ColumnTwice { .. } => "pin_list_column_twice",
+            Self::ColumnUnknown { .. } => "pin_list_column_unknown",
+            Self::Ragged { .. } => "pin_list_ragged",
+            Self::CellEmpty { .. } => "pin_list_cell_empty",
+            Self::ConnectorUnknown { .. } => "pin_list_connector_unknown",
+            Self::ShieldUnclear { .. } => "pin_list_shield_unclear",
+            Self::More => "pin_list_more",
+        }
+    }
+
+    /// Its place in the text; the beginning where it is about the whole.
+    #[must_use]
+    pub fn span(&self) -> Range<usize> {
+        match self {
+            Self::Empty | Self::NoRows | Self::ColumnMissing { .. } | Self::More => 0..0,
+            Self::ColumnTwice { span, .. }
+            | Self::ColumnUnknown { span, .. }
+            | Self::Ragged { span, .. }
+            | Self::CellEmpty { span, .. }
+            | Self::ConnectorUnknown { span, .. }
+            | Self::ShieldUnclear { span, .. } => span.clone(),
+        }
+    }
+}
+
+/// What separates the cells: `;`, else a tab, else `,`, as the first line that says something shows.
+fn delimiter(text: &str) -> u8 {
+    let says = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
+    let header = text.lines().find(says).unwrap_or_default();
+    [b';', b'\t'].into_iter().find(|sign| header.as_bytes().contains(sign)).unwrap_or(b',')
+}
+
+/// The connectors by the names that people give them, plain.
+pub(super) fn role_of(text: &str) -> Option<Role> {
+    match plain(text).replace('-', "").as_str() {
+        "MOTOR" | "MOTORCONNECTOR" | "MOTORSTECKER" | "POWER" | "LEISTUNG" | "LEISTUNGSSTECKER" => Some(Role::Motor),
+        "FEEDBACK" | "ENCODER" | "MOTORFEEDBACK" | "GEBER" | "MOTORGEBER" | "ENCODERSTECKER" | "GEBERSTECKER" => {
+            Some(Role::Feedback)
+        }
+        "OUTPUTENCODER" | "EC" | "OPTIONEC" | "ABTRIEBSGEBER" | "GEBERAMABTRIEB" => Some(Role::OutputEncoder),
+        _ => None,
+    }
+}
+
+fn shield_of(text: &str) -> Option<bool> {
+    match plain(text).as_str() {
+        "YES" | "Y" | "JA" | "J" | "X" | "1" | "TRUE" | "SHIELDED" | "GESCHIRMT" => Some(true),
+        "NO" | "N" | "NEIN" | "0" | "FALSE" | "-" | "UNSHIELDED" | "UNGESCHIRMT" => Some(false),
+        _ => None,
+    }
+}
+
+/// Reads a list of pins. The header names the columns in English or German; lines that begin with `#` are comments.
+///
+/// # Errors
+/// All faults of the list.
+pub fn read_pin_list(text: &str) -> Result<PinList, Vec<ListFault>> {
+    let mut reader = csv::ReaderBuilder::new()
+        .delimiter(delimiter(text))
+        .has_headers(false)
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .comment(Some(b'#'))
+        .from_reader(text.as_bytes());
+    let mut faults = Vec::new();
+    let mut header: Option<Header> = None;
+    let mut pins = Vec::new();
+    let mut record = csv::StringRecord::new();
+    // The text is UTF-8 and flexible in its cells: reading it cannot fail.
+    while reader.read_record(&mut record).unwrap_or(false) {
+        if record.iter().all(str::is_empty) {
+            continue;
+        }
+        let row = Row::new(text, &record);
+        match &header {
+            None => header = Some(Header::read(&row, &mut faults)),
+            Some(header) => pins.extend(listed(&row, header, &mut faults)),
+        }
+        if faults.len() > FAULTS_MAX {
+            faults.truncate(FAULTS_MAX);
+            faults.push(ListFault::More);
+            return Err(faults);
+        }
+    }
+    match header {
+        None => faults.push(ListFault::Empty),
+        Some(_) if pins.is_empty() && faults.is_empty() => faults.push(ListFault::NoRows),
+        Some(_) => {}
+    }
+    if faults.is_empty() { Ok(PinList { pins }) } else { Err(faults) }
+}
+
+/// A record with the places of its cells in the text.
+struct Row {
+    cells: Vec<(String, Range<usize>)>,
+    span: Range<usize>,
+    line: usize,
+}
+
+impl Row {
+    fn new(text: &str, record: &csv::StringRecord) -> Self {
+        let begin = record.position().map_or(0, |at| usize::try_from(at.byte()).unwrap_or(usize::MAX)).min(text.len());
+        // The place of a record begins behind the end of the one before: comments and empty lines may stand between.
+        let mut start = begin;
+        for line in text.get(begin..).unwrap_or_default().split_inclusive('\n') {
+            if !line.trim().is_empty() && !line.trim_start().starts_with('#') {
+                break;
+            }
+            start += line.len();
+        }
+        let rest = text.get(start..).unwrap_or_default();
+        let end = start + rest.find(['\n', '\r']).unwrap_or(rest.len());
+        let mut cells = Vec::new();
+        let mut at = start;
+        for cell in record {
+            let found = text.get(at..end).and_then(|rest| rest.find(cell)).filter(|_| !cell.is_empty());
+            let span = found.map_or(at..at, |offset| at + offset..at + offset + cell.len());
+            at = span.end;
+            cells.push((cell.to_owned(), span));
+        }
+        let line = text.get(..start).unwrap_or_default().matches('\n').count() + 1;
+        Self { cells, span: start..end, line }
+    }
+
+    fn cell(&self, index: Option<usize>) -> Option<&(String, Range<usize>)> {
+        self.cells.get(index?)
+    }
+}
+
+/// Where each column stands.
+struct Header {
+    places: [Option<usize>; 5],
+    width: usize,
+}
+
+impl Header {
+    fn read(row: &Row, faults: &mut Vec<ListFault>) -> Self {
+        let mut places = [None; 5];
+        for (index, (head, span)) in row.cells.iter().enumerate() {
+            let known = Column::ALL.iter().position(|column| column.heads().contains(&plain(head).as_str()));
+            match known.and_then(|known| Some((Column::ALL.get(known)?, places.get_mut(known)?))) {
+                Some((_, place @ None)) => *place = Some(index),
+                Some((column, Some(_))) => {
+                    faults.push(ListFault::ColumnTwice { column: *column, span: span.clone() });
+                }
+                None => faults.push(ListFault::ColumnUnknown { head: head.clone(), span: span.clone() }),
+            }
+        }
+        let heads = || row.cells.iter().map(|(head, _)| head.clone()).collect();
+        for (column, place) in Column::ALL.iter().zip(places) {
+            if column.is_needed() && place.is_none() {
+                faults.push(ListFault::ColumnMissing { column: *column, found: heads() });
+            }
+        }
+        Self { places, width: row.cells.len() }
+    }
+
+    fn cell<'r>(&self, row: &'r Row, column: Column) -> Option<&'r (String, Range<usize>)> {
+        let index = Column::ALL.iter().position(|each| *each == column)?;
+        row.cell(self.places.get(index).copied().flatten())
+    }
+}
+
+fn listed(row: &Row, header: &Header, faults: &mut Vec<ListFault>) -> Option<ListedPin> {
+    if row.cells.len() != header.width {
+        let (found, expected) = (row.cells.len(), header.width);
+        faults.push(ListFault::Ragged { span: row.span.clone(), found, expected });
+        return None;
+    }
+    let before = faults.len();
+    for column in [Column::Connector, Column::Pin] {
+        if header.cell(row, column).is_some_and(|(text, _)| text.is_empty()) {
+            faults.push(ListFault::CellEmpty { column, span: row.span.clone() });
+        }
+    }
+    let role = header.cell(row, Column::Connector).filter(|(text, _)| !text.is_empty()).and_then(|(text, span)| {
+        let role = role_of(text);
+        if role.is_none() {
+            faults.push(ListFault::ConnectorUnknown { written: text.clone(), span: span.clone() });
+        }
+        role
+    });
+    let shield = header.cell(row, Column::Shield).filter(|(text, _)| !text.is_empty()).and_then(|(text, span)| {
+        let shield = shield_of(text);
+        if shield.is_none() {
+            faults.push(ListFault::ShieldUnclear { written: text.clone(), span: span.clone() });
+        }
+        shield
+    });
+    if faults.len() > before {
+        return None;
+    }
+    let text = |column| header.cell(row, column).map(|(text, _)| text.clone());
+    Some(ListedPin {
+        line: row.line,
+        role: role?,
+        pin: text(Column::Pin)?,
+        signal: text(Column::Signal)?,
+        colour: text(Column::Colour).filter(|colour| !colour.is_empty()),
+        shield,
+    })
+}

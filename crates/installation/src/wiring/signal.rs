@@ -1,0 +1,315 @@
+//! What stands on a pin, and how people write it.
+
+use super::Role;
+use order_code::Feedback;
+
+/// A signal as a table prints it, told apart from all others of its connector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Signal {
+    /// What it is.
+    pub meaning: Meaning,
+    /// Its end of a pair.
+    pub polarity: Option<Polarity>,
+}
+
+/// Which end of a pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Polarity {
+    /// The plus end.
+    Plus,
+    /// The minus end.
+    Minus,
+}
+
+/// What a signal is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Meaning {
+    /// A motor phase.
+    Phase(char),
+    /// Protective earth.
+    ProtectiveEarth,
+    /// The supply of the holding brake.
+    Brake,
+    /// An end of the PTC thermistors of the winding.
+    Ptc,
+    /// The KTY sensor of the winding.
+    Kty,
+    /// Supply of the encoder.
+    Supply,
+    /// Ground of the encoder.
+    Ground,
+    /// Sense line of the supply.
+    SupplySense,
+    /// Sense line of the ground.
+    GroundSense,
+    /// An incremental track: its letter and its form.
+    Track(char, Form),
+    /// The reference mark.
+    Reference,
+    /// The zero pulse.
+    Zero,
+    /// A commutation track of one period per turn.
+    CommutationTrack(char),
+    /// A commutation signal of a motor phase.
+    CommutationPhase(char),
+    /// Data of the serial interface.
+    Data(Protocol),
+    /// Clock of the serial interface.
+    Clock(Protocol),
+    /// The sine winding of the resolver.
+    ResolverSine,
+    /// The cosine winding of the resolver.
+    ResolverCosine,
+    /// The excitation of the resolver.
+    Excitation,
+    /// The inner shield of the cable.
+    Shield,
+}
+
+/// The form of an incremental track.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Sinusoidal, 1 V peak to peak; which of both is sine is not printed.
+    Sinusoidal,
+    /// The sine track.
+    Sine,
+    /// The cosine track.
+    Cosine,
+    /// Square wave, RS422.
+    Square,
+}
+
+/// The serial interface of an encoder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Protocol {
+    /// `EnDat`.
+    EnDat,
+    /// SSI.
+    Ssi,
+}
+
+/// Signals of one kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Group {
+    /// Motor phases.
+    Phase,
+    /// Protective earth.
+    Earth,
+    /// Holding brake.
+    Brake,
+    /// PTC thermistors.
+    Ptc,
+    /// KTY sensor.
+    Kty,
+    /// Supply and ground of the encoder.
+    Supply,
+    /// Sense lines.
+    Sense,
+    /// Incremental tracks.
+    Incremental,
+    /// Reference mark and zero pulse.
+    Reference,
+    /// Commutation.
+    Commutation,
+    /// Data and clock.
+    Serial,
+    /// Windings of the resolver.
+    Resolver,
+    /// Shield.
+    Shield,
+}
+
+impl Group {
+    /// Every group.
+    pub const ALL: &'static [Self] = &[
+        Self::Phase,
+        Self::Earth,
+        Self::Brake,
+        Self::Ptc,
+        Self::Kty,
+        Self::Supply,
+        Self::Sense,
+        Self::Incremental,
+        Self::Reference,
+        Self::Commutation,
+        Self::Serial,
+        Self::Resolver,
+        Self::Shield,
+    ];
+
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Phase => "phase",
+            Self::Earth => "protective_earth",
+            Self::Brake => "brake",
+            Self::Ptc => "ptc",
+            Self::Kty => "kty",
+            Self::Supply => "supply",
+            Self::Sense => "sense",
+            Self::Incremental => "incremental",
+            Self::Reference => "reference",
+            Self::Commutation => "commutation",
+            Self::Serial => "serial",
+            Self::Resolver => "resolver",
+            Self::Shield => "shield",
+        }
+    }
+}
+
+/// The tables of pins.
+const PIN_TABLES: [&str; 9] = ["63.3", "63.6", "65.3", "65.6", "66.3", "66.6", "67.3", "67.6", "68.4"];
+
+/// Every signal that a table of pins prints, each once.
+pub(super) fn printed_signals() -> Vec<&'static str> {
+    let mut found: Vec<&'static str> = Vec::new();
+    for cell in PIN_TABLES.into_iter().filter_map(catalogue::table).flat_map(catalogue::Table::cells) {
+        let carries = matches!(cell.place.symbol, "signal" | "motor_phase") && cell.corrected != "-";
+        if carries && !found.contains(&cell.corrected) {
+            found.push(cell.corrected);
+        }
+    }
+    found
+}
+
+impl Signal {
+    /// The signal that a table prints; `None` where it prints nothing, or a dash.
+    #[must_use]
+    pub fn of_print(printed: &str, role: Role, feedback: Feedback) -> Option<Self> {
+        let serial = match (role, feedback) {
+            (Role::Feedback, Feedback::M128S) => Protocol::Ssi,
+            _ => Protocol::EnDat,
+        };
+        let of = |meaning| Some(Self { meaning, polarity: None });
+        match printed {
+            "U" | "V" | "W" => return of(Meaning::Phase(printed.chars().next()?)),
+            "PE" => return of(Meaning::ProtectiveEarth),
+            "Temp PTC" => return of(Meaning::Ptc),
+            "Up" => return of(Meaning::Supply),
+            "GND" => return of(Meaning::Ground),
+            "Up Sensor" => return of(Meaning::SupplySense),
+            "GND Sensor" => return of(Meaning::GroundSense),
+            "Inner Schirm" | "Innenschirm" => return of(Meaning::Shield),
+            _ => {}
+        }
+        // "A+ COS+" names a track and its form, "Temp+ KTY" an end and its sensor.
+        let (name, rest) = printed.split_once(' ').unwrap_or((printed, ""));
+        let (base, polarity) = match (name.strip_suffix('+'), name.strip_suffix('-')) {
+            (Some(base), _) => (base, Polarity::Plus),
+            (_, Some(base)) => (base, Polarity::Minus),
+            _ => return None,
+        };
+        let square = role == Role::Feedback && feedback == Feedback::D2048;
+        let form = match rest.get(..3) {
+            Some("SIN") => Form::Sine,
+            Some("COS") => Form::Cosine,
+            _ if square => Form::Square,
+            _ => Form::Sinusoidal,
+        };
+        let letter = base.chars().next()?;
+        let meaning = match base {
+            "BR" => Meaning::Brake,
+            "Temp" => Meaning::Kty,
+            "A" | "B" => Meaning::Track(letter, form),
+            "C" | "D" => Meaning::CommutationTrack(letter),
+            "U" | "V" | "W" => Meaning::CommutationPhase(letter),
+            "R" => Meaning::Reference,
+            "Z" => Meaning::Zero,
+            "DATA" => Meaning::Data(serial),
+            "CLOCK" => Meaning::Clock(serial),
+            "SIN" => Meaning::ResolverSine,
+            "COS" => Meaning::ResolverCosine,
+            "Vss" => Meaning::Excitation,
+            _ => return None,
+        };
+        Some(Self { meaning, polarity: Some(polarity) })
+    }
+
+    /// Signals of the same kind.
+    #[must_use]
+    pub const fn group(self) -> Group {
+        match self.meaning {
+            Meaning::Phase(_) => Group::Phase,
+            Meaning::ProtectiveEarth => Group::Earth,
+            Meaning::Brake => Group::Brake,
+            Meaning::Ptc => Group::Ptc,
+            Meaning::Kty => Group::Kty,
+            Meaning::Supply | Meaning::Ground => Group::Supply,
+            Meaning::SupplySense | Meaning::GroundSense => Group::Sense,
+            Meaning::Track(..) => Group::Incremental,
+            Meaning::Reference | Meaning::Zero => Group::Reference,
+            Meaning::CommutationTrack(_) | Meaning::CommutationPhase(_) => Group::Commutation,
+            Meaning::Data(_) | Meaning::Clock(_) => Group::Serial,
+            Meaning::ResolverSine | Meaning::ResolverCosine | Meaning::Excitation => Group::Resolver,
+            Meaning::Shield => Group::Shield,
+        }
+    }
+
+    /// Whether two signals are the two ends of one pair.
+    #[must_use]
+    pub fn is_other_end_of(self, other: Self) -> bool {
+        let supply = |one, other| one == Meaning::Supply && other == Meaning::Ground;
+        let ends = self.meaning == other.meaning && self.polarity != other.polarity;
+        ends || supply(self.meaning, other.meaning) || supply(other.meaning, self.meaning)
+    }
+}
+
+/// The spelling that is compared: capitals, one sort of minus, neither blanks nor joints.
+pub(super) fn plain(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for sign in text.chars() {
+        match sign {
+            '–' | '—' | '−' | '‑' => out.push('-'),
+            sign if sign.is_whitespace() || matches!(sign, '_' | '.' | '/' | '(' | ')' | '\u{feff}') => {}
+            sign => out.extend(sign.to_uppercase()),
+        }
+    }
+    out
+}
+
+/// What people write where nothing is connected.
+const NOTHING: [&str; 12] =
+    ["", "-", "NC", "N/C", "FREE", "UNUSED", "NOTCONNECTED", "FREI", "UNBELEGT", "NICHTBELEGT", "NONE", "LEER"];
+
+/// Whether a text says that nothing is connected.
+pub(super) fn is_nothing(text: &str) -> bool {
+    NOTHING.contains(&plain(text).as_str())
+}
+
+/// The spellings of a printed signal, plain: the print itself, each of its words, and what the field writes for it.
+pub(super) fn spellings(printed: &str) -> Vec<String> {
+    let mut found = vec![plain(printed)];
+    let field: &[&str] = match printed {
+        "Temp+ KTY" => &["KTY+", "KTYTEMP+", "TEMPKTY+", "TEMP+", "+TEMP", "KTY84+"],
+        "Temp- KTY" => &["KTY-", "KTYTEMP-", "TEMPKTY-", "TEMP-", "-TEMP", "KTY84-"],
+        "Temp PTC" => &["PTC", "PTC1", "PTC2", "PTCTEMP", "PTC+", "PTC-"],
+        "BR+" => &["BRAKE+", "BREMSE+", "BRK+", "+BR", "+BRAKE"],
+        "BR-" => &["BRAKE-", "BREMSE-", "BRK-", "-BR", "-BRAKE"],
+        "PE" => &["SL", "GROUNDPE", "EARTH", "SCHUTZLEITER", "PROTECTIVEEARTH"],
+        "Up" => &["U_P", "UB", "VCC", "5V", "+5V", "SUPPLY", "VERSORGUNG"],
+        "GND" => &["0V", "MASSE", "UN", "GROUND"],
+        "Up Sensor" => &["UPSENSE", "5VSENSE", "SENSE+", "SENSEUP", "+5VSENSE"],
+        "GND Sensor" => &["GNDSENSE", "0VSENSE", "SENSE-", "SENSEGND", "0VSENSOR"],
+        "Inner Schirm" | "Innenschirm" => &["INNERSCHIRM", "INNENSCHIRM", "INNERSHIELD", "SHIELD", "SCHIRM"],
+        "U" => &["PHASEU", "U1", "MOTORU"],
+        "V" => &["PHASEV", "V1", "MOTORV"],
+        "W" => &["PHASEW", "W1", "MOTORW"],
+        "CLOCK+" => &["CLK+", "TAKT+"],
+        "CLOCK-" => &["CLK-", "TAKT-"],
+        "DATA+" => &["DAT+", "DATEN+"],
+        "DATA-" => &["DAT-", "DATEN-"],
+        "Vss+" => &["EXC+", "REF+", "ERREGUNG+"],
+        "Vss-" => &["EXC-", "REF-", "ERREGUNG-"],
+        _ => &[],
+    };
+    found.extend(field.iter().map(|text| (*text).to_owned()));
+    // "A+ COS+": each name alone is clear on its connector.
+    let names: Vec<&str> = printed.split(' ').collect();
+    if let [first, second] = names.as_slice()
+        && [first, second].iter().all(|name| name.ends_with(['+', '-']))
+    {
+        found.extend([plain(first), plain(second), plain(&format!("{second}{first}"))]);
+    }
+    found
+}

@@ -1,0 +1,198 @@
+//! What holds for every ordering code.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+use catalogue::Topic;
+use installation::calendar::{Interval, read_date};
+use installation::fit::{Bore, FitKind, Side, read_bore};
+use installation::joint::LoadCase;
+use installation::mount::{MountAsked, mount};
+use installation::upkeep::{Storage, Task, UpkeepAsked, upkeep};
+use order_code::{Brake, Feedback, OrderCode, Size};
+use quantities::unit::HOUR;
+use quantities::{Measure, Time};
+
+fn codes() -> impl Iterator<Item = &'static OrderCode> {
+    configurator::all().iter().map(|(code, _)| code)
+}
+
+#[test]
+fn every_code_with_data_can_be_mounted_and_no_other() {
+    let mut with_data = 0;
+    for code in codes() {
+        let found = mount(code, &MountAsked::default());
+        assert_eq!(found.is_some(), configurator::parameters(code).is_some(), "{code}");
+        let Some(found) = found else { continue };
+        with_data += 1;
+        assert_eq!((found.fits.len(), found.joints.len()), (2, 2), "{code}");
+        assert!(found.runouts.iter().all(|(_, value)| value.known().is_some()), "{code}");
+        assert!(found.plate.is_some() && found.protection.is_some() && found.hollow_shaft.known().is_some(), "{code}");
+        let differs = !configurator::uncovered(code).is_empty();
+        assert!(differs || (found.length.known().is_some() && found.mass.known().is_some()), "{code}");
+        // No mass printed, no word on lifting gear.
+        assert_eq!(found.hoist.is_some(), found.mass.known().is_some(), "{code}");
+        let told = found.facts.iter().any(|fact| fact.id == "hoist_above_20_kg");
+        assert_eq!(told, found.hoist != Some(false), "{code}");
+    }
+    assert!(with_data > 900, "{with_data}");
+}
+
+/// As wide as both tolerances together, whatever the bore; and the kind is what its clearances are.
+#[test]
+fn clearances_span_both_tolerances() {
+    let bores = ["H7", "K7", "N7", "+0.012/-0.003 mm"].map(|text| read_bore(text).unwrap());
+    for code in codes().filter(|code| configurator::parameters(code).is_some()) {
+        for bore in [None, Some(bores[0]), Some(bores[1]), Some(bores[2]), Some(bores[3])] {
+            let asked = MountAsked { bore_load: bore, bore_housing: bore, ..MountAsked::default() };
+            for fit in mount(code, &asked).unwrap().fits {
+                let (pilot, bore_limits) = (fit.pilot.value, fit.bore_deviations);
+                let width = (pilot.upper - pilot.lower + bore_limits.upper - bore_limits.lower).si();
+                assert!(((fit.clearance_max - fit.clearance_min).si() - width).abs() < 1e-12, "{code}");
+                let kind = match bore {
+                    None | Some(Bore::Zone("H7")) => FitKind::Clearance,
+                    _ => FitKind::Transition,
+                };
+                assert_eq!(fit.kind, kind, "{code} {bore:?}");
+                assert_eq!(fit.pilot_zone, "h7", "{code}");
+            }
+        }
+    }
+}
+
+/// Domain notes of table 79.1: the transmissible torques exceed T_max everywhere. The estimate never helps the joint.
+#[test]
+fn every_joint_carries_the_peak_torque() {
+    for code in codes() {
+        let Some(found) = mount(code, &MountAsked::default()) else { continue };
+        for joint in &found.joints {
+            assert!(joint.clamp_force.known().unwrap().value.si() > 1000.0, "{code}");
+            let cases: Vec<LoadCase> = joint.cases.iter().map(|case| case.case).collect();
+            assert_eq!(cases.contains(&LoadCase::Brake), code.brake == Brake::With, "{code}");
+            for case in &joint.cases {
+                let together = &case.together;
+                if case.case == LoadCase::StaticMoment {
+                    // By hand 2 µ M_0/T_trans = 0.3 · 603/177 = 1.02 at the housing of 20A, less than one everywhere else.
+                    let opens = together.known().unwrap().value.relieved.si() >= 1.0;
+                    assert_eq!(opens, code.size == Size::S20A && joint.side == Side::Housing, "{code}");
+                    assert!(case.alone.known().is_none(), "{code}");
+                    continue;
+                }
+                let Some(alone) = case.alone.known() else {
+                    assert!(case.case == LoadCase::Collision && together.known().is_none(), "{code} {:?}", case.case);
+                    continue;
+                };
+                assert!(alone.value.si() > 0.0 && alone.value.si() < 1.0, "{code} {:?}: {:?}", case.case, alone.value);
+                let slip = together.known().unwrap().value.slip.unwrap();
+                assert!(slip.si() > alone.value.si(), "{code} {:?}", case.case);
+            }
+        }
+        let sides: Vec<Side> = found.joints.iter().map(|joint| joint.side).collect();
+        assert_eq!(sides, [Side::Load, Side::Housing]);
+    }
+}
+
+fn asked() -> UpkeepAsked {
+    UpkeepAsked {
+        delivered: read_date("2026-03-01").unwrap(),
+        storage: Some(Storage::For(Interval::Months(6))),
+        hours_per_day: Some(Time::new_in(10.0, &HOUR)),
+        inspect: Some(Interval::Months(6)),
+        today: None,
+    }
+}
+
+#[test]
+fn every_code_has_a_plan_by_date_and_encoders_with_a_battery_their_exchange() {
+    for code in codes() {
+        let found = upkeep(code, &asked()).unwrap();
+        assert!(found.plan.windows(2).all(|pair| pair[0].next <= pair[1].next), "{code}");
+        assert!(found.storage_permitted && found.in_service == read_date("2026-09-01").unwrap(), "{code}");
+        let date = |task: Task| found.plan.iter().find(|line| line.task == task).map(|line| line.next.to_string());
+        assert_eq!(date(Task::StorageEnd).as_deref(), Some("2028-03-01"), "{code}");
+        for task in [Task::Cleaning, Task::Cables, Task::ProtectiveEarth, Task::Screws, Task::Seals] {
+            assert_eq!(date(task).as_deref(), Some("2027-03-01"), "{code} {task:?}");
+        }
+        let battery = code.feedback == Feedback::M128S;
+        assert_eq!(date(Task::EncoderRecommended).as_deref(), battery.then_some("2032-03-01"), "{code}");
+        assert_eq!(date(Task::EncoderLatest).as_deref(), battery.then_some("2036-03-01"), "{code}");
+        assert_eq!(found.battery.known().is_some(), battery, "{code}");
+        let lithium = [&found.storage, &found.service, &found.disposal];
+        for facts in lithium {
+            assert_eq!(facts.iter().any(|fact| fact.en.contains("battery")), battery, "{code}");
+        }
+    }
+}
+
+/// Before the connections are parted stand the five safety rules; the drive is off before the main switch.
+#[test]
+fn shutting_down_has_its_order() {
+    let code = order_code::parse("CHA-25A-100-H-M512P-B").unwrap().code;
+    let found = upkeep(&code, &asked()).unwrap();
+    let ids: Vec<&str> = found.shutdown.iter().map(|fact| fact.id).collect();
+    let place = |id: &str| ids.iter().position(|known| *known == id).unwrap_or_else(|| panic!("{id}: {ids:?}"));
+    let order = [
+        "shutdown_stop_under_control",
+        "shutdown_drive_off",
+        "shutdown_main_switch",
+        "shutdown_secure",
+        "isolate_before_work",
+        "shutdown_discharge",
+        "shutdown_cool_down",
+        "shutdown_secure_the_actuator",
+    ];
+    assert!(order.windows(2).all(|pair| place(pair[0]) < place(pair[1])), "{ids:?}");
+    assert!(!ids.iter().any(|id| id.contains("fan")));
+}
+
+#[test]
+fn a_storage_longer_than_two_years_is_told() {
+    let code = order_code::parse("CHA-14A-50-E-M128S").unwrap().code;
+    let stored = |storage| upkeep(&code, &UpkeepAsked { storage: Some(storage), ..asked() });
+    assert!(stored(Storage::For(Interval::Months(24))).unwrap().storage_permitted);
+    assert!(!stored(Storage::Until(read_date("2028-03-02").unwrap())).unwrap().storage_permitted);
+    assert!(stored(Storage::Until(read_date("2026-02-28").unwrap())).is_err());
+    // The model of the battery ends at three years of storage.
+    assert!(stored(Storage::For(Interval::Months(48))).is_err());
+}
+
+/// The figures of the plan are those of the facts: six and ten years from the delivery, whatever the storage.
+#[test]
+fn today_moves_the_series_and_marks_what_has_passed() {
+    let code = order_code::parse("CHA-14A-50-E-M128S").unwrap().code;
+    let today = read_date("2033-01-15").unwrap();
+    let found = upkeep(&code, &UpkeepAsked { today: Some(today), ..asked() }).unwrap();
+    for line in &found.plan {
+        assert_eq!(line.passed, line.next < today, "{:?}", line.task);
+        let is_series = line.interval.is_some();
+        assert!(!is_series || (line.next >= today && line.first < today), "{:?}", line.task);
+    }
+    let passed: Vec<Task> = found.plan.iter().filter(|line| line.passed).map(|line| line.task).collect();
+    assert_eq!(passed, [Task::StorageEnd, Task::EncoderRecommended]);
+}
+
+#[test]
+fn every_fact_on_mounting_and_upkeep_is_shown_for_some_code() {
+    let with_data: Vec<&OrderCode> = codes().filter(|code| configurator::parameters(code).is_some()).collect();
+    let mut shown: Vec<&str> = Vec::new();
+    for code in with_data {
+        let plan = upkeep(code, &asked()).unwrap();
+        let of_plan = [plan.storage, plan.service, plan.shutdown, plan.disposal].concat();
+        for fact in mount(code, &MountAsked::default()).unwrap().facts.iter().chain(&of_plan) {
+            if !shown.contains(&fact.id) {
+                shown.push(fact.id);
+            }
+        }
+    }
+    for fact in catalogue::facts() {
+        let ours = [Topic::Mount, Topic::Upkeep].iter().any(|topic| fact.topics.contains(topic));
+        assert!(!ours || shown.contains(&fact.id), "{}", fact.id);
+    }
+}
+
+/// The built-in brake is never called safe.
+#[test]
+fn no_fact_calls_the_brake_safe() {
+    for fact in catalogue::facts().iter().filter(|fact| fact.en.contains("brake") && fact.en.contains("safe")) {
+        assert!(fact.en.contains("not functionally safe"), "{}: {}", fact.id, fact.en);
+        assert!(fact.de.contains("nicht funktional sicher"), "{}: {}", fact.id, fact.de);
+    }
+}

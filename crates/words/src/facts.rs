@@ -1,0 +1,57 @@
+//! Words about facts that a source states in prose.
+
+use super::either;
+use catalogue::{Fact, Signal, Step};
+use quantities::Language;
+
+/// What a fact says.
+#[must_use]
+pub const fn fact_text(fact: &Fact, language: Language) -> &'static str {
+    match language {
+        Language::En => fact.en,
+        Language::De => fact.de,
+    }
+}
+
+/// Where a fact stands: `cha-manual section 9.4`.
+#[must_use]
+pub fn fact_source(fact: &Fact, language: Language) -> String {
+    let (document, section) = (fact.document, fact.section);
+    either(language, format!("{document} section {section}"), format!("{document} Abschnitt {section}"))
+}
+
+/// The signal word as ISO 3864-2 and ANSI Z535.6 write it.
+#[must_use]
+pub const fn signal_word(signal: Signal, language: Language) -> &'static str {
+    let (en, de) = match signal {
+        Signal::Danger => ("DANGER", "GEFAHR"),
+        Signal::Warning => ("WARNING", "WARNUNG"),
+        Signal::Caution => ("CAUTION", "VORSICHT"),
+        Signal::Notice => ("NOTICE", "HINWEIS"),
+        Signal::Info => ("INFO", "INFO"),
+    };
+    match language {
+        Language::En => en,
+        Language::De => de,
+    }
+}
+
+/// When a fact matters, as the heading of a check-list.
+#[must_use]
+pub const fn step_title(step: Step, language: Language) -> &'static str {
+    let (en, de) = match step {
+        Step::Transport => ("transport and storage", "Transport und Lagerung"),
+        Step::Mounting => ("mounting", "Montage"),
+        Step::Wiring => ("wiring", "Verdrahtung"),
+        Step::BeforePower => ("before the power is switched on", "vor dem Einschalten"),
+        Step::FirstMotion => ("first motion", "erste Bewegung"),
+        Step::AfterADay => ("after a day of operation", "nach einem Betriebstag"),
+        Step::InService => ("in service", "im Betrieb"),
+        Step::Shutdown => ("shutting down and maintenance", "Stillsetzen und Wartung"),
+        Step::Disposal => ("taking out of service", "Außerbetriebnahme"),
+    };
+    match language {
+        Language::En => en,
+        Language::De => de,
+    }
+}

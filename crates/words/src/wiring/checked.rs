@@ -1,0 +1,252 @@
+//! Words about a list of pins: why it cannot be read, and what is different in it.
+
+use super::{one_of, role_name};
+use crate::{either, hint_text};
+use installation::wiring::{Column, Difference, Finding, Group, ListFault, Role};
+use project::Hint;
+use quantities::Language;
+
+fn group_name(group: Group, language: Language) -> &'static str {
+    let (en, de) = match group {
+        Group::Phase => ("motor phases", "Motorphasen"),
+        Group::Earth => ("protective earth", "Schutzleiter"),
+        Group::Brake => ("brake", "Bremse"),
+        Group::Ptc => ("PTC thermistor", "Kaltleiter"),
+        Group::Kty => ("temperature sensor KTY", "Temperatursensor KTY"),
+        Group::Supply => ("encoder supply", "Geberversorgung"),
+        Group::Sense => ("sense lines", "Sense-Leitungen"),
+        Group::Incremental => ("incremental track", "Inkrementalspur"),
+        Group::Reference => ("reference signal", "Referenzsignal"),
+        Group::Commutation => ("commutation", "Kommutierung"),
+        Group::Serial => ("data and clock", "Daten und Takt"),
+        Group::Resolver => ("resolver winding", "Resolverwicklung"),
+        Group::Shield => ("inner shield", "innerer Schirm"),
+    };
+    one_of(language, en, de)
+}
+
+/// What is different, in one sentence.
+#[must_use]
+pub fn difference_text(finding: &Finding, language: Language) -> String {
+    let e = |en: String, de: String| either(language, en, de);
+    let Finding { pin, expected, .. } = finding;
+    let connector = role_name(finding.role, language);
+    match &finding.difference {
+        Difference::NoSuchConnector => {
+            e(format!("the code has no {connector}"), format!("der Code hat keinen {connector}"))
+        }
+        Difference::ConnectorNotListed => {
+            e(format!("{connector}: not in the list"), format!("{connector}: nicht in der Liste"))
+        }
+        Difference::PinsNotPrinted => e(
+            format!("{connector}: the pins are not printed for this code"),
+            format!("{connector}: die Stifte sind für diesen Code nicht abgedruckt"),
+        ),
+        Difference::OtherEncoder { of } => e(
+            format!(
+                "this is the pin-out of the {}: the plug is the same, supply and ground are exchanged",
+                role_name(*of, language)
+            ),
+            format!(
+                "das ist die Belegung: {}; die Kupplung ist gleich, Versorgung und Masse sind vertauscht",
+                role_name(*of, language)
+            ),
+        ),
+        Difference::NoSuchPin => e(format!("there is no pin `{pin}`"), format!("einen Stift `{pin}` gibt es nicht")),
+        Difference::PinTwice { first } => {
+            e(format!("pin {pin} stands in line {first} already"), format!("Stift {pin} steht schon in Zeile {first}"))
+        }
+        Difference::Reversed { group, with } => {
+            let name = group_name(*group, language);
+            e(
+                format!("{name}: polarity reversed, pins {pin} and {with} are exchanged"),
+                format!("{name}: verpolt, die Stifte {pin} und {with} sind vertauscht"),
+            )
+        }
+        Difference::Swapped { with, written, .. } => e(
+            format!("pins {pin} and {with} are exchanged: {pin} is {expected}, not {written}"),
+            format!("die Stifte {pin} und {with} sind vertauscht: {pin} ist {expected}, nicht {written}"),
+        ),
+        Difference::WrongPin { written, belongs, .. } => {
+            let belongs = belongs.join(", ");
+            if *expected == "-" {
+                return e(
+                    format!("{written} on pin {pin}, which is not connected; it belongs on pin {belongs}"),
+                    format!("{written} auf Stift {pin}, der nicht belegt ist; es gehört auf Stift {belongs}"),
+                );
+            }
+            e(
+                format!("{written} on pin {pin}, which is {expected}; it belongs on pin {belongs}"),
+                format!("{written} auf Stift {pin}, der {expected} ist; es gehört auf Stift {belongs}"),
+            )
+        }
+        Difference::ForeignSignal { written } => e(
+            format!("this connector has no signal {written}; pin {pin} is {expected}"),
+            format!("ein Signal {written} hat dieser Stecker nicht; Stift {pin} ist {expected}"),
+        ),
+        Difference::UnknownSignal { written, nearest } => {
+            let near = nearest.map(|near| e(format!(", perhaps {near}"), format!(", vielleicht {near}")));
+            let near = near.unwrap_or_default();
+            e(
+                format!("unknown signal `{written}`{near}; pin {pin} is {expected}"),
+                format!("unbekanntes Signal `{written}`{near}; Stift {pin} ist {expected}"),
+            )
+        }
+        Difference::NotConnected { written } => e(
+            format!("{written} on pin {pin}, which is not connected"),
+            format!("{written} auf Stift {pin}, der nicht belegt ist"),
+        ),
+        Difference::LeftOpen { .. } => e(
+            format!("pin {pin} is left open; it is {expected}"),
+            format!("Stift {pin} ist offen gelassen; er ist {expected}"),
+        ),
+        Difference::Missing { .. } => e(
+            format!("pin {pin} ({expected}) is not in the list"),
+            format!("Stift {pin} ({expected}) fehlt in der Liste"),
+        ),
+        Difference::Unshielded => {
+            e(format!("wire of pin {pin} without a shield"), format!("Ader von Stift {pin} ohne Schirm"))
+        }
+        Difference::Colour { written, printed } => e(
+            format!("pin {pin}: colour {written}, printed {printed}"),
+            format!("Stift {pin}: Farbe {written}, abgedruckt {printed}"),
+        ),
+    }
+}
+
+/// What to do about it.
+#[must_use]
+pub const fn difference_action(finding: &Finding, language: Language) -> &'static str {
+    let (en, de) = match (&finding.difference, finding.role) {
+        (Difference::OtherEncoder { .. }, _) => (
+            "do not plug in: mark both plugs and wire each to its own table",
+            "nicht stecken: beide Stecker kennzeichnen und jeden nach seiner eigenen Tabelle verdrahten",
+        ),
+        (Difference::Reversed { group: Group::Supply, .. }, Role::Feedback | Role::OutputEncoder) => (
+            "exchange them before the supply is switched on: reversed supply can destroy the encoder; the encoder at the output has supply and ground the other way round on the same plug",
+            "vor dem Einschalten tauschen: verpolte Versorgung kann den Geber zerstören; der Geber am Abtrieb hat auf der gleichen Kupplung Versorgung und Masse andersherum",
+        ),
+        (Difference::Reversed { group: Group::Brake, .. }, _) => {
+            ("exchange them before the brake is supplied", "tauschen, bevor die Bremse versorgt wird")
+        }
+        (Difference::Reversed { group: Group::Kty, .. }, _) => (
+            "exchange them: a reversed KTY tells a wrong temperature, and the winding is not protected",
+            "tauschen: ein verpolter KTY meldet eine falsche Temperatur, und die Wicklung ist nicht geschützt",
+        ),
+        (Difference::Swapped { group: Group::Phase, .. } | Difference::WrongPin { group: Group::Phase, .. }, _) => (
+            "put the phases in order before the first motion: with wrong phases the motor does not follow its encoder and can run away",
+            "Phasen vor der ersten Bewegung richtigstellen: mit falschen Phasen folgt der Motor seinem Geber nicht und kann durchgehen",
+        ),
+        (
+            Difference::Swapped { group: Group::Earth, .. }
+            | Difference::WrongPin { group: Group::Earth, .. }
+            | Difference::LeftOpen { group: Group::Earth }
+            | Difference::Missing { group: Group::Earth },
+            _,
+        ) => (
+            "connect the protective conductor to PE before any voltage is switched on",
+            "vor jedem Einschalten den Schutzleiter mit PE verbinden",
+        ),
+        (Difference::Missing { group: Group::Shield } | Difference::LeftOpen { group: Group::Shield }, _) => {
+            ("connect the inner shield", "den inneren Schirm anschließen")
+        }
+        (Difference::Missing { group: Group::Sense } | Difference::LeftOpen { group: Group::Sense }, _) => {
+            ("only for a drive without sense inputs", "nur bei einem Regelgerät ohne Sense-Eingänge")
+        }
+        (Difference::Unshielded, _) => ("all connecting cables are shielded", "alle Anschlusskabel sind geschirmt"),
+        (Difference::Colour { .. }, _) => {
+            ("wire by pin, colours repeat", "nach Stift verdrahten, Farben wiederholen sich")
+        }
+        (Difference::NoSuchPin, _) => {
+            ("go by the pin numbers of `antrieb wiring`", "nach den Stiftnummern von `antrieb wiring` gehen")
+        }
+        (Difference::PinTwice { .. }, _) => ("leave one row", "eine Zeile stehen lassen"),
+        (Difference::NoSuchConnector, _) => ("take its rows out of the list", "seine Zeilen aus der Liste nehmen"),
+        (Difference::ConnectorNotListed, _) => ("it was not compared", "er wurde nicht verglichen"),
+        (Difference::PinsNotPrinted, _) => ("ask the maker", "beim Hersteller erfragen"),
+        (Difference::Missing { .. } | Difference::LeftOpen { .. }, _) => {
+            ("add it, or say why not", "ergänzen oder begründen")
+        }
+        _ => ("wire as printed", "verdrahten wie abgedruckt"),
+    };
+    one_of(language, en, de)
+}
+
+/// The head of a column, as the documentation has it.
+const fn column_name(column: Column, language: Language) -> &'static str {
+    match column {
+        Column::Connector => one_of(language, "connector", "Stecker"),
+        Column::Pin => one_of(language, "pin", "Stift"),
+        Column::Signal => one_of(language, "signal", "Signal"),
+        Column::Colour => one_of(language, "colour", "Farbe"),
+        Column::Shield => one_of(language, "shield", "Schirm"),
+    }
+}
+
+/// Why a list cannot be read, in one sentence.
+#[must_use]
+pub fn list_fault(fault: &ListFault, language: Language) -> String {
+    let e = |en: String, de: String| either(language, en, de);
+    match fault {
+        ListFault::Empty => e("the list is empty".into(), "die Liste ist leer".into()),
+        ListFault::NoRows => {
+            e("the list has a header and no row".into(), "die Liste hat einen Kopf und keine Zeile".into())
+        }
+        ListFault::ColumnMissing { column, found } => {
+            let (name, found) = (column_name(*column, language), found.join(", "));
+            e(format!("no column `{name}`; there are {found}"), format!("keine Spalte `{name}`; es gibt {found}"))
+        }
+        ListFault::ColumnTwice { column, .. } => {
+            let name = column_name(*column, language);
+            e(format!("two columns for `{name}`"), format!("zwei Spalten für `{name}`"))
+        }
+        ListFault::ColumnUnknown { head, .. } => {
+            e(format!("unknown column `{head}`"), format!("unbekannte Spalte `{head}`"))
+        }
+        ListFault::Ragged { found, expected, .. } => e(
+            format!("{found} cells where the header has {expected}"),
+            format!("{found} Zellen, der Kopf hat {expected}"),
+        ),
+        ListFault::CellEmpty { column, .. } => {
+            let name = column_name(*column, language);
+            e(format!("`{name}` is empty"), format!("`{name}` ist leer"))
+        }
+        ListFault::ConnectorUnknown { written, .. } => {
+            e(format!("unknown connector `{written}`"), format!("unbekannter Stecker `{written}`"))
+        }
+        ListFault::ShieldUnclear { written, .. } => e(
+            format!("`{written}` does not say whether the wire is shielded"),
+            format!("`{written}` sagt nicht, ob die Ader geschirmt ist"),
+        ),
+        ListFault::More => {
+            e("there are more faults than are told here".into(), "es gibt mehr Fehler, als hier stehen".into())
+        }
+    }
+}
+
+/// What was expected instead.
+#[must_use]
+pub fn list_fault_hint(fault: &ListFault, language: Language) -> Option<String> {
+    let valid = |names: &[&str]| {
+        let names = names.iter().map(|name| (*name).to_owned()).collect();
+        Some(hint_text(&Hint::ValidAre(names), language))
+    };
+    match fault {
+        ListFault::Empty | ListFault::NoRows | ListFault::ColumnMissing { .. } => {
+            let line = "connector,pin,signal / motor,1,U";
+            Some(hint_text(&Hint::Example(line.to_owned()), language))
+        }
+        ListFault::ColumnUnknown { .. } => {
+            let names: Vec<&str> = Column::ALL.iter().map(|column| column_name(*column, language)).collect();
+            valid(&names)
+        }
+        ListFault::ConnectorUnknown { .. } => {
+            let names: Vec<&str> = Role::ALL.iter().map(|role| role.id()).collect();
+            valid(&names)
+        }
+        ListFault::ShieldUnclear { .. } => valid(&[one_of(language, "yes", "ja"), one_of(language, "no", "nein")]),
+        ListFault::ColumnTwice { .. } | ListFault::Ragged { .. } | ListFault::CellEmpty { .. } | ListFault::More => {
+            None
+        }
+    }
+}
