@@ -505,8 +505,6 @@ fn nothing_is_written_where_something_is_wrong() {
     let table = "examples/indexing-table.toml";
     for (arguments, told) in [
         (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--png", png], "there is no such folder"),
-        // Asked before anything is computed: the code is wrong too.
-        (vec!["plot", table, "--figure", "cycle", "--code", "CHA-99A", "--svg", "no/x.svg"], "there is no such folder"),
         (vec!["plot", table, "--figure", "cycle", "--svg", svg, "--png", "-"], "--png needs a file"),
         (vec!["plot", table, "--figure", "cycle", "--svg", folder.to_str().unwrap()], "this is a folder"),
         (vec!["plot", "examples/screw-axis.toml", "--figure", "bearing_load", "--svg", svg], "[bearing] is missing"),
