@@ -128,5 +128,4 @@ texts! {
     joint_opens = "opens" | "öffnet";
     demands_head = "to be kept" | "Einzuhalten";
     always = "always" | "immer";
-    errata_head = "errata" | "Druckfehler";
 }

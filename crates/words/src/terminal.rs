@@ -5,7 +5,7 @@ use crate::texts::texts;
 texts! {
     battery(life, grade, recommended, latest) =
         "M128S battery: {life} a in use ({grade}, model battery)\nexchange of the encoder: recommended after {recommended} a, at the latest {latest} a after delivery"
-        | "Batterie des M128S: {life} a im Betrieb ({grade}, Modell battery)\nTausch des Gebers: empfohlen nach {recommended} a, spätestens {latest} a nach Lieferung";
+        | "Batterie des M128S: {life} a im Betrieb ({grade}, Modell Batterie)\nTausch des Gebers: empfohlen nach {recommended} a, spätestens {latest} a nach Lieferung";
     recording_not_written(recording, kind) =
         "{recording} is not written to standard output; `antrieb new {kind} --out FILE` writes both"
         | "{recording} geht nicht auf die Standardausgabe; `antrieb new {kind} --out DATEI` schreibt beide";

@@ -33,12 +33,12 @@ texts! {
     goes_to = "for" | "für";
     length_in_number(letters) =
         "{letters} in a material number stands for the length of the cable; its letters are those of the drive's maker and are not in the manual"
-        | "{letters} in einer Materialnummer steht für die Länge des Kabels; die Kennbuchstaben sind die des Regelgeräteherstellers und stehen nicht in der Anleitung";
+        | "{letters} in einer Materialnummer steht für die Länge des Kabels; die Kennbuchstaben sind die des Reglerherstellers und stehen nicht in der Anleitung";
     not_available = "what there is not" | "was es nicht gibt";
     rules = "rules and hazards" | "Regeln und Gefahren";
     sense_lines(supply, ground) =
         "the sense lines (pins {supply} and {ground}) tell the drive the voltage at the encoder; a drive that uses them makes up for the loss on the wires, another one does not"
-        | "die Sense-Leitungen (Stifte {supply} und {ground}) melden dem Regelgerät die Spannung am Geber; ein Regelgerät, das sie auswertet, gleicht den Verlust auf den Adern aus, ein anderes nicht";
+        | "die Sense-Leitungen (Stifte {supply} und {ground}) melden dem Regler die Spannung am Geber; ein Regler, der sie auswertet, gleicht den Verlust auf den Adern aus, ein anderer nicht";
     empty_field(table, pin) = "table {table}, pin {pin}: empty field" | "Tabelle {table}, Stift {pin}: leeres Feld";
     held_brake = "brake while it is held open" | "Bremse beim Halten";
     voltage_drop(length) = "voltage lost on {length} m of cable, forth and back" | "Spannungsverlust auf {length} m Kabel, hin und zurück";
@@ -53,7 +53,7 @@ texts! {
         | "weichgeglühtes Kupfer bei 20 °C und bei 70 °C (angenommen: Grenze der PVC-Isolierung); die Quelle hält ihre Nennspannung (angenommen)";
     sense_makes_up =
         "with sense lines the drive may make up for the loss"
-        | "mit Sense-Leitungen kann das Regelgerät den Verlust ausgleichen";
+        | "mit Sense-Leitungen kann der Regler den Verlust ausgleichen";
     length_must_be_positive(most) =
         "a cable is longer than zero and at most {most} m long"
         | "ein Kabel ist länger als null und höchstens {most} m lang";
@@ -297,7 +297,7 @@ pub const fn drop_reason(verdict: DropVerdict, language: Language) -> &'static s
         DropVerdict::NoNominal => one_of(
             language,
             "a range is stated: the drive has to supply the least voltage and the loss together",
-            "angegeben ist ein Bereich: das Regelgerät muss Mindestspannung und Verlust zusammen liefern",
+            "angegeben ist ein Bereich: der Regler muss Mindestspannung und Verlust zusammen liefern",
         ),
     }
 }

@@ -151,7 +151,7 @@ pub const fn difference_action(finding: &Finding, language: Language) -> &'stati
             ("connect the inner shield", "den inneren Schirm anschließen")
         }
         (Difference::Missing { group: Group::Sense } | Difference::LeftOpen { group: Group::Sense }, _) => {
-            ("only for a drive without sense inputs", "nur bei einem Regelgerät ohne Sense-Eingänge")
+            ("only for a drive without sense inputs", "nur bei einem Regler ohne Sense-Eingänge")
         }
         (Difference::Unshielded, _) => ("all connecting cables are shielded", "alle Anschlusskabel sind geschirmt"),
         (Difference::Colour { .. }, _) => {

@@ -6,36 +6,36 @@ use answers::{
     Hazard, OverloadSupervision, SensorThreshold, Task,
 };
 use quantities::{Language, format_significant};
-use words::{capitalised, commission as texts, decimal, grade_word, signal_word, terms};
+use words::{capitalised, commission, decimal, grade_word, signal_word, terms};
 
 /// The commissioning of a code; with the objects of CiA 402 where they are asked for.
 #[must_use]
 pub fn commission(record: &Commissioning, objects: &[DriveObject], language: Language) -> Chapter {
-    let mut chapter = Chapter::new(capitalised(&texts::title(&record.code, language)));
-    chapter.section(capitalised(texts::hazards(language)));
+    let mut chapter = Chapter::new(capitalised(&commission::title(&record.code, language)));
+    chapter.section(capitalised(commission::hazards(language)));
     chapter.hazards(hazards(&record.hazards, language));
     if !objects.is_empty() {
-        chapter.section(capitalised(texts::objects(language)));
+        chapter.section(capitalised(commission::objects(language)));
         drive_objects(&mut chapter, objects, language);
     }
-    chapter.section(capitalised(texts::parameters(language)));
+    chapter.section(capitalised(commission::parameters(language)));
     if record.sinamics.is_empty() {
         parameters(&mut chapter, &record.parameters, language);
     } else {
         sinamics(&mut chapter, &record.sinamics, language);
     }
-    chapter.section(capitalised(texts::gaps(language)));
+    chapter.section(capitalised(commission::gaps(language)));
     chapter.points(record.gaps.iter().map(|gap| gap.text.clone()).collect());
-    chapter.section(capitalised(texts::encoder(language)));
+    chapter.section(capitalised(commission::encoder(language)));
     encoder(&mut chapter, &record.encoder, language);
-    chapter.section(capitalised(texts::commutation(language)));
+    chapter.section(capitalised(commission::commutation(language)));
     chapter.steps(record.commutation.clone());
-    chapter.section(capitalised(texts::thresholds(language)));
+    chapter.section(capitalised(commission::thresholds(language)));
     thresholds(&mut chapter, &record.thresholds, language);
     if !record.thresholds.iter().any(|threshold| threshold.sensor == "ptc") {
-        chapter.text(texts::no_ptc(language));
+        chapter.text(commission::no_ptc(language));
     }
-    chapter.section(capitalised(texts::overload(language)));
+    chapter.section(capitalised(commission::overload(language)));
     overload(&mut chapter, &record.overload, language);
     for list in &record.lists {
         chapter.section(capitalised(&list.title));
@@ -67,10 +67,10 @@ fn parameters(chapter: &mut Chapter, parameters: &[CommissionParameter], languag
         ]
     };
     let columns = vec![
-        Column::wide(texts::parameter(language)),
+        Column::wide(commission::parameter(language)),
         Column::numbers(terms::value(language)),
         Column::text(terms::unit(language)),
-        Column::text(texts::conversion(language)),
+        Column::text(commission::conversion(language)),
         Column::text(terms::grade(language)),
         Column::wide(terms::source(language)),
     ];
@@ -92,8 +92,8 @@ fn sinamics(chapter: &mut Chapter, parameters: &[DriveParameter], language: Lang
         Column::text(terms::number(language)),
         Column::numbers(terms::value(language)),
         Column::text(terms::unit(language)),
-        Column::wide(texts::parameter(language)),
-        Column::text(texts::conversion(language)),
+        Column::wide(commission::parameter(language)),
+        Column::text(commission::conversion(language)),
         Column::wide(terms::source(language)),
     ];
     chapter.grid(columns, parameters.iter().map(row).collect());
@@ -111,11 +111,11 @@ fn drive_objects(chapter: &mut Chapter, objects: &[DriveObject], language: Langu
         ]
     };
     let columns = vec![
-        Column::wide(texts::object(language)),
-        Column::text(texts::type_of_data(language)),
+        Column::wide(commission::object(language)),
+        Column::text(commission::type_of_data(language)),
         Column::numbers(terms::value(language)),
         Column::text(terms::unit(language)),
-        Column::numbers(texts::rounding(language)),
+        Column::numbers(commission::rounding(language)),
         Column::wide(terms::source(language)),
     ];
     chapter.grid(columns, objects.iter().map(row).collect());
@@ -123,7 +123,8 @@ fn drive_objects(chapter: &mut Chapter, objects: &[DriveObject], language: Langu
 
 fn encoder(chapter: &mut Chapter, values: &[EncoderValue], language: Language) {
     let row = |each: &EncoderValue| {
-        let side = if each.side == "output" { texts::side_output(language) } else { texts::side_motor(language) };
+        let side =
+            if each.side == "output" { commission::side_output(language) } else { commission::side_motor(language) };
         let condition = if each.condition.is_empty() { String::new() } else { format!(" ({})", each.condition) };
         vec![
             format!("{side}: {}{condition}", each.name),
@@ -133,7 +134,7 @@ fn encoder(chapter: &mut Chapter, values: &[EncoderValue], language: Language) {
         ]
     };
     let columns = vec![
-        Column::text(texts::parameter(language)),
+        Column::text(commission::parameter(language)),
         Column::text(terms::value(language)),
         Column::text(terms::unit(language)),
         Column::wide(terms::remark(language)),
@@ -156,9 +157,9 @@ fn thresholds(chapter: &mut Chapter, thresholds: &[SensorThreshold], language: L
         ]
     };
     let columns = vec![
-        Column::text(texts::threshold(language)),
-        Column::numbers(texts::temperature(language)),
-        Column::numbers(texts::resistance(language)),
+        Column::text(commission::threshold(language)),
+        Column::numbers(commission::temperature(language)),
+        Column::numbers(commission::resistance(language)),
         Column::wide(terms::source(language)),
     ];
     chapter.grid(columns, thresholds.iter().map(row).collect());
@@ -167,11 +168,12 @@ fn thresholds(chapter: &mut Chapter, thresholds: &[SensorThreshold], language: L
 fn overload(chapter: &mut Chapter, overload: &OverloadSupervision, language: Language) {
     let number = |value: f64| shown(format!("{value:.2e}").parse().unwrap_or(value), language);
     if let (Some(current), Some(constant)) = (overload.stall_current, overload.time_constant) {
-        let line = texts::overload_line(&number(current.0), &number(constant.0), language);
+        let line = commission::overload_line(&number(current.0), &number(constant.0), language);
         chapter.text(format!("{line} ({})", grade_word(*overload.grade, language)));
     }
-    let trip =
-        |trip: &answers::OverloadTrip| texts::overload_trip(&number(trip.factor.0), &number(trip.time.0), language);
+    let trip = |trip: &answers::OverloadTrip| {
+        commission::overload_trip(&number(trip.factor.0), &number(trip.time.0), language)
+    };
     chapter.points(overload.trips.iter().map(trip).collect());
     chapter.text(overload.text.clone());
 }

@@ -4,12 +4,12 @@ use super::{NOTHING, hazards};
 use answers::{Block, Chapter, Column, Connector, ConnectorExit, NoteBy, Number, Picture, VoltageDrops, Wiring};
 use quantities::{Language, format_number, format_significant};
 use std::fmt::Write as _;
-use words::{capitalised, evidence_text, terminal, terms, verdict_word, wiring as texts};
+use words::{capitalised, evidence_text, terminal, terms, verdict_word, wiring};
 
 /// The wiring of a code, with the drawings of its mating faces where somebody can show them.
 #[must_use]
 pub fn wiring(record: &Wiring, drawings: Vec<Picture>, language: Language) -> Chapter {
-    let mut chapter = Chapter::new(texts::title(&record.code, language));
+    let mut chapter = Chapter::new(wiring::title(&record.code, language));
     for connector in &record.connectors {
         connected(&mut chapter, connector, language);
     }
@@ -18,7 +18,7 @@ pub fn wiring(record: &Wiring, drawings: Vec<Picture>, language: Language) -> Ch
     if let Some(drops) = &record.voltage_drop {
         dropped(&mut chapter, drops, language);
     }
-    chapter.section(capitalised(texts::not_available(language)));
+    chapter.section(capitalised(wiring::not_available(language)));
     let absent = |table: &str, text: &str| format!("{text} ({} {table})", terminal::table(language));
     chapter.points(record.not_available.iter().map(|each| absent(each.table, each.text)).collect());
     chapter.section(capitalised(terms::remarks(language)));
@@ -30,31 +30,31 @@ pub fn wiring(record: &Wiring, drawings: Vec<Picture>, language: Language) -> Ch
     let mut remarks: Vec<String> = record.notes.iter().map(remark).collect();
     remarks.extend(record.errata.iter().map(|id| format!("{id}: {}", evidence_text(id, language))));
     chapter.points(remarks);
-    chapter.section(capitalised(texts::rules(language)));
+    chapter.section(capitalised(wiring::rules(language)));
     chapter.hazards(hazards(&record.rules, language));
     chapter
 }
 
 fn connected(chapter: &mut Chapter, connector: &Connector, language: Language) {
     let exit = connector.exit.map(|exit| match exit {
-        ConnectorExit::Cable => texts::at_the_end_of_a_cable(language),
-        ConnectorExit::Housing => texts::in_the_housing(language),
+        ConnectorExit::Cable => wiring::at_the_end_of_a_cable(language),
+        ConnectorExit::Housing => wiring::in_the_housing(language),
     });
     let exit = exit.map(|exit| format!(", {exit}")).unwrap_or_default();
     let [kind, pins] = connector.tables;
     let table = terminal::table(language);
-    let name = capitalised(texts::role_name(*connector.role, language));
+    let name = capitalised(wiring::role_name(*connector.role, language));
     chapter.section(format!("{name}: {}{exit} ({table} {kind}, {table} {pins})", connector.kind));
     let mating = [
-        connector.material_number.map(|number| texts::mating_coupling(&number, language)),
-        connector.outer_diameter.map(|value| texts::outer_diameter(&value, language)),
-        connector.length.map(|value| texts::length_of_coupling(&value, language)),
+        connector.material_number.map(|number| wiring::mating_coupling(&number, language)),
+        connector.outer_diameter.map(|value| wiring::outer_diameter(&value, language)),
+        connector.length.map(|value| wiring::length_of_coupling(&value, language)),
     ];
     chapter.text(mating.into_iter().flatten().collect::<Vec<_>>().join(", "));
     let coloured = connector.pins.iter().any(|pin| pin.colour.is_some());
-    let mut columns = vec![Column::text(texts::pin(language)), Column::text(texts::signal(language))];
+    let mut columns = vec![Column::text(wiring::pin(language)), Column::text(wiring::signal(language))];
     if coloured {
-        columns.push(Column::text(texts::colour(language)));
+        columns.push(Column::text(wiring::colour(language)));
     }
     columns.push(Column::wide(terminal::meaning(language)));
     let row = |pin: &answers::ConnectorPin| {
@@ -68,30 +68,30 @@ fn connected(chapter: &mut Chapter, connector: &Connector, language: Language) {
     };
     chapter.grid(columns, connector.pins.iter().map(row).collect());
     let same =
-        |colour: &answers::AmbiguousColour| texts::same_colour(&colour.colour, &colour.pins.join(", "), language);
+        |colour: &answers::AmbiguousColour| wiring::same_colour(&colour.colour, &colour.pins.join(", "), language);
     chapter.points(connector.ambiguous.iter().map(same).collect());
 }
 
 fn cables(chapter: &mut Chapter, record: &Wiring, language: Language) {
-    chapter.section(capitalised(texts::cables(language)));
+    chapter.section(capitalised(wiring::cables(language)));
     if record.cables.is_empty() {
-        chapter.text(texts::no_cables(language));
+        chapter.text(wiring::no_cables(language));
     }
     let row = |cable: &answers::Cable| {
         let length = cable.length_m.map(|length| format!("{} m", format_number(length.0, 0, language)));
         vec![
             cable.material_number.to_owned(),
             length.or(cable.length_code.map(str::to_owned)).unwrap_or_else(|| NOTHING.into()),
-            texts::cable_role(*cable.role, language).to_owned(),
+            wiring::cable_role(*cable.role, language).to_owned(),
             cable.goal.clone(),
             cable.table.to_owned(),
         ]
     };
     let columns = vec![
-        Column::text(texts::material_number(language)),
-        Column::numbers(texts::length(language)),
-        Column::text(texts::connects(language)),
-        Column::wide(texts::goes_to(language)),
+        Column::text(wiring::material_number(language)),
+        Column::numbers(wiring::length(language)),
+        Column::text(wiring::connects(language)),
+        Column::wide(wiring::goes_to(language)),
         Column::text(terminal::table(language)),
     ];
     chapter.grid(columns, record.cables.iter().map(row).collect());
@@ -100,14 +100,14 @@ fn cables(chapter: &mut Chapter, record: &Wiring, language: Language) {
 fn dropped(chapter: &mut Chapter, drops: &VoltageDrops, language: Language) {
     let number = |value: Number| format_significant(value.0, 3, language);
     let shown = |value: Option<Number>| value.map_or_else(|| NOTHING.into(), number);
-    chapter.section(capitalised(&texts::voltage_drop(&number(drops.length_m), language)));
+    chapter.section(capitalised(&wiring::voltage_drop(&number(drops.length_m), language)));
     let row = |circuit: &answers::VoltageDrop| {
         let mut verdict = verdict_word(*circuit.verdict, language);
         if !circuit.reason.is_empty() {
             let _ = write!(verdict, ": {}", circuit.reason);
         }
         if circuit.sense_lines {
-            let _ = write!(verdict, "; {}", texts::sense_makes_up(language));
+            let _ = write!(verdict, "; {}", wiring::sense_makes_up(language));
         }
         vec![
             circuit.name.to_owned(),
@@ -121,13 +121,13 @@ fn dropped(chapter: &mut Chapter, drops: &VoltageDrops, language: Language) {
         ]
     };
     let columns = vec![
-        Column::text(texts::circuit(language)),
+        Column::text(wiring::circuit(language)),
         Column::numbers("A"),
-        Column::numbers(texts::nominal_v(language)),
-        Column::numbers(texts::least_v(language)),
-        Column::numbers(texts::at_20_degc(language)),
-        Column::numbers(texts::at_70_degc(language)),
-        Column::numbers(texts::least_mm2(language)),
+        Column::numbers(wiring::nominal_v(language)),
+        Column::numbers(wiring::least_v(language)),
+        Column::numbers(wiring::at_20_degc(language)),
+        Column::numbers(wiring::at_70_degc(language)),
+        Column::numbers(wiring::least_mm2(language)),
         Column::wide(terms::verdict(language)),
     ];
     chapter.grid(columns, drops.circuits.iter().map(row).collect());
