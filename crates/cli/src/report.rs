@@ -174,7 +174,7 @@ fn installation(
         let drawings = faces.map(|connector| {
             let drawing = figures::mating_face(code, connector, language);
             let (svg, alternative_text) = as_svg(connector.role.id(), &drawing, language);
-            Picture { svg, caption: format!("{}; {}", drawing.title, drawing.caption), alternative_text }
+            Picture { svg, caption: drawing.title.clone(), alternative_text }
         });
         chapters.push(chapter::wiring(&answer::wiring(&found, None, language), drawings.collect(), language));
     }

@@ -4,7 +4,7 @@
 
 mod samples;
 
-use answers::{Check, Item, MechanismKind, ScrewJoint};
+use answers::{Block, Chapter, Check, Column, Hazard, Item, MechanismKind, Picture, ScrewJoint, Task};
 use quantities::Language;
 use report::{Content, Fault, Figure, Place, Settings};
 use samples::{SAMPLES, Sample, content, full, made, named, settings};
@@ -375,6 +375,62 @@ fn hostile_texts_stay_data() {
         if name.is_ascii() {
             assert!(letters(&text).contains(&letters(&name)), "{name}");
         }
+    }
+}
+
+#[test]
+fn a_chapter_that_comes_laid_out_stands_whole_and_within_its_page() {
+    let mut content = short();
+    let long = "Verschraubungsdrehmomentgrenzwert".repeat(3);
+    let hazard =
+        |level, word, text: &str| Hazard { level, word, text: text.to_owned(), source: "cha-manual 2.1".to_owned() };
+    let mut chapter = Chapter::new("Wiring of a code");
+    chapter.section("Motor connector");
+    chapter.text("#panic() *not* markup $x$ 12 Nm");
+    chapter.points(vec!["a point".to_owned(), long.clone()]);
+    chapter.steps(vec!["the first step".to_owned(), "the second step".to_owned()]);
+    let columns = vec![Column::text("pin"), Column::numbers("value"), Column::wide("meaning")];
+    chapter.grid(
+        columns,
+        (1..60).map(|pin| vec![pin.to_string(), "0.5".to_owned(), format!("row {pin} {long}")]).collect(),
+    );
+    chapter.hazards(vec![hazard("danger", "DANGER", "live parts"), hazard("", "", "a plain statement")]);
+    let svg =
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><circle cx='4' cy='4' r='3'/></svg>".to_owned();
+    let picture = |caption: &str| Picture {
+        svg: svg.clone(),
+        caption: caption.to_owned(),
+        alternative_text: "a face".to_owned(),
+    };
+    chapter.blocks.extend(["one face", "another face"].map(|caption| Block::Picture(picture(caption))));
+    chapter.tasks(vec![Task {
+        what: hazard("warning", "WARNING", "look at the brake"),
+        expected: "24 V".to_owned(),
+        unit: Some("V".to_owned()),
+    }]);
+    content.axes[0].chapters = vec![chapter, Chapter::new("a second chapter")];
+    report::pdf(&content, &settings()).unwrap();
+    let text = letters(&pages_of(&content, &settings()));
+    for wanted in [
+        "Wiring of a code",
+        "#panic() *not* markup $x$ 12 Nm",
+        "a point",
+        "the second step",
+        "row 59",
+        "DANGER",
+        "live parts",
+        "a plain statement",
+        "one face",
+        "another face",
+        "WARNING",
+        "look at the brake",
+        "24 V",
+        "a second chapter",
+    ] {
+        assert!(text.contains(&letters(wanted)), "{wanted}");
+    }
+    for (page, right) in report::right_edges(&content, &settings()).unwrap().into_iter().enumerate() {
+        assert!(right < 595.3, "page {}: {right}", page + 1);
     }
 }
 

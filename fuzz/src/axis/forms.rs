@@ -90,7 +90,7 @@ pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>
         caption: String::from("caption"),
         alternative_text: String::from("description"),
     };
-    let axis = AxisContent { dossier: found, figures: vec![figure] };
+    let axis = AxisContent { dossier: found, figures: vec![figure], chapters: Vec::new() };
     let content = Content { language: case.language, axes: vec![axis.clone(), axis] };
     let date = Some(String::from("2026-11-22"));
     for full in [false, true] {

@@ -134,7 +134,7 @@ fn encoder(chapter: &mut Chapter, values: &[EncoderValue], language: Language) {
         ]
     };
     let columns = vec![
-        Column::text(commission::parameter(language)),
+        Column::wide(commission::parameter(language)),
         Column::text(terms::value(language)),
         Column::text(terms::unit(language)),
         Column::wide(terms::remark(language)),
