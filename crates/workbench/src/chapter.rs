@@ -43,3 +43,52 @@ fn plain(value: Option<Number>, language: Language) -> String {
 fn unit_shown(unit: &str) -> String {
     if unit == "1" { String::new() } else { Unit::of(unit).map_or(unit, |unit| unit.symbol).to_owned() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{DriveForm, MountAsked, UpkeepAsked, answer, list_codes, read_date, usual_ambient};
+    use catalogue::Topic;
+    use order_code::OrderCode;
+
+    /// What a chapter says, all of it.
+    fn said(topic: Topic, code: &OrderCode, language: Language) -> Option<String> {
+        let chapter = match topic {
+            Topic::Wiring => wiring(&answer::wiring(&crate::wiring(code)?, None, language), Vec::new(), language),
+            Topic::Mount => {
+                let asked = MountAsked::default();
+                mount(&answer::mount(&crate::mount(code, &asked)?, &asked, None, language), language)
+            }
+            Topic::Commission => {
+                let about = crate::commission(code)?;
+                let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), language);
+                commission(&sheet, &[], language)
+            }
+            Topic::Upkeep => {
+                let delivered = read_date("2026-03-01", language).ok()?;
+                let asked = UpkeepAsked { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
+                upkeep(&answer::upkeep(&crate::upkeep(code, &asked, language).ok()?, language), language)
+            }
+            Topic::Safety => return None,
+        };
+        serde_json::to_string(&chapter).ok()
+    }
+
+    #[test]
+    fn every_fact_is_said_in_a_chapter_on_each_of_its_topics_in_both_languages() {
+        let codes = list_codes(None);
+        for fact in catalogue::facts() {
+            let topics = Topic::ALL.iter().filter(|topic| **topic != Topic::Safety);
+            for topic in topics.filter(|topic| fact.topics.contains(topic)) {
+                for (language, text) in [(Language::En, fact.en), (Language::De, fact.de)] {
+                    let text = serde_json::to_string(text).unwrap();
+                    let holds = codes.iter().filter(|(code, _)| fact.is_shown(*topic, code));
+                    let told = |code: &OrderCode| {
+                        said(*topic, code, language).is_some_and(|said| said.contains(text.trim_matches('"')))
+                    };
+                    assert!(holds.map(|(code, _)| code).any(told), "{}: not said on {topic:?}, {language:?}", fact.id);
+                }
+            }
+        }
+    }
+}
