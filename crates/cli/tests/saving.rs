@@ -104,7 +104,7 @@ fn the_place_of_a_picture_is_asked_for_first() {
     fs::copy(root().join("examples/indexing-table.toml"), folder.path().join("a.toml")).unwrap();
     let plot = ["plot", "a.toml", "--figure", "torque_speed", "--code", "CHA-99A"];
     refused(folder.path(), &[&plot[..], &["--svg", "none/a.svg"]].concat(), "no such folder");
-    refused(folder.path(), &[&plot[..], &["--svg", "a.toml"]].concat(), "a.toml");
+    refused(folder.path(), &[&plot[..], &["--svg", "a.toml"]].concat(), "read from this file");
     refused(folder.path(), &curve(&["--voltage", "220 V", "--png", "none/a.png"]), "no such folder");
 }
 
