@@ -16,9 +16,9 @@ pub fn run(data: &[u8]) {
     // The nearest codes, and what a partial code allows, are sought among all: each takes as long as ten other cases or
     // more, and the languages differ in words.
     let language = if one_in(2, &text) { Language::De } else { Language::En };
-    if one_in(7, &text) {
+    if one_in(15, &text) {
         hold_read(&text, language);
-    } else if one_in(9, &text) {
+    } else if one_in(13, &text) {
         hold_partial(&text, language);
     }
 }

@@ -4,6 +4,7 @@ use crate::error::{CodeError, CodeErrors, nearest_token};
 use crate::field::Field;
 use crate::parse::Departure;
 use crate::tokens::{Found, Step, complete_readings, in_any_order, readings};
+use std::cell::OnceCell;
 use std::ops::Range;
 
 /// Longest text that is read as a code, in characters: the longest code has 29, and 45 with spaces around its hyphens.
@@ -55,6 +56,15 @@ pub(crate) fn scan(text: &str, form: Form) -> Result<(Vec<Found>, Vec<Departure>
 struct Part {
     capitals: String,
     span: Range<usize>,
+    /// See [`Part::in_any_order`].
+    any_order: OnceCell<Option<Vec<Step<Field>>>>,
+}
+
+impl Part {
+    /// All of it as known words in any order, sought once.
+    fn in_any_order(&self) -> Option<&[Step<Field>]> {
+        self.any_order.get_or_init(|| in_any_order(&self.capitals)).as_deref()
+    }
 }
 
 /// The parts of a text, with the departures and faults in its separators.
@@ -97,7 +107,7 @@ fn split(text: &str) -> Parts {
         rest = next;
         if !part.is_empty() {
             // ASCII only: no other letter may turn into one of a word ("ſp" is not SP), and all places stay.
-            found.parts.push(Part { capitals: part.to_ascii_uppercase(), span });
+            found.parts.push(Part { capitals: part.to_ascii_uppercase(), span, any_order: OnceCell::new() });
         }
         let dashes = gap.chars().filter(|c| is_dash(*c)).count();
         if dashes > 0 && next.is_empty() && !found.parts.is_empty() {
@@ -131,7 +141,7 @@ impl Ahead<'_> {
     /// Whether a word of this field is still to come, in whatever order. Asked for faulty codes only.
     fn names(&self, field: Field) -> bool {
         let named = |steps: &[Step<Field>]| steps.iter().any(|step| step.0 == field);
-        named(self.steps) || self.parts.iter().any(|part| named(&in_any_order(&part.capitals).unwrap_or_default()))
+        named(self.steps) || self.parts.iter().any(|part| part.in_any_order().is_some_and(named))
     }
 }
 
@@ -173,8 +183,9 @@ impl Reader<'_> {
             self.swallowed = true;
             return;
         }
-        match found.pop().or_else(|| in_any_order(&part.capitals)) {
-            Some(steps) => self.place_all(&steps, part.span.start, ahead),
+        let steps = found.pop();
+        match steps.as_deref().or_else(|| part.in_any_order()) {
+            Some(steps) => self.place_all(steps, part.span.start, ahead),
             None => self.diagnose(part, ahead),
         }
     }

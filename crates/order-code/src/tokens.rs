@@ -80,7 +80,8 @@ pub(crate) fn in_any_order(text: &str) -> Option<Vec<Step<Field>>> {
     for (at, _) in text.char_indices().rev() {
         let rest = text.get(at..).unwrap_or_default();
         let words = Field::ALL.iter().flat_map(|field| field.tokens().iter().map(move |token| (*field, *token)));
-        for word in words.filter(|(_, token)| rest.starts_with(token)) {
+        let (first_byte, of) = (rest.bytes().next(), |token: &str| token.bytes().next());
+        for word in words.filter(|(_, token)| of(token) == first_byte && rest.starts_with(token)) {
             let Some(count) = fewest.get(at + word.1.len()).copied().flatten() else { continue };
             if let (Some(least), Some(chosen)) = (fewest.get_mut(at), first.get_mut(at))
                 && least.is_none_or(|least| count + 1 < least)
