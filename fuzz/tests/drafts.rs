@@ -94,8 +94,11 @@ fn the_examples_keep_the_promises() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        if entry.extension().is_none_or(|ending| ending != "toml") {
+            continue;
+        }
         let text = std::fs::read_to_string(&entry).unwrap();
-        if entry.extension().is_some_and(|ending| ending == "toml") && !text.contains("recorded") {
+        if !text.contains("recorded") {
             assert!(project::hold(&text).is_some(), "{}", entry.display());
             count += 1;
         }
