@@ -5,7 +5,7 @@ use super::view::View;
 use std::collections::BTreeSet;
 
 /// Sources that no table names, each with what it is kept for. A source that comes into use leaves this list.
-const SOURCES_WITHOUT_TABLE: [(&str, &str); 22] = [
+const SOURCES_WITHOUT_TABLE: [(&str, &str); 33] = [
     ("cha-manual-en-v03", "evidence of errata"),
     ("cha-manual-en-v01", "evidence of errata"),
     ("cha-page-57", "evidence of errata of table 57.1"),
@@ -28,6 +28,20 @@ const SOURCES_WITHOUT_TABLE: [(&str, &str); 22] = [
     ("beckhoff-el72x1", "factor between peak and rms current"),
     ("beckhoff-ax8xxx", "motor data list of a controller"),
     ("br-mappmotion", "neutral field list of a synchronous motor"),
+    ("sinamics-s120-functions", "parameter p0600 of `antrieb commission`"),
+    ("sinamics-g220", "parameter p0601 of `antrieb commission`"),
+    ("sinamics-g120xa", "parameters p0604, p0605 and p0640 of `antrieb commission`"),
+    ("sinamics-g115d", "ohms at which a drive takes a KTY for open or short-circuited"),
+    ("sinamics-s-list", "procedure of the commutation offset in `antrieb commission`"),
+    (
+        "simodrive-611a",
+        "tolerances of a servo motor's resistance and voltage constant, for `antrieb commission --record`",
+    ),
+    ("elmo-dsp402", "objects of `antrieb commission --for cia402`"),
+    ("festo-cmmp", "objects of `antrieb commission --for cia402`"),
+    ("infranor-xtrapuls", "objects of `antrieb commission --for cia402`"),
+    ("novanta-emcl", "object 0x6075, for comparison"),
+    ("cia-306", "layout of the EDS file of `antrieb commission --for cia402`"),
 ];
 
 /// Terms that no table uses, each with what it labels.
