@@ -1,7 +1,7 @@
 //! Chapters that come laid out, as the template reads them: units tied to their numbers, pictures as names of files.
 
 use super::shown::tied;
-use answers::{Block, Chapter, Grid, Hazard, Picture, Task};
+use answers::{Block, Chapter, Grid, Hazard, Task};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -23,7 +23,8 @@ pub(crate) fn picture_file(axis: usize, index: usize) -> String {
 }
 
 /// The pictures of chapters, in the order of their names.
-pub(crate) fn pictures(chapters: &[Chapter]) -> impl Iterator<Item = &Picture> {
+#[cfg(feature = "pdf")]
+pub(crate) fn pictures(chapters: &[Chapter]) -> impl Iterator<Item = &answers::Picture> {
     chapters.iter().flat_map(|chapter| &chapter.blocks).filter_map(|block| match block {
         Block::Picture(picture) => Some(picture),
         _ => None,
