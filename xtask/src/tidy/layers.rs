@@ -18,7 +18,7 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 30] = [
+const ROOMS: [(&str, Room); 32] = [
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
     ("order-code", Room::Layer(0)),
@@ -42,8 +42,10 @@ const ROOMS: [(&str, Room); 30] = [
     ("figures", Room::Layer(7)),
     ("report", Room::Layer(7)),
     ("tables", Room::Layer(7)),
-    ("antrieb", Room::Layer(8)),
-    ("server", Room::Layer(8)),
+    ("disk", Room::Layer(8)),
+    ("page", Room::Layer(8)),
+    ("server", Room::Layer(9)),
+    ("antrieb", Room::Layer(10)),
     ("testkit", Room::DevOnly),
     ("xtask", Room::Outside),
     ("benches", Room::Outside),

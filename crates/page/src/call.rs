@@ -1,0 +1,146 @@
+//! What is asked, what is answered, and what a shell has of the world.
+
+use std::borrow::Cow;
+use std::io;
+use workbench::{Files, Language};
+
+/// How a request asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// For something that is there.
+    Get,
+    /// With a body.
+    Post,
+}
+
+/// A request as a shell hands it in, with nothing of the transport in it.
+#[derive(Clone, Copy, Debug)]
+pub struct Call<'c> {
+    /// How it asks.
+    pub method: Method,
+    /// The path, decoded, without the query.
+    pub path: &'c str,
+    /// The query as it was sent, without the question mark.
+    pub query: &'c str,
+    /// The media type of the body as it was sent.
+    pub media: Option<&'c str>,
+    /// The body.
+    pub body: &'c [u8],
+    /// The language in which whoever asks has not said otherwise (`lang` in the query).
+    pub language: Language,
+}
+
+impl<'c> Call<'c> {
+    /// The values of the query and, of a form, those of the body behind them, decoded, in their order.
+    pub fn fields(&self) -> impl Iterator<Item = (Cow<'c, str>, Cow<'c, str>)> + use<'c> {
+        let form = self.media.is_some_and(|media| {
+            media.split(';').next().is_some_and(|kind| kind.trim().eq_ignore_ascii_case(FORM))
+        });
+        let body: &'c [u8] = if form { self.body } else { &[] };
+        form_urlencoded::parse(self.query.as_bytes()).chain(form_urlencoded::parse(body))
+    }
+
+    /// The last value of a name.
+    #[must_use]
+    pub fn field(&self, name: &str) -> Option<Cow<'c, str>> {
+        self.fields().filter(|(key, _)| key == name).map(|(_, value)| value).last()
+    }
+
+    /// The language asked for.
+    #[must_use]
+    pub fn language(&self) -> Language {
+        self.field("lang").and_then(|wanted| Language::of_id(&wanted)).unwrap_or(self.language)
+    }
+}
+
+const FORM: &str = "application/x-www-form-urlencoded";
+
+/// What a shell sends back.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reply {
+    /// The status as HTTP has it.
+    pub status: u16,
+    /// The media type of the body.
+    pub media: &'static str,
+    /// Further headers.
+    pub headers: Vec<(&'static str, String)>,
+    /// The body.
+    pub body: Vec<u8>,
+}
+
+impl Reply {
+    /// Plain text.
+    #[must_use]
+    pub fn text(status: u16, body: &str) -> Self {
+        Self { status, media: "text/plain; charset=utf-8", headers: Vec::new(), body: body.as_bytes().to_vec() }
+    }
+
+    /// A body of a media type.
+    #[must_use]
+    pub fn of(status: u16, media: &'static str, body: impl Into<Vec<u8>>) -> Self {
+        Self { status, media, headers: Vec::new(), body: body.into() }
+    }
+
+    /// The same, kept by the browser as a file of this name.
+    #[must_use]
+    pub fn saved_as(mut self, name: &str) -> Self {
+        // A quoted string of ASCII; a name of ours has nothing else.
+        let name: String =
+            name.chars().filter(|sign| sign.is_ascii_alphanumeric() || matches!(sign, '.' | '-' | '_')).collect();
+        self.headers.push(("content-disposition", format!("attachment; filename=\"{name}\"")));
+        self
+    }
+}
+
+/// What a shell has of the world.
+pub trait Shell {
+    /// The files that a project may name.
+    fn files(&self) -> &dyn Files;
+
+    /// The folder that is worked in; none where the page has no disk.
+    fn folder(&self) -> Option<&dyn Folder> {
+        None
+    }
+}
+
+/// A project file in the folder.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Its name within the folder.
+    pub name: String,
+    /// When it was last written, in seconds since 1970.
+    pub modified_s: u64,
+}
+
+/// Why a file was not saved.
+#[derive(Debug)]
+pub enum SaveFault {
+    /// Another version stands there than the one that was opened.
+    Changed,
+    /// The name leads out of the folder, or is no name of a project file.
+    Name,
+    /// What the disk says.
+    Disk(io::Error),
+}
+
+/// The working folder: project files by their names, nothing outside of it.
+pub trait Folder {
+    /// The project files in it, the last written first.
+    ///
+    /// # Errors
+    /// What the disk says.
+    fn list(&self) -> io::Result<Vec<Entry>>;
+
+    /// The text of a project file.
+    ///
+    /// # Errors
+    /// What the disk says; a name that leads out of the folder is not found.
+    fn read(&self, name: &str) -> io::Result<Vec<u8>>;
+
+    /// Saves a text atomically. `known` is the version (its hash, as the page has it) that was opened, `None` for a file that is not there yet:
+    /// a file that changed since is left as it is.
+    ///
+    /// # Errors
+    /// [`SaveFault`].
+    fn save(&self, name: &str, text: &[u8], known: Option<&str>) -> Result<(), SaveFault>;
+}
