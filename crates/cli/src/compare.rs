@@ -3,7 +3,6 @@
 use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::fault::simple;
-use crate::say::{figure, percent};
 use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
@@ -11,6 +10,7 @@ use std::fmt::Write as _;
 use workbench::quantities::format_significant;
 use workbench::text::{check_title, figure_term, symbol_shown, terminal, terms, verdict_word};
 use workbench::{Candidate, Check, Comparison, DatumRow, Language, OrderCode, Project, Verdict, answer, answers};
+use workbench::{figure_text, percent};
 
 /// How many are compared.
 const COUNT: std::ops::RangeInclusive<usize> = 2..=5;
@@ -133,7 +133,7 @@ fn checks(found: &Comparison<'_>, part: &[usize], language: Language) -> String 
             match row.checks.get(*index).and_then(Option::as_ref) {
                 Some(check) => {
                     let better = if row.better == Some(*index) { '*' } else { ' ' };
-                    cells.push(figure(check.value, language));
+                    cells.push(figure_text(check.value, language));
                     cells.push(format!("{better}{} {}", percent(check.utilisation, language), sign(check.verdict)));
                 }
                 None => cells.extend(["–".to_owned(), "–  ".to_owned()]),

@@ -4,7 +4,6 @@ use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::compare::{names, shown, verdict};
 use crate::fault::{Source, simple};
-use crate::say::{figure, percent};
 use crate::subject::{Part, picked, refuse, together};
 use crate::table::{Align, Table, labelled};
 use clap::ArgMatches;
@@ -15,6 +14,7 @@ use workbench::text::{check_title, terminal, terms, verdict_word};
 use workbench::{
     CandidateId, Check, CheckChange, Difference, InputChange, Language, OrderCode, Project, answer, answers,
 };
+use workbench::{figure_text, percent};
 
 /// An axis with its place in its file.
 type Axis = (usize, Project);
@@ -189,7 +189,7 @@ fn checks(changes: &[CheckChange], language: Language) -> String {
 fn changed(change: &CheckChange, language: Language) -> Vec<String> {
     let none = || "–".to_owned();
     let word = |check: &Option<Check>| check.as_ref().map_or_else(none, |check| verdict_word(check.verdict, language));
-    let value = |check: &Option<Check>| figure(check.as_ref().and_then(|check| check.value), language);
+    let value = |check: &Option<Check>| figure_text(check.as_ref().and_then(|check| check.value), language);
     let share = |check: &Option<Check>| percent(check.as_ref().and_then(|check| check.utilisation), language);
     let (before, after) = (word(&change.before), word(&change.after));
     let unit = [&change.after, &change.before].into_iter().flatten().find_map(|check| check.value.or(check.limit));

@@ -5,7 +5,6 @@ use crate::code::parse_for_use;
 use crate::moves;
 use crate::report;
 use crate::reserve::{assumptions_text, reserve_text};
-use crate::say::{figure, percent, shown};
 use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table, labelled, paragraph, width};
 use crate::tolerance;
@@ -15,14 +14,15 @@ use clap::ArgMatches;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use workbench::answers::Faults;
-use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
+use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE};
 use workbench::quantities::{Measure, format_number, format_significant};
 use workbench::text::{
-    check_missing, check_title, describe_rule, grade_word, note_text, ranking_rule, ratios_text, requirement_title,
-    source_text, standing_text, terminal, terms, unmet_text, verdict_word,
+    check_missing, check_title, grade_word, note_text, ranking_rule, ratios_text, requirement_title, source_text,
+    standing_text, terminal, terms, verdict_word,
 };
 use workbench::{
-    Candidate, CandidateId, Check, Demand, Language, Objection, Project, Ranking, Reserve, Sizing, Verdict, answers,
+    Candidate, Check, Demand, Language, Objection, Project, Ranking, Reserve, Sizing, Verdict, answers, by_importance,
+    demand_figures, figure_text, objection_text, percent, reason, shown, unit_text,
 };
 
 fn paint(text: &str, verdict: Verdict) -> String {
@@ -158,31 +158,6 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
     table
 }
 
-/// The reason of a rejection in one line: the failing check that is exceeded most, else the first objection.
-fn reason(candidate: &Candidate<'_>, language: Language) -> String {
-    if let Some(check) = candidate.worst_failure() {
-        let unit = check.value.map_or("", |figure| figure.unit.symbol);
-        let over =
-            check.utilisation.map(|_| format!(" ({} %)", percent(check.utilisation, language))).unwrap_or_default();
-        return format!(
-            "{}: {} {} {} {unit}{over}",
-            check_title(check.id, language),
-            figure(check.value, language),
-            check.relation().unwrap_or_default(),
-            figure(check.limit, language),
-        );
-    }
-    candidate.objections.first().map(|objection| objection_text(candidate, objection, language)).unwrap_or_default()
-}
-
-fn objection_text(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> String {
-    match (objection, &candidate.id) {
-        (Objection::Unmet(unmet), _) => unmet_text(unmet, language),
-        (Objection::Rule(rule), CandidateId::Code(code)) => describe_rule(code, rule, language),
-        (Objection::Rule(rule), CandidateId::Own(_)) => rule.table.to_owned(),
-    }
-}
-
 fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: Language) -> String {
     let rejected: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|candidate| !candidate.fits()).collect();
     if rejected.is_empty() {
@@ -242,16 +217,9 @@ fn missing(check: &Check, language: Language) -> String {
 
 /// The demand in one line, in several on a narrow terminal.
 fn demand_line(name: &str, demand: &Demand, language: Language) -> String {
-    let rpm = REVOLUTION_PER_MINUTE.symbol;
-    let parts = [
-        format!("T_rms {} Nm", shown(demand.torque_rms.si(), &NEWTON_METRE, language)),
-        format!("T_peak {} Nm", shown(demand.torque_peak.si(), &NEWTON_METRE, language)),
-        format!("n_av {} {rpm}", shown(demand.speed_mean.si(), &REVOLUTION_PER_MINUTE, language)),
-        format!("n_peak {} {rpm}", shown(demand.speed_peak.si(), &REVOLUTION_PER_MINUTE, language)),
-        format!("ED {} %", format_number(PERCENT.from_si(demand.duty_factor), 2, language)),
-    ];
     // A symbol stays with its value.
-    paragraph(&format!("  {name:<10} "), &parts.map(|part| part.replace(' ', "\u{a0}")).join(" · "))
+    let part = |(symbol, value, unit)| format!("{symbol} {value} {unit}").replace(' ', "\u{a0}");
+    paragraph(&format!("  {name:<10} "), &demand_figures(demand, language).map(part).join(" · "))
 }
 
 /// The demand in both modes; the exact integral is shown where it says something else.
@@ -345,12 +313,9 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
         table.row([
             check_title(check.id, language),
             verdict_word(check.verdict, language),
-            figure(check.value, language),
-            figure(check.limit, language),
-            check
-                .value
-                .map_or("", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol })
-                .to_owned(),
+            figure_text(check.value, language),
+            figure_text(check.limit, language),
+            unit_text(check.value).to_owned(),
             percent(check.utilisation, language),
             check.at.map_or_else(|| "–".into(), |at| format_significant(at.si(), 3, language)),
             source,
@@ -366,20 +331,6 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     }
     out.push_str(&remarks(candidate, "", language));
     out
-}
-
-/// What fails first, then advice, then what is not checked, then the rest; within each by utilisation.
-fn by_importance(checks: &[Check]) -> Vec<&Check> {
-    let rank = |check: &Check| match check.verdict {
-        Verdict::Fail => 0,
-        Verdict::Advice => 1,
-        Verdict::NotChecked => 2,
-        Verdict::Pass => 3,
-    };
-    let share = |check: &Check| check.utilisation.unwrap_or(f64::NEG_INFINITY);
-    let mut sorted: Vec<&Check> = checks.iter().collect();
-    sorted.sort_by(|a, b| rank(a).cmp(&rank(b)).then_with(|| share(b).total_cmp(&share(a))));
-    sorted
 }
 
 /// `antrieb check PROJECT --code CODE`

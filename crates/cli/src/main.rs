@@ -29,7 +29,6 @@ mod reference;
 mod report;
 mod reserve;
 mod save;
-mod say;
 mod subject;
 mod table;
 mod tolerance;

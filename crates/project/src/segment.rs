@@ -26,4 +26,16 @@ impl SegmentLaw {
             Self::Recorded => "recorded",
         }
     }
+
+    /// What a word of the project file names; the quadratic parabola of VDI 2143 is the triangle.
+    #[must_use]
+    pub fn of_id(id: &str) -> Option<Self> {
+        Some(match id {
+            "manual" => Self::Manual,
+            "dwell" => Self::Dwell,
+            "recorded" => Self::Recorded,
+            "parabola" => Self::Law(Law::Triangle),
+            _ => Self::Law(Law::ALL.into_iter().find(|law| law.id() == id)?),
+        })
+    }
 }

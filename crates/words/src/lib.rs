@@ -21,6 +21,7 @@ mod measured_keys;
 mod motion;
 pub mod mounting;
 mod notes;
+pub mod page;
 pub mod pages;
 pub mod pictures;
 mod print;
@@ -100,6 +101,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("help::library", help::library::TEXTS),
     ("help::values", help::values::TEXTS),
     ("mounting", mounting::TEXTS),
+    ("page", page::TEXTS),
     ("pages", pages::TEXTS),
     ("pictures", pictures::TEXTS),
     ("records", records::TEXTS),

@@ -27,6 +27,7 @@ mod reading;
 mod sheet;
 mod sizing_use;
 mod templates;
+mod told;
 mod tolerance;
 mod torsion;
 mod upkeep;
@@ -63,7 +64,7 @@ pub use installation::wiring::{
 pub use limits::{NeededLimit, limits_needed};
 pub use mount::{joint_loads, mount, read_bore};
 pub use moves::{Move, Moves, moves};
-pub use order_code::{Field, OrderCode, Size};
+pub use order_code::{Brake, Field, OrderCode, Size};
 pub use patience::Patience;
 pub use plane::{Plane, curve_rows, plane, plane_of};
 pub use project::{
@@ -71,6 +72,7 @@ pub use project::{
     InertiaAnswer, Input, InputChange, NoFiles, NoRegularFile, OwnActuator, PROJECT_MAX_BYTES, Project, RatioAnswer,
     Reach, RecordingRead, SegmentLaw, Tolerance, inertia, input_changes, inputs, place,
 };
+pub use project::{Edit, EditFault, KEYS, Key, Kind, Variants, Written, edit, example, key_at, written};
 pub use provenance::Grade;
 pub use quantities::{self, Language};
 pub use reading::{Unread, read, read_all, read_all_watched, schema};
@@ -83,6 +85,9 @@ pub use sizing_use::{
     size,
 };
 pub use templates::{Template, template, template_kinds};
+pub use told::{
+    by_importance, demand_figures, figure_text, objection_text, percent, reason, reserve_lines, shown, unit_text,
+};
 pub use tolerance::{
     Assessment, Draw, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
 };

@@ -1,0 +1,191 @@
+//! The middle column: what the axis demands of the actuator that is looked at, over time and in the plane.
+
+use crate::form::{id, vals};
+use crate::state::State;
+use figures::{By, Figure, Size, Style, draw};
+use maud::{Markup, PreEscaped, html};
+use workbench::quantities::{Measure, format_significant};
+use workbench::text::{
+    assumption_text, capitalised, check_missing, check_title, grade_word, note_text, page, source_text, standing_text,
+    terminal, terms, verdict_word,
+};
+use workbench::{
+    Candidate, Check, Draw, Language, Patience, Project, Reserve, Verdict, by_importance, demand_figures, figure_text,
+    margins, objection_text, percent, reserve_lines, unit_text,
+};
+
+/// Width of the pictures in the page, in pixels.
+const WIDTH: f64 = 640.0;
+
+/// The column, of a candidate judged with every check.
+pub(crate) fn column(
+    state: &State,
+    project: &Project,
+    candidate: Option<&Candidate<'_>>,
+    is_old: bool,
+    patience: &Patience,
+) -> Markup {
+    let l = state.language;
+    html! {
+        section id="demands" class=[is_old.then_some("old")] aria-labelledby="demands-title" {
+            h2 id="demands-title" { (page::what_it_demands(l)) }
+            @if is_old { p.advice role="status" { (page::result_is_old(l)) } }
+            @if let Some(candidate) = candidate {
+                (head(candidate, l))
+                (sums(project, candidate, patience, l))
+                (cursor(l))
+                (picture(state, project, candidate, Figure::Cycle))
+                (picture(state, project, candidate, Figure::TorqueSpeed))
+                (checks(candidate, l))
+                (picture(state, project, candidate, Figure::BearingLoad))
+                (picture(state, project, candidate, Figure::Torsion))
+                (assumptions(project, l))
+            }
+        }
+    }
+}
+
+pub(crate) fn verdict_class(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Pass => "pass",
+        Verdict::Fail => "fail",
+        Verdict::Advice => "advice",
+        Verdict::NotChecked => "unchecked",
+    }
+}
+
+fn head(candidate: &Candidate<'_>, language: Language) -> Markup {
+    let class = match (candidate.fits(), candidate.open_questions()) {
+        (false, _) => "fail",
+        (true, 0) => "pass",
+        (true, _) => "unchecked",
+    };
+    html! {
+        p id="standing" role="status" aria-live="polite" class={ "standing " (class) } {
+            strong { (candidate.id) } ": " (standing_text(candidate, language))
+        }
+        @for objection in &candidate.objections { p.fail { (objection_text(candidate, objection, language)) } }
+    }
+}
+
+fn sums(project: &Project, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Markup {
+    let reserve = margins(project, candidate, Draw { samples: Some(1), seed: 1 }, patience);
+    let reserve = reserve.map(|(reserve, _)| reserve).unwrap_or_else(|_| Reserve::default());
+    html! {
+        section aria-label=(page::sums(language)) {
+            @if let Some(demand) = &candidate.judgement.demand {
+                dl.sums {
+                    @for (symbol, value, unit) in demand_figures(demand, language) {
+                        div { dt { (crate::chapters::symbol(symbol)) } dd { (value) " " (unit) } }
+                    }
+                }
+            }
+            @for (head, parts) in reserve_lines(&reserve, candidate, language) {
+                p { (capitalised(head)) ": " @for (place, part) in parts.iter().enumerate() { @if place > 0 { "; " } (part) } }
+            }
+        }
+    }
+}
+
+/// One range that moves the instant of all pictures.
+fn cursor(language: Language) -> Markup {
+    html! {
+        div.cursor {
+            label for="instant" { (page::instant_on_the_axis(language)) }
+            input id="instant" type="range" min="0" max="1000" value="0" step="1" aria-describedby="instant-told";
+            output id="instant-values" for="instant" {}
+            p.small id="instant-told" { (page::cursor_told(language)) }
+        }
+    }
+}
+
+/// A picture, drawn for the page; nothing where there is nothing to draw.
+fn picture(state: &State, project: &Project, candidate: &Candidate<'_>, figure: Figure) -> Markup {
+    let Ok(drawing) = draw(figure, project, candidate, By::Mass, state.language) else { return html! {} };
+    let (width, height) = drawing.size_mm;
+    let size = Size::pixels(WIDTH, WIDTH * height / width);
+    let name = figure.id().replace('_', "-");
+    let style = Style::new(size).theme(state.theme).language(state.language).id(&name);
+    html! {
+        figure.plot id={ "plot-" (name) } data-figure=(figure.id()) {
+            (PreEscaped(drawing.render(&style).into_svg()))
+            figcaption { (drawing.caption) }
+        }
+    }
+}
+
+fn checks(candidate: &Candidate<'_>, language: Language) -> Markup {
+    let l = language;
+    let heads = [
+        terms::check(l),
+        terms::verdict(l),
+        terms::value(l),
+        terms::limit(l),
+        terms::unit(l),
+        terms::utilisation_short(l),
+    ];
+    html! {
+        section aria-labelledby="checks-title" {
+            h3 id="checks-title" { (page::checks_of(&candidate.id, l)) }
+            div.wide tabindex="0" role="region" aria-labelledby="checks-title" {
+                table.checks {
+                    thead { tr { @for head in heads { th scope="col" { (capitalised(head)) } } } }
+                    tbody { @for check in by_importance(&candidate.judgement.checks) { (row(check, l)) } }
+                }
+            }
+        }
+    }
+}
+
+fn row(check: &Check, language: Language) -> Markup {
+    let l = language;
+    let missing = check.missing.map(|symbol| check_missing(symbol, l));
+    let share = check.utilisation.map(|share| (share * 100.0).clamp(0.0, 150.0));
+    html! {
+        tr id={ "check-" (check.id.id()) } class=(verdict_class(check.verdict)) {
+            th scope="row" {
+                button.plain type="button" title=(page::how_it_came_about(l)) hx-post="/explain" hx-target="#detail" hx-swap="innerHTML"
+                    hx-vals=(vals(&[("check", check.id.id())])) { (capitalised(&check_title(check.id, l))) }
+            }
+            td { span.verdict { (verdict_word(check.verdict, l)) } }
+            td.number { (figure_text(check.value, l)) }
+            td.number { (figure_text(check.limit, l)) }
+            td { (unit_text(check.value)) }
+            td.number {
+                (percent(check.utilisation, l))
+                @if let Some(share) = share { svg.bar viewBox="0 0 150 8" aria-hidden="true" { rect x="0" y="0" width=(share) height="8" {} path d="M100 0V8" {} } }
+                @if let Some(at) = check.at {
+                    " " button.small type="button" data-instant=(at.si()) title=(page::jump_to_worst(l)) { (page::worst_instant(&format_significant(at.si(), 3, l), l)) }
+                }
+            }
+        }
+        @if check.verdict == Verdict::NotChecked || check.verdict == Verdict::Advice {
+            tr.told class=(verdict_class(check.verdict)) { td colspan="6" {
+                @if let Some(missing) = missing { (page::to_be_checked_state(l)) " " (missing) " " }
+                @for note in check.notes.iter() { (note_text(note, l)) " " }
+                @if let (Some(source), Some(grade)) = (&check.limit_source, check.grade) { (grade_word(grade, l)) ", " (source_text(source, l)) }
+            } }
+        }
+    }
+}
+
+fn assumptions(project: &Project, language: Language) -> Markup {
+    html! {
+        @if !project.assumptions.is_empty() {
+            details id="assumptions" open {
+                summary { (capitalised(terms::assumptions(language))) }
+                ul { @for assumption in &project.assumptions { li { (assumption_text(*assumption, language)) } } }
+            }
+        }
+    }
+}
+
+/// The link from a key to its row.
+pub(crate) fn to_row(path: &str) -> String {
+    format!("#{}", id(path))
+}
+
+/// What the terminal calls the two sides of a check.
+pub(crate) fn sides(language: Language) -> [&'static str; 2] {
+    [terminal::asked(language), terminal::permitted(language)]
+}

@@ -1,0 +1,114 @@
+//! How a number came about, and actuators side by side: what opens beside the columns.
+
+use crate::chapters::symbol;
+use crate::demand::{sides, verdict_class};
+use maud::{Markup, html};
+use workbench::quantities::format_significant;
+use workbench::text::{
+    capitalised, check_missing, check_title, figure_term, note_text, page, terminal, terms, verdict_word,
+};
+use workbench::{
+    Candidate, Check, CheckRow, Comparison, DatumRow, Language, Node, Verdict, answer, derivation, figure_text,
+    node_amount, percent, trust,
+};
+
+/// A heading with a way to close what stands below it.
+pub(crate) fn frame(title: &str, inside: &Markup, language: Language) -> Markup {
+    html! {
+        section aria-labelledby="detail-title" {
+            div.bar-head {
+                h2 id="detail-title" tabindex="-1" { (title) }
+                button type="button" data-close="detail" { (page::close(language)) }
+            }
+            (inside)
+        }
+    }
+}
+
+/// The derivation of a check: both sides, as trees.
+pub(crate) fn explained(candidate: &Candidate<'_>, check: &Check, language: Language) -> Markup {
+    let found = derivation(check, language);
+    let title = format!("{}: {}", candidate.id, check_title(check.id, language));
+    let inside = html! {
+        p class=(verdict_class(check.verdict)) { (capitalised(&verdict_word(check.verdict, language))) @if check.utilisation.is_some() { ", " (percent(check.utilisation, language)) " %" } }
+        @if let Some(missing) = check.missing { p.unchecked { (page::to_be_checked_state(language)) " " (check_missing(missing, language)) } }
+        @for note in check.notes.iter() { p { (note_text(note, language)) } }
+        @for (word, root) in sides(language).into_iter().zip([&found.value, &found.limit]) {
+            @if let Some(root) = root { h3 { (capitalised(word)) } ul.tree { (node(root, language)) } }
+        }
+    };
+    frame(&title, &inside, language)
+}
+
+fn node(node: &Node, language: Language) -> Markup {
+    html! {
+        li {
+            span.node { (symbol(&node.symbol)) " = " strong { (node_amount(node, language)) } @if !node.term.is_empty() { " " (node.term) } }
+            span.trust { @if node.repeated { (terminal::see_above(language)) } @else { (trust(node, language)) } }
+            @if !node.repeated {
+                @for text in [&node.formula, &node.figures].into_iter().flatten() { div.formula { "= " (text) } }
+                @for erratum in &node.errata { div.advice { (erratum.id) ": " (erratum.evidence) } }
+            }
+            @if !node.operands.is_empty() { ul { @for operand in &node.operands { (self::node(operand, language)) } } }
+        }
+    }
+}
+
+/// Several actuators side by side.
+pub(crate) fn compared(found: &Comparison<'_>, language: Language) -> Markup {
+    let l = language;
+    let inside = html! {
+        div.wide tabindex="0" role="region" aria-labelledby="detail-title" {
+            table.compare {
+                thead { tr {
+                    th scope="col" { (capitalised(terms::check(l))) }
+                    th scope="col" { (capitalised(terms::unit(l))) }
+                    @for (place, each) in found.candidates.iter().enumerate() {
+                        th scope="col" { (each.id) @if found.better == Some(place) { br; (terminal::first_in_the_ranking(l)) } }
+                    }
+                } }
+                tbody {
+                    tr { th scope="row" { (capitalised(terms::verdict(l))) } td {} @for each in &found.candidates {
+                        td class=(if each.fits() { "pass" } else { "fail" }) {
+                            @if each.fits() { (terms::fits(l)) } @else { (terms::does_not_fit(l)) }
+                            @for objection in answer::objections(each, l) { br; (objection) }
+                        }
+                    } }
+                    @for row in &found.checks { (check_row(row, l)) }
+                    @for row in found.demand.iter().chain(&found.data) { (datum_row(row, l)) }
+                }
+            }
+        }
+    };
+    frame(page::side_by_side(l), &inside, l)
+}
+
+fn check_row(row: &CheckRow, language: Language) -> Markup {
+    let unit = row.checks.iter().flatten().find_map(|check: &Check| check.value.or(check.limit));
+    html! {
+        tr {
+            th scope="row" { (capitalised(&check_title(row.id, language))) }
+            td { (unit.map_or("", |figure| figure.unit.symbol)) }
+            @for (place, check) in row.checks.iter().enumerate() {
+                @match check {
+                    Some(check) => td.number class=(verdict_class(check.verdict)) {
+                        (figure_text(check.value, language)) " "
+                        @if check.verdict == Verdict::NotChecked { (verdict_word(check.verdict, language)) } @else { "(" (percent(check.utilisation, language)) " %)" }
+                        @if row.better == Some(place) { " *" }
+                    },
+                    None => td { "–" },
+                }
+            }
+        }
+    }
+}
+
+fn datum_row(row: &DatumRow, language: Language) -> Markup {
+    html! {
+        tr class=[row.is_same().then_some("same")] {
+            th scope="row" title=(figure_term(row.symbol, language)) { (symbol(row.symbol)) }
+            td { (row.unit.symbol) }
+            @for value in &row.values { td.number { (value.map_or_else(|| "–".to_owned(), |value| format_significant(value, 4, language))) } }
+        }
+    }
+}

@@ -1,0 +1,397 @@
+//! The left column: what moves. Every row is a key of the project file, taken from the description that its reader uses.
+
+use crate::sketch;
+use crate::state::{Held, State};
+use maud::{Markup, html};
+use workbench::quantities::format_significant;
+use workbench::text::{about_text, capitalised, key_word, law_text, page, short_label, table_of_project, terms};
+use workbench::{KEYS, Key, Kind, Language, SegmentLaw, Variants, example, moves};
+
+/// What is needed to draw a row.
+struct Form<'f> {
+    held: &'f Held,
+    language: Language,
+    /// `axis[2].` where there are several, else nothing.
+    prefix: String,
+    /// What followed for each segment: distance, speed, acceleration, time, as placeholders.
+    solved: Vec<Vec<(&'static str, String)>>,
+}
+
+/// The column.
+pub(crate) fn column(state: &State, held: &Held) -> Markup {
+    let several = held.written.iter().any(|key| key.path == "axis[1]");
+    let prefix = if several { format!("axis[{}].", state.axis + 1) } else { String::new() };
+    let form = Form { held, language: state.language, prefix, solved: solved(state, held) };
+    let l = state.language;
+    html! {
+        section id="moves" aria-labelledby="moves-title" {
+            h2 id="moves-title" { (page::what_moves(l)) }
+            (faults(held, l))
+            fieldset id="fields" disabled[!held.has_places] {
+                (form.name(several))
+                (form.mechanism())
+                @for name in ["motion"] { (form.root(name)) }
+                @for name in ["stage", "bearing", "requirements", "curve", "actuator"] { (form.root(name)) }
+            }
+        }
+    }
+}
+
+/// All faults of the text, each leading to its field.
+fn faults(held: &Held, language: Language) -> Markup {
+    html! {
+        div id="faults" role="status" {
+            @if !held.faults.is_empty() {
+                p.fault { strong { (page::faults(held.faults.len(), language)) } }
+                ul {
+                    @for (path, told) in held.faults.iter().take(20) {
+                        li {
+                            @let place = page::at_line(&told.line, &told.column, language);
+                            @match path {
+                                Some(path) => { a href={ "#" (id(path)) } { (place) } }
+                                None => { (place) }
+                            }
+                            ": " (told.message)
+                            @if let Some(hint) = &told.hint { " – " (hint) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The identifier of the row of a path.
+pub(crate) fn id(path: &str) -> String {
+    let sign = |sign: char| if sign.is_ascii_alphanumeric() || sign == '_' { sign } else { '-' };
+    format!("f-{}", path.chars().map(sign).collect::<String>())
+}
+
+/// What followed for each segment of the motion, by key.
+fn solved(state: &State, held: &Held) -> Vec<Vec<(&'static str, String)>> {
+    let Some(project) = held.projects.get(state.axis) else { return Vec::new() };
+    if held.is_old {
+        return Vec::new();
+    }
+    let found = moves(project);
+    let shown = |value: f64| format_significant(value, 4, Language::En);
+    let [distance, speed, acceleration] = found.units;
+    let of_move = |each: &workbench::Move<'_>| {
+        let seconds = workbench::quantities::Measure::si(each.duration);
+        let mut values = vec![("time", format!("{} s", shown(seconds)))];
+        if let Some([d, v, a]) = each.course {
+            values.push(("distance", format!("{} {}", shown(distance.from_si(d)), distance.ascii)));
+            values.push(("speed", format!("{} {}", shown(speed.from_si(v)), speed.ascii)));
+            values.push(("acceleration", format!("{} {}", shown(acceleration.from_si(a)), acceleration.ascii)));
+        }
+        values
+    };
+    found.moves.iter().map(of_move).collect()
+}
+
+impl Form<'_> {
+    fn value(&self, path: &str) -> Option<&str> {
+        self.held.written.iter().find(|key| key.path == path)?.value.as_deref()
+    }
+
+    /// Whether anything is stated at a path or below it.
+    fn is_there(&self, path: &str) -> bool {
+        let below = |known: &str| {
+            known
+                .strip_prefix(path)
+                .is_some_and(|rest| rest.is_empty() || rest.starts_with('.') || rest.starts_with('['))
+        };
+        self.held.written.iter().any(|key| below(&key.path))
+    }
+
+    /// How many entries a list has.
+    fn count(&self, path: &str) -> usize {
+        (1..).take_while(|place| self.is_there(&format!("{path}[{place}]"))).count()
+    }
+
+    fn name(&self, several: bool) -> Markup {
+        let Some(Kind::OneOrMany(one, _)) = KEYS.iter().find(|key| key.name == "axis").map(|key| key.kind) else {
+            return html! {};
+        };
+        let path = if several { self.prefix.trim_end_matches('.').to_owned() } else { String::from("axis") };
+        html! { div.rows { @for key in one { (self.row(key, &format!("{path}.{}", key.name), None)) } } }
+    }
+
+    /// The mechanism: which it is, its drawing, its rows.
+    fn mechanism(&self) -> Markup {
+        let l = self.language;
+        let keys = |name: &str| match KEYS.iter().find(|key| key.name == name).map(|key| key.kind) {
+            Some(Kind::Table(keys)) => keys,
+            _ => &[],
+        };
+        let path = format!("{}mechanism", self.prefix);
+        let kinds = keys("mechanism");
+        let chosen = kinds.iter().find(|kind| self.is_there(&format!("{path}.{}", kind.name)));
+        let load = format!("{}load", self.prefix);
+        let (title, of, rows) = match chosen {
+            Some(kind) => match kind.kind {
+                Kind::Table(rows) => (about_text(kind.about, l), format!("{path}.{}", kind.name), rows),
+                _ => ("", String::new(), keys("")),
+            },
+            None => (page::load_at_the_output(l), load.clone(), keys("load")),
+        };
+        html! {
+            fieldset id="mechanism" {
+                legend { (page::mechanism(l)) }
+                div.kinds role="group" aria-label=(page::mechanism(l)) {
+                    button type="button" aria-pressed=(chosen.is_none())
+                        hx-post="/work" hx-vals=(vals(&[("do", &format!("gone {path}"))])) { (page::load_at_the_output(l)) }
+                    @for kind in kinds {
+                        button type="button" aria-pressed=(chosen.is_some_and(|chosen| chosen.name == kind.name))
+                            hx-post="/work" hx-vals=(do_all(&[&format!("instead {path}.{}", kind.name), &format!("gone {load}")])) {
+                            (capitalised(about_text(kind.about, l)))
+                        }
+                    }
+                }
+                figure.sketch { (sketch::of(chosen.map(|kind| kind.name), &of, title, l)) }
+                (self.rows(rows, &of))
+            }
+        }
+    }
+
+    /// A table or list at the root.
+    fn root(&self, name: &str) -> Markup {
+        let Some(key) = KEYS.iter().find(|key| key.name == name) else { return html! {} };
+        self.table(key, &format!("{}{name}", self.prefix))
+    }
+
+    fn table(&self, key: &Key, path: &str) -> Markup {
+        let l = self.language;
+        let title = capitalised(table_of_project(key.name, l).unwrap_or_else(|| about_text(key.about, l)));
+        match key.kind {
+            Kind::Table(keys) => html! {
+                details id={ (id(path)) "-t" } open[self.is_there(path)] {
+                    summary { (title) }
+                    (self.row_fault(path))
+                    (self.rows(keys, path))
+                }
+            },
+            Kind::Variants(variants) => self.list(key, variants, path, &title),
+            _ => html! {},
+        }
+    }
+
+    /// Rows of a table: what must be there and what is stated first, the rest behind a fold.
+    fn rows(&self, keys: &[Key], path: &str) -> Markup {
+        let first = |key: &&Key| key.required || self.is_there(&format!("{path}.{}", key.name));
+        let (shown, folded): (Vec<&Key>, Vec<&Key>) = keys.iter().partition(first);
+        // A short table needs no fold.
+        let all = folded.len() <= 4;
+        html! {
+            div.rows {
+                @for key in keys.iter().filter(|key| all || first(key)) { (self.any(key, &format!("{path}.{}", key.name), None)) }
+            }
+            @if !all && !folded.is_empty() {
+                details.more id={ (id(path)) "-m" } open[shown.is_empty()] {
+                    summary { (page::further(folded.len(), self.language)) }
+                    div.rows { @for key in folded { (self.any(key, &format!("{path}.{}", key.name), None)) } }
+                }
+            }
+        }
+    }
+
+    fn any(&self, key: &Key, path: &str, placeholder: Option<&str>) -> Markup {
+        match key.kind {
+            Kind::Table(_) | Kind::Variants(_) => self.table(key, path),
+            _ => self.row(key, path, placeholder),
+        }
+    }
+
+    /// Entries of a list, each of one of several kinds.
+    fn list(&self, key: &Key, variants: &Variants, path: &str, title: &str) -> Markup {
+        let l = self.language;
+        let count = self.count(path);
+        let is_motion = key.name == "motion";
+        let fresh = variants.kinds.first().map_or("", |(name, ..)| *name);
+        let fresh = if is_motion { "trapezoid" } else { fresh };
+        let add = format!("{path}[{}]", count + 1);
+        let kind = format!("value {add}.{}={fresh}", variants.by);
+        html! {
+            details id={ (id(path)) "-t" } open[count > 0 || key.required || is_motion] {
+                summary { @if is_motion { (capitalised(terms::motion(l))) } @else { (title) } }
+                (self.row_fault(path))
+                ol.entries {
+                    @for place in 1..=count { (self.entry(variants, &format!("{path}[{place}]"), place, count)) }
+                }
+                button type="button" id={ (id(path)) "-add" }
+                    hx-post="/work" hx-vals=(do_all(&[&format!("table {add}"), &kind])) {
+                    @if is_motion { (page::add_segment(l)) } @else { (page::add_entry(l)) }
+                }
+            }
+        }
+    }
+
+    fn entry(&self, variants: &Variants, path: &str, place: usize, count: usize) -> Markup {
+        let l = self.language;
+        let kind = self.value(&format!("{path}.{}", variants.by)).unwrap_or_default();
+        let (needed, may): (&[&str], &[&str]) =
+            variants.kinds.iter().find(|(name, ..)| *name == kind).map_or((&[], &[]), |(_, needed, may)| (needed, may));
+        let key = |name: &str| variants.keys.iter().find(|key| key.name == name);
+        let empty = Vec::new();
+        let solved = self.solved.get(place - 1).unwrap_or(&empty);
+        let ghost = |name: &str| {
+            let of_motion = path.trim_start_matches(self.prefix.as_str()).starts_with("motion");
+            solved.iter().find(|(of, _)| of_motion && *of == name).map(|(_, value)| value.as_str())
+        };
+        let own = [variants.by].into_iter().chain(needed.iter().copied()).chain(may.iter().copied());
+        let shared: Vec<&Key> = variants.shared.iter().filter_map(|name| key(name)).collect();
+        let stated = |key: &&Key| self.is_there(&format!("{path}.{}", key.name));
+        // What stands there and does not belong stays in sight, with its fault.
+        let stray: Vec<&Key> = variants
+            .keys
+            .iter()
+            .filter(|key| stated(key))
+            .filter(|key| key.name != variants.by && !needed.contains(&key.name) && !may.contains(&key.name))
+            .filter(|key| !variants.shared.contains(&key.name))
+            .collect();
+        let name = page::segment(&place, l);
+        html! {
+            li.entry id={ (id(path)) "-e" } aria-label=(name) {
+                div.rows {
+                    @for name in own {
+                        @if let Some(key) = key(name) { (self.any(key, &format!("{path}.{name}"), ghost(name))) }
+                    }
+                    @for key in stray { (self.any(key, &format!("{path}.{}", key.name), None)) }
+                    @for key in shared.iter().filter(|key| stated(key)) { (self.any(key, &format!("{path}.{}", key.name), None)) }
+                }
+                (self.row_fault(path))
+                @let folded: Vec<&&Key> = shared.iter().filter(|key| !stated(key)).collect();
+                @if !folded.is_empty() {
+                    details.more id={ (id(path)) "-m" } {
+                        summary { (page::further(folded.len(), l)) }
+                        div.rows { @for key in folded { (self.any(key, &format!("{path}.{}", key.name), None)) } }
+                    }
+                }
+                div.tools {
+                    @if place < count {
+                        button.small type="button" aria-label=(page::move_down(&name, l)) title=(page::move_down(&name, l))
+                            hx-post="/work" hx-vals=(vals(&[("do", &format!("down {path}"))])) { "↓" }
+                    }
+                    button.small type="button" aria-label=(page::remove(&name, l)) title=(page::remove(&name, l))
+                        hx-post="/work" hx-vals=(vals(&[("do", &format!("gone {path}"))])) { "×" }
+                }
+            }
+        }
+    }
+
+    /// The fault of a table as a whole.
+    fn row_fault(&self, path: &str) -> Markup {
+        html! { @for (_, told) in self.held.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) {
+            p.fault { (told.message) @if let Some(hint) = &told.hint { " – " (hint) } }
+        } }
+    }
+
+    /// One key: its name, its field, its fault.
+    fn row(&self, key: &Key, path: &str, placeholder: Option<&str>) -> Markup {
+        let l = self.language;
+        let about = about_text(key.about, l);
+        let label = capitalised(&short_label(about));
+        let id = id(path);
+        let value = self.value(path).unwrap_or_default();
+        let below = |at: &str| at == path || at.strip_prefix(path).is_some_and(|rest| rest.starts_with('['));
+        let faults: Vec<_> = self.held.faults.iter().filter(|(at, _)| at.as_deref().is_some_and(below)).collect();
+        let described = format!("{id}-x");
+        let wrong = !faults.is_empty();
+        let sample = || {
+            let line = example(key).unwrap_or_default();
+            line.split_once("= ").map_or(String::new(), |(_, value)| value.trim_matches('"').to_owned())
+        };
+        let ghost = match placeholder {
+            Some(solved) if value.is_empty() => page::follows(&solved, l),
+            _ => sample(),
+        };
+        html! {
+            div.row id={ (id) "-r" } data-path=(path) {
+                label for=(id) title=(about) { (label) }
+                @match key.kind {
+                    Kind::Bool => (self.choice(&id, key.name, path, value, &["true", "false"], wrong, &described)),
+                    Kind::OneOf(words) => (self.choice(&id, key.name, path, value, words, wrong, &described)),
+                    Kind::ListOf(words) => (self.marks(&id, key, path, value, words)),
+                    Kind::Rows(_) | Kind::Bodies => {
+                        textarea id=(id) name="value" rows="4" spellcheck="false" placeholder=(ghost)
+                            aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(&described)]
+                            hx-post="/work" hx-trigger="input changed delay:120ms, change" hx-vals=(vals(&[("path", path)])) { (value) }
+                    },
+                    _ => {
+                        input id=(id) name="value" type="text" value=(value) placeholder=(ghost) autocomplete="off" spellcheck="false"
+                            aria-invalid=[wrong.then_some("true")] aria-describedby=[wrong.then_some(&described)]
+                            hx-post="/work" hx-trigger="input changed delay:60ms, change" hx-vals=(vals(&[("path", path)]));
+                    },
+                }
+                @if wrong {
+                    div.fault id=(described) {
+                        @for (_, told) in &faults { p { (told.message) @if let Some(hint) = &told.hint { " – " (hint) } } }
+                    }
+                }
+            }
+        }
+    }
+
+    #[allow(clippy::too_many_arguments, reason = "what an element of HTML has")]
+    fn choice(
+        &self,
+        id: &str,
+        key: &str,
+        path: &str,
+        value: &str,
+        words: &[&str],
+        wrong: bool,
+        described: &str,
+    ) -> Markup {
+        let l = self.language;
+        let shown = |word: &str| match (key, SegmentLaw::of_id(word)) {
+            ("law", Some(law)) => law_text(law, l).to_owned(),
+            _ => key_word(key, word, l).unwrap_or(word).to_owned(),
+        };
+        let unknown = !value.is_empty() && !words.contains(&value);
+        html! {
+            select id=(id) name="value" data-chosen=(value) aria-invalid=[wrong.then_some("true")]
+                aria-describedby=[wrong.then_some(described)]
+                hx-post="/work" hx-trigger="change" hx-vals=(vals(&[("path", path)])) {
+                option value="" selected[value.is_empty()] { (page::not_stated(l)) }
+                @if unknown { option value=(value) selected { (value) } }
+                @for word in words { option value=(word) selected[*word == value] { (shown(word)) } }
+            }
+        }
+    }
+
+    /// Words of which several may be chosen: each with the list that it would leave.
+    fn marks(&self, id: &str, key: &Key, path: &str, value: &str, words: &[&str]) -> Markup {
+        let chosen: Vec<&str> = value.split(',').map(str::trim).filter(|word| !word.is_empty()).collect();
+        let without = |word: &str| -> String {
+            let kept = |other: &&&str| {
+                if chosen.contains(&word) { **other != word } else { chosen.contains(*other) || **other == word }
+            };
+            words.iter().filter(kept).copied().collect::<Vec<_>>().join(", ")
+        };
+        html! {
+            span.marks id=(id) role="group" aria-label=(capitalised(&short_label(about_text(key.about, self.language)))) {
+                @for word in words {
+                    label {
+                        input type="checkbox" id={ (id) "-" (word) } checked[chosen.contains(word)]
+                            data-checked=(chosen.contains(word))
+                            hx-post="/work" hx-trigger="change" hx-vals=(vals(&[("path", path), ("value", &without(word))]));
+                        (word)
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Values that a request carries, as JSON.
+pub(crate) fn vals(values: &[(&str, &str)]) -> String {
+    let map: serde_json::Map<String, serde_json::Value> =
+        values.iter().map(|(key, value)| ((*key).to_owned(), (*value).into())).collect();
+    serde_json::Value::Object(map).to_string()
+}
+
+/// Several changes in one request.
+fn do_all(changes: &[&str]) -> String {
+    vals(&[("do", &changes.join("\n"))])
+}

@@ -1,0 +1,242 @@
+//! The whole page: head, bars, columns, text, and where one begins.
+
+use crate::call::{Call, Entry, Shell};
+use crate::demand;
+use crate::detail;
+use crate::fits;
+use crate::form;
+use crate::state::{Held, State};
+use figures::Theme;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use workbench::text::{capitalised, check_title, page, terms};
+use workbench::{
+    Candidate, CandidateId, CheckId, Language, Patience, Project, check, check_own, compare, explain, explain_own,
+    size, template, template_kinds,
+};
+
+/// What a browser may keep between two versions of the program.
+const ICON: &str = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E%3Ccircle cx='8' cy='8' r='6' fill='none' stroke='%231d5fa8' stroke-width='3'/%3E%3C/svg%3E";
+
+/// The page with a project, or where one begins.
+pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+    let mut state = State::of(call);
+    if let Some(kind) = call.field("new").filter(|_| state.text.is_empty())
+        && let Some(found) = template(&kind, "axis.toml", state.language)
+    {
+        state.text = found.text;
+    }
+    let l = state.language;
+    let dark = state.theme == Theme::Dark;
+    html! {
+        (DOCTYPE)
+        html lang=(l.id()) data-theme=[dark.then_some("dark")] {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="htmx-config" content=r#"{"includeIndicatorCSS":false,"history":false}"#;
+                title { (page::title(l)) }
+                link rel="icon" href=(ICON);
+                link rel="stylesheet" href="/assets/page.css";
+                script src="/assets/htmx.min.js" defer {}
+                script type="module" src="/assets/page.js" {}
+            }
+            body hx-target:inherited="#work" hx-swap:inherited="outerMorph" hx-include:inherited="#state" hx-sync:inherited="#work:queue all" {
+                a.skip href="#standing" { (page::skip_to_result(l)) }
+                (work(state, shell, patience))
+                aside id="detail" aria-live="polite" {}
+                footer { p.small { (page::computed_here(l)) } }
+            }
+        }
+    }
+}
+
+/// All of the page that a change of the project may touch.
+pub(crate) fn work(mut state: State, shell: &dyn Shell, patience: &Patience) -> Markup {
+    if state.text.is_empty() && state.good.is_empty() {
+        return start(&state, shell);
+    }
+    let held = state.hold(shell.files(), patience);
+    state.axis = state.axis.min(held.projects.len().saturating_sub(1));
+    let project = held.projects.get(state.axis);
+    let sizing = project.map(size);
+    let looked_at = project.and_then(|project| looked_at(&state, project, sizing.as_ref()?.candidates.first()));
+    let id = looked_at.as_ref().map(|candidate| candidate.id.clone());
+    html! {
+        div id="work" {
+            (bar(&state))
+            (state_of(&state))
+            (tabs(&state, &held))
+            main {
+                (form::column(&state, &held))
+                @match project {
+                    Some(project) => (demand::column(&state, project, looked_at.as_ref(), held.is_old, patience)),
+                    None => section id="demands" { h2 { (page::what_it_demands(state.language)) } p { (page::no_result_yet(state.language)) } },
+                }
+                (fits::column(&state, sizing.as_ref(), id.as_ref(), held.is_old))
+            }
+            (text(&state))
+        }
+    }
+}
+
+/// The actuator that is looked at: the one asked for, else the project's own, else the best, judged with every check.
+fn looked_at<'p>(state: &State, project: &'p Project, best: Option<&Candidate<'_>>) -> Option<Candidate<'p>> {
+    if let Some(found) = state.code.as_ref().and_then(|code| check(project, code).ok()) {
+        return Some(found);
+    }
+    if let Ok(own) = check_own(project) {
+        return Some(own);
+    }
+    match best.map(|best| &best.id) {
+        Some(CandidateId::Code(code)) => check(project, code).ok(),
+        _ => None,
+    }
+}
+
+fn bar(state: &State) -> Markup {
+    let l = state.language;
+    let other = if l == Language::De { Language::En } else { Language::De };
+    let dark = state.theme == Theme::Dark;
+    html! {
+        header {
+            h1 { "antrieb" }
+            nav.bar aria-label=(page::title(l)) {
+                a.button href={ "/?lang=" (l.id()) } data-leaves="" { (page::new_project(l)) }
+                button type="button" id="open" data-open="" { (page::open(l)) }
+                label.inline { span { (page::save_as(l)) } input id="file" name="file" form="state" type="text" size="18" value=(if state.file.is_empty() { "axis.toml" } else { &state.file }); }
+                button type="button" id="save" data-save="" { (page::save(l)) }
+                button type="button" id="undo" data-undo="" disabled { (page::undo(l)) }
+                button type="button" id="redo" data-redo="" disabled { (page::redo(l)) }
+                button type="button" id="report" data-download="/download/report" { (page::report_pdf(l)) }
+                button type="button" id="workbook" data-download="/download/workbook" { (page::workbook(l)) }
+                button type="button" id="data" data-download="/download/data" { (page::data_json(l)) }
+                button type="button" id="link" data-link="" { (page::link_to_this(l)) }
+                button type="button" id="tools" hx-post="/tools" hx-target="#detail" hx-swap="innerHTML" { (page::tools(l)) }
+                button type="button" id="language" hx-post="/" hx-target="body" hx-swap="outerMorph" hx-vals=(form::vals(&[("lang", other.id())])) lang=(other.id()) { (page::other_language(l)) }
+                button type="button" id="theme" aria-pressed=(dark) hx-post="/" hx-target="body" hx-swap="outerMorph"
+                    hx-vals=(form::vals(&[("theme", if dark { "light" } else { "dark" })])) { (page::dark(l)) }
+            }
+            p id="told" role="status" data-unsaved=(page::unsaved_work(l)) {}
+        }
+    }
+}
+
+/// What every request carries.
+fn state_of(state: &State) -> Markup {
+    let code = state.code.map(|code| code.to_string()).unwrap_or_default();
+    html! {
+        form id="state" hidden {
+            textarea name="good" { (PreEscaped(escaped(&state.good))) }
+            input type="hidden" name="axis" value=(state.axis);
+            input type="hidden" name="code" value=(code);
+            input type="hidden" name="lang" value=(state.language.id());
+            input type="hidden" name="theme" value=(if state.theme == Theme::Dark { "dark" } else { "light" });
+            input type="hidden" name="known" value=(state.known);
+        }
+    }
+}
+
+/// A text as the content of a field: its first end of line is one that HTML does not leave out.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 1);
+    if text.starts_with('\n') {
+        out.push('\n');
+    }
+    for sign in text.chars() {
+        match sign {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            _ => out.push(sign),
+        }
+    }
+    out
+}
+
+fn tabs(state: &State, held: &Held) -> Markup {
+    let l = state.language;
+    html! {
+        @if held.projects.len() > 1 {
+            nav.tabs aria-label=(capitalised(terms::axis(l))) {
+                @for (place, project) in held.projects.iter().enumerate() {
+                    button type="button" id={ "axis-" (place) } aria-current=[(place == state.axis).then_some("page")]
+                        hx-post="/work" hx-vals=(form::vals(&[("axis", &place.to_string()), ("code", "")])) { (project.name) }
+                }
+            }
+        }
+    }
+}
+
+fn text(state: &State) -> Markup {
+    let l = state.language;
+    html! {
+        details id="text-pane" {
+            summary { (page::text_of_the_file(l)) }
+            label.small for="text" { (page::text_told(l)) }
+            textarea id="text" name="text" form="state" rows="24" spellcheck="false" hx-post="/work" hx-trigger="input changed delay:200ms, change" { (PreEscaped(escaped(&state.text))) }
+        }
+    }
+}
+
+/// Where one begins: what is to be moved, an example, a file.
+fn start(state: &State, shell: &dyn Shell) -> Markup {
+    let l = state.language;
+    let files: Vec<Entry> = shell.folder().and_then(|folder| folder.list().ok()).unwrap_or_default();
+    html! {
+        div id="work" {
+            (state_of(state))
+            header { h1 { "antrieb" } nav.bar aria-label=(page::title(l)) {
+                @for other in Language::ALL { @if other != l { a.button href={ "/?lang=" (other.id()) } lang=(other.id()) { (page::other_language(l)) } } }
+            } p id="told" role="status" {} }
+            main.start {
+                section aria-labelledby="start-title" {
+                    h2 id="start-title" { (page::what_do_you_move(l)) }
+                    p { (page::start_told(l)) }
+                    (crate::start::tiles(l))
+                }
+                section aria-labelledby="example-title" {
+                    h2 id="example-title" { (page::or_an_example(l)) }
+                    ul.plain { @for kind in template_kinds() {
+                        @if let Some(found) = template(kind, "axis.toml", l) { li { a href={ "/?new=" (kind) "&lang=" (l.id()) } { (crate::start::about(&found.text, kind)) } } }
+                    } }
+                }
+                section aria-labelledby="file-title" {
+                    h2 id="file-title" { (page::or_a_file(l)) }
+                    button type="button" data-open="" { (page::open(l)) }
+                    @if !files.is_empty() {
+                        h3 { (page::folder(l)) }
+                        ul.plain { @for each in &files { li { a href={ "/?open=" (each.name) "&lang=" (l.id()) } { (each.name) } } } }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// How a check came about, for the actuator that is looked at.
+pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+    let mut state = State::of(call);
+    let wanted = call.field("check").unwrap_or_default();
+    let held = state.hold(shell.files(), patience);
+    let Some(project) = held.projects.get(state.axis) else { return html! {} };
+    let sizing = if state.code.is_none() && project.actuator.is_none() { Some(size(project)) } else { None };
+    let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first()).map(|best| best.id.clone());
+    let found = match (state.code, best) {
+        (Some(code), _) | (None, Some(CandidateId::Code(code))) => explain(project, &code),
+        _ => explain_own(project),
+    };
+    let Ok(candidate) = found else { return html! {} };
+    let Some(one) = candidate.judgement.checks.iter().find(|each| each.id.id() == wanted) else {
+        let known = CheckId::ALL.iter().find(|id| id.id() == wanted);
+        return html! { @if let Some(id) = known { p { (check_title(*id, state.language)) } } };
+    };
+    detail::explained(&candidate, one, state.language)
+}
+
+/// The marked actuators side by side.
+pub(crate) fn compared(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+    let mut state = State::of(call);
+    let held = state.hold(shell.files(), patience);
+    let found = held.projects.get(state.axis).and_then(|project| compare(project, &state.marked).ok());
+    html! { @if let Some(found) = found { (detail::compared(&found, state.language)) } }
+}

@@ -1,0 +1,241 @@
+//! Where one begins: a mechanism, at most six figures, a first answer.
+
+use crate::sketch;
+use maud::{Markup, html};
+use workbench::text::{about_text, capitalised, page, short_label};
+use workbench::{Edit, KEYS, Kind, Language, edit, key_at};
+
+/// A way to begin: the mechanism, and the keys that are asked for with a value that such machines have; what stands behind
+/// the sixth is set and not asked for.
+pub(crate) struct Begin {
+    pub(crate) mechanism: Option<&'static str>,
+    pub(crate) asked: &'static [(&'static str, &'static str)],
+    pub(crate) set: &'static [(&'static str, &'static str)],
+}
+
+/// The moves of each: there and back, with a rest after both.
+const FORTH_AND_BACK: &[(&str, &str)] = &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell")];
+
+pub(crate) const BEGINS: [Begin; 7] = [
+    Begin {
+        mechanism: None,
+        asked: &[
+            ("load.inertia", "1.3 kg m^2"),
+            ("load.friction_torque", "5 N m"),
+            ("motion[1].distance", "90 deg"),
+            ("motion[1].time", "0.6 s"),
+            ("motion[2].time", "1 s"),
+            ("requirements.supply", "560 V"),
+        ],
+        set: FORTH_AND_BACK,
+    },
+    Begin {
+        mechanism: Some("turntable"),
+        asked: &[
+            ("mechanism.turntable.bodies", "disc diameter=600mm length=20mm density=7850kg/m^3"),
+            ("mechanism.turntable.friction_torque", "3 N m"),
+            ("motion[1].distance", "90 deg"),
+            ("motion[1].time", "0.8 s"),
+            ("motion[2].time", "1 s"),
+            ("requirements.supply", "560 V"),
+        ],
+        set: FORTH_AND_BACK,
+    },
+    Begin {
+        mechanism: Some("arm"),
+        asked: &[
+            ("mechanism.arm.mass", "8 kg"),
+            ("mechanism.arm.centre_distance", "250 mm"),
+            ("mechanism.arm.inertia", "0.7 kg m^2"),
+            ("motion[1].distance", "90 deg"),
+            ("motion[1].time", "0.9 s"),
+            ("motion[2].time", "1 s"),
+        ],
+        set: &[
+            ("mechanism.arm.axis_tilt", "90 deg"),
+            ("mechanism.arm.start_angle", "0 deg"),
+            ("motion[1].law", "polynomial_5"),
+            ("motion[2].law", "dwell"),
+            ("requirements.supply", "560 V"),
+        ],
+    },
+    Begin {
+        mechanism: Some("screw"),
+        asked: &[
+            ("mechanism.screw.lead", "20 mm"),
+            ("mechanism.screw.mass", "60 kg"),
+            ("mechanism.screw.inclination", "0 deg"),
+            ("motion[1].distance", "100 mm"),
+            ("motion[1].time", "8 s"),
+            ("motion[2].time", "1 s"),
+        ],
+        set: &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell"), ("requirements.supply", "560 V")],
+    },
+    Begin {
+        mechanism: Some("belt"),
+        asked: &[
+            ("mechanism.belt.pulley_diameter", "120 mm"),
+            ("mechanism.belt.mass", "18 kg"),
+            ("mechanism.belt.friction_force", "35 N"),
+            ("motion[1].distance", "800 mm"),
+            ("motion[1].time", "2.8 s"),
+            ("motion[2].time", "0.6 s"),
+        ],
+        set: &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell"), ("requirements.supply", "560 V")],
+    },
+    Begin {
+        mechanism: Some("conveyor"),
+        asked: &[
+            ("mechanism.conveyor.roller_diameter", "100 mm"),
+            ("mechanism.conveyor.mass", "80 kg"),
+            ("mechanism.conveyor.friction_force", "60 N"),
+            ("motion[1].distance", "500 mm"),
+            ("motion[1].time", "2 s"),
+            ("motion[2].time", "1 s"),
+        ],
+        set: &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell"), ("requirements.supply", "560 V")],
+    },
+    Begin {
+        mechanism: Some("slider_crank"),
+        asked: &[
+            ("mechanism.slider_crank.crank", "60 mm"),
+            ("mechanism.slider_crank.rod", "240 mm"),
+            ("mechanism.slider_crank.mass", "12 kg"),
+            ("motion[1].speed", "30 1/min"),
+            ("motion[1].time", "2 s"),
+            ("requirements.supply", "560 V"),
+        ],
+        set: &[("mechanism.slider_crank.start_angle", "0 deg"), ("motion[1].law", "constant")],
+    },
+];
+
+impl Begin {
+    /// The project file that begins so.
+    pub(crate) fn text(&self, told: impl Fn(&str) -> Option<String>) -> String {
+        let mut text = String::from("format = 1\n");
+        // The kind of a segment stands before what it takes.
+        let mut all: Vec<(&str, String)> = Vec::new();
+        for (path, value) in self.asked.iter().chain(self.set) {
+            let value = told(path).unwrap_or_else(|| (*value).to_owned());
+            all.push((path, value));
+        }
+        // A cycle that comes back: the same way with the other sign.
+        let turns_on = matches!(self.mechanism, Some("conveyor" | "turntable" | "slider_crank"));
+        all.sort_by_key(|(path, _)| {
+            (
+                !path.starts_with("mechanism") && !path.starts_with("load"),
+                path.starts_with("requirements"),
+                (*path).split('.').next().map(str::to_owned),
+                !path.ends_with(".law"),
+            )
+        });
+        for (path, value) in &all {
+            if let Some(entry) = path.split('.').next().filter(|entry| entry.ends_with(']'))
+                && let Ok(made) = with_entry(&text, entry)
+            {
+                text = made;
+            }
+            text = edit(&text, path, Edit::Value(value)).unwrap_or(text);
+        }
+        let of = |path: &str| all.iter().find(|(known, _)| *known == path).map(|(_, value)| value.clone());
+        if turns_on {
+            if let Ok(single) = edit(&text, "axis.single_move", Edit::Value("true")) {
+                text = single;
+            }
+        } else if let (Some(distance), Some(time), Some(rest)) =
+            (of("motion[1].distance"), of("motion[1].time"), of("motion[2].time"))
+        {
+            let back = distance.strip_prefix('-').map_or_else(|| format!("-{distance}"), str::to_owned);
+            let more = [
+                ("motion[3].law", "polynomial_5".to_owned()),
+                ("motion[3].distance", back),
+                ("motion[3].time", time),
+                ("motion[4].law", "dwell".to_owned()),
+                ("motion[4].time", rest),
+            ];
+            for (path, value) in more {
+                if let Some(entry) = path.split('.').next()
+                    && let Ok(made) = with_entry(&text, entry)
+                {
+                    text = made;
+                }
+                text = edit(&text, path, Edit::Value(&value)).unwrap_or(text);
+            }
+        }
+        text
+    }
+}
+
+/// The text with an entry of a list, where it has none yet.
+fn with_entry(text: &str, entry: &str) -> Result<String, workbench::EditFault> {
+    let there = workbench::written(text).is_some_and(|all| all.iter().any(|key| key.path == entry));
+    if there { Ok(text.to_owned()) } else { edit(text, entry, Edit::Table) }
+}
+
+/// What a mechanism is called.
+fn title(mechanism: Option<&str>, language: Language) -> String {
+    let Some(name) = mechanism else { return page::load_at_the_output(language).to_owned() };
+    let key = KEYS.iter().find(|key| key.name == "mechanism").and_then(|key| match key.kind {
+        Kind::Table(keys) => keys.iter().find(|key| key.name == name),
+        _ => None,
+    });
+    key.map(|key| capitalised(about_text(key.about, language))).unwrap_or_default()
+}
+
+/// The ways to begin, as drawings.
+pub(crate) fn tiles(language: Language) -> Markup {
+    html! {
+        ul.tiles { @for (place, begin) in BEGINS.iter().enumerate() {
+            @let title = title(begin.mechanism, language);
+            li { button.tile type="button" hx-get={ "/begin?kind=" (place) "&lang=" (language.id()) } hx-target="#detail" hx-swap="innerHTML" hx-include="unset" {
+                span.sketch aria-hidden="true" { (sketch::still(begin.mechanism)) }
+                span { (title) }
+            } }
+        } }
+    }
+}
+
+/// The few figures of a way to begin.
+pub(crate) fn asked(place: usize, language: Language) -> Markup {
+    let Some(begin) = BEGINS.get(place) else { return html! {} };
+    let inside = html! {
+        form.rows method="post" action={ "/begin?kind=" (place) "&lang=" (language.id()) } {
+            @for (path, value) in begin.asked {
+                div.row {
+                    label for={ "b-" (crate::form::id(path)) } { (key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()) @if path.starts_with("motion[2]") { " (" (workbench::text::law_text(workbench::SegmentLaw::Dwell, language)) ")" } }
+                    input id={ "b-" (crate::form::id(path)) } name=(path) type="text" value=(value) autocomplete="off" spellcheck="false";
+                }
+            }
+            button type="submit" { (page::first_answer(language)) }
+        }
+    };
+    crate::detail::frame(&title(begin.mechanism, language), &inside, language)
+}
+
+/// The first line of an example: what it is.
+pub(crate) fn about<'t>(text: &'t str, kind: &'t str) -> &'t str {
+    text.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or(kind)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_way_to_begin_asks_for_at_most_six_figures_and_has_an_answer() {
+        for begin in &BEGINS {
+            assert!(begin.asked.len() <= 6, "{:?}", begin.mechanism);
+            let text = begin.text(|_| None);
+            let project = workbench::read(&text);
+            assert!(project.is_ok(), "{text}\n{project:?}");
+            let fits = project.is_ok_and(|project| workbench::size(&project).fits());
+            assert!(fits, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_typed_takes_the_place_of_what_is_proposed() {
+        let text = BEGINS[4].text(|path| (path == "motion[1].distance").then(|| "-250 mm".to_owned()));
+        assert!(text.contains("distance = \"-250 mm\"") && text.contains("distance = \"250 mm\""), "{text}");
+    }
+}

@@ -1,0 +1,400 @@
+//! A project file changed at one place: order, comments and spelling of everything else stay as they are.
+
+use crate::spec::{Key, Kind, ROOT};
+use std::fmt;
+use std::ops::Range as Span;
+use toml_edit::{Array, ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, TableLike, Value};
+
+/// What is changed at a path: `load.inertia`, `motion[2].speed`, `axis[1].requirements.supply`; lists count from one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edit<'e> {
+    /// What a value is, as it is typed into a field; nothing takes the key away.
+    Value(&'e str),
+    /// An empty table is put there; of a list, before the one that has this place.
+    Table,
+    /// Table, entry of a list or key is taken away.
+    Gone,
+    /// The only table left beside its siblings, as of `mechanism.belt`.
+    Instead,
+    /// An entry of a list changes its place with the next one.
+    Down,
+}
+
+/// Why a text was not changed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum EditFault {
+    /// The text is no TOML: nothing in it has a place.
+    Syntax,
+    /// The path is that of no key, or leads through what is no table.
+    Path,
+}
+
+impl fmt::Display for EditFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Syntax => "the text is no TOML",
+            Self::Path => "no key of a project file",
+        })
+    }
+}
+
+impl std::error::Error for EditFault {}
+
+/// One part of a path: a key, and a place of its list from zero.
+type Step<'p> = (&'p str, Option<usize>);
+
+/// The most entries that a list made by hand may have.
+const ENTRIES_MOST: usize = 10_000;
+
+fn steps(path: &str) -> Option<Vec<Step<'_>>> {
+    let step = |part| -> Option<Step<'_>> {
+        let part: &str = part;
+        let Some((name, index)) = part.split_once('[') else { return Some((part, None)) };
+        let index: usize = index.strip_suffix(']')?.parse().ok()?;
+        (1..=ENTRIES_MOST).contains(&index).then(|| (name, Some(index - 1)))
+    };
+    path.split('.').map(step).collect()
+}
+
+/// The description of the key at a path; `None` where the project file has no such key.
+#[must_use]
+pub fn key_at(path: &str) -> Option<&'static Key> {
+    let mut keys = ROOT;
+    let mut found = None;
+    for (name, place) in steps(path)? {
+        let key = keys.iter().find(|key| key.name == name)?;
+        keys = match key.kind {
+            Kind::Table(keys) | Kind::OneOrMany(keys, _) if place.is_none() => keys,
+            Kind::OneOrMany(_, keys) => keys,
+            Kind::Variants(variants) => variants.keys,
+            _ => &[],
+        };
+        found = Some(key);
+    }
+    found
+}
+
+/// The text with one change.
+///
+/// # Errors
+/// [`EditFault`].
+pub fn edit(text: &str, path: &str, change: Edit<'_>) -> Result<String, EditFault> {
+    let mut document: DocumentMut = text.parse().map_err(|_| EditFault::Syntax)?;
+    let steps = steps(path).ok_or(EditFault::Path)?;
+    let key = key_at(path).ok_or(EditFault::Path)?;
+    let (last, above) = steps.split_last().ok_or(EditFault::Path)?;
+    let wants_table = matches!(change, Edit::Value(value) if !value.trim().is_empty()) || change == Edit::Table;
+    let mut told = false;
+    let Some(parent) = down(document.as_table_mut(), above, wants_table || change == Edit::Instead, &mut told) else {
+        // What is not there need not be taken away.
+        return if change == Edit::Down { Err(EditFault::Path) } else { Ok(text.to_owned()) };
+    };
+    let reordered = match change {
+        Edit::Value(value) => {
+            put(parent, last, key, value.trim());
+            false
+        }
+        Edit::Table => insert(parent, last).ok_or(EditFault::Path)?,
+        Edit::Gone => {
+            take(parent, last);
+            false
+        }
+        Edit::Instead => {
+            let others: Vec<String> =
+                parent.iter().map(|(name, _)| name.to_owned()).filter(|name| name != last.0).collect();
+            for other in others {
+                let _ = parent.remove(&other);
+            }
+            if !parent.contains_key(last.0) {
+                let _ = insert(parent, last);
+            }
+            true
+        }
+        Edit::Down => swap(parent, last).ok_or(EditFault::Path)?,
+    };
+    if reordered || told {
+        let mut place = 0;
+        renumber(document.as_table_mut(), &mut place);
+    }
+    Ok(document.to_string())
+}
+
+/// The table that a path leads to; with `make` what is missing on the way is made, and `made` says so.
+fn down<'t>(
+    root: &'t mut dyn TableLike,
+    path: &[Step<'_>],
+    make: bool,
+    made: &mut bool,
+) -> Option<&'t mut dyn TableLike> {
+    let Some(((name, place), rest)) = path.split_first() else { return Some(root) };
+    if !root.contains_key(name) {
+        if !make || place.is_some_and(|place| place > 0) {
+            return None;
+        }
+        *made = true;
+        let mut table = Table::new();
+        // A table that holds only tables needs no line of its own.
+        table.set_implicit(!rest.is_empty() && place.is_none());
+        let item = match place {
+            Some(_) => Item::ArrayOfTables(ArrayOfTables::from_iter([table])),
+            None => Item::Table(table),
+        };
+        let _ = root.insert(name, item);
+    }
+    let next = match (root.get_mut(name)?, place) {
+        (Item::ArrayOfTables(tables), Some(place)) => tables.get_mut(*place)? as &mut dyn TableLike,
+        (Item::Value(Value::Array(array)), Some(place)) => array.get_mut(*place)?.as_inline_table_mut()?,
+        (item, None) => item.as_table_like_mut()?,
+        _ => return None,
+    };
+    down(next, rest, make, made)
+}
+
+/// Puts what was typed behind a key, as the type that the key has; what does not read as one stays a text, and the reader
+/// of the project says what it should be.
+fn put(table: &mut dyn TableLike, (name, place): &Step<'_>, key: &Key, typed: &str) {
+    if place.is_some() {
+        return;
+    }
+    if typed.is_empty() {
+        let _ = table.remove(name);
+        return;
+    }
+    let mut value = typed_as(key.kind, typed);
+    match table.get_mut(name).and_then(Item::as_value_mut) {
+        Some(old) => {
+            // The remark behind it stays.
+            *value.decor_mut() = old.decor().clone();
+            if old.as_str().is_none_or(|old| Some(old) != value.as_str()) {
+                *old = value;
+            }
+        }
+        None => {
+            let _ = table.insert(name, Item::Value(value));
+        }
+    }
+}
+
+fn typed_as(kind: Kind, typed: &str) -> Value {
+    let parts = |text: &str| -> Vec<String> {
+        text.split([',', ';', '\n']).map(|part| part.trim().to_owned()).filter(|part| !part.is_empty()).collect()
+    };
+    let number = |text: &str| -> Value {
+        match (text.parse::<i64>(), text.parse::<f64>()) {
+            (Ok(whole), _) => whole.into(),
+            (_, Ok(number)) if number.is_finite() => number.into(),
+            _ => text.into(),
+        }
+    };
+    match kind {
+        Kind::Number(..) | Kind::Integer(..) => number(typed),
+        Kind::Bool => typed.parse::<bool>().map_or_else(|_| typed.into(), Value::from),
+        Kind::Numbers(..) => parts(typed).iter().map(|part| number(part)).collect::<Array>().into(),
+        Kind::ListOf(_) => parts(typed).into_iter().collect::<Array>().into(),
+        Kind::Bodies => {
+            let lines = typed.lines().map(str::trim).filter(|line| !line.is_empty());
+            spread(lines.map(Value::from).collect())
+        }
+        Kind::Rows(_) => {
+            let lines = typed.lines().map(str::trim).filter(|line| !line.is_empty());
+            let row = |line: &str| line.split(';').map(str::trim).filter(|part| !part.is_empty()).collect::<Array>();
+            spread(lines.map(|line| row(line).into()).collect())
+        }
+        _ => typed.into(),
+    }
+}
+
+/// A list with a line for each entry.
+fn spread(entries: Vec<Value>) -> Value {
+    let mut array: Array = entries.into_iter().collect();
+    for entry in array.iter_mut() {
+        entry.decor_mut().set_prefix("\n  ");
+    }
+    array.set_trailing("\n");
+    array.set_trailing_comma(true);
+    array.into()
+}
+
+/// Puts an empty table, or an empty entry of a list before the one at its place; tells whether the order changed.
+fn insert(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> {
+    let Some(place) = *place else {
+        if parent.contains_key(name) {
+            return Some(false);
+        }
+        let _ = parent.insert(name, Item::Table(Table::new()));
+        return Some(true);
+    };
+    match parent.get_mut(name) {
+        None => {
+            let _ = parent.insert(name, Item::ArrayOfTables(ArrayOfTables::from_iter([spaced()])));
+        }
+        Some(Item::ArrayOfTables(tables)) => {
+            let mut all: Vec<Table> = std::mem::take(tables).into_iter().collect();
+            all.insert(place.min(all.len()), spaced());
+            *tables = all.into_iter().collect();
+        }
+        Some(Item::Value(Value::Array(array))) => array.insert(place.min(array.len()), InlineTable::new()),
+        Some(_) => return None,
+    }
+    Some(true)
+}
+
+/// A table with an empty line above it.
+fn spaced() -> Table {
+    let mut table = Table::new();
+    table.decor_mut().set_prefix("\n");
+    table
+}
+
+fn take(parent: &mut dyn TableLike, (name, place): &Step<'_>) {
+    let Some(place) = *place else {
+        let _ = parent.remove(name);
+        return;
+    };
+    let empty = match parent.get_mut(name) {
+        Some(Item::ArrayOfTables(tables)) if place < tables.len() => {
+            tables.remove(place);
+            tables.is_empty()
+        }
+        Some(Item::Value(Value::Array(array))) if place < array.len() => {
+            let _ = array.remove(place);
+            array.is_empty()
+        }
+        _ => false,
+    };
+    if empty {
+        let _ = parent.remove(name);
+    }
+}
+
+/// Changes an entry of a list with the next one, where there is one.
+fn swap(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> {
+    let place = (*place)?;
+    match parent.get_mut(name)? {
+        Item::ArrayOfTables(tables) => {
+            let mut all: Vec<Table> = std::mem::take(tables).into_iter().collect();
+            if place + 1 < all.len() {
+                all.swap(place, place + 1);
+            }
+            *tables = all.into_iter().collect();
+        }
+        Item::Value(Value::Array(array)) if place + 1 < array.len() => {
+            let moved = array.remove(place);
+            array.insert_formatted(place + 1, moved);
+        }
+        _ => {}
+    }
+    Some(true)
+}
+
+/// Gives the tables their places anew: those that stood in the text stay in their order, and each stands before its own.
+fn renumber(table: &mut Table, place: &mut isize) {
+    /// Where the first table below an item stood; what is new comes last.
+    fn stood(item: &Item) -> isize {
+        let of = |table: &Table| {
+            let own = if table.is_implicit() { None } else { table.position() };
+            own.into_iter().chain(table.iter().map(|(_, item)| stood(item))).min().unwrap_or(isize::MAX)
+        };
+        match item {
+            Item::Table(table) => of(table),
+            Item::ArrayOfTables(tables) => tables.iter().map(of).min().unwrap_or(isize::MAX),
+            _ => isize::MAX,
+        }
+    }
+    if !table.is_implicit() {
+        table.set_position(Some(*place));
+        *place += 1;
+    }
+    let mut names: Vec<(isize, String)> = table.iter().map(|(name, item)| (stood(item), name.to_owned())).collect();
+    names.sort_by_key(|(stood, _)| *stood);
+    for (_, name) in names {
+        match table.get_mut(&name) {
+            Some(Item::Table(below)) if !below.is_dotted() => renumber(below, place),
+            Some(Item::ArrayOfTables(tables)) => tables.iter_mut().for_each(|below| renumber(below, place)),
+            _ => {}
+        }
+    }
+}
+
+/// A key of a text with what stands behind it, whether the reader of the project would accept it or not.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Written {
+    /// Its path, as [`crate::Input`] has it.
+    pub path: String,
+    /// Its value as it is typed into a field; `None` for a table.
+    pub value: Option<String>,
+    /// The place of its value in the text, in bytes; of a table, that of its heading.
+    pub span: Span<usize>,
+}
+
+/// Every key and table of a text in the order of the tables; `None` where the text is no TOML.
+#[must_use]
+pub fn written(text: &str) -> Option<Vec<Written>> {
+    let document = Document::parse(text).ok()?;
+    let mut found = Vec::new();
+    of_table(document.as_table(), "", &mut found);
+    Some(found)
+}
+
+fn of_table(table: &dyn TableLike, path: &str, found: &mut Vec<Written>) {
+    for (name, item) in table.iter() {
+        let path = if path.is_empty() { name.to_owned() } else { format!("{path}.{name}") };
+        let span = item.span().unwrap_or_default();
+        match item {
+            Item::Value(Value::Array(array)) if array.iter().any(Value::is_inline_table) => {
+                for (place, entry) in array.iter().enumerate() {
+                    let Some(entry_table) = entry.as_inline_table() else { continue };
+                    let path = format!("{path}[{}]", place + 1);
+                    found.push(Written { path: path.clone(), value: None, span: entry.span().unwrap_or_default() });
+                    of_table(entry_table, &path, found);
+                }
+            }
+            Item::Value(Value::InlineTable(inside)) => {
+                found.push(Written { path: path.clone(), value: None, span });
+                of_table(inside, &path, found);
+            }
+            Item::Value(value) => found.push(Written { path, value: Some(typed(value)), span }),
+            Item::Table(inside) => {
+                found.push(Written { path: path.clone(), value: None, span });
+                of_table(inside, &path, found);
+            }
+            Item::ArrayOfTables(tables) => {
+                for (place, inside) in tables.iter().enumerate() {
+                    let path = format!("{path}[{}]", place + 1);
+                    found.push(Written { path: path.clone(), value: None, span: inside.span().unwrap_or_default() });
+                    of_table(inside, &path, found);
+                }
+            }
+            Item::None => {}
+        }
+    }
+}
+
+/// A value as it is typed into a field.
+fn typed(value: &Value) -> String {
+    let plain = |value: &Value| match value {
+        Value::String(text) => text.value().clone(),
+        other => {
+            let mut other = other.clone();
+            other.decor_mut().clear();
+            other.to_string()
+        }
+    };
+    match value {
+        Value::Array(rows) if rows.iter().any(Value::is_array) => {
+            let row = |row: &Value| match row {
+                Value::Array(parts) => parts.iter().map(plain).collect::<Vec<_>>().join("; "),
+                other => plain(other),
+            };
+            rows.iter().map(row).collect::<Vec<_>>().join("\n")
+        }
+        Value::Array(parts) if parts.iter().any(|part| part.as_str().is_some_and(|text| text.contains('='))) => {
+            parts.iter().map(plain).collect::<Vec<_>>().join("\n")
+        }
+        Value::Array(parts) => parts.iter().map(plain).collect::<Vec<_>>().join(", "),
+        other => plain(other),
+    }
+}
+
+#[cfg(test)]
+mod tests;

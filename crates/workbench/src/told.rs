@@ -1,0 +1,132 @@
+//! Results in short words that a terminal and a page both say.
+
+use crate::limits::NeededLimit;
+use crate::sizing_use::{Candidate, CandidateId, Objection};
+use crate::{Check, Demand, Figure, Reserve, Verdict, limits_needed};
+use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
+use quantities::{Language, Measure, Unit, format_number, format_significant};
+use words::{check_title, describe_rule, terminal, unmet_text};
+
+/// A value in its unit, four digits.
+#[must_use]
+pub fn shown(si: f64, unit: &Unit, language: Language) -> String {
+    format_significant(unit.from_si(si), 4, language)
+}
+
+/// A figure in its unit, four digits, or a dash.
+#[must_use]
+pub fn figure_text(figure: Option<Figure>, language: Language) -> String {
+    figure.map_or_else(|| "–".into(), |figure| format_significant(figure.value(), 4, language))
+}
+
+/// The sign of a figure's unit; a dash for a plain number, nothing where there is no figure.
+#[must_use]
+pub fn unit_text(figure: Option<Figure>) -> &'static str {
+    figure.map_or("", |figure| if figure.unit.symbol == "1" { "–" } else { figure.unit.symbol })
+}
+
+/// A utilisation in percent, or a dash.
+#[must_use]
+pub fn percent(utilisation: Option<f64>, language: Language) -> String {
+    utilisation.map_or_else(|| "–".into(), |share| format_number(share * 100.0, 1, language))
+}
+
+/// What speaks against a candidate besides its checks.
+#[must_use]
+pub fn objection_text(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> String {
+    match (objection, &candidate.id) {
+        (Objection::Unmet(unmet), _) => unmet_text(unmet, language),
+        (Objection::Rule(rule), CandidateId::Code(code)) => describe_rule(code, rule, language),
+        (Objection::Rule(rule), CandidateId::Own(_)) => rule.table.to_owned(),
+    }
+}
+
+/// The reason of a rejection in one line: the failing check that is exceeded most, else the first objection.
+#[must_use]
+pub fn reason(candidate: &Candidate<'_>, language: Language) -> String {
+    if let Some(check) = candidate.worst_failure() {
+        let unit = check.value.map_or("", |figure| figure.unit.symbol);
+        let over =
+            check.utilisation.map(|_| format!(" ({} %)", percent(check.utilisation, language))).unwrap_or_default();
+        return format!(
+            "{}: {} {} {} {unit}{over}",
+            check_title(check.id, language),
+            figure_text(check.value, language),
+            check.relation().unwrap_or_default(),
+            figure_text(check.limit, language),
+        );
+    }
+    candidate.objections.first().map(|objection| objection_text(candidate, objection, language)).unwrap_or_default()
+}
+
+/// What fails first, then advice, then what is not checked, then the rest; within each by utilisation.
+#[must_use]
+pub fn by_importance(checks: &[Check]) -> Vec<&Check> {
+    let rank = |check: &Check| match check.verdict {
+        Verdict::Fail => 0,
+        Verdict::Advice => 1,
+        Verdict::NotChecked => 2,
+        Verdict::Pass => 3,
+    };
+    let share = |check: &Check| check.utilisation.unwrap_or(f64::NEG_INFINITY);
+    let mut sorted: Vec<&Check> = checks.iter().collect();
+    sorted.sort_by(|a, b| rank(a).cmp(&rank(b)).then_with(|| share(b).total_cmp(&share(a))));
+    sorted
+}
+
+/// The figures of a demand: symbol, value, unit.
+#[must_use]
+pub fn demand_figures(demand: &Demand, language: Language) -> [(&'static str, String, &'static str); 5] {
+    let torque = |si: f64| shown(si, &NEWTON_METRE, language);
+    let speed = |si: f64| shown(si, &REVOLUTION_PER_MINUTE, language);
+    let rpm = REVOLUTION_PER_MINUTE.symbol;
+    [
+        ("T_rms", torque(demand.torque_rms.si()), NEWTON_METRE.symbol),
+        ("T_peak", torque(demand.torque_peak.si()), NEWTON_METRE.symbol),
+        ("n_av", speed(demand.speed_mean.si()), rpm),
+        ("n_peak", speed(demand.speed_peak.si()), rpm),
+        ("ED", format_number(PERCENT.from_si(demand.duty_factor), 2, language), PERCENT.symbol),
+    ]
+}
+
+/// How far one thing may be changed, all others as they are; for what does not fit also the limits of the project that
+/// would have to be others. Each with what it is a list of.
+#[must_use]
+pub fn reserve_lines(
+    reserve: &Reserve,
+    candidate: &Candidate<'_>,
+    language: Language,
+) -> Vec<(&'static str, Vec<String>)> {
+    let number = |value: f64| format_significant(value, 4, language);
+    let mut parts = Vec::new();
+    if let Some(factor) = reserve.payload_factor {
+        parts.push(terminal::payload_factor(&number(factor), language));
+    }
+    if let Some(factor) = reserve.load_factor {
+        parts.push(terminal::load_factor(&number(factor), language));
+    }
+    if let Some(time) = reserve.cycle_time {
+        parts.push(terminal::cycle_time(&number(time.si()), language));
+    }
+    if let Some(ambient) = reserve.ambient {
+        parts.push(terminal::ambient(&number(DEGREE_CELSIUS.from_si(ambient.si())), language));
+    }
+    let mut lines = Vec::new();
+    if !parts.is_empty() {
+        let head = match (candidate.judgement_fits(), candidate.objections.is_empty()) {
+            (true, true) => terminal::fits_up_to(language),
+            (true, false) => terminal::checks_pass_up_to(language),
+            (false, true) => terminal::would_fit_with_one_of(language),
+            (false, false) => terminal::checks_would_pass_with_one_of(language),
+        };
+        lines.push((head, parts));
+    }
+    if let Some(needed) = limits_needed(candidate) {
+        let each = |needed: &NeededLimit| {
+            let unit = needed.enough.unit;
+            format!("{} {} {}", needed.key, number(needed.enough.value()), unit.symbol)
+        };
+        lines.push((terminal::would_fit_with_this_asked_for(language), needed.iter().map(each).collect()));
+    }
+    lines
+}
