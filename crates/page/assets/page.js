@@ -14,6 +14,9 @@ document.addEventListener('htmx:before:request', (event) => {
   if (good) body.set('good', good.value);
 });
 
+// The numbers of each curve, read once.
+const lines = new WeakMap();
+
 // Undo and redo are former texts.
 const past = [];
 const future = [];
@@ -54,6 +57,9 @@ function step(from, to) {
 function right() {
   for (const select of all('select[data-chosen]')) if (document.activeElement !== select) select.value = select.dataset.chosen;
   for (const box of all('input[data-checked]')) box.checked = box.dataset.checked === 'true';
+  const held = (name) => $(`#state [name=${name}]`)?.value;
+  if (held('lang')) document.documentElement.lang = held('lang');
+  if (held('theme') === 'dark') document.documentElement.dataset.theme = 'dark'; else delete document.documentElement.dataset.theme;
   note();
   cursor();
 }
@@ -81,8 +87,9 @@ function cursor() {
     for (const panel of panels(figure)) line(panel, time);
   }
   const values = read(cycle, time);
-  const shown = new Intl.NumberFormat(document.documentElement.lang, { maximumSignificantDigits: 4 });
-  const told = [`t = ${shown.format(time)} s`, ...values.map((each) => `${each.name} ${shown.format(each.value)}`)].join(' · ');
+  const format = new Intl.NumberFormat(document.documentElement.lang, { maximumSignificantDigits: 4, signDisplay: 'negative' });
+  const shown = { format: (value) => format.format(value).replace('-', '\u2212') };
+  const told = [`t ${shown.format(time)} s`, ...values.map((each) => `${each.symbol} ${each.label ? each.label + ' ' : ''}${shown.format(each.value)} ${each.unit}`)].join(' · ');
   $('#instant-values').textContent = told;
   range.setAttribute('aria-valuetext', told);
   point(values);
@@ -93,30 +100,40 @@ function line(panel, time) {
   if (!mark) {
     mark = document.createElementNS('http://www.w3.org/2000/svg', 'line');
     mark.setAttribute('class', 'cursor-line');
-    mark.setAttribute('id', '');
-    mark.removeAttribute('id');
-    mark.setAttribute('stroke', 'currentColor');
     panel.append(mark);
   }
   const x = Number(left) + (time - xMin) / (xMax - xMin) * (right - left);
   mark.setAttribute('x1', x); mark.setAttribute('x2', x); mark.setAttribute('y1', top); mark.setAttribute('y2', bottom);
 }
-// The value of each curve at an instant, read from its line.
+// The value of each curve at an instant, read from its line: the numbers of a path stand in the order of time.
+function points(path) {
+  const written = path.getAttribute('d');
+  let known = lines.get(path);
+  if (known?.written !== written) {
+    const numbers = (written.match(/-?\d+(\.\d+)?/g) ?? []).map(Number);
+    known = { written, x: numbers.filter((_, place) => place % 2 === 0), y: numbers.filter((_, place) => place % 2 === 1) };
+    lines.set(path, known);
+  }
+  return known;
+}
 function read(figure, time) {
   const found = [];
   for (const panel of panels(figure)) {
-    const { left, right, top, bottom, xMin, xMax, yMin, yMax } = panel.dataset;
-    const x = Number(left) + (time - xMin) / (xMax - xMin) * (right - left);
-    const curve = panel.querySelector('[data-label] path, path[data-label], .line path, path.line');
-    const label = panel.querySelector('[data-label]')?.dataset.label ?? panel.dataset.name ?? '';
-    if (!curve || !curve.getTotalLength) continue;
-    let low = 0, high = curve.getTotalLength();
-    for (let turn = 0; turn < 24; turn += 1) {
-      const middle = (low + high) / 2;
-      if (curve.getPointAtLength(middle).x < x) low = middle; else high = middle;
+    const { left, right, top, bottom, xMin, xMax, yMin, yMax, y: symbol, yUnit: unit } = panel.dataset;
+    const at = Number(left) + (time - xMin) / (xMax - xMin) * (right - left);
+    for (const curve of panel.querySelectorAll('g.line')) {
+      const path = curve.querySelector('path');
+      if (!path) continue;
+      const { x, y } = points(path);
+      let low = 0, high = x.length - 1;
+      while (high - low > 1) { const middle = (low + high) >> 1; if (x[middle] <= at) low = middle; else high = middle; }
+      const share = x[high] > x[low] ? Math.min(1, Math.max(0, (at - x[low]) / (x[high] - x[low]))) : 0;
+      const height = y[low] + share * (y[high] - y[low]);
+      const value = Number(yMin) + (bottom - height) / (bottom - top) * (yMax - yMin);
+      // A line is drawn to a hundredth of a pixel: no more digits are told.
+      const step = (yMax - yMin) / (bottom - top) / 20;
+      found.push({ symbol, label: curve.dataset.label ?? '', unit, value: Math.round(value / step) * step + 0 });
     }
-    const y = curve.getPointAtLength(low).y;
-    found.push({ name: label, value: Number(yMin) + (bottom - y) / (bottom - top) * (yMax - yMin) });
   }
   return found;
 }
@@ -124,15 +141,14 @@ function point(values) {
   const figure = $('#plot-torque-speed');
   const panel = figure && panels(figure)[0];
   if (!panel) return;
-  const speed = values.find((each) => each.name.startsWith('n') || each.name.startsWith('v'));
-  const torque = values.find((each) => each.name.startsWith('T') || each.name.startsWith('F'));
+  const speed = values.find((each) => each.symbol === 'n');
+  const torque = values.find((each) => each.symbol === 'T');
   if (!speed || !torque) return;
   const { left, right, top, bottom, xMin, xMax, yMin, yMax } = panel.dataset;
   let mark = panel.querySelector('.cursor-point');
   if (!mark) {
     mark = document.createElementNS('http://www.w3.org/2000/svg', 'circle');
-    mark.setAttribute('class', 'cursor-point'); mark.setAttribute('r', 5); mark.setAttribute('fill', 'none');
-    mark.setAttribute('stroke', 'currentColor'); mark.setAttribute('stroke-width', 2);
+    mark.setAttribute('class', 'cursor-point'); mark.setAttribute('r', 5);
     panel.append(mark);
   }
   mark.setAttribute('cx', Number(left) + (speed.value - xMin) / (xMax - xMin) * (right - left));

@@ -89,13 +89,13 @@ pub(crate) fn tools(call: &Call<'_>) -> Markup {
         nav.kinds aria-label=(page::tools(l)) {
             @for (id, title) in TOOLS {
                 button type="button" aria-pressed=(id == tool) hx-post="/tools" hx-target="#detail" hx-swap="innerHTML"
-                    hx-include="#state, #about" hx-vals=(vals(&[("tool", id)])) { (title(l)) }
+                    hx-include="#state, [form=state], #about" hx-vals=(vals(&[("tool", id)])) { (title(l)) }
             }
         }
         p {
             label for="about" { @if tool == "glossary" { (page::tool_glossary(l)) } @else { (page::tool_code(l)) } " " }
             input id="about" name="about" type="text" size="36" value=(typed) autocomplete="off" spellcheck="false"
-                hx-post="/tools" hx-target="#tool" hx-select="#tool" hx-swap="outerMorph" hx-include="#state, #tool-fields"
+                hx-post="/tools" hx-target="#tool" hx-select="#tool" hx-swap="outerMorph" hx-include="#state, [form=state], #tool-fields"
                 hx-trigger="input changed delay:80ms, change" hx-vals=(vals(&[("tool", tool)]));
         }
         div id="tool" {
@@ -158,7 +158,7 @@ fn plan(code: &OrderCode, call: &Call<'_>, language: Language) -> Markup {
         p id="tool-fields" {
             label for="delivered" { (page::delivered_on(l)) " " }
             input id="delivered" name="delivered" type="date" value=(typed) hx-post="/tools" hx-target="#tool" hx-select="#tool"
-                hx-swap="outerMorph" hx-include="#state, #about" hx-trigger="change" hx-vals=(vals(&[("tool", "upkeep")]));
+                hx-swap="outerMorph" hx-include="#state, [form=state], #about" hx-trigger="change" hx-vals=(vals(&[("tool", "upkeep")]));
         }
         @match asked {
             Ok(asked) => { @match upkeep(code, &asked, l) {

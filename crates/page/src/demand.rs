@@ -1,6 +1,6 @@
 //! The middle column: what the axis demands of the actuator that is looked at, over time and in the plane.
 
-use crate::form::{id, vals};
+use crate::form::vals;
 use crate::state::State;
 use figures::{By, Figure, Size, Style, draw};
 use maud::{Markup, PreEscaped, html};
@@ -178,11 +178,6 @@ fn assumptions(project: &Project, language: Language) -> Markup {
             }
         }
     }
-}
-
-/// The link from a key to its row.
-pub(crate) fn to_row(path: &str) -> String {
-    format!("#{}", id(path))
 }
 
 /// What the terminal calls the two sides of a check.

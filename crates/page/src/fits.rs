@@ -9,6 +9,9 @@ use workbench::quantities::{Measure, format_number};
 use workbench::text::{capitalised, check_title, page, ranking_rule, terminal, terms};
 use workbench::{Candidate, CandidateId, Language, Sizing, percent, reason, shown};
 
+/// So many of what fits stand before a fold.
+const BEST_SHOWN: usize = 12;
+
 /// So many rejected actuators are told by name; the rest is counted.
 const REJECTED_SHOWN: usize = 40;
 
@@ -137,6 +140,7 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&CandidateId>) 
     let fitting: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|each| each.fits()).collect();
     let shown_ones: Vec<(usize, &&Candidate<'_>)> =
         fitting.iter().enumerate().filter(|(_, each)| state.filter.holds(each)).collect();
+    let (first, rest) = shown_ones.split_at(shown_ones.len().min(BEST_SHOWN));
     html! {
         @if let Some(own) = &sizing.own {
             h3 { (capitalised(terms::own_actuator(l))) }
@@ -148,7 +152,15 @@ fn ranking(state: &State, sizing: &Sizing<'_>, looked_at: Option<&CandidateId>) 
             button type="button" hx-post="/compare" hx-target="#detail" hx-swap="innerHTML" { (page::side_by_side(l)) }
         } @else { p.small { (page::compare_told(l)) } }
         ol.ranking aria-labelledby="ranking-title" {
-            @for (place, candidate) in shown_ones { (ranked(state, place + 1, candidate, looked_at)) }
+            @for (place, candidate) in first { (ranked(state, place + 1, candidate, looked_at)) }
+        }
+        @if !rest.is_empty() {
+            details id="ranking-rest" {
+                summary { (page::more_fitting(rest.len(), l)) }
+                ol.ranking aria-labelledby="ranking-title" {
+                    @for (place, candidate) in rest { (ranked(state, place + 1, candidate, looked_at)) }
+                }
+            }
         }
     }
 }
@@ -164,22 +176,26 @@ fn ranked(state: &State, rank: usize, candidate: &Candidate<'_>, looked_at: Opti
     let open = candidate.open_questions();
     let is_marked = |code: &workbench::OrderCode| state.marked.contains(code);
     html! {
-        li id={ "r-" (name) } value=(rank) aria-current=[(looked_at == Some(&candidate.id)).then_some("true")] {
+        li id={ "r-" (name) } aria-current=[(looked_at == Some(&candidate.id)).then_some("true")] {
+            span.rank { (rank) "." }
             @if let CandidateId::Code(code) = &candidate.id {
                 input type="checkbox" name="mark" form="state" value=(name) id={ "m-" (name) } aria-label=(page::mark(&name, l))
                     checked[is_marked(code)] data-checked=(is_marked(code)) disabled[!is_marked(code) && state.marked.len() >= MARKED_MOST]
                     hx-post="/work" hx-trigger="change";
             }
             button.plain type="button" title=(page::look_at(&name, l)) hx-post="/work" hx-vals=(vals(&[("code", &name)])) { (name) }
-            span.figures {
-                @if let Some(torque) = torque { (torque) " Nm · " }
-                @if let Some(mass) = mass { (mass) " kg" }
-                @if !candidate.on_request.is_empty() { " · " (terms::on_request(l)) }
+            span.with-bar {
+                svg.bar viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true" { rect x="0" y="0" width=((share * 100.0).clamp(0.0, 150.0)) height="8" {} path d="M100 0V8" {} }
+                (percent(Some(share), l)) " %"
             }
-            svg.bar viewBox="0 0 150 8" aria-hidden="true" { rect x="0" y="0" width=((share * 100.0).clamp(0.0, 150.0)) height="8" {} path d="M100 0V8" {} }
-            span.share { (percent(Some(share), l)) " % " (tightest) }
-            @if advice > 0 { span.advice { (terms::advice(l)) ": " (advice) } " " }
-            @if open > 0 { span.unchecked { (terms::not_checked(l)) ": " (open) } }
+            span.more-of {
+                span { (tightest) }
+                @if let Some(torque) = torque { span { "T" sub { "rms" } " " (torque) " Nm" } }
+                @if let Some(mass) = mass { span { (mass) " kg" } }
+                @if !candidate.on_request.is_empty() { span { (terms::on_request(l)) } }
+                @if advice > 0 { span.advice { (terms::advice(l)) ": " (advice) } }
+                @if open > 0 { span.unchecked { (terms::not_checked(l)) ": " (open) } }
+            }
         }
     }
 }

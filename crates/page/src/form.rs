@@ -74,15 +74,15 @@ fn solved(state: &State, held: &Held) -> Vec<Vec<(&'static str, String)>> {
         return Vec::new();
     }
     let found = moves(project);
-    let shown = |value: f64| format_significant(value, 4, Language::En);
+    let shown = |value: f64| format_significant(value, 4, state.language);
     let [distance, speed, acceleration] = found.units;
     let of_move = |each: &workbench::Move<'_>| {
         let seconds = workbench::quantities::Measure::si(each.duration);
         let mut values = vec![("time", format!("{} s", shown(seconds)))];
         if let Some([d, v, a]) = each.course {
-            values.push(("distance", format!("{} {}", shown(distance.from_si(d)), distance.ascii)));
-            values.push(("speed", format!("{} {}", shown(speed.from_si(v)), speed.ascii)));
-            values.push(("acceleration", format!("{} {}", shown(acceleration.from_si(a)), acceleration.ascii)));
+            values.push(("distance", format!("{} {}", shown(distance.from_si(d)), distance.symbol)));
+            values.push(("speed", format!("{} {}", shown(speed.from_si(v)), speed.symbol)));
+            values.push(("acceleration", format!("{} {}", shown(acceleration.from_si(a)), acceleration.symbol)));
         }
         values
     };
@@ -128,6 +128,7 @@ impl Form<'_> {
         let kinds = keys("mechanism");
         let chosen = kinds.iter().find(|kind| self.is_there(&format!("{path}.{}", kind.name)));
         let load = format!("{}load", self.prefix);
+        let take = |name: &str| format!("instead {path}.{name}\ngone {load}");
         let (title, of, rows) = match chosen {
             Some(kind) => match kind.kind {
                 Kind::Table(rows) => (about_text(kind.about, l), format!("{path}.{}", kind.name), rows),
@@ -138,13 +139,14 @@ impl Form<'_> {
         html! {
             fieldset id="mechanism" {
                 legend { (page::mechanism(l)) }
-                div.kinds role="group" aria-label=(page::mechanism(l)) {
-                    button type="button" aria-pressed=(chosen.is_none())
-                        hx-post="/work" hx-vals=(vals(&[("do", &format!("gone {path}"))])) { (page::load_at_the_output(l)) }
-                    @for kind in kinds {
-                        button type="button" aria-pressed=(chosen.is_some_and(|chosen| chosen.name == kind.name))
-                            hx-post="/work" hx-vals=(do_all(&[&format!("instead {path}.{}", kind.name), &format!("gone {load}")])) {
-                            (capitalised(about_text(kind.about, l)))
+                div.row {
+                    label for="kind" { (page::what_it_is(l)) }
+                    select id="kind" name="do" data-chosen=(chosen.map_or_else(|| format!("gone {path}"), |kind| take(kind.name))) hx-post="/work" hx-trigger="change" {
+                        option value=(format!("gone {path}")) selected[chosen.is_none()] { (page::load_at_the_output(l)) }
+                        @for kind in kinds {
+                            option value=(take(kind.name)) selected[chosen.is_some_and(|chosen| chosen.name == kind.name)] {
+                                (capitalised(about_text(kind.about, l)))
+                            }
                         }
                     }
                 }

@@ -5,6 +5,7 @@ use crate::demand;
 use crate::detail;
 use crate::fits;
 use crate::form;
+use crate::sketch;
 use crate::state::{Held, State};
 use figures::Theme;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -40,7 +41,8 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
                 script src="/assets/htmx.min.js" defer {}
                 script type="module" src="/assets/page.js" {}
             }
-            body hx-target:inherited="#work" hx-swap:inherited="outerMorph" hx-include:inherited="#state" hx-sync:inherited="#work:queue all" {
+            body hx-target:inherited="#work" hx-swap:inherited="outerMorph" hx-include:inherited="#state, [form=state]" hx-sync:inherited="#work:queue all" {
+                (sketch::tip())
                 a.skip href="#standing" { (page::skip_to_result(l)) }
                 (work(state, shell, patience))
                 aside id="detail" aria-live="polite" {}
@@ -95,7 +97,7 @@ fn looked_at<'p>(state: &State, project: &'p Project, best: Option<&Candidate<'_
 
 fn bar(state: &State) -> Markup {
     let l = state.language;
-    let other = if l == Language::De { Language::En } else { Language::De };
+    let other = Language::ALL.into_iter().find(|other| *other != l).unwrap_or(l);
     let dark = state.theme == Theme::Dark;
     html! {
         header {

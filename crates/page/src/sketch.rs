@@ -147,6 +147,11 @@ fn sketch_of(mechanism: Option<&str>) -> Sketch {
     }
 }
 
+/// The head of an arrow, once for all drawings of the page.
+pub(crate) fn tip() -> Markup {
+    html! { svg.hidden width="0" height="0" aria-hidden="true" { defs { marker id="tip" viewBox="0 0 8 8" refX="7" refY="4" markerWidth="7" markerHeight="7" orient="auto" { path d="M0 0L8 4L0 8z" {} } } } }
+}
+
 /// Whether a drawing shows its actuator itself.
 fn has_actuator(sketch: &Sketch, mechanism: Option<&str>) -> bool {
     sketch.lines.contains("'actuator'") || mechanism == Some("table")
@@ -168,7 +173,6 @@ pub(crate) fn of(mechanism: Option<&str>, of: &str, title: &str, language: Langu
     let sketch = sketch_of(mechanism);
     html! {
         svg viewBox="0 0 320 160" role="group" aria-label=(page::drawing_of(&title, language)) {
-            defs { marker id="tip" viewBox="0 0 8 8" refX="7" refY="4" markerWidth="7" markerHeight="7" orient="auto" { path d="M0 0L8 4L0 8z" {} } }
             @if !has_actuator(&sketch, mechanism) { (PreEscaped(ACTUATOR)) }
             (PreEscaped(sketch.lines))
             @for (key, sign, x, y) in sketch.signs {

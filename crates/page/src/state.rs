@@ -93,9 +93,9 @@ impl State {
                 self.text = text;
             }
         };
-        for (key, value) in call.fields().filter(|(key, _)| key == "do") {
-            let _ = key;
-            let (what, path) = value.split_once(' ').unwrap_or((&value, ""));
+        let asked: Vec<_> = call.fields().filter(|(key, _)| key == "do").map(|(_, value)| value).collect();
+        for value in asked.iter().flat_map(|value| value.lines()) {
+            let (what, path) = value.split_once(' ').unwrap_or((value, ""));
             match what {
                 "table" => apply(path, Edit::Table),
                 "gone" => apply(path, Edit::Gone),

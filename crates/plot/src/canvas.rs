@@ -131,11 +131,17 @@ impl<'a> Canvas<'a> {
     }
 
     /// Opens a group that tells a script how pixels and values belong together.
-    pub(crate) fn open_plane(&mut self, class: &str, area: &Rect, x: (f64, f64), y: (f64, f64)) {
+    pub(crate) fn open_plane(
+        &mut self,
+        class: &str,
+        area: &Rect,
+        (x, y): ((f64, f64), (f64, f64)),
+        (symbol, unit): (&str, &str),
+    ) {
         let _ = writeln!(
             self.out,
             "<g class=\"{class}\" data-left=\"{}\" data-right=\"{}\" data-top=\"{}\" data-bottom=\"{}\" \
-             data-x-min=\"{:e}\" data-x-max=\"{:e}\" data-y-min=\"{:e}\" data-y-max=\"{:e}\">",
+             data-x-min=\"{:e}\" data-x-max=\"{:e}\" data-y-min=\"{:e}\" data-y-max=\"{:e}\" data-y=\"{}\" data-y-unit=\"{}\">",
             number(area.left),
             number(area.right),
             number(area.top),
@@ -143,7 +149,9 @@ impl<'a> Canvas<'a> {
             x.0,
             x.1,
             y.0,
-            y.1
+            y.1,
+            escaped(symbol),
+            escaped(unit)
         );
     }
 

@@ -13,6 +13,7 @@ use crate::ticks::{LARGEST, Ticks};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     name: Label,
+    symbol: String,
     unit: String,
     fixed: Option<(f64, f64)>,
     zero: bool,
@@ -24,7 +25,20 @@ impl Axis {
     /// An axis of a quantity by its symbol (index after an underscore) and unit, either of which may be empty.
     #[must_use]
     pub fn new(symbol: &str, unit: &str) -> Self {
-        Self { name: Label::symbol(symbol), unit: unit.to_owned(), fixed: None, zero: true, tight: false, minor: false }
+        Self {
+            name: Label::symbol(symbol),
+            symbol: symbol.to_owned(),
+            unit: unit.to_owned(),
+            fixed: None,
+            zero: true,
+            tight: false,
+            minor: false,
+        }
+    }
+
+    /// Symbol and unit, as a script is told them.
+    pub(crate) fn sign(&self) -> (&str, &str) {
+        (&self.symbol, &self.unit)
     }
 
     /// Writes the name of the quantity before its symbol.
@@ -179,6 +193,11 @@ pub(crate) const X_BELOW: f64 = X_TITLE + 4.0;
 pub(crate) const Y_ABOVE: f64 = AXIS + 8.0;
 
 impl Plane {
+    /// What of both axes is shown.
+    pub(crate) fn range(&self) -> ((f64, f64), (f64, f64)) {
+        ((self.x.lo, self.x.hi), (self.y.lo, self.y.hi))
+    }
+
     pub(crate) fn at(&self, (x, y): Point) -> Point {
         (self.x_at(x), self.y_at(y))
     }

@@ -149,7 +149,7 @@ impl StackedChart {
                 field.line(&[(x, plane.area.top), (x, plane.area.bottom)]);
             }
             let places = draw::reference_places(plane, &panel.items, &mut field);
-            canvas.open_plane("plane panel", &plane.area, (plane.x.lo, plane.x.hi), (plane.y.lo, plane.y.hi));
+            canvas.open_plane("plane panel", &plane.area, plane.range(), panel.y.sign());
             plane.grid(&mut canvas);
             let labels: Vec<Rect> = places.iter().flatten().map(|(area, _)| area.grown(1.0)).collect();
             self.draw_borders(&mut canvas, plane, &labels);

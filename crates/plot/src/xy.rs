@@ -129,7 +129,7 @@ impl XyChart {
         }
         let top = title(&mut canvas, &self.title);
         debug_assert!(top <= plane.area.top, "the title is above the plane");
-        canvas.open_plane("plane", &plane.area, (plane.x.lo, plane.x.hi), (plane.y.lo, plane.y.hi));
+        canvas.open_plane("plane", &plane.area, plane.range(), self.y.sign());
         plane.grid(&mut canvas);
         if self.four_quadrant {
             canvas.rect(&plane.area, 0.0, &Fill::None, Some(&Stroke::solid(Colour::Grid, RULE)));

@@ -15,32 +15,28 @@ texts! {
     or_an_example = "or begin with an example" | "oder mit einem Beispiel beginnen";
     or_a_file = "or open a project file" | "oder eine Projektdatei öffnen";
     first_answer = "First answer" | "Erste Antwort";
-    back = "Back" | "Zurück";
     new_project = "New" | "Neu";
     open = "Open" | "Öffnen";
     save = "Save" | "Speichern";
     save_as = "File name" | "Dateiname";
     undo = "Undo" | "Rückgängig";
     redo = "Redo" | "Wiederholen";
-    download = "Download" | "Herunterladen";
-    project_file = "Project file" | "Projektdatei";
     report_pdf = "Report (PDF)" | "Bericht (PDF)";
     workbook = "Workbook (XLSX)" | "Arbeitsmappe (XLSX)";
     data_json = "Data (JSON)" | "Daten (JSON)";
     link_to_this = "Link to this state" | "Link auf diesen Stand";
     other_language = "Deutsch" | "English";
     dark = "Dark" | "Dunkel";
-    light = "Light" | "Hell";
     text_of_the_file = "Project file as text (TOML)" | "Projektdatei als Text (TOML)";
     text_told =
         "The same file as every other way of using antrieb; what is changed here moves the page, and the other way round."
         | "Dieselbe Datei wie auf allen anderen Wegen zu antrieb; was hier geändert wird, bewegt die Seite, und umgekehrt.";
     further(count) = "1 further entry" | "1 weitere Angabe", "{count} further entries" | "{count} weitere Angaben";
     mechanism = "Mechanism" | "Mechanismus";
+    what_it_is = "What it is" | "Was es ist";
     load_at_the_output = "Load at the output" | "Last am Abtrieb";
     add_segment = "Add segment" | "Abschnitt anfügen";
     add_entry = "Add" | "Anfügen";
-    add_table(name) = "State: {name}" | "Angeben: {name}";
     remove(name) = "Remove {name}" | "{name} entfernen";
     move_down(name) = "Move {name} down" | "{name} nach unten";
     segment(number) = "Segment {number}" | "Abschnitt {number}";
@@ -52,8 +48,6 @@ texts! {
         | "Das gezeigte Ergebnis gehört zum letzten fehlerfreien Projekt.";
     no_result_yet = "No result before the project is whole." | "Kein Ergebnis, bevor das Projekt vollständig ist.";
     at_line(line, column) = "line {line}, column {column}" | "Zeile {line}, Spalte {column}";
-    looked_at(code) = "Looked at: {code}" | "Betrachtet: {code}";
-    best_of_the_catalogue = "Best of the catalogue" | "Bester des Katalogs";
     sums = "Demand and reserve" | "Bedarf und Reserve";
     instant_on_the_axis = "Instant of the cycle" | "Zeitpunkt im Zyklus";
     cursor_told =
@@ -75,6 +69,7 @@ texts! {
     greatest_length = "Length at most, mm" | "Länge höchstens, mm";
     greatest_mass = "Mass at most, kg" | "Masse höchstens, kg";
     shown_of(shown, all) = "{shown} of {all} shown" | "{shown} von {all} gezeigt";
+    more_fitting(count) = "1 more fits" | "1 weiterer passt", "{count} more fit" | "{count} weitere passen";
     side_by_side = "Side by side" | "Nebeneinander";
     compare_told = "Mark two to five actuators to compare them." | "Zwei bis fünf Antriebe markieren, um sie zu vergleichen.";
     mark(code) = "Mark {code}" | "{code} markieren";
@@ -105,6 +100,5 @@ texts! {
         | "Alles wird auf diesem Rechner berechnet; Projekt und Aufzeichnungen verlassen ihn nicht.";
     no_such_page = "There is nothing at this address." | "Unter dieser Adresse gibt es nichts.";
     drawing_of(mechanism) = "Drawing: {mechanism}" | "Zeichnung: {mechanism}";
-    own_values_win = "An entry that is empty falls back to what stands in grey." | "Für ein leeres Feld gilt, was grau darin steht.";
     worst_instant(time) = "at {time} s" | "bei {time} s";
 }

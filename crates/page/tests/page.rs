@@ -1,0 +1,180 @@
+//! The page from outside: what a shell sends in, what it gets.
+
+use page::{Call, Method, Reply, Shell, respond};
+use std::collections::BTreeMap;
+use workbench::{Files, Language, NoFiles, Patience, template, template_kinds};
+
+struct Alone;
+
+impl Shell for Alone {
+    fn files(&self) -> &dyn Files {
+        &NoFiles
+    }
+
+    fn version(&self, bytes: &[u8]) -> String {
+        bytes.len().to_string()
+    }
+}
+
+fn form(fields: &[(&str, &str)]) -> String {
+    let one = |(key, value): &(&str, &str)| {
+        let code = |text: &str| text.bytes().map(|byte| format!("%{byte:02x}")).collect::<String>();
+        format!("{}={}", code(key), code(value))
+    };
+    fields.iter().map(one).collect::<Vec<_>>().join("&")
+}
+
+fn post(path: &str, fields: &[(&str, &str)]) -> Reply {
+    let body = form(fields);
+    let media = Some("application/x-www-form-urlencoded");
+    let call = Call { method: Method::Post, path, query: "", media, body: body.as_bytes(), language: Language::En };
+    respond(&call, &Alone, &Patience::endless())
+}
+
+fn get(path: &str, query: &str) -> Reply {
+    let call = Call { method: Method::Get, path, query, media: None, body: &[], language: Language::En };
+    respond(&call, &Alone, &Patience::endless())
+}
+
+fn page(reply: &Reply) -> String {
+    assert_eq!(reply.status, 200);
+    String::from_utf8(reply.body.clone()).unwrap()
+}
+
+/// The tags of a page are closed in order, no identifier stands twice, and every attribute is quoted.
+fn whole(html: &str) {
+    const VOID: [&str; 6] = ["input", "meta", "link", "br", "hr", "img"];
+    let mut open: Vec<&str> = Vec::new();
+    let mut ids: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut rest = html;
+    while let Some(at) = rest.find('<') {
+        let tag = &rest[at + 1..];
+        let end = tag.find('>').unwrap_or_else(|| panic!("no end: {}", &tag[..tag.len().min(80)]));
+        let (inside, behind) = (&tag[..end], &tag[end + 1..]);
+        rest = behind;
+        if inside.starts_with('!') {
+            continue;
+        }
+        if let Some(name) = inside.strip_prefix('/') {
+            assert_eq!(open.pop(), Some(name), "{}", &rest[..rest.len().min(120)]);
+            continue;
+        }
+        let name = inside.split([' ', '/', '\n']).next().unwrap_or_default();
+        if let Some(id) = inside.split(" id=\"").nth(1).and_then(|id| id.split('"').next()) {
+            *ids.entry(id).or_default() += 1;
+        }
+        assert_eq!(inside.matches('"').count() % 2, 0, "{inside}");
+        if !VOID.contains(&name) && !inside.ends_with('/') {
+            open.push(name);
+        }
+    }
+    assert!(open.is_empty(), "{open:?}");
+    let twice: Vec<_> = ids.iter().filter(|(_, count)| **count > 1).collect();
+    assert!(twice.is_empty(), "{twice:?}");
+}
+
+#[test]
+fn every_example_is_a_whole_page_in_both_languages() {
+    whole(&page(&get("/", "")));
+    for kind in template_kinds().filter(|kind| *kind != "recording") {
+        for (lang, word) in [("en", "What it demands"), ("de", "Was es verlangt")] {
+            let html = page(&get("/", &format!("new={kind}&lang={lang}")));
+            whole(&html);
+            assert!(html.contains(word) && html.contains("id=\"plot-cycle\""), "{kind}");
+            assert!(!html.contains("undefined") && !html.contains("NaN"), "{kind}");
+        }
+    }
+}
+
+#[test]
+fn a_changed_field_changes_text_and_verdict_and_leaves_the_rest() {
+    let text = template("belt", "axis.toml", Language::En).unwrap().text;
+    let html = page(&post("/work", &[("text", &text), ("path", "mechanism.belt.mass"), ("value", "60 kg")]));
+    assert!(
+        html.contains("mass = &quot;60 kg&quot;") || html.contains("mass = \"60 kg\""),
+        "{}",
+        &html[html.len() - 3000..]
+    );
+    assert!(html.contains("# carriage and gripper") && html.contains("276 actuators judged"));
+    whole(&html);
+    let heavy = page(&post("/work", &[("text", &text), ("path", "mechanism.belt.mass"), ("value", "6000 kg")]));
+    assert!(heavy.contains("No actuator of the catalogue fits"));
+}
+
+#[test]
+fn a_fault_stands_at_its_field_beside_the_last_good_result() {
+    let text = template("belt", "axis.toml", Language::En).unwrap().text;
+    let fields = [("text", text.as_str()), ("good", text.as_str()), ("path", "mechanism.belt.mass"), ("value", "60")];
+    let html = page(&post("/work", &fields));
+    whole(&html);
+    let row = html.split("data-path=\"mechanism.belt.mass\"").nth(1).unwrap();
+    let row = &row[..row.find("data-path=").unwrap()];
+    assert!(row.contains("aria-invalid=\"true\"") && row.contains("the unit is missing"), "{row}");
+    assert!(html.contains("belongs to the last project without faults") && html.contains("id=\"plot-cycle\""));
+    let broken = page(&post("/work", &[("text", "format = = 1"), ("good", &text)]));
+    assert!(broken.contains("<fieldset id=\"fields\" disabled"), "what has no place cannot be changed");
+    let nothing = page(&post("/work", &[("text", "format = 1\n")]));
+    assert!(nothing.contains("No result before the project is whole"));
+    whole(&nothing);
+}
+
+#[test]
+fn hostile_texts_are_shown_and_do_nothing() {
+    let text = "format = 1\n[axis]\nname = \"</textarea><script>alert(1)</script>\"\n[load]\ninertia = \"<b>\"\n";
+    let html = page(&post("/work", &[("text", text)]));
+    assert!(!html.contains("<script>alert") && !html.contains("<b>"), "{html}");
+    whole(&html);
+    for path in ["", "..", "motion[99999]", "axis[3].x", "<x>", "motion[1].bearing.radial_force.x"] {
+        let html = page(&post("/work", &[("text", text), ("path", path), ("value", "1")]));
+        whole(&html);
+    }
+}
+
+#[test]
+fn segments_come_and_go_and_a_mechanism_is_changed() {
+    let text = template("belt", "axis.toml", Language::En).unwrap().text;
+    let more = page(&post(
+        "/work",
+        &[("text", &text), ("do", "table motion[5]\nvalue motion[5].law=dwell\nvalue motion[5].time=1 s")],
+    ));
+    assert!(more.contains("id=\"f-motion-5--law\"") && !more.contains("aria-invalid"));
+    let arm = page(&post("/work", &[("text", &text), ("good", &text), ("do", "instead mechanism.arm\ngone load")]));
+    let text = arm.split("id=\"text\"").nth(1).unwrap();
+    assert!(arm.contains("id=\"f-mechanism-arm-centre_distance\"") && !text.contains("[mechanism.belt]"));
+    whole(&arm);
+}
+
+#[test]
+fn numbers_are_explained_and_actuators_compared() {
+    let text = template("belt", "axis.toml", Language::En).unwrap().text;
+    let told = page(&post("/explain", &[("text", &text), ("check", "peak_torque")]));
+    assert!(told.contains("T<sub>peak</sub>") && told.contains("class=\"formula\""), "{told}");
+    let fields = [("text", text.as_str()), ("mark", "CHA-25A-50-H-C1024"), ("mark", "CHA-32A-50-H-C1024")];
+    let compared = page(&post("/compare", &fields));
+    assert!(compared.contains("CHA-25A-50-H-C1024") && compared.contains("CHA-32A-50-H-C1024"));
+    whole(&compared);
+}
+
+#[test]
+fn tools_answer_for_a_whole_code_a_part_of_one_and_none() {
+    for tool in ["code", "data", "wiring", "mount", "commission", "upkeep", "errata", "glossary"] {
+        for about in ["CHA-25A-100-H-M512P-B", "CHA-25A", "CHA-25A-100-H-X9", ""] {
+            for lang in ["en", "de"] {
+                let html = page(&post(
+                    "/tools",
+                    &[("tool", tool), ("about", about), ("lang", lang), ("delivered", "2026-03-01")],
+                ));
+                whole(&html);
+                assert!(html.len() > 1500, "{tool} {about}: {html}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_not_there_is_told() {
+    assert_eq!(get("/nowhere", "").status, 404);
+    assert_eq!(get("/assets/../lib.rs", "").status, 404);
+    assert_eq!(get("/assets/page.js", "").status, 200);
+    assert_eq!(post("/save", &[("text", "format = 1\n"), ("file", "a.toml")]).status, 404, "no folder to save in");
+}
