@@ -3,8 +3,8 @@
 use crate::table::{Align, Table, labelled};
 use workbench::quantities::unit::SECOND;
 use workbench::quantities::{Measure, format_significant};
-use workbench::text::{encoding_guess, law_text, terminal, terms};
-use workbench::{Language, Moves};
+use workbench::text::{law_text, terminal, terms};
+use workbench::{Language, Moves, recording_text};
 
 /// So many segments are shown; --json has them all.
 const SEGMENTS_MOST: usize = 12;
@@ -52,24 +52,8 @@ pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {
         out.push_str(&format!("{}\n", terminal::more_segments(&more, language)));
     }
     for read in moves.moves.iter().filter_map(|each| each.recording) {
-        let columns: Vec<String> =
-            read.recording.columns.iter().map(|column| column_text(&column.name, column.unit.symbol)).collect();
-        let (count, columns) = (read.recording.time_s.len(), columns.join(", "));
-        let left = read.recording.left_out_before + read.recording.left_out_after;
-        let mut what = terminal::recording_read(&read.file, &count, &columns, language);
-        if left > 0 {
-            what = format!("{what}; {}", terminal::outside_the_window(&left, language));
-        }
-        if let Some(guess) = encoding_guess(read.recording.encoding, language) {
-            what.push_str("; ");
-            what.push_str(&guess);
-        }
+        let what = recording_text(read, language);
         out.push_str(&labelled(terms::recording(language), &what));
     }
     out
-}
-
-/// A column with its unit, which its name may carry already.
-fn column_text(name: &str, unit: &str) -> String {
-    if name.contains(['[', '(', '/']) { name.to_owned() } else { format!("{name} [{unit}]") }
 }

@@ -5,7 +5,7 @@ use crate::state::{Held, State};
 use maud::{Markup, html};
 use workbench::quantities::format_significant;
 use workbench::text::{about_text, capitalised, key_word, law_text, page, short_label, table_of_project, terms};
-use workbench::{KEYS, Key, Kind, Language, SegmentLaw, Variants, example, moves};
+use workbench::{KEYS, Key, Kind, Language, SegmentLaw, Variants, example, moves, recording_text};
 
 /// What is needed to draw a row.
 struct Form<'f> {
@@ -13,8 +13,17 @@ struct Form<'f> {
     language: Language,
     /// `axis[2].` where there are several, else nothing.
     prefix: String,
-    /// What followed for each segment: distance, speed, acceleration, time, as placeholders.
-    solved: Vec<Vec<(&'static str, String)>>,
+    /// What followed for each segment.
+    solved: Vec<Followed>,
+}
+
+/// What followed for a segment of the motion.
+#[derive(Default)]
+struct Followed {
+    /// Distance, speed, acceleration and time, by key.
+    values: Vec<(&'static str, String)>,
+    /// What was read of its recording.
+    recording: Option<String>,
 }
 
 /// The column.
@@ -67,8 +76,8 @@ pub(crate) fn id(path: &str) -> String {
     format!("f-{}", path.chars().map(sign).collect::<String>())
 }
 
-/// What followed for each segment of the motion, by key.
-fn solved(state: &State, held: &Held) -> Vec<Vec<(&'static str, String)>> {
+/// What followed for each segment of the motion.
+fn solved(state: &State, held: &Held) -> Vec<Followed> {
     let Some(project) = held.projects.get(state.axis) else { return Vec::new() };
     if held.is_old {
         return Vec::new();
@@ -84,7 +93,7 @@ fn solved(state: &State, held: &Held) -> Vec<Vec<(&'static str, String)>> {
             values.push(("speed", format!("{} {}", shown(speed.from_si(v)), speed.symbol)));
             values.push(("acceleration", format!("{} {}", shown(acceleration.from_si(a)), acceleration.symbol)));
         }
-        values
+        Followed { values, recording: each.recording.map(|read| recording_text(read, state.language)) }
     };
     found.moves.iter().map(of_move).collect()
 }
@@ -234,12 +243,9 @@ impl Form<'_> {
         let (needed, may): (&[&str], &[&str]) =
             variants.kinds.iter().find(|(name, ..)| *name == kind).map_or((&[], &[]), |(_, needed, may)| (needed, may));
         let key = |name: &str| variants.keys.iter().find(|key| key.name == name);
-        let empty = Vec::new();
-        let solved = self.solved.get(place - 1).unwrap_or(&empty);
-        let ghost = |name: &str| {
-            let of_motion = path.trim_start_matches(self.prefix.as_str()).starts_with("motion");
-            solved.iter().find(|(of, _)| of_motion && *of == name).map(|(_, value)| value.as_str())
-        };
+        let of_motion = path.strip_prefix(self.prefix.as_str()).is_some_and(|path| path.starts_with("motion["));
+        let solved = self.solved.get(place - 1).filter(|_| of_motion);
+        let ghost = |name: &str| solved?.values.iter().find(|(of, _)| *of == name).map(|(_, value)| value.as_str());
         let own = [variants.by].into_iter().chain(needed.iter().copied()).chain(may.iter().copied());
         let shared: Vec<&Key> = variants.shared.iter().filter_map(|name| key(name)).collect();
         let stated = |key: &&Key| self.is_there(&format!("{path}.{}", key.name));
@@ -262,6 +268,7 @@ impl Form<'_> {
                     @for key in shared.iter().filter(|key| stated(key)) { (self.any(key, &format!("{path}.{}", key.name), None)) }
                 }
                 (self.row_fault(path))
+                @if let Some(read) = solved.and_then(|solved| solved.recording.as_ref()) { p.small { (read) } }
                 @let folded: Vec<&&Key> = shared.iter().filter(|key| !stated(key)).collect();
                 @if !folded.is_empty() {
                     details.more id={ (id(path)) "-m" } {

@@ -86,7 +86,8 @@ pub use sizing_use::{
 };
 pub use templates::{Template, template, template_kinds};
 pub use told::{
-    by_importance, demand_figures, figure_text, objection_text, percent, reason, reserve_lines, shown, unit_text,
+    by_importance, demand_figures, figure_text, objection_text, percent, reason, recording_text, reserve_lines, shown,
+    unit_text,
 };
 pub use tolerance::{
     Assessment, Draw, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,

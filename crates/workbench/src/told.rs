@@ -3,9 +3,10 @@
 use crate::limits::NeededLimit;
 use crate::sizing_use::{Candidate, CandidateId, Objection};
 use crate::{Check, Demand, Figure, Reserve, Verdict, limits_needed};
+use project::RecordingRead;
 use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
 use quantities::{Language, Measure, Unit, format_number, format_significant};
-use words::{check_title, describe_rule, terminal, unmet_text};
+use words::{check_title, describe_rule, encoding_guess, terminal, unmet_text};
 
 /// A value in its unit, four digits.
 #[must_use]
@@ -129,4 +130,25 @@ pub fn reserve_lines(
         lines.push((terminal::would_fit_with_this_asked_for(language), needed.iter().map(each).collect()));
     }
     lines
+}
+
+/// What was read of a recording: file, samples, columns with their units, what was left out, what was guessed.
+#[must_use]
+pub fn recording_text(read: &RecordingRead, language: Language) -> String {
+    // A column may carry its unit in its name already.
+    let column = |name: &str, unit: &str| {
+        if name.contains(['[', '(', '/']) { name.to_owned() } else { format!("{name} [{unit}]") }
+    };
+    let columns: Vec<String> = read.recording.columns.iter().map(|each| column(&each.name, each.unit.symbol)).collect();
+    let (count, columns) = (read.recording.time_s.len(), columns.join(", "));
+    let left = read.recording.left_out_before + read.recording.left_out_after;
+    let mut what = terminal::recording_read(&read.file, &count, &columns, language);
+    if left > 0 {
+        what = format!("{what}; {}", terminal::outside_the_window(&left, language));
+    }
+    if let Some(guess) = encoding_guess(read.recording.encoding, language) {
+        what.push_str("; ");
+        what.push_str(&guess);
+    }
+    what
 }
