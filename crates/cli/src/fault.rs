@@ -9,7 +9,6 @@ use crate::waiting::patience;
 use clap::ArgMatches;
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use workbench::answers::{Fault, Faults};
 use workbench::quantities::{Measure, seen};
 use workbench::text::{Told, Usage, file_trouble, terminal, told, usage_text};
 use workbench::{Files, Grant, Language, NoRegularFile, PROJECT_MAX_BYTES, Project, Reach, Refusal, Unread};
@@ -120,16 +119,12 @@ pub(crate) fn path_text(path: &Path) -> String {
 
 /// A fault in one sentence.
 pub(crate) fn simple(what: &str, as_json: bool, language: Language) -> Answer {
-    let what = seen(what);
-    Answer::refused(format!("{}: {what}\n", error_word(language)), Faults::of(what.as_ref()), as_json)
+    Answer::refused(format!("{}: {}\n", error_word(language), seen(what)), workbench::answer::fault(what), as_json)
 }
 
 pub(crate) fn unreadable(file: &str, what: &str, as_json: bool, language: Language) -> Answer {
-    let word = error_word(language);
-    let (file, what) = (seen(file).into_owned(), seen(what).into_owned());
-    let talk = format!("{word}: {file}: {what}\n");
-    let fault = Fault { file: Some(file), message: what, ..Fault::default() };
-    Answer::refused(talk, Faults { errors: vec![fault] }, as_json)
+    let talk = format!("{}: {}: {}\n", error_word(language), seen(file), seen(what));
+    Answer::refused(talk, workbench::answer::file_fault(file, what), as_json)
 }
 
 /// The word that heads a fault.
@@ -179,11 +174,9 @@ pub(crate) fn option_fault(
     as_json: bool,
     language: Language,
 ) -> Answer {
-    let (message, hint) = (seen(&message).into_owned(), hint.map(|hint| seen(&hint).into_owned()));
-    let line = hint.as_ref().map(|hint| format!("  {hint}\n")).unwrap_or_default();
-    let talk = format!("{}: --{option}: {message}\n{line}", error_word(language));
-    let fault = Fault { option: Some(option.to_owned()), message, hint, ..Fault::default() };
-    Answer::refused(talk, Faults { errors: vec![fault] }, as_json)
+    let line = hint.as_deref().map(|hint| format!("  {}\n", seen(hint))).unwrap_or_default();
+    let talk = format!("{}: --{option}: {}\n{line}", error_word(language), seen(&message));
+    Answer::refused(talk, workbench::answer::option_fault(option, (message, hint)), as_json)
 }
 
 /// A text given as an option: of a bounded length, and nothing in it that is not seen.

@@ -18,6 +18,7 @@ mod facts;
 mod fingerprint;
 mod flange;
 mod glossary;
+mod licences;
 mod limits;
 mod mount;
 mod moves;
@@ -26,6 +27,7 @@ mod plane;
 mod reading;
 mod sheet;
 mod sizing_use;
+mod subject;
 mod templates;
 mod tolerance;
 mod torsion;
@@ -38,7 +40,7 @@ pub use ask::{
     Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, verification,
 };
 pub use catalogue::{Fact, Signal, Step, Topic};
-pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
+pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_hours, read_quantity};
 pub use chrono::NaiveDate as Date;
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
 pub use commission::{
@@ -60,6 +62,7 @@ pub use installation::upkeep::{Planned, Upkeep, UpkeepAsked};
 pub use installation::wiring::{
     Connector, Group as SignalGroup, LISTED_BYTES_MAX, ListFault, Role, VoltageDrop, Wiring, voltage_drops, wiring,
 };
+pub use licences::licences;
 pub use limits::{NeededLimit, limits_needed};
 pub use mount::{joint_loads, mount, read_bore};
 pub use moves::{Move, Moves, moves};
@@ -82,6 +85,7 @@ pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, explain, explain_own, reserve_of,
     size,
 };
+pub use subject::{candidate_for, candidate_of_tables, names, paired, picked};
 pub use templates::{Template, template, template_kinds};
 pub use tolerance::{
     Assessment, Draw, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
