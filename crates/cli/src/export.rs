@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use tables::{Front, NAMES, Subject, Table};
 use workbench::answers::{ExportWritten, TableWritten};
 use workbench::text::{hint_text, standing_text, terminal};
-use workbench::{Candidate, Hint, Language, Project, Refusal, Sizing, answer};
+use workbench::{Candidate, Hint, Language, Project, Sizing, answer};
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

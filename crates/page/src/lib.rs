@@ -4,8 +4,10 @@
 //! starts, or the browser itself, where the engine runs as WebAssembly. Both give the same bytes. Nothing is computed here,
 //! and no sentence written: the numbers are of `workbench`, the texts of `words`.
 
+mod api;
 mod call;
 
+pub use api::{methods, wrong_method};
 pub use call::{Call, Entry, Folder, Method, Reply, SaveFault, Shell};
 
 use workbench::Patience;
@@ -13,8 +15,8 @@ use workbench::Patience;
 /// Answers a request.
 #[must_use]
 pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
-    let _ = (shell, patience);
     match call.path {
+        path if api::is_path(path) => api::respond(call, shell, patience),
         "/health" => Reply::text(200, "ok\n"),
         _ => Reply::text(404, ""),
     }

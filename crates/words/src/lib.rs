@@ -30,6 +30,7 @@ mod quantity;
 mod recording;
 pub mod records;
 pub mod report;
+pub mod requests;
 mod results;
 mod saving;
 mod schema;
@@ -104,6 +105,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("pictures", pictures::TEXTS),
     ("records", records::TEXTS),
     ("report", report::TEXTS),
+    ("requests", requests::TEXTS),
     ("tables", tables::TEXTS),
     ("terminal", terminal::TEXTS),
     ("terms", terms::TEXTS),

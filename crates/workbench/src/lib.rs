@@ -37,7 +37,8 @@ mod wiring;
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
 pub use ask::{
-    Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, verification,
+    Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, sized,
+    verification,
 };
 pub use catalogue::{Fact, Signal, Step, Topic};
 pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_hours, read_quantity};
@@ -51,7 +52,7 @@ pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compa
 pub use configurator::{Availability, Choice, Uncovered, Unmet, catalogue_actuators, uncovered};
 pub use errata::{ErrataFound, ErrataRefusal, errata_about};
 pub use explain::{derivation, node_amount, trust};
-pub use export::{EXPORT_COLUMNS, export_rows};
+pub use export::{EXPORT_COLUMNS, export_csv, export_rows};
 pub use facts::facts_about;
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;

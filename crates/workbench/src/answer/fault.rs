@@ -66,3 +66,13 @@ pub fn refusal_text(refusal: &Refusal, waited_s: Option<f64>, language: Language
         Refusal::NoData | Refusal::Broken(_) => terminal::no_data(language).to_owned(),
     }
 }
+
+/// Nothing in the glossary: what was looked for, and what is near.
+#[must_use]
+pub fn not_in_glossary(wanted: &str, nearest: &[String], language: Language) -> Faults {
+    // A term is a word or two: more of a text than this is not told again.
+    let wanted: String = wanted.chars().filter(|sign| !sign.is_control()).take(60).collect();
+    let message = terminal::nothing_in_the_glossary(&wanted, language);
+    let hint = (!nearest.is_empty()).then(|| terminal::near(&nearest.join(", "), language));
+    Faults { errors: vec![Fault { message, hint, ..Fault::default() }] }
+}
