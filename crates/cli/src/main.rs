@@ -30,6 +30,7 @@ mod report;
 mod reserve;
 mod save;
 mod say;
+mod serve;
 mod subject;
 mod table;
 mod tolerance;
@@ -105,6 +106,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("torsion", found)) => data::torsion(found, json, language),
         Some(("inertia", found)) => inertia::inertia(found, json, language),
         Some(("glossary", found)) => glossary::glossary(found, json, language),
+        Some(("serve", found)) => serve::serve(found, json, language),
         Some(("licences", _)) => licences::licences(json),
         Some(("schema", found)) if found.get_flag("answers") => Answer::record(&workbench::answers::schema()),
         Some(("schema", _)) => Answer::record(&workbench::schema(language)),

@@ -130,7 +130,8 @@ fn record(status: u16, record: &impl serde::Serialize) -> Reply {
 }
 
 /// What stands where a question could not even be put, with a hint.
-fn misdirected(status: u16, message: &str, hint: Option<String>) -> Reply {
+#[must_use]
+pub fn misdirected(status: u16, message: &str, hint: Option<String>) -> Reply {
     let fault = Fault { id: Some("request"), message: message.to_owned(), hint, ..Fault::default() };
     record(status, &Faults { errors: vec![fault] })
 }

@@ -7,7 +7,7 @@
 mod api;
 mod call;
 
-pub use api::{methods, wrong_method};
+pub use api::{methods, misdirected, wrong_method};
 pub use call::{Call, Entry, Folder, Method, Reply, SaveFault, Shell};
 
 use workbench::Patience;

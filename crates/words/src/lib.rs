@@ -34,6 +34,7 @@ pub mod requests;
 mod results;
 mod saving;
 mod schema;
+pub mod serving;
 mod stage;
 pub mod tables;
 pub mod terminal;
@@ -106,6 +107,7 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("records", records::TEXTS),
     ("report", report::TEXTS),
     ("requests", requests::TEXTS),
+    ("serving", serving::TEXTS),
     ("tables", tables::TEXTS),
     ("terminal", terminal::TEXTS),
     ("terms", terms::TEXTS),

@@ -41,12 +41,29 @@ texts! {
     wrong_media(media, valid) =
         "a body of type {media} is not read here; send {valid}"
         | "ein Rumpf vom Typ {media} wird hier nicht gelesen; senden: {valid}";
-    body_too_large(found, most) =
-        "the body has {found} bytes; at most {most} are read"
-        | "der Rumpf hat {found} Bytes; gelesen werden höchstens {most}";
     body_larger_than(most) =
         "the body has more than {most} bytes"
         | "der Rumpf hat mehr als {most} Bytes";
+    body_too_slow(most) =
+        "the body did not come within {most} s"
+        | "der Rumpf ist nicht innerhalb von {most} s gekommen";
+    body_broken = "the body breaks off or is none" | "der Rumpf bricht ab oder ist keiner";
+    foreign_host(address) =
+        "this server answers for {address} and localhost only"
+        | "dieser Server antwortet nur für {address} und localhost";
+    foreign_site =
+        "what another site sends is not taken"
+        | "was eine andere Website schickt, wird nicht angenommen";
+    token_missing =
+        "the token is missing: open the address that `antrieb serve` has printed, or send it as a bearer token"
+        | "das Token fehlt: die Adresse öffnen, die `antrieb serve` ausgegeben hat, oder es als Bearer-Token senden";
+    busy = "too many questions wait already; ask again in a moment" | "es warten schon zu viele Fragen; gleich noch einmal fragen";
+    not_in_time(most) =
+        "not answered within {most} s; ask for less: fewer samples, a shorter cycle, one axis of several"
+        | "in {most} s keine Antwort; weniger fragen: weniger Stichproben, ein kürzerer Zyklus, eine Achse von mehreren";
+    failed_inside =
+        "the answer failed inside the program; nothing was changed"
+        | "die Antwort ist im Programm gescheitert; es wurde nichts geändert";
     no_two_projects(line, column) =
         "line {line}, column {column}: the body is not JSON with the texts \"old\" and \"new\""
         | "Zeile {line}, Spalte {column}: der Rumpf ist kein JSON mit den Texten \"old\" und \"new\"";

@@ -141,9 +141,11 @@ impl<'a> Asked<'a> {
 
     /// Why an actuator cannot be judged.
     pub(super) fn refused(&self, refusal: &Refusal) -> Unanswered {
-        let waited = self.shell.time_limit().map(|limit| limit.as_secs_f64());
-        let status = if *refusal == Refusal::Stopped { 503 } else { 422 };
-        Unanswered::Faults(status, fault(&refusal_text(refusal, waited, self.language)))
+        if *refusal == Refusal::Stopped {
+            let waited = self.shell.time_limit().unwrap_or_default().as_secs();
+            return Unanswered::Faults(503, fault(&requests::not_in_time(&waited, self.language)));
+        }
+        fault(&refusal_text(refusal, None, self.language)).into()
     }
 
     /// A name that another one needs.
