@@ -169,6 +169,9 @@ impl Desk {
             let work = move || {
                 // As long as it is computed, others wait, even when nobody waits for this one any more.
                 let _turn = turn;
+                if patience.is_over() {
+                    return busy(language);
+                }
                 question.put(respond, &workplace, &patience)
             };
             tokio::task::spawn_blocking(work).await

@@ -212,4 +212,51 @@ mod tests {
         assert!(place.list().unwrap().is_empty());
         assert_eq!(std::fs::read(away.path().join("far.toml")).unwrap(), b"secret");
     }
+
+    /// Says to this program that it is to save until it is killed.
+    const SAVER: &str = "ANTRIEB_TEST_SAVES_IN";
+
+    fn text(sign: u8) -> Vec<u8> {
+        vec![sign; 200_000]
+    }
+
+    /// The other process of the test below; alone it has nothing to do.
+    #[test]
+    fn saves_until_it_is_killed() {
+        let Some(folder) = std::env::var_os(SAVER) else { return };
+        let place = workplace(std::path::Path::new(&folder));
+        let mut there = place.read("axis.toml").unwrap();
+        for sign in (b'a'..=b'z').cycle() {
+            place.save("axis.toml", &text(sign), Some(&version(&there))).unwrap();
+            there = text(sign);
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_kill_in_the_midst_of_a_save_leaves_a_whole_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = workplace(folder.path());
+        place.save("axis.toml", &text(b'a'), None).unwrap();
+        let mut seen = Vec::new();
+        for round in 0..25 {
+            let mut child = std::process::Command::new(std::env::current_exe().unwrap())
+                .args(["folder::tests::saves_until_it_is_killed", "--exact"])
+                .env(SAVER, folder.path())
+                .stdout(std::process::Stdio::null())
+                .stderr(std::process::Stdio::null())
+                .spawn()
+                .unwrap();
+            std::thread::sleep(Duration::from_millis(40 + 7 * round));
+            child.kill().unwrap();
+            child.wait().unwrap();
+            let found = place.read("axis.toml").unwrap();
+            let sign = found[0];
+            assert!(found == text(sign), "a file of {} bytes", found.len());
+            if !seen.contains(&sign) {
+                seen.push(sign);
+            }
+        }
+        assert!(seen.len() > 1, "nothing was saved: the test tries nothing");
+    }
 }
