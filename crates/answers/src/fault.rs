@@ -43,6 +43,18 @@ pub struct Place {
 }
 
 impl Faults {
+    /// Those of several questions as one, each once.
+    #[must_use]
+    pub fn together(all: impl IntoIterator<Item = Self>) -> Self {
+        let mut errors: Vec<Fault> = Vec::new();
+        for error in all.into_iter().flat_map(|faults| faults.errors) {
+            if !errors.contains(&error) {
+                errors.push(error);
+            }
+        }
+        Self { errors }
+    }
+
     /// One fault in one sentence.
     #[must_use]
     pub fn of(message: impl Into<String>) -> Self {

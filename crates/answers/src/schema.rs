@@ -34,6 +34,20 @@ pub enum Answered<T> {
     Several(Axes<T>),
 }
 
+impl<T> Answered<T> {
+    /// The answer of all axes: one alone as it is, several with whether every one fits.
+    #[must_use]
+    pub fn of(mut axes: Vec<T>, fits: bool) -> Self {
+        match (axes.len(), axes.pop()) {
+            (1, Some(one)) => Self::One(one),
+            (_, last) => {
+                axes.extend(last);
+                Self::Several(Axes { verdict: Fit::of(fits), axes })
+            }
+        }
+    }
+}
+
 /// A command and the record that it answers with.
 struct Entry {
     command: &'static str,

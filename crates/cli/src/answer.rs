@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use std::io::Write;
 use std::process::ExitCode;
 use workbench::Language;
+pub(crate) use workbench::answer::written;
 use workbench::answers::{Fault, Faults};
 use workbench::quantities::{is_unseen, seen};
 use workbench::text::file_trouble;
@@ -20,27 +21,6 @@ pub(crate) struct Answer {
     pub(crate) code: u8,
     /// What kept the question from being answered.
     pub(crate) faults: Vec<Fault>,
-}
-
-/// A record as a file or standard output has it: JSON, indented, with a line feed at its end. Signs that are not seen
-/// stand in its texts as JSON escapes them, so that the record is the same and a terminal stays as it is.
-pub(crate) fn written(record: &impl Serialize) -> String {
-    // A record has string keys and finite numbers only: nothing in it can fail.
-    let mut text = serde_json::to_string_pretty(record).unwrap_or_default();
-    text.push('\n');
-    if text.chars().any(|sign| sign != '\n' && is_unseen(sign)) {
-        let escape = |sign: char| match sign {
-            // Between texts there is no other sign that is not seen than the end of a line, and in them it is escaped.
-            '\n' => sign.to_string(),
-            sign if is_unseen(sign) => {
-                let mut units = [0; 2];
-                sign.encode_utf16(&mut units).iter().map(|unit| format!("\\u{unit:04x}")).collect()
-            }
-            sign => sign.to_string(),
-        };
-        text = text.chars().map(escape).collect();
-    }
-    text
 }
 
 /// A text for a terminal: no sign in it that is not seen, but ends of lines, tabs and our own colours. What a user wrote
@@ -122,13 +102,5 @@ mod tests {
         assert_eq!(told, "\\u{1b}]0;title\\u{7}\\u{1b}[2J\\u{9b}31m\\u{202e}x\\u{d}");
         assert_eq!(safe("\u{1b}["), "\\u{1b}[");
         assert_eq!(safe("a,b\r\nc\rd"), "a,b\r\nc\\u{d}d");
-    }
-
-    #[test]
-    fn a_record_holds_what_is_not_seen_as_escapes_that_mean_the_same() {
-        let text = "a\u{9b}\u{202e}\u{1}\n\u{1fffe}b";
-        let json = written(&text);
-        assert!(!json.trim_end().chars().any(is_unseen), "{json}");
-        assert_eq!(serde_json::from_str::<String>(&json).unwrap(), text);
     }
 }

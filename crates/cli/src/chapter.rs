@@ -126,13 +126,9 @@ fn bearing_text(sizes: &[(Size, Candidate<'_>)], language: Language) -> String {
 /// `antrieb battery`
 pub(crate) fn battery(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     let hours = matches.get_one::<String>("hours-per-day").map_or("", String::as_str);
-    let operation = match hours.parse::<f64>() {
-        // Hours a day may go without a unit: the option names it.
-        Ok(hours) => Time::new_in(hours, &workbench::quantities::unit::HOUR),
-        Err(_) => match workbench::read_quantity(hours, language) {
-            Ok(time) => time,
-            Err(error) => return option_fault("hours-per-day", error, as_json, language),
-        },
+    let operation = match workbench::read_hours(hours, language) {
+        Ok(time) => time,
+        Err(error) => return option_fault("hours-per-day", error, as_json, language),
     };
     let storage = match quantity::<Time>(matches, "storage", as_json, language) {
         Ok(storage) => storage.unwrap_or_else(|| Time::from_si(0.0)),

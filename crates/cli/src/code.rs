@@ -5,8 +5,8 @@ use crate::fault::report;
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::fmt::Write as _;
-use workbench::answer::{code_faults, code_reading, completion, listed};
-use workbench::text::{Told, describe_field, describe_uncovered, terminal, terms};
+use workbench::answer::{code_faults, code_reading, code_told, completion, listed};
+use workbench::text::{describe_field, describe_uncovered, terminal, terms};
 use workbench::{CodeReading, CodeRefusal, Language, uncovered};
 
 pub(crate) fn dispatch(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -43,11 +43,7 @@ fn understood(reading: &CodeReading, language: Language) -> String {
 
 /// Why a text is no code, with the nearest that are.
 pub(crate) fn refused(text: &str, refusal: &CodeRefusal, as_json: bool, language: Language) -> Answer {
-    let faults: Vec<Told> = refusal
-        .faults
-        .iter()
-        .map(|fault| Told::at(text, fault.span.clone(), fault.id(), fault.message.clone(), fault.hint.clone()))
-        .collect();
+    let faults = code_told(text, refusal);
     let name = terminal::code(language);
     let mut answer = report(name, text, &faults, false, language);
     if !refusal.nearest.is_empty() {

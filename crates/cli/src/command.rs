@@ -155,6 +155,7 @@ pub(crate) const EXAMPLES: &[(&str, &str)] = &[
     ("mount", "antrieb mount CHA-25A-100-H-M512P-B --bore K7"),
     ("upkeep", "antrieb upkeep CHA-14A-50-E-M128S --delivered 2026-03-01 --storage \"6 months\" --hours-per-day 10"),
     ("new", "antrieb new arm --out axis.toml"),
+    ("serve", "antrieb serve --open"),
     ("glossary", "antrieb glossary T_rms"),
     ("licences", "antrieb licences"),
     ("schema", "antrieb schema"),
@@ -347,6 +348,7 @@ fn commands(language: Language) -> Command {
                         .help(help::battery_storage(language)),
                 ),
         )
+        .subcommand(files::serve(language))
         .subcommand(installation::mount(language))
         .subcommand(installation::upkeep(language))
         .subcommand(

@@ -13,7 +13,7 @@ use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use workbench::answers::{Block, CommissionAnswer, CommissionWritten, Commissioning};
 use workbench::quantities::{ThermodynamicTemperature, Unit, format_significant};
-use workbench::text::{SaveTrouble, commission, decimal, describe_uncovered};
+use workbench::text::{commission, decimal, describe_uncovered};
 use workbench::{DriveForm, Language, Refusal, answer, chapter, uncovered, usual_ambient};
 
 /// `antrieb commission CODE`
@@ -99,8 +99,7 @@ fn write(
 
 fn lists_as_pdf(file: &Path, sheet: &Commissioning, as_json: bool, language: Language) -> Result<Vec<u8>, Answer> {
     if file.as_os_str() == "-" {
-        let fault = Unwritten { path: file.to_owned(), trouble: SaveTrouble::NotToStdout };
-        return Err(fault.answer(as_json, language));
+        return Err(Unwritten::to_stdout(file).answer(as_json, language));
     }
     if !file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
         return Err(simple(&commission::checklist_is_a_pdf(&path_text(file), language), as_json, language));

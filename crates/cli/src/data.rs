@@ -13,7 +13,7 @@ use workbench::quantities::{Measure, Unit, format_significant};
 use workbench::text::{
     cell_text, condition_text, decimal, describe_uncovered, evidence_text, symbol_term, table_title, terminal, terms,
 };
-use workbench::{EXPORT_COLUMNS, Language, Sheet, SheetNote, SheetRow, SheetSection, Uncovered, export_rows};
+use workbench::{Language, Sheet, SheetNote, SheetRow, SheetSection, Uncovered};
 
 /// `antrieb data CODE`
 pub(crate) fn sheet(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -188,21 +188,5 @@ pub(crate) fn catalogue(matches: &ArgMatches, as_json: bool) -> Answer {
     if json_wanted {
         return Answer::record(&workbench::answer::catalogue_cells());
     }
-    let mut out = EXPORT_COLUMNS.join(",");
-    out.push('\n');
-    for (_, row) in export_rows() {
-        let fields: Vec<String> = row.iter().map(|field| quoted(field)).collect();
-        out.push_str(&fields.join(","));
-        out.push('\n');
-    }
-    Answer::data(out)
-}
-
-/// A CSV field (RFC 4180): quoted where it holds a comma, a quote or a line break.
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_owned()
-    }
+    Answer::data(workbench::export_csv())
 }

@@ -41,7 +41,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         Ok((source, axes))
     };
     let ((old_file, old), (new_file, new)) = (read("old")?, read("new")?);
-    let pairs = pairs(&old, &new);
+    let pairs = workbench::paired(&old, &new);
     let told = |axis: &Axis, file: &Source, paired: bool| {
         let (name, file) = (&axis.1.name, &file.name);
         (!paired).then(|| format!("{}\n", terminal::axis_is_only_in(&name, &file, language)))
@@ -67,15 +67,6 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
     let mut answer = together(answers, as_json);
     answer.talk = talk + &answer.talk;
     Ok(answer)
-}
-
-/// The axes that belong together: those of the same name, and the only one of each whatever its name.
-fn pairs(old: &[Axis], new: &[Axis]) -> Vec<(usize, usize)> {
-    if old.len() == 1 && new.len() == 1 {
-        return vec![(0, 0)];
-    }
-    let partner = |axis: &Axis| new.iter().position(|other| other.1.name == axis.1.name);
-    old.iter().enumerate().filter_map(|(index, axis)| Some((index, partner(axis)?))).collect()
 }
 
 fn axis(

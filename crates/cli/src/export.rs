@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use tables::{Front, NAMES, Subject, Table};
 use workbench::answers::{ExportWritten, TableWritten};
 use workbench::text::{hint_text, standing_text, terminal};
-use workbench::{Candidate, Hint, Language, Project, Refusal, Sizing, answer};
+use workbench::{Candidate, Hint, Language, Project, Sizing, answer};
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,23 +125,14 @@ fn chosen<'p>(
     as_json: bool,
     language: Language,
 ) -> Result<(Candidate<'p>, String), Answer> {
-    let mut talk = String::new();
-    let judged = match (matches.get_one::<String>("code"), sizing.candidates.first().map(|best| &best.id)) {
-        (Some(text), _) => {
-            let (reading, note) = parse_for_use(text, as_json, language)?;
-            talk = note;
-            workbench::check(project, &reading.parsed.code)
-        }
-        (None, _) if project.actuator.is_some() => workbench::check_own(project),
-        (None, Some(workbench::CandidateId::Code(code))) => workbench::check(project, code),
-        (None, _) => Err(Refusal::NoActuator),
+    let asked = match matches.get_one::<String>("code") {
+        Some(text) => Some(parse_for_use(text, as_json, language)?),
+        None => None,
     };
-    // A code of the ranking may break a rule with the options asked for: then it is judged as the ranking did.
-    let judged = match (judged, matches.contains_id("code"), sizing.candidates.first()) {
-        (Err(_), false, Some(best)) => Ok(best.clone()),
-        (judged, ..) => judged,
-    };
-    judged.map(|candidate| (candidate, talk)).map_err(|refusal| refuse(&refusal, as_json, language))
+    let (code, talk) = asked.map(|(reading, note)| (reading.parsed.code, note)).unzip();
+    workbench::candidate_of_tables(project, code.as_ref(), sizing)
+        .map(|candidate| (candidate, talk.unwrap_or_default()))
+        .map_err(|refusal| refuse(&refusal, as_json, language))
 }
 
 fn bytes(wish: &Wish<'_>, tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>, tables::WriteError> {

@@ -1,18 +1,18 @@
 //! Faults of the input, shown with file, line, column and the offending text underlined.
 
-mod memory;
+pub(crate) mod memory;
 
 use crate::answer::Answer;
 use crate::subject::refuse;
 use crate::table::width;
 use crate::waiting::patience;
 use clap::ArgMatches;
-use std::io::Read;
+pub(crate) use disk::path_text;
+use disk::{Beside, Links};
 use std::path::{Path, PathBuf};
-use workbench::answers::{Fault, Faults};
 use workbench::quantities::{Measure, seen};
 use workbench::text::{Told, Usage, file_trouble, terminal, told, usage_text};
-use workbench::{Files, Grant, Language, NoRegularFile, PROJECT_MAX_BYTES, Project, Reach, Refusal, Unread};
+use workbench::{Grant, Language, PROJECT_MAX_BYTES, Project, Reach, Refusal, Unread};
 
 /// The text of a project file.
 pub(crate) struct Source {
@@ -57,7 +57,9 @@ impl Source {
 
     /// All its axes; a fault is the finished answer.
     pub(crate) fn projects(&self, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
-        let files = Beside { folder: self.folder(), memory: self.memory };
+        // Whoever calls the program may read what he may read: any path is taken, as in a shell.
+        let grant = Grant { memory: self.memory, reach: Reach::Anywhere };
+        let files = Beside { folder: self.folder().to_owned(), links: Links::Followed, grant };
         workbench::read_all_watched(&self.text, &files, patience()).map_err(|unread| match unread {
             Unread::Faults(faults) => report(&self.name, &self.text, &told(&faults, language), as_json, language),
             Unread::Stopped => refuse(&Refusal::Stopped, as_json, language),
@@ -72,64 +74,21 @@ fn read_bytes(path: &Path) -> std::io::Result<Vec<u8>> {
 
 /// At most one byte more than `most`.
 pub(crate) fn read_bytes_within(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
-    let limit = most as u64 + 1;
-    let mut bytes = Vec::new();
     if path.as_os_str() == "-" {
-        std::io::stdin().lock().take(limit).read_to_end(&mut bytes)?;
+        disk::read_within(std::io::stdin().lock(), most)
     } else {
-        std::fs::File::open(path)?.take(limit).read_to_end(&mut bytes)?;
+        disk::read_within(std::fs::File::open(path)?, most)
     }
-    Ok(bytes)
-}
-
-/// The files that a project on this machine names. Whoever calls the program may read what he may read: any path is
-/// taken, as in a shell.
-struct Beside<'p> {
-    folder: &'p Path,
-    memory: u64,
-}
-
-impl Files for Beside<'_> {
-    fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
-        let path = self.folder.join(name);
-        // Asked before it is opened: a pipe would wait for its writer.
-        let about = path.metadata()?;
-        if about.is_dir() {
-            return Err(std::io::ErrorKind::IsADirectory.into());
-        }
-        if !about.is_file() {
-            return Err(std::io::Error::other(NoRegularFile));
-        }
-        Ok(Box::new(std::fs::File::open(path)?))
-    }
-
-    fn size(&self, name: &str) -> Option<u64> {
-        let about = self.folder.join(name).metadata().ok()?;
-        about.is_file().then_some(about.len())
-    }
-
-    fn grant(&self) -> Grant {
-        Grant { memory: self.memory, reach: Reach::Anywhere }
-    }
-}
-
-/// A path as it may be shown.
-pub(crate) fn path_text(path: &Path) -> String {
-    seen(&path.to_string_lossy()).into_owned()
 }
 
 /// A fault in one sentence.
 pub(crate) fn simple(what: &str, as_json: bool, language: Language) -> Answer {
-    let what = seen(what);
-    Answer::refused(format!("{}: {what}\n", error_word(language)), Faults::of(what.as_ref()), as_json)
+    Answer::refused(format!("{}: {}\n", error_word(language), seen(what)), workbench::answer::fault(what), as_json)
 }
 
 pub(crate) fn unreadable(file: &str, what: &str, as_json: bool, language: Language) -> Answer {
-    let word = error_word(language);
-    let (file, what) = (seen(file).into_owned(), seen(what).into_owned());
-    let talk = format!("{word}: {file}: {what}\n");
-    let fault = Fault { file: Some(file), message: what, ..Fault::default() };
-    Answer::refused(talk, Faults { errors: vec![fault] }, as_json)
+    let talk = format!("{}: {}: {}\n", error_word(language), seen(file), seen(what));
+    Answer::refused(talk, workbench::answer::file_fault(file, what), as_json)
 }
 
 /// The word that heads a fault.
@@ -179,11 +138,9 @@ pub(crate) fn option_fault(
     as_json: bool,
     language: Language,
 ) -> Answer {
-    let (message, hint) = (seen(&message).into_owned(), hint.map(|hint| seen(&hint).into_owned()));
-    let line = hint.as_ref().map(|hint| format!("  {hint}\n")).unwrap_or_default();
-    let talk = format!("{}: --{option}: {message}\n{line}", error_word(language));
-    let fault = Fault { option: Some(option.to_owned()), message, hint, ..Fault::default() };
-    Answer::refused(talk, Faults { errors: vec![fault] }, as_json)
+    let line = hint.as_deref().map(|hint| format!("  {}\n", seen(hint))).unwrap_or_default();
+    let talk = format!("{}: --{option}: {}\n{line}", error_word(language), seen(&message));
+    Answer::refused(talk, workbench::answer::option_fault(option, (message, hint)), as_json)
 }
 
 /// A text given as an option: of a bounded length, and nothing in it that is not seen.

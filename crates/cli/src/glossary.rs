@@ -5,7 +5,6 @@ use crate::fault::error_word;
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use workbench::Language;
-use workbench::answers::{Fault, Faults};
 use workbench::text::{own_and_foreign, symbol_shown, terminal, terms};
 
 /// `antrieb glossary [TERM]`
@@ -62,10 +61,9 @@ pub(crate) fn glossary(matches: &ArgMatches, as_json: bool, language: Language) 
 }
 
 fn not_found(wanted: &str, nearest: &[String], as_json: bool, language: Language) -> Answer {
-    let wanted: String = wanted.chars().filter(|c| !c.is_control()).take(60).collect();
-    let what = terminal::nothing_in_the_glossary(&wanted, language);
-    let hint = (!nearest.is_empty()).then(|| terminal::near(&nearest.join(", "), language));
-    let shown = hint.as_ref().map_or_else(String::new, |hint| format!("  {hint}\n"));
+    let faults = workbench::answer::not_in_glossary(wanted, nearest, language);
+    let (what, hint) = faults.errors.first().map_or(("", None), |fault| (fault.message.as_str(), fault.hint.as_ref()));
+    let shown = hint.map_or_else(String::new, |hint| format!("  {hint}\n"));
     let talk = format!("{}: {what}\n{shown}", error_word(language));
-    Answer::refused(talk, Faults { errors: vec![Fault { message: what, hint, ..Fault::default() }] }, as_json)
+    Answer::refused(talk, faults, as_json)
 }

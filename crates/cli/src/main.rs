@@ -29,6 +29,7 @@ mod reference;
 mod report;
 mod reserve;
 mod save;
+mod serve;
 mod subject;
 mod table;
 mod tolerance;
@@ -104,6 +105,7 @@ fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
         Some(("torsion", found)) => data::torsion(found, json, language),
         Some(("inertia", found)) => inertia::inertia(found, json, language),
         Some(("glossary", found)) => glossary::glossary(found, json, language),
+        Some(("serve", found)) => serve::serve(found, json, language),
         Some(("licences", _)) => licences::licences(json),
         Some(("schema", found)) if found.get_flag("answers") => Answer::record(&workbench::answers::schema()),
         Some(("schema", _)) => Answer::record(&workbench::schema(language)),

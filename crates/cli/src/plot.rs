@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use workbench::Language;
 use workbench::answers::{Number, PlotWritten, Units};
 use workbench::quantities::unit::MILLIMETRE;
-use workbench::quantities::{Length, Measure, format_number};
+use workbench::quantities::{Length, format_number};
 use workbench::text::terminal;
 
 /// Pixels of a PNG to the CSS pixel: 192 dpi.
@@ -18,9 +18,6 @@ const PNG_SCALE: f64 = 2.0;
 
 /// Millimetres to the CSS pixel, 96 to the inch.
 const MM_PER_PX: f64 = 25.4 / 96.0;
-
-/// Sides of a picture that can be asked for.
-const SIDE_MM: std::ops::RangeInclusive<f64> = 40.0..=2000.0;
 
 /// `antrieb plot PROJECT --figure FIGURE`
 pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -146,13 +143,8 @@ fn described(drawing: &Drawing, picture: &Picture, paths: &[String]) -> PlotWrit
 fn style(drawing: &Drawing, matches: &ArgMatches, as_json: bool, language: Language) -> Result<Style, Answer> {
     let side = |name: &str, usual: f64| {
         let Some(asked) = quantity::<Length>(matches, name, as_json, language)? else { return Ok(usual) };
-        let asked = asked.in_unit(&MILLIMETRE);
-        if SIDE_MM.contains(&asked) {
-            return Ok(asked);
-        }
-        let (least, most) = (SIDE_MM.start(), SIDE_MM.end());
-        let what = terminal::sides_of_a_picture(&least, &most, language);
-        Err(crate::fault::option_fault(name, (what, None), as_json, language))
+        figures::side_mm(asked, language)
+            .map_err(|what| crate::fault::option_fault(name, (what, None), as_json, language))
     };
     let (width, height) = drawing.size_mm;
     let size = Size::millimetres(side("width", width)?, side("height", height)?);
@@ -161,7 +153,7 @@ fn style(drawing: &Drawing, matches: &ArgMatches, as_json: bool, language: Langu
     } else {
         Theme::Light
     };
-    Ok(Style::new(size).theme(theme).language(language).id(&drawing.figure.id().replace('_', "-")))
+    Ok(drawing.style(size, theme, language))
 }
 
 fn refused(what: &str, as_json: bool, language: Language) -> Answer {

@@ -11,7 +11,7 @@ use figures::{By, Drawing, Figure, Style, Theme};
 use report::{AxisContent, Content, Place, Settings};
 use std::path::{Path, PathBuf};
 use workbench::answers::{AxisWritten, Chapter, Commissioning, Fit, Picture, ReportWritten};
-use workbench::text::{SaveTrouble, standing_text, terminal};
+use workbench::text::{standing_text, terminal};
 use workbench::{
     Candidate, CandidateId, Draw, DriveForm, Language, MountAsked, OrderCode, Project, Refusal, Sizing, UpkeepAsked,
     answer, chapter, usual_ambient,
@@ -34,8 +34,7 @@ pub(crate) fn report(matches: &ArgMatches, as_json: bool, language: Language) ->
 /// Writes the report of the axes and the actuator that are asked for.
 pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: Language) -> Result<Answer, Answer> {
     if out.as_os_str() == "-" {
-        let fault = Unwritten { path: out.to_owned(), trouble: SaveTrouble::NotToStdout };
-        return Err(fault.answer(as_json, language));
+        return Err(Unwritten::to_stdout(out).answer(as_json, language));
     }
     if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
         let what = terminal::report_is_a_pdf(&path_text(out), language);

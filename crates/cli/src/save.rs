@@ -1,207 +1,33 @@
-//! Files that are written: whole or not at all, in the place that was named and nowhere else.
-
-mod left;
-mod unfinished;
+//! Files that commands write, with what is in their way as an answer.
 
 use crate::answer::Answer;
 use crate::fault::{path_text, unreadable};
-use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use tempfile::{Builder, NamedTempFile, TempPath};
-use unfinished::Unfinished;
 use workbench::Language;
 use workbench::text::{SaveTrouble, save_trouble};
 
 /// A file that could not be written.
-#[derive(Debug)]
-pub(crate) struct Unwritten {
-    pub(crate) path: PathBuf,
-    pub(crate) trouble: SaveTrouble,
-}
+pub(crate) struct Unwritten(disk::Unwritten);
 
 impl Unwritten {
+    /// A file whose format does not go to standard output.
+    pub(crate) fn to_stdout(path: &Path) -> Self {
+        Self(disk::Unwritten { path: path.to_owned(), trouble: SaveTrouble::NotToStdout })
+    }
+
     /// The finished answer.
     pub(crate) fn answer(&self, as_json: bool, language: Language) -> Answer {
-        unreadable(&path_text(&self.path), &save_trouble(&self.trouble, language), as_json, language)
+        unreadable(&path_text(&self.0.path), &save_trouble(&self.0.trouble, language), as_json, language)
     }
 }
 
-/// Where a file goes once links are followed.
-struct Place<'p> {
-    /// As the user named it.
-    asked: &'p Path,
-    target: PathBuf,
-    exists: bool,
-}
-
-/// Writes files, each beside its place first and then renamed. Nothing is renamed before all are written. A file that
-/// exists stays unless `force` says otherwise, and an input always does. What is replaced keeps its mode and owner.
-///
-/// A signal that ends the program takes what is unfinished with it.
+/// Writes files, all or none; a signal takes what is unfinished with it.
 pub(crate) fn save(files: &[(&Path, &[u8])], inputs: &[PathBuf], force: bool) -> Result<(), Unwritten> {
-    let places = places(files.iter().map(|(path, _)| *path), inputs, force)?;
-    places.iter().filter_map(|place| place.target.parent()).for_each(left::clear);
-    let unfinished = Unfinished::begin();
-    let mut staged: Vec<(TempPath, &Place<'_>)> = Vec::new();
-    for (place, (_, bytes)) in places.iter().zip(files) {
-        let file = stage(place, bytes, &unfinished).map_err(|error| unwritten(place.asked, system(&error)))?;
-        staged.push((file, place));
-    }
-    // From here on nothing interrupts: all files are the new ones, or none.
-    let renaming = unfinished.hold();
-    for (file, place) in staged {
-        let kept = if force { file.persist(&place.target) } else { file.persist_noclobber(&place.target) };
-        kept.map_err(|fault| {
-            let exists = fault.error.kind() == ErrorKind::AlreadyExists;
-            unwritten(place.asked, if exists { SaveTrouble::Exists } else { system(&fault.error) })
-        })?;
-    }
-    drop(renaming);
-    Ok(())
+    disk::end_on_signals();
+    disk::save(files, inputs, force).map_err(Unwritten)
 }
 
 /// Whether files could be written there, asked before the work for them begins.
 pub(crate) fn ready(files: &[&Path], inputs: &[PathBuf], force: bool) -> Result<(), Unwritten> {
-    places(files.iter().copied(), inputs, force).map(drop)
-}
-
-fn unwritten(path: &Path, trouble: SaveTrouble) -> Unwritten {
-    Unwritten { path: path.to_owned(), trouble }
-}
-
-/// What the system says; its words may hold the name of the temporary file, so only their kind is told where it has words.
-fn system(error: &std::io::Error) -> SaveTrouble {
-    match error.kind() {
-        ErrorKind::NotFound | ErrorKind::NotADirectory => SaveTrouble::NoFolder,
-        kind => SaveTrouble::System((&std::io::Error::from(kind)).into()),
-    }
-}
-
-/// Where each file goes, before anything is written.
-fn places<'p>(
-    paths: impl Iterator<Item = &'p Path>,
-    inputs: &[PathBuf],
-    force: bool,
-) -> Result<Vec<Place<'p>>, Unwritten> {
-    let mut places: Vec<Place<'p>> = Vec::new();
-    for asked in paths {
-        let place = place(asked, force).map_err(|trouble| unwritten(asked, trouble))?;
-        let is = |other: &Path| other == place.target || same_file::is_same_file(other, &place.target).unwrap_or(false);
-        if inputs.iter().any(|input| input.canonicalize().is_ok_and(|input| is(&input))) {
-            return Err(unwritten(asked, SaveTrouble::IsInput));
-        }
-        if places.iter().any(|other| is(&other.target)) {
-            return Err(unwritten(asked, SaveTrouble::Twice));
-        }
-        if place.exists && !force {
-            return Err(unwritten(asked, SaveTrouble::Exists));
-        }
-        places.push(place);
-    }
-    Ok(places)
-}
-
-fn place(asked: &Path, force: bool) -> Result<Place<'_>, SaveTrouble> {
-    if asked.as_os_str() == "-" {
-        return Err(SaveTrouble::NotToStdout);
-    }
-    let folder = match asked.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let folder = folder.canonicalize().map_err(|error| system(&error))?;
-    let Some(name) = asked.file_name() else { return Err(system(&ErrorKind::IsADirectory.into())) };
-    let plain = folder.join(name);
-    let Ok(own) = plain.symlink_metadata() else { return Ok(Place { asked, target: plain, exists: false }) };
-    let target = if own.is_symlink() {
-        let target = plain.canonicalize().map_err(|error| match error.kind() {
-            ErrorKind::NotFound => SaveTrouble::LinkToNothing,
-            _ => system(&error),
-        })?;
-        if !target.starts_with(&folder) {
-            return Err(SaveTrouble::LinkLeadsAway { target: path_text(&target) });
-        }
-        target
-    } else {
-        plain
-    };
-    let about = target.metadata().map_err(|error| system(&error))?;
-    if about.is_dir() {
-        return Err(system(&ErrorKind::IsADirectory.into()));
-    }
-    if !about.is_file() {
-        return Err(SaveTrouble::NoRegularFile);
-    }
-    // The mode is asked, not the system: it lets the superuser write what he wrote-protected himself.
-    if force && about.permissions().readonly() {
-        return Err(SaveTrouble::WriteProtected);
-    }
-    Ok(Place { asked, target, exists: true })
-}
-
-fn stage(place: &Place<'_>, bytes: &[u8], unfinished: &Unfinished) -> std::io::Result<TempPath> {
-    let folder = place.target.parent().unwrap_or(Path::new("."));
-    let mut builder = Builder::new();
-    builder.prefix(left::PREFIX);
-    readable(&mut builder);
-    let mut file: NamedTempFile = unfinished.made(|| builder.tempfile_in(folder))?;
-    if place.exists {
-        keep(file.as_file(), &place.target)?;
-    }
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    Ok(file.into_temp_path())
-}
-
-/// As any other file, less what the user's mask takes away; a temporary file is private otherwise.
-#[cfg(unix)]
-fn readable(builder: &mut Builder<'_, '_>) {
-    use std::os::unix::fs::PermissionsExt;
-    builder.permissions(std::fs::Permissions::from_mode(0o666));
-}
-
-#[cfg(not(unix))]
-fn readable(_: &mut Builder<'_, '_>) {}
-
-/// The mode of the file that is replaced, and its owner as far as the system lets us.
-#[cfg(unix)]
-fn keep(file: &std::fs::File, replaced: &Path) -> std::io::Result<()> {
-    use std::os::unix::fs::{MetadataExt, fchown};
-    let about = replaced.metadata()?;
-    let ours = file.metadata()?;
-    if (about.uid(), about.gid()) != (ours.uid(), ours.gid()) {
-        // Who may not give a file away keeps it; the mode holds all the same.
-        let _ = fchown(file, Some(about.uid()), Some(about.gid()));
-    }
-    file.set_permissions(about.permissions())
-}
-
-#[cfg(not(unix))]
-fn keep(file: &std::fs::File, replaced: &Path) -> std::io::Result<()> {
-    file.set_permissions(replaced.metadata()?.permissions())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_file_is_replaced_and_nothing_else_is_left() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.svg");
-        for text in ["one", "two"] {
-            save(&[(&path, text.as_bytes())], &[], true).unwrap();
-            assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
-        }
-        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
-    }
-
-    #[test]
-    fn of_two_files_none_is_written_if_one_cannot_be() {
-        let folder = tempfile::tempdir().unwrap();
-        let (good, bad) = (folder.path().join("a.svg"), folder.path().join("none/a.png"));
-        let fault = save(&[(&good, b"x"), (&bad, b"y")], &[], true).unwrap_err();
-        assert_eq!((fault.path, fault.trouble), (bad, SaveTrouble::NoFolder));
-        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
-    }
+    disk::ready(files, inputs, force).map_err(Unwritten)
 }

@@ -7,9 +7,7 @@ use crate::waiting::time_limit;
 use clap::ArgMatches;
 use serde::Serialize;
 use std::path::PathBuf;
-use workbench::answers::{Answered, Axes, Fault, Faults, Fit};
-use workbench::quantities::format_significant;
-use workbench::text::{check_title, terminal};
+use workbench::answers::{Answered, Faults};
 use workbench::{Candidate, CandidateId, Language, Project, Refusal};
 
 /// The axes of the project, or the one that is asked for.
@@ -38,17 +36,8 @@ pub(crate) fn picked(
     as_json: bool,
     language: Language,
 ) -> Result<Vec<(usize, Project)>, Answer> {
-    let wanted = matches.get_one::<String>("axis");
-    let names: Vec<String> = projects.iter().map(|project| project.name.clone()).collect();
-    let mut found: Vec<(usize, Project)> = projects.into_iter().enumerate().collect();
-    if let Some(wanted) = wanted {
-        found.retain(|(_, project)| project.name == *wanted);
-        if found.is_empty() {
-            let what = terminal::no_such_axis(&wanted, &names.join(", "), language);
-            return Err(simple(&what, as_json, language));
-        }
-    }
-    Ok(found)
+    let wanted = matches.get_one::<String>("axis").map(String::as_str);
+    workbench::picked(projects, wanted, language).map_err(|what| simple(&what, as_json, language))
 }
 
 /// The answer about one axis: a record where JSON is asked for, else a text.
@@ -101,28 +90,20 @@ pub(crate) fn together<T: Serialize>(parts: Vec<Result<Part<T>, Answer>>, as_jso
     if !refused.is_empty() {
         return refused_together(refused, as_json);
     }
-    let data = match (as_json, records.len()) {
-        (false, _) => texts.join("\n"),
-        (true, 1) => records.pop().map(|record| written(&Answered::One(record))).unwrap_or_default(),
-        (true, _) => written(&Answered::Several(Axes { verdict: Fit::of(fits), axes: records })),
-    };
+    let data = if as_json { written(&Answered::of(records, fits)) } else { texts.join("\n") };
     Answer { data, talk: talk.concat(), ..Answer::none() }.fits(fits)
 }
 
 /// Several faults as one answer, each once.
 pub(crate) fn refused_together(refused: Vec<Answer>, as_json: bool) -> Answer {
-    let (mut talk, mut errors): (Vec<String>, Vec<Fault>) = (Vec::new(), Vec::new());
+    let (mut talk, mut faults): (Vec<String>, Vec<Faults>) = (Vec::new(), Vec::new());
     for fault in refused {
         if !talk.contains(&fault.talk) {
             talk.push(fault.talk);
         }
-        for error in fault.faults {
-            if !errors.contains(&error) {
-                errors.push(error);
-            }
-        }
+        faults.push(Faults { errors: fault.faults });
     }
-    Answer::refused(talk.concat(), Faults { errors }, as_json)
+    Answer::refused(talk.concat(), Faults::together(faults), as_json)
 }
 
 /// The actuator asked for, else the project's own, else the best of the catalogue, which `best` names.
@@ -133,35 +114,19 @@ pub(crate) fn candidate<'p>(
     as_json: bool,
     language: Language,
 ) -> Result<(Candidate<'p>, String), Answer> {
-    let refuse = |refusal| refuse(&refusal, as_json, language);
-    if let Ok(Some(text)) = matches.try_get_one::<String>("code") {
-        let (reading, note) = parse_for_use(text, as_json, language)?;
-        return Ok((workbench::check(project, &reading.parsed.code).map_err(refuse)?, note));
-    }
-    if let Ok(own) = workbench::check_own(project) {
-        return Ok((own, String::new()));
-    }
-    match best() {
-        // Ranked by the checks that decide; drawn with all of them.
-        Some(CandidateId::Code(code)) => Ok((workbench::check(project, &code).map_err(refuse)?, String::new())),
-        _ => Err(refuse(workbench::Refusal::NoData)),
-    }
+    let asked = match matches.try_get_one::<String>("code") {
+        Ok(Some(text)) => Some(parse_for_use(text, as_json, language)?),
+        _ => None,
+    };
+    let (code, talk) = asked.map(|(reading, note)| (reading.parsed.code, note)).unzip();
+    workbench::candidate_for(project, code.as_ref(), best)
+        .map(|candidate| (candidate, talk.unwrap_or_default()))
+        .map_err(|refusal| refuse(&refusal, as_json, language))
 }
 
 /// Why an actuator cannot be judged.
 pub(crate) fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> Answer {
-    let what = match refusal {
-        Refusal::NotAsked(id) => {
-            let title = check_title(*id, language);
-            terminal::check_not_asked(&title, language)
-        }
-        Refusal::NoActuator => terminal::no_own_actuator(language).to_owned(),
-        Refusal::TooManySamples { asked, most } => terminal::too_many_samples(asked, most, language),
-        Refusal::Stopped => {
-            let most = time_limit().map_or(0.0, |most| most.as_secs_f64());
-            terminal::not_in_time(&format_significant(most, 3, language), language)
-        }
-        Refusal::NoData | Refusal::Broken(_) => terminal::no_data(language).to_owned(),
-    };
+    let waited = time_limit().map(|most| most.as_secs_f64());
+    let what = workbench::answer::refusal_text(refusal, waited, language);
     simple(&what, as_json, language)
 }

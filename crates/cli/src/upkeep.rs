@@ -10,8 +10,6 @@ use clap::ArgMatches;
 use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
 use workbench::answers::Fit;
-use workbench::quantities::unit::HOUR;
-use workbench::quantities::{Measure, Time};
 use workbench::text::upkeep;
 use workbench::{Language, OrderCode, UpkeepAsked, chapter};
 
@@ -66,7 +64,7 @@ fn question(
     let today = option!("today", workbench::read_date);
     let storage = option!("storage", workbench::read_storage);
     let inspect = option!("inspect", workbench::read_interval);
-    let hours_per_day = option!("hours-per-day", hours);
+    let hours_per_day = option!("hours-per-day", workbench::read_hours);
     if let Some(file) = matches.get_one::<PathBuf>("ical")
         && file.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("ics"))
     {
@@ -99,14 +97,6 @@ fn before(day: workbench::Date) -> Option<workbench::Date> {
     let days = SystemTime::now().duration_since(UNIX_EPOCH).ok()?.as_secs() / DAY_S;
     let tomorrow = workbench::day_of_clock(days + 1)?;
     if day > tomorrow { workbench::day_of_clock(days) } else { None }
-}
-
-/// Hours a day; they may go without a unit: the option names it.
-fn hours(text: &str, language: Language) -> Result<Time, (String, Option<String>)> {
-    match text.trim().parse::<f64>() {
-        Ok(hours) => Ok(Time::new_in(hours, &HOUR)),
-        Err(_) => workbench::read_quantity(text, language),
-    }
 }
 
 fn text(record: &workbench::answers::Upkeep, language: Language) -> String {

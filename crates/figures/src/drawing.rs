@@ -1,8 +1,10 @@
 //! The figures there are, and one that is laid out.
 
-use plot::{BarChart, FaceChart, MapChart, Picture, Size, StackedChart, Style, XyChart};
+use plot::{BarChart, FaceChart, MapChart, Picture, Size, StackedChart, Style, Theme, XyChart};
 use workbench::Language;
-use workbench::text::{capitalised, pictures, terms, wiring};
+use workbench::quantities::unit::MILLIMETRE;
+use workbench::quantities::{Length, Measure};
+use workbench::text::{capitalised, pictures, terminal, terms, wiring};
 
 /// The figures there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,6 +66,21 @@ impl Figure {
     }
 }
 
+/// Sides of a picture that can be asked for \[mm\].
+const SIDE_MM: std::ops::RangeInclusive<f64> = 40.0..=2000.0;
+
+/// A side of a picture in millimetres.
+///
+/// # Errors
+/// What it may be, where it is not.
+pub fn side_mm(asked: Length, language: Language) -> Result<f64, String> {
+    let asked = asked.in_unit(&MILLIMETRE);
+    if SIDE_MM.contains(&asked) {
+        return Ok(asked);
+    }
+    Err(terminal::sides_of_a_picture(SIDE_MM.start(), SIDE_MM.end(), language))
+}
+
 /// A figure, laid out and not yet drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
@@ -106,6 +123,12 @@ impl Drawing {
     #[must_use]
     pub fn size(&self) -> Size {
         Size::millimetres(self.size_mm.0, self.size_mm.1)
+    }
+
+    /// How the figure looks at a size; the ids within the picture are those of the figure.
+    #[must_use]
+    pub fn style(&self, size: Size, theme: Theme, language: Language) -> Style {
+        Style::new(size).theme(theme).language(language).id(&self.figure.id().replace('_', "-"))
     }
 
     /// Draws the figure; its language is that of the style's numbers too.

@@ -16,7 +16,7 @@ mod words;
 
 pub use bearing::bearing_load;
 pub use cycle::cycle;
-pub use drawing::{Drawing, Figure};
+pub use drawing::{Drawing, Figure, side_mm};
 pub use face::mating_face;
 pub use fault::NoFigure;
 pub use map::{By, candidate_map};

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::io;
+use std::time::Duration;
 use workbench::{Files, Language};
 
 /// How a request asks.
@@ -11,6 +12,26 @@ pub enum Method {
     Get,
     /// With a body.
     Post,
+}
+
+impl Method {
+    /// Its name.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Get => "GET",
+            Self::Post => "POST",
+        }
+    }
+
+    /// The names that are answered in its way: whoever gets something may also ask for its headers alone.
+    #[must_use]
+    pub const fn names(self) -> &'static [&'static str] {
+        match self {
+            Self::Get => &["GET", "HEAD"],
+            Self::Post => &["POST"],
+        }
+    }
 }
 
 /// A request as a shell hands it in, with nothing of the transport in it.
@@ -44,6 +65,18 @@ impl<'c> Call<'c> {
     #[must_use]
     pub fn field(&self, name: &str) -> Option<Cow<'c, str>> {
         self.fields().filter(|(key, _)| key == name).map(|(_, value)| value).last()
+    }
+
+    /// The values of the query alone, decoded, in their order.
+    pub fn query_fields(&self) -> impl Iterator<Item = (Cow<'c, str>, Cow<'c, str>)> + use<'c> {
+        form_urlencoded::parse(self.query.as_bytes())
+    }
+
+    /// The language that the query asks for.
+    #[must_use]
+    pub fn query_language(&self) -> Language {
+        let asked = self.query_fields().filter(|(key, _)| key == "lang").last();
+        asked.and_then(|(_, wanted)| Language::of_id(&wanted)).unwrap_or(self.language)
     }
 
     /// The language asked for.
@@ -96,6 +129,16 @@ impl Reply {
 pub trait Shell {
     /// The files that a project may name.
     fn files(&self) -> &dyn Files;
+
+    /// How long an answer may take, where that is limited.
+    fn time_limit(&self) -> Option<Duration> {
+        None
+    }
+
+    /// The days since the first of 1970 by the clock, where there is one.
+    fn days_since_1970(&self) -> Option<u64> {
+        None
+    }
 
     /// The folder that is worked in; none where the page has no disk.
     fn folder(&self) -> Option<&dyn Folder> {

@@ -4,6 +4,7 @@
 //! starts, or the browser itself, where the engine runs as WebAssembly. Both give the same bytes. Nothing is computed here,
 //! and no sentence written: the numbers are of `workbench`, the texts of `words`.
 
+mod api;
 mod assets;
 mod call;
 mod chapters;
@@ -17,6 +18,7 @@ mod sketch;
 mod start;
 mod state;
 
+pub use api::{methods, misdirected, wrong_method};
 pub use call::{Call, Entry, Folder, Method, Reply, SaveFault, Shell};
 
 use workbench::Patience;
@@ -26,6 +28,9 @@ use workbench::Patience;
 pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     if let Some(name) = call.path.strip_prefix("/assets/") {
         return assets::asset(name);
+    }
+    if api::is_path(call.path) {
+        return api::respond(call, shell, patience);
     }
     let html = |page: maud::Markup| Reply::of(200, HTML, page.into_string());
     match (call.method, call.path) {

@@ -166,6 +166,17 @@ texts! {
     upkeep_name =
         "Name of the actuator in the calendar: tells two of one code apart"
         | "Name des Antriebs im Kalender: unterscheidet zwei mit gleichem Code";
+    serve = "The web workbench, on this machine" | "Der Arbeitsplatz im Browser, auf dieser Maschine";
+    serve_folder =
+        "Folder with the project files; nothing outside of it is read or written (the current one)"
+        | "Ordner mit den Projektdateien; außerhalb wird nichts gelesen oder geschrieben (der aktuelle)";
+    serve_port =
+        "Port; 0 takes a free one (8377, or a free one where that is taken)"
+        | "Port; 0 nimmt einen freien (8377, oder ein freier, wo der belegt ist)";
+    serve_open = "Open the browser" | "Den Browser öffnen";
+    serve_listen =
+        "Address to listen on instead of this machine alone, such as 192.168.1.5 or 0.0.0.0; then the printed address holds a token, without which nothing is answered"
+        | "Adresse, auf der statt nur auf dieser Maschine gelauscht wird, etwa 192.168.1.5 oder 0.0.0.0; dann enthält die ausgegebene Adresse ein Token, ohne das nichts beantwortet wird";
     new = "A commented project file to fill in" | "Eine kommentierte Projektdatei zum Ausfüllen";
     new_out =
         "Project file to write, with an example recording beside it for kind recording"

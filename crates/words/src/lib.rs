@@ -31,9 +31,11 @@ mod quantity;
 mod recording;
 pub mod records;
 pub mod report;
+pub mod requests;
 mod results;
 mod saving;
 mod schema;
+pub mod serving;
 mod stage;
 pub mod tables;
 pub mod terminal;
@@ -106,6 +108,8 @@ pub const MODULES: &[(&str, &[Text])] = &[
     ("pictures", pictures::TEXTS),
     ("records", records::TEXTS),
     ("report", report::TEXTS),
+    ("requests", requests::TEXTS),
+    ("serving", serving::TEXTS),
     ("tables", tables::TEXTS),
     ("terminal", terminal::TEXTS),
     ("terms", terms::TEXTS),

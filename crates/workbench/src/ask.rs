@@ -104,13 +104,21 @@ pub struct Ranking<'p> {
 pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
     let told = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
     let sampling = draw.sampling(project, told, patience.is_limited())?;
-    let sizing = size_watched(project, patience).map_err(|Stopped| Refusal::Stopped)?;
+    let sizing = sized(project, patience)?;
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits());
     let chosen: Vec<&Candidate<'_>> = fitting.take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
     // Without tolerances there is no assessment, and so no pair.
     let found = assess_watched(project, &chosen, sampling, patience).map_err(|Stopped| Refusal::Stopped)?;
     let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
     Ok(Ranking { project, sizing, top, assessed })
+}
+
+/// The catalogue judged and ranked for an axis, without its tolerances, for somebody who may stop it.
+///
+/// # Errors
+/// [`Refusal::Stopped`].
+pub fn sized<'p>(project: &'p Project, patience: &Patience) -> Result<Sizing<'p>, Refusal> {
+    size_watched(project, patience).map_err(|Stopped| Refusal::Stopped)
 }
 
 impl Ranking<'_> {

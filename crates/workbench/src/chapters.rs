@@ -6,6 +6,7 @@ use configurator::catalogue_actuators;
 use order_code::{OrderCode, Size};
 use project::Project;
 use provenance::Missing;
+use quantities::unit::HOUR;
 use quantities::{ElectricPotential, Language, Measure, Time, parse_as};
 use sizing::{Check, CheckId};
 
@@ -23,6 +24,17 @@ pub fn curves(code: &OrderCode, terminal: Option<ElectricPotential>) -> Option<R
 /// What is wrong with the text, and a hint.
 pub fn read_quantity<Q: Measure>(text: &str, language: Language) -> Result<Q, (String, Option<String>)> {
     parse_as(text).map_err(|error| (words::quantity_fault(&error, language), words::quantity_hint(&error, language)))
+}
+
+/// Reads hours a day; they may go without a unit: their name says it.
+///
+/// # Errors
+/// What is wrong with the text, and a hint.
+pub fn read_hours(text: &str, language: Language) -> Result<Time, (String, Option<String>)> {
+    match text.trim().parse::<f64>() {
+        Ok(hours) => Ok(Time::new_in(hours, &HOUR)),
+        Err(_) => read_quantity(text, language),
+    }
 }
 
 /// Life of the battery of the M128S encoder for hours of operation a day, after a storage.

@@ -24,3 +24,25 @@ pub fn export_rows() -> impl Iterator<Item = (&'static Cell, [String; 10])> {
         (cell, row)
     })
 }
+
+/// The long form as CSV (RFC 4180), with a line of the columns' names.
+#[must_use]
+pub fn export_csv() -> String {
+    let mut out = EXPORT_COLUMNS.join(",");
+    out.push('\n');
+    for (_, row) in export_rows() {
+        let fields: Vec<String> = row.iter().map(|field| quoted(field)).collect();
+        out.push_str(&fields.join(","));
+        out.push('\n');
+    }
+    out
+}
+
+/// A CSV field (RFC 4180): quoted where it holds a comma, a quote or a line break.
+fn quoted(field: &str) -> String {
+    if field.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", field.replace('"', "\"\""))
+    } else {
+        field.to_owned()
+    }
+}

@@ -18,6 +18,7 @@ mod facts;
 mod fingerprint;
 mod flange;
 mod glossary;
+mod licences;
 mod limits;
 mod mount;
 mod moves;
@@ -26,6 +27,7 @@ mod plane;
 mod reading;
 mod sheet;
 mod sizing_use;
+mod subject;
 mod templates;
 mod told;
 mod tolerance;
@@ -36,10 +38,10 @@ mod wiring;
 pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
 pub use ask::{
-    Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, verification,
+    Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, sized, verification,
 };
 pub use catalogue::{Fact, Signal, Step, Topic};
-pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_quantity};
+pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_hours, read_quantity};
 pub use chrono::NaiveDate as Date;
 pub use codes::{CodeFault, CodeReading, CodeRefusal, completion, explain_code, list_codes, read_code, read_pattern};
 pub use commission::{
@@ -50,7 +52,7 @@ pub use compare::{CheckChange, CheckRow, Comparison, DatumRow, Difference, compa
 pub use configurator::{Availability, Choice, Uncovered, Unmet, catalogue_actuators, uncovered};
 pub use errata::{ErrataFound, ErrataRefusal, errata_about};
 pub use explain::{derivation, node_amount, trust};
-pub use export::{EXPORT_COLUMNS, export_rows};
+pub use export::{EXPORT_COLUMNS, export_csv, export_rows};
 pub use facts::facts_about;
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
@@ -61,6 +63,7 @@ pub use installation::upkeep::{Planned, Upkeep, UpkeepAsked};
 pub use installation::wiring::{
     Connector, Group as SignalGroup, LISTED_BYTES_MAX, ListFault, Role, VoltageDrop, Wiring, voltage_drops, wiring,
 };
+pub use licences::licences;
 pub use limits::{NeededLimit, limits_needed};
 pub use mount::{joint_loads, mount, read_bore};
 pub use moves::{Move, Moves, moves};
@@ -84,6 +87,7 @@ pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, explain, explain_own, reserve_of,
     size,
 };
+pub use subject::{candidate_for, candidate_of_tables, names, paired, picked};
 pub use templates::{Template, template, template_kinds};
 pub use told::{
     by_importance, demand_figures, figure_text, objection_text, percent, reason, recording_text, reserve_lines, shown,

@@ -41,6 +41,12 @@ impl Patience {
         self.limited
     }
 
+    /// Whether nobody waits any more.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+
     /// The steps that are done, and how many there are to be where that is known.
     #[must_use]
     pub fn progress(&self) -> (usize, Option<usize>) {
@@ -58,6 +64,6 @@ impl Watch for Patience {
 
     fn step(&self) -> Result<(), Stopped> {
         self.done.fetch_add(1, Ordering::Relaxed);
-        if self.cancelled.load(Ordering::Relaxed) { Err(Stopped) } else { Ok(()) }
+        if self.is_over() { Err(Stopped) } else { Ok(()) }
     }
 }

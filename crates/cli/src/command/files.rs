@@ -201,6 +201,27 @@ pub(super) fn force(language: Language) -> Arg {
     Arg::new("force").long("force").action(ArgAction::SetTrue).help(help)
 }
 
+pub(super) fn serve(language: Language) -> Command {
+    Command::new("serve")
+        .about(help::serve(language))
+        .arg(
+            Arg::new("folder")
+                .value_name(values::folder(language))
+                .value_parser(value_parser!(std::path::PathBuf))
+                .help(help::serve_folder(language)),
+        )
+        .arg(
+            Arg::new("port")
+                .long("port")
+                .value_name(values::n(language))
+                .value_parser(value_parser!(u16))
+                .help(help::serve_port(language)),
+        )
+        .arg(Arg::new("open").long("open").action(ArgAction::SetTrue).help(help::serve_open(language)))
+        .arg(Arg::new("listen").long("listen").value_name(values::address(language)).help(help::serve_listen(language)))
+        .arg(memory(language))
+}
+
 /// How much memory the recordings of a project may take.
 pub(super) fn memory(language: Language) -> Arg {
     Arg::new("memory").long("memory").value_name(values::size(language)).help(help::memory(language))

@@ -17,7 +17,7 @@ const UNITS: [(&str, u64); 6] =
     [("KiB", 1 << 10), ("MiB", 1 << 20), ("GiB", 1 << 30), ("kB", 1_000), ("MB", 1_000_000), ("GB", 1_000_000_000)];
 
 /// The memory that `--memory` allows, else the variable, else the usual one.
-pub(super) fn allowed(matches: &ArgMatches, as_json: bool, language: Language) -> Result<u64, Answer> {
+pub(crate) fn allowed(matches: &ArgMatches, as_json: bool, language: Language) -> Result<u64, Answer> {
     let said = matches.try_get_one::<String>("memory").ok().flatten().cloned();
     let Some(written) = said.or_else(|| std::env::var(VARIABLE).ok()) else { return Ok(MEMORY_USUAL) };
     bytes(&written).ok_or_else(|| {

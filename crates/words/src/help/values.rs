@@ -3,6 +3,7 @@
 use crate::texts::texts;
 
 texts! {
+    address = "ADDRESS" | "ADRESSE";
     area = "AREA" | "QUERSCHNITT";
     connector = "CONNECTOR" | "STECKER";
     body = "BODY" | "KÖRPER";
@@ -14,6 +15,7 @@ texts! {
     drive = "DRIVE" | "REGLER";
     figure = "FIGURE" | "BILD";
     file = "FILE" | "DATEI";
+    folder = "FOLDER" | "ORDNER";
     format = "FORMAT";
     hours = "HOURS" | "STUNDEN";
     interval = "INTERVAL" | "INTERVALL";

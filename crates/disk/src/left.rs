@@ -4,13 +4,13 @@ use std::path::Path;
 use std::time::{Duration, SystemTime};
 
 /// How the names of temporary files begin; six letters or digits follow.
-pub(super) const PREFIX: &str = ".antrieb-";
+pub(crate) const PREFIX: &str = ".antrieb-";
 
 /// A save takes seconds: what is older belongs to no program that still runs, on this machine or another one.
 const AGE: Duration = Duration::from_secs(24 * 3600);
 
 /// Removes from a folder what was left there. Whatever is in the way of that is no matter of the save.
-pub(super) fn clear(folder: &Path) {
+pub(crate) fn clear(folder: &Path) {
     let now = SystemTime::now();
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         let is_ours = entry.file_name().to_str().is_some_and(is_name);

@@ -12,17 +12,11 @@ use tempfile::NamedTempFile;
 static FILES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// A save that may be interrupted.
-pub(super) struct Unfinished;
+pub(crate) struct Unfinished;
 
 impl Unfinished {
-    pub(super) fn begin() -> Self {
-        #[cfg(unix)]
-        watch();
-        Self
-    }
-
     /// Makes a temporary file and notes it, without a signal between.
-    pub(super) fn made(&self, make: impl FnOnce() -> std::io::Result<NamedTempFile>) -> std::io::Result<NamedTempFile> {
+    pub(crate) fn made(&self, make: impl FnOnce() -> std::io::Result<NamedTempFile>) -> std::io::Result<NamedTempFile> {
         let mut files = self.hold();
         let file = make()?;
         files.push(file.path().to_owned());
@@ -30,7 +24,7 @@ impl Unfinished {
     }
 
     /// Keeps signals waiting.
-    pub(super) fn hold(&self) -> MutexGuard<'static, Vec<PathBuf>> {
+    pub(crate) fn hold(&self) -> MutexGuard<'static, Vec<PathBuf>> {
         FILES.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -41,9 +35,10 @@ impl Drop for Unfinished {
     }
 }
 
-/// Waits for signals beside the work; once in the life of the program.
+/// From now on interrupt, terminate and hang-up end the program, and what is unfinished goes with it; once in its life. Who has
+/// a better end of his own for them does without.
 #[cfg(unix)]
-fn watch() {
+pub fn end_on_signals() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
     use std::sync::Once;

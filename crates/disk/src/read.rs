@@ -1,0 +1,129 @@
+//! Files that are read: so much of them, and of those that a project names only where they may lie.
+
+use std::fs::File;
+use std::io::{Error, ErrorKind, Read, Result};
+use std::path::{Path, PathBuf};
+use workbench::{Files, Grant, NoRegularFile, Reach};
+
+/// At most one byte more than `most`: a large file or an endless stream is not read to its end.
+///
+/// # Errors
+/// What the system says.
+pub fn read_within(source: impl Read, most: usize) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    source.take(most as u64 + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Where links may lead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Links {
+    /// Wherever they lead.
+    Followed,
+    /// Not out of the folder.
+    Inside,
+}
+
+/// The files that a project in a folder names.
+#[derive(Clone, Debug)]
+pub struct Beside {
+    /// The folder of the project.
+    pub folder: PathBuf,
+    /// Where a link may lead.
+    pub links: Links,
+    /// Bytes of memory for all recordings of a project, and where their names may lie.
+    pub grant: Grant,
+}
+
+impl Beside {
+    /// The regular file of a name: what is none is refused before it is opened, because a pipe would wait for its writer.
+    ///
+    /// # Errors
+    /// What is in the way; a name that leads out of the folder, where it may not, is not found.
+    pub fn regular(&self, name: &str) -> Result<PathBuf> {
+        let mut path = self.folder.join(name);
+        if self.links == Links::Inside {
+            if !Reach::Beside.admits(name) {
+                return Err(ErrorKind::NotFound.into());
+            }
+            path = path.canonicalize()?;
+            if !path.starts_with(self.folder.canonicalize()?) {
+                return Err(ErrorKind::NotFound.into());
+            }
+        }
+        regular(&path).map(|_| path)
+    }
+}
+
+/// The size of a regular file.
+fn regular(path: &Path) -> Result<u64> {
+    let about = path.metadata()?;
+    if about.is_dir() {
+        return Err(ErrorKind::IsADirectory.into());
+    }
+    if !about.is_file() {
+        return Err(Error::other(NoRegularFile));
+    }
+    Ok(about.len())
+}
+
+impl Files for Beside {
+    fn open(&self, name: &str) -> Result<Box<dyn Read>> {
+        Ok(Box::new(File::open(self.regular(name)?)?))
+    }
+
+    fn size(&self, name: &str) -> Option<u64> {
+        regular(&self.regular(name).ok()?).ok()
+    }
+
+    fn grant(&self) -> Grant {
+        self.grant
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn within(folder: &Path, links: Links) -> Beside {
+        Beside { folder: folder.to_owned(), links, grant: Grant::default() }
+    }
+
+    #[test]
+    fn so_much_is_read_and_a_byte_that_tells_of_more() {
+        assert_eq!(read_within(&b"abcdef"[..], 3).unwrap(), b"abcd");
+        assert_eq!(read_within(&b"abc"[..], 3).unwrap(), b"abc");
+        assert_eq!(read_within(std::io::repeat(0), 10).unwrap().len(), 11);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_folder_is_left_by_no_name_and_no_link_where_it_may_not_be() {
+        use std::os::unix::fs::symlink;
+        let outer = tempfile::tempdir().unwrap();
+        let folder = outer.path().join("work");
+        std::fs::create_dir_all(folder.join("sub")).unwrap();
+        for file in [outer.path().join("far.csv"), folder.join("near.csv"), folder.join("sub/below.csv")] {
+            std::fs::write(file, "x").unwrap();
+        }
+        symlink(outer.path().join("far.csv"), folder.join("link.csv")).unwrap();
+        symlink(outer.path(), folder.join("way")).unwrap();
+        symlink("sub/below.csv", folder.join("inside.csv")).unwrap();
+        let inside = within(&folder, Links::Inside);
+        for name in ["near.csv", "sub/below.csv", "inside.csv"] {
+            assert!(inside.open(name).is_ok() && inside.size(name) == Some(1), "{name}");
+        }
+        let far = outer.path().join("far.csv").to_string_lossy().into_owned();
+        for name in
+            ["../far.csv", "sub/../../far.csv", "link.csv", "way/far.csv", "/dev/null", "/dev/zero", &far, "no.csv"]
+        {
+            assert!(inside.open(name).is_err() && inside.size(name).is_none(), "{name}");
+        }
+        let anywhere = within(&folder, Links::Followed);
+        assert!(
+            anywhere.open("link.csv").is_ok() && anywhere.open("../far.csv").is_ok() && anywhere.open(&far).is_ok()
+        );
+        assert!(anywhere.open("/dev/null").is_err(), "a device is no regular file");
+        assert!(inside.open("sub").is_err() && inside.open("").is_err());
+    }
+}

@@ -1,0 +1,246 @@
+//! The list of endpoints as OpenAPI 3.1, whose schemas are those of the answers.
+
+use super::list::ENDPOINTS;
+use super::{Body, Endpoint, JSON, Kind, Output, Parameter, ROOT};
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
+use workbench::Language;
+use workbench::text::requests;
+
+/// A description of the interface.
+#[derive(Serialize)]
+pub(super) struct Document {
+    openapi: &'static str,
+    info: Info,
+    paths: Map<String, Value>,
+    components: Components,
+}
+
+#[derive(Serialize)]
+struct Info {
+    title: &'static str,
+    version: &'static str,
+    description: &'static str,
+}
+
+#[derive(Serialize)]
+struct Components {
+    schemas: Value,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Operation {
+    operation_id: String,
+    summary: &'static str,
+    parameters: Vec<Named>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    request_body: Option<Sent>,
+    responses: BTreeMap<&'static str, Response>,
+}
+
+/// A value of the query.
+#[derive(Serialize)]
+struct Named {
+    name: &'static str,
+    #[serde(rename = "in")]
+    place: &'static str,
+    description: &'static str,
+    required: bool,
+    schema: Schema,
+}
+
+/// The body of a request.
+#[derive(Serialize)]
+struct Sent {
+    description: &'static str,
+    required: bool,
+    content: BTreeMap<&'static str, Content>,
+}
+
+#[derive(Serialize)]
+struct Response {
+    description: &'static str,
+    content: BTreeMap<&'static str, Content>,
+}
+
+#[derive(Serialize)]
+struct Content {
+    schema: Schema,
+}
+
+/// A form, as JSON Schema has it.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Schema {
+    /// One that is told elsewhere.
+    Ref {
+        #[serde(rename = "$ref")]
+        path: String,
+    },
+    /// One that is taken as it is.
+    Whole(Value),
+    /// A plain value.
+    Plain {
+        #[serde(rename = "type")]
+        kind: &'static str,
+        #[serde(rename = "enum", skip_serializing_if = "Option::is_none")]
+        words: Option<Vec<&'static str>>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        minimum: Option<u64>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        maximum: Option<u64>,
+    },
+    /// Several of a plain value.
+    Several {
+        #[serde(rename = "type")]
+        kind: &'static str,
+        items: Box<Schema>,
+    },
+    /// Fields that are texts.
+    Texts {
+        #[serde(rename = "type")]
+        kind: &'static str,
+        properties: BTreeMap<&'static str, Schema>,
+        required: [&'static str; 2],
+        #[serde(rename = "additionalProperties")]
+        others: bool,
+    },
+    /// Anything.
+    Any {},
+}
+
+impl Schema {
+    const fn plain(kind: &'static str) -> Self {
+        Self::Plain { kind, words: None, minimum: None, maximum: None }
+    }
+
+    fn shared(name: &str) -> Self {
+        Self::Ref { path: format!("{PLACE}{name}") }
+    }
+}
+
+/// Where the records stand that the answers share.
+const PLACE: &str = "#/components/schemas/";
+
+/// The whole interface, told in a language.
+pub(super) fn document(language: Language) -> Document {
+    let answers = moved(workbench::answers::schema());
+    let mut paths: Map<String, Value> = Map::new();
+    for endpoint in ENDPOINTS {
+        let operations = paths.entry(format!("{ROOT}{}", endpoint.path)).or_insert_with(|| Value::Object(Map::new()));
+        // An operation has string keys only: nothing in it can fail.
+        let operation = serde_json::to_value(operation(endpoint, &answers, language)).unwrap_or_default();
+        if let Some(operations) = operations.as_object_mut() {
+            operations.insert(endpoint.method.id().to_ascii_lowercase(), operation);
+        }
+    }
+    Document {
+        openapi: "3.1.0",
+        info: Info {
+            title: requests::title(language),
+            version: env!("CARGO_PKG_VERSION"),
+            description: requests::about(language),
+        },
+        paths,
+        components: Components { schemas: answers.get("$defs").cloned().unwrap_or_default() },
+    }
+}
+
+/// A schema whose shared records stand where OpenAPI has them.
+fn moved(schema: Value) -> Value {
+    match schema {
+        Value::String(text) => Value::String(match text.strip_prefix("#/$defs/") {
+            Some(name) => format!("{PLACE}{name}"),
+            None => text,
+        }),
+        Value::Array(items) => Value::Array(items.into_iter().map(moved).collect()),
+        Value::Object(fields) => Value::Object(fields.into_iter().map(|(name, value)| (name, moved(value))).collect()),
+        other => other,
+    }
+}
+
+fn operation(endpoint: &Endpoint, answers: &Value, language: Language) -> Operation {
+    let lang = Parameter::of("lang", requests::lang, Kind::Word(|| Language::ALL.map(Language::id).to_vec()));
+    let mut responses = BTreeMap::new();
+    responses.insert("200", Response { description: requests::answered(language), content: answer(endpoint, answers) });
+    let of_code = endpoint.parameters.iter().any(|parameter| parameter.name == "code");
+    for status in
+        ["422", "503"].into_iter().chain((endpoint.body != Body::None).then_some(["413", "415"]).into_iter().flatten())
+    {
+        let schema = match answers.get("properties").and_then(|all| all.get("faults of a code")) {
+            // What is wrong with a code may be told as a record of its own.
+            Some(codes) if of_code && status == "422" => {
+                let both = [serde_json::to_value(Schema::shared("Faults")).unwrap_or_default(), codes.clone()];
+                Schema::Whole(Value::Object(Map::from_iter([("anyOf".to_owned(), Value::Array(both.into()))])))
+            }
+            _ => Schema::shared("Faults"),
+        };
+        let content = BTreeMap::from([(JSON, Content { schema })]);
+        responses.insert(status, Response { description: requests::not_answered(language), content });
+    }
+    Operation {
+        operation_id: format!(
+            "{}_{}",
+            endpoint.method.id().to_ascii_lowercase(),
+            endpoint.path.replace(['/', '.'], "_")
+        ),
+        summary: (endpoint.about)(language),
+        parameters: endpoint.parameters.iter().chain([&lang]).map(|parameter| named(parameter, language)).collect(),
+        request_body: sent(endpoint.body, language),
+        responses,
+    }
+}
+
+fn answer(endpoint: &Endpoint, answers: &Value) -> BTreeMap<&'static str, Content> {
+    let one = |schema| BTreeMap::from([(JSON, Content { schema })]);
+    match endpoint.output {
+        Output::Record(name) => {
+            let schema = answers.get("properties").and_then(|all| all.get(name)).cloned();
+            one(schema.map_or(Schema::Any {}, Schema::Whole))
+        }
+        Output::Shared(name) => one(Schema::shared(name)),
+        Output::Json => one(Schema::Any {}),
+        Output::Media(types) => types.iter().map(|media| (*media, Content { schema: Schema::Any {} })).collect(),
+    }
+}
+
+fn named(parameter: &Parameter, language: Language) -> Named {
+    let schema = match parameter.kind {
+        Kind::Text => Schema::plain("string"),
+        Kind::Flag => Schema::plain("boolean"),
+        Kind::Whole(least, most) => {
+            Schema::Plain { kind: "integer", words: None, minimum: Some(least), maximum: Some(most) }
+        }
+        Kind::Word(words) => Schema::Plain { kind: "string", words: Some(words()), minimum: None, maximum: None },
+    };
+    Named {
+        name: parameter.name,
+        place: "query",
+        description: (parameter.about)(language),
+        required: parameter.required,
+        schema: if parameter.repeated { Schema::Several { kind: "array", items: Box::new(schema) } } else { schema },
+    }
+}
+
+fn sent(body: Body, language: Language) -> Option<Sent> {
+    let of = |description, media, schema| Sent {
+        description,
+        required: true,
+        content: BTreeMap::from([(media, Content { schema })]),
+    };
+    let text = || Schema::plain("string");
+    match body {
+        Body::None => None,
+        Body::Project => Some(of(requests::project_body(language), "application/toml", text())),
+        Body::Measured => Some(of(requests::measured_body(language), "application/toml", text())),
+        Body::Pins => Some(of(requests::pins_body(language), "text/csv", text())),
+        Body::TwoProjects => {
+            let required = ["old", "new"];
+            let properties = required.map(|name| (name, text())).into();
+            let both = Schema::Texts { kind: "object", properties, required, others: false };
+            Some(of(requests::two_projects_body(language), JSON, both))
+        }
+    }
+}

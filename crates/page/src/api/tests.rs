@@ -1,0 +1,220 @@
+#![allow(clippy::indexing_slicing, reason = "JSON answers null for a missing key")]
+
+use super::*;
+use serde_json::Value;
+use workbench::{Files, NoFiles, PROJECT_MAX_BYTES};
+
+const PROJECT: &str = "format = 1\n[load]\ninertia = \"1.3 kg m^2\"\n[[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\n\
+    accelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n";
+
+struct Alone(Option<u64>);
+
+impl Shell for Alone {
+    fn files(&self) -> &dyn Files {
+        &NoFiles
+    }
+
+    fn days_since_1970(&self) -> Option<u64> {
+        self.0
+    }
+}
+
+fn sent(method: Method, path: &str, query: &str, media: Option<&str>, body: &[u8]) -> Reply {
+    let call = Call { method, path, query, media, body, language: Language::default() };
+    crate::respond(&call, &Alone(None), &Patience::limited())
+}
+
+fn get(path: &str, query: &str) -> Reply {
+    sent(Method::Get, path, query, None, b"")
+}
+
+fn post(path: &str, query: &str, body: &str) -> Reply {
+    sent(Method::Post, path, query, Some("application/toml"), body.as_bytes())
+}
+
+fn json(reply: &Reply) -> Value {
+    serde_json::from_slice(&reply.body).unwrap()
+}
+
+fn messages(reply: &Reply) -> Vec<String> {
+    let faults = json(reply);
+    faults["errors"].as_array().unwrap().iter().map(|fault| fault["message"].as_str().unwrap().to_owned()).collect()
+}
+
+#[test]
+fn a_path_that_is_none_and_a_method_that_is_not_answered_are_told() {
+    for path in ["/api", "/api/", "/api/v1", "/api/v1/", "/api/v2/size", "/api/v1/sizes", "/api/v1/size/"] {
+        let reply = get(path, "");
+        assert_eq!((reply.status, reply.media), (404, JSON), "{path}");
+        assert!(messages(&reply)[0].contains(path), "{path}");
+    }
+    let reply = get("/api/v1/size", "");
+    assert_eq!(reply.status, 405);
+    assert!(reply.headers.contains(&("allow", "POST".to_owned())), "{:?}", reply.headers);
+    let reply = post("/api/v1/data", "", "");
+    assert!(reply.status == 405 && reply.headers.contains(&("allow", "GET, HEAD".to_owned())), "{:?}", reply.headers);
+    assert_eq!(methods("/api/v1/wiring"), [Method::Get, Method::Post]);
+    assert!(methods("/nowhere").is_empty());
+}
+
+#[test]
+fn every_fault_of_a_query_is_told_at_once_with_what_is_near() {
+    let reply = post("/api/v1/size", "tpo=3&top=0&samples=many&all=perhaps&lang=fr&seed=1&seed=2", PROJECT);
+    assert_eq!(reply.status, 422);
+    let faults = json(&reply);
+    let found: Vec<(&str, &str)> = faults["errors"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|fault| (fault["option"].as_str().unwrap(), fault["hint"].as_str().unwrap_or_default()))
+        .collect();
+    let expected = [
+        ("tpo", "did you mean `top`?"),
+        ("top", "valid is 1 to 65535"),
+        ("samples", "a whole number is expected"),
+        ("all", "valid here: true, false"),
+        ("lang", "valid here: en, de"),
+        ("seed", ""),
+    ];
+    assert_eq!(found, expected);
+    let missing = post("/api/v1/plot", "by=length", PROJECT);
+    assert_eq!((missing.status, messages(&missing)), (422, vec!["figure is missing".to_owned()]));
+}
+
+#[test]
+fn a_project_comes_as_text_of_any_plain_type_and_as_no_other() {
+    for media in [None, Some("application/toml"), Some("text/plain; charset=utf-8"), Some("Application/TOML"), Some("")]
+    {
+        assert_eq!(sent(Method::Post, "/api/v1/moves", "", media, PROJECT.as_bytes()).status, 200, "{media:?}");
+    }
+    // A form is a text as well: what stands in it steers nothing.
+    let form = sent(Method::Post, "/api/v1/moves", "", Some("application/x-www-form-urlencoded"), b"lang=de&axis=1");
+    assert!(form.status == 422 && messages(&form)[0].contains("expected"), "{:?}", messages(&form));
+    for media in ["application/json", "multipart/form-data; boundary=x", "image/png"] {
+        assert_eq!(sent(Method::Post, "/api/v1/size", "", Some(media), PROJECT.as_bytes()).status, 415, "{media}");
+    }
+    let large = vec![b' '; PROJECT_MAX_BYTES + 1];
+    assert_eq!(sent(Method::Post, "/api/v1/size", "", None, &large).status, 413);
+    assert_eq!(sent(Method::Post, "/api/v1/size", "", None, b"format = 1\n\xff").status, 422);
+}
+
+#[test]
+fn two_revisions_come_as_json() {
+    let both = |old: &str, new: &str| serde_json::to_vec(&serde_json::json!({"old": old, "new": new})).unwrap();
+    let asked = |body: &[u8]| sent(Method::Post, "/api/v1/diff", "", Some(JSON), body);
+    let changed = PROJECT.replace("1.3", "1.4");
+    let reply = asked(&both(PROJECT, &changed));
+    assert_eq!(reply.status, 200, "{:?}", String::from_utf8_lossy(&reply.body));
+    assert_eq!(json(&reply)["inputs"][0]["new"], "1.4 kg m^2");
+    let reply = asked(&both(PROJECT, "format = 2"));
+    assert!(reply.status == 422 && json(&reply)["errors"][0]["file"] == "new");
+    for body in [&b"{}"[..], b"", b"{\"old\": 1, \"new\": \"\"}", PROJECT.as_bytes()] {
+        assert_eq!(asked(body).status, 422);
+    }
+}
+
+#[test]
+fn tables_come_in_every_format() {
+    for (query, begins, media) in [
+        ("", &b"PK"[..], list::XLSX),
+        ("format=xlsx", b"PK", list::XLSX),
+        ("table=checks", b"{", JSON),
+        ("table=checks&format=csv", b"code,", list::CSV),
+        ("table=course&format=parquet", b"PAR1", list::PARQUET),
+    ] {
+        let reply = post("/api/v1/export", query, PROJECT);
+        assert_eq!((reply.status, reply.media), (200, media), "{query}: {}", String::from_utf8_lossy(&reply.body));
+        assert!(reply.body.starts_with(begins), "{query}: {:?}", reply.body.get(..20));
+    }
+    for query in ["format=csv", "format=xlsx&table=checks", "table=check", "format=pdf"] {
+        assert_eq!(post("/api/v1/export", query, PROJECT).status, 422, "{query}");
+    }
+}
+
+#[test]
+fn a_picture_is_svg() {
+    let reply = post("/api/v1/plot", "figure=torque_speed&theme=dark&width=100+mm", PROJECT);
+    assert_eq!((reply.status, reply.media), (200, "image/svg+xml"));
+    assert!(reply.body.starts_with(b"<svg"));
+    assert_eq!(post("/api/v1/plot", "figure=torque_speed&width=1+mm", PROJECT).status, 422);
+}
+
+#[test]
+fn whoever_does_not_wait_gets_no_answer() {
+    let patience = Patience::limited();
+    patience.cancel();
+    let call = Call {
+        method: Method::Post,
+        path: "/api/v1/size",
+        query: "",
+        media: None,
+        body: PROJECT.as_bytes(),
+        language: Language::default(),
+    };
+    assert_eq!(crate::respond(&call, &Alone(None), &patience).status, 503);
+}
+
+#[test]
+fn a_delivery_that_has_not_been_is_no_matter_of_a_shell_without_a_clock() {
+    let query = "code=CHA-20A-100-H-C1024&delivered=2026-03-01";
+    let asked = |days| {
+        let call = Call {
+            method: Method::Get,
+            path: "/api/v1/upkeep",
+            query,
+            media: None,
+            body: b"",
+            language: Language::default(),
+        };
+        crate::respond(&call, &Alone(days), &Patience::limited()).status
+    };
+    assert_eq!([asked(None), asked(Some(20_514)), asked(Some(20_511))], [200, 200, 422]);
+}
+
+/// What is told of the interface is whole: every endpoint with its parameters, and no schema that is nowhere.
+#[test]
+fn the_description_tells_every_endpoint_and_every_schema() {
+    let document = json(&get("/api/v1/openapi.json", ""));
+    assert_eq!(document["openapi"], "3.1.0");
+    for endpoint in list::ENDPOINTS {
+        let told = &document["paths"][format!("{ROOT}{}", endpoint.path)][endpoint.method.id().to_ascii_lowercase()];
+        assert!(told["summary"].as_str().is_some_and(|summary| summary.len() > 10), "{}", endpoint.path);
+        assert_eq!(told["parameters"].as_array().unwrap().len(), endpoint.parameters.len() + 1, "{}", endpoint.path);
+        assert_eq!(told["requestBody"].is_object(), endpoint.method == Method::Post, "{}", endpoint.path);
+        assert!(
+            told["responses"]["200"]["content"].as_object().is_some_and(|all| !all.is_empty()),
+            "{}",
+            endpoint.path
+        );
+        if let Output::Record(_) | Output::Shared(_) = endpoint.output {
+            let schema = &told["responses"]["200"]["content"][JSON]["schema"];
+            assert!(schema.as_object().is_some_and(|schema| !schema.is_empty()), "{}", endpoint.path);
+        }
+    }
+    let mut looked = 0;
+    resolve(&document, &document, &mut looked);
+    assert!(looked > 100, "{looked}");
+    let ids: Vec<&Value> = document["paths"]
+        .as_object()
+        .unwrap()
+        .values()
+        .flat_map(|operations| operations.as_object().unwrap().values())
+        .map(|operation| &operation["operationId"])
+        .collect();
+    assert!(ids.iter().enumerate().all(|(index, id)| !ids[..index].contains(id)));
+}
+
+fn resolve(value: &Value, document: &Value, looked: &mut usize) {
+    match value {
+        Value::Object(fields) => {
+            if let Some(path) = fields.get("$ref").and_then(Value::as_str) {
+                let pointer = path.strip_prefix('#').unwrap_or_else(|| panic!("{path}"));
+                assert!(document.pointer(pointer).is_some(), "{path}");
+                *looked += 1;
+            }
+            fields.values().for_each(|value| resolve(value, document, looked));
+        }
+        Value::Array(items) => items.iter().for_each(|item| resolve(item, document, looked)),
+        _ => {}
+    }
+}

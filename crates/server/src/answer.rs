@@ -1,0 +1,248 @@
+//! From a request to its answer: let in, read, computed beside the others, sent back.
+
+use crate::body::{Bodies, Held, NoBody, read};
+use crate::folder::Workplace;
+use crate::gate::{Barred, admit, preferred};
+use crate::limits::Limits;
+use crate::token::{IN_QUERY, Token};
+use bytes::Bytes;
+use http_body_util::Full;
+use hyper::body::Incoming;
+use hyper::header::{CONTENT_TYPE, HeaderName, HeaderValue};
+use hyper::http::request::Parts;
+use hyper::{Method, Request, Response, StatusCode};
+use page::{Call, Reply, Shell};
+use percent_encoding::percent_decode_str;
+use std::net::SocketAddr;
+use std::sync::Arc;
+use tokio::sync::Semaphore;
+use workbench::text::requests;
+use workbench::{Language, Patience};
+
+/// What answers a call.
+pub(crate) type Respond = fn(&Call<'_>, &dyn Shell, &Patience) -> Reply;
+
+/// What all connections share.
+pub(crate) struct Desk {
+    pub(crate) address: SocketAddr,
+    pub(crate) token: Option<Token>,
+    pub(crate) language: Language,
+    pub(crate) limits: Limits,
+    pub(crate) respond: Respond,
+    workplace: Arc<Workplace>,
+    bodies: Bodies,
+    /// Answers that may be computed at the same time.
+    turns: Arc<Semaphore>,
+    /// Questions that may wait for that.
+    places: Arc<Semaphore>,
+}
+
+/// What every answer carries: nothing from elsewhere is loaded, nobody frames it, nothing is kept, no other site reads it.
+const HEADERS: [(&str, &str); 7] = [
+    (
+        "content-security-policy",
+        "default-src 'self'; img-src 'self' data:; style-src 'self'; script-src 'self'; frame-ancestors 'none'; \
+         base-uri 'none'; form-action 'self'",
+    ),
+    ("x-content-type-options", "nosniff"),
+    ("x-frame-options", "DENY"),
+    ("referrer-policy", "no-referrer"),
+    ("cross-origin-opener-policy", "same-origin"),
+    ("cross-origin-resource-policy", "same-origin"),
+    ("permissions-policy", "camera=(), geolocation=(), microphone=()"),
+];
+
+/// Of what the page says nothing, nothing is kept.
+const CACHE_CONTROL: &str = "cache-control";
+
+/// Whoever may ask finds out there that the server is up.
+const HEALTH: &str = "/health";
+
+/// Cancels the work when nobody waits for it any more: the time is over, or the client has gone.
+struct Waits(Arc<Patience>);
+
+impl Drop for Waits {
+    fn drop(&mut self) {
+        self.0.cancel();
+    }
+}
+
+/// A request whose head and body are here.
+struct Question {
+    parts: Parts,
+    path: String,
+    body: Held,
+    language: Language,
+}
+
+impl Desk {
+    pub(crate) fn new(
+        address: SocketAddr,
+        token: Option<Token>,
+        language: Language,
+        limits: Limits,
+        workplace: Workplace,
+        respond: Respond,
+    ) -> Self {
+        Self {
+            address,
+            token,
+            language,
+            respond,
+            workplace: Arc::new(workplace),
+            bodies: Bodies::default(),
+            turns: Arc::new(Semaphore::new(limits.computed.max(1))),
+            places: Arc::new(Semaphore::new(limits.waiting)),
+            limits,
+        }
+    }
+
+    /// Answers a request, whatever it is.
+    pub(crate) async fn answer(&self, request: Request<Incoming>) -> Response<Full<Bytes>> {
+        let (parts, body) = request.into_parts();
+        let reply = match self.let_in(&parts) {
+            Err(reply) => reply,
+            Ok((path, language)) => match read(body, &self.bodies, &self.limits).await {
+                Ok(body) => self.respond(Question { parts, path, body, language }).await,
+                Err(why) => self.no_body(why, language),
+            },
+        };
+        sent(reply)
+    }
+
+    /// The path and the language of a request that may ask.
+    fn let_in(&self, parts: &Parts) -> Result<(String, Language), Reply> {
+        let path = percent_decode_str(parts.uri.path()).decode_utf8_lossy().into_owned();
+        // For scripts the same call gives the same bytes, whatever the language of the machine.
+        let preferred = if path.starts_with("/api/") { None } else { preferred(&parts.headers) };
+        let language = preferred.unwrap_or(self.language);
+        let barred = |status, what: &str| Err(page::misdirected(status, what, None));
+        match admit(parts, self.address) {
+            Err(Barred::Host) => return barred(421, &requests::foreign_host(&self.address, language)),
+            Err(Barred::Site) => return barred(403, requests::foreign_site(language)),
+            Ok(()) => {}
+        }
+        if let Some(token) = self.token.as_ref().filter(|token| !token.is_in(&parts.headers)) {
+            return Err(introduced(parts, token).unwrap_or_else(|| {
+                let mut reply = page::misdirected(401, requests::token_missing(language), None);
+                reply.headers.push(("www-authenticate", "Bearer".to_owned()));
+                reply
+            }));
+        }
+        match parts.method {
+            Method::GET | Method::HEAD | Method::POST => Ok((path, language)),
+            _ => {
+                let valid = page::methods(&path);
+                let valid = if valid.is_empty() { &[page::Method::Get, page::Method::Post][..] } else { &valid };
+                Err(page::wrong_method(&path, parts.method.as_str(), valid, language))
+            }
+        }
+    }
+
+    fn no_body(&self, why: NoBody, language: Language) -> Reply {
+        let Limits { body_bytes, body_time, .. } = self.limits;
+        let (status, message) = match why {
+            NoBody::TooLarge => (413, requests::body_larger_than(&body_bytes, language)),
+            NoBody::TooSlow => (408, requests::body_too_slow(&body_time.as_secs(), language)),
+            NoBody::NoRoom => (503, requests::busy(language).to_owned()),
+            NoBody::Broken => (400, requests::body_broken(language).to_owned()),
+        };
+        let mut reply = page::misdirected(status, &message, None);
+        // What may still come of it is not read.
+        reply.headers.push(("connection", "close".to_owned()));
+        reply
+    }
+
+    /// Computes the answer on a thread of its own when its turn has come, and gives up when its time is over.
+    async fn respond(&self, question: Question) -> Reply {
+        let language = question.language;
+        let (respond, workplace) = (self.respond, Arc::clone(&self.workplace));
+        let patience = Arc::new(Patience::limited());
+        let _waits = Waits(Arc::clone(&patience));
+        if question.path == HEALTH {
+            return question.put(respond, &workplace, &patience);
+        }
+        let Ok(place) = self.places.try_acquire() else { return busy(language) };
+        let work = async {
+            let turn = Arc::clone(&self.turns).acquire_owned().await;
+            drop(place);
+            let work = move || {
+                // As long as it is computed, others wait, even when nobody waits for this one any more.
+                let _turn = turn;
+                if patience.is_over() {
+                    return busy(language);
+                }
+                question.put(respond, &workplace, &patience)
+            };
+            tokio::task::spawn_blocking(work).await
+        };
+        match tokio::time::timeout(self.limits.answer_time, work).await {
+            Ok(Ok(reply)) => reply,
+            Ok(Err(_)) => page::misdirected(500, requests::failed_inside(language), None),
+            Err(_) => {
+                let most = self.limits.answer_time.as_secs();
+                page::misdirected(503, &requests::not_in_time(&most, language), None)
+            }
+        }
+    }
+}
+
+impl Question {
+    /// Puts the question.
+    fn put(&self, respond: Respond, shell: &Workplace, patience: &Patience) -> Reply {
+        let call = Call {
+            method: if self.parts.method == Method::POST { page::Method::Post } else { page::Method::Get },
+            path: &self.path,
+            query: self.parts.uri.query().unwrap_or_default(),
+            media: self.parts.headers.get(CONTENT_TYPE).and_then(|value| value.to_str().ok()),
+            body: self.body.bytes(),
+            language: self.language,
+        };
+        respond(&call, shell, patience)
+    }
+}
+
+/// Too many wait already.
+fn busy(language: Language) -> Reply {
+    let mut reply = page::misdirected(503, requests::busy(language), None);
+    reply.headers.push(("retry-after", "1".to_owned()));
+    reply
+}
+
+/// Who opens the address with the token gets it as a cookie and the address without it.
+fn introduced(parts: &Parts, token: &Token) -> Option<Reply> {
+    let query = parts.uri.query()?;
+    let is_token = |pair: &&str| {
+        let given = pair.strip_prefix(IN_QUERY).and_then(|rest| rest.strip_prefix('='));
+        given.is_some_and(|given| token.is(given))
+    };
+    if parts.method != Method::GET || !query.split('&').any(|pair| is_token(&pair)) {
+        return None;
+    }
+    let rest: Vec<&str> = query.split('&').filter(|pair| !is_token(pair)).collect();
+    // One slash at the beginning: two would name another host.
+    let path = format!("/{}", parts.uri.path().trim_start_matches('/'));
+    let place = if rest.is_empty() { path } else { format!("{path}?{}", rest.join("&")) };
+    let mut reply = Reply::text(303, "");
+    reply.headers = vec![("location", place), ("set-cookie", token.cookie())];
+    Some(reply)
+}
+
+/// A reply as it goes out.
+fn sent(reply: Reply) -> Response<Full<Bytes>> {
+    let mut response = Response::new(Full::new(Bytes::from(reply.body)));
+    *response.status_mut() = StatusCode::from_u16(reply.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+    let headers = response.headers_mut();
+    headers.insert(CONTENT_TYPE, HeaderValue::from_static(reply.media));
+    for (name, value) in HEADERS {
+        headers.insert(HeaderName::from_static(name), HeaderValue::from_static(value));
+    }
+    headers.insert(HeaderName::from_static(CACHE_CONTROL), HeaderValue::from_static("no-store"));
+    for (name, value) in reply.headers {
+        // What is no header is left out: nothing of it can end the headers.
+        if let (Ok(name), Ok(value)) = (HeaderName::try_from(name), HeaderValue::try_from(value)) {
+            headers.insert(name, value);
+        }
+    }
+    response
+}

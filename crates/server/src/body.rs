@@ -1,0 +1,97 @@
+//! The body of a request, read within bounds of size and time, and within what all bodies together may take.
+
+use crate::limits::Limits;
+use bytes::Bytes;
+use http_body_util::BodyExt;
+use hyper::body::{Body, Incoming};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Bytes of all bodies that are held at the moment.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Bodies(Arc<AtomicUsize>);
+
+/// A body, counted as long as it lives.
+#[derive(Debug)]
+pub(crate) struct Held {
+    bytes: Vec<u8>,
+    all: Bodies,
+}
+
+impl Held {
+    pub(crate) fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// Takes a piece, if there is room for it among all bodies.
+    fn take(&mut self, piece: &Bytes, most: usize) -> bool {
+        let before = self.all.0.fetch_add(piece.len(), Ordering::Relaxed);
+        self.bytes.extend_from_slice(piece);
+        before + piece.len() <= most
+    }
+}
+
+impl Drop for Held {
+    fn drop(&mut self) {
+        self.all.0.fetch_sub(self.bytes.len(), Ordering::Relaxed);
+    }
+}
+
+/// Why there is no body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NoBody {
+    /// It is larger than one may be.
+    TooLarge,
+    /// It comes too slowly.
+    TooSlow,
+    /// There is no room for it beside the others.
+    NoRoom,
+    /// Its sender has broken off, or sent what is no body.
+    Broken,
+}
+
+/// Reads a body to its end.
+pub(crate) async fn read(body: Incoming, all: &Bodies, limits: &Limits) -> Result<Held, NoBody> {
+    let most = limits.body_bytes;
+    if body.size_hint().lower() > most as u64 {
+        return Err(NoBody::TooLarge);
+    }
+    let whole = pieces(body, all, most, limits.bodies_bytes);
+    tokio::time::timeout(limits.body_time, whole).await.unwrap_or(Err(NoBody::TooSlow))
+}
+
+async fn pieces(mut body: Incoming, all: &Bodies, most: usize, most_of_all: usize) -> Result<Held, NoBody> {
+    let mut held = Held { bytes: Vec::new(), all: all.clone() };
+    while let Some(frame) = body.frame().await {
+        // What is no data are trailers, for which nobody asks.
+        let Ok(piece) = frame.map_err(|_| NoBody::Broken)?.into_data() else { continue };
+        if held.bytes.len() + piece.len() > most {
+            return Err(NoBody::TooLarge);
+        }
+        if !held.take(&piece, most_of_all) {
+            return Err(NoBody::NoRoom);
+        }
+    }
+    Ok(held)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bodies_are_counted_as_long_as_they_live() {
+        let all = Bodies::default();
+        let held = |bytes: usize| {
+            let mut held = Held { bytes: Vec::new(), all: all.clone() };
+            let took = held.take(&Bytes::from(vec![0; bytes]), 100);
+            (held, took)
+        };
+        let (first, took) = held(60);
+        assert!(took && first.bytes().len() == 60);
+        assert!(!held(60).1, "more than there is room for");
+        drop(first);
+        assert!(held(60).1);
+        assert_eq!(all.0.load(Ordering::Relaxed), 0);
+    }
+}

@@ -1,0 +1,280 @@
+//! The working folder: project files by their names, and the recordings that they name; nothing outside of it.
+
+use disk::{Beside, Links, Unwritten, read_within};
+use page::{Entry, Folder, SaveFault, Shell};
+use std::fs::File;
+use std::io::{Error, ErrorKind, Result};
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use workbench::quantities::is_unseen;
+use workbench::text::SaveTrouble;
+use workbench::{Files, Grant, PROJECT_MAX_BYTES, Reach};
+
+/// So many project files are listed.
+const LISTED_MOST: usize = 1000;
+
+/// So many entries of a folder are looked at.
+const LOOKED_AT_MOST: usize = 20_000;
+
+/// Bytes of a name, as most file systems have it.
+const NAME_MOST: usize = 255;
+
+/// Seconds of a day.
+const DAY_S: u64 = 86_400;
+
+/// What the page has of this machine.
+pub(crate) struct Workplace {
+    files: Beside,
+    time: Duration,
+    /// One save at a time: between the look at the old version and the new one nothing of ours comes in.
+    saving: Mutex<()>,
+}
+
+impl Workplace {
+    /// Of a folder, with so much memory for the recordings of a project and so much time for an answer.
+    pub(crate) fn new(folder: PathBuf, memory: u64, time: Duration) -> Self {
+        let grant = Grant { memory, reach: Reach::Beside };
+        Self { files: Beside { folder, links: Links::Inside, grant }, time, saving: Mutex::new(()) }
+    }
+}
+
+impl Shell for Workplace {
+    fn files(&self) -> &dyn Files {
+        &self.files
+    }
+
+    fn folder(&self) -> Option<&dyn Folder> {
+        Some(self)
+    }
+
+    fn time_limit(&self) -> Option<Duration> {
+        Some(self.time)
+    }
+
+    fn days_since_1970(&self) -> Option<u64> {
+        Some(SystemTime::now().duration_since(UNIX_EPOCH).ok()?.as_secs() / DAY_S)
+    }
+
+    fn version(&self, bytes: &[u8]) -> String {
+        blake3::hash(bytes).to_hex().to_string()
+    }
+}
+
+/// Whether a name is that of a project file in the folder itself.
+fn is_name(name: &str) -> bool {
+    let stem = name.strip_suffix(".toml").unwrap_or_default();
+    !stem.is_empty()
+        && name.len() <= NAME_MOST
+        && !name.starts_with('.')
+        && !name.contains(['/', '\\', ':'])
+        && !name.chars().any(is_unseen)
+}
+
+impl Folder for Workplace {
+    fn list(&self) -> Result<Vec<Entry>> {
+        let mut found = Vec::new();
+        for entry in std::fs::read_dir(&self.files.folder)?.take(LOOKED_AT_MOST).flatten() {
+            let Ok(name) = entry.file_name().into_string() else { continue };
+            if !is_name(&name) {
+                continue;
+            }
+            let Ok(about) = self.files.regular(&name).and_then(|path| path.metadata()) else { continue };
+            let modified = about.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+            found.push(Entry { name, modified_s: modified.map_or(0, |time| time.as_secs()) });
+        }
+        found.sort_by(|a, b| b.modified_s.cmp(&a.modified_s).then_with(|| a.name.cmp(&b.name)));
+        found.truncate(LISTED_MOST);
+        Ok(found)
+    }
+
+    fn read(&self, name: &str) -> Result<Vec<u8>> {
+        if !is_name(name) {
+            return Err(ErrorKind::NotFound.into());
+        }
+        let bytes = read_within(File::open(self.files.regular(name)?)?, PROJECT_MAX_BYTES)?;
+        if bytes.len() > PROJECT_MAX_BYTES { Err(ErrorKind::FileTooLarge.into()) } else { Ok(bytes) }
+    }
+
+    fn save(&self, name: &str, text: &[u8], known: Option<&str>) -> std::result::Result<(), SaveFault> {
+        if !is_name(name) {
+            return Err(SaveFault::Name);
+        }
+        if text.len() > PROJECT_MAX_BYTES {
+            return Err(SaveFault::Disk(ErrorKind::FileTooLarge.into()));
+        }
+        let _alone = self.saving.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = known {
+            let is_known = match self.read(name) {
+                Ok(there) => blake3::hash(&there).to_hex().as_str() == known,
+                Err(error) if error.kind() == ErrorKind::NotFound => false,
+                Err(error) => return Err(SaveFault::Disk(error)),
+            };
+            if !is_known {
+                return Err(SaveFault::Changed);
+            }
+        }
+        let path = self.files.folder.join(name);
+        // What is not known yet may not be there either.
+        disk::save(&[(&path, text)], &[], known.is_some()).map_err(why)
+    }
+}
+
+fn why(unwritten: Unwritten) -> SaveFault {
+    match unwritten.trouble {
+        SaveTrouble::Exists => SaveFault::Changed,
+        SaveTrouble::WriteProtected => SaveFault::Disk(ErrorKind::PermissionDenied.into()),
+        SaveTrouble::NoFolder => SaveFault::Disk(ErrorKind::NotFound.into()),
+        SaveTrouble::System(trouble) => SaveFault::Disk(Error::from(trouble.kind)),
+        _ => SaveFault::Name,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn workplace(folder: &std::path::Path) -> Workplace {
+        Workplace::new(folder.to_owned(), 1 << 20, Duration::from_secs(1))
+    }
+
+    fn version(text: &[u8]) -> String {
+        blake3::hash(text).to_hex().to_string()
+    }
+
+    #[test]
+    fn a_version_that_is_not_there_any_more_is_left_as_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = workplace(folder.path());
+        place.save("axis.toml", b"one", None).unwrap();
+        assert!(matches!(place.save("axis.toml", b"two", None), Err(SaveFault::Changed)));
+        place.save("axis.toml", b"two", Some(&version(b"one"))).unwrap();
+        assert!(matches!(place.save("axis.toml", b"three", Some(&version(b"one"))), Err(SaveFault::Changed)));
+        assert!(matches!(place.save("new.toml", b"x", Some(&version(b"x"))), Err(SaveFault::Changed)));
+        assert_eq!(place.read("axis.toml").unwrap(), b"two");
+        let names: Vec<String> = place.list().unwrap().into_iter().map(|entry| entry.name).collect();
+        assert_eq!(names, ["axis.toml"]);
+    }
+
+    /// Two who have opened the same version: one saves, the other is told.
+    #[test]
+    fn of_two_who_save_one_gets_the_conflict() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = workplace(folder.path());
+        for round in 0..50_u8 {
+            let name = format!("{round}.toml");
+            place.save(&name, b"old", None).unwrap();
+            let saved = std::thread::scope(|scope| {
+                let saves = [b"left ", b"right"].map(|text| {
+                    let (place, name) = (&place, &name);
+                    scope.spawn(move || place.save(name, text, Some(&version(b"old"))).is_ok())
+                });
+                saves.map(|save| save.join().unwrap())
+            });
+            assert_eq!(saved.iter().filter(|saved| **saved).count(), 1, "{saved:?}");
+            let expected: &[u8] = if saved[0] { b"left " } else { b"right" };
+            assert_eq!(place.read(&name).unwrap(), expected);
+        }
+    }
+
+    #[test]
+    fn names_stay_in_the_folder() {
+        for name in ["axis.toml", "Achse 1.toml", "größe.toml", "a.b.toml"] {
+            assert!(is_name(name), "{name}");
+        }
+        let long = "x".repeat(300) + ".toml";
+        for name in [
+            "",
+            ".toml",
+            "axis",
+            "axis.txt",
+            "../axis.toml",
+            "/axis.toml",
+            "a/b.toml",
+            "a\\b.toml",
+            "c:axis.toml",
+            ".hidden.toml",
+            "axis\0.toml",
+            "a\n.toml",
+            "\u{202e}a.toml",
+            "axis.toml/",
+            "axis.TOML",
+            &long,
+        ] {
+            assert!(!is_name(name), "{name:?}");
+            let folder = tempfile::tempdir().unwrap();
+            let place = workplace(folder.path());
+            assert!(matches!(place.save(name, b"x", None), Err(SaveFault::Name)), "{name:?}");
+            assert_eq!(place.read(name).unwrap_err().kind(), ErrorKind::NotFound, "{name:?}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_that_lead_away_pipes_and_devices_are_no_project_files() {
+        use std::os::unix::fs::symlink;
+        let (folder, away) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+        let place = workplace(folder.path());
+        std::fs::write(away.path().join("far.toml"), "secret").unwrap();
+        symlink(away.path().join("far.toml"), folder.path().join("link.toml")).unwrap();
+        symlink("/dev/zero", folder.path().join("zero.toml")).unwrap();
+        symlink("nothing", folder.path().join("none.toml")).unwrap();
+        std::fs::create_dir(folder.path().join("folder.toml")).unwrap();
+        let pipe = folder.path().join("pipe.toml");
+        assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        for name in ["link.toml", "zero.toml", "none.toml", "folder.toml", "pipe.toml"] {
+            assert!(place.read(name).is_err(), "{name}");
+            assert!(place.save(name, b"x", None).is_err(), "{name}");
+            assert!(place.save(name, b"x", Some(&version(b"secret"))).is_err(), "{name}");
+        }
+        assert!(place.list().unwrap().is_empty());
+        assert_eq!(std::fs::read(away.path().join("far.toml")).unwrap(), b"secret");
+    }
+
+    /// Says to this program that it is to save until it is killed.
+    const SAVER: &str = "ANTRIEB_TEST_SAVES_IN";
+
+    fn text(sign: u8) -> Vec<u8> {
+        vec![sign; 200_000]
+    }
+
+    /// The other process of the test below; alone it has nothing to do.
+    #[test]
+    fn saves_until_it_is_killed() {
+        let Some(folder) = std::env::var_os(SAVER) else { return };
+        let place = workplace(std::path::Path::new(&folder));
+        let mut there = place.read("axis.toml").unwrap();
+        for sign in (b'a'..=b'z').cycle() {
+            place.save("axis.toml", &text(sign), Some(&version(&there))).unwrap();
+            there = text(sign);
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_kill_in_the_midst_of_a_save_leaves_a_whole_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = workplace(folder.path());
+        place.save("axis.toml", &text(b'a'), None).unwrap();
+        let mut seen = Vec::new();
+        for round in 0..25 {
+            let mut child = std::process::Command::new(std::env::current_exe().unwrap())
+                .args(["folder::tests::saves_until_it_is_killed", "--exact"])
+                .env(SAVER, folder.path())
+                .stdout(std::process::Stdio::null())
+                .stderr(std::process::Stdio::null())
+                .spawn()
+                .unwrap();
+            std::thread::sleep(Duration::from_millis(40 + 7 * round));
+            child.kill().unwrap();
+            child.wait().unwrap();
+            let found = place.read("axis.toml").unwrap();
+            let sign = found[0];
+            assert!(found == text(sign), "a file of {} bytes", found.len());
+            if !seen.contains(&sign) {
+                seen.push(sign);
+            }
+        }
+        assert!(seen.len() > 1, "nothing was saved: the test tries nothing");
+    }
+}

@@ -1,0 +1,53 @@
+//! How much of everything one who asks may take.
+
+use std::time::Duration;
+
+/// The bounds that requests are held to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Connections at the same time; further ones wait until one ends.
+    pub connections: usize,
+    /// Bytes of the line and the headers of a request.
+    pub head_bytes: usize,
+    /// Number of headers.
+    pub headers: usize,
+    /// Time for the headers, and until the next request comes.
+    pub head_time: Duration,
+    /// Bytes of a body.
+    pub body_bytes: usize,
+    /// Bytes of all bodies together that are read or answered.
+    pub bodies_bytes: usize,
+    /// Time for a body.
+    pub body_time: Duration,
+    /// Time for an answer, the wait for its turn included.
+    pub answer_time: Duration,
+    /// Answers that are computed at the same time.
+    pub computed: usize,
+    /// Questions that wait for their turn.
+    pub waiting: usize,
+    /// Time for what has begun, once the server is to end.
+    pub end_time: Duration,
+}
+
+/// So many answers are computed at the same time at most, however many cores there are: each may need the memory that is
+/// allowed for recordings.
+const COMPUTED_MOST: usize = 8;
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            connections: 512,
+            head_bytes: 32 << 10,
+            headers: 64,
+            head_time: Duration::from_secs(10),
+            // Two project files as JSON, in which a line feed takes two bytes.
+            body_bytes: 4 << 20,
+            bodies_bytes: 128 << 20,
+            body_time: Duration::from_secs(20),
+            answer_time: Duration::from_secs(60),
+            computed: std::thread::available_parallelism().map_or(1, usize::from).min(COMPUTED_MOST),
+            waiting: 256,
+            end_time: Duration::from_secs(3),
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! The server itself: a place to listen, connections, and an end in good order.
+
+use crate::answer::{Desk, Respond};
+use crate::folder::Workplace;
+use crate::limits::Limits;
+use crate::token::{IN_QUERY, Token};
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use std::convert::Infallible;
+use std::future::Future;
+use std::io;
+use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
+use std::path::PathBuf;
+use std::pin::pin;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::net::TcpStream;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
+use workbench::Language;
+use workbench::text::{file_trouble, serving};
+
+/// So long one connection is kept at most: whoever takes its answers slowly holds a place.
+const CONNECTION_TIME: Duration = Duration::from_secs(600);
+
+/// After a connection could not be taken, such as for want of handles: long enough for another to end.
+const PAUSE: Duration = Duration::from_millis(50);
+
+/// Where and for whom is served.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The folder that is worked in.
+    pub folder: PathBuf,
+    /// The address to listen on; none for the loopback. Any other asks for a token.
+    pub listen: Option<IpAddr>,
+    /// The port; 0 takes a free one.
+    pub port: u16,
+    /// Bytes of memory for the recordings of one project.
+    pub memory: u64,
+    /// The language of whoever does not say otherwise.
+    pub language: Language,
+    /// What requests are held to.
+    pub limits: Limits,
+}
+
+/// Why nothing is served.
+#[derive(Debug)]
+pub enum Unserved {
+    /// The folder cannot be worked in.
+    Folder(PathBuf, io::Error),
+    /// The address cannot be listened on.
+    Address(SocketAddr, io::Error),
+    /// The system gives no randomness for a token.
+    Token(io::Error),
+    /// The system gives no means to wait for connections.
+    System(io::Error),
+}
+
+impl Unserved {
+    /// Why, in one sentence.
+    #[must_use]
+    pub fn message(&self, language: Language) -> String {
+        match self {
+            Self::Folder(path, error) => {
+                serving::no_folder(&disk::path_text(path), &file_trouble(error, language), language)
+            }
+            Self::Address(address, error) if error.kind() == io::ErrorKind::AddrInUse => {
+                serving::port_taken(&address.port(), language)
+            }
+            Self::Address(address, error) => serving::no_address(address, &file_trouble(error, language), language),
+            Self::Token(error) => serving::no_token(&file_trouble(error, language), language),
+            Self::System(error) => file_trouble(error, language),
+        }
+    }
+}
+
+/// A server that listens already, so that its address is known before it serves.
+pub struct Server {
+    listener: TcpListener,
+    desk: Desk,
+}
+
+impl Server {
+    /// Listens.
+    ///
+    /// # Errors
+    /// [`Unserved`].
+    pub fn bind(options: Options) -> Result<Self, Unserved> {
+        Self::with(options, page::respond)
+    }
+
+    fn with(options: Options, respond: Respond) -> Result<Self, Unserved> {
+        let folder = std::fs::canonicalize(&options.folder)
+            .and_then(|folder| std::fs::read_dir(&folder).map(|_| folder))
+            .map_err(|error| Unserved::Folder(options.folder.clone(), error))?;
+        let ip = options.listen.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST));
+        let asked = SocketAddr::new(ip, options.port);
+        let unbound = |error| Unserved::Address(asked, error);
+        let listener = TcpListener::bind(asked).map_err(unbound)?;
+        listener.set_nonblocking(true).map_err(unbound)?;
+        let address = listener.local_addr().map_err(unbound)?;
+        // Who can reach the loopback is on this machine already.
+        let token = if ip.is_loopback() { None } else { Some(Token::new().map_err(Unserved::Token)?) };
+        let workplace = Workplace::new(folder, options.memory, options.limits.answer_time);
+        Ok(Self { listener, desk: Desk::new(address, token, options.language, options.limits, workplace, respond) })
+    }
+
+    /// Where it listens.
+    #[must_use]
+    pub const fn address(&self) -> SocketAddr {
+        self.desk.address
+    }
+
+    /// The address for a browser, with the token where one is needed.
+    #[must_use]
+    pub fn url(&self) -> String {
+        let mut address = self.desk.address;
+        if address.ip().is_unspecified() {
+            // Of all addresses of the machine the one that it has for itself.
+            address.set_ip(IpAddr::V4(Ipv4Addr::LOCALHOST));
+        }
+        match &self.desk.token {
+            Some(token) => format!("http://{address}/?{IN_QUERY}={}", token.text()),
+            None => format!("http://{address}/"),
+        }
+    }
+
+    /// Whether whoever asks must bring a token.
+    #[must_use]
+    pub const fn asks_for_a_token(&self) -> bool {
+        self.desk.token.is_some()
+    }
+
+    /// Serves until the program is told to end.
+    ///
+    /// # Errors
+    /// Where the system gives no means to wait for connections.
+    pub fn run(self) -> Result<(), Unserved> {
+        self.run_until(told_to_end())
+    }
+
+    /// Serves until `end` comes; what has begun is finished within its time.
+    ///
+    /// # Errors
+    /// Where the system gives no means to wait for connections.
+    pub fn run_until(self, end: impl Future<Output = ()>) -> Result<(), Unserved> {
+        let Self { listener, desk } = self;
+        let runtime = tokio::runtime::Builder::new_current_thread()
+            .enable_io()
+            .enable_time()
+            .max_blocking_threads(desk.limits.computed.max(1))
+            .build()
+            .map_err(Unserved::System)?;
+        let patience = desk.limits.end_time;
+        let served = runtime.block_on(async {
+            let listener = tokio::net::TcpListener::from_std(listener).map_err(Unserved::System)?;
+            serve(listener, Arc::new(desk), end).await;
+            Ok(())
+        });
+        // A save that has begun is finished; a computation that nobody waits for ends at its next step.
+        runtime.shutdown_timeout(patience);
+        served
+    }
+}
+
+/// Takes connections until the end comes.
+async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Future<Output = ()>) {
+    let (tell, told) = watch::channel(());
+    let most = desk.limits.connections.max(1);
+    let connections = Arc::new(Semaphore::new(most));
+    let mut end = pin!(end);
+    loop {
+        let next = async {
+            let place = Arc::clone(&connections).acquire_owned().await;
+            (place, listener.accept().await)
+        };
+        tokio::select! {
+            () = &mut end => break,
+            (place, taken) = next => match (place, taken) {
+                (Ok(place), Ok((stream, _))) => {
+                    drop(tokio::spawn(connection(stream, Arc::clone(&desk), told.clone(), place)));
+                }
+                _ => tokio::time::sleep(PAUSE).await,
+            },
+        }
+    }
+    drop((listener, tell));
+    let all = u32::try_from(most).unwrap_or(u32::MAX);
+    let _ = tokio::time::timeout(desk.limits.end_time, connections.acquire_many(all)).await;
+}
+
+/// Serves one connection: request by request until it ends, or the server does.
+async fn connection(stream: TcpStream, desk: Arc<Desk>, mut told: watch::Receiver<()>, _place: OwnedSemaphorePermit) {
+    // Answers are small and somebody waits for them; where it cannot be had it is slower.
+    let _ = stream.set_nodelay(true);
+    let limits = desk.limits;
+    let service = service_fn(move |request| {
+        let desk = Arc::clone(&desk);
+        async move { Ok::<_, Infallible>(desk.answer(request).await) }
+    });
+    let connection = http1::Builder::new()
+        .timer(TokioTimer::new())
+        .header_read_timeout(limits.head_time)
+        .max_buf_size(limits.head_bytes)
+        .max_headers(limits.headers)
+        .serve_connection(TokioIo::new(stream), service);
+    let mut connection = pin!(connection);
+    tokio::select! {
+        // What is wrong with a connection is told to nobody: its other end has gone.
+        _ = &mut connection => return,
+        _ = told.changed() => {}
+        () = tokio::time::sleep(CONNECTION_TIME) => {}
+    }
+    connection.as_mut().graceful_shutdown();
+    let _ = tokio::time::timeout(limits.body_time + limits.answer_time, connection).await;
+}
+
+/// Comes when the program is told to end: by the keyboard, or by whoever may end it.
+#[cfg(unix)]
+async fn told_to_end() {
+    use tokio::signal::unix::{SignalKind, signal};
+    let terminated = async {
+        match signal(SignalKind::terminate()) {
+            Ok(mut terminated) => drop(terminated.recv().await),
+            Err(_) => std::future::pending().await,
+        }
+    };
+    tokio::select! {
+        _ = tokio::signal::ctrl_c() => {}
+        () = terminated => {}
+    }
+}
+
+/// Comes when the program is told to end by the keyboard.
+#[cfg(not(unix))]
+async fn told_to_end() {
+    let _ = tokio::signal::ctrl_c().await;
+}
+
+#[cfg(test)]
+mod tests;

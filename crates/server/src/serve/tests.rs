@@ -1,0 +1,214 @@
+use super::*;
+use page::{Call, Reply, Shell};
+use std::io::{Read, Write};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+use tokio::sync::oneshot;
+use workbench::Patience;
+
+/// A server for as long as a test holds it.
+struct Up {
+    address: SocketAddr,
+    url: String,
+    end: Option<oneshot::Sender<()>>,
+    thread: Option<std::thread::JoinHandle<()>>,
+    _folder: tempfile::TempDir,
+}
+
+impl Drop for Up {
+    fn drop(&mut self) {
+        drop(self.end.take());
+        if let Some(thread) = self.thread.take() {
+            thread.join().unwrap();
+        }
+    }
+}
+
+fn up(respond: Respond, listen: Option<IpAddr>, limits: Limits) -> Up {
+    let folder = tempfile::tempdir().unwrap();
+    let options = Options {
+        folder: folder.path().to_owned(),
+        listen,
+        port: 0,
+        memory: 1 << 20,
+        language: Language::default(),
+        limits,
+    };
+    let server = Server::with(options, respond).unwrap();
+    let (address, url) = (server.address(), server.url());
+    let (end, ended) = oneshot::channel();
+    let thread = std::thread::spawn(move || server.run_until(async { drop(ended.await) }).unwrap());
+    Up { address, url, end: Some(end), thread: Some(thread), _folder: folder }
+}
+
+impl Up {
+    fn connect(&self) -> std::net::TcpStream {
+        let mut address = self.address;
+        if address.ip().is_unspecified() {
+            address.set_ip(IpAddr::V4(Ipv4Addr::LOCALHOST));
+        }
+        let stream = std::net::TcpStream::connect(address).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+        stream
+    }
+
+    /// What comes back for a request with further headers.
+    fn ask(&self, line: &str, headers: &str) -> String {
+        let mut stream = self.connect();
+        let host = format!("127.0.0.1:{}", self.address.port());
+        write!(stream, "{line} HTTP/1.1\r\nhost: {host}\r\nconnection: close\r\n{headers}\r\n").unwrap();
+        let mut answer = String::new();
+        let _ = stream.read_to_string(&mut answer);
+        answer
+    }
+}
+
+fn short() -> Limits {
+    Limits {
+        answer_time: Duration::from_millis(300),
+        head_time: Duration::from_millis(300),
+        body_time: Duration::from_millis(300),
+        computed: 1,
+        waiting: 1,
+        end_time: Duration::from_millis(500),
+        ..Limits::default()
+    }
+}
+
+fn panics(call: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
+    assert!(call.path != "/panics", "the secret of the request");
+    Reply::text(200, "here")
+}
+
+/// Nothing of what went wrong inside is told outside, and the next request is answered.
+#[test]
+fn a_fault_inside_is_an_answer_without_detail() {
+    let up = up(panics, None, Limits::default());
+    let answer = up.ask("GET /panics", "");
+    assert!(answer.starts_with("HTTP/1.1 500 "), "{answer}");
+    assert!(answer.contains("failed inside") && !answer.contains("secret"), "{answer}");
+    assert!(up.ask("GET /", "").starts_with("HTTP/1.1 200 "));
+}
+
+static STOPPED: AtomicUsize = AtomicUsize::new(0);
+
+/// Works until nobody waits.
+fn endless(call: &Call<'_>, _: &dyn Shell, patience: &Patience) -> Reply {
+    while call.path != "/" && !patience.is_over() {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    if call.path != "/" {
+        STOPPED.fetch_add(1, Ordering::SeqCst);
+    }
+    Reply::text(200, "here")
+}
+
+/// One test for both: they count the same work.
+#[test]
+fn work_that_nobody_waits_for_ends() {
+    let waited = |count: usize| {
+        let begun = Instant::now();
+        while STOPPED.load(Ordering::SeqCst) < count && begun.elapsed() < Duration::from_secs(10) {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        STOPPED.load(Ordering::SeqCst)
+    };
+    let up_short = up(endless, None, short());
+    let answer = up_short.ask("GET /long", "");
+    assert!(answer.starts_with("HTTP/1.1 503 ") && answer.contains("not answered within"), "{answer}");
+    assert_eq!(waited(1), 1, "the time is over");
+    drop(up_short);
+    // The client goes, long before the time is over.
+    let up_long = up(endless, None, Limits { answer_time: Duration::from_secs(60), computed: 1, ..Limits::default() });
+    let mut stream = up_long.connect();
+    write!(stream, "GET /long HTTP/1.1\r\nhost: 127.0.0.1:{}\r\n\r\n", up_long.address.port()).unwrap();
+    std::thread::sleep(Duration::from_millis(200));
+    assert_eq!(STOPPED.load(Ordering::SeqCst), 1);
+    drop(stream);
+    assert_eq!(waited(2), 2, "the client has gone");
+    assert!(up_long.ask("GET /", "").starts_with("HTTP/1.1 200 "));
+}
+
+static GATE: Mutex<()> = Mutex::new(());
+static INSIDE: AtomicUsize = AtomicUsize::new(0);
+static MOST_INSIDE: AtomicUsize = AtomicUsize::new(0);
+
+fn slow(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
+    let now = INSIDE.fetch_add(1, Ordering::SeqCst) + 1;
+    MOST_INSIDE.fetch_max(now, Ordering::SeqCst);
+    drop(GATE.lock().unwrap_or_else(PoisonError::into_inner));
+    INSIDE.fetch_sub(1, Ordering::SeqCst);
+    Reply::text(200, "here")
+}
+
+#[test]
+fn so_many_are_computed_so_many_wait_and_the_rest_is_told_to_come_again() {
+    let limits = Limits { computed: 2, waiting: 3, ..Limits::default() };
+    let up = up(slow, None, limits);
+    let held = GATE.lock().unwrap();
+    let answers: Vec<String> = std::thread::scope(|scope| {
+        let asked: Vec<_> = (0..12).map(|_| scope.spawn(|| up.ask("GET /", ""))).collect();
+        let begun = Instant::now();
+        while asked.iter().filter(|one| one.is_finished()).count() < 7 && begun.elapsed() < Duration::from_secs(10) {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        // Health is told however many wait.
+        drop(held);
+        asked.into_iter().map(|one| one.join().unwrap()).collect()
+    });
+    let busy = answers.iter().filter(|answer| answer.starts_with("HTTP/1.1 503 ") && answer.contains("retry-after: 1"));
+    assert_eq!(busy.count(), 7, "{answers:?}");
+    assert_eq!(answers.iter().filter(|answer| answer.starts_with("HTTP/1.1 200 ")).count(), 5);
+    assert_eq!(MOST_INSIDE.load(Ordering::SeqCst), 2);
+}
+
+#[test]
+fn slow_heads_and_slow_bodies_are_not_waited_for() {
+    let up = up(panics, None, short());
+    let mut stream = up.connect();
+    write!(stream, "GET / HTTP/1.1\r\nhost: ").unwrap();
+    let (begun, mut answer) = (Instant::now(), String::new());
+    let _ = stream.read_to_string(&mut answer);
+    assert!(begun.elapsed() < Duration::from_secs(5) && !answer.contains("200"), "{answer}");
+    let answer = up.ask("POST /", "content-length: 10\r\n");
+    assert!(answer.starts_with("HTTP/1.1 408 "), "{answer}");
+}
+
+#[test]
+fn beyond_the_loopback_a_token_is_needed() {
+    let up = up(panics, Some(IpAddr::V4(Ipv4Addr::UNSPECIFIED)), Limits::default());
+    let (_, token) = up.url.split_once("/?token=").unwrap();
+    assert!(up.ask("GET /", "").starts_with("HTTP/1.1 401 "));
+    assert!(up.ask("GET /health", "").starts_with("HTTP/1.1 401 "));
+    assert!(up.ask("GET /?token=0", "").starts_with("HTTP/1.1 401 "));
+    assert!(up.ask(&format!("POST /?token={token}"), "").starts_with("HTTP/1.1 401 "));
+    let shown = up.ask(&format!("GET //evil.example/?a=b&token={token}"), "");
+    assert!(shown.starts_with("HTTP/1.1 303 ") && shown.contains("location: /evil.example/?a=b\r\n"), "{shown}");
+    let cookie = format!("set-cookie: antrieb_token={token}; Path=/; HttpOnly; SameSite=Strict\r\n");
+    assert!(shown.contains(&cookie), "{shown}");
+    assert!(up.ask("GET /", &format!("cookie: antrieb_token={token}\r\n")).starts_with("HTTP/1.1 200 "));
+    assert!(up.ask("GET /", &format!("authorization: Bearer {token}\r\n")).starts_with("HTTP/1.1 200 "));
+    assert!(up.ask("GET /", "cookie: antrieb_token=\r\n").starts_with("HTTP/1.1 401 "));
+}
+
+static FINISHED: AtomicBool = AtomicBool::new(false);
+
+fn takes_a_while(_: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
+    std::thread::sleep(Duration::from_millis(300));
+    FINISHED.store(true, Ordering::SeqCst);
+    Reply::text(200, "here")
+}
+
+#[test]
+fn what_has_begun_is_finished_when_the_end_comes() {
+    let up = up(takes_a_while, None, Limits::default());
+    let mut stream = up.connect();
+    write!(stream, "GET / HTTP/1.1\r\nhost: 127.0.0.1:{}\r\n\r\n", up.address.port()).unwrap();
+    std::thread::sleep(Duration::from_millis(100));
+    drop(up);
+    assert!(FINISHED.load(Ordering::SeqCst));
+    let mut answer = String::new();
+    let _ = stream.read_to_string(&mut answer);
+    assert!(answer.starts_with("HTTP/1.1 200 "), "{answer}");
+}

@@ -1,0 +1,29 @@
+//! What is said of serving the web workbench.
+
+use crate::texts::texts;
+
+texts! {
+    no_folder(path, trouble) =
+        "the folder {path} cannot be worked in: {trouble}"
+        | "im Ordner {path} lässt sich nicht arbeiten: {trouble}";
+    port_taken(port) =
+        "port {port} is taken by another program; --port 0 takes a free one"
+        | "Port {port} ist von einem anderen Programm belegt; --port 0 nimmt einen freien";
+    no_address(address, trouble) =
+        "{address} cannot be listened on: {trouble}"
+        | "auf {address} lässt sich nicht lauschen: {trouble}";
+    no_token(trouble) =
+        "the system gives no randomness for a token: {trouble}"
+        | "das System gibt keinen Zufall für ein Token her: {trouble}";
+    how_to_end = "Ctrl+C ends it" | "Strg+C beendet es";
+    reachable(address) =
+        "reachable in the network at {address}, without encryption; whoever has the token in the address may read and write the project files of the folder"
+        | "im Netz erreichbar unter {address}, unverschlüsselt; wer das Token aus der Adresse hat, darf die Projektdateien des Ordners lesen und schreiben";
+    no_browser(trouble) = "no browser could be opened: {trouble}" | "es ließ sich kein Browser öffnen: {trouble}";
+    no_listening_address(written) =
+        "\"{written}\" is no address of this machine to listen on"
+        | "„{written}“ ist keine Adresse dieser Maschine zum Lauschen";
+    listening_addresses =
+        "a number such as 192.168.1.5, or 0.0.0.0 for all"
+        | "eine Nummer wie 192.168.1.5, oder 0.0.0.0 für alle";
+}
