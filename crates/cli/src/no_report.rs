@@ -8,6 +8,9 @@ use workbench::Language;
 use workbench::answers::Commissioning;
 use workbench::text::terminal;
 
+/// Reports over HTTP.
+pub(crate) const SERVED: Option<page::WritesReport> = None;
+
 /// `antrieb report PROJECT --out FILE`
 pub(crate) fn report(_: &ArgMatches, as_json: bool, language: Language) -> Answer {
     refusal(as_json, language)

@@ -8,13 +8,14 @@ use crate::subject::{picked, refuse};
 use crate::waiting::patience;
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Style, Theme};
+use page::{ReportAsked, WritesReport};
 use report::{AxisContent, Content, Place, Settings};
 use std::path::{Path, PathBuf};
 use workbench::answers::{AxisWritten, Chapter, Commissioning, Fit, Picture, ReportWritten};
 use workbench::text::{standing_text, terminal};
 use workbench::{
-    Candidate, CandidateId, Draw, DriveForm, Language, MountAsked, OrderCode, Project, Refusal, Sizing, UpkeepAsked,
-    answer, chapter, usual_ambient,
+    Candidate, CandidateId, Draw, DriveForm, Language, MountAsked, OrderCode, Patience, Project, Refusal, Sizing,
+    UpkeepAsked, answer, chapter, usual_ambient,
 };
 
 /// The figures of the report beside the map of the candidates, each with its place there.
@@ -66,7 +67,7 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         let sizing = workbench::size(project);
         let best = || sizing.candidates.first().map(|best| best.id.clone());
         let (candidate, said) = candidate(project, best, matches, as_json, language)?;
-        let mut content = content((*place, project), &sizing, &candidate, &source.text, language)
+        let mut content = content((*place, project), &sizing, &candidate, &source.text, patience(), language)
             .map_err(|refusal| refuse(&refusal, as_json, language))?;
         if let (true, CandidateId::Code(code)) = (with_installation, &candidate.id) {
             content.chapters = installation(code, project, delivered, language)
@@ -113,6 +114,28 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
     Ok(Answer { talk: talk.concat(), ..Answer::data(data) }.fits(fits))
 }
 
+/// Reports over HTTP.
+pub(crate) const SERVED: Option<WritesReport> = Some(served);
+
+fn served(asked: &ReportAsked<'_>) -> Result<Vec<u8>, String> {
+    let l = asked.language;
+    let said = |refusal: Refusal| answer::refusal_text(&refusal, None, l);
+    let mut axes = Vec::new();
+    for (place, project) in asked.axes {
+        let sizing = workbench::sized(project, asked.patience).map_err(said)?;
+        let best = || sizing.candidates.first().map(|best| best.id.clone());
+        let candidate = workbench::candidate_for(project, asked.code.as_ref(), best).map_err(said)?;
+        let mut content =
+            content((*place, project), &sizing, &candidate, asked.text, asked.patience, l).map_err(said)?;
+        if let (true, CandidateId::Code(code)) = (asked.installation, &candidate.id) {
+            content.chapters = installation(code, project, None, l).map_err(|(what, _)| what)?;
+        }
+        axes.push(content);
+    }
+    let settings = Settings { date: asked.date.map(str::to_owned), full: asked.full, ..Settings::default() };
+    report::pdf(&Content { language: l, axes }, &settings).map_err(|fault| fault.message(l))
+}
+
 /// The check-lists of a commissioning as PDF.
 pub(crate) fn checklist(sheet: &Commissioning, as_json: bool, language: Language) -> Result<Vec<u8>, Answer> {
     report::checklist_pdf(sheet, language).map_err(|fault| simple(&fault.message(language), as_json, language))
@@ -139,6 +162,7 @@ fn content(
     sizing: &Sizing<'_>,
     candidate: &Candidate<'_>,
     text: &str,
+    patience: &Patience,
     language: Language,
 ) -> Result<AxisContent, Refusal> {
     let figures = || drawn_figures(project, sizing, candidate, language);
@@ -147,7 +171,7 @@ fn content(
             report::prepare();
             figures()
         });
-        let (reserve, assessment) = workbench::margins(project, candidate, Draw::default(), patience())?;
+        let (reserve, assessment) = workbench::margins(project, candidate, Draw::default(), patience)?;
         let dossier = answer::dossier(
             project,
             sizing,

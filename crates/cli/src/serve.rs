@@ -49,6 +49,7 @@ fn bound(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Serv
         memory: memory::allowed(matches, as_json, language)?,
         language,
         limits: Limits::default(),
+        report: crate::report::SERVED,
     };
     let first = Server::bind(options.clone());
     let bound = match (first, port) {

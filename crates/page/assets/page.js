@@ -179,12 +179,52 @@ function keep(blob, name) {
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
-async function download(path) {
-  const reply = await send(path);
-  if (!reply.ok) { tell(await reply.text()); return; }
+// What a client of the interface would ask for, about the axis and the actuator that are shown.
+async function download(what, usual) {
+  const held = (name) => $(`#state [name=${name}]`)?.value ?? '';
+  const query = new URLSearchParams({ lang: held('lang') });
+  const tab = $('.tabs [aria-current]');
+  if (tab && what !== 'report') query.set('axis', tab.textContent);
+  if (held('code') && what !== 'size' && (what !== 'report' || !tab)) query.set('code', held('code'));
+  if (what === 'report') query.set('date', new Date().toISOString().slice(0, 10));
+  tell('…');
+  const reply = await fetch(`/api/v1/${what}?${query}`, { method: 'POST', headers: { 'content-type': 'application/toml' }, body: text().value });
+  if (!reply.ok) {
+    const told = await reply.json().catch(() => ({ errors: [{ message: reply.statusText }] }));
+    tell(told.errors.map((each) => each.message).join('; '));
+    return;
+  }
   const name = /filename="([^"]+)"/.exec(reply.headers.get('content-disposition') ?? '');
-  keep(await reply.blob(), name ? name[1] : 'antrieb');
+  keep(await reply.blob(), name ? name[1] : usual);
+  tell('');
 }
+function project() { keep(new Blob([text().value], { type: 'application/toml' }), $('#file')?.value || 'axis.toml'); }
+// A recording is kept beside the projects, and a segment says so.
+async function record(blob, name) {
+  const reply = await fetch(`/recording?name=${encodeURIComponent(name)}&lang=${document.documentElement.lang}`, { method: 'POST', headers: { 'content-type': 'application/octet-stream' }, body: blob });
+  const words = await reply.text();
+  if (!reply.ok) { tell(words); return; }
+  const button = $('[data-recording]');
+  const path = button.dataset.recording;
+  htmx.ajax('POST', '/work', { source: button, values: { do: `table ${path}\nvalue ${path}.law=recorded\nvalue ${path}.file=${words}` } });
+}
+function choose(accept, then) {
+  const chooser = document.createElement('input');
+  chooser.type = 'file';
+  chooser.accept = accept;
+  chooser.addEventListener('change', () => { if (chooser.files[0]) then(chooser.files[0]); });
+  chooser.click();
+}
+addEventListener('paste', (event) => {
+  if (event.target.closest?.('input, textarea') || !$('[data-recording]')) return;
+  const pasted = event.clipboardData?.getData('text') ?? '';
+  // Several lines, each with several columns, and numbers in most of them.
+  const rows = pasted.split(/\r?\n/).filter((row) => row.trim());
+  const numbers = rows.filter((row) => row.split(/[;\t]|,(?=\s|-?\d*\.)/).filter((cell) => /^\s*-?[\d.,]+(e[-+]?\d+)?\s*$/i.test(cell)).length > 1);
+  if (rows.length < 3 || numbers.length < rows.length / 2) return;
+  event.preventDefault();
+  record(new Blob([pasted], { type: 'text/csv' }), 'pasted.csv');
+});
 async function save() {
   const reply = await send('/save');
   const words = await reply.text();
@@ -194,18 +234,12 @@ async function save() {
     buttons();
     tell(words);
   } else if (reply.status === 404) {
-    await download('/download/project');
+    project();
     saved = last;
     buttons();
   } else tell(words);
 }
-function open() {
-  const chooser = document.createElement('input');
-  chooser.type = 'file';
-  chooser.accept = '.toml';
-  chooser.addEventListener('change', async () => { if (chooser.files[0]) begin(await chooser.files[0].text(), chooser.files[0].name); });
-  chooser.click();
-}
+function open() { choose('.toml', async (file) => begin(await file.text(), file.name)); }
 // The whole page about a text.
 function begin(value, name) {
   const form = document.createElement('form');
@@ -245,7 +279,9 @@ document.addEventListener('click', (event) => {
   else if (of('save')) save();
   else if (of('open')) open();
   else if (of('link')) link();
-  else if (of('download')) download(of('download').dataset.download);
+  else if (of('api')) download(of('api').dataset.api, of('api').dataset.name);
+  else if (of('project')) project();
+  else if (of('recording')) choose('.csv,.txt,.parquet', (file) => record(file, file.name));
   else if (of('close')) { const id = of('close').dataset.close; document.getElementById(id).replaceChildren(); $('#checks-title')?.scrollIntoView({ block: 'nearest' }); }
   else if (of('instant')) jump(Number(of('instant').dataset.instant));
   else if (of('into')) { const field = document.getElementById(of('into').dataset.into); field.value = event.target.closest('button').value; field.dispatchEvent(new Event('change', { bubbles: true })); }

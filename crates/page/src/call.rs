@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io;
 use std::time::Duration;
-use workbench::{Files, Language};
+use workbench::{Files, Language, OrderCode, Patience, Project};
 
 /// How a request asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -145,9 +145,38 @@ pub trait Shell {
         None
     }
 
+    /// Writes the report of the axes as PDF; none where there is no typesetting engine.
+    fn report(&self) -> Option<WritesReport> {
+        None
+    }
+
     /// What tells two versions of a file apart.
     fn version(&self, bytes: &[u8]) -> String;
 }
+
+/// The report that is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct ReportAsked<'a> {
+    /// The text of the project.
+    pub text: &'a str,
+    /// Its axes, each with its place in it.
+    pub axes: &'a [(usize, Project)],
+    /// The actuator; none for the project's own, else the best.
+    pub code: Option<OrderCode>,
+    /// With the derivations.
+    pub full: bool,
+    /// With wiring, mounting and commissioning.
+    pub installation: bool,
+    /// The day that stands on it.
+    pub date: Option<&'a str>,
+    /// Its language.
+    pub language: Language,
+    /// Whoever waits for it.
+    pub patience: &'a Patience,
+}
+
+/// Writes a report as PDF, or says in one sentence why there is none.
+pub type WritesReport = fn(&ReportAsked<'_>) -> Result<Vec<u8>, String>;
 
 /// A project file in the folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -189,4 +218,11 @@ pub trait Folder {
     /// # Errors
     /// [`SaveFault`].
     fn save(&self, name: &str, text: &[u8], known: Option<&str>) -> Result<(), SaveFault>;
+
+    /// Keeps a recording beside the projects, under its own name or, where that is taken by another, one like it; gives the
+    /// name that it has.
+    ///
+    /// # Errors
+    /// [`SaveFault`].
+    fn keep(&self, name: &str, bytes: &[u8]) -> Result<String, SaveFault>;
 }

@@ -4,8 +4,8 @@ use crate::call::{Call, Reply, SaveFault, Shell};
 use crate::frame;
 use crate::start::BEGINS;
 use crate::state::State;
+use workbench::Patience;
 use workbench::text::{file_trouble, page};
-use workbench::{Draw, Patience, Request, ask};
 
 /// Which way to begin is asked for.
 pub(crate) fn place(call: &Call<'_>) -> usize {
@@ -63,26 +63,14 @@ pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     }
 }
 
-/// The project's text as a file.
-pub(crate) fn project(call: &Call<'_>) -> Reply {
-    let state = State::of(call);
-    let name = if state.file.is_empty() { "axis.toml" } else { &state.file };
-    Reply::of(200, "application/toml; charset=utf-8", state.text.clone()).saved_as(name)
-}
-
-/// The answer as JSON, the same as the command line gives it.
-pub(crate) fn data(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
-    let mut state = State::of(call);
-    let held = state.hold(shell.files(), patience);
-    let Some(project) = held.projects.get(state.axis) else {
-        return Reply::text(422, page::no_result_yet(state.language));
-    };
-    let request = Request::Size { top: 10, draw: Draw::default() };
-    match ask(project, &request, state.language, patience) {
-        Ok(found) => {
-            let text = serde_json::to_string_pretty(&found).unwrap_or_default();
-            Reply::of(200, "application/json", text).saved_as("axis.json")
-        }
-        Err(_) => Reply::text(422, page::no_result_yet(state.language)),
+/// Keeps a recording beside the projects; answers with the name that it has there.
+pub(crate) fn recorded(call: &Call<'_>, shell: &dyn Shell) -> Reply {
+    let l = call.language();
+    let name = call.field("name").unwrap_or_default();
+    let Some(folder) = shell.folder() else { return Reply::text(404, page::no_such_page(l)) };
+    match folder.keep(&name, call.body) {
+        Ok(name) => Reply::text(200, &name),
+        Err(SaveFault::Disk(error)) => Reply::text(409, &file_trouble(&error, l)),
+        Err(SaveFault::Name | SaveFault::Changed) => Reply::text(422, &page::no_recording_name(&name, l)),
     }
 }

@@ -233,6 +233,10 @@ impl Form<'_> {
                     hx-post="/work" hx-vals=(do_all(&[&format!("table {add}"), &kind])) {
                     @if is_motion { (page::add_segment(l)) } @else { (page::add_entry(l)) }
                 }
+                @if is_motion {
+                    " " button type="button" id={ (id(path)) "-recording" } data-recording=(add) { (page::add_recording(l)) }
+                    p.small { (page::recording_told(l)) }
+                }
             }
         }
     }

@@ -109,9 +109,10 @@ fn bar(state: &State) -> Markup {
                 button type="button" id="save" data-save="" { (page::save(l)) }
                 button type="button" id="undo" data-undo="" disabled { (page::undo(l)) }
                 button type="button" id="redo" data-redo="" disabled { (page::redo(l)) }
-                button type="button" id="report" data-download="/download/report" { (page::report_pdf(l)) }
-                button type="button" id="workbook" data-download="/download/workbook" { (page::workbook(l)) }
-                button type="button" id="data" data-download="/download/data" { (page::data_json(l)) }
+                button type="button" id="report" data-api="report" data-name="antrieb.pdf" { (page::report_pdf(l)) }
+                button type="button" id="workbook" data-api="export" data-name="antrieb.xlsx" { (page::workbook(l)) }
+                button type="button" id="data" data-api="size" data-name="antrieb.json" { (page::data_json(l)) }
+                button type="button" id="project" data-project="" { (page::project_file(l)) }
                 button type="button" id="link" data-link="" { (page::link_to_this(l)) }
                 button type="button" id="tools" hx-post="/tools" hx-target="#detail" hx-swap="innerHTML" { (page::tools(l)) }
                 button type="button" id="language" hx-post="/" hx-target="body" hx-swap="outerMorph" hx-vals=(form::vals(&[("lang", other.id())])) lang=(other.id()) { (page::other_language(l)) }

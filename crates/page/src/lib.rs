@@ -19,7 +19,7 @@ mod start;
 mod state;
 
 pub use api::{methods, misdirected, wrong_method};
-pub use call::{Call, Entry, Folder, Method, Reply, SaveFault, Shell};
+pub use call::{Call, Entry, Folder, Method, Reply, ReportAsked, SaveFault, Shell, WritesReport};
 
 use workbench::Patience;
 
@@ -44,10 +44,12 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
         (Method::Post, "/compare") => html(frame::compared(call, shell, patience)),
         (Method::Post, "/tools") => html(chapters::tools(call)),
         (Method::Post, "/save") => files::saved(call, shell),
-        (Method::Post, "/download/data") => files::data(call, shell, patience),
-        (Method::Post, "/download/project") => files::project(call),
+        (Method::Post, RECORDING) => files::recorded(call, shell),
         _ => Reply::text(404, workbench::text::page::no_such_page(call.language())),
     }
 }
+
+/// Where a recording is brought; its body may be larger than that of others.
+pub const RECORDING: &str = "/recording";
 
 const HTML: &str = "text/html; charset=utf-8";

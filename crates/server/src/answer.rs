@@ -102,10 +102,13 @@ impl Desk {
         let (parts, body) = request.into_parts();
         let reply = match self.let_in(&parts) {
             Err(reply) => reply,
-            Ok((path, language)) => match read(body, &self.bodies, &self.limits).await {
-                Ok(body) => self.respond(Question { parts, path, body, language }).await,
-                Err(why) => self.no_body(why, language),
-            },
+            Ok((path, language)) => {
+                let most = if path == page::RECORDING { self.limits.recording_bytes } else { self.limits.body_bytes };
+                match read(body, most, &self.bodies, &self.limits).await {
+                    Ok(body) => self.respond(Question { parts, path, body, language }).await,
+                    Err(why) => self.no_body(why, most, language),
+                }
+            }
         };
         sent(reply)
     }
@@ -139,10 +142,10 @@ impl Desk {
         }
     }
 
-    fn no_body(&self, why: NoBody, language: Language) -> Reply {
-        let Limits { body_bytes, body_time, .. } = self.limits;
+    fn no_body(&self, why: NoBody, most: usize, language: Language) -> Reply {
+        let Limits { body_time, .. } = self.limits;
         let (status, message) = match why {
-            NoBody::TooLarge => (413, requests::body_larger_than(&body_bytes, language)),
+            NoBody::TooLarge => (413, requests::body_larger_than(&most, language)),
             NoBody::TooSlow => (408, requests::body_too_slow(&body_time.as_secs(), language)),
             NoBody::NoRoom => (503, requests::busy(language).to_owned()),
             NoBody::Broken => (400, requests::body_broken(language).to_owned()),

@@ -50,9 +50,8 @@ pub(crate) enum NoBody {
     Broken,
 }
 
-/// Reads a body to its end.
-pub(crate) async fn read(body: Incoming, all: &Bodies, limits: &Limits) -> Result<Held, NoBody> {
-    let most = limits.body_bytes;
+/// Reads a body of at most so many bytes to its end.
+pub(crate) async fn read(body: Incoming, most: usize, all: &Bodies, limits: &Limits) -> Result<Held, NoBody> {
     if body.size_hint().lower() > most as u64 {
         return Err(NoBody::TooLarge);
     }

@@ -1,7 +1,7 @@
 //! The working folder: project files by their names, and the recordings that they name; nothing outside of it.
 
 use disk::{Beside, Links, Unwritten, read_within};
-use page::{Entry, Folder, SaveFault, Shell};
+use page::{Entry, Folder, SaveFault, Shell, WritesReport};
 use std::fs::File;
 use std::io::{Error, ErrorKind, Result};
 use std::path::PathBuf;
@@ -27,15 +27,16 @@ const DAY_S: u64 = 86_400;
 pub(crate) struct Workplace {
     files: Beside,
     time: Duration,
+    report: Option<WritesReport>,
     /// One save at a time: between the look at the old version and the new one nothing of ours comes in.
     saving: Mutex<()>,
 }
 
 impl Workplace {
     /// Of a folder, with so much memory for the recordings of a project and so much time for an answer.
-    pub(crate) fn new(folder: PathBuf, memory: u64, time: Duration) -> Self {
+    pub(crate) fn new(folder: PathBuf, memory: u64, time: Duration, report: Option<WritesReport>) -> Self {
         let grant = Grant { memory, reach: Reach::Beside };
-        Self { files: Beside { folder, links: Links::Inside, grant }, time, saving: Mutex::new(()) }
+        Self { files: Beside { folder, links: Links::Inside, grant }, time, report, saving: Mutex::new(()) }
     }
 }
 
@@ -56,19 +57,29 @@ impl Shell for Workplace {
         Some(SystemTime::now().duration_since(UNIX_EPOCH).ok()?.as_secs() / DAY_S)
     }
 
+    fn report(&self) -> Option<WritesReport> {
+        self.report
+    }
+
     fn version(&self, bytes: &[u8]) -> String {
         blake3::hash(bytes).to_hex().to_string()
     }
 }
 
+/// Endings of recordings.
+const RECORDED: [&str; 3] = ["csv", "txt", "parquet"];
+
+/// So many recordings may have one name and a number behind it.
+const LIKE_MOST: usize = 100;
+
 /// Whether a name is that of a project file in the folder itself.
 fn is_name(name: &str) -> bool {
-    let stem = name.strip_suffix(".toml").unwrap_or_default();
-    !stem.is_empty()
-        && name.len() <= NAME_MOST
-        && !name.starts_with('.')
-        && !name.contains(['/', '\\', ':'])
-        && !name.chars().any(is_unseen)
+    name.len() <= NAME_MOST && name.strip_suffix(".toml").is_some_and(is_plain)
+}
+
+/// Whether a name stays in the folder.
+fn is_plain(name: &str) -> bool {
+    !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':']) && !name.chars().any(is_unseen)
 }
 
 impl Folder for Workplace {
@@ -118,6 +129,31 @@ impl Folder for Workplace {
         // What is not known yet may not be there either.
         disk::save(&[(&path, text)], &[], known.is_some()).map_err(why)
     }
+
+    fn keep(&self, name: &str, bytes: &[u8]) -> std::result::Result<String, SaveFault> {
+        let (stem, ending) = name.rsplit_once('.').ok_or(SaveFault::Name)?;
+        if !RECORDED.contains(&ending.to_ascii_lowercase().as_str()) || !is_plain(stem) || name.len() > NAME_MOST - 4 {
+            return Err(SaveFault::Name);
+        }
+        let _alone = self.saving.lock().unwrap_or_else(PoisonError::into_inner);
+        for turn in 1..=LIKE_MOST {
+            let name = if turn == 1 { name.to_owned() } else { format!("{stem}-{turn}.{ending}") };
+            let path = self.files.folder.join(&name);
+            match disk::save(&[(&path, bytes)], &[], false).map_err(why) {
+                Ok(()) => return Ok(name),
+                // The same recording once more is the one that is there.
+                Err(SaveFault::Changed) => {
+                    let there = File::open(self.files.regular(&name).map_err(SaveFault::Disk)?);
+                    let there = there.and_then(|file| read_within(file, bytes.len())).map_err(SaveFault::Disk)?;
+                    if there == bytes {
+                        return Ok(name);
+                    }
+                }
+                Err(fault) => return Err(fault),
+            }
+        }
+        Err(SaveFault::Disk(ErrorKind::AlreadyExists.into()))
+    }
 }
 
 fn why(unwritten: Unwritten) -> SaveFault {
@@ -135,11 +171,26 @@ mod tests {
     use super::*;
 
     fn workplace(folder: &std::path::Path) -> Workplace {
-        Workplace::new(folder.to_owned(), 1 << 20, Duration::from_secs(1))
+        Workplace::new(folder.to_owned(), 1 << 20, Duration::from_secs(1), None)
     }
 
     fn version(text: &[u8]) -> String {
         blake3::hash(text).to_hex().to_string()
+    }
+
+    #[test]
+    fn a_recording_is_kept_and_another_of_its_name_beside_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = workplace(folder.path());
+        let kept = |name: &str, bytes: &[u8]| place.keep(name, bytes).ok();
+        assert_eq!(kept("run.csv", b"a").as_deref(), Some("run.csv"));
+        assert_eq!(kept("run.csv", b"a").as_deref(), Some("run.csv"));
+        assert_eq!(kept("run.csv", b"b").as_deref(), Some("run-2.csv"));
+        assert_eq!(std::fs::read(folder.path().join("run.csv")).unwrap(), b"a");
+        for name in ["", "run", ".csv", "../run.csv", "a/b.csv", "run.toml", ".hidden.csv", "a\\b.csv", "\u{202e}.csv"]
+        {
+            assert!(matches!(place.keep(name, b"x"), Err(SaveFault::Name)), "{name}");
+        }
     }
 
     #[test]

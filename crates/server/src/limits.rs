@@ -15,6 +15,8 @@ pub struct Limits {
     pub head_time: Duration,
     /// Bytes of a body.
     pub body_bytes: usize,
+    /// Bytes of a recording that is brought.
+    pub recording_bytes: usize,
     /// Bytes of all bodies together that are read or answered.
     pub bodies_bytes: usize,
     /// Time for a body.
@@ -42,6 +44,8 @@ impl Default for Limits {
             head_time: Duration::from_secs(10),
             // Two project files as JSON, in which a line feed takes two bytes.
             body_bytes: 4 << 20,
+            // A million samples of three quantities, as loggers write them.
+            recording_bytes: 64 << 20,
             bodies_bytes: 128 << 20,
             body_time: Duration::from_secs(20),
             answer_time: Duration::from_secs(60),

@@ -28,7 +28,7 @@ impl Up {
         let folder = outer.path().join("work");
         std::fs::create_dir(&folder).unwrap();
         let options =
-            Options { folder, listen: None, port: 0, memory: 64 << 20, language: Language::default(), limits };
+            Options { folder, listen: None, port: 0, memory: 64 << 20, language: Language::default(), limits, report: None };
         let server = Server::bind(options).unwrap();
         let address = server.address();
         let (end, ended) = oneshot::channel();

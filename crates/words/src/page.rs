@@ -21,6 +21,7 @@ texts! {
     save_as = "File name" | "Dateiname";
     undo = "Undo" | "Rückgängig";
     redo = "Redo" | "Wiederholen";
+    project_file = "Project file (TOML)" | "Projektdatei (TOML)";
     report_pdf = "Report (PDF)" | "Bericht (PDF)";
     workbook = "Workbook (XLSX)" | "Arbeitsmappe (XLSX)";
     data_json = "Data (JSON)" | "Daten (JSON)";
@@ -94,6 +95,13 @@ texts! {
     no_such_name(name) =
         "{name} is no name of a project file: letters, digits, hyphen, underscore, point, ending .toml"
         | "{name} ist kein Name einer Projektdatei: Buchstaben, Ziffern, Bindestrich, Unterstrich, Punkt, Endung .toml";
+    no_recording_name(name) =
+        "{name} is no name of a recording: letters, digits, hyphen, underscore, point, ending .csv, .txt or .parquet"
+        | "{name} ist kein Name einer Aufzeichnung: Buchstaben, Ziffern, Bindestrich, Unterstrich, Punkt, Endung .csv, .txt oder .parquet";
+    add_recording = "Add recording" | "Aufzeichnung anfügen";
+    recording_told =
+        "Or paste the table of a recording anywhere into the page."
+        | "Oder die Tabelle einer Aufzeichnung irgendwo in die Seite einfügen.";
     unsaved_work = "The project has changes that are not saved." | "Das Projekt hat Änderungen, die nicht gespeichert sind.";
     computed_here =
         "Everything is computed on this machine; project and recordings do not leave it."

@@ -2,7 +2,7 @@
 
 use super::asked::Asked;
 use super::{Unanswered, record};
-use crate::Reply;
+use crate::{Reply, ReportAsked};
 use figures::{By, Figure, Size, Theme};
 use serde::Serialize;
 use workbench::answers::{Answered, Faults};
@@ -154,6 +154,30 @@ pub(super) fn plot(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let drawing = figures::draw(figure, &project, &candidate, by, asked.language)
         .map_err(|fault| answer::fault(fault.message(asked.language)))?;
     Ok(picture(asked, &drawing)?)
+}
+
+pub(super) fn report(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    let l = asked.language;
+    let Some(write) = asked.shell.report() else { return Err(answer::fault(terminal::built_without_report(l)).into()) };
+    let axes = asked.axes()?;
+    let code = asked.code_if_any()?;
+    if axes.len() > 1 && code.is_some() {
+        let names: Vec<&str> = axes.iter().map(|(_, project)| project.name.as_str()).collect();
+        return Err(answer::fault(&terminal::code_is_for_one_axis(&names.join(", "), l)).into());
+    }
+    let date = asked.label("date")?;
+    let found = write(&ReportAsked {
+        text: asked.body()?,
+        axes: &axes,
+        code,
+        full: asked.flag("full"),
+        installation: asked.flag("installation"),
+        date: date.as_deref(),
+        language: l,
+        patience: asked.patience,
+    });
+    let bytes = found.map_err(|what| Unanswered::from(answer::fault(&what)))?;
+    Ok(Reply::of(200, super::list::PDF, bytes).saved_as("antrieb.pdf"))
 }
 
 /// A drawing in the size and colours asked for.

@@ -9,6 +9,7 @@ use workbench::{CheckId, DriveForm, SAMPLES_MOST};
 
 /// Media types beside JSON.
 pub(super) const SVG: &str = "image/svg+xml";
+pub(super) const PDF: &str = "application/pdf";
 pub(super) const CSV: &str = "text/csv; charset=utf-8";
 pub(super) const TOML: &str = "application/toml; charset=utf-8";
 pub(super) const XLSX: &str = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
@@ -129,6 +130,22 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         ],
         output: Output::Media(&[SVG]),
         answer: axis::plot,
+    },
+    Endpoint {
+        method: Post,
+        path: "report",
+        about: help::report,
+        body: Body::Project,
+        parameters: &[
+            AXIS,
+            FILE,
+            OWN_OR_BEST,
+            Parameter::of("full", help::report_full, Flag),
+            Parameter::of("installation", help::report_installation, Flag),
+            Parameter::of("date", help::date, Text),
+        ],
+        output: Output::Media(&[PDF]),
+        answer: axis::report,
     },
     Endpoint {
         method: Post,
