@@ -166,7 +166,12 @@ fn everything_else_is_answered_with_the_bytes_of_the_command() {
     same(&["errata", "77.2"], "errata", &[("about", "77.2")], None);
     same(&["glossary"], "glossary", &[], None);
     same(&["glossary", "T_maxx", "--lang", "de"], "glossary", &[("term", "T_maxx"), ("lang", "de")], None);
-    same(&["code", "list", "CHA-20A-*-H", "--available"], "code/list", &[("pattern", "CHA-20A-*-H"), ("available", "1")], None);
+    same(
+        &["code", "list", "CHA-20A-*-H", "--available"],
+        "code/list",
+        &[("pattern", "CHA-20A-*-H"), ("available", "1")],
+        None,
+    );
     same(&["catalogue", "export"], "catalogue", &[], None);
     same(&["schema"], "schema", &[], None);
     same(&["schema", "--answers"], "schema", &[("answers", "true")], None);

@@ -114,11 +114,15 @@ mod tests {
             assert!(inside.open(name).is_ok() && inside.size(name) == Some(1), "{name}");
         }
         let far = outer.path().join("far.csv").to_string_lossy().into_owned();
-        for name in ["../far.csv", "sub/../../far.csv", "link.csv", "way/far.csv", "/dev/null", "/dev/zero", &far, "no.csv"] {
+        for name in
+            ["../far.csv", "sub/../../far.csv", "link.csv", "way/far.csv", "/dev/null", "/dev/zero", &far, "no.csv"]
+        {
             assert!(inside.open(name).is_err() && inside.size(name).is_none(), "{name}");
         }
         let anywhere = within(&folder, Links::Followed);
-        assert!(anywhere.open("link.csv").is_ok() && anywhere.open("../far.csv").is_ok() && anywhere.open(&far).is_ok());
+        assert!(
+            anywhere.open("link.csv").is_ok() && anywhere.open("../far.csv").is_ok() && anywhere.open(&far).is_ok()
+        );
         assert!(anywhere.open("/dev/null").is_err(), "a device is no regular file");
         assert!(inside.open("sub").is_err() && inside.open("").is_err());
     }

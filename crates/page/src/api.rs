@@ -155,10 +155,12 @@ pub(crate) fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -
         return no_such_path(call);
     }
     match there.find(|endpoint| endpoint.method == call.method) {
-        Some(endpoint) => match Asked::of(endpoint, call, shell, patience).and_then(|asked| (endpoint.answer)(&asked)) {
-            Ok(reply) => reply,
-            Err(unanswered) => unanswered.reply(),
-        },
+        Some(endpoint) => {
+            match Asked::of(endpoint, call, shell, patience).and_then(|asked| (endpoint.answer)(&asked)) {
+                Ok(reply) => reply,
+                Err(unanswered) => unanswered.reply(),
+            }
+        }
         None => wrong_method(call.path, call.method.id(), &methods(call.path), call.query_language()),
     }
 }

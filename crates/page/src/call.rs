@@ -54,9 +54,9 @@ pub struct Call<'c> {
 impl<'c> Call<'c> {
     /// The values of the query and, of a form, those of the body behind them, decoded, in their order.
     pub fn fields(&self) -> impl Iterator<Item = (Cow<'c, str>, Cow<'c, str>)> + use<'c> {
-        let form = self.media.is_some_and(|media| {
-            media.split(';').next().is_some_and(|kind| kind.trim().eq_ignore_ascii_case(FORM))
-        });
+        let form = self
+            .media
+            .is_some_and(|media| media.split(';').next().is_some_and(|kind| kind.trim().eq_ignore_ascii_case(FORM)));
         let body: &'c [u8] = if form { self.body } else { &[] };
         form_urlencoded::parse(self.query.as_bytes()).chain(form_urlencoded::parse(body))
     }

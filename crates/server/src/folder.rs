@@ -180,8 +180,22 @@ mod tests {
         }
         let long = "x".repeat(300) + ".toml";
         for name in [
-            "", ".toml", "axis", "axis.txt", "../axis.toml", "/axis.toml", "a/b.toml", "a\\b.toml", "c:axis.toml", ".hidden.toml",
-            "axis\0.toml", "a\n.toml", "\u{202e}a.toml", "axis.toml/", "axis.TOML", &long,
+            "",
+            ".toml",
+            "axis",
+            "axis.txt",
+            "../axis.toml",
+            "/axis.toml",
+            "a/b.toml",
+            "a\\b.toml",
+            "c:axis.toml",
+            ".hidden.toml",
+            "axis\0.toml",
+            "a\n.toml",
+            "\u{202e}a.toml",
+            "axis.toml/",
+            "axis.TOML",
+            &long,
         ] {
             assert!(!is_name(name), "{name:?}");
             let folder = tempfile::tempdir().unwrap();

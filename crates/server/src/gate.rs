@@ -121,8 +121,20 @@ mod tests {
             assert_eq!(asked("GET", "/", &[("host", host)]), Ok(()), "{host}");
         }
         let foreign = [
-            "", "127.0.0.1", "localhost", "127.0.0.1:80", "127.0.0.1:8081", "evil.example:8080", "localhost.evil.example:8080",
-            "10.0.0.1:8080", "[::1]", "[::1:8080", "127.0.0.1:8080:8080", "user@127.0.0.1:8080", "0x7f.1:8080", ":8080",
+            "",
+            "127.0.0.1",
+            "localhost",
+            "127.0.0.1:80",
+            "127.0.0.1:8081",
+            "evil.example:8080",
+            "localhost.evil.example:8080",
+            "10.0.0.1:8080",
+            "[::1]",
+            "[::1:8080",
+            "127.0.0.1:8080:8080",
+            "user@127.0.0.1:8080",
+            "0x7f.1:8080",
+            ":8080",
             "127.0.0.1:8080, evil.example",
         ];
         for host in foreign {
@@ -145,7 +157,9 @@ mod tests {
         for origin in ["http://127.0.0.1:8080", "http://localhost:8080", "http://[::1]:8080"] {
             assert_eq!(with("POST", "origin", origin), Ok(()), "{origin}");
         }
-        for origin in ["null", "", "http://evil.example", "https://127.0.0.1:8080", "http://127.0.0.1:8081", "http://127.0.0.1"] {
+        for origin in
+            ["null", "", "http://evil.example", "https://127.0.0.1:8080", "http://127.0.0.1:8081", "http://127.0.0.1"]
+        {
             assert_eq!(with("POST", "origin", origin), Err(Barred::Site), "{origin}");
             assert_eq!(with("GET", "origin", origin), Ok(()), "{origin}");
         }
@@ -162,7 +176,9 @@ mod tests {
 
     #[test]
     fn the_language_is_the_one_that_is_liked_best() {
-        let of = |value: &str| preferred(&HeaderMap::from_iter([(ACCEPT_LANGUAGE, value.parse().unwrap())])).map(Language::id);
+        let of = |value: &str| {
+            preferred(&HeaderMap::from_iter([(ACCEPT_LANGUAGE, value.parse().unwrap())])).map(Language::id)
+        };
         assert_eq!(of("de-DE,de;q=0.9,en;q=0.8"), Some("de"));
         assert_eq!(of("fr, en;q=0.3, de;q=0.5"), Some("de"));
         assert_eq!(of("en-GB, de"), Some("en"));

@@ -60,7 +60,11 @@ impl Up {
 
     fn ask(&self, line: &str, headers: &str, body: &[u8]) -> String {
         let head = format!("{line} HTTP/1.1\r\nhost: {}\r\nconnection: close\r\n{headers}", self.address);
-        let head = if body.is_empty() { format!("{head}\r\n") } else { format!("{head}content-length: {}\r\n\r\n", body.len()) };
+        let head = if body.is_empty() {
+            format!("{head}\r\n")
+        } else {
+            format!("{head}content-length: {}\r\n\r\n", body.len())
+        };
         self.raw(&[head.as_bytes(), body].concat())
     }
 
@@ -100,10 +104,25 @@ fn no_path_leads_anywhere() {
     std::fs::write(up.folder.path().join("secret.toml"), "the secret").unwrap();
     let long = format!("/{}", "a".repeat(20_000));
     for path in [
-        "/../secret.toml", "/%2e%2e/secret.toml", "/..%2fsecret.toml", "/%2e%2e%5csecret.toml", "//etc/passwd", "/etc/passwd",
-        "/api/v1/../../secret.toml", "/api/v1/size/../..", "/api/v1/%00", "/%ff%fe", "/\\..\\secret.toml", "/file:///etc/passwd",
-        "/api/v1/new?kind=../../secret", "/api/v1/errata?about=../../../etc/passwd", "/api/v1/data?code=/dev/zero", &long,
-        "*", "secret.toml", "/?file=../secret.toml",
+        "/../secret.toml",
+        "/%2e%2e/secret.toml",
+        "/..%2fsecret.toml",
+        "/%2e%2e%5csecret.toml",
+        "//etc/passwd",
+        "/etc/passwd",
+        "/api/v1/../../secret.toml",
+        "/api/v1/size/../..",
+        "/api/v1/%00",
+        "/%ff%fe",
+        "/\\..\\secret.toml",
+        "/file:///etc/passwd",
+        "/api/v1/new?kind=../../secret",
+        "/api/v1/errata?about=../../../etc/passwd",
+        "/api/v1/data?code=/dev/zero",
+        &long,
+        "*",
+        "secret.toml",
+        "/?file=../secret.toml",
     ] {
         let answer = up.ask(&format!("GET {path}"), "", b"");
         assert!(!answer.contains("the secret") && !answer.contains("root:"), "{path}: {answer}");
@@ -120,7 +139,10 @@ fn other_methods_are_named_and_not_answered() {
         assert_eq!(status(&answer), 405, "{method}: {answer}");
         assert!(answer.contains("allow: POST\r\n") && answer.contains("\"errors\""), "{method}: {answer}");
     }
-    turned_away(&up.raw(format!("CONNECT evil.example:443 HTTP/1.1\r\nhost: {}\r\n\r\n", up.address).as_bytes()), "CONNECT");
+    turned_away(
+        &up.raw(format!("CONNECT evil.example:443 HTTP/1.1\r\nhost: {}\r\n\r\n", up.address).as_bytes()),
+        "CONNECT",
+    );
     let head = up.ask("HEAD /api/v1/code/list", "", b"");
     assert!(status(&head) == 200 && head.ends_with("\r\n\r\n"), "{head}");
     up.is_up();
@@ -140,7 +162,8 @@ fn heads_that_are_none_are_turned_away() {
         b"GET / HTTP/9.9\r\n\r\n".to_vec(),
         b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03".repeat(40),
         format!("GET /\x07 HTTP/1.1\r\nhost: {host}\r\n\r\n").into_bytes(),
-        format!("POST /api/v1/size HTTP/1.1\r\nhost: {host}\r\ncontent-length: 4\r\ncontent-length: 5\r\n\r\nabcde").into_bytes(),
+        format!("POST /api/v1/size HTTP/1.1\r\nhost: {host}\r\ncontent-length: 4\r\ncontent-length: 5\r\n\r\nabcde")
+            .into_bytes(),
         format!("POST /api/v1/size HTTP/1.1\r\nhost: {host}\r\ncontent-length: -1\r\n\r\n").into_bytes(),
         format!("POST /api/v1/size HTTP/1.1\r\nhost: {host}\r\nconnection: close\r\n{body}").into_bytes(),
         format!("POST /api/v1/size HTTP/1.1\r\nhost: {host}\r\ntransfer-encoding: chunked\r\n\r\nZZ\r\n").into_bytes(),
@@ -169,7 +192,9 @@ fn another_host_and_another_site_get_nothing() {
     let answer = up.ask("POST /api/v1/size?top=1", &own, PROJECT.as_bytes());
     assert_eq!(status(&answer), 200, "{answer}");
     let lower = answer.to_lowercase();
-    for header in ["content-security-policy: default-src 'self'", "x-content-type-options: nosniff", "cache-control: no-store"] {
+    for header in
+        ["content-security-policy: default-src 'self'", "x-content-type-options: nosniff", "cache-control: no-store"]
+    {
         assert!(lower.contains(header), "{header}: {answer}");
     }
     assert!(!lower.contains("access-control-allow"), "{answer}");
@@ -182,7 +207,9 @@ fn bodies_that_are_too_large_are_not_read() {
     assert_eq!(status(&answer), 413, "{answer}");
     let told = format!("POST /api/v1/size HTTP/1.1\r\nhost: {}\r\ncontent-length: 99999999999\r\n\r\n", up.address);
     assert_eq!(status(&up.raw(told.as_bytes())), 413);
-    let mut chunks = format!("POST /api/v1/size HTTP/1.1\r\nhost: {}\r\ntransfer-encoding: chunked\r\n\r\n", up.address).into_bytes();
+    let mut chunks =
+        format!("POST /api/v1/size HTTP/1.1\r\nhost: {}\r\ntransfer-encoding: chunked\r\n\r\n", up.address)
+            .into_bytes();
     for _ in 0..100 {
         chunks.extend(format!("{:x}\r\n", 1 << 16).bytes());
         chunks.extend(std::iter::repeat_n(b'#', 1 << 16));
@@ -234,8 +261,16 @@ fn bodies_of_any_bytes_are_answered_or_told_what_is_wrong() {
     let up = Up::new(Limits::default());
     let mut chance = Chance(22);
     let paths = [
-        "size?samples=10", "check?code=CHA-20A-100-H-C1024", "explain?code=CHA-20A-100-H-C1024&check=thermal", "bearing", "moves",
-        "diff", "plot?figure=cycle", "export?table=inputs", "wiring?code=CHA-20A-100-H-C1024", "commission?code=CHA-20A-100-H-C1024",
+        "size?samples=10",
+        "check?code=CHA-20A-100-H-C1024",
+        "explain?code=CHA-20A-100-H-C1024&check=thermal",
+        "bearing",
+        "moves",
+        "diff",
+        "plot?figure=cycle",
+        "export?table=inputs",
+        "wiring?code=CHA-20A-100-H-C1024",
+        "commission?code=CHA-20A-100-H-C1024",
         "mount?code=CHA-20A-100-H-C1024",
     ];
     for round in 0..220 {
@@ -255,7 +290,11 @@ fn bodies_of_any_bytes_are_answered_or_told_what_is_wrong() {
         }
         let path = paths[chance.below(paths.len())];
         let answer = up.ask(&format!("POST /api/v1/{path}"), "", &body);
-        assert!(matches!(status(&answer), 200 | 413 | 415 | 422), "{path}: {answer}\n{}", String::from_utf8_lossy(&body));
+        assert!(
+            matches!(status(&answer), 200 | 413 | 415 | 422),
+            "{path}: {answer}\n{}",
+            String::from_utf8_lossy(&body)
+        );
     }
     up.is_up();
 }
@@ -282,8 +321,20 @@ fn a_project_opens_nothing_outside_of_the_folder() {
     assert_eq!(status(&moves("robot-joint.csv")), 200);
     let far = outside.join("far.csv").display().to_string();
     for name in [
-        "../far.csv", "link.csv", "way/far.csv", "zero.csv", "pipe.csv", "/dev/zero", "/dev/stdin", "/etc/passwd", &far, "none.csv",
-        "way", ".", "robot-joint.csv/../../far.csv", "/proc/self/environ",
+        "../far.csv",
+        "link.csv",
+        "way/far.csv",
+        "zero.csv",
+        "pipe.csv",
+        "/dev/zero",
+        "/dev/stdin",
+        "/etc/passwd",
+        &far,
+        "none.csv",
+        "way",
+        ".",
+        "robot-joint.csv/../../far.csv",
+        "/proc/self/environ",
     ] {
         let begun = Instant::now();
         let answer = moves(name);
@@ -322,7 +373,11 @@ fn ten_thousand_quick_requests_are_answered() {
             scope.spawn(|| {
                 let mut reader = BufReader::new(up.connect());
                 for round in 0..2_500 {
-                    let path = if round % 2 == 0 { "/health" } else { "/api/v1/torsion?code=CHA-20A-100-H-C1024&torque=60+N+m" };
+                    let path = if round % 2 == 0 {
+                        "/health"
+                    } else {
+                        "/api/v1/torsion?code=CHA-20A-100-H-C1024&torque=60+N+m"
+                    };
                     let request = format!("GET {path} HTTP/1.1\r\nhost: {}\r\n\r\n", up.address);
                     reader.get_mut().write_all(request.as_bytes()).unwrap();
                     assert_eq!(next_status(&mut reader), 200);

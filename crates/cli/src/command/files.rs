@@ -218,9 +218,7 @@ pub(super) fn serve(language: Language) -> Command {
                 .help(help::serve_port(language)),
         )
         .arg(Arg::new("open").long("open").action(ArgAction::SetTrue).help(help::serve_open(language)))
-        .arg(
-            Arg::new("listen").long("listen").value_name(values::address(language)).help(help::serve_listen(language)),
-        )
+        .arg(Arg::new("listen").long("listen").value_name(values::address(language)).help(help::serve_listen(language)))
         .arg(memory(language))
 }
 

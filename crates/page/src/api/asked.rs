@@ -8,9 +8,7 @@ use workbench::answer::{code_faults, code_told, fault, faults, file_fault, optio
 use workbench::answers::{Fault, Faults};
 use workbench::quantities::{Measure, seen};
 use workbench::text::{Usage, UsageHint, requests, terminal, told, usage_hint, usage_text};
-use workbench::{
-    Draw, Hint, Language, OrderCode, PROJECT_MAX_BYTES, Patience, Project, Refusal, SEED_USUAL, Unread,
-};
+use workbench::{Draw, Hint, Language, OrderCode, PROJECT_MAX_BYTES, Patience, Project, Refusal, SEED_USUAL, Unread};
 
 /// What the body is called in faults, unless the query says otherwise: as the command line calls what it reads from there.
 const USUAL_NAME: &str = "stdin";
@@ -42,7 +40,12 @@ impl<'a> Asked<'a> {
             if name == "lang" {
                 if Language::of_id(&value).is_none() {
                     let ids = Language::ALL.map(|language| language.id().to_owned());
-                    errors.push(bad_value("lang", &value, Some(UsageHint::Words(Hint::ValidAre(ids.into()))), language));
+                    errors.push(bad_value(
+                        "lang",
+                        &value,
+                        Some(UsageHint::Words(Hint::ValidAre(ids.into()))),
+                        language,
+                    ));
                 }
                 continue;
             }
@@ -51,7 +54,12 @@ impl<'a> Asked<'a> {
                 continue;
             };
             if !parameter.repeated && values.iter().any(|(known, _)| *known == parameter.name) {
-                errors.push(usage(Some(parameter.name), &Usage::Twice { name: parameter.name.to_owned() }, None, language));
+                errors.push(usage(
+                    Some(parameter.name),
+                    &Usage::Twice { name: parameter.name.to_owned() },
+                    None,
+                    language,
+                ));
                 continue;
             }
             match valid(parameter, &value) {
@@ -106,7 +114,8 @@ impl<'a> Asked<'a> {
 
     /// A quantity.
     pub(super) fn quantity<Q: Measure>(&self, name: &str) -> Result<Option<Q>, Unanswered> {
-        let read = |text| workbench::read_quantity(text, self.language).map_err(|fault| option_fault(name, fault).into());
+        let read =
+            |text| workbench::read_quantity(text, self.language).map_err(|fault| option_fault(name, fault).into());
         self.text(name).map(read).transpose()
     }
 
@@ -193,10 +202,11 @@ impl<'a> Asked<'a> {
 
     /// The same of a text.
     pub(super) fn axes_of(&self, text: &str, name: &str) -> Result<Vec<(usize, Project)>, Unanswered> {
-        let projects = workbench::read_all_watched(text, self.shell.files(), self.patience).map_err(|unread| match unread {
-            Unread::Faults(found) => faults(name, &told(&found, self.language)).into(),
-            Unread::Stopped => self.refused(&Refusal::Stopped),
-        })?;
+        let projects =
+            workbench::read_all_watched(text, self.shell.files(), self.patience).map_err(|unread| match unread {
+                Unread::Faults(found) => faults(name, &told(&found, self.language)).into(),
+                Unread::Stopped => self.refused(&Refusal::Stopped),
+            })?;
         workbench::picked(projects, self.text("axis"), self.language).map_err(|what| fault(&what).into())
     }
 
@@ -284,7 +294,11 @@ fn valid<'v>(parameter: &Parameter, value: &'v str) -> Result<Cow<'v, str>, Opti
         },
         Kind::Word(words) => {
             let words = words();
-            if words.contains(&value) { Ok(Cow::Borrowed(value)) } else { Err(Some(UsageHint::Words(near(value, &words)))) }
+            if words.contains(&value) {
+                Ok(Cow::Borrowed(value))
+            } else {
+                Err(Some(UsageHint::Words(near(value, &words))))
+            }
         }
     }
 }
@@ -332,4 +346,3 @@ fn unknown(name: &str, endpoint: &Endpoint, language: Language) -> Fault {
     let hint = UsageHint::Words(near(name, &names));
     usage(Some(&shown(name)), &Usage::UnknownOption { written: shown(name) }, Some(hint), language)
 }
-

@@ -65,8 +65,7 @@ pub(super) fn explain(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let code = wanted(asked)?;
     let check = asked.text("check").and_then(|id| CheckId::ALL.iter().find(|each| each.id() == id)).copied();
     let one = |(_, project): &(usize, Project)| {
-        let found =
-            workbench::explanation(project, code.as_ref(), check).map_err(|refusal| asked.refused(&refusal))?;
+        let found = workbench::explanation(project, code.as_ref(), check).map_err(|refusal| asked.refused(&refusal))?;
         Ok((found.record(asked.language), found.candidate.fits()))
     };
     together(axes.iter().map(one).collect())
@@ -121,9 +120,11 @@ pub(super) fn diff(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
         let (before, after) = (old.get(before)?, new.get(after)?);
         let inputs = workbench::input_changes((&old_text, before.0), (&new_text, after.0));
         let found = workbench::difference(&before.1, &after.1, code.as_ref());
-        Some(found.map_err(|refusal| asked.refused(&refusal)).map(|found| {
-            (answer::difference(&found, &inputs, &after.1.name, asked.language), found.after.fits())
-        }))
+        Some(
+            found
+                .map_err(|refusal| asked.refused(&refusal))
+                .map(|found| (answer::difference(&found, &inputs, &after.1.name, asked.language), found.after.fits())),
+        )
     };
     together(pairs.into_iter().filter_map(one).collect())
 }

@@ -7,9 +7,7 @@ use workbench::answer;
 use workbench::answers::{CommissionAnswer, Faults};
 use workbench::quantities::{ElectricPotential, ThermodynamicTemperature};
 use workbench::text::{file_trouble, upkeep, wiring};
-use workbench::{
-    Date, DriveForm, LISTED_BYTES_MAX, MountAsked, OrderCode, Refusal, UpkeepAsked, usual_ambient,
-};
+use workbench::{Date, DriveForm, LISTED_BYTES_MAX, MountAsked, OrderCode, Refusal, UpkeepAsked, usual_ambient};
 
 pub(super) fn parse(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let text = asked.text("code").unwrap_or_default();
@@ -132,7 +130,8 @@ pub(super) fn upkeep(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let inspect = option!("inspect", workbench::read_interval);
     let hours_per_day = option!("hours-per-day", workbench::read_hours);
     if let Some(delivered) = delivered
-        && let Some(today) = today.map_or_else(|| before(delivered, asked), |today| (delivered > today).then_some(today))
+        && let Some(today) =
+            today.map_or_else(|| before(delivered, asked), |today| (delivered > today).then_some(today))
     {
         let [day, now] = [delivered, today].map(upkeep::date_text);
         let hint = upkeep::give_today(language).to_owned();

@@ -166,7 +166,9 @@ fn operation(endpoint: &Endpoint, answers: &Value, language: Language) -> Operat
     let mut responses = BTreeMap::new();
     responses.insert("200", Response { description: requests::answered(language), content: answer(endpoint, answers) });
     let of_code = endpoint.parameters.iter().any(|parameter| parameter.name == "code");
-    for status in ["422", "503"].into_iter().chain((endpoint.body != Body::None).then_some(["413", "415"]).into_iter().flatten()) {
+    for status in
+        ["422", "503"].into_iter().chain((endpoint.body != Body::None).then_some(["413", "415"]).into_iter().flatten())
+    {
         let schema = match answers.get("properties").and_then(|all| all.get("faults of a code")) {
             // What is wrong with a code may be told as a record of its own.
             Some(codes) if of_code && status == "422" => {
@@ -179,7 +181,11 @@ fn operation(endpoint: &Endpoint, answers: &Value, language: Language) -> Operat
         responses.insert(status, Response { description: requests::not_answered(language), content });
     }
     Operation {
-        operation_id: format!("{}_{}", endpoint.method.id().to_ascii_lowercase(), endpoint.path.replace(['/', '.'], "_")),
+        operation_id: format!(
+            "{}_{}",
+            endpoint.method.id().to_ascii_lowercase(),
+            endpoint.path.replace(['/', '.'], "_")
+        ),
         summary: (endpoint.about)(language),
         parameters: endpoint.parameters.iter().chain([&lang]).map(|parameter| named(parameter, language)).collect(),
         request_body: sent(endpoint.body, language),
@@ -196,9 +202,7 @@ fn answer(endpoint: &Endpoint, answers: &Value) -> BTreeMap<&'static str, Conten
         }
         Output::Shared(name) => one(Schema::shared(name)),
         Output::Json => one(Schema::Any {}),
-        Output::Media(types) => {
-            types.iter().map(|media| (*media, Content { schema: Schema::Any {} })).collect()
-        }
+        Output::Media(types) => types.iter().map(|media| (*media, Content { schema: Schema::Any {} })).collect(),
     }
 }
 
@@ -221,7 +225,11 @@ fn named(parameter: &Parameter, language: Language) -> Named {
 }
 
 fn sent(body: Body, language: Language) -> Option<Sent> {
-    let of = |description, media, schema| Sent { description, required: true, content: BTreeMap::from([(media, Content { schema })]) };
+    let of = |description, media, schema| Sent {
+        description,
+        required: true,
+        content: BTreeMap::from([(media, Content { schema })]),
+    };
     let text = || Schema::plain("string");
     match body {
         Body::None => None,

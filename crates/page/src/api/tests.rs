@@ -83,7 +83,8 @@ fn every_fault_of_a_query_is_told_at_once_with_what_is_near() {
 
 #[test]
 fn a_project_comes_as_text_of_any_plain_type_and_as_no_other() {
-    for media in [None, Some("application/toml"), Some("text/plain; charset=utf-8"), Some("Application/TOML"), Some("")] {
+    for media in [None, Some("application/toml"), Some("text/plain; charset=utf-8"), Some("Application/TOML"), Some("")]
+    {
         assert_eq!(sent(Method::Post, "/api/v1/moves", "", media, PROJECT.as_bytes()).status, 200, "{media:?}");
     }
     // A form is a text as well: what stands in it steers nothing.
@@ -180,7 +181,11 @@ fn the_description_tells_every_endpoint_and_every_schema() {
         assert!(told["summary"].as_str().is_some_and(|summary| summary.len() > 10), "{}", endpoint.path);
         assert_eq!(told["parameters"].as_array().unwrap().len(), endpoint.parameters.len() + 1, "{}", endpoint.path);
         assert_eq!(told["requestBody"].is_object(), endpoint.method == Method::Post, "{}", endpoint.path);
-        assert!(told["responses"]["200"]["content"].as_object().is_some_and(|all| !all.is_empty()), "{}", endpoint.path);
+        assert!(
+            told["responses"]["200"]["content"].as_object().is_some_and(|all| !all.is_empty()),
+            "{}",
+            endpoint.path
+        );
         if let Output::Record(_) | Output::Shared(_) = endpoint.output {
             let schema = &told["responses"]["200"]["content"][JSON]["schema"];
             assert!(schema.as_object().is_some_and(|schema| !schema.is_empty()), "{}", endpoint.path);

@@ -48,8 +48,9 @@ pub fn fault(what: &str) -> Faults {
 /// Why a text is no code, each fault with its place in it.
 #[must_use]
 pub fn code_told(text: &str, refusal: &CodeRefusal) -> Vec<Told> {
-    let told =
-        |fault: &crate::CodeFault| Told::at(text, fault.span.clone(), fault.id(), fault.message.clone(), fault.hint.clone());
+    let told = |fault: &crate::CodeFault| {
+        Told::at(text, fault.span.clone(), fault.id(), fault.message.clone(), fault.hint.clone())
+    };
     refusal.faults.iter().map(told).collect()
 }
 
@@ -60,9 +61,7 @@ pub fn refusal_text(refusal: &Refusal, waited_s: Option<f64>, language: Language
         Refusal::NotAsked(id) => terminal::check_not_asked(&check_title(*id, language), language),
         Refusal::NoActuator => terminal::no_own_actuator(language).to_owned(),
         Refusal::TooManySamples { asked, most } => terminal::too_many_samples(asked, most, language),
-        Refusal::Stopped => {
-            terminal::not_in_time(&format_significant(waited_s.unwrap_or(0.0), 3, language), language)
-        }
+        Refusal::Stopped => terminal::not_in_time(&format_significant(waited_s.unwrap_or(0.0), 3, language), language),
         Refusal::NoData | Refusal::Broken(_) => terminal::no_data(language).to_owned(),
     }
 }
