@@ -62,7 +62,8 @@ fn main() -> ExitCode {
         Ok(most) => most,
         Err(answer) => return answer.write(language),
     };
-    let waiting = waiting::Waiting::begin(language, most);
+    // Who serves waits for others, and nobody for him.
+    let waiting = (matches.subcommand_name() != Some("serve")).then(|| waiting::Waiting::begin(language, most));
     let answer = dispatch(&matches, language);
     drop(waiting);
     answer.write(language)

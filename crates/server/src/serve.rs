@@ -217,19 +217,21 @@ async fn connection(stream: TcpStream, desk: Arc<Desk>, mut told: watch::Receive
     let _ = tokio::time::timeout(limits.body_time + limits.answer_time, connection).await;
 }
 
-/// Comes when the program is told to end: by the keyboard, or by whoever may end it.
+/// Comes when the program is told to end: by the keyboard, by its terminal that goes, or by whoever may end it.
 #[cfg(unix)]
 async fn told_to_end() {
     use tokio::signal::unix::{SignalKind, signal};
-    let terminated = async {
-        match signal(SignalKind::terminate()) {
-            Ok(mut terminated) => drop(terminated.recv().await),
+    let told = |kind| async move {
+        match signal(kind) {
+            Ok(mut signals) => drop(signals.recv().await),
+            // Without a watch the signal ends the program as ever.
             Err(_) => std::future::pending().await,
         }
     };
     tokio::select! {
-        _ = tokio::signal::ctrl_c() => {}
-        () = terminated => {}
+        () = told(SignalKind::interrupt()) => {}
+        () = told(SignalKind::terminate()) => {}
+        () = told(SignalKind::hangup()) => {}
     }
 }
 

@@ -44,6 +44,7 @@ impl Up {
     fn connect(&self) -> TcpStream {
         let stream = TcpStream::connect(self.address).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        stream.set_nodelay(true).unwrap();
         stream
     }
 
@@ -377,7 +378,8 @@ fn ten_thousand_quick_requests_are_answered() {
                     } else {
                         "/api/v1/torsion?code=CHA-20A-100-H-C1024&torque=60+N+m"
                     };
-                    write!(reader.get_mut(), "GET {path} HTTP/1.1\r\nhost: {}\r\n\r\n", up.address).unwrap();
+                    let request = format!("GET {path} HTTP/1.1\r\nhost: {}\r\n\r\n", up.address);
+                    reader.get_mut().write_all(request.as_bytes()).unwrap();
                     assert_eq!(next_status(&mut reader), 200);
                 }
             });

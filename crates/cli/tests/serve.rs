@@ -1,0 +1,115 @@
+//! `antrieb serve` as a user starts it: its first line, its answers, its end.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
+
+mod run;
+
+use run::{root, run, run_with};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+/// A server that is started with arguments, and ended with the test.
+struct Started {
+    child: Child,
+    address: String,
+}
+
+impl Started {
+    fn new(arguments: &[&str]) -> Self {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_antrieb"))
+            .arg("serve")
+            .args(arguments)
+            .current_dir(root())
+            .env_remove("ANTRIEB_LANG")
+            .env_remove("ANTRIEB_MEMORY")
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut line = String::new();
+        BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
+        let address = line.strip_prefix("http://").and_then(|rest| rest.strip_suffix("/\n"));
+        let address = address.unwrap_or_else(|| panic!("{line:?}")).to_owned();
+        Self { child, address }
+    }
+
+    /// Head and body of an answer.
+    fn ask(&self, line: &str, headers: &str, body: &[u8]) -> (String, Vec<u8>) {
+        let mut stream = TcpStream::connect(&self.address).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(120))).unwrap();
+        let (address, length) = (&self.address, body.len());
+        let head = format!("{line} HTTP/1.1\r\nhost: {address}\r\nconnection: close\r\ncontent-length: {length}\r\n");
+        stream.write_all(&[format!("{head}{headers}\r\n").as_bytes(), body].concat()).unwrap();
+        let mut answer = Vec::new();
+        stream.read_to_end(&mut answer).unwrap();
+        let end = answer.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
+        (String::from_utf8(answer[..end].to_vec()).unwrap(), answer[end + 4..].to_vec())
+    }
+}
+
+impl Drop for Started {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+#[test]
+fn the_answers_of_a_server_are_those_of_the_commands() {
+    let server = Started::new(&["examples", "--port", "0"]);
+    assert!(server.address.starts_with("127.0.0.1:"), "{}", server.address);
+    let (head, _) = server.ask("GET /health", "", b"");
+    assert!(head.starts_with("HTTP/1.1 200 "), "{head}");
+    for (name, query) in [("indexing-table", "top=3"), ("two-axes", "top=2&lang=de"), ("robot-joint", "top=1")] {
+        let file = format!("examples/{name}.toml");
+        let text = std::fs::read(root().join(&file)).unwrap();
+        let line = format!("POST /api/v1/size?file={file}&{query}");
+        // What a browser prefers is no matter of the interface.
+        let (head, body) = server.ask(&line, "content-type: application/toml\r\naccept-language: de\r\n", &text);
+        let options: Vec<String> = query.split('&').map(|pair| format!("--{pair}")).collect();
+        let mut arguments = vec!["size", &file, "--json"];
+        arguments.extend(options.iter().map(String::as_str));
+        assert_eq!(String::from_utf8(body).unwrap(), run(&arguments).out, "{head}");
+        assert!(head.starts_with("HTTP/1.1 200 ") && head.contains("content-type: application/json"), "{head}");
+    }
+    let faulty = b"format = 1\n[load]\ninertia = \"1.3 kg\"\n";
+    let (head, body) = server.ask("POST /api/v1/size", "", faulty);
+    assert!(head.starts_with("HTTP/1.1 422 "), "{head}");
+    assert_eq!(String::from_utf8(body).unwrap(), run_with(&["size", "-", "--json"], faulty).out);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_server_ends_when_it_is_told_to() {
+    for signal in ["-INT", "-TERM", "-HUP"] {
+        let mut server = Started::new(&["--port", "0", "--lang", "de"]);
+        let (head, _) = server.ask("GET /health", "", b"");
+        assert!(head.starts_with("HTTP/1.1 200 "), "{head}");
+        let id = server.child.id().to_string();
+        assert!(Command::new("kill").args([signal, &id]).status().unwrap().success());
+        assert_eq!(server.child.wait().unwrap().code(), Some(0), "{signal}");
+        let mut said = String::new();
+        server.child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+        assert_eq!(said, "Strg+C beendet es\n");
+    }
+}
+
+#[test]
+fn what_cannot_be_served_is_told() {
+    let taken = Started::new(&["--port", "0"]);
+    let port = taken.address.rsplit(':').next().unwrap();
+    for (arguments, word) in [
+        (["serve", "--port", port].as_slice(), "taken by another program"),
+        (&["serve", "examples/nowhere"], "cannot be worked in"),
+        (&["serve", "examples/pins.csv"], "cannot be worked in"),
+        (&["serve", "--listen", "here"], "is no address"),
+        (&["serve", "--listen", "192.0.2.1", "--port", "0"], "cannot be listened on"),
+        (&["serve", "--memory", "much"], "no amount of memory"),
+        (&["serve", "--port", "70000"], "no value for"),
+    ] {
+        let found = run(&[arguments, &["--json"]].concat());
+        assert!(found.code == 2 && found.out.contains(word), "{arguments:?}: {}{}", found.out, found.err);
+        assert!(found.out.starts_with("{\n  \"errors\": ["), "{}", found.out);
+    }
+}
