@@ -119,7 +119,7 @@ fn bar(state: &State) -> Markup {
                 button type="button" id="theme" aria-pressed=(dark) hx-post="/" hx-target="body" hx-swap="outerMorph"
                     hx-vals=(form::vals(&[("theme", if dark { "light" } else { "dark" })])) { (page::dark(l)) }
             }
-            p id="told" role="status" data-unsaved=(page::unsaved_work(l)) {}
+            p id="told" role="status" hx-morph-skip="" {}
         }
     }
 }
@@ -190,7 +190,7 @@ fn start(state: &State, shell: &dyn Shell) -> Markup {
             (state_of(state))
             header { h1 { "antrieb" } nav.bar aria-label=(page::title(l)) {
                 @for other in Language::ALL { @if other != l { a.button href={ "/?lang=" (other.id()) } lang=(other.id()) { (page::other_language(l)) } } }
-            } p id="told" role="status" {} }
+            } p id="told" role="status" hx-morph-skip="" {} }
             main.start {
                 section aria-labelledby="start-title" {
                     h2 id="start-title" { (page::what_do_you_move(l)) }

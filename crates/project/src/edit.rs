@@ -305,8 +305,19 @@ fn renumber(table: &mut Table, place: &mut isize) {
         table.set_position(Some(*place));
         *place += 1;
     }
-    let mut names: Vec<(isize, String)> = table.iter().map(|(name, item)| (stood(item), name.to_owned())).collect();
-    names.sort_by_key(|(stood, _)| *stood);
+    let places: Vec<(isize, String)> = table.iter().map(|(name, item)| (stood(item), name.to_owned())).collect();
+    let described = |name: &str| ROOT.iter().position(|key| key.name == name);
+    let is_root = *place <= 1;
+    // At the root a new table stands before those that the description has behind it.
+    let wanted = |stood: isize, name: &str| {
+        if stood < isize::MAX || !is_root {
+            return (stood, true);
+        }
+        let behind = places.iter().filter(|(_, other)| described(other) > described(name));
+        (behind.map(|(stood, _)| *stood).min().unwrap_or(isize::MAX), false)
+    };
+    let mut names = places.clone();
+    names.sort_by_key(|(stood, name)| wanted(*stood, name));
     for (_, name) in names {
         match table.get_mut(&name) {
             Some(Item::Table(below)) if !below.is_dotted() => renumber(below, place),

@@ -27,8 +27,15 @@ impl Up {
         let outer = tempfile::tempdir().unwrap();
         let folder = outer.path().join("work");
         std::fs::create_dir(&folder).unwrap();
-        let options =
-            Options { folder, listen: None, port: 0, memory: 64 << 20, language: Language::default(), limits, report: None };
+        let options = Options {
+            folder,
+            listen: None,
+            port: 0,
+            memory: 64 << 20,
+            language: Language::default(),
+            limits,
+            report: None,
+        };
         let server = Server::bind(options).unwrap();
         let address = server.address();
         let (end, ended) = oneshot::channel();

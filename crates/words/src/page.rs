@@ -102,7 +102,6 @@ texts! {
     recording_told =
         "Or paste the table of a recording anywhere into the page."
         | "Oder die Tabelle einer Aufzeichnung irgendwo in die Seite einfügen.";
-    unsaved_work = "The project has changes that are not saved." | "Das Projekt hat Änderungen, die nicht gespeichert sind.";
     computed_here =
         "Everything is computed on this machine; project and recordings do not leave it."
         | "Alles wird auf diesem Rechner berechnet; Projekt und Aufzeichnungen verlassen ihn nicht.";

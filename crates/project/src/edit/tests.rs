@@ -47,7 +47,10 @@ fn a_key_that_is_new_stands_in_its_table_and_one_without_value_goes() {
     assert!(with.contains("# measured\nfriction_torque = \"5 N m\"\n"), "{with}");
     assert_eq!(edit(&with, "load.friction_torque", Edit::Value("  ")).unwrap(), TEXT);
     let stage = edit(TEXT, "stage.ratio", Edit::Value("2.5")).unwrap();
-    assert!(stage.ends_with("[stage]\nratio = 2.5\n"), "{stage}");
+    assert!(stage.contains("# measured\n\n[stage]\nratio = 2.5\n\n[[motion]] # first\n"), "{stage}");
+    let named = edit(TEXT, "axis.name", Edit::Value("arm")).unwrap();
+    assert!(named.starts_with("# a remark\nformat = 1\n\n[axis]\nname = \"arm\"\n\n[load]  "), "{named}");
+    assert_eq!(edit(&stage, "stage.ratio", Edit::Value("")).unwrap().matches("[stage]").count(), 1);
     let tilt = edit("format = 1\n", "mechanism.arm.axis_tilt", Edit::Value("90 deg")).unwrap();
     assert_eq!(tilt, "format = 1\n\n[mechanism.arm]\naxis_tilt = \"90 deg\"\n");
     let first = edit("format = 1\n", "motion[1].law", Edit::Value("dwell")).unwrap();

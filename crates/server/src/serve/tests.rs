@@ -33,7 +33,8 @@ fn up(respond: Respond, listen: Option<IpAddr>, limits: Limits) -> Up {
         port: 0,
         memory: 1 << 20,
         language: Language::default(),
-        limits, report: None,
+        limits,
+        report: None,
     };
     let server = Server::with(options, respond).unwrap();
     let (address, url) = (server.address(), server.url());
