@@ -140,6 +140,9 @@ texts! {
     record_alone =
         "--record judges measured values and goes with none of --for, --out, --checklist, --blank"
         | "--record beurteilt Gemessenes und steht nicht neben --for, --out, --checklist, --blank";
+    field_done(text) = "done: {text}" | "erledigt: {text}";
+    field_measured(text) = "measured: {text}" | "gemessen: {text}";
+    field_measured_in(text, unit) = "measured in {unit}: {text}" | "gemessen in {unit}: {text}";
     signature = "date, name, signature" | "Datum, Name, Unterschrift";
     serial_number = "serial number" | "Seriennummer";
     page = "page" | "Seite";
