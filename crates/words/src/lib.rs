@@ -25,6 +25,7 @@ pub mod pages;
 pub mod pictures;
 mod print;
 mod project_file;
+mod glossary_page;
 mod project_page;
 mod quantity;
 mod recording;
@@ -62,6 +63,7 @@ pub use print::{
     word_meaning,
 };
 pub use project_file::{body_key, key_word, short_label, table_of_project};
+pub use glossary_page::{glossary_page, glossary_symbols};
 pub use project_page::project_page;
 pub use quantity::{quantity_fault, quantity_hint};
 pub use recording::encoding_guess;
