@@ -73,7 +73,8 @@ impl Base {
         )?;
         let git = |words: &[&str]| {
             let mut command = Command::new("git");
-            let nobody = ["-c", "user.name=antrieb", "-c", "user.email=antrieb@example.invalid", "-c", "commit.gpgsign=false"];
+            let nobody =
+                ["-c", "user.name=antrieb", "-c", "user.email=antrieb@example.invalid", "-c", "commit.gpgsign=false"];
             command.arg("-C").arg(&repository).args(nobody).args(words);
             must_succeed(&mut command)
         };
@@ -116,7 +117,9 @@ impl Base {
         let package = self.folder.join("proof");
         write(
             &package.join("Cargo.toml"),
-            &format!("[package]\nname = \"proof\"\nversion = \"0.0.0\"\n[dependencies]\n{name} = \"0.4\"\n[workspace]\n"),
+            &format!(
+                "[package]\nname = \"proof\"\nversion = \"0.0.0\"\n[dependencies]\n{name} = \"0.4\"\n[workspace]\n"
+            ),
         )?;
         write(&package.join("src/lib.rs"), "")?;
         let mut command = cargo(&package, &["metadata", "--format-version", "1", "--offline"]);

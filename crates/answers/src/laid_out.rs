@@ -139,7 +139,9 @@ impl Block {
             }
             Self::Hazards { items } => items.iter().flat_map(|item| [item.text.as_str(), &item.source]).collect(),
             Self::Picture(picture) => vec![&picture.caption],
-            Self::Tasks { items } => items.iter().flat_map(|task| [task.what.text.as_str(), &task.what.source]).collect(),
+            Self::Tasks { items } => {
+                items.iter().flat_map(|task| [task.what.text.as_str(), &task.what.source]).collect()
+            }
         }
     }
 }

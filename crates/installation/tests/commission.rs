@@ -175,8 +175,9 @@ fn every_fact_of_the_commissioning_holds_for_some_code() {
     let mut count = 0;
     for fact in catalogue::facts().iter().filter(|fact| fact.topics.contains(&Topic::Commission)) {
         count += 1;
-        let shown =
-            |about: &Commissioning| facts_about(Topic::Commission, &about.code, Order::Data).iter().any(|f| f.id == fact.id);
+        let shown = |about: &Commissioning| {
+            facts_about(Topic::Commission, &about.code, Order::Data).iter().any(|f| f.id == fact.id)
+        };
         assert!(all.iter().any(shown), "{}", fact.id);
     }
     assert!(count >= 30, "{count}");

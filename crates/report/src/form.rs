@@ -2,7 +2,7 @@
 //!
 //! The typesetting engine knows no fields. The template marks each place with a link to `field:NAME`; here the link
 //! becomes the widget of that field, and its tag a form element. The file of the engine stays as it is, and what
-//! changes is appended to it, as the incremental update of ISO 32000-1, 7.5.6.
+//! changes is appended to it, as the incremental update of ISO 32000-1, 7.5.6 (docs/decisions/0016-form-fields-appended.md).
 
 use crate::Fault;
 use hayro_syntax::Pdf;

@@ -70,8 +70,7 @@ fn typeset_checklist(lists: &CheckListDocument) -> Result<PagedDocument, Fault> 
         Some(template) => template,
         None => Template::read(template::CHECKLIST, "checklist.typ").map(|read| TEMPLATE.get_or_init(|| read))?,
     };
-    let document =
-        serde_json::to_value(lists).map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
+    let document = serde_json::to_value(lists).map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
     let document = fonts().glyphs.printable(document);
     let files = BTreeMap::from([("data.json".to_owned(), document.to_string().into_bytes())]);
     compile(Press { template, files })

@@ -27,9 +27,9 @@ fn every_word_and_every_term_stands_there_in_both_languages() {
         let terms = catalogue::glossary().iter().map(|term| (format!("`{}`", term.symbol), term.en, term.de));
         let words = catalogue::words().iter().map(|word| (String::new(), word.en, word.de));
         for (symbol, en, de) in terms.chain(words) {
-            let line = page.lines().find(|line| {
-                line.starts_with(&format!("| {symbol}")) && line.contains(&format!("| {en} | {de} |"))
-            });
+            let line = page
+                .lines()
+                .find(|line| line.starts_with(&format!("| {symbol}")) && line.contains(&format!("| {en} | {de} |")));
             assert!(line.is_some(), "{file}: {symbol} {en} {de}");
         }
     }

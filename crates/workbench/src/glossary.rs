@@ -61,7 +61,9 @@ fn whole(language: Language) -> Glossary {
 fn chosen(all: &Glossary, keeps: &dyn Fn(&[&str], &[&str]) -> bool) -> Glossary {
     let mut found = all.clone();
     found.words.retain(|word| keeps(&[&word.id, &word.en, &word.de], &[&word.en, &word.de]));
-    found.terms.retain(|term| keeps(&[&term.symbol, &term.identifier, &term.en, &term.de], &[&term.en, &term.de, &term.remark]));
+    found.terms.retain(|term| {
+        keeps(&[&term.symbol, &term.identifier, &term.en, &term.de], &[&term.en, &term.de, &term.remark])
+    });
     found
         .symbols
         .retain(|symbol| keeps(&[&symbol.symbol, &symbol.shown, &symbol.en, &symbol.de], &[&symbol.en, &symbol.de]));

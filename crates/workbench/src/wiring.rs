@@ -85,7 +85,9 @@ mod tests {
                 let record = wiring.map(|wiring| crate::answer::wiring(&wiring, None, Language::De));
                 record.is_some_and(|record| record.rules.iter().any(|rule| rule.id == fact.id && rule.text == fact.de))
             };
-            let with = codes.iter().find(|(code, _)| facts_about(Topic::Wiring, code, Order::Data).iter().any(|f| f.id == fact.id));
+            let with = codes
+                .iter()
+                .find(|(code, _)| facts_about(Topic::Wiring, code, Order::Data).iter().any(|f| f.id == fact.id));
             assert!(with.is_some_and(|(code, _)| told(code)), "{}", fact.id);
         }
     }

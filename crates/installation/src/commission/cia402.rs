@@ -171,7 +171,17 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
         if let Some(parameter) = parameter {
             let exact = clean(unit.from_si(parameter.si));
             let (data_type, rounding, from) = (Unsigned32, Nearest, vec![parameter]);
-            drafts.push(Draft { id, place, data_type, exact, unit: shown, rounding, from, facts: Vec::new(), document });
+            drafts.push(Draft {
+                id,
+                place,
+                data_type,
+                exact,
+                unit: shown,
+                rounding,
+                from,
+                facts: Vec::new(),
+                document,
+            });
         }
     };
     let stall = get(ParameterId::StallCurrent);

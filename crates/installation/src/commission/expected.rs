@@ -301,13 +301,8 @@ impl Commissioning {
             low: below * (starting * (1.0 - off_starting) + growing * (1.0 - off_growing)),
             high: beyond * (starting * (1.0 + off_starting) + growing * (1.0 + off_growing)),
             band: Band::Friction,
-            sources: [
-                start.sources.clone(),
-                growth.sources.clone(),
-                vec![Source::Model { name: "current" }],
-                band,
-            ]
-            .concat(),
+            sources: [start.sources.clone(), growth.sources.clone(), vec![Source::Model { name: "current" }], band]
+                .concat(),
             grade: start.grade.worst(growth.grade).worst(Band::Friction.grade()),
         })
     }

@@ -244,9 +244,7 @@ fn one(about: &Commissioning, measured: &Measured, what: Measurand) -> Judged {
         Measurand::BrakeOpeningTime => brake(measured.brake_opening_time.map(Measure::si), about.expected_brake(what)),
         Measurand::BrakeClosingTime => brake(measured.brake_closing_time.map(Measure::si), about.expected_brake(what)),
         Measurand::DirectionFlange => match (measured.direction_motor, measured.direction_flange) {
-            (Some(motor), Some(flange)) => {
-                Judged::by_fact(what, motor != flange, REVERSED, Cause::SameDirection)
-            }
+            (Some(motor), Some(flange)) => Judged::by_fact(what, motor != flange, REVERSED, Cause::SameDirection),
             _ => Judged::open(what, None, Unjudged::NotMeasured),
         },
         Measurand::DirectionPosition => position(about, measured),

@@ -96,11 +96,8 @@ impl CheckListDocument {
 
     /// The fields of the form, in the order of the pages.
     pub(crate) fn fields(&self, language: Language) -> Vec<Field> {
-        let text = |name: &str, tooltip: &str| Field {
-            name: name.to_owned(),
-            kind: Kind::Text,
-            tooltip: tooltip.to_owned(),
-        };
+        let text =
+            |name: &str, tooltip: &str| Field { name: name.to_owned(), kind: Kind::Text, tooltip: tooltip.to_owned() };
         let mut fields = vec![text("serial_number", &self.serial_number), text("signature", &self.signature)];
         for line in self.lists.iter().flat_map(|list| &list.entries) {
             let tooltip = commission::field_done(&line.text, language);

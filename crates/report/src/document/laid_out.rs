@@ -66,7 +66,10 @@ fn told(block: &Block) -> Block {
         Block::Grid(grid) => {
             // A head begins with a capital, as everywhere in the report.
             let column = |column: &Column| Column { head: capitalised(&column.head), ..column.clone() };
-            Block::Grid(Grid { columns: grid.columns.iter().map(column).collect(), rows: grid.rows.iter().map(|row| all(row)).collect() })
+            Block::Grid(Grid {
+                columns: grid.columns.iter().map(column).collect(),
+                rows: grid.rows.iter().map(|row| all(row)).collect(),
+            })
         }
         Block::Hazards { items } => Block::Hazards { items: items.iter().map(hazard).collect() },
         Block::Tasks { items } => {

@@ -32,7 +32,8 @@ pub fn commissioning(
     language: Language,
 ) -> answers::Commissioning {
     let listed = |fact: &&'static catalogue::Fact| fact.step.is_none_or(|step| !checklist::STEPS.contains(&step));
-    let hazards: Vec<_> = facts_about(Topic::Commission, &about.code, Order::Gravest).into_iter().filter(listed).collect();
+    let hazards: Vec<_> =
+        facts_about(Topic::Commission, &about.code, Order::Gravest).into_iter().filter(listed).collect();
     answers::Commissioning {
         code: about.code.to_string(),
         form: form.id(),
