@@ -27,7 +27,7 @@ const STEPS: [Step; 18] = [
     step("german", Cost::on_one(10), german::run),
     step("links", Cost::on_one(1), standard::links),
     step("book", Cost::on_one(6), book::run),
-    step("deny", Cost::on_one(3), standard::deny),
+    step("deny", Cost::on_one(6), standard::deny),
     step("tidy", Cost::on_one(2), tidy::run),
     step("notices", Cost::on_one(3), notices::check),
     step("clippy", Cost::shared(450), lint::clippy),

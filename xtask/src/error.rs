@@ -120,6 +120,13 @@ pub enum Error {
         /// What makes it anew.
         command: &'static str,
     },
+    /// A lock file with a yanked crate passes for one without.
+    BlindToYanked {
+        /// The crate.
+        name: &'static str,
+        /// Its yanked version.
+        version: &'static str,
+    },
     /// A dependency comes under no licence that is taken.
     Licence {
         /// Its name.
@@ -200,6 +207,9 @@ impl fmt::Display for Error {
             ),
             Self::Stale { file, line, command } => {
                 write!(f, "{file}:{line} is out of date; what makes it anew: {command}")
+            }
+            Self::BlindToYanked { name, version } => {
+                write!(f, "the check for yanked crates does not find {name} {version}, which was yanked")
             }
             Self::Licence { package, offered } => {
                 write!(f, "{package} comes under `{offered}`: no licence of xtask/src/notices.rs")

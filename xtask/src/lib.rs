@@ -28,6 +28,7 @@ mod standard;
 mod test;
 pub mod tidy;
 pub mod tools;
+mod yanked;
 
 pub use error::Error;
 

@@ -7,6 +7,7 @@ use crate::Error;
 use crate::cargo::must_succeed;
 use crate::tidy::tree::Tree;
 use crate::tools::{DENY, LYCHEE, TYPOS};
+use crate::yanked;
 
 pub(crate) fn typos(root: &Path) -> Result<(), Error> {
     must_succeed(TYPOS.command(root)?.args(["--color", "never"]))
@@ -20,5 +21,6 @@ pub(crate) fn links(root: &Path) -> Result<(), Error> {
 
 pub(crate) fn deny(root: &Path) -> Result<(), Error> {
     let words = ["--color", "never", "--workspace", "check", "--hide-inclusion-graph", "licenses", "bans", "sources"];
-    must_succeed(DENY.command(root)?.args(words))
+    must_succeed(DENY.command(root)?.args(words))?;
+    yanked::check(root)
 }

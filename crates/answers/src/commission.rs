@@ -24,7 +24,7 @@ pub struct DriveObject {
     pub index: String,
     /// Sub-index.
     pub sub: u8,
-    /// Type of CiA 301: `UNSIGNED16` or `UNSIGNED32`.
+    /// Type of CiA 301: `UNSIGNED8`, `UNSIGNED16` or `UNSIGNED32`.
     #[serde(rename = "type")]
     pub data_type: &'static str,
     /// The value to write.

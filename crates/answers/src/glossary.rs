@@ -10,7 +10,7 @@ pub struct Glossary {
     pub words: Vec<GlossaryWord>,
     /// Symbols of the tables.
     pub terms: Vec<GlossaryTerm>,
-    /// Symbols of the derivations. One that means several things stands several times.
+    /// Symbols of the derivations and of the values for a drive. One that means several things stands several times.
     pub symbols: Vec<GlossarySymbol>,
 }
 
@@ -52,7 +52,7 @@ pub struct GlossaryTerm {
     pub remark: String,
 }
 
-/// A symbol of the derivations that `explain` gives.
+/// A symbol of the derivations that `explain` gives, or of the values that `commission` gives.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct GlossarySymbol {
     /// Symbol in ASCII.

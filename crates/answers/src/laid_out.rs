@@ -128,6 +128,24 @@ impl Column {
     }
 }
 
+impl Block {
+    fn texts(&self) -> Vec<&str> {
+        match self {
+            Self::Section { text } | Self::Text { text } => vec![text],
+            Self::Points { items } | Self::Steps { items } => items.iter().map(String::as_str).collect(),
+            Self::Grid(grid) => {
+                let heads = grid.columns.iter().map(|column| column.head.as_str());
+                heads.chain(grid.rows.iter().flatten().map(String::as_str)).collect()
+            }
+            Self::Hazards { items } => items.iter().flat_map(|item| [item.text.as_str(), &item.source]).collect(),
+            Self::Picture(picture) => vec![&picture.caption],
+            Self::Tasks { items } => {
+                items.iter().flat_map(|task| [task.what.text.as_str(), &task.what.source]).collect()
+            }
+        }
+    }
+}
+
 impl Chapter {
     /// A chapter without anything in it.
     #[must_use]
@@ -138,6 +156,11 @@ impl Chapter {
     /// Adds a heading.
     pub fn section(&mut self, text: impl Into<String>) {
         self.blocks.push(Block::Section { text: text.into() });
+    }
+
+    /// Every text of the chapter, in its order.
+    pub fn texts(&self) -> impl Iterator<Item = &str> {
+        self.blocks.iter().flat_map(Block::texts)
     }
 
     /// Adds a paragraph; an empty one is left out.

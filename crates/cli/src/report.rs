@@ -72,6 +72,8 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         if let (true, CandidateId::Code(code)) = (with_installation, &candidate.id) {
             content.chapters = installation(code, project, delivered, language)
                 .map_err(|(what, hint)| option_fault("delivered", (what, hint), as_json, language))?;
+            let cited = chapter::documents(&content.chapters, language);
+            content.dossier.documents.extend(cited);
         }
         axes.push(content);
         told.push(AxisWritten {
@@ -195,7 +197,7 @@ fn installation(
     if let Some(found) = workbench::wiring(code) {
         let faces = found.connectors.iter().filter(|connector| !connector.pins.is_empty());
         let drawings = faces.map(|connector| {
-            let drawing = figures::mating_face(code, connector, language);
+            let drawing = figures::mating_face_beside_pins(code, connector, language);
             let (svg, alternative_text) = as_svg(connector.role.id(), &drawing, language);
             Picture { svg, caption: drawing.title.clone(), alternative_text }
         });

@@ -52,6 +52,25 @@ const fn tone(group: SignalGroup) -> Tone {
 /// The mating face of a connector: numbers, signals and colours of its pins. Their places are schematic, and it says so.
 #[must_use]
 pub fn mating_face(code: &OrderCode, connector: &Connector, language: Language) -> Drawing {
+    drawn(code, connector, Legend::Full, language)
+}
+
+/// The same, half as wide and without title, to stand below a table of the pins that has the colours: numbers and signals only.
+#[must_use]
+pub fn mating_face_beside_pins(code: &OrderCode, connector: &Connector, language: Language) -> Drawing {
+    drawn(code, connector, Legend::Signals, language)
+}
+
+/// What is told of a pin beside the face.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Legend {
+    /// Signal, the wire it shares, colour.
+    Full,
+    /// The signal.
+    Signals,
+}
+
+fn drawn(code: &OrderCode, connector: &Connector, legend: Legend, language: Language) -> Drawing {
     let mut chart = FaceChart::new();
     let mut told = Vec::new();
     for (index, pin) in connector.pins.iter().enumerate() {
@@ -60,11 +79,13 @@ pub fn mating_face(code: &OrderCode, connector: &Connector, language: Language) 
             None => wiring::unconnected(pin.colour.is_some(), language).to_owned(),
         };
         told.push(format!("{} {text}", pin.name));
-        if let Some(other) = &pin.joined {
+        if legend == Legend::Signals {
+            text = pin.carries.map_or_else(|| "–".to_owned(), |_| text);
+        } else if let Some(other) = &pin.joined {
             text.push(' ');
             text.push_str(&wiring::joined(other, language));
         }
-        if let Some(colour) = pin.colour {
+        if let Some(colour) = pin.colour.filter(|_| legend == Legend::Full) {
             text.push_str(", ");
             text.push_str(cell_text(colour, language));
         }
@@ -78,9 +99,18 @@ pub fn mating_face(code: &OrderCode, connector: &Connector, language: Language) 
     let description = wiring::face_described(&connector.poles, &connector.thread, &told.join(", "), language);
     let note = wiring::schematic(language);
     let of = format!("{}, {code}", wiring::role_name(connector.role, language));
-    let mut drawing = Drawing::new(Figure::MatingFace, &of, (135.0, 85.0), language);
-    drawing.title = format!("{}: {of} ({})", capitalised(wiring::mating_face(language)), connector.kind.corrected);
-    drawing.face(note.to_owned(), description, chart.note(note))
+    let size = if legend == Legend::Full { (135.0, 85.0) } else { (81.0, 60.0) };
+    let mut drawing = Drawing::new(Figure::MatingFace, &of, size, language);
+    let title = format!("{}: {of} ({})", capitalised(wiring::mating_face(language)), connector.kind.corrected);
+    if legend == Legend::Full {
+        drawing.title = title;
+        return drawing.face(note.to_owned(), description, chart.note(note));
+    }
+    // The line below it says what it is.
+    drawing.title = String::new();
+    let mut drawing = drawing.face(note.to_owned(), description, chart.note(note));
+    drawing.title = title;
+    drawing
 }
 
 #[cfg(test)]

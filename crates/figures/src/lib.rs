@@ -17,7 +17,7 @@ mod words;
 pub use bearing::bearing_load;
 pub use cycle::cycle;
 pub use drawing::{Drawing, Figure, side_mm};
-pub use face::mating_face;
+pub use face::{mating_face, mating_face_beside_pins};
 pub use fault::NoFigure;
 pub use map::{By, candidate_map};
 pub use plane::{curves, torque_speed};

@@ -237,6 +237,8 @@ pub enum Gap {
     Saliency,
     /// Gains of the loops.
     LoopGains,
+    /// Whether the position rises with the motor clockwise: for the resolver the manual does not say.
+    Counting,
     /// Resistance, inductance, inertia and pole pairs in CiA 402: the profile has no object for them.
     OwnObjects,
     /// A value for which the table has a dash.
@@ -255,6 +257,7 @@ impl Gap {
             Self::ThermalTimeConstant => "thermal_time_constant",
             Self::Saliency => "saliency",
             Self::LoopGains => "loop_gains",
+            Self::Counting => "direction_of_counting",
             Self::OwnObjects => "own_objects",
             Self::NotPrinted(parameter) => parameter.id(),
         }
@@ -313,6 +316,9 @@ pub fn commission(code: &OrderCode) -> Option<Commissioning> {
         Gap::LoopGains,
         Gap::OwnObjects,
     ];
+    if recorded::counting_fact(code).is_none() {
+        gaps.push(Gap::Counting);
+    }
     for &id in ParameterId::ALL {
         match find(id, code, drive, &actuator) {
             Found::Known(parameter) => parameters.push(parameter),

@@ -1,14 +1,13 @@
 //! How an actuator is mounted: fits, tolerances, dimensions, screws, and what the manual asks for in prose.
 
+use crate::facts::{Order, facts_about, mass_of, needs_hoist};
 use crate::fit::{Bore, Fit, Side, fit};
 use crate::joint::{AxisLoads, Joint, joint};
-use actuator::Parameters;
-use catalogue::{Cell, Fact, Step, Table, Topic};
+use catalogue::{Cell, Fact, Table, Topic};
 use configurator::{Uncovered, uncovered};
 use order_code::{OrderCode, Winding};
 use provenance::Datum;
-use quantities::unit::KILOGRAM;
-use quantities::{Length, Mass, Measure};
+use quantities::{Length, Mass};
 
 /// What is asked beside the ordering code.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -66,7 +65,7 @@ pub fn mount(code: &OrderCode, asked: &MountAsked) -> Option<Mount> {
     let length = if differs { Datum::NotPrinted } else { actuator.length.clone() };
     let mass = mass_of(&actuator, &uncovered);
     let hoist = needs_hoist(&mass);
-    let facts = facts_on(Topic::Mount, code, hoist);
+    let facts = facts_about(Topic::Mount, code, Order::Life);
     let joints = Side::ALL.iter().map(|side| joint(code, *side, &actuator, &asked.axis)).collect();
     let head = format!("CHA-{}", code.size);
     Some(Mount {
@@ -85,39 +84,7 @@ pub fn mount(code: &OrderCode, asked: &MountAsked) -> Option<Mount> {
     })
 }
 
-/// The fact that names the mass from which lifting gear is needed.
-const HOIST: &str = "hoist_above_20_kg";
-
-/// Whether a mass asks for lifting gear; `None` where it is not printed.
-pub(crate) fn needs_hoist(mass: &Datum<Mass>) -> Option<bool> {
-    let fact = catalogue::facts().iter().find(|fact| fact.id == HOIST)?;
-    let limit = fact.values.first().map(|value| Mass::new_in(value.number, &KILOGRAM))?;
-    mass.known().map(|mass| mass.value.si() > limit.si())
-}
-
-/// The mass of a code; that of the standard is none of a design that differs from it.
-pub(crate) fn mass_of(actuator: &Parameters, uncovered: &[Uncovered]) -> Datum<Mass> {
-    if uncovered.iter().any(|what| what.not_printed().contains(&"m")) {
-        Datum::NotPrinted
-    } else {
-        actuator.mass.clone()
-    }
-}
-
 fn cell_of(table: &str, symbol: &'static str) -> impl Iterator<Item = &'static Cell> {
     let cells = catalogue::table(table).map(Table::cells).unwrap_or_default();
     cells.iter().filter(move |cell| cell.place.symbol == symbol)
-}
-
-/// The facts that an answer on a topic shows for a code, in the order of a machine's life, the gravest of a step first; shutting
-/// down goes in the order of its steps. Lifting gear is left out where the mass is known to need none.
-pub(crate) fn facts_on(topic: Topic, code: &OrderCode, hoist: Option<bool>) -> Vec<&'static Fact> {
-    let shown = |fact: &&Fact| fact.is_shown(topic, code) && (fact.id != HOIST || hoist != Some(false));
-    let mut facts: Vec<&'static Fact> = catalogue::facts().iter().filter(shown).collect();
-    // Stable: what stands alike keeps the order of the data.
-    facts.sort_by_key(|fact| {
-        let weight = (fact.step != Some(Step::Shutdown)).then_some((fact.signal.is_none(), fact.signal));
-        (fact.step.is_none(), fact.step, weight)
-    });
-    facts
 }

@@ -1,7 +1,7 @@
 //! Storage, upkeep, shutting down and disposal of an actuator: a plan with dates, and what the manual says about each.
 
 use crate::calendar::Interval;
-use crate::mount::{facts_on, mass_of, needs_hoist};
+use crate::facts::{Order, facts_about};
 use actuator::{BatteryFault, BatteryLife};
 use catalogue::{Fact, Step, Topic};
 use chrono::{Days, NaiveDate};
@@ -266,9 +266,7 @@ pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFau
     plan.notes.push(PlanNote::GreaseIntervalNotStated);
     // What is on the same day keeps the order of the tasks.
     plan.lines.sort_by_key(|line| line.next);
-    let hoist = configurator::parameters(code)
-        .and_then(|actuator| needs_hoist(&mass_of(&actuator, &configurator::uncovered(code))));
-    let facts = facts_on(Topic::Upkeep, code, hoist);
+    let facts = facts_about(Topic::Upkeep, code, Order::Life);
     let of = |steps: &[Step]| -> Vec<&'static Fact> {
         let wanted = |fact: &&&Fact| fact.step.is_some_and(|step| steps.contains(&step)) && fact.id != ISOLATE.0;
         facts.iter().filter(wanted).copied().collect()

@@ -1,13 +1,14 @@
 //! What a drive is told is the motor that is printed, for every code; and what is measured wrongly is found.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
-use catalogue::Step;
+use catalogue::{Step, Topic};
 use installation::commission::checklist::{self, Item};
 use installation::commission::cia402::{self, Rounding};
 use installation::commission::expected::Measurand;
 use installation::commission::recorded::{Cause, Counting, Judged, Measured, NoLoad, Turn, Unjudged, Verdict, judge};
 use installation::commission::{Commissioning, Gap, ParameterId, commission, sinamics};
-use order_code::OrderCode;
+use installation::facts::{Order, facts_about};
+use order_code::{Feedback, OrderCode};
 use quantities::unit::{DEGREE_CELSIUS, REVOLUTION_PER_MINUTE};
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Frequency, Inductance, Measure,
@@ -90,7 +91,13 @@ fn the_inertia_is_that_of_the_ordered_variant() {
 fn objects_are_whole_numbers_off_by_no_more_than_their_rounding() {
     for about in &all() {
         let objects = cia402::objects(about);
-        assert_eq!(objects.len(), 9, "{}", about.code);
+        // The polarity where the manual says which way the position rises: not for the resolver.
+        let resolver = about.code.feedback == Feedback::RES;
+        assert_eq!(objects.len(), if resolver { 9 } else { 10 }, "{}", about.code);
+        assert_eq!(about.gaps.contains(&Gap::Counting), resolver, "{}", about.code);
+        let polarity = objects.iter().find(|object| object.index == 0x607E);
+        assert_eq!(polarity.map(|object| (object.value, object.facts.len())), (!resolver).then_some((0xC0, 2)));
+        assert!(objects.is_sorted_by_key(|object| (object.index, object.sub)), "{}", about.code);
         for object in &objects {
             let error = object.exact - f64::from(object.value);
             let fine = match object.rounding {
@@ -166,9 +173,12 @@ fn every_list_of_every_code_has_prose_and_figures() {
 fn every_fact_of_the_commissioning_holds_for_some_code() {
     let all = all();
     let mut count = 0;
-    for fact in catalogue::facts().iter().filter(|fact| fact.topics.contains(&catalogue::Topic::Commission)) {
+    for fact in catalogue::facts().iter().filter(|fact| fact.topics.contains(&Topic::Commission)) {
         count += 1;
-        assert!(all.iter().any(|about| checklist::facts(about).any(|shown| shown.id == fact.id)), "{}", fact.id);
+        let shown = |about: &Commissioning| {
+            facts_about(Topic::Commission, &about.code, Order::Data).iter().any(|f| f.id == fact.id)
+        };
+        assert!(all.iter().any(shown), "{}", fact.id);
     }
     assert!(count >= 30, "{count}");
     let at = |step| catalogue::facts().iter().filter(|fact| fact.step == Some(step)).count();

@@ -6,9 +6,6 @@
 use serde_json::Value;
 use typst::text::{Coverage, FontBook};
 
-/// The longest word that is kept whole: every key of a project is shorter.
-const LONG_WORD: usize = 40;
-
 pub(crate) struct Glyphs {
     coverages: Vec<Coverage>,
 }
@@ -31,13 +28,7 @@ impl Glyphs {
     /// The text with the code point for what cannot be shown, and a space for what would break the line.
     pub(crate) fn printable_text(&self, text: &str) -> String {
         let mut printable = String::with_capacity(text.len());
-        let mut run = 0;
         for sign in text.chars() {
-            run = if sign.is_whitespace() { 0 } else { run + 1 };
-            // A word longer than any of the field may break anywhere from here on, or it would leave the page.
-            if run > LONG_WORD {
-                printable.push('\u{200b}');
-            }
             if sign == '\n' || sign == '\t' {
                 printable.push(' ');
             } else if quantities::is_unseen(sign) {

@@ -6,6 +6,8 @@
 #[cfg(feature = "document")]
 mod document;
 #[cfg(feature = "pdf")]
+mod form;
+#[cfg(feature = "pdf")]
 mod glyphs;
 #[cfg(feature = "pdf")]
 mod press;

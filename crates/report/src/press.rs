@@ -5,7 +5,7 @@
 use crate::document::checklist::CheckListDocument;
 use crate::document::{figure_file, laid_out};
 use crate::glyphs::Glyphs;
-use crate::{Content, Fault, Settings, template};
+use crate::{Content, Fault, Settings, form, template};
 use answers::Commissioning;
 use quantities::Language;
 use std::collections::BTreeMap;
@@ -35,13 +35,17 @@ pub fn pdf(content: &Content, settings: &Settings) -> Result<Vec<u8>, Fault> {
     export(&document, format!("antrieb report {} {}", settings.number, settings.revision), standard)
 }
 
-/// The check-lists of a commissioning as PDF, tagged, with boxes to tick and lines to write on.
+/// The check-lists of a commissioning as PDF, tagged, with boxes to tick and lines to write on: form fields, and drawn besides, for paper.
+///
+/// No archive file: what is typed is set in a font of the reader, which PDF/A does not allow.
 ///
 /// # Errors
 /// [`Fault::Typesetting`] and [`Fault::Export`] when the engine refuses, which is a defect.
 pub fn checklist_pdf(sheet: &Commissioning, language: Language) -> Result<Vec<u8>, Fault> {
-    let document = typeset_checklist(sheet, language)?;
-    export(&document, format!("antrieb commission {}", sheet.code), PdfStandard::V_1_7)
+    let lists = CheckListDocument::build(sheet, language);
+    let document = typeset_checklist(&lists)?;
+    let file = export(&document, format!("antrieb commission {}", sheet.code), PdfStandard::V_1_7)?;
+    form::with_fields(file, &lists.fields(language))
 }
 
 /// The text of every page of the check-lists, as set.
@@ -49,7 +53,7 @@ pub fn checklist_pdf(sheet: &Commissioning, language: Language) -> Result<Vec<u8
 /// # Errors
 /// As [`checklist_pdf`].
 pub fn checklist_texts(sheet: &Commissioning, language: Language) -> Result<Vec<String>, Fault> {
-    let document = typeset_checklist(sheet, language)?;
+    let document = typeset_checklist(&CheckListDocument::build(sheet, language))?;
     let texts = document.pages().iter().map(|page| {
         let mut text = String::new();
         collect_text(&page.frame, &mut text);
@@ -60,14 +64,13 @@ pub fn checklist_texts(sheet: &Commissioning, language: Language) -> Result<Vec<
     Ok(texts)
 }
 
-fn typeset_checklist(sheet: &Commissioning, language: Language) -> Result<PagedDocument, Fault> {
+fn typeset_checklist(lists: &CheckListDocument) -> Result<PagedDocument, Fault> {
     static TEMPLATE: OnceLock<Template> = OnceLock::new();
     let template = match TEMPLATE.get() {
         Some(template) => template,
         None => Template::read(template::CHECKLIST, "checklist.typ").map(|read| TEMPLATE.get_or_init(|| read))?,
     };
-    let document = serde_json::to_value(CheckListDocument::build(sheet, language))
-        .map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
+    let document = serde_json::to_value(lists).map_err(|fault| Fault::Typesetting { message: fault.to_string() })?;
     let document = fonts().glyphs.printable(document);
     let files = BTreeMap::from([("data.json".to_owned(), document.to_string().into_bytes())]);
     compile(Press { template, files })

@@ -3,6 +3,7 @@
 /// Name and text of every source file.
 pub(crate) const FILES: &[(&str, &str)] = &[
     ("main.typ", include_str!("../template/main.typ")),
+    ("line-breaks.typ", LINE_BREAKS),
     ("style.typ", include_str!("../template/style.typ")),
     ("cover.typ", include_str!("../template/cover.typ")),
     ("inputs.typ", include_str!("../template/inputs.typ")),
@@ -18,7 +19,10 @@ pub(crate) const FILES: &[(&str, &str)] = &[
 ];
 
 /// The same for the check-lists, which stand by themselves.
-pub(crate) const CHECKLIST: &[(&str, &str)] = &[("checklist.typ", include_str!("../template/checklist.typ"))];
+pub(crate) const CHECKLIST: &[(&str, &str)] =
+    &[("line-breaks.typ", LINE_BREAKS), ("checklist.typ", include_str!("../template/checklist.typ"))];
+
+const LINE_BREAKS: &str = include_str!("../template/line-breaks.typ");
 
 #[cfg(test)]
 mod tests {

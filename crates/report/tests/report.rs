@@ -450,6 +450,11 @@ fn no_text_leaves_the_page() {
         table.values[0].text.clone_from(&long);
     }
     let settings = Settings { project: long.clone(), author: long.clone(), ..full() };
+    // Where a long word ends a line nothing is put into it that would be copied out with it.
+    let text = pages_of(&content, &settings);
+    let unseen = ['\u{ad}', '\u{200b}', '\u{200c}', '\u{200d}', '\u{2060}', '\u{feff}'];
+    assert!(!text.contains(unseen), "a sign that is not seen");
+    assert!(text.split_whitespace().collect::<String>().contains(&long), "the word is there whole");
     for (page, right) in report::right_edges(&content, &settings).unwrap().into_iter().enumerate() {
         assert!(right < 595.3, "page {}: {right}", page + 1);
     }

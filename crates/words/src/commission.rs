@@ -55,6 +55,7 @@ texts! {
     object_max_current = "Max current";
     object_rated_current = "Motor rated current";
     object_rated_torque = "Motor rated torque";
+    object_polarity = "Polarity: positive is flange clockwise, seen from the front; 0 is counter-clockwise" | "Polarity: positiv heißt Flansch rechts, von vorne gesehen; 0 heißt links";
     object_max_motor_speed = "Max motor speed";
     object_encoder_increments = "Position encoder resolution: encoder increments";
     object_encoder_revolutions = "Position encoder resolution: motor revolutions";
@@ -62,6 +63,10 @@ texts! {
     object_gear_shaft = "Gear ratio: shaft revolutions";
     object_encoder = "Position encoder resolution";
     object_gear = "Gear ratio";
+    object_device_type = "Device type";
+    object_error_register = "Error register";
+    object_identity = "Identity";
+    object_vendor = "Vendor-ID";
     highest_sub_index = "Highest sub-index supported";
     limit_run(speed_motor, speed_out, time) =
         "test run outside the final place: about {speed_motor} min⁻¹ at the motor, {speed_out} min⁻¹ at the flange, {time} min at the longest"
@@ -140,6 +145,9 @@ texts! {
     record_alone =
         "--record judges measured values and goes with none of --for, --out, --checklist, --blank"
         | "--record beurteilt Gemessenes und steht nicht neben --for, --out, --checklist, --blank";
+    field_done(text) = "done: {text}" | "erledigt: {text}";
+    field_measured(text) = "measured: {text}" | "gemessen: {text}";
+    field_measured_in(text, unit) = "measured in {unit}: {text}" | "gemessen in {unit}: {text}";
     signature = "date, name, signature" | "Datum, Name, Unterschrift";
     serial_number = "serial number" | "Seriennummer";
     page = "page" | "Seite";

@@ -141,9 +141,13 @@ pub fn gap_text(gap: Gap, language: Language) -> String {
             "gains of current, speed and position loop: not stated; by the drive's identification with the load",
             "Verstärkungen von Strom-, Drehzahl- und Lageregler: nicht angegeben; durch die Identifikation des Reglers mit Last",
         ),
+        Gap::Counting => (
+            "direction in which the position counts: not stated for the resolver; find it at the first motion and set the sign in the drive (CiA 402: 0x607E), the gear reverses",
+            "Zählrichtung der Position: für den Resolver nicht angegeben; bei der ersten Bewegung feststellen und das Vorzeichen im Regler setzen (CiA 402: 0x607E), das Getriebe kehrt um",
+        ),
         Gap::OwnObjects => (
-            "resistance, inductance, inertia and pole pairs in CiA 402: the profile has no object for them; each drive has its own, see its manual and mind phase or line to line; direction: polarity object of the drive",
-            "Widerstand, Induktivität, Trägheit und Polpaare in CiA 402: das Profil hat dafür kein Objekt; jeder Regler hat eigene, siehe dessen Handbuch, Strang oder Leiter-Leiter beachten; Drehrichtung: Polaritätsobjekt des Reglers",
+            "resistance, inductance, inertia and pole pairs in CiA 402: the profile has no object for them; each drive has its own, see its manual and mind phase or line to line",
+            "Widerstand, Induktivität, Trägheit und Polpaare in CiA 402: das Profil hat dafür kein Objekt; jeder Regler hat eigene, siehe dessen Handbuch, Strang oder Leiter-Leiter beachten",
         ),
         Gap::NotPrinted(id) => {
             let name = parameter_name(id, language);
@@ -166,6 +170,7 @@ pub const fn object_name(id: ObjectId, language: Language) -> &'static str {
         ObjectId::MaxCurrent => commission::object_max_current(language),
         ObjectId::MotorRatedCurrent => commission::object_rated_current(language),
         ObjectId::MotorRatedTorque => commission::object_rated_torque(language),
+        ObjectId::Polarity => commission::object_polarity(language),
         ObjectId::MaxMotorSpeed => commission::object_max_motor_speed(language),
         ObjectId::EncoderIncrements => commission::object_encoder_increments(language),
         ObjectId::EncoderRevolutions => commission::object_encoder_revolutions(language),
@@ -213,8 +218,8 @@ pub const fn band_text(band: Band, language: Language) -> &'static str {
         }
         Band::Din44081 => ("bounds of DIN 44081", "Grenzen nach DIN 44081"),
         Band::Friction => (
-            "estimate: joints with such gears lie up to 40 % (constant part) and 15 % (with speed) off",
-            "Schätzung: Gelenke mit solchen Getrieben weichen bis 40 % (konstanter Anteil) und 15 % (mit der Drehzahl) ab",
+            "estimate: a joint with such a gear was identified 40 % (constant part) and 15 % (with speed) off its catalogue (cjt-issue-44); docs/theory/current.md, band of the no-load current",
+            "Schätzung: ein Gelenk mit solchem Getriebe wich bei der Identifikation 40 % (konstanter Anteil) und 15 % (mit der Drehzahl) vom Katalog ab (cjt-issue-44); docs/theory/current.md, Abschnitt „Band of the no-load current“",
         ),
         Band::Ours => {
             ("band assumed by antrieb: nobody states one", "Band von antrieb angenommen: niemand nennt eines")

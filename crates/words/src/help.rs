@@ -100,7 +100,7 @@ texts! {
     commission_out =
         "Write the form into this file: parameters line by line, an EDS, or JSON"
         | "Die Form in diese Datei schreiben: Parameter zeilenweise, eine EDS oder JSON";
-    commission_checklist = "Write the check-lists into this PDF" | "Die Prüflisten in dieses PDF schreiben";
+    commission_checklist = "Write the check-lists into this PDF, a form to fill in on the screen or on paper; not for archiving (no PDF/A)" | "Die Prüflisten in dieses PDF schreiben, ein Formular zum Ausfüllen am Bildschirm oder auf Papier; nicht zur Archivierung (kein PDF/A)";
     commission_record =
         "Judge the measured values of this file and name likely causes"
         | "Die gemessenen Werte dieser Datei beurteilen und wahrscheinliche Ursachen nennen";

@@ -33,6 +33,22 @@ texts! {
         "A quantity is a text with number and unit, perhaps with a tolerance: {example}. The usual unit stands first; other spellings of a unit are understood too."
         | "Eine Größe ist ein Text mit Zahl und Einheit, vielleicht mit Toleranz: {example}. Die übliche Einheit steht zuerst; andere Schreibweisen einer Einheit werden auch verstanden.";
     columns_of_quantities = "| quantity | units |" | "| Größe | Einheiten |";
+    glossary_title = "Glossary" | "Glossar";
+    glossary_told =
+        "Words of the product and symbols of its answers in both languages, one word for one thing. This page is made from the data of the glossary; `antrieb glossary TERM` looks one up."
+        | "Wörter des Programms und Formelzeichen seiner Antworten in beiden Sprachen, ein Wort für eine Sache. Diese Seite entsteht aus den Daten des Glossars; `antrieb glossary BEGRIFF` schlägt nach.";
+    glossary_words = "Words" | "Wörter";
+    glossary_terms = "Symbols of the tables" | "Formelzeichen der Tabellen";
+    glossary_terms_told =
+        "As the catalogue and its export write them, with the name that a project file uses and the unit of the print."
+        | "Wie der Katalog und sein Export sie schreiben, mit dem Namen, den eine Projektdatei nutzt, und der Einheit des Drucks.";
+    glossary_steps = "Symbols of derivations and of values for a drive" | "Formelzeichen der Herleitungen und der Werte für den Regler";
+    glossary_steps_told =
+        "What `antrieb explain` and `antrieb commission` show beside the symbols of the tables. A symbol with several meanings stands several times."
+        | "Was `antrieb explain` und `antrieb commission` neben den Formelzeichen der Tabellen zeigen. Ein Zeichen mit mehreren Bedeutungen steht mehrfach.";
+    columns_of_words = "| English | German | meaning |" | "| Englisch | Deutsch | Bedeutung |";
+    columns_of_terms = "| symbol | name | unit | English | German | remark |" | "| Formelzeichen | Name | Einheit | Englisch | Deutsch | Bemerkung |";
+    columns_of_steps = "| symbol | English | German |" | "| Formelzeichen | Englisch | Deutsch |";
     commands = "Commands" | "Befehle";
     commands_told =
         "Every command with its arguments, as `antrieb help` tells them. This page is made from the command line itself; what the answers mean is told by the guide."

@@ -24,6 +24,7 @@ pub use chapters::{battery, bearings, curves, inertia, torsion};
 pub use check::{check, explained, explanations};
 pub use code::{code_faults, code_reading, completion, listed};
 pub use commission::{commissioning, drive_objects};
+pub(crate) use dossier::document;
 pub use dossier::dossier;
 pub use errata::{errata, erratum};
 pub use facts::facts;

@@ -10,7 +10,8 @@ pub use mount::mount;
 pub use upkeep::upkeep;
 pub use wiring::wiring;
 
-use answers::{Fact, Hazard, Number};
+use crate::answer::document;
+use answers::{Chapter, Document, Fact, Hazard, Number};
 use quantities::{Language, Unit, format_significant};
 use words::signal_word;
 
@@ -23,6 +24,23 @@ fn hazards(facts: &[Fact], language: Language) -> Vec<Hazard> {
         source: fact.source.clone(),
     };
     facts.iter().map(hazard).collect()
+}
+
+/// The documents that chapters cite by name, in the order of the catalogue; a report lists each of its documents once.
+#[must_use]
+pub fn documents(chapters: &[Chapter], language: Language) -> Vec<Document> {
+    let texts: Vec<&str> = chapters.iter().flat_map(Chapter::texts).collect();
+    let cited = |found: &&catalogue::Document| texts.iter().any(|text| names(text, found.id));
+    catalogue::documents().iter().filter(cited).map(|found| document(found, language)).collect()
+}
+
+/// Whether a text has an identifier as a word of its own: `cha-manual` is not in `cha-manual-en-v03`.
+fn names(text: &str, id: &str) -> bool {
+    let part = |sign: Option<char>| sign.is_some_and(|sign| sign.is_ascii_alphanumeric() || sign == '-');
+    text.match_indices(id).any(|(at, _)| {
+        let (before, after) = (text.get(..at).unwrap_or_default(), text.get(at + id.len()..).unwrap_or_default());
+        !part(before.chars().next_back()) && !part(after.chars().next())
+    })
 }
 
 /// What stands for nothing.
@@ -50,6 +68,29 @@ mod tests {
     use crate::{DriveForm, MountAsked, UpkeepAsked, answer, list_codes, read_date, usual_ambient};
     use catalogue::Topic;
     use order_code::OrderCode;
+
+    #[test]
+    fn a_document_is_cited_by_its_whole_name_only() {
+        assert!(names("see cha-manual section 9.3", "cha-manual") && names("(kty-c-lib)", "kty-c-lib"));
+        assert!(!names("cha-manual-en-v03 section 9.3", "cha-manual") && !names("a-kty-c-lib", "kty-c-lib"));
+    }
+
+    #[test]
+    fn every_document_that_the_chapters_of_a_code_cite_is_listed() {
+        let code = order_code::parse("CHA-25A-100-H-M512P-B").unwrap().code;
+        let mounted = {
+            let asked = MountAsked::default();
+            mount(&answer::mount(&crate::mount(&code, &asked).unwrap(), &asked, None, Language::En), Language::En)
+        };
+        let about = crate::commission(&code).unwrap();
+        let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), Language::En);
+        let chapters = [mounted, commission(&sheet, &[], Language::En)];
+        let listed: Vec<String> = documents(&chapters, Language::En).into_iter().map(|found| found.id).collect();
+        for wanted in ["cha-manual", "cha-manual-en-v03", "zd-shf-2uh", "kty-c-lib"] {
+            assert!(listed.iter().any(|id| id == wanted), "{wanted}: {listed:?}");
+        }
+        assert!(!listed.iter().any(|id| id == "csd-2a-engineering-data"), "{listed:?}");
+    }
 
     /// What a chapter says, all of it.
     fn said(topic: Topic, code: &OrderCode, language: Language) -> Option<String> {

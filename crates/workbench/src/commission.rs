@@ -112,7 +112,7 @@ pub fn eds(about: &Commissioning, language: Language) -> String {
         commission::eds_description(language)
     );
     let _ = write!(out, "[DeviceInfo]\nProductName={}\nOrderCode={}\n\n", about.code, about.code);
-    out.push_str("[MandatoryObjects]\nSupportedObjects=0\n\n");
+    out.push_str("[MandatoryObjects]\nSupportedObjects=3\n1=0x1000\n2=0x1001\n3=0x1018\n\n");
     let mut indices: Vec<u16> = objects.iter().map(|object| object.index).collect();
     indices.dedup();
     let _ = writeln!(out, "[OptionalObjects]\nSupportedObjects={}", indices.len());
@@ -120,6 +120,7 @@ pub fn eds(about: &Commissioning, language: Language) -> String {
         let _ = writeln!(out, "{number}=0x{index:04X}");
     }
     out.push_str("\n[ManufacturerObjects]\nSupportedObjects=0\n");
+    mandatory(&mut out, language);
     for index in indices {
         let of_index: Vec<&Object> = objects.iter().filter(|object| object.index == index).collect();
         match of_index.as_slice() {
@@ -144,6 +145,28 @@ pub fn eds(about: &Commissioning, language: Language) -> String {
         }
     }
     out
+}
+
+/// The objects that every device of CiA 301 has, with the types of the standard; their values are those of the drive.
+///
+/// # Source   cia-306
+fn mandatory(out: &mut String, language: Language) {
+    let (unsigned_8, unsigned_32) = (cia402::DataType::Unsigned8.number(), cia402::DataType::Unsigned32.number());
+    let mut variable = |head: &str, name: &str, data_type: u16| {
+        let _ = write!(
+            out,
+            "\n[{head}]\nParameterName={name}\nObjectType=0x7\nDataType=0x{data_type:04X}\nAccessType=ro\nPDOMapping=0\n"
+        );
+    };
+    variable("1000", commission::object_device_type(language), unsigned_32);
+    variable("1001", commission::object_error_register(language), unsigned_8);
+    let _ = write!(
+        out,
+        "\n[1018]\nParameterName={}\nObjectType=0x9\nSubNumber=2\n\n[1018sub0]\nParameterName={}\nObjectType=0x7\nDataType=0x{unsigned_8:04X}\nAccessType=const\nDefaultValue=1\nPDOMapping=0\n\n[1018sub1]\nParameterName={}\nObjectType=0x7\nDataType=0x{unsigned_32:04X}\nAccessType=ro\nPDOMapping=0\n",
+        commission::object_identity(language),
+        commission::highest_sub_index(language),
+        commission::object_vendor(language)
+    );
 }
 
 fn group_name(object: &Object, language: Language) -> &'static str {
@@ -250,7 +273,14 @@ mod tests {
             assert_eq!(get(&section, "DefaultValue"), Some(object.value.to_string()));
             assert_eq!(get(&section, "DataType"), Some(format!("0x{:04X}", object.data_type.number())));
         }
-        assert_eq!(get("OptionalObjects", "SupportedObjects").as_deref(), Some("7"));
+        assert_eq!(get("OptionalObjects", "SupportedObjects").as_deref(), Some("8"));
+        assert_eq!(get("MandatoryObjects", "SupportedObjects").as_deref(), Some("3"));
+        // The types are those of CiA 301; the values are those of the drive, and none is made up.
+        for (section, data_type) in [("1000", "0x0007"), ("1001", "0x0005"), ("1018sub1", "0x0007")] {
+            assert_eq!(get(section, "DataType").as_deref(), Some(data_type), "{section}");
+            assert_eq!(get(section, "DefaultValue"), None, "{section}");
+        }
+        assert_eq!(get("607E", "DefaultValue").as_deref(), Some("192"));
         assert_eq!(get("608Fsub0", "DefaultValue").as_deref(), Some("2"));
     }
 

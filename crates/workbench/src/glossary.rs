@@ -2,7 +2,7 @@
 
 use answers::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
 use quantities::Language;
-use words::{step_terms, symbol_shown, term_remark, word_meaning};
+use words::{glossary_symbols, symbol_shown, term_remark, word_meaning};
 
 /// The glossary, or what of it a symbol, an identifier or a word asks for; whole names go before parts of words.
 ///
@@ -46,7 +46,7 @@ fn whole(language: Language) -> Glossary {
                 remark: term_remark(term, language).to_owned(),
             })
             .collect(),
-        symbols: step_terms()
+        symbols: glossary_symbols()
             .map(|(symbol, en, de)| GlossarySymbol {
                 symbol: symbol.to_owned(),
                 shown: symbol_shown(symbol),
@@ -61,7 +61,9 @@ fn whole(language: Language) -> Glossary {
 fn chosen(all: &Glossary, keeps: &dyn Fn(&[&str], &[&str]) -> bool) -> Glossary {
     let mut found = all.clone();
     found.words.retain(|word| keeps(&[&word.id, &word.en, &word.de], &[&word.en, &word.de]));
-    found.terms.retain(|term| keeps(&[&term.symbol, &term.identifier, &term.en, &term.de], &[&term.en, &term.de]));
+    found.terms.retain(|term| {
+        keeps(&[&term.symbol, &term.identifier, &term.en, &term.de], &[&term.en, &term.de, &term.remark])
+    });
     found
         .symbols
         .retain(|symbol| keeps(&[&symbol.symbol, &symbol.shown, &symbol.en, &symbol.de], &[&symbol.en, &symbol.de]));

@@ -14,7 +14,6 @@ mod compare;
 mod errata;
 mod explain;
 mod export;
-mod facts;
 mod fingerprint;
 mod flange;
 mod glossary;
@@ -53,7 +52,6 @@ pub use configurator::{Availability, Choice, Uncovered, Unmet, catalogue_actuato
 pub use errata::{ErrataFound, ErrataRefusal, errata_about};
 pub use explain::{derivation, node_amount, trust};
 pub use export::{EXPORT_COLUMNS, export_csv, export_rows};
-pub use facts::facts_about;
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
 pub use glossary::glossary;

@@ -72,8 +72,9 @@ pub fn cross_section(text: &str, language: Language) -> Result<Area, (String, Op
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{facts_about, list_codes};
+    use crate::list_codes;
     use catalogue::Topic;
+    use installation::facts::{Order, facts_about};
 
     #[test]
     fn every_fact_on_wiring_and_safety_is_in_the_answer_of_some_code() {
@@ -84,7 +85,9 @@ mod tests {
                 let record = wiring.map(|wiring| crate::answer::wiring(&wiring, None, Language::De));
                 record.is_some_and(|record| record.rules.iter().any(|rule| rule.id == fact.id && rule.text == fact.de))
             };
-            let with = codes.iter().find(|(code, _)| facts_about(Topic::Wiring, code).iter().any(|f| f.id == fact.id));
+            let with = codes
+                .iter()
+                .find(|(code, _)| facts_about(Topic::Wiring, code, Order::Data).iter().any(|f| f.id == fact.id));
             assert!(with.is_some_and(|(code, _)| told(code)), "{}", fact.id);
         }
     }

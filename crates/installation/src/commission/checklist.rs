@@ -2,6 +2,7 @@
 
 use super::expected::{Expected, Measurand};
 use super::{Commissioning, Parameter, ParameterId};
+use crate::facts::{Order, facts_about};
 use catalogue::{Fact, Step, Topic};
 use quantities::unit::{DEGREE_CELSIUS, MINUTE, REVOLUTION_PER_MINUTE};
 use quantities::{AngularVelocity, Measure, ThermodynamicTemperature, Time};
@@ -62,12 +63,6 @@ pub struct CheckList {
     pub items: Vec<Item>,
 }
 
-/// The facts of the prose that concern the commissioning of a code.
-pub fn facts(about: &Commissioning) -> impl Iterator<Item = &'static Fact> {
-    let code = about.code;
-    catalogue::facts().iter().filter(move |fact| fact.is_shown(Topic::Commission, &code))
-}
-
 /// The speed of the motor in a test run and how long it may last, as the prose has them.
 #[must_use]
 pub fn test_run() -> Option<(AngularVelocity, Time)> {
@@ -80,8 +75,10 @@ pub fn test_run() -> Option<(AngularVelocity, Time)> {
 /// The three lists of a code; `ambient` is the temperature at which winding and sensors are measured.
 #[must_use]
 pub fn lists(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec<CheckList> {
+    let facts = facts_about(Topic::Commission, &about.code, Order::Data);
     let list = |step: Step| {
-        let mut items: Vec<Item> = facts(about).filter(|fact| fact.step == Some(step)).map(Item::Fact).collect();
+        let told = facts.iter().filter(|fact| fact.step == Some(step));
+        let mut items: Vec<Item> = told.map(|fact| Item::Fact(fact)).collect();
         items.extend(match step {
             Step::BeforePower => before_power(about, ambient),
             Step::FirstMotion => first_motion(about, ambient),

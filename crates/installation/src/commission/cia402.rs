@@ -1,11 +1,15 @@
 //! The objects of the drive profile CiA 402 that follow from a code, as whole numbers with the error of rounding them.
 
+use super::recorded::{REVERSED, counting_fact};
 use super::{Commissioning, Parameter, ParameterId, clean};
+use catalogue::Fact;
 use quantities::unit::{MILLIAMPERE, MILLINEWTON_METRE, ONE, REVOLUTION_PER_MINUTE};
 
 /// A type of CiA 301.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DataType {
+    /// 8 bit without sign.
+    Unsigned8,
     /// 16 bit without sign.
     Unsigned16,
     /// 32 bit without sign.
@@ -17,6 +21,7 @@ impl DataType {
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
+            Self::Unsigned8 => "UNSIGNED8",
             Self::Unsigned16 => "UNSIGNED16",
             Self::Unsigned32 => "UNSIGNED32",
         }
@@ -26,6 +31,7 @@ impl DataType {
     #[must_use]
     pub const fn number(self) -> u16 {
         match self {
+            Self::Unsigned8 => 5,
             Self::Unsigned16 => 6,
             Self::Unsigned32 => 7,
         }
@@ -35,6 +41,7 @@ impl DataType {
     #[must_use]
     pub const fn largest(self) -> u32 {
         match self {
+            Self::Unsigned8 => u8::MAX as u32,
             Self::Unsigned16 => u16::MAX as u32,
             Self::Unsigned32 => u32::MAX,
         }
@@ -52,6 +59,8 @@ pub enum ObjectId {
     MotorRatedCurrent,
     /// 0x6076
     MotorRatedTorque,
+    /// 0x607E
+    Polarity,
     /// 0x6080
     MaxMotorSpeed,
     /// 0x608F sub 1
@@ -105,9 +114,14 @@ pub struct Object {
     pub rounding: Rounding,
     /// The parameters that went in.
     pub from: Vec<Parameter>,
+    /// What the prose says that went in.
+    pub facts: Vec<&'static Fact>,
     /// Document that names the object, its type and its unit.
     pub document: &'static str,
 }
+
+/// Bits 7 (position) and 6 (velocity) of 0x607E: what is demanded is multiplied by −1 (synapticon-circulo).
+const BOTH_REVERSED: u8 = 0b1100_0000;
 
 struct Draft {
     id: ObjectId,
@@ -117,6 +131,7 @@ struct Draft {
     unit: &'static str,
     rounding: Rounding,
     from: Vec<Parameter>,
+    facts: Vec<&'static Fact>,
     document: &'static str,
 }
 
@@ -127,6 +142,9 @@ const PER_MILLE: f64 = 1000.0;
 ///
 /// Rated are the stall values of the motor, I_0 and k_TM I_0: a drive takes the torque as proportional to the current, so
 /// 0x6072 and 0x6073 are both 1000 I_lim/I_0. A value that its type cannot hold is left out.
+///
+/// The ratio is negative (cha-manual section 11.1), and 0x6091 has no sign: 0x607E has it, so that what is positive turns the
+/// flange clockwise, seen from the front. It is there where the manual says which way the position rises.
 #[must_use]
 pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
     use DataType::{Unsigned16, Unsigned32};
@@ -143,6 +161,7 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
             unit: "0.1 %",
             rounding: Down,
             from: vec![limit.clone(), stall.clone()],
+            facts: Vec::new(),
             document,
         };
         drafts.push(share(ObjectId::MaxTorque, 0x6072, "beckhoff-ax8xxx"));
@@ -152,7 +171,17 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
         if let Some(parameter) = parameter {
             let exact = clean(unit.from_si(parameter.si));
             let (data_type, rounding, from) = (Unsigned32, Nearest, vec![parameter]);
-            drafts.push(Draft { id, place, data_type, exact, unit: shown, rounding, from, document });
+            drafts.push(Draft {
+                id,
+                place,
+                data_type,
+                exact,
+                unit: shown,
+                rounding,
+                from,
+                facts: Vec::new(),
+                document,
+            });
         }
     };
     let stall = get(ParameterId::StallCurrent);
@@ -160,6 +189,17 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
     let torque = get(ParameterId::StallTorqueMotor);
     one(ObjectId::MotorRatedTorque, (0x6076, 0), torque, &MILLINEWTON_METRE, "mNm", "elmo-dsp402");
     let speed = get(ParameterId::SpeedMotorMax);
+    let polarity = counting_fact(&commissioning.code).map(|counting| Draft {
+        id: ObjectId::Polarity,
+        place: (0x607E, 0),
+        data_type: DataType::Unsigned8,
+        exact: f64::from(BOTH_REVERSED),
+        unit: "1",
+        rounding: Nearest,
+        from: Vec::new(),
+        facts: catalogue::facts().iter().filter(|fact| fact.id == REVERSED).chain([counting]).collect(),
+        document: "synapticon-circulo",
+    });
     one(ObjectId::MaxMotorSpeed, (0x6080, 0), speed, &REVOLUTION_PER_MINUTE, "1/min", "infranor-xtrapuls");
     let (increments, ratio) = (get(ParameterId::EncoderIncrements), get(ParameterId::ReductionRatio));
     let document = "beckhoff-ax8xxx";
@@ -169,11 +209,13 @@ pub fn objects(commissioning: &Commissioning) -> Vec<Object> {
     one(ObjectId::EncoderRevolutions, (0x608F, 2), single(increments), &ONE, "rev", document);
     one(ObjectId::GearMotorRevolutions, (0x6091, 1), ratio.clone(), &ONE, "rev", document);
     one(ObjectId::GearShaftRevolutions, (0x6091, 2), single(ratio), &ONE, "rev", document);
+    drafts.extend(polarity);
+    drafts.sort_by_key(|draft| draft.place);
     drafts.into_iter().filter_map(whole).collect()
 }
 
 fn whole(draft: Draft) -> Option<Object> {
-    let Draft { id, place: (index, sub), data_type, exact, unit, rounding, from, document } = draft;
+    let Draft { id, place: (index, sub), data_type, exact, unit, rounding, from, facts, document } = draft;
     let rounded = match rounding {
         Rounding::Nearest => exact.round(),
         Rounding::Down => exact.floor(),
@@ -183,5 +225,5 @@ fn whole(draft: Draft) -> Option<Object> {
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole and within the type")]
     let value = rounded as u32;
-    Some(Object { id, index, sub, data_type, value, exact, unit, rounding, from, document })
+    Some(Object { id, index, sub, data_type, value, exact, unit, rounding, from, facts, document })
 }

@@ -2,7 +2,7 @@
 
 use super::{Commissioning, ParameterId, sensors};
 use actuator::{NoLoadFriction, copper_resistance};
-use catalogue::Value;
+use catalogue::{Cell, Value};
 use provenance::{Grade, Source};
 use quantities::unit::{AMPERE, DEGREE_CELSIUS, MILLIHENRY, MILLISECOND, OHM, ONE, VOLT};
 use quantities::{AngularVelocity, ElectricalResistance, Measure, ThermodynamicTemperature, Unit};
@@ -109,8 +109,8 @@ pub enum Band {
     KtySheet,
     /// The bounds of DIN 44081.
     Din44081,
-    /// Identified joints with such gears lie off their catalogue: 40 % of the constant part, 15 % of that which grows with
-    /// the speed.
+    /// What a joint with such a gear was identified to lie off its catalogue (table friction-identified): one share of the
+    /// constant part, another of that which grows with the speed.
     Friction,
     /// Nobody states one: ours.
     Ours,
@@ -186,8 +186,6 @@ const BRAKE_CURRENT: f64 = 0.20;
 const BRAKE_TIME: f64 = 0.5;
 /// Reading of two speeds.
 const READING: f64 = 0.02;
-const FRICTION_CONSTANT: f64 = 0.40;
-const FRICTION_GROWING: f64 = 0.15;
 
 impl Commissioning {
     fn about(&self, what: Measurand, id: ParameterId, (share, band): (f64, Band)) -> Option<Expected> {
@@ -285,7 +283,7 @@ impl Commissioning {
     /// I = I_NLS + K_INL(ϑ) |n|, n at the output, see [`NoLoadFriction`].
     ///
     /// # Valid
-    /// Uncoupled, steady speed. Below 20 °C by extrapolation, whose band widens the one here.
+    /// Uncoupled, steady speed. Below 20 °C by extrapolation, whose band widens the one here (docs/theory/current.md).
     #[must_use]
     pub fn expected_no_load(&self, speed_out: AngularVelocity, gear: ThermodynamicTemperature) -> Option<Expected> {
         let law = NoLoadFriction::of(&self.actuator).ok()?;
@@ -294,13 +292,17 @@ impl Commissioning {
         let (below, beyond) = law.cold_band(gear).ok()?.unwrap_or((1.0, 1.0));
         let (start, growth) =
             (self.get(ParameterId::NoLoadStartingCurrent)?, self.get(ParameterId::NoLoadCurrentConstant30)?);
+        let (off_starting, off_growing) = (deviation("dev_starting")?, deviation("dev_growing")?);
+        let band = [off_starting.1, off_growing.1].map(|cell| Source::Published(&cell.place)).to_vec();
+        let (off_starting, off_growing) = (off_starting.0, off_growing.0);
         Some(Expected {
             what: Measurand::NoLoadCurrent,
             nominal: Some(starting + growing),
-            low: below * (starting * (1.0 - FRICTION_CONSTANT) + growing * (1.0 - FRICTION_GROWING)),
-            high: beyond * (starting * (1.0 + FRICTION_CONSTANT) + growing * (1.0 + FRICTION_GROWING)),
+            low: below * (starting * (1.0 - off_starting) + growing * (1.0 - off_growing)),
+            high: beyond * (starting * (1.0 + off_starting) + growing * (1.0 + off_growing)),
             band: Band::Friction,
-            sources: [start.sources.clone(), growth.sources.clone(), vec![Source::Model { name: "current" }]].concat(),
+            sources: [start.sources.clone(), growth.sources.clone(), vec![Source::Model { name: "current" }], band]
+                .concat(),
             grade: start.grade.worst(growth.grade).worst(Band::Friction.grade()),
         })
     }
@@ -326,6 +328,13 @@ pub const KTY_OPEN_OHM: f64 = 2120.0;
 
 /// Below it a drive takes a KTY for short-circuited (sinamics-g115d).
 pub const KTY_SHORT_OHM: f64 = 50.0;
+
+/// How far identified friction lay off the catalogue, as a share, with its cell.
+fn deviation(symbol: &str) -> Option<(f64, &'static Cell)> {
+    let cells = catalogue::table("friction-identified").map(catalogue::Table::cells).unwrap_or_default();
+    let cell = cells.iter().find(|cell| cell.place.symbol == symbol)?;
+    Some((cell.limit().number()? / 100.0, cell))
+}
 
 fn scaled(expected: Expected, factor: f64) -> Expected {
     Expected {

@@ -6,7 +6,8 @@ pub use causes::Cause;
 
 use super::Commissioning;
 use super::expected::{Expected, Measurand};
-use order_code::Feedback;
+use catalogue::Fact;
+use order_code::{Feedback, OrderCode};
 use provenance::{Grade, Source};
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Frequency, Inductance, Measure,
@@ -243,9 +244,7 @@ fn one(about: &Commissioning, measured: &Measured, what: Measurand) -> Judged {
         Measurand::BrakeOpeningTime => brake(measured.brake_opening_time.map(Measure::si), about.expected_brake(what)),
         Measurand::BrakeClosingTime => brake(measured.brake_closing_time.map(Measure::si), about.expected_brake(what)),
         Measurand::DirectionFlange => match (measured.direction_motor, measured.direction_flange) {
-            (Some(motor), Some(flange)) => {
-                Judged::by_fact(what, motor != flange, "direction_reversed_by_gear", Cause::SameDirection)
-            }
+            (Some(motor), Some(flange)) => Judged::by_fact(what, motor != flange, REVERSED, Cause::SameDirection),
             _ => Judged::open(what, None, Unjudged::NotMeasured),
         },
         Measurand::DirectionPosition => position(about, measured),
@@ -280,20 +279,30 @@ fn compare(about: &Commissioning, what: Measurand, value: Option<f64>, expected:
     }
 }
 
+/// The fact that the gear reverses.
+pub(super) const REVERSED: &str = "direction_reversed_by_gear";
+
+/// The fact that says which way the position rises.
+///
 /// Section 6.22 states it for the absolute encoders and gives the signal sequence of C1024 and D2048 for the same direction; of
 /// the resolver it says nothing.
+pub(super) fn counting_fact(code: &OrderCode) -> Option<&'static Fact> {
+    let id = match code.feedback {
+        Feedback::M512P | Feedback::M128S => "position_rises_absolute",
+        Feedback::C1024 | Feedback::D2048 => "signals_valid_clockwise",
+        Feedback::RES => return None,
+    };
+    catalogue::facts().iter().find(|fact| fact.id == id)
+}
+
 fn position(about: &Commissioning, measured: &Measured) -> Judged {
     let what = Measurand::DirectionPosition;
     let (Some(motor), Some(counting)) = (measured.direction_motor, measured.position) else {
         return Judged::open(what, None, Unjudged::NotMeasured);
     };
-    let fact = match about.code.feedback {
-        Feedback::M512P | Feedback::M128S => "position_rises_absolute",
-        Feedback::C1024 | Feedback::D2048 => "signals_valid_clockwise",
-        Feedback::RES => return Judged::open(what, None, Unjudged::NotStated),
-    };
+    let Some(fact) = counting_fact(&about.code) else { return Judged::open(what, None, Unjudged::NotStated) };
     let right = (motor == Turn::Clockwise) == (counting == Counting::Rising);
-    Judged::by_fact(what, right, fact, Cause::CountingReversed)
+    Judged::by_fact(what, right, fact.id, Cause::CountingReversed)
 }
 
 fn no_load(about: &Commissioning, measured: &Measured) -> Vec<Judged> {

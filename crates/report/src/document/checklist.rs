@@ -1,6 +1,7 @@
 //! The check-lists as their template reads them.
 
-use answers::{CommissionEntry, Commissioning, Fact};
+use crate::form::{Field, Kind};
+use answers::{CommissionEntry, CommissionList, Commissioning, Fact};
 use quantities::{Language, Unit};
 use serde::Serialize;
 use words::{capitalised, commission, grade_word, signal_word as word, terms};
@@ -38,25 +39,29 @@ struct List {
 
 #[derive(Serialize)]
 struct Line {
+    /// Name of the field for the tick.
+    tick: String,
+    /// Name of the field for the measured value; empty for a line to tick only.
+    value: String,
     signal: Option<&'static str>,
     signal_word: &'static str,
     text: String,
     shown: String,
     unit: String,
-    field: bool,
     grade: &'static str,
     source: String,
 }
 
 impl CheckListDocument {
     pub(crate) fn build(sheet: &Commissioning, language: Language) -> Self {
-        let line = |entry: &CommissionEntry| Line {
+        let line = |list: &CommissionList, (index, entry): (usize, &CommissionEntry)| Line {
+            tick: field_name(list, index, entry, "done"),
+            value: if entry.field { field_name(list, index, entry, "measured") } else { String::new() },
             signal: entry.signal.map(|signal| signal.id()),
             signal_word: entry.signal.map_or("", |signal| word(*signal, language)),
             text: entry.text.clone(),
             shown: entry.shown.clone(),
             unit: entry.unit.map_or_else(String::new, unit_shown),
-            field: entry.field,
             grade: grade_word(*entry.grade, language),
             source: entry.source.clone(),
         };
@@ -81,10 +86,37 @@ impl CheckListDocument {
             lists: sheet
                 .lists
                 .iter()
-                .map(|list| List { title: capitalised(&list.title), entries: list.entries.iter().map(line).collect() })
+                .map(|list| List {
+                    title: capitalised(&list.title),
+                    entries: list.entries.iter().enumerate().map(|each| line(list, each)).collect(),
+                })
                 .collect(),
         }
     }
+
+    /// The fields of the form, in the order of the pages.
+    pub(crate) fn fields(&self, language: Language) -> Vec<Field> {
+        let text =
+            |name: &str, tooltip: &str| Field { name: name.to_owned(), kind: Kind::Text, tooltip: tooltip.to_owned() };
+        let mut fields = vec![text("serial_number", &self.serial_number), text("signature", &self.signature)];
+        for line in self.lists.iter().flat_map(|list| &list.entries) {
+            let tooltip = commission::field_done(&line.text, language);
+            fields.push(Field { name: line.tick.clone(), kind: Kind::Tick, tooltip });
+            if !line.value.is_empty() {
+                let tooltip = match line.unit.as_str() {
+                    "" => commission::field_measured(&line.text, language),
+                    unit => commission::field_measured_in(&line.text, &unit, language),
+                };
+                fields.push(text(&line.value, &tooltip));
+            }
+        }
+        fields
+    }
+}
+
+/// `before_power-3-resistance_ll-measured`: what stands in a list twice differs by its place, counted from 1.
+fn field_name(list: &CommissionList, index: usize, entry: &CommissionEntry, what: &str) -> String {
+    format!("{}-{}-{}-{what}", list.step.id(), index + 1, entry.id)
 }
 
 fn unit_shown(unit: &'static str) -> String {

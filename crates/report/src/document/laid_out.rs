@@ -1,8 +1,9 @@
 //! Chapters that come laid out, as the template reads them: units tied to their numbers, pictures as names of files.
 
 use super::shown::tied;
-use answers::{Block, Chapter, Grid, Hazard, Task};
+use answers::{Block, Chapter, Column, Grid, Hazard, Task};
 use serde::Serialize;
+use words::capitalised;
 
 #[derive(Serialize)]
 pub(super) struct LaidOut {
@@ -59,11 +60,16 @@ fn told(block: &Block) -> Block {
     let hazard = |item: &Hazard| Hazard { text: tied(&item.text), ..item.clone() };
     match block {
         Block::Section { text } => Block::Section { text: tied(text) },
-        Block::Text { text } => Block::Text { text: tied(text) },
+        Block::Text { text } => Block::Text { text: tied(&capitalised(text)) },
         Block::Points { items } => Block::Points { items: all(items) },
         Block::Steps { items } => Block::Steps { items: all(items) },
         Block::Grid(grid) => {
-            Block::Grid(Grid { columns: grid.columns.clone(), rows: grid.rows.iter().map(|row| all(row)).collect() })
+            // A head begins with a capital, as everywhere in the report.
+            let column = |column: &Column| Column { head: capitalised(&column.head), ..column.clone() };
+            Block::Grid(Grid {
+                columns: grid.columns.iter().map(column).collect(),
+                rows: grid.rows.iter().map(|row| all(row)).collect(),
+            })
         }
         Block::Hazards { items } => Block::Hazards { items: items.iter().map(hazard).collect() },
         Block::Tasks { items } => {

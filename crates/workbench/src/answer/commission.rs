@@ -2,7 +2,6 @@
 
 use super::facts::facts;
 use crate::commission::DriveForm;
-use crate::facts_about;
 use answers::{
     CommissionEntry, CommissionGap, CommissionList, CommissionParameter, DriveObject, DriveParameter, EncoderValue, Id,
     Number, OverloadSupervision, OverloadTrip, SensorThreshold, TableCell,
@@ -14,6 +13,7 @@ use installation::commission::encoder::{EncoderRow, EncoderSide};
 use installation::commission::expected::Expected;
 use installation::commission::sinamics::{self, Setting};
 use installation::commission::{Commissioning, Parameter, ParameterId, clean, sensors};
+use installation::facts::{Order, facts_about};
 use order_code::Feedback;
 use provenance::{Grade, Source};
 use quantities::unit::{DEGREE_CELSIUS, MINUTE, REVOLUTION_PER_MINUTE, SECOND};
@@ -32,7 +32,8 @@ pub fn commissioning(
     language: Language,
 ) -> answers::Commissioning {
     let listed = |fact: &&'static catalogue::Fact| fact.step.is_none_or(|step| !checklist::STEPS.contains(&step));
-    let hazards: Vec<_> = facts_about(Topic::Commission, &about.code).into_iter().filter(listed).collect();
+    let hazards: Vec<_> =
+        facts_about(Topic::Commission, &about.code, Order::Gravest).into_iter().filter(listed).collect();
     answers::Commissioning {
         code: about.code.to_string(),
         form: form.id(),
@@ -106,6 +107,15 @@ fn drive_parameters(about: &Commissioning, language: Language) -> Vec<DriveParam
     sinamics::lines(about).iter().map(record).collect()
 }
 
+/// Where the figures stand, then what the prose says, then the document that names the object.
+fn object_source(sources: &[Source], object: &Object, language: Language) -> String {
+    let prose = object.facts.iter().map(|fact| fact_source(fact, language));
+    let mut told = prose.collect::<Vec<_>>();
+    told.dedup();
+    let document = told.into_iter().chain([object.document.to_owned()]).collect::<Vec<_>>().join("; ");
+    joined(sources, Some(&document), language)
+}
+
 /// The objects of CiA 402.
 #[must_use]
 pub fn drive_objects(about: &Commissioning, language: Language) -> Vec<DriveObject> {
@@ -122,7 +132,7 @@ pub fn drive_objects(about: &Commissioning, language: Language) -> Vec<DriveObje
             exact: Number(object.exact),
             rounding: object.rounding.id(),
             grade: Id(grade),
-            source: joined(&sources, Some(object.document), language),
+            source: object_source(&sources, object, language),
         }
     };
     cia402::objects(about).iter().map(record).collect()

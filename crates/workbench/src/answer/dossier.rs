@@ -115,17 +115,18 @@ fn documents(checks: &[Check], language: Language) -> Vec<Document> {
             ids.push(cell.document);
         }
     }
-    let document = |id: &str| {
-        let found = catalogue::document(id)?;
-        Some(Document {
-            id: found.id.to_owned(),
-            title: found.title.to_owned(),
-            edition: found.edition.to_owned(),
-            publisher: found.publisher.to_owned(),
-            note: document_note(found, language).to_owned(),
-        })
-    };
-    ids.into_iter().filter_map(document).collect()
+    ids.into_iter().filter_map(catalogue::document).map(|found| document(found, language)).collect()
+}
+
+/// A document as a reference.
+pub(crate) fn document(found: &catalogue::Document, language: Language) -> Document {
+    Document {
+        id: found.id.to_owned(),
+        title: found.title.to_owned(),
+        edition: found.edition.to_owned(),
+        publisher: found.publisher.to_owned(),
+        note: document_note(found, language).to_owned(),
+    }
 }
 
 /// Every erratum that a figure of the checks rests on, once, with the first check that does.

@@ -1,12 +1,12 @@
 //! Wiring as records.
 
 use super::facts::facts;
-use crate::facts_about;
 use answers::{
     AmbiguousColour, ConnectorExit, ConnectorPin, Id, NotAvailable, NoteBy, Number, VoltageDrops, WiringCheck,
     WiringFinding, WiringNote,
 };
 use catalogue::{Cell, Topic};
+use installation::facts::{Order, facts_about};
 use installation::wiring::{
     Cable, CableLength, Circuit, Comparison, Connector, DropVerdict, Exit, Finding, Meaning, Pin, VoltageDrop, Wiring,
 };
@@ -34,7 +34,7 @@ pub fn wiring(wiring: &Wiring, cable: Option<(Length, Option<Area>)>, language: 
             })
             .collect(),
         notes: notes(wiring, language),
-        rules: facts(&facts_about(Topic::Wiring, &wiring.code), language),
+        rules: facts(&facts_about(Topic::Wiring, &wiring.code, Order::Gravest), language),
         voltage_drop: drops,
         errata: errata(wiring),
     }

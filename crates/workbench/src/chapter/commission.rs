@@ -70,7 +70,7 @@ fn parameters(chapter: &mut Chapter, parameters: &[CommissionParameter], languag
         Column::wide(commission::parameter(language)),
         Column::numbers(terms::value(language)),
         Column::text(terms::unit(language)),
-        Column::text(commission::conversion(language)),
+        Column::wide(commission::conversion(language)),
         Column::text(terms::grade(language)),
         Column::wide(terms::source(language)),
     ];
@@ -93,7 +93,7 @@ fn sinamics(chapter: &mut Chapter, parameters: &[DriveParameter], language: Lang
         Column::numbers(terms::value(language)),
         Column::text(terms::unit(language)),
         Column::wide(commission::parameter(language)),
-        Column::text(commission::conversion(language)),
+        Column::wide(commission::conversion(language)),
         Column::wide(terms::source(language)),
     ];
     chapter.grid(columns, parameters.iter().map(row).collect());
@@ -105,7 +105,7 @@ fn drive_objects(chapter: &mut Chapter, objects: &[DriveObject], language: Langu
             format!("{}:{} {}", each.index, each.sub, each.name),
             each.data_type.to_owned(),
             each.value.to_string(),
-            each.unit.to_owned(),
+            unit_shown(each.unit),
             shown(each.exact.0, language),
             each.source.clone(),
         ]

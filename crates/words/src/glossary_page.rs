@@ -1,0 +1,46 @@
+//! The reference page of the glossary, in Markdown: words and symbols in both languages, from the data of the glossary.
+
+use crate::{pages, parameter_name, step_terms, symbol_shown, term_remark, word_meaning};
+use installation::commission::ParameterId;
+use quantities::Language;
+
+/// The page in a language; terms stand in both.
+#[must_use]
+pub fn glossary_page(language: Language) -> String {
+    let mut page = format!("# {}\n\n{}\n", pages::glossary_title(language), pages::glossary_told(language));
+    page.push_str(&format!("\n## {}\n\n", pages::glossary_words(language)));
+    page.push_str(&format!("{}\n|---|---|---|\n", pages::columns_of_words(language)));
+    for word in catalogue::words() {
+        row(&mut page, &[word.en, word.de, word_meaning(word, language)]);
+    }
+    page.push_str(&format!("\n## {}\n\n{}\n\n", pages::glossary_terms(language), pages::glossary_terms_told(language)));
+    page.push_str(&format!("{}\n|---|---|---|---|---|---|\n", pages::columns_of_terms(language)));
+    for term in catalogue::glossary() {
+        let (symbol, name) = (format!("`{}`", term.symbol), format!("`{}`", term.identifier));
+        row(&mut page, &[&symbol, &name, term.unit, term.en, term.de, term_remark(term, language)]);
+    }
+    page.push_str(&format!("\n## {}\n\n{}\n\n", pages::glossary_steps(language), pages::glossary_steps_told(language)));
+    page.push_str(&format!("{}\n|---|---|---|\n", pages::columns_of_steps(language)));
+    for (symbol, en, de) in glossary_symbols() {
+        row(&mut page, &[&symbol_shown(symbol), en, de]);
+    }
+    page
+}
+
+/// Every symbol beside those of the tables with its meaning, English and German: of the derivations, then of the values that
+/// a drive is told.
+pub fn glossary_symbols() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    let of_tables = |symbol: &str| catalogue::glossary().iter().any(|term| term.symbol == symbol);
+    let told = ParameterId::ALL.iter().filter(move |id| !of_tables(id.symbol()));
+    let told = told.map(|id| (id.symbol(), parameter_name(*id, Language::En), parameter_name(*id, Language::De)));
+    step_terms().chain(told)
+}
+
+fn row(page: &mut String, cells: &[&str]) {
+    for cell in cells {
+        page.push_str("| ");
+        page.push_str(&cell.replace('|', "\\|"));
+        page.push(' ');
+    }
+    page.push_str("|\n");
+}
