@@ -23,6 +23,10 @@ impl Shell for InTheRepository {
     fn files(&self) -> &dyn Files {
         &Examples
     }
+
+    fn version(&self, bytes: &[u8]) -> String {
+        blake3::hash(bytes).to_hex().to_string()
+    }
 }
 
 fn encoded(pairs: &[(&str, &str)]) -> String {
