@@ -203,6 +203,7 @@ mod tests {
     use crate::feedback::{Feedback, FeedbackSide};
     use crate::gear::Gear;
     use crate::output_bearing::OutputBearing;
+    use crate::parameters::Drivetrain;
     use provenance::CellRef;
     use quantities::unit::{ARCMINUTE, ARCSECOND};
     use quantities::{TiltingStiffness, TorsionalStiffness};
@@ -218,23 +219,6 @@ mod tests {
 
     fn actuator() -> Parameters {
         Parameters {
-            ratio: known(100.0),
-            accuracy: Accuracy {
-                transmission_accuracy: minutes(0.8),
-                repeatability: minutes(0.1),
-                hysteresis_loss: minutes(1.0),
-                lost_motion: minutes(1.0),
-            },
-            gear: Gear {
-                torque_1: known(Torque::from_si(29.0)),
-                torque_2: known(Torque::from_si(108.0)),
-                stiffness: [6.7e4, 1.1e5, 1.2e5].map(|k| known(TorsionalStiffness::from_si(k))),
-                ..Gear::unknown()
-            },
-            output_bearing: OutputBearing {
-                tilting_stiffness: known(TiltingStiffness::from_si(4e5)),
-                ..OutputBearing::unknown()
-            },
             feedback: Feedback {
                 accuracy: known(Angle::new_in(60.0, &ARCSECOND)),
                 resolution: known(Angle::new_in(10.0, &ARCSECOND)),
@@ -245,7 +229,27 @@ mod tests {
                 accuracy: known(Angle::new_in(20.0, &ARCSECOND)),
                 ..Feedback::absent(FeedbackSide::Output)
             },
-            ..Parameters::unknown()
+            ..Drivetrain {
+                ratio: known(100.0),
+                accuracy: Accuracy {
+                    transmission_accuracy: minutes(0.8),
+                    repeatability: minutes(0.1),
+                    hysteresis_loss: minutes(1.0),
+                    lost_motion: minutes(1.0),
+                },
+                gear: Gear {
+                    torque_1: known(Torque::from_si(29.0)),
+                    torque_2: known(Torque::from_si(108.0)),
+                    stiffness: [6.7e4, 1.1e5, 1.2e5].map(|k| known(TorsionalStiffness::from_si(k))),
+                    ..Gear::unknown()
+                },
+                output_bearing: OutputBearing {
+                    tilting_stiffness: known(TiltingStiffness::from_si(4e5)),
+                    ..OutputBearing::unknown()
+                },
+                ..Drivetrain::unknown()
+            }
+            .into()
         }
     }
 

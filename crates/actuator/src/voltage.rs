@@ -188,6 +188,7 @@ impl MotorVoltage {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::parameters::Drivetrain;
     use provenance::{CellRef, Datum, Source, Sourced};
     use quantities::unit::{MILLIHENRY, OHM, REVOLUTION_PER_MINUTE, VOLT_PER_THOUSAND_REVOLUTIONS};
     use quantities::{ElectricalResistance, Inductance, VoltageConstant};
@@ -199,7 +200,7 @@ mod tests {
 
     /// The motor of CHA-20A (table 26.1) at i = 50.
     fn motor(resistance: f64, inductance: f64) -> MotorVoltage {
-        MotorVoltage::of(&Parameters {
+        MotorVoltage::of(&Parameters::from(Drivetrain {
             ratio: known(50.0),
             pole_pairs: known(5.0),
             resistance_ll: known(ElectricalResistance::new_in(resistance, &OHM)),
@@ -209,8 +210,8 @@ mod tests {
                 winding_shutdown: known(ThermodynamicTemperature::from_si(363.15)),
                 ..crate::Heat::unknown()
             },
-            ..Parameters::unknown()
-        })
+            ..Drivetrain::unknown()
+        }))
         .unwrap()
     }
 

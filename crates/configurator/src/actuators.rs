@@ -1,9 +1,9 @@
 //! The actuators of the catalogue that can be had, with their parameters.
 
-use crate::{all, parameters};
+use crate::{Availability, all, parameters};
 use actuator::Parameters;
 use order_code::{Option1, OrderCode};
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 /// The actuators without options, or with the encoder at the output: each under its bare code, its parameters those with
 /// the option.
@@ -26,11 +26,20 @@ fn actuators_with_output_encoder() -> &'static [(OrderCode, Parameters)] {
     &ACTUATORS
 }
 
-/// Each code is the bare one, its parameters those with the option.
+/// Each code is the bare one, its parameters those with the option. Neighbours whose drivetrains are equal share one.
 fn actuators_with(option_1: Option<Option1>) -> Vec<(OrderCode, Parameters)> {
-    all()
-        .iter()
-        .filter(|(code, found)| code.option_1.is_none() && code.option_2.is_none() && found.is_available())
-        .filter_map(|(code, _)| Some((*code, parameters(&OrderCode { option_1, ..*code })?)))
-        .collect()
+    let available = |code: &OrderCode, found: &Availability| {
+        code.option_1.is_none() && code.option_2.is_none() && found.is_available()
+    };
+    let mut actuators: Vec<(OrderCode, Parameters)> = Vec::new();
+    for (code, _) in all().iter().filter(|(code, found)| available(code, found)) {
+        let Some(mut parameters) = parameters(&OrderCode { option_1, ..*code }) else { continue };
+        if let Some((_, before)) = actuators.last()
+            && before.drivetrain == parameters.drivetrain
+        {
+            parameters.drivetrain = Arc::clone(&before.drivetrain);
+        }
+        actuators.push((*code, parameters));
+    }
+    actuators
 }
