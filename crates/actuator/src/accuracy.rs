@@ -1,7 +1,7 @@
 //! Accuracy of the gear, and the budget of all angular errors at the output.
 
 use crate::output_bearing::tilt_angle;
-use crate::parameters::Parameters;
+use crate::parameters::{Drivetrain, Parameters};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Angle, Length, Measure, Torque};
 
@@ -171,7 +171,7 @@ pub fn error_budget(actuator: &Parameters, case: &BudgetCase) -> ErrorBudget {
 }
 
 /// Torsion under a torque, as an amount.
-fn torsion(actuator: &Parameters, torque: Torque) -> Datum<Angle> {
+fn torsion(actuator: &Drivetrain, torque: Torque) -> Datum<Angle> {
     let [k1, k2, k3] = &actuator.gear.stiffness;
     let grades = [k1, k2, k3].map(|stiffness| stiffness.known().map(|known| known.grade));
     actuator.gear.torsion().map_or(Datum::NotPrinted, |curve| {
@@ -185,7 +185,7 @@ fn torsion(actuator: &Parameters, torque: Torque) -> Datum<Angle> {
 }
 
 /// Tilt under a moment, as an amount.
-fn tilt(actuator: &Parameters, moment: Option<Torque>) -> Datum<Angle> {
+fn tilt(actuator: &Drivetrain, moment: Option<Torque>) -> Datum<Angle> {
     let stiffness = actuator.output_bearing.tilting_stiffness.known();
     moment.zip(stiffness).map_or(Datum::NotPrinted, |(moment, stiffness)| {
         Datum::Known(Sourced {
@@ -203,7 +203,6 @@ mod tests {
     use crate::feedback::{Feedback, FeedbackSide};
     use crate::gear::Gear;
     use crate::output_bearing::OutputBearing;
-    use crate::parameters::Drivetrain;
     use provenance::CellRef;
     use quantities::unit::{ARCMINUTE, ARCSECOND};
     use quantities::{TiltingStiffness, TorsionalStiffness};

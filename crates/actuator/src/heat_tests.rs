@@ -1,7 +1,7 @@
 //! Tests of the heat model.
 
 use super::*;
-use crate::Drivetrain;
+use crate::Parameters;
 use provenance::{CellRef, Grade, Source, Sourced};
 use quantities::unit::{AMPERE_PER_REVOLUTION_PER_MINUTE, REVOLUTION_PER_MINUTE};
 use quantities::{ElectricalResistance, NoLoadCurrentConstant, TorqueConstant};

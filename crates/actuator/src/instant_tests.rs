@@ -1,5 +1,5 @@
 use super::*;
-use crate::Drivetrain;
+use crate::Parameters;
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::unit::DEGREE_CELSIUS;
 use quantities::{ElectricCurrent, NoLoadCurrentConstant, TorqueConstant};

@@ -1,5 +1,5 @@
 use super::*;
-use crate::Drivetrain;
+use crate::Parameters;
 use crate::{Curve, CurvePoint};
 use provenance::{CellRef, Datum};
 use quantities::unit::{

@@ -1,7 +1,7 @@
 //! Tests of the torque-speed plane.
 
 use super::*;
-use crate::Drivetrain;
+use crate::Parameters;
 use provenance::CellRef;
 use quantities::unit::{
     AMPERE_PER_REVOLUTION_PER_MINUTE, MILLIHENRY, REVOLUTION_PER_MINUTE, VOLT_PER_THOUSAND_REVOLUTIONS,

@@ -22,7 +22,8 @@ use workbench::text::{
     source_text, standing_text, terminal, terms, unmet_text, verdict_word,
 };
 use workbench::{
-    Candidate, CandidateId, Check, Demand, Language, Objection, Project, Ranking, Reserve, Sizing, Verdict, answers,
+    Candidate, CandidateId, Check, Checks, Demand, Language, Objection, Project, Ranking, Reserve, Sizing, Verdict,
+    answers,
 };
 
 fn paint(text: &str, verdict: Verdict) -> String {
@@ -369,7 +370,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
 }
 
 /// What fails first, then advice, then what is not checked, then the rest; within each by utilisation.
-fn by_importance(checks: &[Check]) -> Vec<&Check> {
+fn by_importance(checks: &Checks) -> Vec<&Check> {
     let rank = |check: &Check| match check.verdict {
         Verdict::Fail => 0,
         Verdict::Advice => 1,

@@ -1,4 +1,6 @@
 use super::*;
+use crate::judge::{Depth, judge};
+use crate::notes::Note;
 use actuator::{Brake, Drivetrain, Feedback, FeedbackSide, Gear, ScrewJoint};
 use mechanism::{Extra, Mechanism};
 use motion::{Closing, Given, Hold, Law, ManualMove, Motion, SegmentSpec};
@@ -62,7 +64,7 @@ fn axis(segments: &[SegmentSpec]) -> Axis {
 }
 
 fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Check {
-    judge(axis, actuator, Depth::Full).checks.into_iter().find(|check| check.id == id).unwrap()
+    judge(axis, actuator, Depth::Full).checks.iter().find(|check| check.id == id).unwrap().clone()
 }
 
 /// ∫T² over the dwells: 39² Nm² for as long as the motor holds.
@@ -147,7 +149,7 @@ fn a_hanging_load_without_a_brake_is_told_and_not_rejected() {
     let hanging = axis(&[swing(4.0), dwell(1.0, Hold::Motor)]);
     let found = check(&hanging, &unbraked(), CheckId::BrakeHolding);
     assert_eq!(found.verdict, Verdict::Advice);
-    assert_eq!(found.notes.as_ref(), [Note::NothingHoldsWithoutPower]);
+    assert_eq!(found.notes[..], [Note::NothingHoldsWithoutPower]);
     assert!(judge(&hanging, &unbraked(), Depth::Full).fits());
     let unknown = Parameters { brake: Brake::unknown(), ..actuator() };
     let found = check(&hanging, &unknown, CheckId::BrakeHolding);

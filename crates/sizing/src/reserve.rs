@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::brake_times::carried;
 use crate::check::Verdict;
-use crate::checks::{Depth, judge};
+use crate::judge::{Depth, judge};
 use crate::watch::{Unwatched, Watch, finished};
 use actuator::Parameters;
 use quantities::{Mass, Measure, ThermodynamicTemperature, Time};

@@ -1,5 +1,5 @@
 use super::*;
-use crate::checks::{Depth, judge};
+use crate::judge::{Depth, judge};
 use actuator::{Drivetrain, Gear};
 use mechanism::{Kind, Mechanism, SliderCrank};
 use motion::{Closing, Given, Law, Motion, SegmentSpec};
@@ -39,7 +39,7 @@ fn hold(speed: f64, time: f64) -> SegmentSpec {
 
 fn check(axis: &Axis) -> Check {
     let judged = judge(axis, &actuator(), Depth::Full);
-    judged.checks.into_iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap()
+    judged.checks.iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap().clone()
 }
 
 /// 2 i n/60 = f by hand.

@@ -2,7 +2,7 @@
 
 use project::{Project, Within};
 use provenance::{Key, Source};
-use sizing::{Check, CheckId, Judgement};
+use sizing::{Check, CheckId};
 
 /// The keys of a project that were asked for: the same few for every candidate.
 #[derive(Debug)]
@@ -27,21 +27,15 @@ impl<'p> Cited<'p> {
         Self { project, known: Vec::new() }
     }
 
-    pub(crate) const fn project(&self) -> &'p Project {
-        self.project
-    }
-
-    /// Lets every check of a judgement, and every step of its workings, cite the keys of the project as they are written.
-    pub(crate) fn cite(&mut self, judgement: &mut Judgement) {
-        let governing = judgement.manual.as_ref().map_or(0, |manual| manual.governing);
-        for check in &mut judgement.checks {
-            let within = within(check, governing);
-            let (value, limit) = (check.value.map(|figure| figure.si), check.limit.map(|figure| figure.si));
-            check.value_source.iter_mut().for_each(|source| self.rename(source, value, within));
-            check.limit_source.iter_mut().for_each(|source| self.rename(source, limit, within));
-            for step in &mut check.workings {
-                self.rename(&mut step.source, Some(step.si), within);
-            }
+    /// Lets a check, and every step of its workings, cite the keys of the project as they are written; by the manual that
+    /// move governs.
+    pub(crate) fn cite(&mut self, check: &mut Check, governing: usize) {
+        let within = within(check, governing);
+        let (value, limit) = (check.value.map(|figure| figure.si), check.limit.map(|figure| figure.si));
+        check.value_source.iter_mut().for_each(|source| self.rename(source, value, within));
+        check.limit_source.iter_mut().for_each(|source| self.rename(source, limit, within));
+        for step in &mut check.workings {
+            self.rename(&mut step.source, Some(step.si), within);
         }
     }
 
