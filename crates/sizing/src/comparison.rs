@@ -54,8 +54,16 @@ pub(crate) struct Edges {
     pub(crate) unit: &'static Unit,
 }
 
+impl Edges {
+    /// The remark on the upper edge, if there is a band.
+    pub(crate) fn remark(&self) -> Option<Note> {
+        let is_band = self.upper > self.limit * (1.0 + AT_THE_LIMIT);
+        is_band.then_some(Note::EstimatedUpTo(Figure { si: self.upper, unit: self.unit }))
+    }
+}
+
 /// So much of its limit a value may lie above it and still be at it: the rounding of a unit or of a search.
-const AT_THE_LIMIT: f64 = 1e-9;
+pub(crate) const AT_THE_LIMIT: f64 = 1e-9;
 
 impl<'a> Comparison<'a> {
     /// A value against a limit that is known with its source.
@@ -85,9 +93,11 @@ impl<'a> Comparison<'a> {
         let at_most = |edge: f64| self.value.abs() <= edge.abs() * (1.0 + AT_THE_LIMIT);
         let (within, beyond) = (at_most(edges.limit), !at_most(edges.upper));
         self.limit = edges.limit;
-        if edges.upper > edges.limit * (1.0 + AT_THE_LIMIT) {
-            let upper = Figure { si: edges.upper, unit: edges.unit };
-            self.notes.push(Note::EstimatedUpTo(upper));
+        if let Some(remark) = edges.remark() {
+            // It may have been made for several actuators.
+            if !self.notes.contains(&remark) {
+                self.notes.push(remark);
+            }
             if !within && !beyond {
                 self.notes.push(Note::InsideBand);
             }

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Verdict};
-use crate::comparison::{Comparison, cite, explained, not_checked};
+use crate::comparison::{AT_THE_LIMIT, Comparison, cite, explained, not_checked};
 use crate::electrics::Electrics;
 use crate::notes::{Note, Notes};
 use crate::workings;
@@ -55,8 +55,10 @@ impl<'e> Currents<'e> {
         let settled = heat.as_ref().ok().map(|(_, settled)| settled);
         let told =
             Note::FrictionTemperatures { cold: law.cold.temperature, settled: settled.map(|settled| settled.housing) };
-        let mut notes = Notes::from([told]);
-        notes.extend(law.cold_band.map(|(low, high)| Note::FrictionExtrapolated { low, high }));
+        let mut notes = match law.cold_band {
+            Some((low, high)) => Notes::from([told, Note::FrictionExtrapolated { low, high }]),
+            None => Notes::from([told]),
+        };
         cite(&mut notes, inertia.errata);
         cite(&mut notes, law.errata);
         Ok(Self {
@@ -442,7 +444,9 @@ fn current_check(
     let (current, most) = (currents.extreme(&node).abs(), over.permitted(&node, currents.larger(&node)));
     // What the settled cycle asks beyond the limit no warm-up mends.
     let settled = || axis.trace.largest(&Overcurrent::of(currents, printed, published, &[&currents.warm])).0;
-    let by_cold_only = id == CheckId::PeakCurrent && current > most && currents.heat.is_ok() && settled() <= 1.0;
+    // Mostly the instant of the largest current shows it; only where it does not, the others are asked.
+    let may_be_cold_only = || over.ratio(&node, &currents.warm) <= 1.0 + AT_THE_LIMIT && settled() <= 1.0;
+    let by_cold_only = id == CheckId::PeakCurrent && current > most && currents.heat.is_ok() && may_be_cold_only();
     let source = Source::Model { name: "current" };
     currents.explain(&node, currents.larger(&node), actuator, work);
     work.formula("I_peak", &AMPERE, current, "abs(I)", &source);

@@ -1,11 +1,14 @@
 //! What current, voltage and heat have of a drivetrain, whatever feedback and brake it has.
 
 use crate::axis::Axis;
+use crate::comparison::Edges;
+use crate::notes::Notes;
 use actuator::{
     COLD_START, ContinuousLimit, Drivetrain, FrictionAt, HeatModel, MotorCurrent, MotorVoltage, NoLoadFriction,
 };
 use derivation::Workings;
 use provenance::{Grade, Missing};
+use quantities::unit::NEWTON_METRE;
 use quantities::{Measure, ThermodynamicTemperature};
 
 /// The gear's temperature where no heat model tells it: the warmest for which friction is printed, 80 °C, in kelvin.
@@ -18,6 +21,13 @@ pub(crate) struct Electrics {
     pub(crate) voltage: Result<MotorVoltage, Missing>,
     /// Continuous torque at the mean speed of the cycle.
     pub(crate) continuous: Result<ContinuousLimit, Missing>,
+    /// The remark on its band, if it has one.
+    pub(crate) estimated: Notes,
+}
+
+/// The edges of a continuous torque.
+pub(crate) fn edges(limit: &ContinuousLimit) -> Edges {
+    Edges { limit: limit.limit.value.si(), upper: limit.upper.si(), unit: &NEWTON_METRE }
 }
 
 /// The motor current of a torque, with the friction of a gear as cold as the air.
@@ -40,10 +50,13 @@ impl Electrics {
         let heat = HeatModel::of(drivetrain);
         let (model, mut off) = (heat.as_ref().ok(), Workings::off());
         let speed = axis.moments.speed_mean();
+        let continuous = actuator::continuous_torque_with(drivetrain, model, speed, &mut off);
+        let remark = continuous.as_ref().ok().and_then(|limit| edges(limit).remark());
         Self {
             current: CurrentLaw::of(axis, drivetrain),
             voltage: MotorVoltage::of(drivetrain),
-            continuous: actuator::continuous_torque_with(drivetrain, model, speed, &mut off),
+            estimated: remark.map_or(Notes::NONE, |remark| Notes::from([remark])),
+            continuous,
             heat,
         }
     }

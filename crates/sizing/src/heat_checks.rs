@@ -33,14 +33,14 @@ pub(crate) fn continuous_torque(
     let id = CheckId::ContinuousTorque;
     let Some(demand) = demand else { return not_checked(id, Missing { symbol: "J_out" }) };
     workings::mean_speed(axis, work);
+    if work.is_on() {
+        // The same once more, for its workings.
+        let _ = actuator::continuous_torque_with(actuator, electrics.heat.as_ref().ok(), demand.speed_mean, work);
+    }
     let limit = match &electrics.continuous {
         Ok(limit) => limit,
         Err(missing) => return not_checked(id, *missing),
     };
-    if work.is_on() {
-        // The same once more with its workings; a datum that were missing would have been so before.
-        let _ = actuator::continuous_torque_with(actuator, electrics.heat.as_ref().ok(), demand.speed_mean, work);
-    }
     work.limit("T_cont");
     workings::effective_torque(axis, actuator, demand, manual, work);
     work.value("T_rms");
@@ -56,7 +56,10 @@ pub(crate) fn continuous_torque(
     if time_constant.is_some_and(|tau| axis.moments.duration.si() > SHORT_CYCLE_SHARE * tau.value.si()) {
         notes.push(Note::CycleNotShort { cycle: axis.moments.duration });
     }
-    let edges = Edges { limit: limit.limit.value.si(), upper: limit.upper.si(), unit: &NEWTON_METRE };
+    if notes.is_empty() {
+        notes = electrics.estimated.clone();
+    }
+    let edges = crate::electrics::edges(limit);
     let source = crate::checks::demand_source(manual, "69.2");
     Comparison { notes, ..Comparison::with(id, &NEWTON_METRE, demand.torque_rms.si(), source, &limit.limit) }
         .between(edges)

@@ -16,6 +16,7 @@ use crate::gear_checks;
 use crate::heat_checks;
 use crate::joint_checks;
 use actuator::{Drivetrain, Parameters};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Room for the checks of one actuator that is rejected, without those of its drivetrain, and for all of one that is not,
@@ -101,6 +102,8 @@ pub struct Checks {
 #[derive(Debug)]
 struct Shared {
     checks: Vec<Check>,
+    /// Those of the output bearing, one after the other.
+    bearing: Range<usize>,
     /// Whether one of them fails.
     fail: bool,
     utilisation: f64,
@@ -202,6 +205,10 @@ struct Gathered {
     count: u32,
     /// Those of the drivetrain, where they are not known yet.
     new: Vec<Check>,
+    /// Which of them are those of the output bearing.
+    bearing: Range<usize>,
+    /// Another drivetrain with the same output bearing, whose checks of it serve.
+    same_bearing: Option<Arc<Shared>>,
 }
 
 impl Gathered {
@@ -216,6 +223,22 @@ impl Gathered {
         if self.all.shared.is_none() {
             self.new.push(check());
         }
+    }
+
+    fn of_bearing(&mut self, check: impl FnOnce() -> Check) {
+        if self.all.shared.is_some() {
+            self.of_drivetrain(check);
+            return;
+        }
+        let place = self.new.len();
+        if self.bearing.is_empty() {
+            self.bearing.start = place;
+        }
+        let number = place - self.bearing.start;
+        let of_bearing = |same: &Arc<Shared>| same.checks.get(same.bearing.clone())?.get(number).cloned();
+        let known = self.same_bearing.as_ref().and_then(of_bearing);
+        self.of_drivetrain(|| known.unwrap_or_else(check));
+        self.bearing.end = self.new.len();
     }
 }
 
@@ -235,12 +258,15 @@ impl<'a> Judge<'a> {
     /// The judgement of one actuator.
     pub fn next(&mut self, actuator: &Parameters, naming: Naming<'_>) -> Judgement {
         let (axis, depth, explain) = (self.axis, self.depth, self.explain);
-        let known = self.known.take().filter(|known| Arc::ptr_eq(&known.drivetrain, &actuator.drivetrain));
+        let before = self.known.take();
+        let is_same = before.as_ref().is_some_and(|known| Arc::ptr_eq(&known.drivetrain, &actuator.drivetrain));
+        let (known, other) = if is_same { (before, None) } else { (None, before) };
         let known = self.known.insert(known.unwrap_or_else(|| Known {
             drivetrain: Arc::clone(&actuator.drivetrain),
             electrics: Electrics::of(axis, actuator),
             checks: None,
         }));
+        let other = other.filter(|other| other.drivetrain.output_bearing == actuator.output_bearing);
         let inertia = actuator.inertia_out.known().map(|known| known.value);
         let demand = inertia.map(|inertia| axis.demand(inertia));
         let bare = depth == Depth::Margins;
@@ -250,18 +276,25 @@ impl<'a> Judge<'a> {
         let [rejected, all] = ROOM;
         let room = if depth == Depth::Survivors { rejected } else { all };
         let shared = shared.map(|(_, shared)| Arc::clone(shared));
-        let mut checks =
-            Gathered { all: Checks { own: Vec::with_capacity(room), shared, places: 0 }, count: 0, new: Vec::new() };
+        let mut checks = Gathered {
+            all: Checks { own: Vec::with_capacity(room), shared, places: 0 },
+            count: 0,
+            new: Vec::new(),
+            bearing: 0..0,
+            same_bearing: other.and_then(|other| other.checks).filter(|(named, _)| *named == governing).map(|(_, s)| s),
+        };
         let demands = (demand.as_ref(), manual.as_ref());
         let electrics = &known.electrics;
         let currents = Currents::of(axis, actuator, electrics);
         let currents = currents.as_ref();
         first_checks(axis, actuator, (demands, electrics, currents), (bare, explain), &mut checks);
         if checks.all.shared.is_none() {
-            let mut found = std::mem::take(&mut checks.new);
-            found.iter_mut().for_each(|check| naming(check, governing));
+            let (mut found, bearing) = (std::mem::take(&mut checks.new), checks.bearing.clone());
+            let is_named = |place: usize| checks.same_bearing.is_some() && bearing.contains(&place);
+            let new = found.iter_mut().enumerate().filter(|(place, _)| !is_named(*place));
+            new.for_each(|(_, check)| naming(check, governing));
             let fail = found.iter().any(|check| check.verdict == Verdict::Fail);
-            let found = Arc::new(Shared { fail, utilisation: utilisation(&found), checks: found });
+            let found = Arc::new(Shared { bearing, fail, utilisation: utilisation(&found), checks: found });
             known.checks = Some((governing, Arc::clone(&found)));
             checks.all.shared = Some(found);
         }
@@ -303,7 +336,7 @@ fn first_checks(
     if !bare || axis.asked.natural_frequency_min.is_some() {
         to.own(explained(explain, |work| crate::resonance::natural_frequency(axis, actuator, work)));
     }
-    bearing_checks::judge(axis, &drivetrain.output_bearing, explain, &mut |check| to.of_drivetrain(check));
+    bearing_checks::judge(axis, &drivetrain.output_bearing, explain, &mut |check| to.of_bearing(check));
     if let Some(stated) = axis.ambient {
         to.of_drivetrain(|| explained(explain, |work| checks::ambient(stated, drivetrain, work)));
     }
