@@ -43,3 +43,40 @@ fn actuators_with(option_1: Option<Option1>) -> Vec<(OrderCode, Parameters)> {
     }
     actuators
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use order_code::Winding;
+
+    /// What [`parameters`] says of a code is what stands in the list, and who shares a drivetrain differs in feedback and
+    /// brake alone: 84 combinations of size, ratio and winding, of which H and N are printed in the same tables.
+    #[test]
+    fn neighbours_share_their_drivetrain_and_nothing_else() {
+        let mut drivetrains = 0;
+        let mut before: Option<&(OrderCode, Parameters)> = None;
+        for here in catalogue_actuators() {
+            let (code, own) = here;
+            assert_eq!(parameters(code).as_ref(), Some(own), "{code}");
+            let shares = before.is_some_and(|(_, other)| other.shares_drivetrain(own));
+            let drive = |code: &OrderCode| (code.size, code.ratio, code.winding == Winding::E);
+            assert_eq!(shares, before.is_some_and(|(other, _)| drive(other) == drive(code)), "{code}");
+            drivetrains += usize::from(!shares);
+            before = Some(here);
+        }
+        assert_eq!(drivetrains, 84);
+    }
+
+    /// Who writes one datum has a drivetrain of its own from then on.
+    #[test]
+    fn a_datum_that_is_written_changes_no_neighbour() {
+        let mut pairs = catalogue_actuators().windows(2);
+        let shared = pairs.find_map(|pair| match pair {
+            [(_, a), (_, b)] if a.shares_drivetrain(b) => Some((a.clone(), b)),
+            _ => None,
+        });
+        let (mut own, other) = shared.expect("neighbours that share");
+        own.torque_max = provenance::Datum::NotPrinted;
+        assert!(other.torque_max.known().is_some() && !own.shares_drivetrain(other));
+    }
+}

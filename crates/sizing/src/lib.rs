@@ -2,7 +2,7 @@
 //!
 //! [`Axis`] holds the load and the cycle with everything about them that does not depend on the actuator, so that
 //! judging one more candidate costs a few arithmetic operations per ramp. [`judge`] answers every check for one set
-//! of parameters; [`rank`] orders the judgements of many.
+//! of parameters; [`Judge`] goes through many and finds what neighbours share once; [`rank`] orders the judgements.
 
 mod axis;
 mod bearing_checks;
