@@ -1,7 +1,7 @@
 //! Accuracy of the gear, and the budget of all angular errors at the output.
 
 use crate::output_bearing::tilt_angle;
-use crate::parameters::Parameters;
+use crate::parameters::{Drivetrain, Parameters};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Angle, Length, Measure, Torque};
 
@@ -171,7 +171,7 @@ pub fn error_budget(actuator: &Parameters, case: &BudgetCase) -> ErrorBudget {
 }
 
 /// Torsion under a torque, as an amount.
-fn torsion(actuator: &Parameters, torque: Torque) -> Datum<Angle> {
+fn torsion(actuator: &Drivetrain, torque: Torque) -> Datum<Angle> {
     let [k1, k2, k3] = &actuator.gear.stiffness;
     let grades = [k1, k2, k3].map(|stiffness| stiffness.known().map(|known| known.grade));
     actuator.gear.torsion().map_or(Datum::NotPrinted, |curve| {
@@ -185,7 +185,7 @@ fn torsion(actuator: &Parameters, torque: Torque) -> Datum<Angle> {
 }
 
 /// Tilt under a moment, as an amount.
-fn tilt(actuator: &Parameters, moment: Option<Torque>) -> Datum<Angle> {
+fn tilt(actuator: &Drivetrain, moment: Option<Torque>) -> Datum<Angle> {
     let stiffness = actuator.output_bearing.tilting_stiffness.known();
     moment.zip(stiffness).map_or(Datum::NotPrinted, |(moment, stiffness)| {
         Datum::Known(Sourced {
@@ -218,23 +218,6 @@ mod tests {
 
     fn actuator() -> Parameters {
         Parameters {
-            ratio: known(100.0),
-            accuracy: Accuracy {
-                transmission_accuracy: minutes(0.8),
-                repeatability: minutes(0.1),
-                hysteresis_loss: minutes(1.0),
-                lost_motion: minutes(1.0),
-            },
-            gear: Gear {
-                torque_1: known(Torque::from_si(29.0)),
-                torque_2: known(Torque::from_si(108.0)),
-                stiffness: [6.7e4, 1.1e5, 1.2e5].map(|k| known(TorsionalStiffness::from_si(k))),
-                ..Gear::unknown()
-            },
-            output_bearing: OutputBearing {
-                tilting_stiffness: known(TiltingStiffness::from_si(4e5)),
-                ..OutputBearing::unknown()
-            },
             feedback: Feedback {
                 accuracy: known(Angle::new_in(60.0, &ARCSECOND)),
                 resolution: known(Angle::new_in(10.0, &ARCSECOND)),
@@ -245,7 +228,27 @@ mod tests {
                 accuracy: known(Angle::new_in(20.0, &ARCSECOND)),
                 ..Feedback::absent(FeedbackSide::Output)
             },
-            ..Parameters::unknown()
+            ..Drivetrain {
+                ratio: known(100.0),
+                accuracy: Accuracy {
+                    transmission_accuracy: minutes(0.8),
+                    repeatability: minutes(0.1),
+                    hysteresis_loss: minutes(1.0),
+                    lost_motion: minutes(1.0),
+                },
+                gear: Gear {
+                    torque_1: known(Torque::from_si(29.0)),
+                    torque_2: known(Torque::from_si(108.0)),
+                    stiffness: [6.7e4, 1.1e5, 1.2e5].map(|k| known(TorsionalStiffness::from_si(k))),
+                    ..Gear::unknown()
+                },
+                output_bearing: OutputBearing {
+                    tilting_stiffness: known(TiltingStiffness::from_si(4e5)),
+                    ..OutputBearing::unknown()
+                },
+                ..Drivetrain::unknown()
+            }
+            .into()
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::curve::Curve;
 use crate::heat::HeatModel;
-use crate::parameters::Parameters;
+use crate::parameters::Drivetrain;
 use provenance::{Datum, Sourced};
 use quantities::{AngularVelocity, Measure, Ratio, Time, Torque};
 
@@ -29,7 +29,7 @@ pub struct PublishedDuty {
 /// # Source   docs/theory/thermal.md; curves of [`Parameters`]
 #[must_use]
 pub fn published_duty(
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     model: &HeatModel,
     duty: f64,
     speed_mean: AngularVelocity,
@@ -75,7 +75,7 @@ pub fn published_duty(
 
 /// What the model says of a torque at a speed, on for a share of a minute and at rest for the remainder.
 fn said(
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     model: &HeatModel,
     torque: Torque,
     speed: AngularVelocity,

@@ -1,6 +1,6 @@
 //! No-load friction of motor and gear as a current, and how it changes with the temperature of the grease.
 
-use crate::parameters::Parameters;
+use crate::parameters::Drivetrain;
 use provenance::Missing;
 use quantities::unit::DEGREE_CELSIUS;
 use quantities::{ElectricCurrent, Measure, NoLoadCurrentConstant, ThermodynamicTemperature};
@@ -60,7 +60,7 @@ impl NoLoadFriction {
     ///
     /// # Errors
     /// [`Missing`] with the first datum that is not known.
-    pub fn of(actuator: &Parameters) -> Result<Self, Missing> {
+    pub fn of(actuator: &Drivetrain) -> Result<Self, Missing> {
         let starting = actuator.no_load_starting_current.require("I_NLS")?.value.si();
         let cold = actuator.no_load_current_constant_30.require("K_INL")?.value.si();
         let warm = actuator.no_load_current_constant_80.known().map_or(cold, |warm| warm.value.si());

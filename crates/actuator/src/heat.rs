@@ -4,7 +4,7 @@
 
 use crate::friction::{FrictionAt, NoLoadFriction};
 use crate::instant::LossLaw;
-use crate::parameters::Parameters;
+use crate::parameters::Drivetrain;
 use crate::temperature::{Losses, Network};
 use provenance::{Datum, Missing};
 use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, ThermodynamicTemperature, Time, Torque};
@@ -132,7 +132,7 @@ impl HeatModel {
     ///
     /// # Errors
     /// [`Missing`] with the first datum that is not known.
-    pub fn of(actuator: &Parameters) -> Result<Self, Missing> {
+    pub fn of(actuator: &Drivetrain) -> Result<Self, Missing> {
         let heat = &actuator.heat;
         let current = match actuator.stall_current_motor.known() {
             Some(motor) => motor,

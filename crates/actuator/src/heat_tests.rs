@@ -1,6 +1,7 @@
 //! Tests of the heat model.
 
 use super::*;
+use crate::Parameters;
 use provenance::{CellRef, Grade, Source, Sourced};
 use quantities::unit::{AMPERE_PER_REVOLUTION_PER_MINUTE, REVOLUTION_PER_MINUTE};
 use quantities::{ElectricalResistance, NoLoadCurrentConstant, TorqueConstant};
@@ -16,7 +17,7 @@ fn constant(milliampere: f64) -> Datum<NoLoadCurrentConstant> {
 
 /// CHA-20A-50, table 26.1, with w = 0.45.
 fn actuator() -> Parameters {
-    Parameters {
+    Parameters::from(Drivetrain {
         ratio: known(50.0),
         speed_motor_rated: known(rpm(3500.0)),
         stall_torque: known(Torque::from_si(32.0)),
@@ -39,8 +40,8 @@ fn actuator() -> Parameters {
             winding_time_constant: known(Time::from_si(60.0)),
             housing_time_constant: known(Time::from_si(2400.0)),
         },
-        ..Parameters::unknown()
-    }
+        ..Drivetrain::unknown()
+    })
 }
 
 fn rpm(n: f64) -> AngularVelocity {
@@ -111,12 +112,10 @@ fn speed_and_heat_only_take_and_rest_only_gives() {
 /// Limits: without friction the torque does not depend on the speed; with w → 0 friction costs its current only.
 #[test]
 fn an_ideal_gear_and_an_ideal_plate() {
-    let ideal = Parameters {
-        no_load_starting_current: known(ElectricCurrent::from_si(0.0)),
-        no_load_current_constant_30: constant(0.0),
-        no_load_current_constant_80: constant(0.0),
-        ..actuator()
-    };
+    let mut ideal = actuator();
+    ideal.no_load_starting_current = known(ElectricCurrent::from_si(0.0));
+    ideal.no_load_current_constant_30 = constant(0.0);
+    ideal.no_load_current_constant_80 = constant(0.0);
     let ideal = HeatModel::of(&ideal).unwrap();
     let at = |n| ideal.torque(rpm(n), 1.0, Time::from_si(MINUTE), 1.0).0.si();
     assert!((at(0.0) - 16.5 * 2.1).abs() < 1e-9 && (at(70.0) - at(0.0)).abs() < 1e-9);

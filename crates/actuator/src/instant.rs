@@ -6,7 +6,7 @@
 
 use crate::friction::FrictionAt;
 use crate::motor::{copper_resistance, driven_share};
-use crate::parameters::Parameters;
+use crate::parameters::Drivetrain;
 use crate::temperature::Losses;
 use provenance::Missing;
 use quantities::{ElectricalResistance, Measure, ThermodynamicTemperature};
@@ -49,7 +49,7 @@ impl MotorCurrent {
     ///
     /// # Errors
     /// [`Missing`] if k_Tout is not known.
-    pub fn of(actuator: &Parameters) -> Result<Self, Missing> {
+    pub fn of(actuator: &Drivetrain) -> Result<Self, Missing> {
         Ok(Self { torque_constant: actuator.torque_constant_out.require("k_Tout")?.value.si() })
     }
 
@@ -95,7 +95,7 @@ impl LossLaw {
     ///
     /// # Errors
     /// [`Missing`] with the first datum that is not known.
-    pub fn of(actuator: &Parameters, winding: ThermodynamicTemperature) -> Result<Self, Missing> {
+    pub fn of(actuator: &Drivetrain, winding: ThermodynamicTemperature) -> Result<Self, Missing> {
         let copper_ohm = copper_ohm(actuator.resistance_ll.require("R_LL")?.value, winding);
         let ratio = actuator.ratio.require("i")?.value;
         Ok(Self { copper_ohm, friction_vs: actuator.torque_constant_motor.require("k_TM")?.value.si() * ratio })
@@ -146,7 +146,7 @@ impl TerminalPower {
     ///
     /// # Errors
     /// [`Missing`] with the first datum that is not known.
-    pub fn of(actuator: &Parameters, winding: ThermodynamicTemperature) -> Result<Self, Missing> {
+    pub fn of(actuator: &Drivetrain, winding: ThermodynamicTemperature) -> Result<Self, Missing> {
         let resistance = actuator.resistance_ll.require("R_LL")?;
         let constant = actuator.torque_constant_motor.require("k_TM")?;
         let ratio = actuator.ratio.require("i")?;

@@ -1,4 +1,5 @@
 use super::*;
+use crate::Parameters;
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::unit::DEGREE_CELSIUS;
 use quantities::{ElectricCurrent, NoLoadCurrentConstant, TorqueConstant};
@@ -9,13 +10,13 @@ fn known<T>(value: T) -> Datum<T> {
 
 /// k_Tout = 40 Nm/A, k_TM = 0.5 Nm/A, i = 100: η = 0.8; 2 Ω at 20 °C.
 fn actuator() -> Parameters {
-    Parameters {
+    Parameters::from(Drivetrain {
         ratio: known(100.0),
         torque_constant_out: known(TorqueConstant::from_si(40.0)),
         torque_constant_motor: known(TorqueConstant::from_si(0.5)),
         resistance_ll: known(ElectricalResistance::from_si(2.0)),
-        ..Parameters::unknown()
-    }
+        ..Drivetrain::unknown()
+    })
 }
 
 /// I_NLS = 0.2 A, all of it counted, K = 0.1 A/(rad/s).

@@ -45,7 +45,7 @@ pub use output_bearing::{
     static_safety, tilt_angle, tilting_moment,
 };
 pub use overload::{overload_course, overload_slope};
-pub use parameters::Parameters;
+pub use parameters::{Drivetrain, Parameters};
 pub use plane::{
     CurveKind, PerformanceCurve, intermittent_torque, performance_curves, short_time_torque, short_time_torque_with,
 };

@@ -1,7 +1,7 @@
 //! Current, speed limits and continuous torque of the motor, seen from the output.
 
 use crate::heat::{HeatModel, Settled};
-use crate::parameters::Parameters;
+use crate::parameters::Drivetrain;
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{
@@ -48,7 +48,7 @@ pub fn driven_share(out: TorqueConstant, motor: TorqueConstant, ratio: f64) -> f
 ///
 /// # Errors
 /// [`Missing`] if neither is known.
-pub fn speed_max(actuator: &Parameters) -> Result<Sourced<AngularVelocity>, Missing> {
+pub fn speed_max(actuator: &Drivetrain) -> Result<Sourced<AngularVelocity>, Missing> {
     speed_max_with(actuator, &mut Workings::off())
 }
 
@@ -56,7 +56,7 @@ pub fn speed_max(actuator: &Parameters) -> Result<Sourced<AngularVelocity>, Miss
 ///
 /// # Errors
 /// As [`speed_max`].
-pub fn speed_max_with(actuator: &Parameters, work: &mut Workings) -> Result<Sourced<AngularVelocity>, Missing> {
+pub fn speed_max_with(actuator: &Drivetrain, work: &mut Workings) -> Result<Sourced<AngularVelocity>, Missing> {
     match (actuator.speed_motor_max.known(), actuator.ratio.known()) {
         (Some(motor), Some(ratio)) => {
             let speed = motor.value.si() / ratio.value;
@@ -83,7 +83,7 @@ pub fn speed_max_with(actuator: &Parameters, work: &mut Workings) -> Result<Sour
 /// # Source   published corner points of CHA-20A: every continuous curve ends at n_N / i
 /// # Errors
 /// [`Missing`] if rated motor speed or ratio are not known.
-pub fn speed_rated_out(actuator: &Parameters) -> Result<Sourced<AngularVelocity>, Missing> {
+pub fn speed_rated_out(actuator: &Drivetrain) -> Result<Sourced<AngularVelocity>, Missing> {
     speed_rated_out_with(actuator, &mut Workings::off())
 }
 
@@ -91,7 +91,7 @@ pub fn speed_rated_out(actuator: &Parameters) -> Result<Sourced<AngularVelocity>
 ///
 /// # Errors
 /// As [`speed_rated_out`].
-pub fn speed_rated_out_with(actuator: &Parameters, work: &mut Workings) -> Result<Sourced<AngularVelocity>, Missing> {
+pub fn speed_rated_out_with(actuator: &Drivetrain, work: &mut Workings) -> Result<Sourced<AngularVelocity>, Missing> {
     let motor = actuator.speed_motor_rated.require("n_N")?;
     let ratio = actuator.ratio.require("i")?;
     let speed = motor.value.si() / ratio.value;
@@ -120,7 +120,7 @@ pub struct ContinuousLimit {
 ///
 /// # Errors
 /// [`Missing`] with the first datum that neither way can do without.
-pub fn continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
+pub fn continuous_torque(actuator: &Drivetrain, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
     continuous_torque_with(actuator, None, speed, &mut Workings::off())
 }
 
@@ -129,7 +129,7 @@ pub fn continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Resul
 /// # Errors
 /// As [`continuous_torque`].
 pub fn continuous_torque_with(
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     model: Option<&HeatModel>,
     speed: AngularVelocity,
     work: &mut Workings,
@@ -165,7 +165,7 @@ pub fn continuous_torque_with(
 /// # Valid    |n| ≤ n_N/i, 40 °C, on the plate of table 13.3; beyond n_N/i the value at n_N/i
 /// # Errors
 /// [`Missing`] with the first datum that is not known.
-pub fn estimated_continuous_torque(actuator: &Parameters, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
+pub fn estimated_continuous_torque(actuator: &Drivetrain, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
     estimated_continuous_torque_with(actuator, &HeatModel::of(actuator)?, speed, &mut Workings::off())
 }
 
@@ -173,7 +173,7 @@ pub fn estimated_continuous_torque(actuator: &Parameters, speed: AngularVelocity
 const ALWAYS: (f64, f64) = (1.0, 60.0);
 
 fn estimated_continuous_torque_with(
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     model: &HeatModel,
     speed: AngularVelocity,
     work: &mut Workings,
@@ -205,7 +205,7 @@ fn estimated_continuous_torque_with(
 
 /// The workings of the current that the heat permits at a speed, `I_th`, and of the friction current, `I_f`.
 fn explain_continuous(
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     model: &HeatModel,
     (speed, edge): (AngularVelocity, f64),
     settled: &Settled,
@@ -238,7 +238,7 @@ fn explain_continuous(
 }
 
 /// The workings of the loss that the winding bears at standstill, `P_0`.
-pub fn explain_stall_loss(actuator: &Parameters, work: &mut Workings) {
+pub fn explain_stall_loss(actuator: &Drivetrain, work: &mut Workings) {
     let current = actuator.stall_current_motor.known().or_else(|| actuator.stall_current.known());
     let resistance = actuator.resistance_ll.known();
     let factor = actuator.heat.stall_loss_factor.known();
@@ -258,7 +258,7 @@ pub fn explain_stall_loss(actuator: &Parameters, work: &mut Workings) {
 }
 
 /// The workings of the friction at the temperature of the housing, `K`.
-pub fn explain_friction(actuator: &Parameters, settled: &Settled, work: &mut Workings) {
+pub fn explain_friction(actuator: &Drivetrain, settled: &Settled, work: &mut Workings) {
     let source = Source::Model { name: "current" };
     let data = (actuator.no_load_starting_current.known(), actuator.no_load_current_constant_30.known());
     let (Some(starting), Some(cold), true) = (data.0, data.1, work.is_on()) else { return };

@@ -1,4 +1,5 @@
 use super::*;
+use crate::Parameters;
 use crate::{Curve, CurvePoint};
 use provenance::{CellRef, Datum};
 use quantities::unit::{
@@ -29,7 +30,7 @@ fn heat() -> crate::Heat {
 /// CHA-20A-50, table 26.1.
 fn actuator_20a_50() -> Parameters {
     let current = |a| ElectricCurrent::new_in(a, &AMPERE);
-    Parameters {
+    Parameters::from(Drivetrain {
         ratio: known(50.0),
         speed_max: known(AngularVelocity::new_in(120.0, &REVOLUTION_PER_MINUTE)),
         speed_motor_max: known(AngularVelocity::new_in(6000.0, &REVOLUTION_PER_MINUTE)),
@@ -43,8 +44,8 @@ fn actuator_20a_50() -> Parameters {
         torque_constant_motor: known(TorqueConstant::new_in(0.36, &NEWTON_METRE_PER_AMPERE)),
         resistance_ll: known(ElectricalResistance::new_in(5.9, &OHM)),
         heat: heat(),
-        ..Parameters::unknown()
-    }
+        ..Drivetrain::unknown()
+    })
 }
 
 fn rpm(n: f64) -> AngularVelocity {

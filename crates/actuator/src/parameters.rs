@@ -13,10 +13,35 @@ use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, Length, Mass,
     MomentOfInertia, NoLoadCurrentConstant, ThermodynamicTemperature, Torque, TorqueConstant, VoltageConstant,
 };
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
 
 /// The data of one actuator, in SI, each value with its source or with the reason of its absence.
+///
+/// Actuators that differ in feedback and brake alone have one drivetrain, and share it: whoever looks at one after the
+/// other sees by [`Parameters::shares_drivetrain`] what need not be looked at again. Its data are read as if they stood
+/// here; to write one takes a drivetrain of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
+    /// What feedback and brake do not change.
+    pub drivetrain: Arc<Drivetrain>,
+    /// J_out: own moment of inertia at the output, with the brake if there is one.
+    pub inertia_out: Datum<MomentOfInertia>,
+    /// m: mass, with the brake if there is one.
+    pub mass: Datum<Mass>,
+    /// L: length, with the brake if there is one.
+    pub length: Datum<Length>,
+    /// The brake.
+    pub brake: Brake,
+    /// The feedback on the motor.
+    pub feedback: Feedback,
+    /// The feedback at the output; not applicable without the option.
+    pub feedback_out: Feedback,
+}
+
+/// Motor, gear, output bearing and joints of an actuator: the data that are the same with any feedback and brake.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drivetrain {
     /// i: reduction ratio, magnitude.
     pub ratio: Datum<f64>,
     /// T_max: largest torque for acceleration and braking.
@@ -60,12 +85,6 @@ pub struct Parameters {
     pub inductance_ll: Datum<Inductance>,
     /// p: number of pole pairs.
     pub pole_pairs: Datum<f64>,
-    /// J_out: own moment of inertia at the output, with the brake if there is one.
-    pub inertia_out: Datum<MomentOfInertia>,
-    /// m: mass, with the brake if there is one.
-    pub mass: Datum<Mass>,
-    /// L: length, with the brake if there is one.
-    pub length: Datum<Length>,
     /// d_H: bore of the hollow shaft.
     pub hollow_shaft: Datum<Length>,
     /// U_DCmax: largest steady DC link voltage.
@@ -86,12 +105,6 @@ pub struct Parameters {
     pub gear: Gear,
     /// The output bearing.
     pub output_bearing: OutputBearing,
-    /// The brake.
-    pub brake: Brake,
-    /// The feedback on the motor.
-    pub feedback: Feedback,
-    /// The feedback at the output; not applicable without the option.
-    pub feedback_out: Feedback,
     /// Accuracy of the gear.
     pub accuracy: Accuracy,
     /// Screw joint of the load on the output flange.
@@ -102,6 +115,49 @@ pub struct Parameters {
 
 impl Parameters {
     /// An actuator of which nothing is known yet.
+    #[must_use]
+    pub fn unknown() -> Self {
+        Self {
+            drivetrain: Arc::new(Drivetrain::unknown()),
+            inertia_out: Datum::NotPrinted,
+            mass: Datum::NotPrinted,
+            length: Datum::NotPrinted,
+            brake: Brake::unknown(),
+            feedback: Feedback::unknown(),
+            feedback_out: Feedback::absent(FeedbackSide::Output),
+        }
+    }
+
+    /// Whether both have the same drivetrain, as one piece of data and not by its values.
+    #[must_use]
+    pub fn shares_drivetrain(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.drivetrain, &other.drivetrain)
+    }
+}
+
+impl From<Drivetrain> for Parameters {
+    /// A drivetrain with feedback, brake, inertia, mass and length of which nothing is known.
+    fn from(drivetrain: Drivetrain) -> Self {
+        Self { drivetrain: Arc::new(drivetrain), ..Self::unknown() }
+    }
+}
+
+impl Deref for Parameters {
+    type Target = Drivetrain;
+
+    fn deref(&self) -> &Drivetrain {
+        &self.drivetrain
+    }
+}
+
+impl DerefMut for Parameters {
+    fn deref_mut(&mut self) -> &mut Drivetrain {
+        Arc::make_mut(&mut self.drivetrain)
+    }
+}
+
+impl Drivetrain {
+    /// One of which nothing is known yet.
     #[must_use]
     pub const fn unknown() -> Self {
         Self {
@@ -126,9 +182,6 @@ impl Parameters {
             resistance_ll: Datum::NotPrinted,
             inductance_ll: Datum::NotPrinted,
             pole_pairs: Datum::NotPrinted,
-            inertia_out: Datum::NotPrinted,
-            mass: Datum::NotPrinted,
-            length: Datum::NotPrinted,
             hollow_shaft: Datum::NotPrinted,
             dc_link_max: Datum::NotPrinted,
             terminal_voltage_min: Datum::NotPrinted,
@@ -139,9 +192,6 @@ impl Parameters {
             heat: Heat::unknown(),
             gear: Gear::unknown(),
             output_bearing: OutputBearing::unknown(),
-            brake: Brake::unknown(),
-            feedback: Feedback::unknown(),
-            feedback_out: Feedback::absent(FeedbackSide::Output),
             accuracy: Accuracy::unknown(),
             screw_joint_load: ScrewJoint::unknown(),
             screw_joint_housing: ScrewJoint::unknown(),

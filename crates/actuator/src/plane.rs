@@ -4,7 +4,7 @@ use crate::curve::{Curve, CurvePoint};
 use crate::friction::{COLD_START, FrictionAt, NoLoadFriction};
 use crate::heat::HeatModel;
 use crate::motor::{ContinuousLimit, continuous_torque_with, speed_max, speed_rated_out};
-use crate::parameters::Parameters;
+use crate::parameters::Drivetrain;
 use crate::voltage::MotorVoltage;
 use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source, Sourced};
@@ -57,7 +57,7 @@ pub struct PerformanceCurve {
 /// # Errors
 /// [`Missing`] with the first datum of the first curve, if not one curve can be drawn.
 pub fn performance_curves(
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     terminal_voltage: Option<ElectricPotential>,
 ) -> Result<Vec<PerformanceCurve>, Missing> {
     let [half, quarter] = &actuator.s3_curves;
@@ -92,7 +92,7 @@ pub fn performance_curves(
 /// # Errors
 /// [`Missing`] with the first datum that is not known.
 pub fn short_time_torque(
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     speed: AngularVelocity,
     terminal_voltage: Option<ElectricPotential>,
     friction: &FrictionAt,
@@ -105,7 +105,7 @@ pub fn short_time_torque(
 /// # Errors
 /// As [`short_time_torque`].
 pub fn short_time_torque_with(
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     speed: AngularVelocity,
     terminal_voltage: Option<ElectricPotential>,
     friction: &FrictionAt,
@@ -171,7 +171,7 @@ pub fn short_time_torque_with(
 
 /// A published curve, if it holds at this voltage: from the printed U_M on.
 fn at_voltage<'a>(
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     curve: &'a Datum<Curve>,
     terminal_voltage: Option<ElectricPotential>,
 ) -> Option<&'a Sourced<Curve>> {
@@ -264,7 +264,7 @@ fn estimated(
     })
 }
 
-fn continuous_curve(actuator: &Parameters) -> Result<PerformanceCurve, Missing> {
+fn continuous_curve(actuator: &Drivetrain) -> Result<PerformanceCurve, Missing> {
     if let Some(curve) = actuator.continuous_curve.known() {
         return Ok(published(curve, &actuator.stall_torque, CurveKind::Continuous));
     }
@@ -275,12 +275,12 @@ fn continuous_curve(actuator: &Parameters) -> Result<PerformanceCurve, Missing> 
 }
 
 /// Friction of a cold gear.
-fn cold_friction(actuator: &Parameters) -> Result<FrictionAt, Missing> {
+fn cold_friction(actuator: &Drivetrain) -> Result<FrictionAt, Missing> {
     Ok(NoLoadFriction::of(actuator)?.at(ThermodynamicTemperature::from_si(COLD_START)))
 }
 
 fn s3_curve(
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     datum: &Datum<Curve>,
     duty: f64,
     voltage: Option<ElectricPotential>,
@@ -307,7 +307,7 @@ fn s3_curve(
 /// # Errors
 /// [`Missing`] with the first datum that is not known.
 pub fn intermittent_torque(
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     speed: AngularVelocity,
     duty: Ratio,
     terminal_voltage: Option<ElectricPotential>,
@@ -339,7 +339,7 @@ pub fn intermittent_torque(
     })
 }
 
-fn short_time_curve(actuator: &Parameters, voltage: Option<ElectricPotential>) -> Result<PerformanceCurve, Missing> {
+fn short_time_curve(actuator: &Drivetrain, voltage: Option<ElectricPotential>) -> Result<PerformanceCurve, Missing> {
     if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, voltage) {
         return Ok(PerformanceCurve { voltage, ..published(curve, &actuator.torque_max, CurveKind::ShortTime) });
     }

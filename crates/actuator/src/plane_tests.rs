@@ -1,6 +1,7 @@
 //! Tests of the torque-speed plane.
 
 use super::*;
+use crate::Parameters;
 use provenance::CellRef;
 use quantities::unit::{
     AMPERE_PER_REVOLUTION_PER_MINUTE, MILLIHENRY, REVOLUTION_PER_MINUTE, VOLT_PER_THOUSAND_REVOLUTIONS,
@@ -20,7 +21,7 @@ fn rpm(n: f64) -> AngularVelocity {
 
 /// An actuator with round figures: i = 50, T_max = 56 Nm, 6000 and 3500 1/min at the motor.
 fn actuator() -> Parameters {
-    Parameters {
+    Parameters::from(Drivetrain {
         ratio: known(50.0),
         torque_max: known(Torque::from_si(56.0)),
         stall_torque: known(Torque::from_si(32.0)),
@@ -49,8 +50,8 @@ fn actuator() -> Parameters {
             winding_time_constant: known(Time::from_si(60.0)),
             housing_time_constant: known(Time::from_si(2400.0)),
         },
-        ..Parameters::unknown()
-    }
+        ..Drivetrain::unknown()
+    })
 }
 
 /// With a gear at 30 °C.
@@ -148,12 +149,10 @@ fn curve(points: &[(f64, f64)]) -> Datum<Curve> {
 
 #[test]
 fn published_curves_win_and_are_cut_at_the_printed_torque() {
-    let actuator = Parameters {
-        continuous_curve: curve(&[(0.0, 34.0), (20.0, 34.0), (70.0, 24.0)]),
-        short_time_curve: curve(&[(0.0, 56.0), (120.0, 50.0)]),
-        terminal_voltage_min: known(ElectricPotential::from_si(220.0)),
-        ..actuator()
-    };
+    let mut actuator = actuator();
+    actuator.continuous_curve = curve(&[(0.0, 34.0), (20.0, 34.0), (70.0, 24.0)]);
+    actuator.short_time_curve = curve(&[(0.0, 56.0), (120.0, 50.0)]);
+    actuator.terminal_voltage_min = known(ElectricPotential::from_si(220.0));
     let curves = performance_curves(&actuator, None).unwrap();
     let corners: Vec<(f64, f64)> = curves
         .first()
@@ -167,7 +166,7 @@ fn published_curves_win_and_are_cut_at_the_printed_torque() {
     let at = |volts: f64| limit(&actuator, rpm(120.0), Some(ElectricPotential::from_si(volts)));
     assert!((at(220.0) - 50.0).abs() < 1e-9);
     assert!(at(160.0) < 40.0, "below the printed voltage the model answers");
-    let actuator = Parameters { s3_curves: [curve(&[(0.0, 42.0), (120.0, 30.0)]), Datum::NotPrinted], ..actuator };
+    actuator.s3_curves = [curve(&[(0.0, 42.0), (120.0, 30.0)]), Datum::NotPrinted];
     let grade = |volts: f64| {
         let curves = performance_curves(&actuator, Some(ElectricPotential::from_si(volts))).unwrap();
         curves.get(1).unwrap().grade
@@ -180,6 +179,7 @@ fn an_actuator_without_data_has_no_curves() {
     assert_eq!(performance_curves(&Parameters::unknown(), None).unwrap_err().symbol, "n_N");
     let friction = cold_friction(&actuator()).unwrap();
     assert_eq!(short_time_torque(&Parameters::unknown(), rpm(1.0), None, &friction).unwrap_err().symbol, "T_max");
-    let published = Parameters { continuous_curve: curve(&[(0.0, 1.0), (1.0, 1.0)]), ..Parameters::unknown() };
+    let published =
+        Parameters::from(Drivetrain { continuous_curve: curve(&[(0.0, 1.0), (1.0, 1.0)]), ..Drivetrain::unknown() });
     assert_eq!(performance_curves(&published, None).unwrap().len(), 1);
 }

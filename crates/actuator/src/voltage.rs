@@ -1,7 +1,7 @@
 //! Terminal voltage of the motor in the rotor's dq frame.
 
 use crate::motor::copper_resistance;
-use crate::parameters::Parameters;
+use crate::parameters::Drivetrain;
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{
@@ -37,7 +37,7 @@ impl MotorVoltage {
     ///
     /// # Errors
     /// [`Missing`] with the first datum that is not known.
-    pub fn of(actuator: &Parameters) -> Result<Self, Missing> {
+    pub fn of(actuator: &Drivetrain) -> Result<Self, Missing> {
         let hot = actuator.heat.winding_shutdown.require("T_KTY")?;
         let motor = Self::with_winding(actuator, hot.value)?;
         Ok(Self { grade: motor.grade.worst(hot.grade), ..motor })
@@ -49,7 +49,7 @@ impl MotorVoltage {
     ///
     /// # Errors
     /// [`Missing`] with the first datum that is not known.
-    pub fn with_winding(actuator: &Parameters, winding: ThermodynamicTemperature) -> Result<Self, Missing> {
+    pub fn with_winding(actuator: &Drivetrain, winding: ThermodynamicTemperature) -> Result<Self, Missing> {
         let ratio = actuator.ratio.require("i")?;
         let pole_pairs = actuator.pole_pairs.require("p")?;
         let resistance = actuator.resistance_ll.require("R_LL")?;
@@ -94,7 +94,7 @@ impl MotorVoltage {
     /// The workings of [`MotorVoltage::at`]; the caller has noted the speed `n` and the current `I`, the result is `U_LL`.
     pub fn explain(
         &self,
-        actuator: &Parameters,
+        actuator: &Drivetrain,
         speed_out: AngularVelocity,
         current: ElectricCurrent,
         work: &mut Workings,
@@ -188,6 +188,7 @@ impl MotorVoltage {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Parameters;
     use provenance::{CellRef, Datum, Source, Sourced};
     use quantities::unit::{MILLIHENRY, OHM, REVOLUTION_PER_MINUTE, VOLT_PER_THOUSAND_REVOLUTIONS};
     use quantities::{ElectricalResistance, Inductance, VoltageConstant};
@@ -199,7 +200,7 @@ mod tests {
 
     /// The motor of CHA-20A (table 26.1) at i = 50.
     fn motor(resistance: f64, inductance: f64) -> MotorVoltage {
-        MotorVoltage::of(&Parameters {
+        MotorVoltage::of(&Parameters::from(Drivetrain {
             ratio: known(50.0),
             pole_pairs: known(5.0),
             resistance_ll: known(ElectricalResistance::new_in(resistance, &OHM)),
@@ -209,8 +210,8 @@ mod tests {
                 winding_shutdown: known(ThermodynamicTemperature::from_si(363.15)),
                 ..crate::Heat::unknown()
             },
-            ..Parameters::unknown()
-        })
+            ..Drivetrain::unknown()
+        }))
         .unwrap()
     }
 

@@ -1,9 +1,9 @@
 //! The actuators of the catalogue that can be had, with their parameters.
 
-use crate::{all, parameters};
+use crate::{Availability, all, parameters};
 use actuator::Parameters;
 use order_code::{Option1, OrderCode};
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 /// The actuators without options, or with the encoder at the output: each under its bare code, its parameters those with
 /// the option.
@@ -26,11 +26,57 @@ fn actuators_with_output_encoder() -> &'static [(OrderCode, Parameters)] {
     &ACTUATORS
 }
 
-/// Each code is the bare one, its parameters those with the option.
+/// Each code is the bare one, its parameters those with the option. Neighbours whose drivetrains are equal share one.
 fn actuators_with(option_1: Option<Option1>) -> Vec<(OrderCode, Parameters)> {
-    all()
-        .iter()
-        .filter(|(code, found)| code.option_1.is_none() && code.option_2.is_none() && found.is_available())
-        .filter_map(|(code, _)| Some((*code, parameters(&OrderCode { option_1, ..*code })?)))
-        .collect()
+    let available = |code: &OrderCode, found: &Availability| {
+        code.option_1.is_none() && code.option_2.is_none() && found.is_available()
+    };
+    let mut actuators: Vec<(OrderCode, Parameters)> = Vec::new();
+    for (code, _) in all().iter().filter(|(code, found)| available(code, found)) {
+        let Some(mut parameters) = parameters(&OrderCode { option_1, ..*code }) else { continue };
+        if let Some((_, before)) = actuators.last()
+            && before.drivetrain == parameters.drivetrain
+        {
+            parameters.drivetrain = Arc::clone(&before.drivetrain);
+        }
+        actuators.push((*code, parameters));
+    }
+    actuators
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use order_code::Winding;
+
+    /// What [`parameters`] says of a code is what stands in the list, and who shares a drivetrain differs in feedback and
+    /// brake alone: 84 combinations of size, ratio and winding, of which H and N are printed in the same tables.
+    #[test]
+    fn neighbours_share_their_drivetrain_and_nothing_else() {
+        let mut drivetrains = 0;
+        let mut before: Option<&(OrderCode, Parameters)> = None;
+        for here in catalogue_actuators() {
+            let (code, own) = here;
+            assert_eq!(parameters(code).as_ref(), Some(own), "{code}");
+            let shares = before.is_some_and(|(_, other)| other.shares_drivetrain(own));
+            let drive = |code: &OrderCode| (code.size, code.ratio, code.winding == Winding::E);
+            assert_eq!(shares, before.is_some_and(|(other, _)| drive(other) == drive(code)), "{code}");
+            drivetrains += usize::from(!shares);
+            before = Some(here);
+        }
+        assert_eq!(drivetrains, 84);
+    }
+
+    /// Who writes one datum has a drivetrain of its own from then on.
+    #[test]
+    fn a_datum_that_is_written_changes_no_neighbour() {
+        let mut pairs = catalogue_actuators().windows(2);
+        let shared = pairs.find_map(|pair| match pair {
+            [(_, a), (_, b)] if a.shares_drivetrain(b) => Some((a.clone(), b)),
+            _ => None,
+        });
+        let (mut own, other) = shared.expect("neighbours that share");
+        own.torque_max = provenance::Datum::NotPrinted;
+        assert!(other.torque_max.known().is_some() && !own.shares_drivetrain(other));
+    }
 }

@@ -2,12 +2,13 @@
 
 use crate::family;
 use crate::parts;
-use actuator::{BearingType, Curve, CurvePoint, Gear, Heat, OutputBearing, Parameters};
+use actuator::{BearingType, Curve, CurvePoint, Drivetrain, Gear, Heat, OutputBearing, Parameters};
 use catalogue::Drive;
 use order_code::{Brake, OrderCode, Ratio, Size, Winding};
 use provenance::{CellRef, Datum, Grade, Source, Sourced};
 use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use quantities::{AngularVelocity, ElectricCurrent, Measure, ThermodynamicTemperature, Torque};
+use std::sync::Arc;
 
 /// Where the ratios stand.
 const RATIOS: CellRef = CellRef::of_the_manual("12.1", "i", "");
@@ -20,10 +21,24 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
     let (feedback, ratio) = (code.feedback, code.ratio);
     let braked = code.brake == Brake::With;
     let pick = |without: &'static str, with: &'static str| if braked { with } else { without };
+    Some(Parameters {
+        drivetrain: Arc::new(drivetrain(drive, code)),
+        inertia_out: drive.datum(pick("J_out", "J_out_brake"), "", feedback, ratio),
+        mass: drive.datum(pick("m", "m_brake"), "", feedback, ratio),
+        length: drive.datum(pick("L", "L_brake"), "", feedback, ratio),
+        brake: parts::brake(drive, code),
+        feedback: parts::feedback(code),
+        feedback_out: parts::feedback_out(code),
+    })
+}
+
+/// What is printed about the drivetrain of a code.
+fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
+    let (feedback, ratio) = (code.feedback, code.ratio);
     // The 14A and 17A tables of the 48 V winding give the starting current at two temperatures; inside the operating
     // range lies the one at +20 °C.
     let starting = if code.winding == Winding::E { "20 degC" } else { "" };
-    Some(Parameters {
+    Drivetrain {
         ratio: Datum::Known(Sourced {
             value: f64::from(ratio.value()),
             source: Source::Cell(&RATIOS),
@@ -50,9 +65,6 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
         resistance_ll: drive.datum("R_LL", "20 degC", feedback, ratio),
         inductance_ll: drive.datum("L_LL", "", feedback, ratio),
         pole_pairs: plain_number(drive, "p", code),
-        inertia_out: drive.datum(pick("J_out", "J_out_brake"), "", feedback, ratio),
-        mass: drive.datum(pick("m", "m_brake"), "", feedback, ratio),
-        length: drive.datum(pick("L", "L_brake"), "", feedback, ratio),
         hollow_shaft: drive.datum("d_H", "", feedback, ratio),
         dc_link_max: drive.datum("U_DCmax", "", feedback, ratio),
         terminal_voltage_min: terminal_voltage_min(drive, code),
@@ -63,13 +75,10 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
         s3_curves: [published_curve(code.size, ratio, "s3_50"), published_curve(code.size, ratio, "s3_25")],
         short_time_curve: published_curve(code.size, ratio, "maximum"),
         heat: heat(drive, code),
-        brake: parts::brake(drive, code),
-        feedback: parts::feedback(code),
-        feedback_out: parts::feedback_out(code),
         accuracy: parts::accuracy(code),
         screw_joint_load: parts::screw_joint_load(code),
         screw_joint_housing: parts::screw_joint_housing(code),
-    })
+    }
 }
 
 /// The largest I_0 over the ratios of a drive: one motor, so its thermal limit is the same at every ratio, while the

@@ -146,7 +146,7 @@ fn accuracy_and_joints_exist_for_every_code() {
 
 #[test]
 fn gear_ratings_exist_where_they_are_published() {
-    let gear = of("CHA-14A-80-E-RES").gear;
+    let gear = of("CHA-14A-80-E-RES").gear.clone();
     close(value(&gear.collision_torque_max, &NEWTON_METRE), 47.0);
     close(value(&gear.input_speed_max, &REVOLUTION_PER_MINUTE), 8500.0);
     close(value(&gear.input_speed_mean_max, &REVOLUTION_PER_MINUTE), 3500.0);
@@ -200,7 +200,8 @@ fn the_band_of_the_s3_estimate_covers_the_published_points() {
 fn the_short_time_model_stays_below_the_published_curve() {
     for ratio in [30, 50, 80, 100, 120] {
         let with = of(&format!("CHA-20A-{ratio}-H-C1024"));
-        let without = Parameters { short_time_curve: Datum::NotPrinted, ..with.clone() };
+        let mut without = with.clone();
+        without.short_time_curve = Datum::NotPrinted;
         let voltage = with.terminal_voltage_min.known().map(|known| known.value);
         for point in with.short_time_curve.known().expect("published").value.points() {
             let cold = quantities::ThermodynamicTemperature::from_si(actuator::COLD_START);

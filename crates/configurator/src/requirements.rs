@@ -77,18 +77,14 @@ impl Requirements {
             unmet.push(Unmet::Brake(code.brake));
         }
         // What the print has for the standard only is not known of this code.
-        let open = uncovered(code);
-        let unknown = |symbol| open.iter().any(|each| each.not_printed().contains(&symbol));
-        let mut known = self.clone();
-        if self.length_max.is_some() && unknown("L") {
-            unmet.push(Unmet::NotKnown { symbol: "L" });
-            known.length_max = None;
-        }
-        if self.mass_max.is_some() && unknown("m") {
-            unmet.push(Unmet::NotKnown { symbol: "m" });
-            known.mass_max = None;
-        }
-        unmet.extend(known.unmet_by_data(actuator));
+        let unknown = |symbol| uncovered(code).iter().any(|each| each.not_printed().contains(&symbol));
+        let length_unknown = self.length_max.is_some() && unknown("L");
+        let mass_unknown = self.mass_max.is_some() && unknown("m");
+        unmet.extend(length_unknown.then_some(Unmet::NotKnown { symbol: "L" }));
+        unmet.extend(mass_unknown.then_some(Unmet::NotKnown { symbol: "m" }));
+        let length_max = self.length_max.filter(|_| !length_unknown);
+        let mass_max = self.mass_max.filter(|_| !mass_unknown);
+        self.unmet_of((length_max, mass_max), actuator, &mut unmet);
         unmet
     }
 
@@ -96,20 +92,30 @@ impl Requirements {
     #[must_use]
     pub fn unmet_by_data(&self, actuator: &Parameters) -> Vec<Unmet> {
         let mut unmet = Vec::new();
-        compare(&mut unmet, self.hollow_shaft_min, &actuator.hollow_shaft, "d_H", |needs, has| {
+        self.unmet_of((self.length_max, self.mass_max), actuator, &mut unmet);
+        unmet
+    }
+
+    /// The same with what is asked of length and mass handed in.
+    fn unmet_of(
+        &self,
+        (length_max, mass_max): (Option<Length>, Option<Mass>),
+        actuator: &Parameters,
+        unmet: &mut Vec<Unmet>,
+    ) {
+        compare(unmet, self.hollow_shaft_min, &actuator.hollow_shaft, "d_H", |needs, has| {
             (has.si() < needs.si()).then_some(Unmet::HollowShaft { has, needs })
         });
-        compare(&mut unmet, self.length_max, &actuator.length, "L", |permits, has| {
+        compare(unmet, length_max, &actuator.length, "L", |permits, has| {
             (has.si() > permits.si()).then_some(Unmet::Length { has, permits })
         });
-        compare(&mut unmet, self.mass_max, &actuator.mass, "m", |permits, has| {
+        compare(unmet, mass_max, &actuator.mass, "m", |permits, has| {
             (has.si() > permits.si()).then_some(Unmet::Mass { has, permits })
         });
-        compare(&mut unmet, self.supply, &actuator.terminal_voltage_min, "U_M", |supply, needs| {
+        compare(unmet, self.supply, &actuator.terminal_voltage_min, "U_M", |supply, needs| {
             let gives = ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2);
             (gives.si() < needs.si()).then_some(Unmet::SupplyTooLow { needs, gives })
         });
-        unmet
     }
 }
 

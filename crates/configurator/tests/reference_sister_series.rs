@@ -4,10 +4,11 @@
 //! whose calibration used CHA-20A alone. What the model says of these points is its cross-validation.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails loudly")]
 
-use actuator::{HeatModel, Parameters};
+use actuator::{Drivetrain, HeatModel, Parameters};
 use order_code::parse;
 use provenance::{Datum, Sourced};
 use quantities::{AngularVelocity, ElectricalResistance, Measure, Time, Torque, TorqueConstant};
+use std::sync::Arc;
 
 /// A cell of a published table in its printed unit.
 fn cell(table: &str, symbol: &str, drive: &str, ratio: &str) -> f64 {
@@ -54,14 +55,20 @@ fn sister(cha: &str, ratio: f64, constant_out: f64, resistance_phase: f64) -> Pa
     assert!(hot > 0.0);
     let starting = own.no_load_starting_current.known().unwrap().value.si() * current;
     Parameters {
-        ratio: with(&own.ratio, ratio),
-        torque_constant_out: with(&own.torque_constant_out, TorqueConstant::from_si(constant_out)),
-        torque_constant_motor: with(&own.torque_constant_motor, TorqueConstant::from_si(motor)),
-        resistance_ll: with(&own.resistance_ll, ElectricalResistance::from_si(resistance_ll)),
-        no_load_starting_current: with(&own.no_load_starting_current, quantities::ElectricCurrent::from_si(starting)),
-        no_load_current_constant_30: constant(&own.no_load_current_constant_30),
-        no_load_current_constant_80: constant(&own.no_load_current_constant_80),
-        stall_current_motor: with(&own.stall_current_motor, quantities::ElectricCurrent::from_si(stall)),
+        drivetrain: Arc::new(Drivetrain {
+            ratio: with(&own.ratio, ratio),
+            torque_constant_out: with(&own.torque_constant_out, TorqueConstant::from_si(constant_out)),
+            torque_constant_motor: with(&own.torque_constant_motor, TorqueConstant::from_si(motor)),
+            resistance_ll: with(&own.resistance_ll, ElectricalResistance::from_si(resistance_ll)),
+            no_load_starting_current: with(
+                &own.no_load_starting_current,
+                quantities::ElectricCurrent::from_si(starting),
+            ),
+            no_load_current_constant_30: constant(&own.no_load_current_constant_30),
+            no_load_current_constant_80: constant(&own.no_load_current_constant_80),
+            stall_current_motor: with(&own.stall_current_motor, quantities::ElectricCurrent::from_si(stall)),
+            ..Drivetrain::clone(&own)
+        }),
         ..own
     }
 }

@@ -66,12 +66,13 @@ impl UserCurve {
             grade: Grade::Published,
             errata: &[],
         });
-        let [half, quarter] = &mut parameters.s3_curves;
+        let drivetrain = Arc::make_mut(&mut parameters.drivetrain);
+        let [half, quarter] = &mut drivetrain.s3_curves;
         let place = match self.kind {
-            Kind::Continuous => &mut parameters.continuous_curve,
+            Kind::Continuous => &mut drivetrain.continuous_curve,
             Kind::Half => half,
             Kind::Quarter => quarter,
-            Kind::ShortTime => &mut parameters.short_time_curve,
+            Kind::ShortTime => &mut drivetrain.short_time_curve,
         };
         *place = known;
     }

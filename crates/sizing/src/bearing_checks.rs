@@ -1,9 +1,10 @@
 //! The checks of the output bearing.
 
 use crate::axis::{Axis, BearingDuty};
-use crate::check::{Check, CheckId, Note, Verdict};
+use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, equation, explained, not_checked};
 use crate::flange::{CycleLoads, Peak};
+use crate::notes::{Note, Notes};
 use crate::swings::SWING_MIN_DEG;
 use crate::workings;
 use actuator::{BearingType, FlangeLoad, OutputBearing};
@@ -11,7 +12,6 @@ use derivation::Workings;
 use provenance::{CellRef, Grade, Missing, Source, Sourced};
 use quantities::unit::{ARCMINUTE, DEGREE, HOUR, METRE, NEWTON, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, ONE};
 use quantities::{Angle, Force, Length, Measure, Time, Torque};
-use std::borrow::Cow;
 use std::cell::OnceCell;
 
 /// The model of tilting moment, life, safety and tilt.
@@ -21,23 +21,27 @@ const MODEL: Source = Source::Model { name: "output-bearing" };
 const DERIVED: Source = Source::Model { name: "flange-loads" };
 
 /// Every check of the output bearing; none where no loads are known.
-pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing, explain: bool, checks: &mut Vec<Check>) {
+pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing, explain: bool, to: &mut impl FnMut(&dyn Fn() -> Check)) {
     let Some(duty) = &axis.bearing else { return };
     let borne = &Borne::of(axis, duty, bearing);
-    checks.push(explained(explain, |work| {
-        let limit = bearing.axial_max.require("F_A_dyn_max");
-        let names = ("F_a", "max F_a over the segments", "bearing.axial_force");
-        force(CheckId::BearingAxial, borne, (names, |loads| loads.axial), ("F_A_dyn_max", limit), work)
-    }));
-    checks.push(explained(explain, |work| {
-        let limit = bearing.radial_max.require("F_R_dyn_max");
-        let names = ("F_r", "max F_r over the segments", "bearing.radial_force");
-        force(CheckId::BearingRadial, borne, (names, |loads| loads.radial), ("F_R_dyn_max", limit), work)
-    }));
-    checks.push(explained(explain, |work| tilting_moment(borne, work)));
-    checks.push(explained(explain, |work| life(axis, duty, bearing, work)));
-    checks.push(explained(explain, |work| static_safety(borne, work)));
-    checks.push(explained(explain, |work| tilt_angle(borne, work)));
+    to(&|| {
+        explained(explain, |work| {
+            let limit = bearing.axial_max.require("F_A_dyn_max");
+            let names = ("F_a", "max F_a over the segments", "bearing.axial_force");
+            force(CheckId::BearingAxial, borne, (names, |loads| loads.axial), ("F_A_dyn_max", limit), work)
+        })
+    });
+    to(&|| {
+        explained(explain, |work| {
+            let limit = bearing.radial_max.require("F_R_dyn_max");
+            let names = ("F_r", "max F_r over the segments", "bearing.radial_force");
+            force(CheckId::BearingRadial, borne, (names, |loads| loads.radial), ("F_R_dyn_max", limit), work)
+        })
+    });
+    to(&|| explained(explain, |work| tilting_moment(borne, work)));
+    to(&|| explained(explain, |work| life(axis, duty, bearing, work)));
+    to(&|| explained(explain, |work| static_safety(borne, work)));
+    to(&|| explained(explain, |work| tilt_angle(borne, work)));
 }
 
 /// A bearing with what it bears: four checks look at the same loads.
@@ -112,7 +116,7 @@ fn force<Q: Measure>(
             work.limit(symbol);
             Comparison {
                 at: instant(duty, peak),
-                notes: Cow::Borrowed(&[Note::LoadsOneAtATime]),
+                notes: Notes::fixed(&[Note::LoadsOneAtATime]),
                 ..Comparison::with(id, &NEWTON, peak.value, source, limit)
             }
             .answer(Verdict::Fail)
@@ -339,7 +343,7 @@ fn fretting(axis: &Axis, check: &mut Check) {
         return;
     }
     let swing = moments.angle_swing;
-    check.notes.to_mut().push(if moments.is_swing() && swing.in_unit(&DEGREE) < SWING_MIN_DEG {
+    check.notes.push(if moments.is_swing() && swing.in_unit(&DEGREE) < SWING_MIN_DEG {
         Note::SwingTooSmall { swing }
     } else {
         Note::SmallSwings { count: small.count, largest: small.largest, share: small.share }

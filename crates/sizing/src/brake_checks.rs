@@ -2,8 +2,9 @@
 
 use crate::axis::Axis;
 use crate::brake_times::brakings;
-use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use crate::check::{Check, CheckId, Figure, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, explained, not_checked};
+use crate::notes::{Note, Notes};
 use crate::workings;
 use actuator::{Brake, Parameters, StopOutcome};
 use derivation::Workings;
@@ -13,7 +14,6 @@ use quantities::unit::{
     DEGREE, KILOGRAM_SQUARE_METRE, NEWTON_METRE, ONE, RADIAN_PER_SECOND, REVOLUTION_PER_MINUTE, SECOND,
 };
 use quantities::{Measure, MomentOfInertia, Time};
-use std::borrow::Cow;
 
 /// Below this share of the load's weight nothing hangs: rounding of an angle.
 const HANGING: f64 = 1e-9;
@@ -31,7 +31,7 @@ pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool) -> Vec<Ch
         Datum::NotApplicable => Vec::new(),
         Datum::NotPrinted if hangs(axis) && !asked => {
             let mut check = not_checked(CheckId::BrakeHolding, Missing { symbol: "T_Br" });
-            check.notes.to_mut().push(Note::HangingLoad);
+            check.notes.push(Note::HangingLoad);
             vec![check]
         }
         Datum::NotPrinted if !asked => Vec::new(),
@@ -58,7 +58,7 @@ fn free(axis: &Axis, work: &mut Workings) -> Check {
     work.given("T_c", &NEWTON_METRE, &friction);
     work.limit("T_c");
     Comparison {
-        notes: Cow::Borrowed(&[Note::NothingHolds]),
+        notes: Notes::fixed(&[Note::NothingHolds]),
         ..Comparison::with(
             CheckId::BrakeHolding,
             &NEWTON_METRE,
@@ -87,8 +87,8 @@ fn absent(axis: &Axis, work: &mut Workings) -> Check {
         value_source: Some(Source::Model { name: "brake" }),
         limit_source: Some(none),
         missing: None,
-        notes: Cow::Borrowed(&[Note::NoBrake]),
-        workings: Vec::new(),
+        notes: Notes::fixed(&[Note::NoBrake]),
+        workings: Box::default(),
     }
 }
 
@@ -102,7 +102,7 @@ fn unheld(axis: &Axis, work: &mut Workings) -> Check {
     Check {
         verdict: Verdict::Advice,
         limit_source: Some(none),
-        notes: Cow::Borrowed(&[Note::NothingHoldsWithoutPower]),
+        notes: Notes::fixed(&[Note::NothingHoldsWithoutPower]),
         ..absent(axis, &mut Workings::off())
     }
 }
@@ -164,7 +164,7 @@ fn holding(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Working
             needed
         }
     };
-    let notes = check.notes.to_mut();
+    let notes = &mut check.notes;
     if hangs(axis) {
         notes.push(Note::HangingLoad);
         if let (Ok(inertia), Some(closing)) = (total_inertia(axis, actuator), brake.closing_time.known()) {
@@ -252,7 +252,7 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Worki
                 work.given("T_Br", &NEWTON_METRE, known);
                 work.limit("T_Br");
             }
-            check.notes.to_mut().push(Note::BrakeDoesNotStop);
+            check.notes.push(Note::BrakeDoesNotStop);
             return check;
         }
     };
@@ -284,7 +284,7 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Worki
         stop_angle(axis, actuator, brake, stop.angle.si(), work);
         work.asked("phi_perm", &DEGREE, angle, "requirements.stop_angle_max");
     }
-    check.notes.to_mut().push(Note::BrakeStop {
+    check.notes.push(Note::BrakeStop {
         angle: stop.angle,
         time: stop.time,
         energy: stop.energy,

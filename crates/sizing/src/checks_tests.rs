@@ -1,5 +1,7 @@
 use super::*;
-use actuator::{Brake, Feedback, FeedbackSide, Gear, ScrewJoint};
+use crate::judge::{Depth, judge};
+use crate::notes::Note;
+use actuator::{Brake, Drivetrain, Feedback, FeedbackSide, Gear, ScrewJoint};
 use mechanism::{Extra, Mechanism};
 use motion::{Closing, Given, Hold, Law, ManualMove, Motion, SegmentSpec};
 use provenance::{CellRef, Datum, Sourced};
@@ -16,9 +18,7 @@ fn known<T>(value: T) -> Datum<T> {
 fn actuator() -> Parameters {
     let joint = || ScrewJoint { transmissible_torque: known(Torque::from_si(500.0)), ..ScrewJoint::unknown() };
     Parameters {
-        ratio: known(100.0),
         inertia_out: known(MomentOfInertia::from_si(2.0)),
-        dc_link_max: known(ElectricPotential::from_si(680.0)),
         brake: Brake {
             holding_torque: known(Torque::from_si(60.0)),
             closing_time: known(Time::from_si(0.07)),
@@ -26,9 +26,14 @@ fn actuator() -> Parameters {
             brakings_max: known(1e7),
             ..Brake::unknown()
         },
-        screw_joint_load: joint(),
-        screw_joint_housing: joint(),
-        ..Parameters::unknown()
+        ..Drivetrain {
+            ratio: known(100.0),
+            dc_link_max: known(ElectricPotential::from_si(680.0)),
+            screw_joint_load: joint(),
+            screw_joint_housing: joint(),
+            ..Drivetrain::unknown()
+        }
+        .into()
     }
 }
 
@@ -59,7 +64,7 @@ fn axis(segments: &[SegmentSpec]) -> Axis {
 }
 
 fn check(axis: &Axis, actuator: &Parameters, id: CheckId) -> Check {
-    judge(axis, actuator, Depth::Full).checks.into_iter().find(|check| check.id == id).unwrap()
+    judge(axis, actuator, Depth::Full).checks.iter().find(|check| check.id == id).unwrap().clone()
 }
 
 /// ∫T² over the dwells: 39² Nm² for as long as the motor holds.
@@ -144,7 +149,7 @@ fn a_hanging_load_without_a_brake_is_told_and_not_rejected() {
     let hanging = axis(&[swing(4.0), dwell(1.0, Hold::Motor)]);
     let found = check(&hanging, &unbraked(), CheckId::BrakeHolding);
     assert_eq!(found.verdict, Verdict::Advice);
-    assert_eq!(found.notes.as_ref(), [Note::NothingHoldsWithoutPower]);
+    assert_eq!(found.notes[..], [Note::NothingHoldsWithoutPower]);
     assert!(judge(&hanging, &unbraked(), Depth::Full).fits());
     let unknown = Parameters { brake: Brake::unknown(), ..actuator() };
     let found = check(&hanging, &unknown, CheckId::BrakeHolding);
@@ -192,14 +197,15 @@ fn the_joints_carry_what_passes_them() {
 #[test]
 fn a_collision_above_the_ratcheting_torque_is_against_advice() {
     let mut axis = axis(&[swing(4.0)]);
-    let gear = |rated: Datum<Torque>| Parameters {
-        gear: Gear {
+    let gear = |rated: Datum<Torque>| {
+        let mut own = actuator();
+        own.gear = Gear {
             collision_torque_max: rated,
             ratcheting_torque: known(Torque::from_si(200.0)),
             buckling_torque: known(Torque::from_si(330.0)),
             ..Gear::unknown()
-        },
-        ..actuator()
+        };
+        own
     };
     let told = Note::Ratcheting { ratcheting: Torque::from_si(200.0), buckling: Some(Torque::from_si(330.0)) };
     let rated = known(Torque::from_si(110.0));
@@ -243,6 +249,8 @@ fn without_torque_the_gear_has_no_life_to_tell() {
         Given { speed: Some(AngularVelocity::from_si(1.0)), time: Some(Time::from_si(1.0)), ..Given::default() };
     let motion = Motion::new(&[SegmentSpec::Move(Law::Constant, given)], None, Closing::Speed).unwrap();
     let gear = Gear { rated_torque: known(Torque::from_si(25.0)), ..Gear::unknown() };
-    let found = check(&Axis::new(load, motion, Vec::new()), &Parameters { gear, ..unbraked() }, CheckId::GearLife);
+    let mut own = unbraked();
+    own.gear = gear;
+    let found = check(&Axis::new(load, motion, Vec::new()), &own, CheckId::GearLife);
     assert_eq!((found.verdict, found.missing), (Verdict::NotChecked, Some("gear_load")));
 }

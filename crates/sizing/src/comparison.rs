@@ -1,10 +1,10 @@
 //! Value against limit, and how both came about.
 
-use crate::check::{Check, CheckId, Direction, Figure, Note, Notes, Verdict};
+use crate::check::{Check, CheckId, Direction, Figure, Verdict};
+use crate::notes::{Note, Notes};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::{Measure, Time, Unit};
-use std::borrow::Cow;
 
 /// A check with its workings, if they are asked for.
 #[inline]
@@ -14,7 +14,7 @@ pub(crate) fn explained(explain: bool, check: impl FnOnce(&mut Workings) -> Chec
     }
     let mut work = Workings::on();
     let mut check = check(&mut work);
-    check.workings = work.into_steps();
+    check.workings = work.into_steps().into();
     check
 }
 
@@ -54,8 +54,16 @@ pub(crate) struct Edges {
     pub(crate) unit: &'static Unit,
 }
 
+impl Edges {
+    /// The remark on the upper edge, if there is a band.
+    pub(crate) fn remark(&self) -> Option<Note> {
+        let is_band = self.upper > self.limit * (1.0 + AT_THE_LIMIT);
+        is_band.then_some(Note::EstimatedUpTo(Figure { si: self.upper, unit: self.unit }))
+    }
+}
+
 /// So much of its limit a value may lie above it and still be at it: the rounding of a unit or of a search.
-const AT_THE_LIMIT: f64 = 1e-9;
+pub(crate) const AT_THE_LIMIT: f64 = 1e-9;
 
 impl<'a> Comparison<'a> {
     /// A value against a limit that is known with its source.
@@ -76,7 +84,7 @@ impl<'a> Comparison<'a> {
             limit_source: &limit.source,
             grade: limit.grade,
             errata: limit.errata,
-            notes: Cow::Borrowed(&[]),
+            notes: Notes::NONE,
         }
     }
 
@@ -85,11 +93,13 @@ impl<'a> Comparison<'a> {
         let at_most = |edge: f64| self.value.abs() <= edge.abs() * (1.0 + AT_THE_LIMIT);
         let (within, beyond) = (at_most(edges.limit), !at_most(edges.upper));
         self.limit = edges.limit;
-        if edges.upper > edges.limit * (1.0 + AT_THE_LIMIT) {
-            let upper = Figure { si: edges.upper, unit: edges.unit };
-            self.notes.to_mut().push(Note::EstimatedUpTo(upper));
+        if let Some(remark) = edges.remark() {
+            // It may have been made for several actuators.
+            if !self.notes.contains(&remark) {
+                self.notes.push(remark);
+            }
             if !within && !beyond {
-                self.notes.to_mut().push(Note::InsideBand);
+                self.notes.push(Note::InsideBand);
             }
         }
         let mut check = self.answer(if beyond { Verdict::Fail } else { Verdict::Advice });
@@ -116,7 +126,7 @@ impl<'a> Comparison<'a> {
             limit_source: Some(self.limit_source.clone()),
             missing: None,
             notes,
-            workings: Vec::new(),
+            workings: Box::default(),
         }
     }
 }
@@ -133,8 +143,8 @@ pub(crate) fn not_checked(id: CheckId, missing: Missing) -> Check {
         value_source: None,
         limit_source: None,
         missing: Some(missing.symbol),
-        notes: Cow::Borrowed(&[]),
-        workings: Vec::new(),
+        notes: Notes::NONE,
+        workings: Box::default(),
     }
 }
 
@@ -166,8 +176,8 @@ pub(crate) fn against_asked(
         value_source: Some(source),
         limit_source: asked.map(|_| Source::Project { key: key.into() }),
         missing: asked.is_none().then_some(key),
-        notes: Cow::Borrowed(&[]),
-        workings: Vec::new(),
+        notes: Notes::NONE,
+        workings: Box::default(),
     }
 }
 
@@ -176,7 +186,7 @@ pub(crate) fn cite(notes: &mut Notes, errata: &'static [&'static str]) {
     for id in errata {
         let note = Note::Erratum(id);
         if !notes.contains(&note) {
-            notes.to_mut().push(note);
+            notes.push(note);
         }
     }
 }

@@ -3,6 +3,7 @@
 use crate::axis::Axis;
 use crate::brake_times::carried_in;
 use crate::currents::Currents;
+use crate::electrics::Electrics;
 use crate::energy::CyclePower;
 use actuator::{Losses, Parameters};
 use mechanism::{Extra, Output};
@@ -53,7 +54,8 @@ impl Course {
     #[must_use]
     pub fn of(axis: &Axis, actuator: &Parameters) -> Self {
         let inertia = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
-        let currents = Currents::of(axis, actuator);
+        let electrics = Electrics::of(axis, actuator);
+        let currents = Currents::of(axis, actuator, &electrics);
         let power = CyclePower::of(actuator, currents.as_ref());
         let mut samples = Vec::new();
         let mut losses = Vec::new();

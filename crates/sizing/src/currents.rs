@@ -1,28 +1,22 @@
 //! The checks of current and voltage.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Note, Notes, Verdict};
-use crate::comparison::{Comparison, cite, explained, not_checked};
+use crate::check::{Check, CheckId, Verdict};
+use crate::comparison::{AT_THE_LIMIT, Comparison, cite, explained, not_checked};
+use crate::electrics::Electrics;
+use crate::notes::{Note, Notes};
 use crate::workings;
 use actuator::{
-    COLD_START, FrictionAt, HeatModel, LossMeans, Losses, MotorCurrent, MotorVoltage, NoLoadFriction, OperatingPoint,
-    Parameters, Settled,
+    FrictionAt, HeatModel, LossMeans, Losses, MotorCurrent, MotorVoltage, OperatingPoint, Parameters, Settled,
 };
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{
     AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, NEWTON_METRE_PER_AMPERE, ONE, REVOLUTION_PER_MINUTE, VOLT,
 };
-use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, ThermodynamicTemperature, Time};
-use std::borrow::Cow;
+use quantities::{AngularVelocity, ElectricCurrent, Measure, Power, Time};
 use std::cell::OnceCell;
 use trace::{Convex, Extent, Form, Node, Sought};
-
-/// The gear's temperature where no heat model tells it: the warmest for which friction is printed, 80 °C, in kelvin.
-const WARMEST: f64 = 353.15;
-
-/// How many notes a check of current or voltage has at most, but for rare errata.
-const NOTES_USUAL: usize = 4;
 
 /// Picks ω out of (α, T_L, σ, ω).
 pub(crate) const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
@@ -31,87 +25,65 @@ pub(crate) const SPEED: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 /// begins, and settled to the temperature that the losses of the cycle themselves bring about.
 ///
 /// I = T/k_Tout + σ (I_s + K |n|), a weighted sum of (α, T_L, σ, ω) in either state
-pub(crate) struct Currents {
+pub(crate) struct Currents<'e> {
     pub(crate) inertia: f64,
-    motor: MotorCurrent,
+    motor: &'e MotorCurrent,
     /// Friction at the ambient temperature.
-    cold: FrictionAt,
+    cold: &'e FrictionAt,
     /// Friction in the settled cycle.
     pub(crate) warm: FrictionAt,
-    /// By which factors friction may lie beside `cold` where that is extrapolated.
-    cold_band: Option<(f64, f64)>,
     /// The heat model and what it settles to; without one the warm state is the warmest that is printed.
-    heat: Result<(HeatModel, Settled), Missing>,
+    heat: Result<(&'e HeatModel, Settled), Missing>,
     pub(crate) grade: Grade,
-    errata: [&'static [&'static str]; 2],
+    /// How friction counts, and the errata of the inputs.
+    notes: Notes,
     /// The instant of the largest current, found when it is first asked for.
     peak: OnceCell<Node>,
 }
 
-impl Currents {
-    pub(crate) fn of(axis: &Axis, actuator: &Parameters) -> Result<Self, Missing> {
+impl<'e> Currents<'e> {
+    pub(crate) fn of(axis: &Axis, actuator: &Parameters, electrics: &'e Electrics) -> Result<Self, Missing> {
         let inertia = actuator.inertia_out.require("J_out")?;
-        let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
-        let motor = MotorCurrent::of(actuator)?;
-        let law = NoLoadFriction::of(actuator)?;
-        // The temperature stated is that of the hottest day; a gear starts no warmer than the print has it.
-        let cold = ThermodynamicTemperature::from_si(axis.ambient.map_or(COLD_START, |air| air.si().min(COLD_START)));
-        let cold_band = law.cold_band(cold)?;
-        // A growth that is only taken over from another maker's actuators is told by its grade.
-        let growth = actuator.friction_cold_growth.known().filter(|growth| growth.grade == Grade::Assumed);
-        let grade_of_the_cold = growth.filter(|_| cold_band.is_some()).map_or(Grade::Computed, |growth| growth.grade);
-        let grades = [inertia.grade, torque_constant.grade, grade_of_the_cold];
-        let (own, constant) = (inertia.value.si(), torque_constant.value.si());
-        let heat = HeatModel::of(actuator).map(|model| {
+        let law = electrics.current.as_ref().map_err(|missing| *missing)?;
+        let (own, constant) = (inertia.value.si(), law.torque_constant);
+        let heat = electrics.heat.as_ref().map_err(|missing| *missing).map(|model| {
             let further = coil_loss(axis, actuator);
             let ambient = axis.ambient.unwrap_or_else(|| model.ambient_reference());
             let settled = model.settle(&loss_means(axis, [own / constant, 1.0 / constant, 0.0, 0.0]), further, ambient);
             (model, settled)
         });
-        let warm = match &heat {
-            Ok((_, settled)) => settled.friction,
-            Err(_) => law.at(ThermodynamicTemperature::from_si(WARMEST)),
+        let settled = heat.as_ref().ok().map(|(_, settled)| settled);
+        let told =
+            Note::FrictionTemperatures { cold: law.cold.temperature, settled: settled.map(|settled| settled.housing) };
+        let mut notes = match law.cold_band {
+            Some((low, high)) => Notes::from([told, Note::FrictionExtrapolated { low, high }]),
+            None => Notes::from([told]),
         };
+        cite(&mut notes, inertia.errata);
+        cite(&mut notes, law.errata);
         Ok(Self {
             inertia: own,
-            motor,
-            cold: law.at(cold),
-            warm,
-            cold_band,
+            motor: &law.motor,
+            cold: &law.cold,
+            warm: settled.map_or(law.warmest, |settled| settled.friction),
             heat,
-            grade: grades.into_iter().fold(Grade::Computed, Grade::worst),
-            errata: [inertia.errata, torque_constant.errata],
+            grade: Grade::Computed.worst(inertia.grade).worst(law.grade),
+            notes,
             peak: OnceCell::new(),
         })
     }
 
     /// The heat model with the state that the cycle settles to.
-    pub(crate) const fn heat(&self) -> Result<&(HeatModel, Settled), Missing> {
+    pub(crate) fn heat(&self) -> Result<(&HeatModel, &Settled), Missing> {
         match &self.heat {
-            Ok(found) => Ok(found),
+            Ok((model, settled)) => Ok((model, settled)),
             Err(missing) => Err(*missing),
         }
     }
 
     /// Friction of a gear as cold as the air.
     pub(crate) const fn cold(&self) -> &FrictionAt {
-        &self.cold
-    }
-
-    /// How friction counts, and the errata of the inputs.
-    fn notes(&self) -> Notes {
-        // Room for what most checks say besides.
-        let mut told = Vec::with_capacity(NOTES_USUAL);
-        told.push(Note::FrictionTemperatures {
-            cold: self.cold.temperature,
-            settled: self.heat.as_ref().ok().map(|(_, settled)| settled.housing),
-        });
-        told.extend(self.cold_band.map(|(low, high)| Note::FrictionExtrapolated { low, high }));
-        let mut notes: Notes = Cow::Owned(told);
-        for errata in self.errata {
-            cite(&mut notes, errata);
-        }
-        notes
+        self.cold
     }
 
     /// The current as a weighted sum of (α, T_L, σ, ω) for a friction.
@@ -146,8 +118,8 @@ impl Currents {
     fn larger(&self, node: &Node) -> &FrictionAt {
         let torque = self.point(node).torque_nm;
         // Friction helps while braking: less of it asks for more current.
-        let driving = self.in_state(node, &self.cold).abs() >= self.in_state(node, &self.warm).abs();
-        if driving || torque == 0.0 { &self.cold } else { &self.warm }
+        let driving = self.in_state(node, self.cold).abs() >= self.in_state(node, &self.warm).abs();
+        if driving || torque == 0.0 { self.cold } else { &self.warm }
     }
 
     /// The larger current of the two states at an instant, signed \[A\].
@@ -175,7 +147,7 @@ impl Currents {
     /// All currents of a block lie between these, in either state.
     fn range(&self, extent: &Extent) -> (f64, f64) {
         let of = |friction| extent.range(self.weights(friction));
-        let (cold, warm) = (of(&self.cold), of(&self.warm));
+        let (cold, warm) = (of(self.cold), of(&self.warm));
         (cold.0.min(warm.0), cold.1.max(warm.1))
     }
 
@@ -196,7 +168,7 @@ impl Currents {
         if let Some(torque_constant) = actuator.torque_constant_out.known() {
             work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, torque_constant);
         }
-        let text = if friction == &self.cold {
+        let text = if friction == self.cold {
             "gear as cold as the ambient air: the worse of both states"
         } else {
             "gear in the settled cycle: the worse of both states"
@@ -241,7 +213,7 @@ fn loss_means(axis: &Axis, torque_current: [f64; 4]) -> LossMeans {
 /// larger voltage, for it lessens what the induced one needs.
 struct Terminal<'a> {
     motor: &'a MotorVoltage,
-    currents: &'a Currents,
+    currents: &'a Currents<'a>,
 }
 
 impl Terminal<'_> {
@@ -251,7 +223,7 @@ impl Terminal<'_> {
     }
 
     fn states(&self) -> [&FrictionAt; 2] {
-        [&self.currents.cold, &self.currents.warm]
+        [self.currents.cold, &self.currents.warm]
     }
 }
 
@@ -289,7 +261,7 @@ impl Sought for Terminal<'_> {
 /// While the direction keeps, |I| is convex along a straight line and the current of a straight piece of the curve is
 /// straight: over it the ratio has its largest value at an end.
 struct Overcurrent<'a> {
-    currents: &'a Currents,
+    currents: &'a Currents<'a>,
     printed: f64,
     curve: Option<&'a actuator::Curve>,
     /// The states that count.
@@ -300,7 +272,7 @@ struct Overcurrent<'a> {
 
 impl<'a> Overcurrent<'a> {
     fn of(
-        currents: &'a Currents,
+        currents: &'a Currents<'a>,
         printed: f64,
         curve: Option<&'a actuator::Curve>,
         states: &'a [&'a FrictionAt],
@@ -387,20 +359,21 @@ impl Sought for Overcurrent<'_> {
 pub(crate) fn voltage(
     axis: &Axis,
     actuator: &Parameters,
-    currents: Result<&Currents, &Missing>,
+    (electrics, currents): (&Electrics, Result<&Currents<'_>, &Missing>),
     work: &mut Workings,
 ) -> Check {
     let id = CheckId::Voltage;
     let Some((supply, reserve)) = axis.supply else {
         return not_checked(id, Missing { symbol: "requirements.supply" });
     };
-    let (motor, currents) = match MotorVoltage::of(actuator).and_then(|m| Ok((m, currents.map_err(|m| *m)?))) {
+    let found = electrics.voltage.as_ref().and_then(|motor| Ok((motor, currents?)));
+    let (motor, currents) = match found {
         Ok(found) => found,
-        Err(missing) => return not_checked(id, missing),
+        Err(missing) => return not_checked(id, *missing),
     };
-    let terminal = Terminal { motor: &motor, currents };
+    let terminal = Terminal { motor, currents };
     let (worst, at) = axis.trace.largest(&terminal);
-    let (cold, warm) = (&currents.cold, &currents.warm);
+    let (cold, warm) = (currents.cold, &currents.warm);
     let friction = if terminal.at(&at, cold) >= terminal.at(&at, warm) { cold } else { warm };
     currents.explain(&at, friction, actuator, work);
     let current = ElectricCurrent::from_si(currents.in_state(&at, friction));
@@ -426,7 +399,7 @@ pub(crate) fn voltage(
         limit_source: &Source::Project { key: "requirements.supply".into() },
         grade: motor.grade.worst(currents.grade),
         errata: &[],
-        notes: currents.notes(),
+        notes: currents.notes.clone(),
     }
     .answer(Verdict::Fail)
 }
@@ -439,7 +412,7 @@ pub(crate) fn voltage(
 pub(crate) fn current_checks(
     axis: &Axis,
     actuator: &Parameters,
-    currents: Result<&Currents, &Missing>,
+    currents: Result<&Currents<'_>, &Missing>,
     explain: bool,
 ) -> [Check; 2] {
     let limits = [
@@ -454,7 +427,7 @@ pub(crate) fn current_checks(
 fn current_check(
     axis: &Axis,
     actuator: &Parameters,
-    currents: Result<&Currents, &Missing>,
+    currents: Result<&Currents<'_>, &Missing>,
     (id, symbol, limit): (CheckId, &'static str, Result<&Sourced<ElectricCurrent>, Missing>),
     work: &mut Workings,
 ) -> Check {
@@ -465,13 +438,15 @@ fn current_check(
     let curve = if id == CheckId::PeakCurrent { published_short_time(axis, actuator) } else { None };
     let printed = limit.value.si();
     let published = curve.map(|curve| &curve.value);
-    let both = [&currents.cold, &currents.warm];
+    let both = [currents.cold, &currents.warm];
     let over = Overcurrent::of(currents, printed, published, &both);
     let node = if curve.is_some() { axis.trace.largest(&over).1 } else { currents.peak(axis) };
     let (current, most) = (currents.extreme(&node).abs(), over.permitted(&node, currents.larger(&node)));
     // What the settled cycle asks beyond the limit no warm-up mends.
     let settled = || axis.trace.largest(&Overcurrent::of(currents, printed, published, &[&currents.warm])).0;
-    let by_cold_only = id == CheckId::PeakCurrent && current > most && currents.heat.is_ok() && settled() <= 1.0;
+    // Mostly the instant of the largest current shows it; only where it does not, the others are asked.
+    let may_be_cold_only = || over.ratio(&node, &currents.warm) <= 1.0 + AT_THE_LIMIT && settled() <= 1.0;
+    let by_cold_only = id == CheckId::PeakCurrent && current > most && currents.heat.is_ok() && may_be_cold_only();
     let source = Source::Model { name: "current" };
     currents.explain(&node, currents.larger(&node), actuator, work);
     work.formula("I_peak", &AMPERE, current, "abs(I)", &source);
@@ -489,9 +464,9 @@ fn current_check(
             &limit.source
         }
     };
-    let mut notes = currents.notes();
+    let mut notes = currents.notes.clone();
     if by_cold_only {
-        notes.to_mut().push(Note::UntilWarm);
+        notes.push(Note::UntilWarm);
     }
     Comparison {
         id,

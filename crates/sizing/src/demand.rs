@@ -1,7 +1,9 @@
 //! What an axis asks of an actuator: the manual's procedure and the exact integrals.
 
 use crate::axis::Axis;
+use motion::ManualMove;
 use quantities::{AngularVelocity, Measure, MomentOfInertia, Time, Torque};
+use std::ops::Deref;
 use trace::TorqueWith;
 
 /// What an axis asks of one actuator, whose own inertia is part of it.
@@ -34,13 +36,43 @@ pub struct MoveTorques {
     pub brake: Torque,
 }
 
+/// The torques of the moves of a cycle; of only one, as most cycles have, without memory of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moves(Listed);
+
+#[derive(Clone, Debug, PartialEq)]
+enum Listed {
+    One([MoveTorques; 1]),
+    Several(Box<[MoveTorques]>),
+}
+
+impl Moves {
+    fn of(cycle: &[ManualMove], torques: impl Fn(&ManualMove) -> MoveTorques) -> Self {
+        Self(match cycle {
+            [only] => Listed::One([torques(only)]),
+            several => Listed::Several(several.iter().map(torques).collect()),
+        })
+    }
+}
+
+impl Deref for Moves {
+    type Target = [MoveTorques];
+
+    fn deref(&self) -> &[MoveTorques] {
+        match &self.0 {
+            Listed::One(one) => one,
+            Listed::Several(several) => several,
+        }
+    }
+}
+
 /// The demand by the manual's equations 69.1 to 69.4.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ManualDemand {
     /// The figures of the cycle.
     pub demand: Demand,
     /// The torques of each move.
-    pub moves: Vec<MoveTorques>,
+    pub moves: Moves,
     /// Index of the move with the largest torque.
     pub governing: usize,
     /// Whether eq. 69.2 takes the braking torque from a braking time that is not the accelerating time.
@@ -98,13 +130,17 @@ impl Axis {
         let mut peak_at = 0.0;
         let mut start = 0.0;
         let mut braking_assumed = false;
-        let mut moves = Vec::with_capacity(cycle.len());
+        let torques = |each: &ManualMove| {
+            let speed = each.speed.si().abs();
+            let friction = if speed > 0.0 { load_friction.si() } else { 0.0 };
+            let first = if speed > 0.0 { friction + inertia * speed / each.accelerate.si() } else { 0.0 };
+            let third = friction - (first - friction);
+            [first, friction, third]
+        };
         for (index, each) in cycle.iter().enumerate() {
             let [t1, t2, t3, tp] = [each.accelerate, each.run, each.brake, each.pause].map(Measure::si);
             let speed = each.speed.si().abs();
-            let friction = if speed > 0.0 { load_friction.si() } else { 0.0 };
-            let first = if speed > 0.0 { friction + inertia * speed / t1 } else { 0.0 };
-            let third = friction - (first - friction);
+            let [first, friction, third] = torques(each);
             square_time += first * first * t1 + friction * friction * t2 + third * third * t3;
             speed_time += speed / 2.0 * t1 + speed * t2 + speed / 2.0 * t3;
             moving += t1 + t2 + t3;
@@ -117,11 +153,6 @@ impl Axis {
                     governing = index;
                 }
             }
-            moves.push(MoveTorques {
-                accelerate: Torque::from_si(first),
-                run: Torque::from_si(friction),
-                brake: Torque::from_si(third),
-            });
             start += t1 + t2 + t3 + tp;
         }
         Some(ManualDemand {
@@ -134,7 +165,10 @@ impl Axis {
                 speed_peak_at: self.moments.speed_peak_at,
                 duty_factor: moving / start,
             },
-            moves,
+            moves: Moves::of(cycle, |each| {
+                let [accelerate, run, brake] = torques(each).map(Torque::from_si);
+                MoveTorques { accelerate, run, brake }
+            }),
             governing,
             braking_assumed,
         })

@@ -1,16 +1,16 @@
 //! The DC link, and every instant of the cycle against the torque-speed plane.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Note, Verdict};
+use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Comparison, Edges, not_checked};
 use crate::currents::Currents;
+use crate::notes::{Note, Notes};
 use crate::workings;
-use actuator::Parameters;
+use actuator::{Drivetrain, Parameters};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{AngularVelocity, ElectricPotential, Measure, Time};
-use std::borrow::Cow;
 use trace::{Any, Extent, Node};
 
 /// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
@@ -19,7 +19,7 @@ use trace::{Any, Extent, Node};
 pub(crate) fn dc_link(
     supply: ElectricPotential,
     rise: Option<ElectricPotential>,
-    actuator: &Parameters,
+    actuator: &Drivetrain,
     work: &mut Workings,
 ) -> Check {
     let id = CheckId::DcLink;
@@ -39,7 +39,7 @@ pub(crate) fn dc_link(
             work.formula("U_top", &VOLT, top.si(), "U_DC + dU", &asked);
             work.value("U_top");
             let free = limit.value - supply;
-            let notes = Cow::Owned(vec![Note::DcLinkRises { to: top, free }]);
+            let notes = Notes::from([Note::DcLinkRises { to: top, free }]);
             Comparison { notes, ..Comparison::with(id, &VOLT, top.si(), asked, limit) }.answer(Verdict::Advice)
         }
         _ => {

@@ -3,9 +3,10 @@
 mod bent;
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Note};
+use crate::check::{Check, CheckId};
 use crate::comparison::{Asking, against_asked, not_checked};
 use crate::currents::{Currents, SPEED};
+use crate::notes::Note;
 use actuator::{Parameters, TerminalPower};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
@@ -20,7 +21,7 @@ const COLD_WINDING: f64 = 293.15;
 
 /// Power at the motor terminals, winding cold, friction that of the settled cycle.
 pub(crate) struct CyclePower<'a> {
-    currents: &'a Currents,
+    currents: &'a Currents<'a>,
     motor: TerminalPower,
 }
 
@@ -421,7 +422,7 @@ pub(crate) fn regeneration(
     work.asked("P_perm", &WATT, permitted, key);
     let mut check = against_asked(id, &WATT, mean, permitted, key, Source::Model { name: "energy" });
     check.grade = Some(grade);
-    let notes = check.notes.to_mut();
+    let notes = &mut check.notes;
     if let (Some(rise), Some((supply, _))) = (axis.asked.dc_link_rise, axis.supply) {
         let (low, high) = (supply.si(), supply.si() + rise.si());
         notes.push(Note::Capacitor {

@@ -1,14 +1,14 @@
 //! The checks of the feedback: range, resolution, battery.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use crate::check::{Check, CheckId, Figure, Verdict};
 use crate::comparison::{Asking, against_asked, explained, not_checked};
+use crate::notes::{Note, Notes};
 use actuator::{Feedback, FeedbackSide, Parameters};
 use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source};
 use quantities::unit::{ARCSECOND, HOUR, ONE, REVOLUTION, YEAR};
 use quantities::{Measure, Time};
-use std::borrow::Cow;
 
 /// The checks of the feedback; that of the battery only where there is one.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool) -> Vec<Check> {
@@ -59,11 +59,11 @@ fn range(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
         value_source: Some(source.clone()),
         limit_source: None,
         missing: asked.is_none().then_some("requirements.absolute"),
-        notes: Cow::Borrowed(&[]),
-        workings: Vec::new(),
+        notes: Notes::NONE,
+        workings: Box::default(),
     };
     let Some((turns, feedback)) = absolute(actuator) else {
-        check.notes.to_mut().push(Note::NeedsReferencing);
+        check.notes.push(Note::NeedsReferencing);
         if asked.is_some() {
             work.figure("N_out", &REVOLUTION, 0.0, &source, Grade::Printed);
             work.limit("N_out");
@@ -83,9 +83,9 @@ fn range(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     check.limit_source = Some(source);
     if lost {
         let turns = feedback.turns_absolute.known().map_or(1.0, |turns| turns.value);
-        check.notes.to_mut().push(Note::ReferenceLost { turns });
+        check.notes.push(Note::ReferenceLost { turns });
     } else if !within {
-        check.notes.to_mut().push(Note::NeedsReferencing);
+        check.notes.push(Note::NeedsReferencing);
     }
     if asked.is_some() {
         check.verdict = if within { Verdict::Pass } else { Verdict::Fail };
@@ -147,7 +147,7 @@ fn battery(axis: &Axis, feedback: &Feedback, work: &mut Workings) -> Check {
             work.asked("L_asked", &YEAR, asked, key);
             let mut check = against_asked(id, &YEAR, battery.life.value.si(), asked, key, battery.life.source.clone());
             check.grade = Some(battery.life.grade);
-            check.notes.to_mut().push(Note::BatteryExchange {
+            check.notes.push(Note::BatteryExchange {
                 recommended: battery.exchange_recommended,
                 latest: battery.exchange_latest,
             });

@@ -2,12 +2,15 @@
 
 use crate::axis::Axis;
 use crate::bearing_checks::{self, Borne};
-use crate::check::{Check, CheckId, Note, Verdict};
+use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, equation, explained, not_checked};
+use crate::notes::{Note, Notes};
 use crate::resonance;
 use crate::stage;
 use crate::workings;
-use actuator::{BudgetCase, ErrorBudget, ErrorKind, Feedback, FeedbackSide, Gear, LifeLaw, Parameters, PositionLoop};
+use actuator::{
+    BudgetCase, Drivetrain, ErrorBudget, ErrorKind, Feedback, FeedbackSide, Gear, LifeLaw, Parameters, PositionLoop,
+};
 use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{
@@ -15,24 +18,25 @@ use quantities::unit::{
     REVOLUTION_PER_MINUTE, SECOND,
 };
 use quantities::{Angle, AngularVelocity, Measure, Ratio, Torque};
-use std::borrow::Cow;
 
 /// The model of torsion, natural frequency, mean torque, collisions and life.
 const MODEL: Source = Source::Model { name: "gear" };
 
 /// Every check of the gear. It carries the torque of the load only: the rotor's inertia is on its other side.
 /// `bare`: without those that have no limit because none is asked for.
-pub(crate) fn judge(axis: &Axis, actuator: &Parameters, (bare, explain): (bool, bool), checks: &mut Vec<Check>) {
+pub(crate) fn judge(
+    axis: &Axis,
+    drivetrain: &Drivetrain,
+    (bare, explain): (bool, bool),
+    to: &mut impl FnMut(&dyn Fn() -> Check),
+) {
     let asked = &axis.asked;
-    checks.push(explained(explain, |work| mean_torque(axis, actuator, work)));
+    to(&|| explained(explain, |work| mean_torque(axis, drivetrain, work)));
     if !bare || asked.gear_life_min.is_some() {
-        checks.push(explained(explain, |work| life(axis, actuator, work)));
+        to(&|| explained(explain, |work| life(axis, drivetrain, work)));
     }
     if !bare || asked.torsion_max.is_some() {
-        checks.push(explained(explain, |work| torsion(axis, actuator, work)));
-    }
-    if !bare || asked.natural_frequency_min.is_some() {
-        checks.push(explained(explain, |work| resonance::natural_frequency(axis, actuator, work)));
+        to(&|| explained(explain, |work| torsion(axis, drivetrain, work)));
     }
 }
 
@@ -70,7 +74,7 @@ fn mean_input_speed(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> 
             work.given("n_in_av", &REVOLUTION_PER_MINUTE, limit);
             work.limit("n_in_av");
             Comparison {
-                notes: Cow::Borrowed(&[Note::RatingOfInterchangeableGear]),
+                notes: Notes::fixed(&[Note::RatingOfInterchangeableGear]),
                 ..Comparison::with(id, &REVOLUTION_PER_MINUTE, speed, equation("69.3"), limit)
             }
             .answer(Verdict::Fail)
@@ -110,7 +114,7 @@ fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Work
                 }
                 None => not_checked(id, missing),
             };
-            check.notes.to_mut().extend(told);
+            check.notes.extend(told);
             return check;
         }
     };
@@ -139,9 +143,9 @@ fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Work
         work.given("T_M", &NEWTON_METRE, limit);
         work.limit("T_M");
     }
-    check.notes.to_mut().push(Note::RatingOfInterchangeableGear);
-    check.notes.to_mut().extend(permitted.map(Note::CollisionsPermitted));
-    check.notes.to_mut().extend(told);
+    check.notes.push(Note::RatingOfInterchangeableGear);
+    check.notes.extend(permitted.map(Note::CollisionsPermitted));
+    check.notes.extend(told);
     check
 }
 
@@ -212,7 +216,7 @@ fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Chec
         }
     };
     check.grade = Some(budget.grade());
-    check.notes.to_mut().push(Note::Budget {
+    check.notes.push(Note::Budget {
         root_sum_square: budget.root_sum_square(),
         deviation,
         missing: budget.missing.len(),
@@ -324,7 +328,7 @@ fn explain_feedback(
 }
 
 /// T_av ≤ T_A; only where a rating of the gear is published.
-fn mean_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+fn mean_torque(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
     let id = CheckId::GearMeanTorque;
     match actuator.gear.average_torque_max.require("T_A") {
         Ok(limit) => {
@@ -334,7 +338,7 @@ fn mean_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check
             work.given("T_A", &NEWTON_METRE, limit);
             work.limit("T_A");
             Comparison {
-                notes: Cow::Borrowed(&[Note::RatingOfInterchangeableGear]),
+                notes: Notes::fixed(&[Note::RatingOfInterchangeableGear]),
                 ..Comparison::with(id, &NEWTON_METRE, mean.si(), MODEL, limit)
             }
             .answer(Verdict::Fail)
@@ -350,7 +354,7 @@ fn explain_mean_torque(mean: Torque, work: &mut Workings) {
 }
 
 /// L_10 of the wave-generator bearing against the life required.
-fn life(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+fn life(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
     let id = CheckId::GearLife;
     let found = (|| {
         let rated = actuator.gear.rated_torque.require("T_N")?;
@@ -377,7 +381,7 @@ fn life(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
             work.asked("L_10_min", &HOUR, asked, key);
             let mut check = against_asked(id, &HOUR, life.si(), asked, key, MODEL);
             check.grade = Some(grade.worst(Grade::Computed));
-            check.notes.to_mut().push(Note::RatingOfInterchangeableGear);
+            check.notes.push(Note::RatingOfInterchangeableGear);
             check
         }
         Err(missing) => not_checked(id, missing),
@@ -385,7 +389,7 @@ fn life(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
 }
 
 /// Torsion of the gear under the largest torque of the load.
-fn torsion(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+fn torsion(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
     let id = CheckId::Torsion;
     let Some(curve) = actuator.gear.torsion() else { return not_checked(id, Missing { symbol: "K_1" }) };
     let worst = axis.moments().load_peak;

@@ -1,17 +1,18 @@
 //! The checks of heat: continuous torque, temperature of the winding, overload supervision.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Note};
+use crate::check::{Check, CheckId};
 use crate::checks::Demands;
 use crate::comparison::{Comparison, Edges, cite, not_checked};
 use crate::currents::{Currents, coil_loss};
+use crate::electrics::Electrics;
+use crate::notes::{Note, Notes};
 use crate::workings;
 use actuator::{ContinuousLimit, Gains, Parameters, PublishedDuty};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::Measure;
 use quantities::unit::{AMPERE, DEGREE_CELSIUS, KELVIN_DIFFERENCE, NEWTON_METRE, ONE, SECOND, WATT};
-use std::borrow::Cow;
 use trace::{Form, Lag};
 
 /// Above this share of the winding's time constant a cycle is no longer short: the winding's temperature swings by
@@ -25,18 +26,20 @@ const THERMAL: Source = Source::Model { name: "thermal" };
 pub(crate) fn continuous_torque(
     axis: &Axis,
     actuator: &Parameters,
-    currents: Result<&Currents, &Missing>,
+    electrics: &Electrics,
     (demand, manual): Demands<'_>,
     work: &mut Workings,
 ) -> Check {
     let id = CheckId::ContinuousTorque;
     let Some(demand) = demand else { return not_checked(id, Missing { symbol: "J_out" }) };
     workings::mean_speed(axis, work);
-    let model = currents.ok().and_then(|currents| currents.heat().ok());
-    let limit = actuator::continuous_torque_with(actuator, model.map(|(model, _)| model), demand.speed_mean, work);
-    let limit = match limit {
+    if work.is_on() {
+        // The same once more, for its workings.
+        let _ = actuator::continuous_torque_with(actuator, electrics.heat.as_ref().ok(), demand.speed_mean, work);
+    }
+    let limit = match &electrics.continuous {
         Ok(limit) => limit,
-        Err(missing) => return not_checked(id, missing),
+        Err(missing) => return not_checked(id, *missing),
     };
     work.limit("T_cont");
     workings::effective_torque(axis, actuator, demand, manual, work);
@@ -51,22 +54,25 @@ pub(crate) fn continuous_torque(
     }
     let time_constant = actuator.heat.winding_time_constant.known();
     if time_constant.is_some_and(|tau| axis.moments.duration.si() > SHORT_CYCLE_SHARE * tau.value.si()) {
-        notes.to_mut().push(Note::CycleNotShort { cycle: axis.moments.duration });
+        notes.push(Note::CycleNotShort { cycle: axis.moments.duration });
     }
-    let edges = Edges { limit: limit.limit.value.si(), upper: limit.upper.si(), unit: &NEWTON_METRE };
+    if notes.is_empty() {
+        notes = electrics.estimated.clone();
+    }
+    let edges = crate::electrics::edges(limit);
     let source = crate::checks::demand_source(manual, "69.2");
     Comparison { notes, ..Comparison::with(id, &NEWTON_METRE, demand.torque_rms.si(), source, &limit.limit) }
         .between(edges)
 }
 
 /// What the published curves permit at the duty of the cycle.
-fn published(axis: &Axis, actuator: &Parameters, currents: &Currents) -> Option<PublishedDuty> {
+fn published(axis: &Axis, actuator: &Parameters, currents: &Currents<'_>) -> Option<PublishedDuty> {
     let (model, _) = currents.heat().ok()?;
     actuator::published_duty(actuator, model, axis.moments.duty_factor(), axis.moments.speed_mean())
 }
 
 /// The two lags whose sum is a temperature above that of the air: each mode has its share of both losses.
-fn temperature_lags(currents: &Currents, gains: Gains) -> Result<[Lag; 2], Missing> {
+fn temperature_lags(currents: &Currents<'_>, gains: Gains) -> Result<[Lag; 2], Missing> {
     let (model, _) = currents.heat()?;
     let copper = Form::square(currents.settled_weights()).scale(model.losses().copper_ohm());
     let friction = currents.friction_form(model.losses().friction_v_s_per_rad());
@@ -86,7 +92,7 @@ fn temperature_lags(currents: &Currents, gains: Gains) -> Result<[Lag; 2], Missi
 pub(crate) fn thermal(
     axis: &Axis,
     actuator: &Parameters,
-    currents: Result<&Currents, &Missing>,
+    currents: Result<&Currents<'_>, &Missing>,
     work: &mut Workings,
 ) -> Check {
     let id = CheckId::Thermal;
@@ -142,7 +148,7 @@ pub(crate) fn thermal(
     }
     let at = |share: f64| ambient.si() + share * room;
     let warm_up = model.network().warm_up_time(settled.losses, ambient, threshold);
-    let notes = vec![Note::RiseAbove(ambient), Note::Housing(settled.housing), Note::WarmUp(warm_up)];
+    let notes = Notes::from([Note::RiseAbove(ambient), Note::Housing(settled.housing), Note::WarmUp(warm_up)]);
     let mut check = Comparison {
         id,
         unit: &DEGREE_CELSIUS,
@@ -153,7 +159,7 @@ pub(crate) fn thermal(
         limit_source: &THERMAL,
         grade: Grade::Estimated,
         errata: &[],
-        notes: Cow::Owned(notes),
+        notes: notes,
     }
     .between(Edges { limit: at(low), upper: at(high), unit: &DEGREE_CELSIUS });
     // A temperature has no share of a limit; its rise above the air has.
@@ -168,16 +174,14 @@ pub(crate) fn thermal(
 pub(crate) fn overload(
     axis: &Axis,
     actuator: &Parameters,
-    currents: Result<&Currents, &Missing>,
+    (electrics, currents): (&Electrics, Result<&Currents<'_>, &Missing>),
     work: &mut Workings,
 ) -> Check {
     let id = CheckId::OverloadI2t;
     let found = currents.map_err(|missing| *missing).and_then(|currents| {
         let stall = actuator.stall_current.require("I_0")?;
         let (model, _) = currents.heat()?;
-        let speed = axis.moments.speed_mean();
-        let mut off = Workings::off();
-        Ok((currents, model, stall, actuator::continuous_torque_with(actuator, Some(model), speed, &mut off)?))
+        Ok((currents, model, stall, electrics.continuous.as_ref().map_err(|missing| *missing)?))
     });
     let (currents, model, stall, continuous) = match found {
         Ok(found) => found,
@@ -188,7 +192,7 @@ pub(crate) fn overload(
     let form = Form::square(currents.settled_weights()).scale(1.0 / stalled);
     let peak = axis.trace.peak_of_lags(&[Lag { tau_s: tau.si(), form }]);
     let permitted = published(axis, actuator, currents);
-    let ContinuousLimit { limit, upper } = &continuous;
+    let ContinuousLimit { limit, upper } = continuous;
     let filtered = |torque: quantities::Torque| {
         let current = model.current(torque, axis.moments.speed_mean(), &currents.warm).si();
         current * current / stalled
@@ -218,7 +222,7 @@ pub(crate) fn overload(
         limit_source: &stall.source,
         grade: Grade::Estimated,
         errata: stall.errata,
-        notes: Cow::Borrowed(&[]),
+        notes: Notes::NONE,
     }
     .between(Edges { limit: low, upper: high, unit: &ONE })
 }

@@ -1,8 +1,9 @@
 //! The checks of the screw joints and of the field of application.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use crate::check::{Check, CheckId, Figure, Verdict};
 use crate::comparison::{Comparison, explained, not_checked};
+use crate::notes::Note;
 use crate::workings;
 use actuator::{Parameters, ScrewJoint};
 use derivation::Workings;
@@ -29,13 +30,13 @@ pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool, checks: &
         check.limit = Some(Figure { si: 0.0, unit: &ONE });
         check.grade = Some(Grade::Printed);
         check.value_source = Some(Source::Project { key: "requirements.special_application".into() });
-        check.notes.to_mut().push(Note::ApprovalNeeded);
+        check.notes.push(Note::ApprovalNeeded);
         let source = Source::Project { key: "requirements.special_application".into() };
         work.figure("approvals_needed", &ONE, 1.0, &source, Grade::Printed);
         work.value("approvals_needed");
         work.figure("approvals", &ONE, 0.0, &source, Grade::Assumed);
         work.limit("approvals");
-        check.workings = work.into_steps();
+        check.workings = work.into_steps().into();
         checks.push(check);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! [`Axis`] holds the load and the cycle with everything about them that does not depend on the actuator, so that
 //! judging one more candidate costs a few arithmetic operations per ramp. [`judge`] answers every check for one set
-//! of parameters; [`rank`] orders the judgements of many.
+//! of parameters; [`Judge`] goes through many and finds what neighbours share once; [`rank`] orders the judgements.
 
 mod axis;
 mod bearing_checks;
@@ -15,12 +15,15 @@ mod course;
 mod currents;
 mod demand;
 mod electric_checks;
+mod electrics;
 mod energy;
 mod feedback_checks;
 mod flange;
 mod gear_checks;
 mod heat_checks;
 mod joint_checks;
+mod judge;
+mod notes;
 mod rank;
 mod reserve;
 mod resonance;
@@ -33,12 +36,13 @@ mod workings;
 
 pub use axis::{Asked, Axis, BearingDuty, Moments, OperatingCondition, SpecialApplication, TooManyInstants};
 pub use brake_times::BrakeTimes;
-pub use check::{Check, CheckId, Direction, Figure, Margin, Note, Notes, Part, Verdict};
-pub use checks::{Depth, Judgement, explain, judge};
+pub use check::{Check, CheckId, Direction, Figure, Margin, Part, Verdict};
 pub use course::{Course, Sample};
-pub use demand::{Demand, ManualDemand, MoveTorques};
+pub use demand::{Demand, ManualDemand, MoveTorques, Moves};
 pub use derivation;
 pub use flange::{DerivedLoads, FlangeSample};
+pub use judge::{Checks, Depth, InOrder, Judge, Judgement, Naming, judge};
+pub use notes::{Note, Notes};
 pub use rank::{Standing, rank};
 pub use reserve::{Reserve, reserve, reserve_watched};
 pub use watch::{Unwatched, Watch, finished};

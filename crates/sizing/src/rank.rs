@@ -1,6 +1,6 @@
 //! The order of the candidates.
 
-use crate::checks::Judgement;
+use crate::judge::Judgement;
 use std::cmp::Ordering;
 
 /// What the order looks at, besides the judgement.

@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::brake_times::carried;
 use crate::check::Verdict;
-use crate::checks::{Depth, judge};
+use crate::judge::{Depth, judge};
 use crate::watch::{Unwatched, Watch, finished};
 use actuator::Parameters;
 use quantities::{Mass, Measure, ThermodynamicTemperature, Time};
@@ -236,6 +236,7 @@ impl Axis {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use actuator::Drivetrain;
     use mechanism::Mechanism;
     use motion::{Closing, ManualMove, Motion, SegmentSpec};
     use provenance::{Datum, Grade, Source, Sourced};
@@ -262,9 +263,8 @@ mod tests {
     /// Only T_max = 105 Nm limits: (J_L + 0.5)·40 + 5 = 105 Nm at J_L = 2.0 kgm².
     fn actuator() -> Parameters {
         Parameters {
-            torque_max: known(Torque::from_si(105.0)),
             inertia_out: known(MomentOfInertia::from_si(0.5)),
-            ..Parameters::unknown()
+            ..Drivetrain { torque_max: known(Torque::from_si(105.0)), ..Drivetrain::unknown() }.into()
         }
     }
 
@@ -321,7 +321,8 @@ mod tests {
 
     #[test]
     fn where_nothing_helps_nothing_is_promised() {
-        let weak = Parameters { torque_max: known(Torque::from_si(4.0)), ..actuator() };
+        let mut weak = actuator();
+        weak.torque_max = known(Torque::from_si(4.0));
         let found = reserve(&axis(1.0), &weak);
         assert_eq!((found.load_factor, found.cycle_time), (None, None), "friction alone is too much");
     }

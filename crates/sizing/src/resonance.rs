@@ -1,8 +1,9 @@
 //! The checks of oscillation: first natural frequency of the load on the gear, and the speeds that excite it.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Figure, Note, Verdict};
+use crate::check::{Check, CheckId, Figure, Verdict};
 use crate::comparison::{Asking, against_asked, not_checked};
+use crate::notes::{Note, Notes};
 use crate::stage;
 use crate::workings;
 use actuator::Parameters;
@@ -11,7 +12,6 @@ use mechanism::Extra;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{HERTZ, KILOGRAM_SQUARE_METRE, NEWTON_METRE_PER_RADIAN, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{AngularVelocity, Frequency, Measure, MomentOfInertia, Time, TorsionalStiffness};
-use std::borrow::Cow;
 
 const MODEL: Source = Source::Model { name: "gear" };
 
@@ -118,7 +118,7 @@ pub(crate) fn natural_frequency(axis: &Axis, actuator: &Parameters, work: &mut W
             work.asked("f_min", &HERTZ, asked, key);
             let mut check = against_asked(id, &HERTZ, blocked.si(), asked, key, MODEL);
             if let Some(own) = own_inertia(actuator) {
-                check.notes.to_mut().push(Note::FreeRotor(frequency(k.value, load, Rotor::Free(own))));
+                check.notes.push(Note::FreeRotor(frequency(k.value, load, Rotor::Free(own))));
             }
             check
         }
@@ -218,8 +218,8 @@ pub(crate) fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings)
         value_source: Some(MODEL),
         limit_source: Some(MODEL),
         missing: open.then_some("recorded_speed"),
-        notes: Cow::Owned(vec![speeds_note(axis, &stiffness, ratio.value, own)]),
-        workings: Vec::new(),
+        notes: Notes::from([speeds_note(axis, &stiffness, ratio.value, own)]),
+        workings: Box::default(),
     }
 }
 

@@ -1,6 +1,6 @@
 use super::*;
-use crate::checks::{Depth, judge};
-use actuator::Gear;
+use crate::judge::{Depth, judge};
+use actuator::{Drivetrain, Gear};
 use mechanism::{Kind, Mechanism, SliderCrank};
 use motion::{Closing, Given, Law, Motion, SegmentSpec};
 use provenance::{CellRef, Datum};
@@ -15,13 +15,16 @@ fn known<T>(value: T) -> Datum<T> {
 /// The gear of the manual's example on a rotor of 3 kgm².
 fn actuator() -> Parameters {
     Parameters {
-        ratio: known(100.0),
         inertia_out: known(MomentOfInertia::from_si(3.0)),
-        gear: Gear {
-            stiffness: [6.7e4, 1.1e5, 1.2e5].map(|k| known(TorsionalStiffness::from_si(k))),
-            ..Gear::unknown()
-        },
-        ..Parameters::unknown()
+        ..Drivetrain {
+            ratio: known(100.0),
+            gear: Gear {
+                stiffness: [6.7e4, 1.1e5, 1.2e5].map(|k| known(TorsionalStiffness::from_si(k))),
+                ..Gear::unknown()
+            },
+            ..Drivetrain::unknown()
+        }
+        .into()
     }
 }
 
@@ -36,7 +39,7 @@ fn hold(speed: f64, time: f64) -> SegmentSpec {
 
 fn check(axis: &Axis) -> Check {
     let judged = judge(axis, &actuator(), Depth::Full);
-    judged.checks.into_iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap()
+    judged.checks.iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap().clone()
 }
 
 /// 2 i n/60 = f by hand.

@@ -37,7 +37,7 @@ fn example() -> (Axis, MomentOfInertia) {
 fn the_manual_procedure_gives_the_worked_example() {
     let (axis, own) = example();
     let manual = axis.manual_demand(own).unwrap();
-    let [only] = manual.moves.as_slice() else { panic!("one move") };
+    let [only] = &manual.moves[..] else { panic!("one move") };
     assert!(agrees(only.accelerate.in_unit(&NEWTON_METRE), "103.98"), "T_1");
     assert!(agrees(only.run.in_unit(&NEWTON_METRE), "5.00"), "T_2");
     assert!(agrees(only.brake.in_unit(&NEWTON_METRE), "-93.98"), "T_3");

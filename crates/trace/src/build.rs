@@ -3,6 +3,7 @@
 use super::alike;
 use super::recording::Strip;
 use super::rule::rule;
+use super::short::Straight;
 use super::{BLOCK, Block, Carried, Extent, GROUP, Gram, Group, Kept, Like, Node, Panel, Place, Run, Share, Trace};
 use mechanism::{Endless, Extra, Load, Loading, Mechanism, Output};
 use motion::{Motion, Piece, Placed, Runs, State, lobatto};
@@ -107,8 +108,9 @@ impl<'a> Builder<'a> {
         }
         let mut gram = Gram::default();
         self.blocks.iter().for_each(|block| gram.join(&block.gram));
-        Trace {
+        let mut trace = Trace {
             groups: groups(&self.blocks),
+            straight: None,
             is_changed: false,
             lags: Arc::default(),
             runs: runs(&self.blocks),
@@ -123,7 +125,9 @@ impl<'a> Builder<'a> {
             inertia: self.inertia,
             span: self.span,
             holding: self.holding,
-        }
+        };
+        trace.straight = Straight::of(&trace);
+        trace
     }
 
     /// Makes a block of the nodes since the last one.

@@ -317,7 +317,7 @@ type Entry = (u64, Arc<Gains>);
 
 /// So many time constants are kept. Whoever judges one actuator after the other needs those of a size or two at a time; a
 /// catalogue has more of them, and each costs memory in proportion to the recording.
-const TABLES: usize = 12;
+const TABLES: usize = 8;
 
 /// A time constant without its last twelve bits, 10⁻¹²: equal ones of different actuators are rounded differently.
 pub(super) fn rounded(tau_s: f64) -> f64 {

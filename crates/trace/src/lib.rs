@@ -14,6 +14,7 @@ mod lags;
 mod recording;
 mod rule;
 mod search;
+mod short;
 
 pub use build::{INSTANTS_MOST, instants};
 pub use carried::Carried;
@@ -26,6 +27,7 @@ use lags::LagCache;
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
 use quantities::{Angle, Measure, MomentOfInertia, Torque};
+use short::Straight;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -399,6 +401,8 @@ pub struct Trace {
     is_changed: bool,
     runs: Vec<Run>,
     lags: Arc<LagCache>,
+    /// Of a short cycle of straight panels: what a search looks at.
+    straight: Option<Straight>,
     /// Sum of the weights \[s\].
     duration: f64,
     gram: Gram,

@@ -368,7 +368,8 @@ fn in_two<I: Sync, O: Send>(items: &[I], shared: bool, of: &(impl Fn(&I) -> O + 
     let (first, second) = items.split_at(items.len() / 2);
     std::thread::scope(|scope| {
         let other = scope.spawn(|| work(second));
-        let mut all = work(first);
+        let mut all = Vec::with_capacity(items.len());
+        all.extend(first.iter().map(of));
         // A thread that could not finish leaves its part to this one.
         all.extend(other.join().unwrap_or_else(|_| work(second)));
         all

@@ -93,8 +93,17 @@ impl Trace {
         self.search(sought, self.is_changed)
     }
 
-    fn search(&self, sought: &impl Sought, by_cells: bool) -> (f64, Node) {
+    fn search<S: Sought>(&self, sought: &S, by_cells: bool) -> (f64, Node) {
         let mut best = Best { value: f64::NEG_INFINITY, node: Node::default() };
+        if let Some(straight) = &self.straight {
+            for node in &straight.ends {
+                best.see(node, sought.value(node));
+            }
+            if !S::CONVEX {
+                straight.lines.iter().for_each(|[a, b]| best.along(a, b, sought));
+            }
+            return (best.value, best.node);
+        }
         let in_cells = |group: &Group| by_cells && group.recorded;
         let group_bound = |group: &Group| {
             let above = if in_cells(group) { f64::NEG_INFINITY } else { sought.bound(&group.extent) };
@@ -214,13 +223,17 @@ impl Best {
         }
     }
 
-    /// The straight line between two instants: its ends, its corners, and what lies between these.
+    /// The straight line between two instants: its ends, and what lies between these.
     fn line<S: Sought>(&mut self, a: &Node, b: &Node, sought: &S) {
         self.see(a, sought.value(a));
         self.see(b, sought.value(b));
-        if S::CONVEX || a.signals() == b.signals() {
-            return;
+        if !S::CONVEX && a.signals() != b.signals() {
+            self.along(a, b, sought);
         }
+    }
+
+    /// What lies between two instants on a straight line.
+    fn along<S: Sought>(&mut self, a: &Node, b: &Node, sought: &S) {
         let (from, to) = (a.speed_rad_s.abs(), b.speed_rad_s.abs());
         let mut start = *a;
         let mut passed = from;

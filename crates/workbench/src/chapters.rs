@@ -15,7 +15,7 @@ use sizing::{Check, CheckId};
 /// # Errors
 /// The first datum that is missing if no curve can be drawn.
 pub fn curves(code: &OrderCode, terminal: Option<ElectricPotential>) -> Option<Result<Vec<PerformanceCurve>, Missing>> {
-    Some(actuator::performance_curves(&configurator::parameters(code)?, terminal))
+    Some(actuator::performance_curves(&configurator::parameters(code)?.drivetrain, terminal))
 }
 
 /// Reads a quantity of the command line.

@@ -2,7 +2,7 @@
 
 use project::{Project, Within};
 use provenance::{Key, Source};
-use sizing::{Check, CheckId, Judgement};
+use sizing::{Check, CheckId};
 
 /// The keys of a project that were asked for: the same few for every candidate.
 #[derive(Debug)]
@@ -27,31 +27,30 @@ impl<'p> Cited<'p> {
         Self { project, known: Vec::new() }
     }
 
-    pub(crate) const fn project(&self) -> &'p Project {
-        self.project
-    }
-
-    /// Lets every check of a judgement, and every step of its workings, cite the keys of the project as they are written.
-    pub(crate) fn cite(&mut self, judgement: &mut Judgement) {
-        let governing = judgement.manual.as_ref().map_or(0, |manual| manual.governing);
-        for check in &mut judgement.checks {
-            let within = within(check, governing);
-            let (value, limit) = (check.value.map(|figure| figure.si), check.limit.map(|figure| figure.si));
-            check.value_source.iter_mut().for_each(|source| self.rename(source, value, within));
-            check.limit_source.iter_mut().for_each(|source| self.rename(source, limit, within));
-            for step in &mut check.workings {
-                self.rename(&mut step.source, Some(step.si), within);
-            }
+    /// Lets a check, and every step of its workings, cite the keys of the project as they are written; by the manual that
+    /// move governs.
+    pub(crate) fn cite(&mut self, check: &mut Check, governing: usize) {
+        let is_key = |source: &Option<Source>| matches!(source, Some(Source::Project { .. }));
+        if check.workings.is_empty() && !is_key(&check.value_source) && !is_key(&check.limit_source) {
+            return;
+        }
+        let within = within(check, governing);
+        let (value, limit) = (check.value.map(|figure| figure.si), check.limit.map(|figure| figure.si));
+        check.value_source.iter_mut().for_each(|source| self.rename(source, value, within));
+        check.limit_source.iter_mut().for_each(|source| self.rename(source, limit, within));
+        for step in &mut check.workings {
+            self.rename(&mut step.source, Some(step.si), within);
         }
     }
 
     fn rename(&mut self, source: &mut Source, si: Option<f64>, within: Within) {
         let Source::Project { key } = source else { return };
-        // Most names of the engine are the same few texts.
-        let is_role = |role: &Key| std::ptr::eq(&**role, &**key) || role == key;
-        let same =
-            |known: &&Known| known.within == within && known.si.is_none_or(|known| known == si) && is_role(&known.role);
-        let stated = match self.known.iter().find(same) {
+        let fits = |known: &&Known| known.within == within && known.si.is_none_or(|known| known == si);
+        // Most names of the engine are the same few texts, in the same place of the memory.
+        let is_same = |known: &&Known| std::ptr::eq(&*known.role, &**key) && fits(known);
+        let is_equal = |known: &&Known| known.role == *key && fits(known);
+        let known = self.known.iter();
+        let stated = match known.clone().find(is_same).or_else(|| known.clone().find(is_equal)) {
             Some(known) => known.key.clone(),
             None if is_final(key) => return,
             None => {

@@ -80,7 +80,9 @@ pub use reading::{Unread, read, read_all, read_all_watched, schema};
 pub use recording::MEMORY_USUAL;
 pub use sheet::{Sheet, SheetNote, SheetRow, SheetSection, sheet};
 pub use sizing::derivation as workings;
-pub use sizing::{Check, CheckId, Course, Demand, Direction, Figure, FlangeSample, Part, Reserve, Sample, Verdict};
+pub use sizing::{
+    Check, CheckId, Checks, Course, Demand, Direction, Figure, FlangeSample, Part, Reserve, Sample, Verdict,
+};
 pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, explain, explain_own, reserve_of,
     size,

@@ -7,7 +7,7 @@ use order_code::{Field, Option1, OrderCode};
 use project::{Assumption, OwnActuator, Project};
 use quantities::Measure;
 use sizing::{
-    Check, CheckId, Course, Depth, Judgement, Reserve, Standing, Unwatched, Verdict, Watch, finished, judge, rank,
+    Check, CheckId, Course, Depth, Judge, Judgement, Reserve, Standing, Unwatched, Verdict, Watch, finished, rank,
     reserve_watched,
 };
 
@@ -200,12 +200,12 @@ fn judged<'p, W: Watch>(
     actuators: &'p [(OrderCode, Parameters)],
     watch: &W,
 ) -> Result<Vec<Candidate<'p>>, W::Stop> {
-    let mut cited = Cited::of(project);
+    let mut judging = Judging::of(project, Depth::Survivors);
     let mut candidates = Vec::with_capacity(actuators.len());
     for (code, parameters) in actuators {
         watch.step()?;
         let code = OrderCode { option_1: project.option_1, option_2: project.option_2, ..*code };
-        candidates.push(candidate(&mut cited, code, parameters, Depth::Survivors));
+        candidates.push(candidate(&mut judging, code, parameters));
     }
     Ok(candidates)
 }
@@ -219,7 +219,7 @@ pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>
     let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
     let mut known = actuators_of(project, code.option_1).iter();
     let (_, parameters) = known.find(|(known, _)| *known == bare).ok_or(Refusal::NoData)?;
-    Ok(candidate(&mut Cited::of(project), *code, parameters, Depth::Full))
+    Ok(candidate(&mut Judging::of(project, Depth::Full), *code, parameters))
 }
 
 /// Judges one code as [`check`] does, each check with the workings of its value and its limit.
@@ -228,8 +228,7 @@ pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>
 /// As [`check`].
 pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
     let mut candidate = check(project, code)?;
-    candidate.judgement = sizing::explain(&project.axis, candidate.parameters);
-    Cited::of(project).cite(&mut candidate.judgement);
+    candidate.judgement = Judging::explaining(project).judge(candidate.parameters);
     Ok(candidate)
 }
 
@@ -239,8 +238,7 @@ pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'
 /// As [`check_own`].
 pub fn explain_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
     let mut candidate = check_own(project)?;
-    candidate.judgement = sizing::explain(&project.axis, candidate.parameters);
-    Cited::of(project).cite(&mut candidate.judgement);
+    candidate.judgement = Judging::explaining(project).judge(candidate.parameters);
     Ok(candidate)
 }
 
@@ -276,10 +274,31 @@ pub(crate) fn reserve_of_watched<W: Watch>(
     reserve_watched(&project.axis, candidate.parameters, watch)
 }
 
-fn candidate<'p>(cited: &mut Cited<'p>, code: OrderCode, parameters: &'p Parameters, depth: Depth) -> Candidate<'p> {
-    let project = cited.project();
-    let mut judgement = judge(&project.axis, parameters, depth);
-    cited.cite(&mut judgement);
+/// Judges one actuator after the other for the axis of a project, whose keys the checks cite as its file has them.
+struct Judging<'p> {
+    project: &'p Project,
+    judge: Judge<'p>,
+    cited: Cited<'p>,
+}
+
+impl<'p> Judging<'p> {
+    fn of(project: &'p Project, depth: Depth) -> Self {
+        Self { project, judge: Judge::of(&project.axis, depth), cited: Cited::of(project) }
+    }
+
+    fn explaining(project: &'p Project) -> Self {
+        Self { project, judge: Judge::explaining(&project.axis), cited: Cited::of(project) }
+    }
+
+    fn judge(&mut self, parameters: &Parameters) -> Judgement {
+        let Self { judge, cited, .. } = self;
+        judge.next(parameters, &mut |check, governing| cited.cite(check, governing))
+    }
+}
+
+fn candidate<'p>(judging: &mut Judging<'p>, code: OrderCode, parameters: &'p Parameters) -> Candidate<'p> {
+    let project = judging.project;
+    let judgement = judging.judge(parameters);
     let mut objections: Vec<Objection> =
         project.requirements.unmet(&code, parameters).into_iter().map(Objection::Unmet).collect();
     // Without options the code stands in the catalogue because it is available; only options can change that.
@@ -298,8 +317,7 @@ fn candidate<'p>(cited: &mut Cited<'p>, code: OrderCode, parameters: &'p Paramet
 }
 
 fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p> {
-    let mut judgement = judge(&project.axis, &own.parameters, Depth::Full);
-    Cited::of(project).cite(&mut judgement);
+    let judgement = Judging::of(project, Depth::Full).judge(&own.parameters);
     let objections: Vec<Objection> =
         project.requirements.unmet_by_data(&own.parameters).into_iter().map(Objection::Unmet).collect();
     let mass = own.parameters.mass.known().map(|mass| mass.value.si());

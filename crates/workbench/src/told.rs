@@ -2,7 +2,7 @@
 
 use crate::limits::NeededLimit;
 use crate::sizing_use::{Candidate, CandidateId, Objection};
-use crate::{Check, Demand, Figure, Reserve, Verdict, limits_needed};
+use crate::{Check, Checks, Demand, Figure, Reserve, Verdict, limits_needed};
 use project::RecordingRead;
 use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
 use quantities::{Language, Measure, Unit, format_number, format_significant};
@@ -62,7 +62,7 @@ pub fn reason(candidate: &Candidate<'_>, language: Language) -> String {
 
 /// What fails first, then advice, then what is not checked, then the rest; within each by utilisation.
 #[must_use]
-pub fn by_importance(checks: &[Check]) -> Vec<&Check> {
+pub fn by_importance(checks: &Checks) -> Vec<&Check> {
     let rank = |check: &Check| match check.verdict {
         Verdict::Fail => 0,
         Verdict::Advice => 1,

@@ -12,7 +12,7 @@ fn manual(speed: &str) -> String {
 
 fn checks(project: &Project) -> Vec<Check> {
     let code = order_code::parse("CHA-25A-100-H-C1024").unwrap().code;
-    check(project, &code).unwrap().judgement.checks
+    check(project, &code).unwrap().judgement.checks.iter().cloned().collect()
 }
 
 fn value_key(checks: &[Check], id: CheckId) -> String {

@@ -67,7 +67,7 @@ fn recommendation_and_temperatures() {
         let value = cell(table, "ambient_temperature_operation", "").value;
         assert_eq!(value, Value::Range { low: 0.0, high: 40.0 });
     }
-    let heat = parameters().heat;
+    let heat = parameters().heat.clone();
     let celsius = |datum: &Datum<ThermodynamicTemperature>| datum.known().unwrap().value.in_unit(&DEGREE_CELSIUS);
     for (found, condition) in [(&heat.winding_warning, "warning"), (&heat.winding_shutdown, "shutdown")] {
         let cells = catalogue::table("62.3").unwrap().cells();

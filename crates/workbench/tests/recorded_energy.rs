@@ -34,7 +34,7 @@ fn regeneration(mechanism: &str, files: &Given, requirements: &str) -> Check {
     let projects = workbench::read_all(&text, files).unwrap();
     let code = order_code::parse("CHA-32A-100-H-C1024").unwrap().code;
     let checked = check(&projects[0], &code).unwrap();
-    checked.judgement.checks.into_iter().find(|check| check.id == CheckId::Regeneration).unwrap()
+    checked.judgement.checks.iter().find(|check| check.id == CheckId::Regeneration).unwrap().clone()
 }
 
 #[test]

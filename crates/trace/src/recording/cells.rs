@@ -9,7 +9,7 @@ use crate::{Extent, Gram, Panel};
 use mechanism::Plain;
 
 /// A cell of at most so many intervals is not split.
-const LEAF: usize = 64;
+const LEAF: usize = 128;
 
 /// Intervals with close signals, their bounds and sums in the signals of the survey.
 #[derive(Debug)]

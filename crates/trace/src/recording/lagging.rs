@@ -6,7 +6,7 @@ use crate::{Block, Place};
 use std::ops::Range;
 
 /// A part of a block has so many intervals.
-const PART: usize = 16;
+const PART: usize = 32;
 
 /// What any lag needs of a part of a block.
 #[derive(Debug)]

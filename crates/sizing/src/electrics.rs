@@ -1,0 +1,86 @@
+//! What current, voltage and heat have of a drivetrain, whatever feedback and brake it has.
+
+use crate::axis::Axis;
+use crate::comparison::Edges;
+use crate::notes::Notes;
+use actuator::{
+    COLD_START, ContinuousLimit, Drivetrain, FrictionAt, HeatModel, MotorCurrent, MotorVoltage, NoLoadFriction,
+};
+use derivation::Workings;
+use provenance::{Grade, Missing};
+use quantities::unit::NEWTON_METRE;
+use quantities::{Measure, ThermodynamicTemperature};
+
+/// The gear's temperature where no heat model tells it: the warmest for which friction is printed, 80 °C, in kelvin.
+const WARMEST: f64 = 353.15;
+
+/// The laws of a drivetrain for one axis, each with what is missing for it.
+pub(crate) struct Electrics {
+    pub(crate) current: Result<CurrentLaw, Missing>,
+    pub(crate) heat: Result<HeatModel, Missing>,
+    pub(crate) voltage: Result<MotorVoltage, Missing>,
+    /// Continuous torque at the mean speed of the cycle.
+    pub(crate) continuous: Result<ContinuousLimit, Missing>,
+    /// The remark on its band, if it has one.
+    pub(crate) estimated: Notes,
+}
+
+/// The edges of a continuous torque.
+pub(crate) fn edges(limit: &ContinuousLimit) -> Edges {
+    Edges { limit: limit.limit.value.si(), upper: limit.upper.si(), unit: &NEWTON_METRE }
+}
+
+/// The motor current of a torque, with the friction of a gear as cold as the air.
+pub(crate) struct CurrentLaw {
+    pub(crate) motor: MotorCurrent,
+    /// k_Tout \[Nm/A\]
+    pub(crate) torque_constant: f64,
+    /// Friction at the ambient temperature.
+    pub(crate) cold: FrictionAt,
+    /// Friction of the warmest gear.
+    pub(crate) warmest: FrictionAt,
+    /// By which factors friction may lie beside `cold` where that is extrapolated.
+    pub(crate) cold_band: Option<(f64, f64)>,
+    pub(crate) grade: Grade,
+    pub(crate) errata: &'static [&'static str],
+}
+
+impl Electrics {
+    pub(crate) fn of(axis: &Axis, drivetrain: &Drivetrain) -> Self {
+        let heat = HeatModel::of(drivetrain);
+        let (model, mut off) = (heat.as_ref().ok(), Workings::off());
+        let speed = axis.moments.speed_mean();
+        let continuous = actuator::continuous_torque_with(drivetrain, model, speed, &mut off);
+        let remark = continuous.as_ref().ok().and_then(|limit| edges(limit).remark());
+        Self {
+            current: CurrentLaw::of(axis, drivetrain),
+            voltage: MotorVoltage::of(drivetrain),
+            estimated: remark.map_or(Notes::NONE, |remark| Notes::from([remark])),
+            continuous,
+            heat,
+        }
+    }
+}
+
+impl CurrentLaw {
+    fn of(axis: &Axis, drivetrain: &Drivetrain) -> Result<Self, Missing> {
+        let torque_constant = drivetrain.torque_constant_out.require("k_Tout")?;
+        let motor = MotorCurrent::of(drivetrain)?;
+        let law = NoLoadFriction::of(drivetrain)?;
+        // The temperature stated is that of the hottest day; a gear starts no warmer than the print has it.
+        let cold = ThermodynamicTemperature::from_si(axis.ambient.map_or(COLD_START, |air| air.si().min(COLD_START)));
+        let cold_band = law.cold_band(cold)?;
+        // A growth that is only taken over from another maker's actuators is told by its grade.
+        let growth = drivetrain.friction_cold_growth.known().filter(|growth| growth.grade == Grade::Assumed);
+        let grade_of_the_cold = growth.filter(|_| cold_band.is_some()).map_or(Grade::Computed, |growth| growth.grade);
+        Ok(Self {
+            motor,
+            torque_constant: torque_constant.value.si(),
+            cold: law.at(cold),
+            warmest: law.at(ThermodynamicTemperature::from_si(WARMEST)),
+            cold_band,
+            grade: grade_of_the_cold.worst(torque_constant.grade),
+            errata: torque_constant.errata,
+        })
+    }
+}

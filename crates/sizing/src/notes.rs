@@ -1,0 +1,242 @@
+//! What there is to remark about the answer of a check.
+
+use crate::check::Figure;
+use quantities::{
+    Angle, AngularVelocity, ElectricPotential, Energy, Frequency, Length, Power, ThermodynamicTemperature, Time, Torque,
+};
+use std::fmt;
+use std::ops::Deref;
+use std::sync::Arc;
+
+/// What a reader must know about a check beyond its numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Note {
+    /// Friction counts with the gear as cold as the air and with the gear as warm as the cycle makes it, if that is known;
+    /// the larger current decides.
+    FrictionTemperatures {
+        /// Of the air.
+        cold: ThermodynamicTemperature,
+        /// Of the housing in the settled cycle.
+        settled: Option<ThermodynamicTemperature>,
+    },
+    /// Below 20 °C friction is extrapolated; it may be so many times smaller or larger.
+    FrictionExtrapolated {
+        /// Smallest factor.
+        low: f64,
+        /// Largest factor.
+        high: f64,
+    },
+    /// Only the cold gear asks for more than the limit.
+    UntilWarm,
+    /// The limit is the lower edge of an estimate; the upper edge is this figure.
+    EstimatedUpTo(Figure),
+    /// The value lies between the edges of an estimate.
+    InsideBand,
+    /// The utilisation is that of the rise above this temperature.
+    RiseAbove(ThermodynamicTemperature),
+    /// The cycle is not short against the winding's time constant; the effective value alone is not safe.
+    CycleNotShort {
+        /// Duration of the cycle.
+        cycle: Time,
+    },
+    /// Eq. 69.2 takes the braking torque from the accelerating time; the exact integral decides.
+    BrakingTorqueAssumed,
+    /// The recommendation holds for highly dynamic duty.
+    RecommendationForHighDynamics,
+    /// The axis swings by less than 5°: the bearing may fret for want of lubrication.
+    SwingTooSmall {
+        /// Swing of the axis.
+        swing: Angle,
+    },
+    /// Swings below 5° among larger ones: the bearing may fret for want of lubrication.
+    SmallSwings {
+        /// How many happen in one cycle.
+        count: usize,
+        /// The largest of them.
+        largest: Angle,
+        /// Their share of the angle travelled.
+        share: f64,
+    },
+    /// The gear's rating is that of an interchangeable gear of another maker with the same T_R.
+    RatingOfInterchangeableGear,
+    /// The permissible loads hold one at a time; together the life and the static safety decide.
+    LoadsOneAtATime,
+    /// The winding's temperature is an estimate; from cold it reaches its warning threshold after this time, if ever.
+    WarmUp(Option<Time>),
+    /// The largest temperature of the housing in the steady cycle.
+    Housing(ThermodynamicTemperature),
+    /// The load hangs: a built-in holding brake is no safety brake.
+    HangingLoad,
+    /// While the brake closes the load sags by this angle.
+    Sag(Angle),
+    /// A stop by the brake alone from the peak speed.
+    BrakeStop {
+        /// Angle until rest.
+        angle: Angle,
+        /// Time until rest.
+        time: Time,
+        /// Heat in the brake.
+        energy: Energy,
+        /// How many such stops are permitted, if printed.
+        permitted: Option<f64>,
+    },
+    /// The load drives harder than the brake holds.
+    BrakeDoesNotStop,
+    /// In a dwell nothing holds the load but its friction.
+    NothingHolds,
+    /// The load hangs and the actuator has no brake: without power nothing holds it.
+    NothingHoldsWithoutPower,
+    /// Some dwells held by the brake are shorter than it takes to close and to open: the motor holds all of them.
+    DwellTooShortForBrake {
+        /// The shortest of them.
+        shortest: Time,
+        /// t_c + t_o
+        needed: Time,
+    },
+    /// t_c and t_o of this brake are not printed: those printed for the larger sizes were taken.
+    BrakeTimesAssumed,
+    /// How long the permitted applications of the brake at standstill last.
+    BrakingsLast {
+        /// Applications in one cycle.
+        each_cycle: f64,
+        /// Operation until the permitted number is reached, if that is printed.
+        lasts: Option<Time>,
+    },
+    /// While energy comes back the DC link may rise above U_DCmax, for a short time only.
+    DcLinkRises {
+        /// Supply and rise together.
+        to: ElectricPotential,
+        /// The rise that stays below U_DCmax.
+        free: ElectricPotential,
+    },
+    /// Torques at which a cup-type gear of the same size ratchets and buckles, for orientation.
+    Ratcheting {
+        /// At this torque the teeth jump.
+        ratcheting: Torque,
+        /// At this torque the flexspline buckles, if published.
+        buckling: Option<Torque>,
+    },
+    /// The motion asks for a brake that the actuator does not have.
+    NoBrake,
+    /// Electrical energy of one cycle at the motor terminals.
+    EnergyPerCycle {
+        /// Taken in.
+        motoring: Energy,
+        /// Given back.
+        regenerated: Energy,
+        /// Largest power given back.
+        peak: Power,
+    },
+    /// How many collisions of the stated duration the gear bears at the peak speed.
+    CollisionsPermitted(f64),
+    /// What a capacitor bank must have to take back what one cycle returns at a stretch.
+    Capacitor {
+        /// Energy at a stretch.
+        energy: Energy,
+        /// Capacitance for the rise of the DC link voltage.
+        capacitance_f: f64,
+    },
+    /// An axis that turns on and on loses its absolute reference where the count overflows.
+    ReferenceLost {
+        /// Turns of the motor that the encoder tells apart.
+        turns: f64,
+    },
+    /// The position is not absolute: it must be searched after each switching on.
+    NeedsReferencing,
+    /// The encoder with its battery should be exchanged after the first, must be after the second time.
+    BatteryExchange {
+        /// Recommended.
+        recommended: Time,
+        /// At the latest.
+        latest: Time,
+    },
+    /// The field of application needs a risk assessment and the maker's approval (section 2.4).
+    ApprovalNeeded,
+    /// Output speeds at which the wave generator excites the load in the three regions of stiffness: each from that of
+    /// the largest to that of the least inertia of the cycle.
+    ResonanceSpeeds {
+        /// The load swings alone.
+        blocked: [(AngularVelocity, AngularVelocity); 3],
+        /// The rotor swings against it, if its inertia is known.
+        free: Option<[(AngularVelocity, AngularVelocity); 3]>,
+    },
+    /// First natural frequency of load and free rotor against each other.
+    FreeRotor(Frequency),
+    /// The budget by root of squares, and at the lever arm if there is one.
+    Budget {
+        /// Root of the sum of squares.
+        root_sum_square: Angle,
+        /// Worst case at the lever arm.
+        deviation: Option<Length>,
+        /// How many contributions are not known.
+        missing: usize,
+    },
+    /// The limit is the safe side of an open contradiction in the print: the erratum.
+    Erratum(&'static str),
+}
+
+impl Note {
+    /// Whether the remark cites an erratum.
+    #[must_use]
+    pub const fn is_erratum(&self) -> bool {
+        matches!(self, Self::Erratum(_))
+    }
+}
+
+/// Remarks of a check. Most are the same for every candidate, and what several checks remark is shared.
+#[derive(Clone)]
+pub struct Notes(Told);
+
+#[derive(Clone)]
+enum Told {
+    /// The same for every candidate.
+    Fixed(&'static [Note]),
+    /// With figures of a candidate.
+    Found(Arc<[Note]>),
+}
+
+impl Notes {
+    /// None.
+    pub(crate) const NONE: Self = Self::fixed(&[]);
+
+    /// Those that are the same for every candidate.
+    pub(crate) const fn fixed(notes: &'static [Note]) -> Self {
+        Self(Told::Fixed(notes))
+    }
+
+    /// Adds one.
+    pub(crate) fn push(&mut self, note: Note) {
+        self.0 = Told::Found(match &self[..] {
+            [] => Arc::new([note]),
+            told => told.iter().copied().chain(std::iter::once(note)).collect(),
+        });
+    }
+
+    /// Adds some.
+    pub(crate) fn extend(&mut self, notes: impl IntoIterator<Item = Note>) {
+        notes.into_iter().for_each(|note| self.push(note));
+    }
+}
+
+impl Deref for Notes {
+    type Target = [Note];
+
+    fn deref(&self) -> &[Note] {
+        match &self.0 {
+            Told::Fixed(notes) => notes,
+            Told::Found(notes) => notes,
+        }
+    }
+}
+
+impl<const N: usize> From<[Note; N]> for Notes {
+    fn from(notes: [Note; N]) -> Self {
+        Self(Told::Found(Arc::new(notes)))
+    }
+}
+
+impl fmt::Debug for Notes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self[..].fmt(f)
+    }
+}
