@@ -1,7 +1,7 @@
 //! A project sized over the loopback, on a connection that stays.
 //!
 //! Baseline: the same question put to the page without a server.
-#![allow(clippy::expect_used, reason = "a bench fails loudly")]
+#![allow(clippy::expect_used, clippy::print_stdout, reason = "a bench fails loudly and tells what it found")]
 
 use benches::{Gates, against, milliseconds, timed};
 use page::{Call, Method, Shell};
@@ -74,9 +74,11 @@ fn main() -> ExitCode {
     let mut connection = BufReader::new(stream);
     assert_eq!(asked_over(&mut connection, address), asked_directly(), "another answer");
     let mut gates = Gates::default();
-    let found = against(ROUNDS, || _ = black_box(asked_directly()), || _ = black_box(asked_over(&mut connection, address)));
+    let found =
+        against(ROUNDS, || _ = black_box(asked_directly()), || _ = black_box(asked_over(&mut connection, address)));
     gates.at_most("size over the loopback", &found, ("without a server", 1.5));
-    let mut times: Vec<_> = (0..ROUNDS).map(|_| timed(|| _ = black_box(asked_over(&mut connection, address)))).collect();
+    let mut times: Vec<_> =
+        (0..ROUNDS).map(|_| timed(|| _ = black_box(asked_over(&mut connection, address)))).collect();
     times.sort();
     let within = |share: usize| times.get(ROUNDS * share / 100).copied().map_or(0.0, milliseconds);
     println!("  half within {:.3} ms, 99 of 100 within {:.3} ms", within(50), within(99));
