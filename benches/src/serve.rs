@@ -1,7 +1,7 @@
 //! A project sized over the loopback, on a connection that stays.
 //!
 //! Baseline: the same question put to the page without a server.
-#![allow(clippy::expect_used, reason = "a bench fails loudly")]
+#![allow(clippy::expect_used, clippy::print_stdout, reason = "a bench fails loudly and tells what it found")]
 
 use benches::{Gates, against, milliseconds, timed};
 use page::{Call, Method, Shell};

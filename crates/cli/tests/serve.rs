@@ -1,5 +1,5 @@
 //! `antrieb serve` as a user starts it: its first line, its answers, its end.
-#![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
+#![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test fails loudly")]
 
 mod run;
 

@@ -153,7 +153,7 @@ pub(super) fn plot(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let by = if asked.text("by") == Some("length") { By::Length } else { By::Mass };
     let drawing = figures::draw(figure, &project, &candidate, by, asked.language)
         .map_err(|fault| answer::fault(fault.message(asked.language)))?;
-    Ok(picture(asked, &drawing)?)
+    picture(asked, &drawing)
 }
 
 pub(super) fn report(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
