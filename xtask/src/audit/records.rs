@@ -5,7 +5,7 @@ use super::view::View;
 use std::collections::BTreeSet;
 
 /// Sources that no table names, each with what it is kept for. A source that comes into use leaves this list.
-const SOURCES_WITHOUT_TABLE: [(&str, &str); 33] = [
+const SOURCES_WITHOUT_TABLE: [(&str, &str); 34] = [
     ("cha-manual-en-v03", "evidence of errata"),
     ("cha-manual-en-v01", "evidence of errata"),
     ("cha-page-57", "evidence of errata of table 57.1"),
@@ -40,17 +40,32 @@ const SOURCES_WITHOUT_TABLE: [(&str, &str); 33] = [
     ("elmo-dsp402", "objects of `antrieb commission --for cia402`"),
     ("festo-cmmp", "objects of `antrieb commission --for cia402`"),
     ("infranor-xtrapuls", "objects of `antrieb commission --for cia402`"),
+    ("synapticon-circulo", "object 0x607E of `antrieb commission --for cia402`"),
     ("novanta-emcl", "object 0x6075, for comparison"),
     ("cia-306", "layout of the EDS file of `antrieb commission --for cia402`"),
 ];
 
 /// Terms that no table uses, each with what it labels.
-const TERMS_WITHOUT_TABLE: [(&str, &str); 4] = [
+const TERMS_WITHOUT_TABLE: [(&str, &str); 15] = [
     ("i", "the ratio in formulas; tables have it as their column head"),
     ("T_rms", "result of the sizing, chapter 7.3"),
     ("n_av", "result of the sizing, chapter 7.3"),
     ("ED", "result of the sizing, chapter 7.3"),
+    ("T_rated", GLOSSARY),
+    ("n_rated", GLOSSARY),
+    ("P_N", GLOSSARY),
+    ("U_N", GLOSSARY),
+    ("I_N", GLOSSARY),
+    ("L_d", GLOSSARY),
+    ("J_in", GLOSSARY),
+    ("d_H_max", GLOSSARY),
+    ("P_max", GLOSSARY),
+    ("backlash", GLOSSARY),
+    ("size", GLOSSARY),
 ];
+
+/// Why a term is there that no table prints.
+const GLOSSARY: &str = "explained in chapter 11.1 of the manual, which every reader may look up";
 
 /// Every source is named by a table or kept for a stated reason; every table names a source that exists
 ///
