@@ -43,7 +43,7 @@ fn main() -> ExitCode {
         },
     );
     let baseline = "sorting ten thousand numbers";
-    gates.at_most(&format!("judge the catalogue ({judged} actuators)"), &whole, (baseline, 25.0));
+    gates.at_most(&format!("judge the catalogue ({judged} actuators)"), &whole, (baseline, 18.0));
     // The baseline knows limits only, no band of an estimate and no gear to warm up.
     let passes = |candidate: &&workbench::Candidate| candidate.fits() && candidate.standing.utilisation <= 1.0;
     let fitting = size(&project).candidates.iter().filter(passes).count();

@@ -175,6 +175,15 @@ impl Gates {
         }
     }
 
+    /// Prints a ratio that no neighbour disturbs, such as one of memory, against a promise.
+    pub fn share_at_most(&mut self, what: &str, ratio: f64, (baseline, promise): (&str, f64)) {
+        let verdict = if ratio <= promise { "kept" } else { "MISSED" };
+        println!("{what}: {ratio:.2} × {baseline}, promised at most {promise}: {verdict}");
+        if ratio > promise {
+            self.missed.push(what.trim().to_owned());
+        }
+    }
+
     /// Prints how many times longer a baseline takes that was timed in the same run, against a promise.
     pub fn times_faster(&mut self, what: &str, measured: Times, baseline: Duration, promise: f64) {
         let ratio = baseline.as_secs_f64() / measured.median.as_secs_f64().max(1e-12);

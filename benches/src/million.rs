@@ -133,7 +133,8 @@ fn whole_process(text: &str, gates: &mut Gates) {
         Some(bytes) => {
             let arrays = 3 * 8 * SAMPLES;
             let ratio = bytes as f64 / arrays as f64;
-            println!("  memory: {} MB, {ratio:.2} × the arrays of time, position and speed", bytes / 1_000_000);
+            println!("  memory: {} MB", bytes / 1_000_000);
+            gates.share_at_most("  memory", ratio, ("the arrays of time, position and speed", 3.4));
         }
         None => println!("  this system does not tell how much memory a process held"),
     }

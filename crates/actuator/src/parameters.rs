@@ -18,12 +18,12 @@ use std::sync::Arc;
 
 /// The data of one actuator, in SI, each value with its source or with the reason of its absence.
 ///
-/// Actuators that differ in feedback and brake alone have one drivetrain, and share it: whoever looks at one after the
-/// other sees by [`Parameters::shares_drivetrain`] what need not be looked at again. Its data are read as if they stood
+/// Most actuators that differ in feedback and brake alone have one drivetrain, and share it: whoever looks at one after
+/// the other sees by [`Parameters::shares_drivetrain`] what need not be looked at again. Its data are read as if they stood
 /// here; to write one takes a drivetrain of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
-    /// What feedback and brake do not change.
+    /// What the brake does not change, and the feedback seldom.
     pub drivetrain: Arc<Drivetrain>,
     /// J_out: own moment of inertia at the output, with the brake if there is one.
     pub inertia_out: Datum<MomentOfInertia>,
@@ -39,7 +39,7 @@ pub struct Parameters {
     pub feedback_out: Feedback,
 }
 
-/// Motor, gear, output bearing and joints of an actuator: the data that are the same with any feedback and brake.
+/// Motor, gear, output bearing and joints of an actuator: the data that no brake changes, and few feedbacks do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drivetrain {
     /// i: reduction ratio, magnitude.

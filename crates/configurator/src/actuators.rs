@@ -47,10 +47,9 @@ fn actuators_with(option_1: Option<Option1>) -> Vec<(OrderCode, Parameters)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use order_code::Winding;
 
-    /// What [`parameters`] says of a code is what stands in the list, and who shares a drivetrain differs in feedback and
-    /// brake alone: 84 combinations of size, ratio and winding, of which H and N are printed in the same tables.
+    /// What [`parameters`] says of a code is what stands in the list. Who shares a drivetrain is of one size and ratio, and
+    /// whose drivetrain differs in one value, as some do with the feedback, has its own.
     #[test]
     fn neighbours_share_their_drivetrain_and_nothing_else() {
         let mut drivetrains = 0;
@@ -59,8 +58,9 @@ mod tests {
             let (code, own) = here;
             assert_eq!(parameters(code).as_ref(), Some(own), "{code}");
             let shares = before.is_some_and(|(_, other)| other.shares_drivetrain(own));
-            let drive = |code: &OrderCode| (code.size, code.ratio, code.winding == Winding::E);
-            assert_eq!(shares, before.is_some_and(|(other, _)| drive(other) == drive(code)), "{code}");
+            let equal = before.is_some_and(|(_, other)| *other.drivetrain == *own.drivetrain);
+            let of_one_gear = before.is_some_and(|(other, _)| (other.size, other.ratio) == (code.size, code.ratio));
+            assert_eq!((shares, shares && of_one_gear), (equal, shares), "{code}");
             drivetrains += usize::from(!shares);
             before = Some(here);
         }

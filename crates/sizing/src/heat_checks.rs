@@ -159,7 +159,7 @@ pub(crate) fn thermal(
         limit_source: &THERMAL,
         grade: Grade::Estimated,
         errata: &[],
-        notes: notes,
+        notes,
     }
     .between(Edges { limit: at(low), upper: at(high), unit: &DEGREE_CELSIUS });
     // A temperature has no share of a limit; its rise above the air has.

@@ -71,7 +71,9 @@ fn what_neighbours_share_each_has_alone() {
     for project in &projects {
         for depth in [Depth::Survivors, Depth::Margins] {
             let mut all = Judge::of(&project.axis, depth);
-            for (code, parameters) in catalogue_actuators() {
+            // Of a long cycle some neighbours show it as well as all of them.
+            let most = if project.axis.is_short() { usize::MAX } else { 12 };
+            for (code, parameters) in catalogue_actuators().iter().take(most) {
                 let together = all.next(parameters, &mut named);
                 let alone = Judge::of(&project.axis, depth).next(parameters, &mut named);
                 assert_eq!(format!("{together:?}"), format!("{alone:?}"), "{}, {code}", project.name);
