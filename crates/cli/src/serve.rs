@@ -13,6 +13,9 @@ use workbench::text::{file_trouble, serving};
 /// The port unless another is asked for: the same one each time, so that a bookmark holds.
 const USUAL_PORT: u16 = 8377;
 
+/// What an address to listen on looks like: one of a network, and all.
+pub(crate) const EXAMPLES: [&str; 2] = ["192.168.1.5", "0.0.0.0"];
+
 /// `antrieb serve [DIR]`
 pub(crate) fn serve(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     answer(matches, as_json, language).unwrap_or_else(|fault| fault)
@@ -62,7 +65,8 @@ fn bound(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Serv
 fn listen(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Option<IpAddr>, Answer> {
     let Some(written) = matches.get_one::<String>("listen") else { return Ok(None) };
     written.parse().map(Some).map_err(|_| {
-        let hint = serving::listening_addresses(language).to_owned();
+        let [one, all] = EXAMPLES;
+        let hint = serving::listening_addresses(&one, &all, language);
         option_fault("listen", (serving::no_listening_address(written, language), Some(hint)), as_json, language)
     })
 }

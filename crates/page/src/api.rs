@@ -55,6 +55,8 @@ enum Body {
 enum Output {
     /// The record of a command, by its name in the schema of the answers.
     Record(&'static str),
+    /// The same, and bytes of these media types where the query asks for them.
+    RecordOr(&'static str, &'static [&'static str]),
     /// A record with this name among those that the answers share.
     Shared(&'static str),
     /// JSON that tells its own form.

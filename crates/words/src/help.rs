@@ -174,9 +174,9 @@ texts! {
         "Port; 0 takes a free one (8377, or a free one where that is taken)"
         | "Port; 0 nimmt einen freien (8377, oder ein freier, wo der belegt ist)";
     serve_open = "Open the browser" | "Den Browser öffnen";
-    serve_listen =
-        "Address to listen on instead of this machine alone, such as 192.168.1.5 or 0.0.0.0; then the printed address holds a token, without which nothing is answered"
-        | "Adresse, auf der statt nur auf dieser Maschine gelauscht wird, etwa 192.168.1.5 oder 0.0.0.0; dann enthält die ausgegebene Adresse ein Token, ohne das nichts beantwortet wird";
+    serve_listen(one, all) =
+        "Address to listen on instead of this machine alone, such as {one}, or {all} for every one; then the printed address holds a token, without which nothing is answered"
+        | "Adresse, auf der statt nur auf dieser Maschine gelauscht wird, etwa {one}, oder {all} für jede; dann enthält die ausgegebene Adresse ein Token, ohne das nichts beantwortet wird";
     new = "A commented project file to fill in" | "Eine kommentierte Projektdatei zum Ausfüllen";
     new_out =
         "Project file to write, with an example recording beside it for kind recording"

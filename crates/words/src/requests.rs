@@ -65,8 +65,8 @@ texts! {
         "the answer failed inside the program; nothing was changed"
         | "die Antwort ist im Programm gescheitert; es wurde nichts geändert";
     no_two_projects(line, column) =
-        "line {line}, column {column}: the body is not JSON with the texts \"old\" and \"new\""
-        | "Zeile {line}, Spalte {column}: der Rumpf ist kein JSON mit den Texten \"old\" und \"new\"";
+        "line {line}, column {column}: the body is not JSON with the texts `old` and `new`"
+        | "Zeile {line}, Spalte {column}: der Rumpf ist kein JSON mit den Texten `old` und `new`";
     format_needs_a_table(format) =
         "{format} holds one table; name it with `table`"
         | "{format} enthält eine Tabelle; sie mit `table` nennen";

@@ -23,7 +23,7 @@ texts! {
     no_listening_address(written) =
         "\"{written}\" is no address of this machine to listen on"
         | "„{written}“ ist keine Adresse dieser Maschine zum Lauschen";
-    listening_addresses =
-        "a number such as 192.168.1.5, or 0.0.0.0 for all"
-        | "eine Nummer wie 192.168.1.5, oder 0.0.0.0 für alle";
+    listening_addresses(one, all) =
+        "a number such as {one}, or {all} for every address"
+        | "eine Nummer wie {one}, oder {all} für jede Adresse";
 }

@@ -202,6 +202,7 @@ pub(super) fn force(language: Language) -> Arg {
 }
 
 pub(super) fn serve(language: Language) -> Command {
+    let [one, all] = crate::serve::EXAMPLES;
     Command::new("serve")
         .about(help::serve(language))
         .arg(
@@ -218,7 +219,12 @@ pub(super) fn serve(language: Language) -> Command {
                 .help(help::serve_port(language)),
         )
         .arg(Arg::new("open").long("open").action(ArgAction::SetTrue).help(help::serve_open(language)))
-        .arg(Arg::new("listen").long("listen").value_name(values::address(language)).help(help::serve_listen(language)))
+        .arg(
+            Arg::new("listen")
+                .long("listen")
+                .value_name(values::address(language))
+                .help(help::serve_listen(&one, &all, language)),
+        )
         .arg(memory(language))
 }
 

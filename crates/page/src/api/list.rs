@@ -162,7 +162,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
             Parameter::of("revision", help::export_revision, Text),
             Parameter::of("date", help::export_date, Text),
         ],
-        output: Output::Media(&[XLSX, super::JSON, CSV, PARQUET]),
+        output: Output::RecordOr("export --table", &[XLSX, CSV, PARQUET]),
         answer: tables::export,
     },
     Endpoint {
@@ -345,7 +345,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         about: help::catalogue_export,
         body: Body::None,
         parameters: &[Parameter::of("format", help::catalogue_format, Word(|| vec!["json", "csv"]))],
-        output: Output::Record("catalogue export"),
+        output: Output::RecordOr("catalogue export", &[CSV]),
         answer: library::catalogue,
     },
     Endpoint {

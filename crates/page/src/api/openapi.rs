@@ -195,14 +195,22 @@ fn operation(endpoint: &Endpoint, answers: &Value, language: Language) -> Operat
 
 fn answer(endpoint: &Endpoint, answers: &Value) -> BTreeMap<&'static str, Content> {
     let one = |schema| BTreeMap::from([(JSON, Content { schema })]);
+    let record = |name| {
+        let schema = answers.get("properties").and_then(|all| all.get(name)).cloned();
+        schema.map_or(Schema::Any {}, Schema::Whole)
+    };
+    let bytes =
+        |types: &[&'static str]| types.iter().map(|media| (*media, Content { schema: Schema::Any {} })).collect();
     match endpoint.output {
-        Output::Record(name) => {
-            let schema = answers.get("properties").and_then(|all| all.get(name)).cloned();
-            one(schema.map_or(Schema::Any {}, Schema::Whole))
+        Output::Record(name) => one(record(name)),
+        Output::RecordOr(name, types) => {
+            let mut both: BTreeMap<&'static str, Content> = bytes(types);
+            both.extend(one(record(name)));
+            both
         }
         Output::Shared(name) => one(Schema::shared(name)),
         Output::Json => one(Schema::Any {}),
-        Output::Media(types) => types.iter().map(|media| (*media, Content { schema: Schema::Any {} })).collect(),
+        Output::Media(types) => bytes(types),
     }
 }
 
