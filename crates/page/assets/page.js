@@ -119,7 +119,7 @@ function points(path) {
 function read(figure, time) {
   const found = [];
   for (const panel of panels(figure)) {
-    const { left, right, top, bottom, xMin, xMax, yMin, yMax, y: symbol, yUnit: unit } = panel.dataset;
+    const { left, right, top, bottom, xMin, xMax, yMin, yMax, symbol, unit } = panel.dataset;
     const at = Number(left) + (time - xMin) / (xMax - xMin) * (right - left);
     for (const curve of panel.querySelectorAll('g.line')) {
       const path = curve.querySelector('path');

@@ -141,7 +141,7 @@ impl<'a> Canvas<'a> {
         let _ = writeln!(
             self.out,
             "<g class=\"{class}\" data-left=\"{}\" data-right=\"{}\" data-top=\"{}\" data-bottom=\"{}\" \
-             data-x-min=\"{:e}\" data-x-max=\"{:e}\" data-y-min=\"{:e}\" data-y-max=\"{:e}\" data-y=\"{}\" data-y-unit=\"{}\">",
+             data-x-min=\"{:e}\" data-x-max=\"{:e}\" data-y-min=\"{:e}\" data-y-max=\"{:e}\" data-symbol=\"{}\" data-unit=\"{}\">",
             number(area.left),
             number(area.right),
             number(area.top),

@@ -7,7 +7,7 @@ texts! {
     skip_to_result = "Go to the result" | "Zum Ergebnis springen";
     what_moves = "What moves" | "Was sich bewegt";
     what_it_demands = "What it demands" | "Was es verlangt";
-    what_fits = "What fits" | "Was passt";
+    what_fits = "What fits" | "Was geeignet ist";
     what_do_you_move = "What do you want to move?" | "Was wollen Sie bewegen?";
     start_told =
         "Choose what is nearest; a few figures lead to a first answer, and everything can be changed later."
@@ -59,7 +59,7 @@ texts! {
     how_it_came_about = "How it came about" | "Wie es zustande kam";
     to_be_checked_state = "To have it checked, state:" | "Damit es geprüft wird, angeben:";
     ranking = "Ranking" | "Rangfolge";
-    filter = "Filter" | "Filter";
+    filter = "Filter";
     size = "Size" | "Baugröße";
     feedback = "Feedback" | "Messsystem";
     brake = "Brake" | "Bremse";
@@ -70,7 +70,7 @@ texts! {
     greatest_length = "Length at most, mm" | "Länge höchstens, mm";
     greatest_mass = "Mass at most, kg" | "Masse höchstens, kg";
     shown_of(shown, all) = "{shown} of {all} shown" | "{shown} von {all} gezeigt";
-    more_fitting(count) = "1 more fits" | "1 weiterer passt", "{count} more fit" | "{count} weitere passen";
+    more_fitting(count) = "1 more fits" | "1 weiterer geeignet", "{count} more fit" | "{count} weitere geeignet";
     side_by_side = "Side by side" | "Nebeneinander";
     compare_told = "Mark two to five actuators to compare them." | "Zwei bis fünf Antriebe markieren, um sie zu vergleichen.";
     mark(code) = "Mark {code}" | "{code} markieren";
