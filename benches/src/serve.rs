@@ -1,6 +1,6 @@
-//! A project sized over the loopback, on a connection that stays.
+//! A project sized over the loopback, and the page after a keystroke, on a connection that stays.
 //!
-//! Baseline: the same question put to the page without a server.
+//! Baseline: the same question put to the page without a server; for the page the answer as data.
 #![allow(clippy::expect_used, clippy::print_stdout, reason = "a bench fails loudly and tells what it found")]
 
 use benches::{Gates, against, milliseconds, timed};
@@ -14,6 +14,7 @@ use workbench::{Files, Language, NoFiles, Patience};
 
 const PROJECT: &str = include_str!("../../examples/indexing-table.toml");
 const ROUNDS: usize = 300;
+const FORM: &str = "application/x-www-form-urlencoded";
 
 struct Alone;
 
@@ -21,39 +22,75 @@ impl Shell for Alone {
     fn files(&self) -> &dyn Files {
         &NoFiles
     }
-}
 
-/// The answer without a server.
-fn asked_directly() -> usize {
-    let call = Call {
-        method: Method::Post,
-        path: "/api/v1/size",
-        query: "",
-        media: None,
-        body: PROJECT.as_bytes(),
-        language: Language::default(),
-    };
-    let reply = page::respond(&call, &Alone, &Patience::limited());
-    assert_eq!(reply.status, 200, "no answer: nothing was measured");
-    reply.body.len()
-}
-
-/// The answer over a connection that stays.
-fn asked_over(connection: &mut BufReader<TcpStream>, address: SocketAddr) -> usize {
-    let length = PROJECT.len();
-    let request = format!("POST /api/v1/size HTTP/1.1\r\nhost: {address}\r\ncontent-length: {length}\r\n\r\n{PROJECT}");
-    connection.get_mut().write_all(request.as_bytes()).expect("the server takes it");
-    let (mut line, mut length) = (String::new(), 0);
-    while line != "\r\n" {
-        line.clear();
-        connection.read_line(&mut line).expect("the server answers");
-        if let Some(value) = line.strip_prefix("content-length:") {
-            length = value.trim().parse().expect("a length");
-        }
+    fn version(&self, _: &[u8]) -> String {
+        String::new()
     }
-    let mut body = vec![0; length];
-    connection.read_exact(&mut body).expect("the whole answer");
-    body.len()
+}
+
+/// A question: its path, the type of its body, its body.
+struct Question {
+    path: &'static str,
+    media: &'static str,
+    body: String,
+}
+
+impl Question {
+    /// The catalogue for the project, as data.
+    fn size() -> Self {
+        Self { path: "/api/v1/size", media: "application/toml", body: PROJECT.to_owned() }
+    }
+
+    /// The page after a change of the load.
+    fn keystroke() -> Self {
+        let text: String = PROJECT.bytes().map(|byte| format!("%{byte:02x}")).collect();
+        let body = format!("text={text}&good={text}&path=load.inertia&value=1.31+kg+m%5E2");
+        Self { path: "/work", media: FORM, body }
+    }
+
+    /// The answer without a server.
+    fn asked_directly(&self) -> usize {
+        let call = Call {
+            method: Method::Post,
+            path: self.path,
+            query: "",
+            media: Some(self.media),
+            body: self.body.as_bytes(),
+            language: Language::default(),
+        };
+        let reply = page::respond(&call, &Alone, &Patience::limited());
+        assert_eq!(reply.status, 200, "no answer: nothing was measured");
+        reply.body.len()
+    }
+
+    /// The answer over a connection that stays.
+    fn asked_over(&self, connection: &mut BufReader<TcpStream>, address: SocketAddr) -> usize {
+        let Self { path, media, body } = self;
+        let length = body.len();
+        let request = format!(
+            "POST {path} HTTP/1.1\r\nhost: {address}\r\ncontent-type: {media}\r\ncontent-length: {length}\r\n\r\n{body}"
+        );
+        connection.get_mut().write_all(request.as_bytes()).expect("the server takes it");
+        let (mut line, mut length) = (String::new(), 0);
+        while line != "\r\n" {
+            line.clear();
+            connection.read_line(&mut line).expect("the server answers");
+            if let Some(value) = line.strip_prefix("content-length:") {
+                length = value.trim().parse().expect("a length");
+            }
+        }
+        let mut body = vec![0; length];
+        connection.read_exact(&mut body).expect("the whole answer");
+        body.len()
+    }
+}
+
+/// Of several rounds the time within which half and nearly all of them are answered.
+fn tell(mut ask: impl FnMut() -> usize) {
+    let mut times: Vec<_> = (0..ROUNDS).map(|_| timed(|| _ = black_box(ask()))).collect();
+    times.sort();
+    let within = |share: usize| times.get(ROUNDS * share / 100).copied().map_or(0.0, milliseconds);
+    println!("  half within {:.3} ms, 99 of 100 within {:.3} ms", within(50), within(99));
 }
 
 fn main() -> ExitCode {
@@ -64,6 +101,7 @@ fn main() -> ExitCode {
         memory: 1 << 20,
         language: Language::default(),
         limits: Limits::default(),
+        report: None,
     };
     let server = Server::bind(options).expect("a free port");
     let address = server.address();
@@ -72,15 +110,25 @@ fn main() -> ExitCode {
     let stream = TcpStream::connect(address).expect("the server listens");
     stream.set_nodelay(true).expect("small pieces at once");
     let mut connection = BufReader::new(stream);
-    assert_eq!(asked_over(&mut connection, address), asked_directly(), "another answer");
+    let (size, keystroke) = (Question::size(), Question::keystroke());
+    for question in [&size, &keystroke] {
+        assert_eq!(question.asked_over(&mut connection, address), question.asked_directly(), "another answer");
+    }
     let mut gates = Gates::default();
-    let found =
-        against(ROUNDS, || _ = black_box(asked_directly()), || _ = black_box(asked_over(&mut connection, address)));
+    let found = against(
+        ROUNDS,
+        || _ = black_box(size.asked_directly()),
+        || _ = black_box(size.asked_over(&mut connection, address)),
+    );
     gates.at_most("size over the loopback", &found, ("without a server", 1.5));
-    let mut times: Vec<_> =
-        (0..ROUNDS).map(|_| timed(|| _ = black_box(asked_over(&mut connection, address)))).collect();
-    times.sort();
-    let within = |share: usize| times.get(ROUNDS * share / 100).copied().map_or(0.0, milliseconds);
-    println!("  half within {:.3} ms, 99 of 100 within {:.3} ms", within(50), within(99));
+    tell(|| size.asked_over(&mut connection, address));
+    let found = against(
+        ROUNDS,
+        || _ = black_box(size.asked_directly()),
+        || _ = black_box(keystroke.asked_over(&mut connection, address)),
+    );
+    gates.at_most("the page after a keystroke", &found, ("size as data", 12.0));
+    println!("  {} kB of HTML", keystroke.asked_directly() / 1000);
+    tell(|| keystroke.asked_over(&mut connection, address));
     gates.close()
 }

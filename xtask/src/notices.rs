@@ -34,8 +34,11 @@ const LISTED: [(&str, &str, &str, &str); 1] = [(
     "the definitions for highlighting source text, which the typesetting engine embeds",
 )];
 
-/// Fonts that lie in this repository.
-const FONTS: (&str, &str) = ("crates/plot/fonts/OFL.txt", "Inter, the font of the pictures");
+/// What of others lies in this repository: its licence, what it is.
+const HERE: [(&str, &str); 2] = [
+    ("crates/plot/fonts/OFL.txt", "Inter, the font of the pictures"),
+    ("crates/page/assets/htmx-LICENSE.txt", "htmx 4.0.1, a script of the web workbench"),
+];
 
 /// Writes THIRD-PARTY.md anew.
 ///
@@ -76,8 +79,9 @@ fn text(root: &Path) -> Result<String, Error> {
     let mut out = String::from(HEAD);
     list(&mut out, &crates);
     out.push_str("\n## What is embedded besides source\n");
-    let (file, what) = FONTS;
-    quote(&mut out, &format!("{what} (`{file}`)"), &read(&root.join(file))?);
+    for (file, what) in HERE {
+        quote(&mut out, &format!("{what} (`{file}`)"), &read(&root.join(file))?);
+    }
     for (package, _) in &crates {
         embedded(&mut out, root, package)?;
     }

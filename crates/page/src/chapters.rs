@@ -4,7 +4,7 @@ use crate::call::Call;
 use crate::form::vals;
 use maud::{Markup, PreEscaped, html};
 use workbench::answers::{Block, Chapter, Grid, Hazard};
-use workbench::text::{capitalised, describe_field, describe_uncovered, page, symbol_shown, terminal, terms};
+use workbench::text::{Word, capitalised, describe_field, describe_uncovered, page, symbol_shown, terminal, terms};
 use workbench::{
     CodeRefusal, DriveForm, Language, MountAsked, OrderCode, UpkeepAsked, answer, chapter, commission, completion,
     errata_about, explain_code, glossary, list_codes, mount, read_code, read_date, read_pattern, sheet, uncovered,
@@ -66,7 +66,7 @@ fn table(grid: &Grid) -> Markup {
 const PROPOSED: usize = 12;
 
 /// The tools, in the order of their use.
-const TOOLS: [(&str, fn(Language) -> &'static str); 8] = [
+const TOOLS: [(&str, Word); 8] = [
     ("code", page::tool_code),
     ("data", page::tool_data),
     ("wiring", page::tool_wiring),
