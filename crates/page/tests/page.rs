@@ -1,4 +1,5 @@
 //! The page from outside: what a shell sends in, what it gets.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use page::{Call, Method, Reply, Shell, respond};
 use std::collections::BTreeMap;
