@@ -26,7 +26,7 @@ pub struct PublishedDuty {
 /// relax the estimate.
 ///
 /// # Symbols  duty factor ED, mean speed n_av over the whole cycle
-/// # Source   docs/theory/thermal.md; curves of [`Parameters`]
+/// # Source   docs/theory/thermal.md; curves of [`crate::Drivetrain`]
 #[must_use]
 pub fn published_duty(
     actuator: &Drivetrain,

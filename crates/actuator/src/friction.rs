@@ -102,7 +102,7 @@ impl NoLoadFriction {
 
     /// By which factors friction may lie beside the extrapolation below 20 °C; `None` from 20 °C on.
     ///
-    /// Towards the cold starting currents grow between two rates per kelvin, see [`Parameters::friction_cold_growth`], the
+    /// Towards the cold starting currents grow between two rates per kelvin, see [`crate::Drivetrain::friction_cold_growth`], the
     /// extrapolation by ln(K_30/K_80)/50 K: the quotient over the span below 20 °C.
     ///
     /// # Errors
