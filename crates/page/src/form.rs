@@ -316,7 +316,7 @@ impl Form<'_> {
         };
         let ghost = match placeholder {
             Some(solved) if value.is_empty() => page::follows(&solved, l),
-            _ => sample(),
+            _ => page::for_example(&sample(), l),
         };
         html! {
             div.row id={ (id) "-r" } data-path=(path) {

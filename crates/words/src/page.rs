@@ -42,6 +42,7 @@ texts! {
     move_down(name) = "Move {name} down" | "{name} nach unten";
     segment(number) = "Segment {number}" | "Abschnitt {number}";
     follows(value) = "follows: {value}" | "folgt: {value}";
+    for_example(value) = "e.g. {value}" | "z. B. {value}";
     not_stated = "not stated" | "nicht angegeben";
     faults(count) = "1 fault in the project" | "1 Fehler im Projekt", "{count} faults in the project" | "{count} Fehler im Projekt";
     result_is_old =
