@@ -229,7 +229,7 @@ async function save() {
   const reply = await send('/save');
   const words = await reply.text();
   if (reply.ok) {
-    $('#state [name=known]').value = reply.headers.get('x-version') ?? '';
+    $('#state [name=known]').value = `${reply.headers.get('x-version') ?? ''} ${$('#file').value}`;
     saved = last;
     buttons();
     tell(words);

@@ -25,12 +25,20 @@ pub(crate) fn opened(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
     let read = shell.folder().map(|folder| folder.read(&name));
     match read {
         Some(Ok(bytes)) => {
-            let text = String::from_utf8_lossy(&bytes).into_owned();
-            with_text(call, &text, &name, &shell.version(&bytes), shell, patience)
+            // A text that is changed by being shown would be lost by being saved.
+            let Ok(text) = std::str::from_utf8(&bytes) else {
+                return Reply::text(422, &page::not_a_text(&name, call.language()));
+            };
+            with_text(call, text, &name, &known(&shell.version(&bytes), &name), shell, patience)
         }
         Some(Err(error)) => Reply::text(404, &file_trouble(&error, call.language())),
         None => Reply::text(404, page::no_such_page(call.language())),
     }
+}
+
+/// The version of a file and its name, as the page carries them.
+fn known(version: &str, name: &str) -> String {
+    format!("{version} {name}")
 }
 
 /// The whole page about a text.
@@ -50,8 +58,9 @@ pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let state = State::of(call);
     let l = state.language;
     let Some(folder) = shell.folder() else { return Reply::text(404, page::no_such_page(l)) };
-    let known = (!state.known.is_empty()).then_some(state.known.as_str());
-    match folder.save(&state.file, state.text.as_bytes(), known) {
+    // Of a file with another name no version is known.
+    let opened = state.known.split_once(' ').filter(|(_, name)| *name == state.file);
+    match folder.save(&state.file, state.text.as_bytes(), opened.map(|(version, _)| version)) {
         Ok(()) => {
             let mut reply = Reply::text(200, &page::saved(&state.file, l));
             reply.headers.push(("x-version", shell.version(state.text.as_bytes())));

@@ -26,7 +26,7 @@ pub(crate) struct State {
     pub(crate) theme: Theme,
     /// The project file in the folder.
     pub(crate) file: String,
-    /// The version of it that was opened.
+    /// The version that was opened, and the name of its file.
     pub(crate) known: String,
     /// What the ranking is narrowed to.
     pub(crate) filter: Filter,

@@ -1,7 +1,8 @@
 //! The page from outside: what a shell sends in, what it gets.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
-use page::{Call, Method, Reply, Shell, respond};
+use page::{Call, Entry, Folder, Method, Reply, SaveFault, Shell, respond};
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use workbench::{Files, Language, NoFiles, Patience, template, template_kinds};
 
@@ -178,4 +179,89 @@ fn what_is_not_there_is_told() {
     assert_eq!(get("/assets/../lib.rs", "").status, 404);
     assert_eq!(get("/assets/page.js", "").status, 200);
     assert_eq!(post("/save", &[("text", "format = 1\n"), ("file", "a.toml")]).status, 404, "no folder to save in");
+}
+
+/// A folder in memory that keeps to what a folder promises.
+#[derive(Default)]
+struct InMemory(RefCell<BTreeMap<String, Vec<u8>>>);
+
+impl Folder for InMemory {
+    fn list(&self) -> std::io::Result<Vec<Entry>> {
+        Ok(self.0.borrow().keys().map(|name| Entry { name: name.clone(), modified_s: 0 }).collect())
+    }
+
+    fn read(&self, name: &str) -> std::io::Result<Vec<u8>> {
+        self.0.borrow().get(name).cloned().ok_or_else(|| std::io::ErrorKind::NotFound.into())
+    }
+
+    fn save(&self, name: &str, text: &[u8], known: Option<&str>) -> Result<(), SaveFault> {
+        let there = self.0.borrow().get(name).map(|bytes| self.version(bytes));
+        if there.as_deref() != known {
+            return Err(SaveFault::Changed);
+        }
+        let _ = self.0.borrow_mut().insert(name.to_owned(), text.to_vec());
+        Ok(())
+    }
+
+    fn keep(&self, _: &str, _: &[u8]) -> Result<String, SaveFault> {
+        Err(SaveFault::Name)
+    }
+}
+
+impl Shell for InMemory {
+    fn files(&self) -> &dyn Files {
+        &NoFiles
+    }
+
+    fn folder(&self) -> Option<&dyn Folder> {
+        Some(self)
+    }
+
+    fn version(&self, bytes: &[u8]) -> String {
+        format!("{bytes:x?}").replace(' ', "")
+    }
+}
+
+#[test]
+fn a_version_belongs_to_the_name_that_was_opened() {
+    let folder = InMemory::default();
+    let save = |file: &str, text: &str, known: &str| {
+        let body = form(&[("text", text), ("file", file), ("known", known)]);
+        let media = Some("application/x-www-form-urlencoded");
+        let call = Call {
+            method: Method::Post,
+            path: "/save",
+            query: "",
+            media,
+            body: body.as_bytes(),
+            language: Language::En,
+        };
+        let reply = respond(&call, &folder, &Patience::endless());
+        let known = reply.headers.iter().find(|(name, _)| *name == "x-version").map(|(_, value)| value.clone());
+        (reply.status, known.map(|version| format!("{version} {file}")).unwrap_or_default())
+    };
+    let (status, known) = save("a.toml", "format = 1\n", "");
+    assert_eq!(status, 200);
+    assert_eq!(save("a.toml", "format = 1 # x\n", "").0, 409, "another version stands there");
+    assert_eq!(save("b.toml", "format = 1\n", &known).0, 200, "under another name it is a new file");
+    assert_eq!(save("b.toml", "format = 1 # y\n", &known).0, 409, "the name is taken by now");
+    let (status, newer) = save("a.toml", "format = 1 # z\n", &known);
+    assert_eq!(status, 200);
+    assert_eq!(save("a.toml", "format = 1\n", &known).0, 409);
+    assert_eq!(save("a.toml", "format = 1\n", &newer).0, 200);
+}
+
+#[test]
+fn a_file_that_is_no_text_is_not_opened() {
+    let folder = InMemory::default();
+    let _ = folder.0.borrow_mut().insert(String::from("latin.toml"), b"# M\xfcller\nformat = 1\n".to_vec());
+    let call = Call {
+        method: Method::Get,
+        path: "/",
+        query: "open=latin.toml",
+        media: None,
+        body: &[],
+        language: Language::En,
+    };
+    assert_eq!(respond(&call, &folder, &Patience::endless()).status, 422);
 }

@@ -93,6 +93,9 @@ texts! {
     changed_on_disk(name) =
         "{name} was changed on the disk since it was opened; it was left as it is. Open it anew, or save under another name."
         | "{name} wurde auf der Platte geändert, seit es geöffnet wurde; es blieb, wie es ist. Neu öffnen oder unter anderem Namen speichern.";
+    not_a_text(name) =
+        "{name} is not UTF-8; save it as UTF-8 and open it again"
+        | "{name} ist nicht UTF-8; als UTF-8 speichern und erneut öffnen";
     no_such_name(name) =
         "{name} is no name of a project file: letters, digits, hyphen, underscore, point, ending .toml"
         | "{name} ist kein Name einer Projektdatei: Buchstaben, Ziffern, Bindestrich, Unterstrich, Punkt, Endung .toml";
