@@ -1,15 +1,17 @@
 //! A project sized over the loopback, and the page after a keystroke, on a connection that stays.
 //!
-//! Baseline: the same question put to the page without a server; for the page the answer as data.
+//! Baseline: the same question put to the page without a server; for the page the answer as data. At the end many clients at once.
 #![allow(clippy::expect_used, clippy::print_stdout, reason = "a bench fails loudly and tells what it found")]
 
 use benches::{Gates, against, milliseconds, timed};
-use page::{Call, Method, Shell};
+use page::{Call, Entry, Folder, Method, SaveFault, Shell};
 use server::{Limits, Options, Server};
 use std::hint::black_box;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
 use workbench::{Files, Language, NoFiles, Patience};
 
 const PROJECT: &str = include_str!("../../examples/indexing-table.toml");
@@ -23,8 +25,31 @@ impl Shell for Alone {
         &NoFiles
     }
 
+    fn folder(&self) -> Option<&dyn Folder> {
+        Some(self)
+    }
+
     fn version(&self, _: &[u8]) -> String {
         String::new()
+    }
+}
+
+/// An empty folder that takes nothing: that there is one is seen in the page.
+impl Folder for Alone {
+    fn list(&self) -> std::io::Result<Vec<Entry>> {
+        Ok(Vec::new())
+    }
+
+    fn read(&self, _: &str) -> std::io::Result<Vec<u8>> {
+        Err(std::io::ErrorKind::NotFound.into())
+    }
+
+    fn save(&self, _: &str, _: &[u8], _: Option<&str>) -> Result<(), SaveFault> {
+        Err(SaveFault::Name)
+    }
+
+    fn keep(&self, _: &str, _: &[u8]) -> Result<String, SaveFault> {
+        Err(SaveFault::Name)
     }
 }
 
@@ -65,24 +90,79 @@ impl Question {
 
     /// The answer over a connection that stays.
     fn asked_over(&self, connection: &mut BufReader<TcpStream>, address: SocketAddr) -> usize {
+        let (status, length) = self.answered_over(connection, address);
+        assert_eq!(status, 200, "no answer: nothing was measured");
+        length
+    }
+
+    /// Status and length of the answer.
+    fn answered_over(&self, connection: &mut BufReader<TcpStream>, address: SocketAddr) -> (u16, usize) {
         let Self { path, media, body } = self;
         let length = body.len();
         let request = format!(
             "POST {path} HTTP/1.1\r\nhost: {address}\r\ncontent-type: {media}\r\ncontent-length: {length}\r\n\r\n{body}"
         );
         connection.get_mut().write_all(request.as_bytes()).expect("the server takes it");
-        let (mut line, mut length) = (String::new(), 0);
+        let (mut line, mut length, mut status) = (String::new(), 0, None);
         while line != "\r\n" {
             line.clear();
-            connection.read_line(&mut line).expect("the server answers");
+            assert!(connection.read_line(&mut line).expect("the server answers") > 0, "the connection is closed");
+            status = status.or_else(|| line.split(' ').nth(1)?.parse().ok());
             if let Some(value) = line.strip_prefix("content-length:") {
                 length = value.trim().parse().expect("a length");
             }
         }
         let mut body = vec![0; length];
         connection.read_exact(&mut body).expect("the whole answer");
-        body.len()
+        (status.expect("a status"), body.len())
     }
+}
+
+/// So many ask at the same time, for so long.
+const CLIENTS: usize = 200;
+const CROWD: Duration = Duration::from_secs(30);
+
+/// What the process may take besides under them: a tenth of a megabyte for each, and the answers under way.
+const CROWD_MEMORY_MB: f64 = 150.0;
+
+/// Many clients, each with a connection that stays and a question as soon as the one before is answered: no error, and bounded
+/// memory. Clients and server share the process, so the memory is that of both.
+fn crowd(question: &Question, address: SocketAddr) -> bool {
+    let before = peak_memory_mb();
+    let (answered, failed) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let begin = Instant::now();
+    std::thread::scope(|scope| {
+        for _ in 0..CLIENTS {
+            scope.spawn(|| {
+                let stream = TcpStream::connect(address).expect("the server listens");
+                stream.set_nodelay(true).expect("small pieces at once");
+                let mut connection = BufReader::new(stream);
+                while begin.elapsed() < CROWD {
+                    let (status, _) = question.answered_over(&mut connection, address);
+                    let count = if status == 200 { &answered } else { &failed };
+                    let _ = count.fetch_add(1, Ordering::Relaxed);
+                }
+            });
+        }
+    });
+    let (answered, failed) = (answered.into_inner(), failed.into_inner());
+    let seconds = begin.elapsed().as_secs_f64();
+    #[allow(clippy::cast_precision_loss, reason = "a count of answers")]
+    let rate = answered as f64 / seconds;
+    let grown = peak_memory_mb().zip(before).map(|(after, before)| after - before);
+    println!("{CLIENTS} clients for {seconds:.0} s: {answered} answers, {rate:.0} a second, {failed} errors");
+    match grown {
+        Some(grown) => println!("  {grown:.0} MB more at the most (at most {CROWD_MEMORY_MB:.0} MB)"),
+        None => println!("  memory is told by Linux only"),
+    }
+    failed == 0 && answered > CLIENTS && grown.is_none_or(|grown| grown <= CROWD_MEMORY_MB)
+}
+
+/// The most memory that the process has had, in MB.
+fn peak_memory_mb() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    Some(line.split_whitespace().next()?.parse::<f64>().ok()? / 1000.0)
 }
 
 /// Of several rounds the time within which half and nearly all of them are answered.
@@ -101,7 +181,7 @@ fn main() -> ExitCode {
         memory: 1 << 20,
         language: Language::default(),
         limits: Limits::default(),
-        report: None,
+        press: None,
     };
     let server = Server::bind(options).expect("a free port");
     let address = server.address();
@@ -130,5 +210,7 @@ fn main() -> ExitCode {
     gates.at_most("the page after a keystroke", &found, ("size as data", 12.0));
     println!("  {} kB of HTML", keystroke.asked_directly() / 1000);
     tell(|| keystroke.asked_over(&mut connection, address));
-    gates.close()
+    let stands = crowd(&keystroke, address);
+    let closed = gates.close();
+    if stands { closed } else { ExitCode::FAILURE }
 }

@@ -4,7 +4,10 @@ use std::path::Path;
 use std::time::Instant;
 
 use crate::cargo::Workspace;
-use crate::{Error, bench, book, data, fuzz, german, lint, notices, readme, slim, standard, test, tidy, tools};
+use crate::{
+    Error, api, bench, book, browser, data, fuzz, german, lint, notices, readme, site, slim, standard, test, tidy,
+    tools,
+};
 use forecast::{Cost, Forecast};
 
 mod forecast;
@@ -20,7 +23,7 @@ const fn step(name: &'static str, cost: Cost, run: fn(&Path) -> Result<(), Error
 }
 
 /// Cheap steps first: a slip is told within seconds. For the costs see [`Cost`].
-const STEPS: [Step; 18] = [
+const STEPS: [Step; 21] = [
     step("fmt", Cost::on_one(2), lint::fmt),
     step("tools", Cost::on_one(15), tools::install),
     step("typos", Cost::on_one(1), standard::typos),
@@ -36,7 +39,10 @@ const STEPS: [Step; 18] = [
     step("doc", Cost::shared(90), lint::doc),
     step("slim", Cost::shared(250), slim::run),
     step("release", Cost::shared(1200), lint::release),
+    step("site", Cost::shared(480), site::run),
+    step("browser", Cost::shared(420), browser::step),
     step("readme", Cost::on_one(60), readme::run),
+    step("api", Cost::on_one(120), api::run),
     step("bench", Cost::on_one(150), |root| bench::run(root, &[])),
     step("fuzz", Cost::on_one(450), fuzz::step),
 ];
@@ -79,7 +85,14 @@ fn all(steps: &[Step], root: &Path, mut forecast: Forecast, strict: bool) -> Res
         let seconds = step_begin.elapsed().as_secs_f64();
         let word = match &result {
             Ok(()) => "passed",
-            Err(Error::NoTool { .. } | Error::NoWords { .. } | Error::NoCompiler) if !strict => "NOT RUN",
+            Err(
+                Error::NoTool { .. }
+                | Error::NoWords { .. }
+                | Error::NoCompiler
+                | Error::NoTarget { .. }
+                | Error::NoBrowser { .. }
+                | Error::NoSchemathesis,
+            ) if !strict => "NOT RUN",
             Err(_) => "FAILED",
         };
         eprintln!("ci: {number}/{} {} {word} after {seconds:.1} s", steps.len(), step.name);

@@ -38,6 +38,23 @@ pub enum Error {
         /// The crate that builds it.
         from_crate: &'static str,
     },
+    /// A target of the compiler is neither there nor to be had.
+    NoTarget {
+        /// Its name.
+        target: &'static str,
+    },
+    /// There is no browser for the tests, or nothing that drives it.
+    NoBrowser {
+        /// The program.
+        program: &'static str,
+    },
+    /// What a browser fetches has become too heavy.
+    Heavy {
+        /// Bytes that it has.
+        bytes: usize,
+        /// Bytes that it may have.
+        most: usize,
+    },
     /// A list of words is neither there nor to be had.
     NoWords {
         /// The package that holds it.
@@ -50,6 +67,8 @@ pub enum Error {
     },
     /// There is no C++ compiler.
     NoCompiler,
+    /// The tool that tries the interface is neither there nor to be had.
+    NoSchemathesis,
     /// A tool of LLVM is not there that comes with a component of the toolchain.
     NoCoverageTool {
         /// The program.
@@ -168,8 +187,18 @@ impl fmt::Display for Error {
                 f,
                 "{program} is not here and could not be installed; get it with `cargo install --locked {from_crate}`"
             ),
+            Self::NoTarget { target } => {
+                write!(f, "the compiler has no target {target}; get it with `rustup target add {target}`")
+            }
+            Self::NoBrowser { program } => write!(
+                f,
+                "no {program} is here to try the page with; get Chromium and its driver (Debian: apt-get install chromium chromium-driver)"
+            ),
+            Self::Heavy { bytes, most } => {
+                write!(f, "the engine has {bytes} bytes, packed; it may have {most}")
+            }
             Self::NoWords { package } => {
-                write!(f, "the words of {package} are not here and could not be installed; it takes Python with pip")
+                write!(f, "{package} is not here and could not be installed; it takes Python with pip")
             }
             Self::UnknownWords { count } => write!(
                 f,
@@ -178,6 +207,10 @@ impl fmt::Display for Error {
             Self::NoCompiler => write!(
                 f,
                 "no C++ compiler is here, and the fuzzing engine is built with one; get g++ or clang++ (Debian: apt-get install g++)"
+            ),
+            Self::NoSchemathesis => write!(
+                f,
+                "schemathesis is not here and could not be installed; it takes Python 3.11 or later with venv and pip"
             ),
             Self::NoCoverageTool { program } => {
                 write!(f, "{program} is not here; get it with `rustup component add llvm-tools`")

@@ -45,24 +45,24 @@ const TARGETS: [Target; 6] = [
     },
     Target {
         name: "project",
-        ci_seconds: 30,
+        ci_seconds: 20,
         case_seconds: 5,
         memory_mb: 256,
         bytes: 1024,
         cases: 1_000_000,
         gate: None,
     },
-    Target { name: "csv", ci_seconds: 25, case_seconds: 5, memory_mb: 256, bytes: 2048, cases: 1_000_000, gate: None },
+    Target { name: "csv", ci_seconds: 15, case_seconds: 5, memory_mb: 256, bytes: 2048, cases: 1_000_000, gate: None },
     Target {
         name: "parquet",
-        ci_seconds: 25,
+        ci_seconds: 15,
         case_seconds: 5,
         memory_mb: 256,
         bytes: 4096,
         cases: 200_000,
         gate: Some("the footer"),
     },
-    Target { name: "axis", ci_seconds: 60, case_seconds: 20, memory_mb: 512, bytes: 1024, cases: 10_000, gate: None },
+    Target { name: "axis", ci_seconds: 40, case_seconds: 20, memory_mb: 512, bytes: 1024, cases: 10_000, gate: None },
 ];
 
 /// After so many finds of a target a run ends: they are rarely different.

@@ -3,9 +3,11 @@
 
 use std::process::ExitCode;
 
-use xtask::{Error, bench, book, ci, data, fuzz, notices, picture, root, samples, snapshots, tidy, tools};
+use xtask::{
+    Error, bench, book, browser, ci, data, fuzz, notices, picture, root, samples, site, snapshots, tidy, tools,
+};
 
-const COMMANDS: [(&str, &str); 12] = [
+const COMMANDS: [(&str, &str); 14] = [
     ("ci", "everything CI runs, in its order, or the steps named after it; stops at the first failure"),
     ("tools", "installs the tools that ci needs beside Rust, under target/tools"),
     ("tidy", "the house rules: layers, lengths, marks, the map of the house, data files"),
@@ -14,6 +16,8 @@ const COMMANDS: [(&str, &str); 12] = [
     ("samples", "rewrite the answers that the documents show, then read git diff"),
     ("book", "builds the book from docs/, under target/book, and tries its links"),
     ("picture", "compose the picture of the README from the program's own output"),
+    ("site", "builds the page without a server, under target/site"),
+    ("browser", "tries the page in Chromium, with and without a server; names after it choose"),
     ("notices", "rewrite THIRD-PARTY.md from the lock file"),
     ("bench", "the bench gates; words after `bench` go to the benches"),
     (
@@ -39,7 +43,9 @@ fn main() -> ExitCode {
             Ok(())
         }
         "bench" => bench::run(&root(), &rest),
-        "tools" | "tidy" | "data" | "snapshots" | "samples" | "book" | "picture" | "notices" if !rest.is_empty() => {
+        "tools" | "tidy" | "data" | "snapshots" | "samples" | "book" | "picture" | "site" | "notices"
+            if !rest.is_empty() =>
+        {
             eprintln!("error: `{command}` takes no further words, got `{}`", rest.join(" "));
             return ExitCode::from(2);
         }
@@ -51,6 +57,8 @@ fn main() -> ExitCode {
         "snapshots" => snapshots::run(&root()),
         "samples" => samples::run(&root()),
         "book" => book::run(&root()),
+        "site" => site::run(&root()),
+        "browser" => browser::run(&root(), &rest),
         "picture" => picture::run(&root()),
         "notices" => notices::run(&root()),
         unknown => {

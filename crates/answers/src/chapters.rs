@@ -73,7 +73,11 @@ pub struct Torsion {
     /// Stiffness of the three pieces.
     #[serde(rename = "K")]
     pub stiffness: [Number; 3],
-    /// Units of torque and stiffness.
+    /// Most that is lost by hysteresis after full torque to both sides; `null` where none is printed.
+    pub hysteresis_loss: Option<Number>,
+    /// Most that is lost under a few per cent of the rated torque to both sides; `null` where none is printed.
+    pub lost_motion: Option<Number>,
+    /// Units of torque, stiffness and lost angles.
     pub units: Units,
     /// Where the curve is from.
     pub source: &'static str,

@@ -10,7 +10,7 @@ use crate::table::{Align, Table};
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use workbench::answers::{Bearings, FilesWritten};
-use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT, YEAR};
+use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use workbench::quantities::{ElectricPotential, Measure, Time, Torque, format_significant};
 use workbench::text::{check_title, curve_title, grade_word, source_text, terminal, terms, verdict_word};
 use workbench::{Candidate, Language, Size, Verdict, answer};
@@ -141,11 +141,8 @@ pub(crate) fn battery(matches: &ArgMatches, as_json: bool, language: Language) -
     if as_json {
         return Answer::record(&answer::battery(&battery));
     }
-    let years = |time: Time| format_significant(time.in_unit(&YEAR), 3, language);
-    let (life, recommended, latest) =
-        (years(battery.life.value), years(battery.exchange_recommended), years(battery.exchange_latest));
-    let grade = grade_word(battery.life.grade, language);
-    Answer::data(format!("{}\n", terminal::battery(&life, &grade, &recommended, &latest, language)))
+    let lines = workbench::battery_lines(&battery, language);
+    Answer::data(lines.into_iter().flat_map(|line| [line, String::from("\n")]).collect())
 }
 
 /// `antrieb new KIND`

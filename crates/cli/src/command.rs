@@ -321,9 +321,17 @@ fn commands(language: Language) -> Command {
                     Arg::new("torque")
                         .long("torque")
                         .value_name(values::torque(language))
-                        .required(true)
+                        .required_unless_present("angle")
                         .allow_hyphen_values(true)
                         .help(help::torsion_torque(language)),
+                )
+                .arg(
+                    Arg::new("angle")
+                        .long("angle")
+                        .value_name(values::angle(language))
+                        .conflicts_with("torque")
+                        .allow_hyphen_values(true)
+                        .help(help::torsion_angle(language)),
                 ),
         )
         .subcommand(installation::commission(language))

@@ -12,8 +12,8 @@ use crate::subject::refuse;
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use workbench::answers::{Block, CommissionAnswer, CommissionWritten, Commissioning};
-use workbench::quantities::{ThermodynamicTemperature, Unit, format_significant};
-use workbench::text::{commission, decimal, describe_uncovered};
+use workbench::quantities::ThermodynamicTemperature;
+use workbench::text::{commission, describe_uncovered};
 use workbench::{DriveForm, Language, Refusal, answer, chapter, uncovered, usual_ambient};
 
 /// `antrieb commission CODE`
@@ -105,15 +105,4 @@ fn lists_as_pdf(file: &Path, sheet: &Commissioning, as_json: bool, language: Lan
         return Err(simple(&commission::checklist_is_a_pdf(&path_text(file), language), as_json, language));
     }
     checklist(sheet, as_json, language)
-}
-
-/// As many digits as the value has, four at the least.
-fn shown(value: f64, language: Language) -> String {
-    let plain = value.to_string();
-    let digits = plain.trim_start_matches(['0', '.', '-']).chars().filter(char::is_ascii_digit).count();
-    if digits <= 4 { decimal(&plain.replace('.', ","), language) } else { format_significant(value, 5, language) }
-}
-
-fn unit_shown(unit: &str) -> String {
-    if unit == "1" { String::new() } else { Unit::of(unit).map_or(unit, |unit| unit.symbol).to_owned() }
 }

@@ -8,8 +8,8 @@ use workbench::Language;
 use workbench::answers::Commissioning;
 use workbench::text::terminal;
 
-/// Reports over HTTP.
-pub(crate) const SERVED: Option<page::WritesReport> = None;
+/// Reports and forms over HTTP.
+pub(crate) const PRESS: Option<page::Press> = None;
 
 /// `antrieb report PROJECT --out FILE`
 pub(crate) fn report(_: &ArgMatches, as_json: bool, language: Language) -> Answer {

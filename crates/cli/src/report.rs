@@ -8,7 +8,7 @@ use crate::subject::{picked, refuse};
 use crate::waiting::patience;
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Style, Theme};
-use page::{ReportAsked, WritesReport};
+use page::{Press, ReportAsked};
 use report::{AxisContent, Content, Place, Settings};
 use std::path::{Path, PathBuf};
 use workbench::answers::{AxisWritten, Chapter, Commissioning, Fit, Picture, ReportWritten};
@@ -116,8 +116,11 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
     Ok(Answer { talk: talk.concat(), ..Answer::data(data) }.fits(fits))
 }
 
-/// Reports over HTTP.
-pub(crate) const SERVED: Option<WritesReport> = Some(served);
+/// Reports and forms over HTTP.
+pub(crate) const PRESS: Option<Press> = Some(Press {
+    report: served,
+    checklist: |sheet, language| report::checklist_pdf(sheet, language).map_err(|fault| fault.message(language)),
+});
 
 fn served(asked: &ReportAsked<'_>) -> Result<Vec<u8>, String> {
     let l = asked.language;

@@ -52,7 +52,7 @@ fn bound(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Serv
         memory: memory::allowed(matches, as_json, language)?,
         language,
         limits: Limits::default(),
-        report: crate::report::SERVED,
+        press: crate::report::PRESS,
     };
     let first = Server::bind(options.clone());
     let bound = match (first, port) {

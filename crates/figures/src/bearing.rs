@@ -1,14 +1,14 @@
 //! The loads on the output bearing over the cycle.
 
-use crate::cycle::segments;
+use crate::cycle::{inside, segments, time_axis};
 use crate::drawing::{Drawing, Figure};
 use crate::fault::NoFigure;
 use crate::utilisation::sign;
 use crate::words::{amount, listed, percent, subject};
 use plot::{Axis, Bar, BarChart, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
-use workbench::quantities::unit::{NEWTON, NEWTON_METRE, SECOND};
+use workbench::quantities::unit::{NEWTON, NEWTON_METRE};
 use workbench::quantities::{Language, Measure, Unit};
-use workbench::text::{capitalised, pictures, terms};
+use workbench::text::{capitalised, pictures};
 use workbench::{Candidate, Check, CheckId, FlangeSample, Project};
 
 type Load = fn(&FlangeSample) -> Option<f64>;
@@ -18,6 +18,20 @@ type Load = fn(&FlangeSample) -> Option<f64>;
 /// # Errors
 /// [`NoFigure::NoFlangeLoads`]
 pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Language) -> Result<Drawing, NoFigure> {
+    bearing_load_within(project, candidate, None, language)
+}
+
+/// The same between two instants \[s\].
+///
+/// # Errors
+/// [`NoFigure::NoFlangeLoads`]
+pub fn bearing_load_within(
+    project: &Project,
+    candidate: &Candidate<'_>,
+    window: Option<(f64, f64)>,
+    language: Language,
+) -> Result<Drawing, NoFigure> {
+    let window = window.and_then(|window| inside(window, project));
     let course = workbench::flange_course(project, candidate).ok_or(NoFigure::NoFlangeLoads)?;
     let kinds: [(Axis, &'static Unit, CheckId, &'static str, Load, &'static str); 3] = [
         (
@@ -65,8 +79,7 @@ pub fn bearing_load(project: &Project, candidate: &Candidate<'_>, language: Lang
         let chart = loads.iter().fold(BarChart::new(axis), |chart, load| chart.bar(load.bar(language)));
         return Ok(drawing((165.0, 55.0)).bars(format!("{constant} {about}"), description, chart));
     }
-    let mut chart =
-        StackedChart::new(Axis::new("t", SECOND.symbol).name(&capitalised(terms::time(language))).minor_ticks());
+    let mut chart = StackedChart::new(time_axis(window, language));
     for (from, to, name) in segments(project, language) {
         chart = chart.segment(from, to, name);
     }

@@ -5,8 +5,8 @@ use crate::thin::thinned;
 use crate::words::{amount, listed, subject};
 use plot::{Axis, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
 use workbench::quantities::unit::{
-    AMPERE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, PERCENT, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND,
-    WATT,
+    AMPERE, DEGREE, DEGREE_CELSIUS, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, NEWTON_METRE, PERCENT,
+    RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND, WATT,
 };
 use workbench::quantities::{Language, Measure, Unit};
 use workbench::text::{capitalised, law_text, pictures, terms};
@@ -16,6 +16,8 @@ const WIDTH_MM: f64 = 165.0;
 /// Height of title, segments and time axis.
 const FRAME_MM: f64 = 26.0;
 const PANEL_MM: f64 = 25.5;
+/// So many times as high is the position where its points can be pulled at.
+const POSITION_HIGH: f64 = 2.5;
 
 /// A limit is drawn where the course comes this near to it; one far above would press the course flat.
 const LIMIT_NEAR: f64 = 0.2;
@@ -26,10 +28,52 @@ const ROOM: f64 = 1.12;
 /// Angle, speed, acceleration, torque, current, power, temperatures and I²t over the cycle.
 #[must_use]
 pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
-    let course = thinned(workbench::course(project, candidate));
+    cycle_with(project, candidate, (None, 1.0), language)
+}
+
+/// The same between two instants \[s\], drawn anew with what can be seen there, and with a position high enough to be pulled at.
+#[must_use]
+pub fn cycle_within(
+    project: &Project,
+    candidate: &Candidate<'_>,
+    window: Option<(f64, f64)>,
+    language: Language,
+) -> Drawing {
+    cycle_with(project, candidate, (window, POSITION_HIGH), language)
+}
+
+/// Position, speed and acceleration are those along the line, where the axis has one.
+fn cycle_with(
+    project: &Project,
+    candidate: &Candidate<'_>,
+    (window, position): (Option<(f64, f64)>, f64),
+    language: Language,
+) -> Drawing {
+    let window = window.and_then(|window| inside(window, project));
+    let whole = match window {
+        Some(window) => workbench::course_within(project, candidate, window),
+        None => workbench::course(project, candidate),
+    };
+    let course = thinned(match window {
+        Some(window) => cut(whole, window),
+        None => whole,
+    });
+    let moves = workbench::moves(project);
+    let along = (!moves.turns).then_some(moves.per_output);
     let signals = vec![
-        signal(&course, Axis::new("φ", "°").name(pictures::angle_at_the_output(language)), &DEGREE, |sample| {
-            Some(sample.position_rad)
+        match along {
+            Some(factor) => {
+                let axis = Axis::new("x", MILLIMETRE.symbol).name(pictures::position_along_the_line(language));
+                signal(&course, axis, &MILLIMETRE, |sample| Some(factor * sample.position_rad))
+            }
+            None => {
+                let axis = Axis::new("φ", "°").name(pictures::angle_at_the_output(language));
+                signal(&course, axis, &DEGREE, |sample| Some(sample.position_rad))
+            }
+        },
+        along.and_then(|factor| {
+            let axis = Axis::new("v", METRE_PER_SECOND.symbol).name(pictures::speed_along_the_line(language));
+            signal(&course, axis, &METRE_PER_SECOND, |sample| Some(factor * sample.speed_rad_s))
         }),
         limited(
             signal(
@@ -42,12 +86,18 @@ pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -
             "n_max",
             language,
         ),
-        signal(
-            &course,
-            Axis::new("α", RADIAN_PER_SECOND_SQUARED.symbol).name(pictures::acceleration_at_the_output(language)),
-            &RADIAN_PER_SECOND_SQUARED,
-            |sample| Some(sample.acceleration_rad_s2),
-        ),
+        match along {
+            Some(factor) => {
+                let name = pictures::acceleration_along_the_line(language);
+                let axis = Axis::new("a", METRE_PER_SECOND_SQUARED.symbol).name(name);
+                signal(&course, axis, &METRE_PER_SECOND_SQUARED, |sample| Some(factor * sample.acceleration_rad_s2))
+            }
+            None => {
+                let name = pictures::acceleration_at_the_output(language);
+                let axis = Axis::new("α", RADIAN_PER_SECOND_SQUARED.symbol).name(name);
+                signal(&course, axis, &RADIAN_PER_SECOND_SQUARED, |sample| Some(sample.acceleration_rad_s2))
+            }
+        },
         limited(
             signal(
                 &course,
@@ -86,11 +136,13 @@ pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -
         language,
     );
     let mut panels: Vec<Panel> = signals.into_iter().flatten().map(Signal::panel).collect();
+    if let Some(first) = panels.first_mut() {
+        *first = first.clone().weight(position);
+    }
     panels.extend(temperatures(&course, candidate, language));
     panels.extend(overload.map(Signal::panel));
-    let mut height = FRAME_MM;
-    let mut chart =
-        StackedChart::new(Axis::new("t", SECOND.symbol).name(&capitalised(terms::time(language))).minor_ticks());
+    let mut height = FRAME_MM + (position - 1.0) * PANEL_MM;
+    let mut chart = StackedChart::new(time_axis(window, language));
     for (from, to, name) in segments(project, language) {
         chart = chart.segment(from, to, name);
     }
@@ -104,6 +156,29 @@ pub fn cycle(project: &Project, candidate: &Candidate<'_>, language: Language) -
         description(&course, project, language),
         chart,
     )
+}
+
+/// A window of time as far as it lies within the cycle.
+pub(crate) fn inside((from, until): (f64, f64), project: &Project) -> Option<(f64, f64)> {
+    let until = until.min(project.axis.motion.duration().si());
+    (from.max(0.0) < until).then_some((from.max(0.0), until))
+}
+
+/// The axis of time, of a window or of the whole cycle.
+pub(crate) fn time_axis(window: Option<(f64, f64)>, language: Language) -> Axis {
+    let axis = Axis::new("t", SECOND.symbol).name(&capitalised(terms::time(language))).minor_ticks();
+    match window {
+        Some((from, until)) => axis.range(from, until),
+        None => axis,
+    }
+}
+
+/// The samples within a window, with the one before and the one behind it, from where the lines come and where they go.
+fn cut(course: Course, (from, until): (f64, f64)) -> Course {
+    let first = course.samples.partition_point(|sample| sample.time_s < from).saturating_sub(1);
+    let last = course.samples.partition_point(|sample| sample.time_s <= until);
+    let samples = course.samples.into_iter().take(last + 1).skip(first).collect();
+    Course { samples, ..course }
 }
 
 /// A quantity over the cycle.

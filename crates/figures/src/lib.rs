@@ -14,18 +14,36 @@ mod torsion;
 mod utilisation;
 mod words;
 
-pub use bearing::bearing_load;
-pub use cycle::cycle;
+pub use bearing::{bearing_load, bearing_load_within};
+pub use cycle::{cycle, cycle_within};
 pub use drawing::{Drawing, Figure, side_mm};
 pub use face::{mating_face, mating_face_beside_pins};
 pub use fault::NoFigure;
-pub use map::{By, candidate_map};
+pub use map::{By, Place, candidate_map, nearest};
 pub use plane::{curves, torque_speed};
 pub use plot::{Picture, Size, Style, Theme};
-pub use torsion::torsion;
+pub use torsion::{torsion, torsion_curve};
 pub use utilisation::utilisation;
 
 use workbench::{Candidate, Language, Project};
+
+/// One figure of a candidate, of those over time only what lies between two instants \[s\].
+///
+/// # Errors
+/// [`NoFigure`] where the project or the actuator gives nothing to draw.
+pub fn draw_within(
+    figure: Figure,
+    project: &Project,
+    candidate: &Candidate<'_>,
+    window: Option<(f64, f64)>,
+    language: Language,
+) -> Result<Drawing, NoFigure> {
+    match figure {
+        Figure::Cycle => Ok(cycle_within(project, candidate, window, language)),
+        Figure::BearingLoad => bearing_load_within(project, candidate, window, language),
+        other => draw(other, project, candidate, By::Mass, language),
+    }
+}
 
 /// One figure of a candidate; the map is that of all candidates, this one marked.
 ///

@@ -39,15 +39,50 @@ impl By {
     }
 }
 
+/// A place in the map, in the units of its axes, and how far they reach.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    at: (f64, f64),
+    reach: (f64, f64),
+}
+
+impl Place {
+    /// From four numbers: both coordinates, then how far both axes reach.
+    #[must_use]
+    pub fn read(text: &str) -> Option<Self> {
+        let mut numbers = text.split(' ').map(|part| part.parse::<f64>().ok().filter(|number| number.is_finite()));
+        let mut next = || numbers.next().flatten();
+        let place = Self { at: (next()?, next()?), reach: (next()?, next()?) };
+        (place.reach.0 > 0.0 && place.reach.1 > 0.0).then_some(place)
+    }
+}
+
+/// So far from a point, as a share of the map, it is still meant.
+const MEANT: f64 = 0.04;
+
+/// The candidate whose point in the map is nearest to a place, where one is near.
+#[must_use]
+pub fn nearest<'s>(sizing: &'s Sizing<'_>, by: By, place: Place) -> Option<&'s CandidateId> {
+    let distance = |candidate: &Candidate<'_>| {
+        let (x, y) = point(by, candidate)?;
+        let (dx, dy) = ((x - place.at.0) / place.reach.0, (y - place.at.1) / place.reach.1);
+        Some(dx.hypot(dy)).filter(|distance| *distance <= MEANT)
+    };
+    let all = sizing.candidates.iter().filter_map(|candidate| Some((&candidate.id, distance(candidate)?)));
+    all.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(id, _)| id)
+}
+
+/// Where a candidate stands in the map; none where it misses by so much that it is left out.
+fn point(by: By, candidate: &Candidate<'_>) -> Option<(f64, f64)> {
+    let margin = 1.0 - candidate.standing.utilisation;
+    (margin >= MARGIN_MIN).then_some((by.unit().from_si(by.of(candidate)?), margin * 100.0))
+}
+
 /// Every candidate by mass or length and by the margin to its tightest limit; one of them may be marked.
 #[must_use]
 pub fn candidate_map(sizing: &Sizing<'_>, by: By, marked: Option<&CandidateId>, language: Language) -> Drawing {
     let all: Vec<&Candidate<'_>> = sizing.candidates.iter().chain(sizing.own.as_ref()).collect();
-    let margin = |candidate: &Candidate<'_>| 1.0 - candidate.standing.utilisation;
-    let place = |candidate: &Candidate<'_>| {
-        let x = by.of(candidate)?;
-        (margin(candidate) >= MARGIN_MIN).then(|| (by.unit().from_si(x), margin(candidate) * 100.0))
-    };
+    let place = |candidate: &Candidate<'_>| point(by, candidate);
     let named: Vec<&CandidateId> = all
         .iter()
         .map(|candidate| (&candidate.id, candidate.fits()))

@@ -7,7 +7,7 @@ use plot::{Axis, Dash, Label, Line, Markers, Reference, Tone, Width, XyChart};
 use workbench::quantities::unit::{ARCMINUTE, NEWTON_METRE};
 use workbench::quantities::{Language, Measure, Torque};
 use workbench::text::pictures;
-use workbench::{Candidate, Project};
+use workbench::{Candidate, Project, TorsionCurve};
 
 /// The curve reaches this far beyond the last thing to be seen.
 const ROOM: f64 = 1.15;
@@ -18,6 +18,25 @@ const ROOM: f64 = 1.15;
 /// [`NoFigure::NoStiffness`]
 pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language) -> Result<Drawing, NoFigure> {
     let found = workbench::torsion_of(project, candidate).ok_or(NoFigure::NoStiffness)?;
+    Ok(drawn(&subject(candidate, &project.name), &found, Point::OfTheLoad, language))
+}
+
+/// The torsion curve of a gear, both directions, with a point on it; `name` is what it is of.
+#[must_use]
+pub fn torsion_curve(name: &str, found: &TorsionCurve, language: Language) -> Drawing {
+    drawn(name, found, Point::Asked, language)
+}
+
+/// What the point on the curve is.
+#[derive(Clone, Copy)]
+enum Point {
+    /// The largest torque of a load.
+    OfTheLoad,
+    /// One that is asked for.
+    Asked,
+}
+
+fn drawn(about: &str, found: &TorsionCurve, point: Point, language: Language) -> Drawing {
     let end = found.torque.si().abs().max(found.curve.torque_2.si()) * ROOM;
     let points = found.points(Torque::from_si(end));
     let nm = |torque: Torque| NEWTON_METRE.from_si(torque.si());
@@ -41,11 +60,13 @@ pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language)
         amount(found.curve.torque_1.si(), &NEWTON_METRE, language),
         amount(found.curve.torque_2.si(), &NEWTON_METRE, language),
     );
-    let description = pictures::torsion_described(&torque, &angle, &one, &two, language);
     let caption = pictures::torsion_caption(&one, &two, language);
-    Ok(Drawing::new(Figure::Torsion, &subject(candidate, &project.name), (135.0, 95.0), language).xy(
-        caption.to_owned(),
-        description,
-        chart,
-    ))
+    let (description, caption) = match point {
+        Point::OfTheLoad => (
+            pictures::torsion_described(&torque, &angle, &one, &two, language),
+            format!("{caption} {}", pictures::torque_of_the_load(language)),
+        ),
+        Point::Asked => (pictures::torsion_of_a_code_described(&torque, &angle, &one, &two, language), caption),
+    };
+    Drawing::new(Figure::Torsion, about, (135.0, 95.0), language).xy(caption, description, chart)
 }

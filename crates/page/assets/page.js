@@ -1,21 +1,29 @@
 // What must move in the page: the cursor of the pictures, undo and redo, files, and that no change is lost on its way.
+import { base, cursor, jump, overlay } from './plots.js';
+import './waiting.js';
+
 const $ = (selector) => document.querySelector(selector);
 const all = (selector) => [...document.querySelectorAll(selector)];
 const text = () => $('#text');
 const tell = (words) => { const told = $('#told'); if (told) told.textContent = words; };
 
 // Requests wait for each other; each takes the text as the one before it left it.
+let answered = null;
+document.addEventListener('htmx:after:swap', (event) => { const { asked } = event.detail.ctx; if (asked && text()) answered = { asked, text: text().value }; });
 document.addEventListener('htmx:before:request', (event) => {
   const body = event.detail.ctx.request.body;
   if (!(body instanceof URLSearchParams) || !text()) return;
   const source = event.detail.ctx.sourceElement;
-  if (source !== text()) body.set('text', text().value);
+  const asked = [source.id, ...[...body].filter(([key]) => key !== 'text' && key !== 'good').flat()].join('\n');
+  // A field that is left tells once more what was answered while it was typed.
+  if (source.id && body.has('path') && base(source) === undefined && answered?.asked === asked && answered.text === text().value) { event.preventDefault(); return; }
+  event.detail.ctx.asked = asked;
+  // A pull at the end of a segment begins at the text that was there when it began.
+  if (base(source) !== undefined) body.set('text', base(source));
+  else if (source !== text()) body.set('text', text().value);
   const good = $('#state [name=good]');
   if (good) body.set('good', good.value);
 });
-
-// The numbers of each curve, read once.
-const lines = new WeakMap();
 
 // Undo and redo are former texts.
 const past = [];
@@ -26,6 +34,8 @@ function note() {
   const field = text();
   if (!field) return;
   const now = field.defaultValue;
+  // What is pulled is one step, however often it was answered meanwhile.
+  if (base() !== undefined) return;
   if (last !== null && now !== last) { past.push(last); future.length = 0; if (past.length > 500) past.shift(); }
   last = now;
   if (saved === null) saved = now;
@@ -42,10 +52,11 @@ function put(value) {
   const field = text();
   if (!field) return;
   field.value = value;
-  field.dispatchEvent(new Event('input', { bubbles: true }));
   field.dispatchEvent(new Event('change', { bubbles: true }));
 }
 function step(from, to) {
+  // What is being pulled ends first: it is one step.
+  if (base() !== undefined) { addEventListener('antrieb:pulled', () => step(from, to), { once: true }); return; }
   if (from.length === 0) return;
   to.push(last);
   last = from.pop();
@@ -61,100 +72,27 @@ function right() {
   if (held('lang')) document.documentElement.lang = held('lang');
   if (held('theme') === 'dark') document.documentElement.dataset.theme = 'dark'; else delete document.documentElement.dataset.theme;
   note();
+  overlay();
   cursor();
+  tolerances();
+  follow();
 }
+// What somebody has opened or closed stays so.
+const folds = new Map();
+document.addEventListener('click', (event) => {
+  const fold = event.target.closest?.('summary')?.parentElement;
+  if (fold?.id) folds.set(fold.id, !fold.open);
+});
+document.addEventListener('htmx:before:morph:attr', (event) => {
+  if (event.detail.attrName === 'open' && folds.has(event.target.id)) event.preventDefault();
+});
 document.addEventListener('htmx:after:swap', () => {
+  for (const [id, open] of folds) { const fold = document.getElementById(id); if (fold) fold.open = open; }
   right();
   const head = $('#detail-title');
   if (head && head.dataset.seen === undefined) { head.dataset.seen = ''; head.focus(); head.scrollIntoView({ block: 'nearest' }); }
 });
-addEventListener('DOMContentLoaded', right);
-if (document.readyState !== 'loading') right();
-
-// One range moves the instant of every picture over time, and the point in the plane.
-function panels(figure) { return [...figure.querySelectorAll('g.plane[data-x-min]')]; }
-function cursor() {
-  const range = $('#instant');
-  const cycle = $('#plot-cycle');
-  if (!range || !cycle) return;
-  const first = panels(cycle)[0];
-  if (!first) return;
-  const until = Number(first.dataset.xMax);
-  const time = until * Number(range.value) / 1000;
-  for (const name of ['#plot-cycle', '#plot-bearing-load']) {
-    const figure = $(name);
-    if (!figure) continue;
-    for (const panel of panels(figure)) line(panel, time);
-  }
-  const values = read(cycle, time);
-  const format = new Intl.NumberFormat(document.documentElement.lang, { maximumSignificantDigits: 4, signDisplay: 'negative' });
-  const shown = { format: (value) => format.format(value).replace('-', '\u2212') };
-  const told = [`t ${shown.format(time)} s`, ...values.map((each) => `${each.symbol} ${each.label ? each.label + ' ' : ''}${shown.format(each.value)} ${each.unit}`)].join(' · ');
-  $('#instant-values').textContent = told;
-  range.setAttribute('aria-valuetext', told);
-  point(values);
-}
-function line(panel, time) {
-  const { left, right, top, bottom, xMin, xMax } = panel.dataset;
-  let mark = panel.querySelector('.cursor-line');
-  if (!mark) {
-    mark = document.createElementNS('http://www.w3.org/2000/svg', 'line');
-    mark.setAttribute('class', 'cursor-line');
-    panel.append(mark);
-  }
-  const x = Number(left) + (time - xMin) / (xMax - xMin) * (right - left);
-  mark.setAttribute('x1', x); mark.setAttribute('x2', x); mark.setAttribute('y1', top); mark.setAttribute('y2', bottom);
-}
-// The value of each curve at an instant, read from its line: the numbers of a path stand in the order of time.
-function points(path) {
-  const written = path.getAttribute('d');
-  let known = lines.get(path);
-  if (known?.written !== written) {
-    const numbers = (written.match(/-?\d+(\.\d+)?/g) ?? []).map(Number);
-    known = { written, x: numbers.filter((_, place) => place % 2 === 0), y: numbers.filter((_, place) => place % 2 === 1) };
-    lines.set(path, known);
-  }
-  return known;
-}
-function read(figure, time) {
-  const found = [];
-  for (const panel of panels(figure)) {
-    const { left, right, top, bottom, xMin, xMax, yMin, yMax, symbol, unit } = panel.dataset;
-    const at = Number(left) + (time - xMin) / (xMax - xMin) * (right - left);
-    for (const curve of panel.querySelectorAll('g.line')) {
-      const path = curve.querySelector('path');
-      if (!path) continue;
-      const { x, y } = points(path);
-      let low = 0, high = x.length - 1;
-      while (high - low > 1) { const middle = (low + high) >> 1; if (x[middle] <= at) low = middle; else high = middle; }
-      const share = x[high] > x[low] ? Math.min(1, Math.max(0, (at - x[low]) / (x[high] - x[low]))) : 0;
-      const height = y[low] + share * (y[high] - y[low]);
-      const value = Number(yMin) + (bottom - height) / (bottom - top) * (yMax - yMin);
-      // A line is drawn to a hundredth of a pixel: no more digits are told.
-      const step = (yMax - yMin) / (bottom - top) / 20;
-      found.push({ symbol, label: curve.dataset.label ?? '', unit, value: Math.round(value / step) * step + 0 });
-    }
-  }
-  return found;
-}
-function point(values) {
-  const figure = $('#plot-torque-speed');
-  const panel = figure && panels(figure)[0];
-  if (!panel) return;
-  const speed = values.find((each) => each.symbol === 'n');
-  const torque = values.find((each) => each.symbol === 'T');
-  if (!speed || !torque) return;
-  const { left, right, top, bottom, xMin, xMax, yMin, yMax } = panel.dataset;
-  let mark = panel.querySelector('.cursor-point');
-  if (!mark) {
-    mark = document.createElementNS('http://www.w3.org/2000/svg', 'circle');
-    mark.setAttribute('class', 'cursor-point'); mark.setAttribute('r', 5);
-    panel.append(mark);
-  }
-  mark.setAttribute('cx', Number(left) + (speed.value - xMin) / (xMax - xMin) * (right - left));
-  mark.setAttribute('cy', Number(bottom) - (torque.value - yMin) / (yMax - yMin) * (bottom - top));
-}
-document.addEventListener('input', (event) => { if (event.target.id === 'instant') cursor(); });
+addEventListener('antrieb:pulled', note);
 
 // A sign in a drawing and its row point at each other.
 function light(id, on) {
@@ -170,6 +108,45 @@ for (const [kind, on] of [['mouseover', true], ['mouseout', false], ['focusin', 
   });
 }
 
+// What was found of the tolerances stays as long as it is about what is shown; where it is found quickly, it is asked for unasked.
+const judged = new Map();
+let asked = null;
+function tolerances() {
+  const place = $('#tolerances');
+  const found = $('#tolerances-found');
+  if (!place || !found) return;
+  if (asked !== null && found.childElementCount > 0 && found.dataset.of === undefined) {
+    found.dataset.of = asked;
+    judged.clear();
+    judged.set(asked, found.innerHTML);
+  }
+  const of = place.dataset.of;
+  if (found.dataset.of === of && found.childElementCount > 0) return;
+  if (judged.has(of)) { found.innerHTML = judged.get(of); found.dataset.of = of; return; }
+  found.replaceChildren();
+  delete found.dataset.of;
+  if (asked !== of && place.dataset.atOnce !== undefined) $('#tolerances-go').click();
+}
+document.addEventListener('htmx:before:request', (event) => { if (event.detail.ctx.sourceElement.id === 'tolerances-go') asked = $('#tolerances').dataset.of; });
+
+// What went wrong on the way is told; the page stays as it is.
+document.addEventListener('htmx:response:error', (event) => {
+  const { text: words } = event.detail.ctx;
+  let message = words;
+  try { message = JSON.parse(words).errors.map((each) => each.message).join('; '); } catch { /* a plain sentence */ }
+  tell(message);
+});
+document.addEventListener('htmx:error', () => tell($('#told')?.dataset.noAnswer ?? ''));
+
+// A law chosen by its picture is chosen in the plain menu.
+document.addEventListener('change', (event) => {
+  const menu = event.target.closest?.('[data-law]');
+  const plain = menu && document.getElementById(menu.dataset.law);
+  if (!plain) return;
+  plain.value = event.target.value;
+  plain.dispatchEvent(new Event('change', { bubbles: true }));
+});
+
 const fields = () => new URLSearchParams(new FormData($('#state')));
 async function send(path) { return fetch(path, { method: 'POST', body: fields() }); }
 function keep(blob, name) {
@@ -183,9 +160,9 @@ function keep(blob, name) {
 async function download(what, usual) {
   const held = (name) => $(`#state [name=${name}]`)?.value ?? '';
   const query = new URLSearchParams({ lang: held('lang') });
-  const tab = $('.tabs [aria-current]');
-  if (tab && what !== 'report') query.set('axis', tab.textContent);
-  if (held('code') && what !== 'size' && (what !== 'report' || !tab)) query.set('code', held('code'));
+  const tab = $('.tabs [aria-current][data-axis]');
+  if (tab && what !== 'report') query.set('axis', tab.dataset.axis);
+  if (held('code') && what !== 'size' && (what !== 'report' || !$('.tabs'))) query.set('code', held('code'));
   if (what === 'report') query.set('date', new Date().toISOString().slice(0, 10));
   tell('…');
   const reply = await fetch(`/api/v1/${what}?${query}`, { method: 'POST', headers: { 'content-type': 'application/toml' }, body: text().value });
@@ -237,7 +214,16 @@ async function save() {
     project();
     saved = last;
     buttons();
-  } else tell(words);
+  } else {
+    tell(words);
+    if (reply.status === 409) dispatchEvent(new Event('antrieb:conflict'));
+  }
+}
+// What was loaded from the folder: undo leads back.
+export function loaded(value) {
+  put(value);
+  saved = value;
+  buttons();
 }
 function open() { choose('.toml', async (file) => begin(await file.text(), file.name)); }
 // The whole page about a text.
@@ -252,9 +238,8 @@ function begin(value, name) {
     field.value = held;
     form.append(field);
   }
-  saved = last;
   document.body.append(form);
-  form.submit();
+  form.requestSubmit();
 }
 // A link holds the text behind its mark, which no browser sends.
 async function link() {
@@ -270,7 +255,7 @@ async function linked() {
   const value = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'))).text();
   if (text()) { if (text().value !== value) put(value); } else begin(value, 'axis.toml');
 }
-addEventListener('DOMContentLoaded', () => linked().catch(() => {}));
+if (document.readyState === 'complete') linked().catch(() => {}); else addEventListener('DOMContentLoaded', () => linked().catch(() => {}));
 
 document.addEventListener('click', (event) => {
   const of = (name) => event.target.closest?.(`[data-${name}]`);
@@ -283,16 +268,18 @@ document.addEventListener('click', (event) => {
   else if (of('project')) project();
   else if (of('recording')) choose('.csv,.txt,.parquet', (file) => record(file, file.name));
   else if (of('close')) { const id = of('close').dataset.close; document.getElementById(id).replaceChildren(); $('#checks-title')?.scrollIntoView({ block: 'nearest' }); }
-  else if (of('instant')) jump(Number(of('instant').dataset.instant));
+  else if (of('instant')) { lead(of('instant')); jump(Number(of('instant').dataset.instant)); }
   else if (of('into')) { const field = document.getElementById(of('into').dataset.into); field.value = event.target.closest('button').value; field.dispatchEvent(new Event('change', { bubbles: true })); }
 });
-function jump(time) {
-  const range = $('#instant');
-  const first = $('#plot-cycle') && panels($('#plot-cycle'))[0];
-  if (!range || !first) return;
-  range.value = 1000 * time / Number(first.dataset.xMax);
-  cursor();
-  range.focus();
+// A mark in a picture leads to the row of its check.
+let led = null;
+function lead(mark) {
+  led = mark.dataset.row ?? mark.closest('tr')?.id ?? null;
+  follow();
+}
+function follow() {
+  for (const row of all('tr.lit')) row.classList.toggle('lit', row.id === led);
+  if (led) document.getElementById(led)?.classList.add('lit');
 }
 addEventListener('keydown', (event) => {
   if (!(event.ctrlKey || event.metaKey)) return;
@@ -302,3 +289,5 @@ addEventListener('keydown', (event) => {
   else if (event.key === 'y' && !typing) { event.preventDefault(); step(future, past); }
 });
 addEventListener('beforeunload', (event) => { if (last !== null && last !== saved) event.preventDefault(); });
+// A module runs when the page is there.
+right();

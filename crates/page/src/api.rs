@@ -3,12 +3,14 @@
 //! There is one list of endpoints ([`list::ENDPOINTS`]). It dispatches, it says what a request may ask, and it is what
 //! `/api/v1/openapi.json` tells of; an endpoint that stands in it is described, one that does not stand in it does not exist.
 
-mod asked;
-mod axis;
-mod code;
-mod library;
+pub(crate) mod asked;
+pub(crate) mod axis;
+pub(crate) mod code;
+pub(crate) mod library;
 mod list;
+#[cfg(feature = "interface")]
 mod openapi;
+#[cfg(feature = "interface")]
 mod tables;
 
 use crate::{Call, Method, Reply, Shell};
@@ -25,20 +27,21 @@ const ROOT: &str = "/api/v1/";
 const JSON: &str = "application/json";
 
 /// One thing that can be asked.
-struct Endpoint {
-    method: Method,
+pub(crate) struct Endpoint {
+    pub(crate) method: Method,
     /// Its path below the root.
-    path: &'static str,
-    about: Word,
+    pub(crate) path: &'static str,
+    pub(crate) about: Word,
     body: Body,
-    parameters: &'static [Parameter],
+    pub(crate) parameters: &'static [Parameter],
     output: Output,
+    #[cfg(feature = "interface")]
     answer: fn(&Asked<'_>) -> Result<Reply, Unanswered>,
 }
 
 /// What a request brings.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Body {
+pub(crate) enum Body {
     None,
     /// The text of a project file.
     Project,
@@ -52,7 +55,7 @@ enum Body {
 
 /// What an endpoint answers with.
 #[derive(Clone, Copy)]
-enum Output {
+pub(crate) enum Output {
     /// The record of a command, by its name in the schema of the answers.
     Record(&'static str),
     /// The same, and bytes of these media types where the query asks for them.
@@ -67,19 +70,21 @@ enum Output {
 
 /// What the query may say; the names are those of the options of the command line.
 #[derive(Clone, Copy)]
-struct Parameter {
-    name: &'static str,
-    about: Word,
-    kind: Kind,
-    required: bool,
-    repeated: bool,
+pub(crate) struct Parameter {
+    pub(crate) name: &'static str,
+    pub(crate) about: Word,
+    pub(crate) kind: Kind,
+    pub(crate) required: bool,
+    pub(crate) repeated: bool,
 }
 
 /// What a value may be.
 #[derive(Clone, Copy)]
-enum Kind {
+pub(crate) enum Kind {
     /// A text; a quantity and a code are read by the use case.
     Text,
+    /// A day; it is read by the use case.
+    Date,
     /// True or false; a name without a value is true.
     Flag,
     /// A whole number from and to.
@@ -103,7 +108,7 @@ impl Parameter {
 }
 
 /// Why a question has no answer.
-enum Unanswered {
+pub(crate) enum Unanswered {
     /// The faults, with the status that they have.
     Faults(u16, Faults),
     /// Those of a code that a question is about.
@@ -138,6 +143,11 @@ pub fn misdirected(status: u16, message: &str, hint: Option<String>) -> Reply {
     record(status, &Faults { errors: vec![fault] })
 }
 
+/// The endpoint that a method asks for at a path below the root.
+pub(crate) fn endpoint(method: Method, path: &str) -> Option<&'static Endpoint> {
+    list::ENDPOINTS.iter().find(|endpoint| endpoint.path == path && endpoint.method == method)
+}
+
 /// Whether a path is one of the interface's.
 pub(crate) fn is_path(path: &str) -> bool {
     path == "/api" || path.starts_with("/api/")
@@ -150,6 +160,7 @@ pub fn methods(path: &str) -> Vec<Method> {
 }
 
 /// Answers a question.
+#[cfg(feature = "interface")]
 pub(crate) fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let here = call.path.strip_prefix(ROOT).unwrap_or_default();
     let mut there = list::ENDPOINTS.iter().filter(|endpoint| endpoint.path == here).peekable();

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::io;
 use std::time::Duration;
+use workbench::answers::Commissioning;
 use workbench::{Files, Language, OrderCode, Patience, Project};
 
 /// How a request asks.
@@ -135,6 +136,17 @@ pub trait Shell {
         None
     }
 
+    /// How far a work under way is, by the name that the page has given it: steps done, and how many there are to be where
+    /// that is known. None where a shell cannot tell while it works.
+    fn progress(&self, _work: &str) -> Option<(usize, Option<usize>)> {
+        None
+    }
+
+    /// Cancels a work under way; tells whether there was one.
+    fn cancel(&self, _work: &str) -> bool {
+        false
+    }
+
     /// The days since the first of 1970 by the clock, where there is one.
     fn days_since_1970(&self) -> Option<u64> {
         None
@@ -147,6 +159,11 @@ pub trait Shell {
 
     /// Writes the report of the axes as PDF; none where there is no typesetting engine.
     fn report(&self) -> Option<WritesReport> {
+        None
+    }
+
+    /// Writes the check-lists of a commissioning as PDF; none where there is no typesetting engine.
+    fn checklist(&self) -> Option<WritesChecklist> {
         None
     }
 
@@ -178,6 +195,18 @@ pub struct ReportAsked<'a> {
 /// Writes a report as PDF, or says in one sentence why there is none.
 pub type WritesReport = fn(&ReportAsked<'_>) -> Result<Vec<u8>, String>;
 
+/// Writes the check-lists of a commissioning as PDF, or says in one sentence why there is none.
+pub type WritesChecklist = fn(&Commissioning, Language) -> Result<Vec<u8>, String>;
+
+/// What a typesetting engine writes.
+#[derive(Clone, Copy, Debug)]
+pub struct Press {
+    /// Reports.
+    pub report: WritesReport,
+    /// Check-lists of a commissioning.
+    pub checklist: WritesChecklist,
+}
+
 /// A project file in the folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
@@ -198,8 +227,22 @@ pub enum SaveFault {
     Disk(io::Error),
 }
 
+/// Where a folder is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// On a disk, where other programs see it.
+    Disk,
+    /// In the browser, which keeps it for this page alone.
+    Browser,
+}
+
 /// The working folder: project files by their names, nothing outside of it.
 pub trait Folder {
+    /// Where it is.
+    fn place(&self) -> Place {
+        Place::Disk
+    }
+
     /// The project files in it, the last written first.
     ///
     /// # Errors

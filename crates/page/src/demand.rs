@@ -1,8 +1,11 @@
 //! The middle column: what the axis demands of the actuator that is looked at, over time and in the plane.
 
+use crate::call::Shell;
 use crate::form::vals;
+use crate::overlay;
 use crate::state::State;
-use figures::{By, Figure, Size, Style, draw};
+use crate::tolerances;
+use figures::{Figure, Size, Style, draw_within};
 use maud::{Markup, PreEscaped, html};
 use workbench::quantities::{Measure, format_significant};
 use workbench::text::{
@@ -23,22 +26,28 @@ pub(crate) fn column(
     project: &Project,
     candidate: Option<&Candidate<'_>>,
     is_old: bool,
+    shell: &dyn Shell,
     patience: &Patience,
 ) -> Markup {
     let l = state.language;
     html! {
         section id="demands" class=[is_old.then_some("old")] aria-labelledby="demands-title" {
             h2 id="demands-title" { (page::what_it_demands(l)) }
+            (stopped(&html! {}))
             @if is_old { p.advice role="status" { (page::result_is_old(l)) } }
             @if let Some(candidate) = candidate {
                 (head(candidate, l))
+                @let none = html! {};
+                @let worst = overlay::worst(candidate);
+                @let held = if is_old { html! {} } else { overlay::grips(state, project) };
                 (sums(project, candidate, patience, l))
-                (cursor(l))
-                (picture(state, project, candidate, Figure::Cycle))
-                (picture(state, project, candidate, Figure::TorqueSpeed))
-                (checks(candidate, l))
-                (picture(state, project, candidate, Figure::BearingLoad))
-                (picture(state, project, candidate, Figure::Torsion))
+                (tolerances::place(state, project, candidate, shell))
+                (overlay::controls(project, state.window.is_some(), l))
+                (picture(state, project, candidate, Figure::Cycle, &overlay::marks(&worst, "", l), &held))
+                (picture(state, project, candidate, Figure::TorqueSpeed, &none, &none))
+                (checks(candidate, &worst, l))
+                (picture(state, project, candidate, Figure::BearingLoad, &overlay::marks(&worst, "b", l), &none))
+                (picture(state, project, candidate, Figure::Torsion, &none, &none))
                 (assumptions(project, l))
             }
         }
@@ -76,7 +85,7 @@ fn sums(project: &Project, candidate: &Candidate<'_>, patience: &Patience, langu
             @if let Some(demand) = &candidate.judgement.demand {
                 dl.sums {
                     @for (symbol, value, unit) in demand_figures(demand, language) {
-                        div { dt { (crate::chapters::symbol(symbol)) } dd { (value) " " (unit) } }
+                        div { dt { (crate::tip::of_symbol(symbol, language)) } dd { (value) " " (unit) } }
                     }
                 }
             }
@@ -87,57 +96,67 @@ fn sums(project: &Project, candidate: &Candidate<'_>, patience: &Patience, langu
     }
 }
 
-/// One range that moves the instant of all pictures.
-fn cursor(language: Language) -> Markup {
+/// What is said where the last work ended before it was done; nothing else stands there.
+pub(crate) fn stopped(what: &Markup) -> Markup {
+    html! { p.advice id="stopped" role="status" { (what) } }
+}
+
+/// The column without a result.
+pub(crate) fn nothing(language: Language, why: &Markup) -> Markup {
     html! {
-        div.cursor {
-            label for="instant" { (page::instant_on_the_axis(language)) }
-            input id="instant" type="range" min="0" max="1000" value="0" step="1" aria-describedby="instant-told";
-            output id="instant-values" for="instant" {}
-            p.small id="instant-told" { (page::cursor_told(language)) }
+        section id="demands" aria-labelledby="demands-title" {
+            h2 id="demands-title" { (page::what_it_demands(language)) }
+            (stopped(why))
+            p { (page::no_result_yet(language)) }
         }
     }
 }
 
-/// A picture, drawn for the page; nothing where there is nothing to draw.
-fn picture(state: &State, project: &Project, candidate: &Candidate<'_>, figure: Figure) -> Markup {
-    let Ok(drawing) = draw(figure, project, candidate, By::Mass, state.language) else { return html! {} };
+/// A picture, drawn for the page, with what stands above it and what lies over it; nothing where there is nothing to draw.
+fn picture(
+    state: &State,
+    project: &Project,
+    candidate: &Candidate<'_>,
+    figure: Figure,
+    above: &Markup,
+    over: &Markup,
+) -> Markup {
+    let Ok(drawing) = draw_within(figure, project, candidate, state.window, state.language) else { return html! {} };
     let (width, height) = drawing.size_mm;
     let size = Size::pixels(WIDTH, WIDTH * height / width);
     let name = figure.id().replace('_', "-");
     let style = Style::new(size).theme(state.theme).language(state.language).id(&name);
     html! {
         figure.plot id={ "plot-" (name) } data-figure=(figure.id()) {
-            (PreEscaped(drawing.render(&style).into_svg()))
+            (above)
+            div.frame { (PreEscaped(drawing.render(&style).into_svg())) (over) }
             figcaption { (drawing.caption) }
         }
     }
 }
 
-fn checks(candidate: &Candidate<'_>, language: Language) -> Markup {
+/// The heads of a table of checks.
+pub(crate) fn check_heads(language: Language) -> [&'static str; 6] {
     let l = language;
-    let heads = [
-        terms::check(l),
-        terms::verdict(l),
-        terms::value(l),
-        terms::limit(l),
-        terms::unit(l),
-        terms::utilisation_short(l),
-    ];
+    [terms::check(l), terms::verdict(l), terms::value(l), terms::limit(l), terms::unit(l), terms::utilisation_short(l)]
+}
+
+fn checks(candidate: &Candidate<'_>, worst: &[overlay::Worst<'_>], language: Language) -> Markup {
+    let l = language;
     html! {
         section aria-labelledby="checks-title" {
             h3 id="checks-title" { (page::checks_of(&candidate.id, l)) }
             div.wide tabindex="0" role="region" aria-labelledby="checks-title" {
                 table.checks {
-                    thead { tr { @for head in heads { th scope="col" { (capitalised(head)) } } } }
-                    tbody { @for check in by_importance(&candidate.judgement.checks) { (row(check, l)) } }
+                    thead { tr { @for head in check_heads(l) { th scope="col" { (crate::tip::of_word(head, l)) } } } }
+                    tbody { @for check in by_importance(&candidate.judgement.checks) { (row(check, worst, l)) } }
                 }
             }
         }
     }
 }
 
-fn row(check: &Check, language: Language) -> Markup {
+fn row(check: &Check, worst: &[overlay::Worst<'_>], language: Language) -> Markup {
     let l = language;
     let missing = check.missing.map(|symbol| check_missing(symbol, l));
     let share = check.utilisation.map(|share| (share * 100.0).clamp(0.0, 150.0));
@@ -155,7 +174,10 @@ fn row(check: &Check, language: Language) -> Markup {
                 (percent(check.utilisation, l))
                 @if let Some(share) = share { svg.bar viewBox="0 0 150 8" aria-hidden="true" { rect x="0" y="0" width=(share) height="8" {} path d="M100 0V8" {} } }
                 @if let Some(at) = check.at {
-                    " " button.small type="button" data-instant=(at.si()) title=(page::jump_to_worst(l)) { (page::worst_instant(&format_significant(at.si(), 3, l), l)) }
+                    " " button.small type="button" data-instant=(at.si()) title=(page::jump_to_worst(l)) {
+                        @if let Some(number) = overlay::number(worst, check) { span.mark-number { (number) } " " }
+                        (page::worst_instant(&format_significant(at.si(), 3, l), l))
+                    }
                 }
             }
         }

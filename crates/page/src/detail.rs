@@ -61,7 +61,7 @@ pub(crate) fn compared(found: &Comparison<'_>, language: Language) -> Markup {
         div.wide tabindex="0" role="region" aria-labelledby="detail-title" {
             table.compare {
                 thead { tr {
-                    th scope="col" { (capitalised(terms::check(l))) }
+                    th scope="col" { (crate::tip::of_word(terms::check(l), l)) }
                     th scope="col" { (capitalised(terms::unit(l))) }
                     @for (place, each) in found.candidates.iter().enumerate() {
                         th scope="col" { (each.id) @if found.better == Some(place) { br; (terminal::first_in_the_ranking(l)) } }
@@ -106,7 +106,7 @@ fn check_row(row: &CheckRow, language: Language) -> Markup {
 fn datum_row(row: &DatumRow, language: Language) -> Markup {
     html! {
         tr class=[row.is_same().then_some("same")] {
-            th scope="row" title=(figure_term(row.symbol, language)) { (symbol(row.symbol)) }
+            th scope="row" { (crate::tip::of_symbol(row.symbol, language)) " " span.small { (figure_term(row.symbol, language)) } }
             td { (row.unit.symbol) }
             @for value in &row.values { td.number { (value.map_or_else(|| "–".to_owned(), |value| format_significant(value, 4, language))) } }
         }

@@ -1,11 +1,13 @@
 //! Projects that come and go: begun, opened, saved, downloaded.
 
-use crate::call::{Call, Reply, SaveFault, Shell};
+use crate::call::{Call, Entry, Place, Reply, SaveFault, Shell};
 use crate::frame;
 use crate::start::BEGINS;
 use crate::state::State;
-use workbench::Patience;
-use workbench::text::{file_trouble, page};
+use maud::{Markup, html};
+use std::io::ErrorKind;
+use workbench::text::{file_trouble, page, upkeep};
+use workbench::{Language, Patience, day_of_clock, template};
 
 /// Which way to begin is asked for.
 pub(crate) fn place(call: &Call<'_>) -> usize {
@@ -29,6 +31,9 @@ pub(crate) fn opened(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
             let Ok(text) = std::str::from_utf8(&bytes) else {
                 return Reply::text(422, &page::not_a_text(&name, call.language()));
             };
+            if workbench::measured(text).is_ok() {
+                return with_record(call, &name, shell, patience);
+            }
             with_text(call, text, &name, &known(&shell.version(&bytes), &name), shell, patience)
         }
         Some(Err(error)) => Reply::text(404, &file_trouble(&error, call.language())),
@@ -53,6 +58,17 @@ fn with_text(call: &Call<'_>, text: &str, file: &str, known: &str, shell: &dyn S
     Reply::of(200, crate::HTML, frame::whole(&inner, shell, patience).into_string())
 }
 
+/// The page with a record of measured values: it is no project, and has its tool.
+fn with_record(call: &Call<'_>, name: &str, shell: &dyn Shell, patience: &Patience) -> Reply {
+    let l = call.language();
+    // A record is for a code that its name may begin with.
+    let about = name.split("-measured").next().unwrap_or_default();
+    let fields = [("tool", "record"), ("asked", "record"), ("about", about), ("t_open", name), ("lang", l.id())];
+    let query = query(&fields);
+    let inner = Call { path: "/", query: &query, media: None, body: &[], ..*call };
+    Reply::of(200, crate::HTML, frame::whole(&inner, shell, patience).into_string())
+}
+
 /// Saves the text in the folder; a file that changed since it was opened is left as it is.
 pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let state = State::of(call);
@@ -62,13 +78,114 @@ pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     let opened = state.known.split_once(' ').filter(|(_, name)| *name == state.file);
     match folder.save(&state.file, state.text.as_bytes(), opened.map(|(version, _)| version)) {
         Ok(()) => {
-            let mut reply = Reply::text(200, &page::saved(&state.file, l));
+            let told = match folder.place() {
+                Place::Disk => page::saved(&state.file, l),
+                Place::Browser => page::kept_in_browser(&state.file, &page::project_file(l), l),
+            };
+            let mut reply = Reply::text(200, &told);
             reply.headers.push(("x-version", shell.version(state.text.as_bytes())));
             reply
         }
-        Err(SaveFault::Changed) => Reply::text(409, &page::changed_on_disk(&state.file, l)),
+        Err(SaveFault::Changed) => {
+            let told = match folder.place() {
+                Place::Disk => page::changed_on_disk(&state.file, l),
+                Place::Browser => page::changed_in_browser(&state.file, l),
+            };
+            Reply::text(409, &told)
+        }
         Err(SaveFault::Name) => Reply::text(422, &page::no_such_name(&state.file, l)),
         Err(SaveFault::Disk(error)) => Reply::text(409, &file_trouble(&error, l)),
+    }
+}
+
+/// The page with an example, whose recording is kept beside the projects.
+pub(crate) fn example(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+    let l = call.language();
+    let kind = call.field("kind").unwrap_or_default();
+    let Some(found) = template(&kind, USUAL_NAME, l) else { return Reply::text(404, page::no_such_page(l)) };
+    let mut text = found.text;
+    if let (Some((name, bytes)), Some(folder)) = (found.recording, shell.folder()) {
+        match folder.keep(&name, bytes.as_bytes()) {
+            // Another recording may have its name already.
+            Ok(kept) => text = text.replace(&name, &kept),
+            Err(SaveFault::Disk(error)) => return Reply::text(409, &file_trouble(&error, l)),
+            Err(SaveFault::Name | SaveFault::Changed) => return Reply::text(422, &page::no_recording_name(&name, l)),
+        }
+    }
+    with_text(call, &text, USUAL_NAME, "", shell, patience)
+}
+
+/// What an example is called before it is saved.
+const USUAL_NAME: &str = "axis.toml";
+
+/// The project files of the folder, and the way to one from elsewhere.
+pub(crate) fn listed(call: &Call<'_>, shell: &dyn Shell) -> Markup {
+    let l = call.language();
+    let inside = html! {
+        p { button type="button" data-open="" { (page::from_elsewhere(l)) } }
+        (in_folder(shell, l))
+    };
+    crate::detail::frame(page::open(l), &inside, l)
+}
+
+/// The project files of the folder with the day on which each was last written, the last first.
+pub(crate) fn in_folder(shell: &dyn Shell, language: Language) -> Markup {
+    const DAY_S: u64 = 86_400;
+    let found = shell.folder().and_then(|folder| folder.list().ok()).unwrap_or_default();
+    let of_browser = shell.folder().is_some_and(|folder| folder.place() == Place::Browser);
+    let day = |entry: &Entry| day_of_clock(entry.modified_s / DAY_S).map(upkeep::date_text);
+    html! { @if !found.is_empty() {
+        h3 { @if of_browser { (page::browser_folder(language)) } @else { (page::folder(language)) } }
+        ul.plain { @for each in &found { li {
+            a href={ "/?" (query(&[("open", &each.name), ("lang", language.id())])) } { (each.name) }
+            @if let Some(day) = day(each) { " " span.small { (day) } }
+            @if of_browser { " " button.small type="button" data-forget=(each.name) aria-label=(page::forget(&each.name, language)) { (page::forget_short(language)) } }
+        } } }
+    } }
+}
+
+fn query(values: &[(&str, &str)]) -> String {
+    let mut query = form_urlencoded::Serializer::new(String::new());
+    query.extend_pairs(values).finish()
+}
+
+/// Whether the file that was opened is still the one that stands in the folder; where not, what can be done.
+pub(crate) fn watched(call: &Call<'_>, shell: &dyn Shell) -> Reply {
+    let l = call.language();
+    let known = call.field("known").unwrap_or_default();
+    let Some((version, name)) = known.split_once(' ') else { return Reply::text(204, "") };
+    let Some(folder) = shell.folder() else { return Reply::text(204, "") };
+    let (now, told) = match folder.read(name) {
+        Ok(bytes) if shell.version(&bytes) == version => return Reply::text(204, ""),
+        Ok(bytes) => (shell.version(&bytes), page::other_version(&name, l)),
+        Err(error) if error.kind() == ErrorKind::NotFound => (String::new(), page::no_version(&name, l)),
+        Err(error) => (String::new(), file_trouble(&error, l)),
+    };
+    let notice = html! {
+        span { (told) } " "
+        @if !now.is_empty() { button type="button" data-disk="load" data-name=(name) { (page::load_it(l)) } " " }
+        @let kept = if now.is_empty() { String::new() } else { self::known(&now, name) };
+        button type="button" data-disk="mine" data-known=(kept) { (page::keep_mine(l)) }
+    };
+    let mut reply = Reply::of(200, crate::HTML, notice.into_string());
+    reply.headers.push(("x-version", now));
+    reply
+}
+
+/// The text of a project file of the folder.
+pub(crate) fn text(call: &Call<'_>, shell: &dyn Shell) -> Reply {
+    let l = call.language();
+    let name = call.field("file").unwrap_or_default();
+    let Some(folder) = shell.folder() else { return Reply::text(404, page::no_such_page(l)) };
+    match folder.read(&name) {
+        Ok(bytes) if std::str::from_utf8(&bytes).is_err() => Reply::text(422, &page::not_a_text(&name, l)),
+        Ok(bytes) => {
+            let version = shell.version(&bytes);
+            let mut reply = Reply::of(200, "text/plain; charset=utf-8", bytes);
+            reply.headers.push(("x-version", version));
+            reply
+        }
+        Err(error) => Reply::text(404, &file_trouble(&error, l)),
     }
 }
 

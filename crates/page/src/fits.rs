@@ -101,6 +101,7 @@ fn filters(state: &State, sizing: &Sizing<'_>) -> Markup {
                 (number("f_bore", page::least_bore(l), &state.filter.bore_mm))
                 (number("f_length", page::greatest_length(l), &state.filter.length_mm))
                 (number("f_mass", page::greatest_mass(l), &state.filter.mass_kg))
+                (number("f_voltage", page::least_dc_link(l), &state.filter.voltage_v))
             }
         }
     }
@@ -108,9 +109,8 @@ fn filters(state: &State, sizing: &Sizing<'_>) -> Markup {
 
 impl Filter {
     fn is_set(&self) -> bool {
-        [&self.size, &self.feedback, &self.brake, &self.bore_mm, &self.length_mm, &self.mass_kg]
-            .iter()
-            .any(|typed| !typed.is_empty())
+        let Self { size, feedback, brake, bore_mm, length_mm, mass_kg, voltage_v } = self;
+        [size, feedback, brake, bore_mm, length_mm, mass_kg, voltage_v].iter().any(|typed| !typed.is_empty())
     }
 
     /// Whether a candidate is among those asked for; a datum that is not known keeps none out.
@@ -126,12 +126,14 @@ impl Filter {
         let bore = known.hollow_shaft.known().map(|found| MILLIMETRE.from_si(found.value.si()));
         let length = known.length.known().map(|found| MILLIMETRE.from_si(found.value.si()));
         let mass = known.mass.known().map(|found| KILOGRAM.from_si(found.value.si()));
+        let voltage = known.dc_link_max.known().map(|found| found.value.si());
         named(&self.size, code.size.to_string())
             && named(&self.feedback, code.feedback.to_string())
             && (self.brake.is_empty() || (self.brake == "with") == (code.brake == workbench::Brake::With))
             && of(bore, &self.bore_mm, |value, least| value >= least)
             && of(length, &self.length_mm, |value, most| value <= most)
             && of(mass, &self.mass_kg, |value, most| value <= most)
+            && of(voltage, &self.voltage_v, |value, least| value >= least)
     }
 }
 
@@ -231,6 +233,6 @@ fn map(state: &State, sizing: &Sizing<'_>, looked_at: Option<&CandidateId>) -> M
     let size = Size::pixels(460.0, 460.0 * height / width);
     let style = Style::new(size).theme(state.theme).language(state.language).id("map");
     html! {
-        figure.plot id="plot-map" { (PreEscaped(drawing.render(&style).into_svg())) figcaption { (drawing.caption) } }
+        figure.plot id="plot-map" { div.frame { (PreEscaped(drawing.render(&style).into_svg())) } figcaption { (drawing.caption) " " (page::map_told(state.language)) } }
     }
 }

@@ -1,64 +1,93 @@
 //! The left column: what moves. Every row is a key of the project file, taken from the description that its reader uses.
 
+use crate::call::Shell;
+use crate::laws;
+use crate::recorded;
 use crate::sketch;
 use crate::state::{Held, State};
 use maud::{Markup, html};
 use workbench::quantities::format_significant;
-use workbench::text::{about_text, capitalised, key_word, law_text, page, short_label, table_of_project, terms};
-use workbench::{KEYS, Key, Kind, Language, SegmentLaw, Variants, example, moves, recording_text};
+use workbench::text::{about_text, capitalised, key_word, page, short_label, table_of_project, terms};
+use workbench::{ColumnRole, Files, KEYS, Key, Kind, Language, SegmentLaw, Variants, example, moves, recording_text};
 
 /// What is needed to draw a row.
-struct Form<'f> {
+pub(crate) struct Form<'f> {
     held: &'f Held,
-    language: Language,
+    pub(crate) language: Language,
     /// `axis[2].` where there are several, else nothing.
-    prefix: String,
+    prefix: &'f str,
     /// What followed for each segment.
     solved: Vec<Followed>,
+    pub(crate) files: &'f dyn Files,
 }
 
 /// What followed for a segment of the motion.
 #[derive(Default)]
-struct Followed {
+pub(crate) struct Followed {
     /// Distance, speed, acceleration and time, by key.
     values: Vec<(&'static str, String)>,
     /// What was read of its recording.
-    recording: Option<String>,
+    pub(crate) recording: Option<String>,
+    /// What its columns were read as, with their names and units.
+    pub(crate) columns: Vec<(ColumnRole, String, &'static str)>,
 }
 
 /// The column.
-pub(crate) fn column(state: &State, held: &Held) -> Markup {
-    let several = held.written.iter().any(|key| key.path == "axis[1]");
-    let prefix = if several { format!("axis[{}].", state.axis + 1) } else { String::new() };
-    let form = Form { held, language: state.language, prefix, solved: solved(state, held) };
+pub(crate) fn column(state: &State, held: &Held, shell: &dyn Shell) -> Markup {
+    let (language, prefix, solved) = (state.language, state.prefix.as_str(), solved(state, held));
+    let form = Form { held, language, prefix, solved, files: shell.files() };
     let l = state.language;
+    let fields = html! {
+        fieldset id="fields" disabled[!held.has_places] {
+            (form.name())
+            (form.mechanism())
+            @for name in ["motion"] { (form.root(name)) }
+            @for name in ["stage", "bearing", "requirements", "curve", "actuator"] { (form.root(name)) }
+        }
+    };
     html! {
         section id="moves" aria-labelledby="moves-title" {
             h2 id="moves-title" { (page::what_moves(l)) }
-            (faults(held, l))
-            fieldset id="fields" disabled[!held.has_places] {
-                (form.name(several))
-                (form.mechanism())
-                @for name in ["motion"] { (form.root(name)) }
-                @for name in ["stage", "bearing", "requirements", "curve", "actuator"] { (form.root(name)) }
-            }
+            (faults(held, &fields.0, (state.axis, form.prefix), l))
+            (fields)
         }
     }
 }
 
-/// All faults of the text, each leading to its field.
-fn faults(held: &Held, language: Language) -> Markup {
+/// So many faults are told at once.
+const TOLD_MOST: usize = 20;
+
+/// All faults of the text, each leading to its field, to the axis that has it, or to its line in the text.
+fn faults(held: &Held, fields: &str, (shown, prefix): (usize, &str), language: Language) -> Markup {
+    let has = |id: &str| fields.contains(&format!("id=\"{id}\""));
+    // The field; of what has none the table around it.
+    let place = |path: &str| {
+        // What stands outside of the axis that is shown has no field.
+        let inside = path.strip_prefix(prefix)?;
+        let is_load = |path: &str| matches!(path.strip_prefix(prefix), Some("load" | "mechanism"));
+        let of = |path: &str| {
+            let id = if is_load(path) { String::from("mechanism") } else { id(path) };
+            [id.clone(), format!("{id}-t"), format!("{id}-e")].into_iter().find(|id| has(id))
+        };
+        let other = inside.starts_with("mechanism.").then(|| format!("{prefix}mechanism"));
+        of(path).or_else(|| of(&other?))
+    };
+    let axis = |path: &str| -> Option<usize> {
+        let place: usize = path.strip_prefix("axis[")?.split(']').next()?.parse().ok()?;
+        place.checked_sub(1).filter(|place| *place != shown && *place < held.projects.len())
+    };
     html! {
         div id="faults" role="status" {
             @if !held.faults.is_empty() {
                 p.fault { strong { (page::faults(held.faults.len(), language)) } }
                 ul {
-                    @for (path, told) in held.faults.iter().take(20) {
+                    @for (path, told) in held.faults.iter().take(TOLD_MOST) {
                         li {
-                            @let place = page::at_line(&told.line, &told.column, language);
-                            @match path {
-                                Some(path) => { a href={ "#" (id(path)) } { (place) } }
-                                None => { (place) }
+                            @let at = page::at_line(&told.line, &told.column, language);
+                            @match (path.as_deref().and_then(place), path.as_deref().and_then(axis)) {
+                                (Some(id), _) => a href={ "#" (id) } { (at) },
+                                (None, Some(axis)) => button.plain type="button" hx-post="/work" hx-vals=(vals(&[("axis", &axis.to_string()), ("code", "")])) { (at) },
+                                (None, None) => a href="#text-pane" data-line=(told.line) { (at) },
                             }
                             ": " (told.message)
                             @if let Some(hint) = &told.hint { " – " (hint) }
@@ -93,13 +122,15 @@ fn solved(state: &State, held: &Held) -> Vec<Followed> {
             values.push(("speed", format!("{} {}", shown(speed.from_si(v)), speed.symbol)));
             values.push(("acceleration", format!("{} {}", shown(acceleration.from_si(a)), acceleration.symbol)));
         }
-        Followed { values, recording: each.recording.map(|read| recording_text(read, state.language)) }
+        let read = each.recording.iter().flat_map(|read| &read.recording.columns);
+        let columns = read.map(|column| (column.role, column.name.clone(), column.unit.symbol)).collect();
+        Followed { values, recording: each.recording.map(|read| recording_text(read, state.language)), columns }
     };
     found.moves.iter().map(of_move).collect()
 }
 
 impl Form<'_> {
-    fn value(&self, path: &str) -> Option<&str> {
+    pub(crate) fn value(&self, path: &str) -> Option<&str> {
         self.held.written.iter().find(|key| key.path == path)?.value.as_deref()
     }
 
@@ -118,11 +149,11 @@ impl Form<'_> {
         (1..).take_while(|place| self.is_there(&format!("{path}[{place}]"))).count()
     }
 
-    fn name(&self, several: bool) -> Markup {
+    fn name(&self) -> Markup {
         let Some(Kind::OneOrMany(one, _)) = KEYS.iter().find(|key| key.name == "axis").map(|key| key.kind) else {
             return html! {};
         };
-        let path = if several { self.prefix.trim_end_matches('.').to_owned() } else { String::from("axis") };
+        let path = if self.prefix.is_empty() { "axis" } else { self.prefix.trim_end_matches('.') };
         html! { div.rows { @for key in one { (self.row(key, &format!("{path}.{}", key.name), None)) } } }
     }
 
@@ -159,6 +190,7 @@ impl Form<'_> {
                         }
                     }
                 }
+                (self.load_faults(&path, &load, chosen.map(|kind| format!("{path}.{}", kind.name)).as_deref()))
                 figure.sketch { (sketch::of(chosen.map(|kind| kind.name), &of, title, l)) }
                 (self.rows(rows, &of))
             }
@@ -178,7 +210,7 @@ impl Form<'_> {
             Kind::Table(keys) => html! {
                 details id={ (id(path)) "-t" } open[self.is_there(path)] {
                     summary { (title) }
-                    (self.row_fault(path))
+                    (self.fault_at(path))
                     (self.rows(keys, path))
                 }
             },
@@ -225,7 +257,7 @@ impl Form<'_> {
         html! {
             details id={ (id(path)) "-t" } open[count > 0 || key.required || is_motion] {
                 summary { @if is_motion { (capitalised(terms::motion(l))) } @else { (title) } }
-                (self.row_fault(path))
+                (self.fault_at(path))
                 ol.entries {
                     @for place in 1..=count { (self.entry(variants, &format!("{path}[{place}]"), place, count)) }
                 }
@@ -247,7 +279,7 @@ impl Form<'_> {
         let (needed, may): (&[&str], &[&str]) =
             variants.kinds.iter().find(|(name, ..)| *name == kind).map_or((&[], &[]), |(_, needed, may)| (needed, may));
         let key = |name: &str| variants.keys.iter().find(|key| key.name == name);
-        let of_motion = path.strip_prefix(self.prefix.as_str()).is_some_and(|path| path.starts_with("motion["));
+        let of_motion = path.strip_prefix(self.prefix).is_some_and(|path| path.starts_with("motion["));
         let solved = self.solved.get(place - 1).filter(|_| of_motion);
         let ghost = |name: &str| solved?.values.iter().find(|(of, _)| *of == name).map(|(_, value)| value.as_str());
         let own = [variants.by].into_iter().chain(needed.iter().copied()).chain(may.iter().copied());
@@ -262,17 +294,18 @@ impl Form<'_> {
             .filter(|key| !variants.shared.contains(&key.name))
             .collect();
         let name = page::segment(&place, l);
+        let list = path.rsplit_once('[').map_or(path, |(list, _)| list);
         html! {
             li.entry id={ (id(path)) "-e" } aria-label=(name) {
                 div.rows {
-                    @for name in own {
+                    @for name in own.filter(|name| !recorded::KEYS.contains(name)) {
                         @if let Some(key) = key(name) { (self.any(key, &format!("{path}.{name}"), ghost(name))) }
                     }
                     @for key in stray { (self.any(key, &format!("{path}.{}", key.name), None)) }
                     @for key in shared.iter().filter(|key| stated(key)) { (self.any(key, &format!("{path}.{}", key.name), None)) }
                 }
-                (self.row_fault(path))
-                @if let Some(read) = solved.and_then(|solved| solved.recording.as_ref()) { p.small { (read) } }
+                (self.fault_at(path))
+                @if kind == "recorded" { (recorded::columns(self, path, solved)) }
                 @let folded: Vec<&&Key> = shared.iter().filter(|key| !stated(key)).collect();
                 @if !folded.is_empty() {
                     details.more id={ (id(path)) "-m" } {
@@ -285,6 +318,13 @@ impl Form<'_> {
                         button.small type="button" aria-label=(page::move_down(&name, l)) title=(page::move_down(&name, l))
                             hx-post="/work" hx-vals=(vals(&[("do", &format!("down {path}"))])) { "↓" }
                     }
+                    @if place > 1 {
+                        @let above = format!("down {list}[{}]", place - 1);
+                        button.small type="button" aria-label=(page::move_up(&name, l)) title=(page::move_up(&name, l))
+                            hx-post="/work" hx-vals=(vals(&[("do", &above)])) { "↑" }
+                    }
+                    button.small type="button" aria-label=(page::once_more(&name, l)) title=(page::once_more(&name, l))
+                        hx-post="/work" hx-vals=(vals(&[("do", &format!("twice {path}"))])) { svg width="14" height="14" viewBox="0 0 14 14" aria-hidden="true" { path d="M4.5 4.5V1.5H12.5V9.5H9.5M1.5 4.5H9.5V12.5H1.5z" {} } }
                     button.small type="button" aria-label=(page::remove(&name, l)) title=(page::remove(&name, l))
                         hx-post="/work" hx-vals=(vals(&[("do", &format!("gone {path}"))])) { "×" }
                 }
@@ -292,15 +332,24 @@ impl Form<'_> {
         }
     }
 
+    /// The faults of the load as a whole, and those of another one beside it.
+    fn load_faults(&self, mechanism: &str, load: &str, chosen: Option<&str>) -> Markup {
+        let others = |path: &str| path.rsplit_once('.').is_some_and(|(above, _)| above == mechanism);
+        let is_ours = |path: &str| path == mechanism || path == load || others(path) || Some(path) == chosen;
+        html! { @for (_, told) in self.held.faults.iter().filter(|(at, _)| at.as_deref().is_some_and(is_ours)) {
+            p.fault { (told.message) @if let Some(hint) = &told.hint { " – " (hint) } }
+        } }
+    }
+
     /// The fault of a table as a whole.
-    fn row_fault(&self, path: &str) -> Markup {
+    pub(crate) fn fault_at(&self, path: &str) -> Markup {
         html! { @for (_, told) in self.held.faults.iter().filter(|(at, _)| at.as_deref() == Some(path)) {
             p.fault { (told.message) @if let Some(hint) = &told.hint { " – " (hint) } }
         } }
     }
 
     /// One key: its name, its field, its fault.
-    fn row(&self, key: &Key, path: &str, placeholder: Option<&str>) -> Markup {
+    pub(crate) fn row(&self, key: &Key, path: &str, placeholder: Option<&str>) -> Markup {
         let l = self.language;
         let about = about_text(key.about, l);
         let label = capitalised(&short_label(about));
@@ -336,11 +385,29 @@ impl Form<'_> {
                             hx-post="/work" hx-trigger="input changed delay:60ms, change" hx-vals=(vals(&[("path", path)]));
                     },
                 }
+                @if let ("law", Kind::OneOf(words)) = (key.name, key.kind) { (laws::menu(&id, words, value, l)) }
+                @if let (Kind::Quantity(..) | Kind::Along(..), false) = (key.kind, value.is_empty()) {
+                    (self.band(&id, path, &label, value))
+                }
                 @if wrong {
                     div.fault id=(described) {
                         @for (_, told) in &faults { p { (told.message) @if let Some(hint) = &told.hint { " – " (hint) } } }
                     }
                 }
+            }
+        }
+    }
+
+    /// Within what a value lies: a field behind a sign, open where a tolerance is stated.
+    fn band(&self, id: &str, path: &str, label: &str, value: &str) -> Markup {
+        let l = self.language;
+        let (_, stated) = tolerance_of(value);
+        html! {
+            details.band id={ (id) "-band" } open[!stated.is_empty()] {
+                summary title=(page::tolerance_of(&label, l)) aria-label=(page::tolerance_of(&label, l)) { "±" }
+                input id={ (id) "-pm" } name="band" type="text" value=(stated) size="8" aria-label=(page::tolerance_of(&label, l))
+                    placeholder=(page::for_example(&"5 %", l)) autocomplete="off" spellcheck="false"
+                    hx-post="/work" hx-trigger="input changed delay:120ms, change" hx-vals=(vals(&[("path", path), ("nominal", value)]));
             }
         }
     }
@@ -358,7 +425,7 @@ impl Form<'_> {
     ) -> Markup {
         let l = self.language;
         let shown = |word: &str| match (key, SegmentLaw::of_id(word)) {
-            ("law", Some(law)) => law_text(law, l).to_owned(),
+            ("law", Some(law)) => laws::name(law, l).to_owned(),
             _ => key_word(key, word, l).unwrap_or(word).to_owned(),
         };
         let unknown = !value.is_empty() && !words.contains(&value);
@@ -395,6 +462,12 @@ impl Form<'_> {
             }
         }
     }
+}
+
+/// A quantity as it is typed, taken apart: the value, and the tolerance behind its sign.
+pub(crate) fn tolerance_of(typed: &str) -> (&str, &str) {
+    let parts = ["±", "+/-", "+-"].iter().find_map(|sign| typed.split_once(sign));
+    parts.map_or((typed.trim(), ""), |(value, band)| (value.trim(), band.trim()))
 }
 
 /// Values that a request carries, as JSON.

@@ -4,8 +4,11 @@
 //! starts, or the browser itself, where the engine runs as WebAssembly. Both give the same bytes. Nothing is computed here,
 //! and no sentence written: the numbers are of `workbench`, the texts of `words`.
 
+// Without the interface only what the page itself asks of it is used.
+#[cfg_attr(not(feature = "interface"), allow(dead_code, unused_imports))]
 mod api;
 mod assets;
+mod axes;
 mod call;
 mod chapters;
 mod demand;
@@ -14,12 +17,25 @@ mod files;
 mod fits;
 mod form;
 mod frame;
+mod laws;
+mod names;
+mod overlay;
+mod recorded;
 mod sketch;
 mod start;
 mod state;
+mod tip;
+mod tolerances;
+mod tools;
+mod waiting;
 
 pub use api::{methods, misdirected, wrong_method};
-pub use call::{Call, Entry, Folder, Method, Reply, ReportAsked, SaveFault, Shell, WritesReport};
+pub use assets::ASSETS;
+pub use call::{
+    Call, Entry, Folder, Method, Place, Press, Reply, ReportAsked, SaveFault, Shell, WritesChecklist, WritesReport,
+};
+pub use frame::ICON;
+pub use names::{is_project_name, recording_names};
 
 use workbench::Patience;
 
@@ -29,6 +45,7 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
     if let Some(name) = call.path.strip_prefix("/assets/") {
         return assets::asset(name);
     }
+    #[cfg(feature = "interface")]
     if api::is_path(call.path) {
         return api::respond(call, shell, patience);
     }
@@ -39,10 +56,17 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
         (_, "/") => html(frame::whole(call, shell, patience)),
         (Method::Get, "/begin") => html(start::asked(files::place(call), call.language())),
         (Method::Post, "/begin") => files::begun(call, shell, patience),
-        (Method::Post, "/work") => html(frame::work(state::State::of(call), shell, patience)),
+        (Method::Post, "/work") => frame::worked(call, shell, patience),
+        (Method::Post, "/tolerances") => html(tolerances::judged(call, shell, patience)),
+        (Method::Get, PROGRESS) => waiting::progress(call, shell),
+        (Method::Post, CANCEL) => waiting::cancelled(call, shell),
         (Method::Post, "/explain") => html(frame::explained(call, shell, patience)),
         (Method::Post, "/compare") => html(frame::compared(call, shell, patience)),
-        (Method::Post, "/tools") => html(chapters::tools(call)),
+        (Method::Post, "/tools") => html(tools::pane(call, shell, patience)),
+        (Method::Get, "/files") => html(files::listed(call, shell)),
+        (Method::Get, "/watch") => files::watched(call, shell),
+        (Method::Get, "/text") => files::text(call, shell),
+        (Method::Post, "/example") => files::example(call, shell, patience),
         (Method::Post, "/save") => files::saved(call, shell),
         (Method::Post, RECORDING) => files::recorded(call, shell),
         _ => Reply::text(404, workbench::text::page::no_such_page(call.language())),
@@ -51,5 +75,11 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
 
 /// Where a recording is brought; its body may be larger than that of others.
 pub const RECORDING: &str = "/recording";
+
+/// How far a work is; a shell answers it beside the work itself.
+pub const PROGRESS: &str = "/progress";
+
+/// Cancels a work; a shell answers it beside the work itself.
+pub const CANCEL: &str = "/cancel";
 
 const HTML: &str = "text/html; charset=utf-8";

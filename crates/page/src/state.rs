@@ -3,11 +3,12 @@
 //! A shell keeps none of it. Every request carries it, and every answer gives it back.
 
 use crate::call::Call;
-use figures::Theme;
+use crate::form::tolerance_of;
+use figures::{By, Place, Theme, nearest};
 use workbench::text::{Told, told};
 use workbench::{
-    Diagnostic, Edit, Files, Language, OrderCode, Patience, Project, Unread, Written, edit, read_all_watched,
-    read_code, written,
+    CandidateId, Diagnostic, Draw, Edit, Files, Key, Language, OrderCode, Patience, Project, SAMPLES_MOST, Sizing,
+    Unread, Written, edit, read_all_watched, read_code, stretch, written,
 };
 
 /// The state as a request carries it, with what was changed by it.
@@ -18,6 +19,14 @@ pub(crate) struct State {
     pub(crate) good: String,
     /// Which axis is shown, from zero.
     pub(crate) axis: usize,
+    /// Whether all axes are shown together.
+    pub(crate) all_axes: bool,
+    /// From when to when the pictures over time show the cycle, in seconds; the whole without it.
+    pub(crate) window: Option<(f64, f64)>,
+    /// A place in the map of candidates: the actuator that is nearest to it is to be looked at.
+    near: Option<Place>,
+    /// What stands before the paths of the axis: `axis[2].` where there are several, else nothing.
+    pub(crate) prefix: String,
     /// The actuator that is looked at; without one the best.
     pub(crate) code: Option<OrderCode>,
     /// The actuators marked to be compared.
@@ -30,6 +39,8 @@ pub(crate) struct State {
     pub(crate) known: String,
     /// What the ranking is narrowed to.
     pub(crate) filter: Filter,
+    /// How many samples of the tolerances are judged; as many as some seconds allow without it.
+    pub(crate) samples: Option<usize>,
 }
 
 /// What the ranking is narrowed to; figures as they were typed.
@@ -41,6 +52,7 @@ pub(crate) struct Filter {
     pub(crate) bore_mm: String,
     pub(crate) length_mm: String,
     pub(crate) mass_kg: String,
+    pub(crate) voltage_v: String,
 }
 
 /// The project as it could be read.
@@ -55,6 +67,8 @@ pub(crate) struct Held {
     pub(crate) written: Vec<Written>,
     /// Whether the text is TOML, so that something in it has a place.
     pub(crate) has_places: bool,
+    /// Whether the work ended before it was done.
+    pub(crate) is_stopped: bool,
 }
 
 impl State {
@@ -67,6 +81,10 @@ impl State {
             text: field("text").replace("\r\n", "\n"),
             good: field("good").replace("\r\n", "\n"),
             axis: field("axis").parse().unwrap_or(0),
+            all_axes: field("axis") == ALL_AXES,
+            window: window(&field("from"), &field("until")),
+            near: Place::read(&field("near")),
+            prefix: String::new(),
             code: code(&field("code")),
             marked: marked.filter_map(|(_, text)| code(&text)).take(MARKED_MOST).collect(),
             language: call.language(),
@@ -80,17 +98,33 @@ impl State {
                 bore_mm: field("f_bore"),
                 length_mm: field("f_length"),
                 mass_kg: field("f_mass"),
+                voltage_v: field("f_voltage"),
             },
+            samples: field("samples").trim().parse().ok().filter(|samples| (1..=SAMPLES_MOST).contains(samples)),
         };
         state.change(call);
         state
     }
 
+    /// How tolerances are sampled.
+    pub(crate) fn draw(&self) -> Draw {
+        Draw { samples: self.samples, ..Draw::default() }
+    }
+
+    /// The actuator that was pointed at in the map, where one was.
+    pub(crate) fn choose_nearest(&mut self, sizing: &Sizing<'_>) {
+        let found = self.near.and_then(|place| nearest(sizing, By::Mass, place));
+        if let Some(CandidateId::Code(code)) = found {
+            self.code = Some(*code);
+        }
+    }
+
     /// Carries out what the request changes, in its order; what has no place in the text changes nothing.
     fn change(&mut self, call: &Call<'_>) {
+        let text = &mut self.text;
         let mut apply = |path: &str, change: Edit<'_>| {
-            if let Ok(text) = edit(&self.text, path, change) {
-                self.text = text;
+            if let Ok(changed) = edit(text, path, change) {
+                *text = changed;
             }
         };
         let asked: Vec<_> = call.fields().filter(|(key, _)| key == "do").map(|(_, value)| value).collect();
@@ -101,6 +135,7 @@ impl State {
                 "gone" => apply(path, Edit::Gone),
                 "instead" => apply(path, Edit::Instead),
                 "down" => apply(path, Edit::Down),
+                "twice" => apply(path, Edit::Twice),
                 "value" => {
                     let (path, value) = path.split_once('=').unwrap_or((path, ""));
                     apply(path, Edit::Value(value));
@@ -111,45 +146,123 @@ impl State {
         if let (Some(path), Some(value)) = (call.field("path"), call.field("value")) {
             apply(&path, Edit::Value(&value));
         }
+        if let (Some(path), Some(nominal), Some(band)) = (call.field("path"), call.field("nominal"), call.field("band"))
+        {
+            let (value, _) = tolerance_of(&nominal);
+            let band = band.trim().trim_start_matches('±').trim_start();
+            let value = if band.is_empty() { value.to_owned() } else { format!("{value} ± {band}") };
+            apply(&path, Edit::Value(&value));
+        }
+        if let (Some(path), Some(pulled)) = (call.field("path"), call.field("pulled"))
+            && let Some(changed) = stretched(&self.text, &path, &pulled)
+        {
+            self.text = changed;
+        }
     }
 
     /// Reads the project; what cannot be read leaves the last good one.
     pub(crate) fn hold(&mut self, files: &dyn Files, patience: &Patience) -> Held {
+        let held = self.read(files, patience);
+        self.axis = self.axis.min(held.projects.len().saturating_sub(1));
+        if held.written.iter().any(|key| key.path == "axis[1]") {
+            self.prefix = format!("axis[{}].", self.axis + 1);
+        }
+        held
+    }
+
+    fn read(&mut self, files: &dyn Files, patience: &Patience) -> Held {
         let keys = written(&self.text);
         let has_places = keys.is_some();
         match read_all_watched(&self.text, files, patience) {
             Ok(projects) => {
                 self.good.clone_from(&self.text);
                 let written = keys.unwrap_or_default();
-                Held { projects, faults: Vec::new(), is_old: false, written, has_places }
+                Held { projects, faults: Vec::new(), is_old: false, written, has_places, is_stopped: false }
             }
-            Err(unread) => {
-                let found = match unread {
-                    Unread::Faults(found) => found,
-                    Unread::Stopped => Vec::new(),
-                };
-                let faults = placed(&found, keys.as_deref().unwrap_or_default(), self.language);
-                let projects = read_all_watched(&self.good, files, patience).unwrap_or_default();
+            Err(Unread::Stopped) => Held {
+                projects: Vec::new(),
+                faults: Vec::new(),
+                is_old: true,
+                written: keys.unwrap_or_default(),
+                has_places,
+                is_stopped: true,
+            },
+            Err(Unread::Faults(found)) => {
+                let keys_there = keys.as_deref().unwrap_or_default();
+                let faults = placed(&found, (&self.text, keys_there), workbench::key_at, self.language);
                 let written = keys.or_else(|| written(&self.good)).unwrap_or_default();
-                Held { projects, faults, is_old: true, written, has_places }
+                let (projects, is_stopped) = match read_all_watched(&self.good, files, patience) {
+                    Ok(projects) => (projects, false),
+                    Err(unread) => (Vec::new(), unread == Unread::Stopped),
+                };
+                Held { projects, faults, is_old: true, written, has_places, is_stopped }
             }
         }
     }
 }
 
+/// The text with a segment that takes another time and goes another way: `pulled` has time and way as they are to be, then as
+/// they are in the picture. Where the way is to stay, both are the same.
+fn stretched(text: &str, path: &str, pulled: &str) -> Option<String> {
+    let mut numbers = pulled.split(' ').map(|number| number.parse::<f64>().ok());
+    let mut next = || numbers.next().flatten();
+    let (time, way, time_was, way_was) = (next()?, next()?, next()?, next()?);
+    let share = |to_be: f64, was: f64| if to_be == was { 1.0 } else { to_be / was };
+    stretch(text, path, share(time, time_was), share(way, way_was)).ok()
+}
+
+/// What stands for all axes in place of one.
+pub(crate) const ALL_AXES: &str = "all";
+
+/// A window of time, where both of its ends are one.
+fn window(from: &str, until: &str) -> Option<(f64, f64)> {
+    let (from, until): (f64, f64) = (from.parse().ok()?, until.parse().ok()?);
+    (from.is_finite() && until.is_finite() && from >= 0.0 && from < until).then_some((from, until))
+}
+
 /// The most actuators that stand side by side.
 pub(crate) const MARKED_MOST: usize = 5;
 
-/// Every fault with the path that it belongs to: the one that it names, else that of the smallest value around it.
-fn placed(faults: &[Diagnostic], written: &[Written], language: Language) -> Vec<(Option<String>, Told)> {
+/// Every fault with the path that it belongs to: the one that it names, else that of the smallest value around it, else that
+/// of the key that it stands at. What the file does not have belongs to the table around it.
+pub(crate) fn placed(
+    faults: &[Diagnostic],
+    (text, written): (&str, &[Written]),
+    key_at: fn(&str) -> Option<&'static Key>,
+    language: Language,
+) -> Vec<(Option<String>, Told)> {
+    use workbench::Fault;
     let path = |fault: &Diagnostic| -> Option<String> {
-        if let workbench::Fault::MissingKey { path, .. } = &fault.fault {
+        if let Fault::MissingKey { path, .. } = &fault.fault {
             return Some(path.clone());
         }
         let around = |key: &&Written| {
             key.span.start < fault.span.end.max(fault.span.start + 1) && fault.span.start < key.span.end
         };
-        written.iter().filter(around).min_by_key(|key| key.span.len()).map(|key| key.path.clone())
+        let inside = written.iter().filter(around).min_by_key(|key| key.span.len());
+        // A key stands on the line of its value, before it.
+        let between = |key: &Written| text.get(fault.span.end..key.span.start);
+        let on_line = |key: &&Written| key.value.is_some() && between(key).is_some_and(|text| !text.contains('\n'));
+        let found = inside.or_else(|| written.iter().filter(on_line).min_by_key(|key| key.span.start));
+        let found = found.map(|key| known(&key.path, key_at));
+        if !matches!(fault.fault, Fault::NoMechanism) {
+            return found;
+        }
+        // Nothing stands there yet: it belongs where it would stand, in its axis.
+        let axis = found.filter(|path| path.starts_with("axis["));
+        let axis = axis.and_then(|path| Some(path.split_once(']')?.0.to_owned()));
+        Some(axis.map_or_else(|| String::from("mechanism"), |axis| format!("{axis}].mechanism")))
     };
     told(faults, language).into_iter().zip(faults).map(|(told, fault)| (path(fault), told)).collect()
+}
+
+/// The path, or that of the nearest table around it that a file has.
+fn known(path: &str, key_at: fn(&str) -> Option<&'static Key>) -> String {
+    let mut path = path;
+    while key_at(path).is_none()
+        && let Some((above, _)) = path.rsplit_once('.')
+    {
+        path = above;
+    }
+    path.to_owned()
 }

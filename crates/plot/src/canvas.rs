@@ -138,18 +138,16 @@ impl<'a> Canvas<'a> {
         (x, y): ((f64, f64), (f64, f64)),
         (symbol, unit): (&str, &str),
     ) {
+        // A zero without a sign: which of both zeros is the smaller one is left to the machine.
+        let [x_min, x_max, y_min, y_max] = [x.0, x.1, y.0, y.1].map(|bound| bound + 0.0);
         let _ = writeln!(
             self.out,
             "<g class=\"{class}\" data-left=\"{}\" data-right=\"{}\" data-top=\"{}\" data-bottom=\"{}\" \
-             data-x-min=\"{:e}\" data-x-max=\"{:e}\" data-y-min=\"{:e}\" data-y-max=\"{:e}\" data-symbol=\"{}\" data-unit=\"{}\">",
+             data-x-min=\"{x_min:e}\" data-x-max=\"{x_max:e}\" data-y-min=\"{y_min:e}\" data-y-max=\"{y_max:e}\" data-symbol=\"{}\" data-unit=\"{}\">",
             number(area.left),
             number(area.right),
             number(area.top),
             number(area.bottom),
-            x.0,
-            x.1,
-            y.0,
-            y.1,
             escaped(symbol),
             escaped(unit)
         );

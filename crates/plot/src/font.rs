@@ -48,13 +48,18 @@ fn advance(c: char, cut: Cut) -> f64 {
     advance.map_or(FOREIGN_ADVANCE, |units| f64::from(units) / f64::from(face.units_per_em()))
 }
 
+/// The faces with nothing but their widths, which the build script takes out of them.
+const WIDTHS_REGULAR: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/Inter-Regular.ttf"));
+const WIDTHS_ITALIC: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/Inter-Italic.ttf"));
+const WIDTHS_SEMIBOLD: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/Inter-SemiBold.ttf"));
+
 fn face(cut: Cut) -> Option<&'static Face<'static>> {
     static FACES: [OnceLock<Option<Face<'static>>>; 3] = [OnceLock::new(), OnceLock::new(), OnceLock::new()];
     let [regular, italic, semibold] = &FACES;
     let (cell, bytes) = match cut {
-        Cut::Regular => (regular, REGULAR),
-        Cut::Italic => (italic, ITALIC),
-        Cut::SemiBold => (semibold, SEMIBOLD),
+        Cut::Regular => (regular, WIDTHS_REGULAR),
+        Cut::Italic => (italic, WIDTHS_ITALIC),
+        Cut::SemiBold => (semibold, WIDTHS_SEMIBOLD),
     };
     cell.get_or_init(|| Face::parse(bytes, 0).ok()).as_ref()
 }
@@ -78,6 +83,19 @@ mod tests {
                     "{cut:?} has no {c:?} U+{:04X}",
                     c as u32
                 );
+            }
+        }
+    }
+
+    #[test]
+    fn widths_are_those_of_the_whole_faces() {
+        for (cut, file) in [Cut::Regular, Cut::Italic, Cut::SemiBold].into_iter().zip(font_files()) {
+            let whole = Face::parse(file, 0).unwrap();
+            assert!(face(cut).unwrap().raw_face().data.len() * 10 < file.len());
+            for c in NEEDED.chars() {
+                let units = whole.glyph_index(c).and_then(|glyph| whole.glyph_hor_advance(glyph)).unwrap();
+                let share = f64::from(units) / f64::from(whole.units_per_em());
+                assert!((advance(c, cut) - share).abs() < 1e-15, "{cut:?} {c:?}");
             }
         }
     }

@@ -28,13 +28,21 @@ pub struct StackedChart {
 pub struct Panel {
     y: Axis,
     items: Vec<Item>,
+    weight: f64,
 }
 
 impl Panel {
     /// An empty panel.
     #[must_use]
     pub const fn new(y: Axis) -> Self {
-        Self { y, items: Vec::new() }
+        Self { y, items: Vec::new(), weight: 1.0 }
+    }
+
+    /// Makes the panel so many times as high as one without a word.
+    #[must_use]
+    pub const fn weight(mut self, weight: f64) -> Self {
+        self.weight = weight.max(1.0);
+        self
     }
 
     /// Adds an item. Items with a label are explained beside the title of the panel.
@@ -188,7 +196,7 @@ impl StackedChart {
         let mut canvas = Canvas::new(&scratch);
         // Panels share the height, so that the highest head decides.
         let head = self.panels.iter().map(|panel| Head::of(&mut canvas, panel).height(&scratch)).fold(0.0, f64::max);
-        let panels: f64 = self.panels.iter().map(|_| head + PANEL_MIN).sum();
+        let panels: f64 = self.panels.iter().map(|panel| (head + PANEL_MIN) * panel.weight).sum();
         let least = 2.0 * EDGE + title_height(&canvas, &self.title) + self.segment_row() + panels + X_BELOW;
         style.size.height = style.size.height.max(least);
         style
@@ -202,7 +210,7 @@ impl StackedChart {
         let size = canvas.style.size;
         let top = EDGE + title_height(canvas, &self.title) + self.segment_row();
         let bottom = size.height - EDGE / 2.0 - X_BELOW;
-        let share = (bottom - top) / self.panels.iter().map(|_| 1.0).sum::<f64>().max(1.0);
+        let one = (bottom - top) / self.panels.iter().map(|panel| panel.weight).sum::<f64>().max(1.0);
         let mut xs: Vec<f64> = self.segments.iter().flat_map(|(from, to, _)| [*from, *to]).collect();
         let style = canvas.style;
         let mut parts: Vec<(&Panel, Ticks, Head)> = Vec::new();
@@ -210,7 +218,7 @@ impl StackedChart {
             let (x, y): (Vec<Vec<f64>>, Vec<Vec<f64>>) = panel.items.iter().map(Item::reach).unzip();
             xs.extend(x.concat());
             let head = Head::of(canvas, panel);
-            let ticks = y_ticks(panel.y.span(&y.concat(), false), share - head.height(style));
+            let ticks = y_ticks(panel.y.span(&y.concat(), false), one * panel.weight - head.height(style));
             parts.push((panel, ticks, head));
         }
         let left = parts.iter().map(|(_, ticks, _)| y_margin(canvas, ticks)).fold(0.0, f64::max).min(size.width / 2.0);
@@ -218,6 +226,7 @@ impl StackedChart {
         let mut y = top;
         let mut laid = Vec::new();
         for (panel, ticks, head) in parts {
+            let share = one * panel.weight;
             let area = Rect { left, right, top: y + head.height(style), bottom: y + share };
             laid.push(Laid { plane: Plane { area, x: x.clone(), y: ticks }, panel, head });
             y += share;

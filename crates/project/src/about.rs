@@ -1,5 +1,7 @@
 //! What the keys of the project file are for, by name; `words` has the texts.
 
+use installation::commission::expected::Measurand;
+
 macro_rules! abouts {
     ($($name:ident)+) => {
         /// What a key of the project file is for. A key is named after its table; keys that are for the same have one name.
@@ -115,4 +117,25 @@ pub enum MeasuredKey {
     NoLoadCurrent,
     /// `no_load.temperature`
     NoLoadTemperature,
+}
+
+impl MeasuredKey {
+    /// What is measured with it; none of what only says under which conditions.
+    #[must_use]
+    pub const fn measurand(self) -> Option<Measurand> {
+        Some(match self {
+            Self::ResistanceLl => Measurand::ResistanceLl,
+            Self::InductanceLl => Measurand::InductanceLl,
+            Self::EmfVoltage => Measurand::Emf,
+            Self::Kty => Measurand::Kty,
+            Self::Ptc => Measurand::Ptc,
+            Self::BrakeVoltage => Measurand::BrakeVoltage,
+            Self::OpeningCurrent => Measurand::BrakeOpeningCurrent,
+            Self::HoldingCurrent => Measurand::BrakeHoldingCurrent,
+            Self::OpeningTime => Measurand::BrakeOpeningTime,
+            Self::ClosingTime => Measurand::BrakeClosingTime,
+            Self::NoLoadCurrent => Measurand::NoLoadCurrent,
+            _ => return None,
+        })
+    }
 }

@@ -18,6 +18,8 @@ pub enum Edit<'e> {
     Instead,
     /// An entry of a list changes its place with the next one.
     Down,
+    /// An entry of a list once more, behind itself.
+    Twice,
 }
 
 /// Why a text was not changed.
@@ -59,7 +61,18 @@ fn steps(path: &str) -> Option<Vec<Step<'_>>> {
 /// The description of the key at a path; `None` where the project file has no such key.
 #[must_use]
 pub fn key_at(path: &str) -> Option<&'static Key> {
-    let mut keys = ROOT;
+    key_of(ROOT, path)
+}
+
+/// The same of a record of measured values.
+#[must_use]
+pub fn measured_key_at(path: &str) -> Option<&'static Key> {
+    key_of(crate::measured::MEASURED_KEYS, path)
+}
+
+/// The same of a file with these keys at its root.
+fn key_of(root: &'static [Key], path: &str) -> Option<&'static Key> {
+    let mut keys = root;
     let mut found = None;
     for (name, place) in steps(path)? {
         let key = keys.iter().find(|key| key.name == name)?;
@@ -79,15 +92,27 @@ pub fn key_at(path: &str) -> Option<&'static Key> {
 /// # Errors
 /// [`EditFault`].
 pub fn edit(text: &str, path: &str, change: Edit<'_>) -> Result<String, EditFault> {
+    edit_as(ROOT, text, path, change)
+}
+
+/// The text of a record of measured values with one change.
+///
+/// # Errors
+/// [`EditFault`].
+pub fn edit_measured(text: &str, path: &str, change: Edit<'_>) -> Result<String, EditFault> {
+    edit_as(crate::measured::MEASURED_KEYS, text, path, change)
+}
+
+fn edit_as(root: &'static [Key], text: &str, path: &str, change: Edit<'_>) -> Result<String, EditFault> {
     let mut document: DocumentMut = text.parse().map_err(|_| EditFault::Syntax)?;
     let steps = steps(path).ok_or(EditFault::Path)?;
-    let key = key_at(path).ok_or(EditFault::Path)?;
+    let key = key_of(root, path).ok_or(EditFault::Path)?;
     let (last, above) = steps.split_last().ok_or(EditFault::Path)?;
     let wants_table = matches!(change, Edit::Value(value) if !value.trim().is_empty()) || change == Edit::Table;
     let mut told = false;
     let Some(parent) = down(document.as_table_mut(), above, wants_table || change == Edit::Instead, &mut told) else {
         // What is not there need not be taken away.
-        return if change == Edit::Down { Err(EditFault::Path) } else { Ok(text.to_owned()) };
+        return if matches!(change, Edit::Down | Edit::Twice) { Err(EditFault::Path) } else { Ok(text.to_owned()) };
     };
     let reordered = match change {
         Edit::Value(value) => {
@@ -111,10 +136,11 @@ pub fn edit(text: &str, path: &str, change: Edit<'_>) -> Result<String, EditFaul
             true
         }
         Edit::Down => swap(parent, last).ok_or(EditFault::Path)?,
+        Edit::Twice => double(parent, last).ok_or(EditFault::Path)?,
     };
     if reordered || told {
         let mut place = 0;
-        renumber(document.as_table_mut(), &mut place);
+        renumber(root, document.as_table_mut(), &mut place);
     }
     Ok(document.to_string())
 }
@@ -287,8 +313,31 @@ fn swap(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> {
     Some(true)
 }
 
+/// Puts an entry of a list once more behind itself.
+fn double(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> {
+    let place = (*place)?;
+    match parent.get_mut(name)? {
+        Item::ArrayOfTables(tables) => {
+            let mut all: Vec<Table> = std::mem::take(tables).into_iter().collect();
+            if let Some(mut again) = all.get(place).cloned() {
+                // What stands above the entry, such as a remark, belongs to it alone.
+                again.decor_mut().set_prefix("\n");
+                all.insert(place + 1, again);
+            }
+            *tables = all.into_iter().collect();
+        }
+        Item::Value(Value::Array(array)) => {
+            if let Some(again) = array.get(place).cloned() {
+                array.insert_formatted(place + 1, again);
+            }
+        }
+        _ => return None,
+    }
+    Some(true)
+}
+
 /// Gives the tables their places anew: those that stood in the text stay in their order, and each stands before its own.
-fn renumber(table: &mut Table, place: &mut isize) {
+fn renumber(root: &[Key], table: &mut Table, place: &mut isize) {
     /// Where the first table below an item stood; what is new comes last.
     fn stood(item: &Item) -> isize {
         let of = |table: &Table| {
@@ -306,7 +355,7 @@ fn renumber(table: &mut Table, place: &mut isize) {
         *place += 1;
     }
     let places: Vec<(isize, String)> = table.iter().map(|(name, item)| (stood(item), name.to_owned())).collect();
-    let described = |name: &str| ROOT.iter().position(|key| key.name == name);
+    let described = |name: &str| root.iter().position(|key| key.name == name);
     let is_root = *place <= 1;
     // At the root a new table stands before those that the description has behind it.
     let wanted = |stood: isize, name: &str| {
@@ -320,8 +369,8 @@ fn renumber(table: &mut Table, place: &mut isize) {
     names.sort_by_key(|(stood, name)| wanted(*stood, name));
     for (_, name) in names {
         match table.get_mut(&name) {
-            Some(Item::Table(below)) if !below.is_dotted() => renumber(below, place),
-            Some(Item::ArrayOfTables(tables)) => tables.iter_mut().for_each(|below| renumber(below, place)),
+            Some(Item::Table(below)) if !below.is_dotted() => renumber(root, below, place),
+            Some(Item::ArrayOfTables(tables)) => tables.iter_mut().for_each(|below| renumber(root, below, place)),
             _ => {}
         }
     }
@@ -406,6 +455,10 @@ fn typed(value: &Value) -> String {
         other => plain(other),
     }
 }
+
+mod scaled;
+
+pub use scaled::stretch;
 
 #[cfg(test)]
 mod tests;

@@ -24,8 +24,9 @@ const fn table(name: &'static str, keys: &'static [Key], purpose: MeasuredKey) -
     key(name, Kind::Table(keys), false, about(purpose))
 }
 
+/// The root of the record, and under its tables every other key.
 #[rustfmt::skip] // one line per key
-const ROOT: &[Key] = &[
+pub const MEASURED_KEYS: &[Key] = &[
     key("format", Kind::Integer(MEASURED_FORMAT, MEASURED_FORMAT), true, about(MeasuredKey::Format)),
     table("winding", WINDING, MeasuredKey::Winding),
     table("emf", EMF, MeasuredKey::Emf),
@@ -96,7 +97,7 @@ pub fn measured(text: &str) -> Result<Measured, Vec<Diagnostic>> {
         return Err(vec![Diagnostic::at(text, 0..0, fault, None)]);
     }
     let mut reader = Reader::new(text);
-    let root = reader.read_as(ROOT);
+    let root = reader.read_as(MEASURED_KEYS);
     let stated: Vec<_> = reader.tolerances.iter().map(|tolerance| tolerance.span.clone()).collect();
     for span in stated {
         // What was measured is one value.
@@ -174,7 +175,7 @@ pub struct MeasuredLine {
 #[must_use]
 pub fn measured_lines() -> Vec<MeasuredLine> {
     let mut lines = Vec::new();
-    for each in ROOT {
+    for each in MEASURED_KEYS {
         let (head, keys) = match each.kind {
             Kind::Table(keys) => (format!("[{}]", each.name), keys),
             Kind::OneOrMany(_, keys) => (format!("[[{}]]", each.name), keys),

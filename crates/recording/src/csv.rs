@@ -280,3 +280,53 @@ fn range_of(ends: &[usize], index: usize) -> Range<usize> {
     let start = index.checked_sub(1).and_then(|before| ends.get(before)).copied().unwrap_or(0);
     start..ends.get(index).copied().unwrap_or(start)
 }
+
+/// What a file begins with, as it is written, whether it can be read as a recording or not.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Preview {
+    /// The names of its columns.
+    pub headings: Vec<String>,
+    /// Its first rows; one of units may be among them.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// So many columns are shown.
+const SHOWN_MOST: usize = 32;
+
+/// The header of a CSV and so many rows under it; `None` where it has no header.
+pub fn preview_csv(source: impl Read, rows: usize) -> Option<Preview> {
+    let mut lines = Lines::new(source);
+    let mut faults = Faults::default();
+    if !advance(&mut lines, &mut faults)? {
+        return None;
+    }
+    let mut cells = Cells::new(delimiter(lines.line()));
+    let mut shown = |lines: &Lines<_>| {
+        let row = cells.all(lines.line(), lines.number(), &mut faults)?;
+        Some(row.iter().take(SHOWN_MOST).map(|cell| excerpt(encoding::text(cell).trim())).collect::<Vec<_>>())
+    };
+    let headings = shown(&lines)?;
+    let mut preview = Preview { headings, rows: Vec::new() };
+    while preview.rows.len() < rows && lines.advance().unwrap_or(false) {
+        let Some(row) = shown(&lines) else { break };
+        preview.rows.push(row);
+    }
+    Some(preview)
+}
+
+#[cfg(test)]
+mod preview_tests {
+    use super::*;
+
+    #[test]
+    fn a_preview_shows_what_stands_there_and_no_more() {
+        let text = "# logged\nt;q [deg];mode;M\ns;;;Nm\n0,0;1,5;auto;2\n0,1;x;auto\n";
+        let found = preview_csv(text.as_bytes(), 3).unwrap();
+        assert_eq!(found.headings, ["t", "q [deg]", "mode", "M"]);
+        assert_eq!(found.rows.len(), 3);
+        assert_eq!(found.rows[1], ["0,0", "1,5", "auto", "2"]);
+        assert_eq!(found.rows[2], ["0,1", "x", "auto"], "a row that is no row is shown as it is");
+        assert_eq!(preview_csv(&b""[..], 3), None);
+        assert_eq!(preview_csv(text.as_bytes(), 0).unwrap().rows, Vec::<Vec<String>>::new());
+    }
+}

@@ -28,7 +28,7 @@ mod number;
 mod parquet;
 mod series;
 
-pub use csv::{read_csv, read_csv_within};
+pub use csv::{Preview, preview_csv, read_csv, read_csv_within};
 pub use encoding::read_text;
 pub use faults::{Damage, Fault, Place, Stamp};
 pub use layout::{ColumnSpec, Layout, Role};

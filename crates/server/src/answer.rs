@@ -14,7 +14,9 @@ use hyper::{Method, Request, Response, StatusCode};
 use page::{Call, Reply, Shell};
 use percent_encoding::percent_decode_str;
 use std::net::SocketAddr;
+use std::pin::pin;
 use std::sync::Arc;
+use std::time::Duration;
 use tokio::sync::Semaphore;
 use workbench::text::requests;
 use workbench::{Language, Patience};
@@ -55,15 +57,28 @@ const HEADERS: [(&str, &str); 7] = [
 /// Of what the page says nothing, nothing is kept.
 const CACHE_CONTROL: &str = "cache-control";
 
-/// Whoever may ask finds out there that the server is up.
-const HEALTH: &str = "/health";
+/// What is answered at once, however many questions wait: that the server is up, how far a work is, that it ends.
+const AT_ONCE: [&str; 3] = ["/health", page::PROGRESS, page::CANCEL];
+
+/// The header in which a page says what it calls its work, to ask for its progress and to cancel it.
+const WORK: &str = "x-work";
+
+/// So long a page may still take, when the time is over, to say what is there.
+const LAST_WORDS: Duration = Duration::from_secs(2);
 
 /// Cancels the work when nobody waits for it any more: the time is over, or the client has gone.
-struct Waits(Arc<Patience>);
+struct Waits {
+    patience: Arc<Patience>,
+    named: Option<String>,
+    workplace: Arc<Workplace>,
+}
 
 impl Drop for Waits {
     fn drop(&mut self) {
-        self.0.cancel();
+        self.patience.cancel();
+        if let Some(name) = &self.named {
+            self.workplace.ended(name);
+        }
     }
 }
 
@@ -161,25 +176,35 @@ impl Desk {
         let language = question.language;
         let (respond, workplace) = (self.respond, Arc::clone(&self.workplace));
         let patience = Arc::new(Patience::limited());
-        let _waits = Waits(Arc::clone(&patience));
-        if question.path == HEALTH {
+        if AT_ONCE.contains(&question.path.as_str()) {
             return question.put(respond, &workplace, &patience);
         }
+        let name = question.parts.headers.get(WORK).and_then(|name| name.to_str().ok());
+        let named = name.filter(|name| workplace.begun(name, &patience)).map(str::to_owned);
+        let says_what_is_there = named.is_some();
+        let _waits = Waits { patience: Arc::clone(&patience), named, workplace: Arc::clone(&workplace) };
         let Ok(place) = self.places.try_acquire() else { return busy(language) };
+        let ends = Arc::clone(&patience);
         let work = async {
             let turn = Arc::clone(&self.turns).acquire_owned().await;
             drop(place);
             let work = move || {
                 // As long as it is computed, others wait, even when nobody waits for this one any more.
                 let _turn = turn;
-                if patience.is_over() {
+                if patience.is_over() && !says_what_is_there {
                     return busy(language);
                 }
                 question.put(respond, &workplace, &patience)
             };
             tokio::task::spawn_blocking(work).await
         };
-        match tokio::time::timeout(self.limits.answer_time, work).await {
+        let mut work = pin!(work);
+        let mut found = tokio::time::timeout(self.limits.answer_time, work.as_mut()).await;
+        if found.is_err() && says_what_is_there {
+            ends.expire();
+            found = tokio::time::timeout(LAST_WORDS, work).await;
+        }
+        match found {
             Ok(Ok(reply)) => reply,
             Ok(Err(_)) => page::misdirected(500, requests::failed_inside(language), None),
             Err(_) => {

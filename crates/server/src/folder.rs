@@ -1,24 +1,21 @@
 //! The working folder: project files by their names, and the recordings that they name; nothing outside of it.
 
 use disk::{Beside, Links, Unwritten, read_within};
-use page::{Entry, Folder, SaveFault, Shell, WritesReport};
+use page::{Entry, Folder, Press, SaveFault, Shell, WritesChecklist, WritesReport, is_project_name, recording_names};
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Result};
 use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
-use workbench::quantities::is_unseen;
 use workbench::text::SaveTrouble;
-use workbench::{Files, Grant, PROJECT_MAX_BYTES, Reach};
+use workbench::{Files, Grant, PROJECT_MAX_BYTES, Patience, Reach};
 
 /// So many project files are listed.
 const LISTED_MOST: usize = 1000;
 
 /// So many entries of a folder are looked at.
 const LOOKED_AT_MOST: usize = 20_000;
-
-/// Bytes of a name, as most file systems have it.
-const NAME_MOST: usize = 255;
 
 /// Seconds of a day.
 const DAY_S: u64 = 86_400;
@@ -27,16 +24,48 @@ const DAY_S: u64 = 86_400;
 pub(crate) struct Workplace {
     files: Beside,
     time: Duration,
-    report: Option<WritesReport>,
+    press: Option<Press>,
     /// One save at a time: between the look at the old version and the new one nothing of ours comes in.
     saving: Mutex<()>,
+    /// The works under way that have a name; as many at most as requests are let in.
+    works: Mutex<BTreeMap<String, Arc<Patience>>>,
 }
+
+/// Bytes of the name of a work.
+const WORK_NAME_MOST: usize = 64;
 
 impl Workplace {
     /// Of a folder, with so much memory for the recordings of a project and so much time for an answer.
-    pub(crate) fn new(folder: PathBuf, memory: u64, time: Duration, report: Option<WritesReport>) -> Self {
+    pub(crate) fn new(folder: PathBuf, memory: u64, time: Duration, press: Option<Press>) -> Self {
         let grant = Grant { memory, reach: Reach::Beside };
-        Self { files: Beside { folder, links: Links::Inside, grant }, time, report, saving: Mutex::new(()) }
+        Self {
+            files: Beside { folder, links: Links::Inside, grant },
+            time,
+            press,
+            saving: Mutex::new(()),
+            works: Mutex::default(),
+        }
+    }
+
+    /// A work begins under a name; not where the name is none, or is that of another one under way.
+    pub(crate) fn begun(&self, name: &str, patience: &Arc<Patience>) -> bool {
+        let is_name = (1..=WORK_NAME_MOST).contains(&name.len())
+            && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-');
+        let mut works = self.works.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_free = is_name && !works.contains_key(name);
+        if is_free {
+            let _ = works.insert(name.to_owned(), Arc::clone(patience));
+        }
+        is_free
+    }
+
+    /// It has ended.
+    pub(crate) fn ended(&self, name: &str) {
+        let _ = self.works.lock().unwrap_or_else(PoisonError::into_inner).remove(name);
+    }
+
+    fn work(&self, name: &str) -> Option<Arc<Patience>> {
+        self.works.lock().unwrap_or_else(PoisonError::into_inner).get(name).cloned()
     }
 }
 
@@ -53,12 +82,27 @@ impl Shell for Workplace {
         Some(self.time)
     }
 
+    fn progress(&self, work: &str) -> Option<(usize, Option<usize>)> {
+        Some(self.work(work)?.progress())
+    }
+
+    fn cancel(&self, work: &str) -> bool {
+        self.work(work).is_some_and(|patience| {
+            patience.cancel();
+            true
+        })
+    }
+
     fn days_since_1970(&self) -> Option<u64> {
         Some(SystemTime::now().duration_since(UNIX_EPOCH).ok()?.as_secs() / DAY_S)
     }
 
     fn report(&self) -> Option<WritesReport> {
-        self.report
+        Some(self.press?.report)
+    }
+
+    fn checklist(&self) -> Option<WritesChecklist> {
+        Some(self.press?.checklist)
     }
 
     fn version(&self, bytes: &[u8]) -> String {
@@ -66,28 +110,12 @@ impl Shell for Workplace {
     }
 }
 
-/// Endings of recordings.
-const RECORDED: [&str; 3] = ["csv", "txt", "parquet"];
-
-/// So many recordings may have one name and a number behind it.
-const LIKE_MOST: usize = 100;
-
-/// Whether a name is that of a project file in the folder itself.
-fn is_name(name: &str) -> bool {
-    name.len() <= NAME_MOST && name.strip_suffix(".toml").is_some_and(is_plain)
-}
-
-/// Whether a name stays in the folder.
-fn is_plain(name: &str) -> bool {
-    !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':']) && !name.chars().any(is_unseen)
-}
-
 impl Folder for Workplace {
     fn list(&self) -> Result<Vec<Entry>> {
         let mut found = Vec::new();
         for entry in std::fs::read_dir(&self.files.folder)?.take(LOOKED_AT_MOST).flatten() {
             let Ok(name) = entry.file_name().into_string() else { continue };
-            if !is_name(&name) {
+            if !is_project_name(&name) {
                 continue;
             }
             let Ok(about) = self.files.regular(&name).and_then(|path| path.metadata()) else { continue };
@@ -100,7 +128,7 @@ impl Folder for Workplace {
     }
 
     fn read(&self, name: &str) -> Result<Vec<u8>> {
-        if !is_name(name) {
+        if !is_project_name(name) {
             return Err(ErrorKind::NotFound.into());
         }
         let bytes = read_within(File::open(self.files.regular(name)?)?, PROJECT_MAX_BYTES)?;
@@ -108,7 +136,7 @@ impl Folder for Workplace {
     }
 
     fn save(&self, name: &str, text: &[u8], known: Option<&str>) -> std::result::Result<(), SaveFault> {
-        if !is_name(name) {
+        if !is_project_name(name) {
             return Err(SaveFault::Name);
         }
         if text.len() > PROJECT_MAX_BYTES {
@@ -131,13 +159,9 @@ impl Folder for Workplace {
     }
 
     fn keep(&self, name: &str, bytes: &[u8]) -> std::result::Result<String, SaveFault> {
-        let (stem, ending) = name.rsplit_once('.').ok_or(SaveFault::Name)?;
-        if !RECORDED.contains(&ending.to_ascii_lowercase().as_str()) || !is_plain(stem) || name.len() > NAME_MOST - 4 {
-            return Err(SaveFault::Name);
-        }
+        let names = recording_names(name).ok_or(SaveFault::Name)?;
         let _alone = self.saving.lock().unwrap_or_else(PoisonError::into_inner);
-        for turn in 1..=LIKE_MOST {
-            let name = if turn == 1 { name.to_owned() } else { format!("{stem}-{turn}.{ending}") };
+        for name in names {
             let path = self.files.folder.join(&name);
             match disk::save(&[(&path, bytes)], &[], false).map_err(why) {
                 Ok(()) => return Ok(name),
@@ -231,7 +255,7 @@ mod tests {
     #[test]
     fn names_stay_in_the_folder() {
         for name in ["axis.toml", "Achse 1.toml", "größe.toml", "a.b.toml"] {
-            assert!(is_name(name), "{name}");
+            assert!(is_project_name(name), "{name}");
         }
         let long = "x".repeat(300) + ".toml";
         for name in [
@@ -252,7 +276,7 @@ mod tests {
             "axis.TOML",
             &long,
         ] {
-            assert!(!is_name(name), "{name:?}");
+            assert!(!is_project_name(name), "{name:?}");
             let folder = tempfile::tempdir().unwrap();
             let place = workplace(folder.path());
             assert!(matches!(place.save(name, b"x", None), Err(SaveFault::Name)), "{name:?}");
@@ -282,33 +306,54 @@ mod tests {
         assert_eq!(std::fs::read(away.path().join("far.toml")).unwrap(), b"secret");
     }
 
-    /// Says to this program that it is to save until it is killed.
+    /// Says to this program that it is to save until it is killed, and how large the text is.
     const SAVER: &str = "ANTRIEB_TEST_SAVES_IN";
 
+    /// Long enough that a write is no single moment.
     fn text(sign: u8) -> Vec<u8> {
         vec![sign; 200_000]
     }
 
-    /// The other process of the test below; alone it has nothing to do.
+    /// The other process of the test below, which saves from the version that it finds; alone it has nothing to do.
     #[test]
     fn saves_until_it_is_killed() {
         let Some(folder) = std::env::var_os(SAVER) else { return };
         let place = workplace(std::path::Path::new(&folder));
         let mut there = place.read("axis.toml").unwrap();
-        for sign in (b'a'..=b'z').cycle() {
+        let first = there.first().copied().unwrap();
+        for sign in (b'a'..=b'z').cycle().skip_while(|sign| *sign != first).skip(1) {
             place.save("axis.toml", &text(sign), Some(&version(&there))).unwrap();
             there = text(sign);
         }
     }
 
+    /// A thousand times somebody pulls the plug while a save is under way: two at once, each with a folder of its own.
     #[cfg(unix)]
     #[test]
-    fn a_kill_in_the_midst_of_a_save_leaves_a_whole_file() {
+    fn a_thousand_kills_in_the_midst_of_saves_leave_whole_files() {
+        const KILLS: usize = 1000;
+        const AT_ONCE: usize = 4;
+        std::thread::scope(|scope| {
+            for turn in 0..AT_ONCE {
+                scope.spawn(move || kill(KILLS / AT_ONCE, turn));
+            }
+        });
+    }
+
+    /// The file is another one with every save.
+    #[cfg(unix)]
+    fn number(folder: &std::path::Path) -> u64 {
+        use std::os::unix::fs::MetadataExt;
+        std::fs::metadata(folder.join("axis.toml")).unwrap().ino()
+    }
+
+    #[cfg(unix)]
+    fn kill(kills: usize, turn: usize) {
         let folder = tempfile::tempdir().unwrap();
         let place = workplace(folder.path());
         place.save("axis.toml", &text(b'a'), None).unwrap();
-        let mut seen = Vec::new();
-        for round in 0..25 {
+        for round in 0..kills {
+            let before = number(folder.path());
             let mut child = std::process::Command::new(std::env::current_exe().unwrap())
                 .args(["folder::tests::saves_until_it_is_killed", "--exact"])
                 .env(SAVER, folder.path())
@@ -316,16 +361,21 @@ mod tests {
                 .stderr(std::process::Stdio::null())
                 .spawn()
                 .unwrap();
-            std::thread::sleep(Duration::from_millis(40 + 7 * round));
+            // It saves now, one after the other: each is killed at another moment of that.
+            while number(folder.path()) == before && child.try_wait().unwrap().is_none() {
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            std::thread::sleep(Duration::from_micros(((round * 7 + turn * 3) % 23) as u64 * 150));
+            assert!(child.try_wait().unwrap().is_none(), "it ended by itself");
             child.kill().unwrap();
             child.wait().unwrap();
             let found = place.read("axis.toml").unwrap();
             let sign = found[0];
             assert!(found == text(sign), "a file of {} bytes", found.len());
-            if !seen.contains(&sign) {
-                seen.push(sign);
-            }
         }
-        assert!(seen.len() > 1, "nothing was saved: the test tries nothing");
+        // What the killed ones left unfinished is cleared by the next save.
+        let last = place.read("axis.toml").unwrap();
+        place.save("axis.toml", b"end", Some(&version(&last))).unwrap();
+        assert_eq!(place.read("axis.toml").unwrap(), b"end");
     }
 }

@@ -41,8 +41,8 @@ pub struct Options {
     pub language: Language,
     /// What requests are held to.
     pub limits: Limits,
-    /// What writes reports; none without a typesetting engine.
-    pub report: Option<page::WritesReport>,
+    /// What writes reports and forms; none without a typesetting engine.
+    pub press: Option<page::Press>,
 }
 
 /// Why nothing is served.
@@ -103,7 +103,7 @@ impl Server {
         let address = listener.local_addr().map_err(unbound)?;
         // Who can reach the loopback is on this machine already.
         let token = if ip.is_loopback() { None } else { Some(Token::new().map_err(Unserved::Token)?) };
-        let workplace = Workplace::new(folder, options.memory, options.limits.answer_time, options.report);
+        let workplace = Workplace::new(folder, options.memory, options.limits.answer_time, options.press);
         Ok(Self { listener, desk: Desk::new(address, token, options.language, options.limits, workplace, respond) })
     }
 

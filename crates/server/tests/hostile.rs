@@ -34,7 +34,7 @@ impl Up {
             memory: 64 << 20,
             language: Language::default(),
             limits,
-            report: None,
+            press: None,
         };
         let server = Server::bind(options).unwrap();
         let address = server.address();

@@ -13,6 +13,12 @@ use trace::Node;
 /// Samples in one piece of a law.
 const PER_PIECE: u32 = 32;
 
+/// Samples within a window that is looked at by itself: more than a picture has columns.
+const PER_WINDOW: f64 = 1000.0;
+
+/// Samples in one piece, however small a part of it is looked at.
+const PER_PIECE_MOST: f64 = 16_384.0;
+
 /// One instant of the cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
@@ -53,13 +59,33 @@ impl Course {
     /// The cycle of an axis on an actuator; quantities whose data are not known are left out.
     #[must_use]
     pub fn of(axis: &Axis, actuator: &Parameters) -> Self {
+        Self::sampled(axis, actuator, &|_, _| PER_PIECE)
+    }
+
+    /// The same with so many samples between two instants \[s\] that a picture of that time alone shows no corner which the law
+    /// has not.
+    #[must_use]
+    pub fn within(axis: &Axis, actuator: &Parameters, (from, until): (f64, f64)) -> Self {
+        Self::sampled(axis, actuator, &|start, duration| {
+            if start > until || start + duration < from {
+                return PER_PIECE;
+            }
+            let parts = PER_WINDOW * duration / (until - from);
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to thousands")]
+            let parts = parts.clamp(f64::from(PER_PIECE), PER_PIECE_MOST) as u32;
+            parts
+        })
+    }
+
+    /// `parts`: of a piece with its beginning and its duration \[s\].
+    fn sampled(axis: &Axis, actuator: &Parameters, parts: &dyn Fn(f64, f64) -> u32) -> Self {
         let inertia = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
         let electrics = Electrics::of(axis, actuator);
         let currents = Currents::of(axis, actuator, &electrics);
         let power = CyclePower::of(actuator, currents.as_ref());
         let mut samples = Vec::new();
         let mut losses = Vec::new();
-        instants(axis, &mut |position_rad, node| {
+        instants(axis, parts, &mut |position_rad, node| {
             samples.push(Sample {
                 time_s: node.time_s,
                 position_rad,
@@ -85,7 +111,7 @@ impl Course {
 }
 
 /// The pieces of the laws, sampled, and the samples of the recordings, in the order of time.
-fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
+fn instants(axis: &Axis, parts: &dyn Fn(f64, f64) -> u32, look: &mut impl FnMut(f64, &Node)) {
     let none = Extra::none();
     let extra = |segment: usize| axis.extras.get(segment).unwrap_or(&none);
     let mut recordings = axis.motion.recordings().iter().peekable();
@@ -121,7 +147,7 @@ fn instants(axis: &Axis, look: &mut impl FnMut(f64, &Node)) {
             recorded(placed, look);
         }
         let (rests, runs) = (piece.is_rest(), piece.runs());
-        let parts = if rests { 1 } else { PER_PIECE };
+        let parts = if rests { 1 } else { parts(piece.start_s, piece.duration_s) };
         let mut instants: Vec<f64> =
             (0..=parts).map(|part| piece.duration_s * f64::from(part) / f64::from(parts)).collect();
         instants.extend(piece.reversals().into_iter().flat_map(|t| [t, t]));

@@ -151,11 +151,11 @@ impl<'e> Currents<'e> {
         (cold.0.min(warm.0), cold.1.max(warm.1))
     }
 
-    /// No current of a block of nodes is above this, in either state.
+    /// No current of a block of nodes is above this, in either state. Friction counts with the sign of the torque: where the load
+    /// drives it takes current off.
     fn bound(&self, extent: &Extent) -> f64 {
-        let constant = self.cold.constant.si().max(self.warm.constant.si());
-        let counted = self.cold.counted.si().max(self.warm.counted.si());
-        self.motor.of_torque(extent.torque(self.inertia)) + counted + constant * extent.speed_rad_s
+        let (low, high) = self.range(extent);
+        high.max(-low)
     }
 
     /// The workings of the current at an instant in one of the states; the result is `I`.
@@ -414,14 +414,15 @@ pub(crate) fn current_checks(
     actuator: &Parameters,
     currents: Result<&Currents<'_>, &Missing>,
     explain: bool,
-) -> [Check; 2] {
+    take: &mut impl FnMut(Check),
+) {
     let limits = [
         (CheckId::PeakCurrent, "I_max", actuator.current_max.require("I_max")),
         (CheckId::Demagnetisation, "I_E", actuator.current_demagnetisation.require("I_E")),
     ];
-    limits.map(|(id, symbol, limit)| {
-        explained(explain, |work| current_check(axis, actuator, currents, (id, symbol, limit), work))
-    })
+    for (id, symbol, limit) in limits {
+        take(explained(explain, |work| current_check(axis, actuator, currents, (id, symbol, limit), work)));
+    }
 }
 
 fn current_check(

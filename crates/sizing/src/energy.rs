@@ -1,6 +1,7 @@
 //! Power at the motor terminals over the cycle: what is taken, what is given back.
 
 mod bent;
+mod ramps;
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId};
@@ -12,9 +13,10 @@ use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{JOULE, SECOND, WATT};
 use quantities::{Energy, Measure, Power, ThermodynamicTemperature};
+use ramps::Sweep;
 use std::collections::BTreeMap;
 use std::ops::Range;
-use trace::{Block, Cell, Extent, Inside, Node, Panel, Sought, Strip};
+use trace::{Block, Cell, Extent, Inside, Node, Panel, Sought, Strip, Swept};
 
 /// A winding as cold as its resistance is printed for, 20 °C in kelvin: the least of the copper loss, so the most comes back.
 const COLD_WINDING: f64 = 293.15;
@@ -205,6 +207,9 @@ impl Passed {
     }
 }
 
+/// Cells serve where they leave at most this part of the intervals to be passed one by one.
+const WORTHWHILE: usize = 16;
+
 /// Energy that comes back is not told below this share of what is taken.
 const ROUNDING: f64 = 1e-12;
 
@@ -225,15 +230,18 @@ impl Balance {
     fn of(axis: &Axis, power: &CyclePower<'_>, with_bank: bool) -> Self {
         let mut balance = Self::default();
         let mut passed = Passed::default();
-        if !with_bank {
-            for strip in axis.trace.strips() {
-                if let Some(root) = strip.root() {
-                    CellPower::of(strip, power).add(root, &mut balance, &mut passed);
-                }
+        let strips = axis.trace.strips();
+        // Of each recording: whether it goes by cells.
+        let by_cells = |strip: &Strip| !with_bank && CellPower::of(strip, power).serve();
+        let by_cells: Vec<bool> = strips.iter().map(by_cells).collect();
+        for (strip, _) in strips.iter().zip(&by_cells).filter(|(_, by_cells)| **by_cells) {
+            if let Some(root) = strip.root() {
+                CellPower::of(strip, power).add(root, &mut balance, &mut passed);
             }
-            balance.peak = axis.trace.largest_recorded(&Returned(power), balance.peak);
+            balance.peak = strip.largest(&Returned(power), balance.peak);
         }
-        for block in axis.trace.blocks().iter().filter(|block| with_bank || !block.is_recorded()) {
+        let by_cells = |block: &Block| block.strip().and_then(|strip| by_cells.get(strip)).is_some_and(|cells| *cells);
+        for block in axis.trace.blocks().iter().filter(|block| !by_cells(block)) {
             // Where the load is only driven the power has one sign, and the block is taken as a whole.
             if !axis.trace.is_short() && block.extent.power_sign(power.currents.inertia) == Some(1.0) {
                 let taken = power.driving(block);
@@ -242,7 +250,7 @@ impl Balance {
                 continue;
             }
             let before = balance;
-            balance.pass(axis, power, block, &mut passed);
+            balance.pass(axis, power, block, (with_bank, &mut passed));
             if block.times > 1.0 {
                 balance.whole = before.whole + block.times * (balance.whole - before.whole);
                 balance.back = before.back + block.times * (balance.back - before.back);
@@ -256,9 +264,17 @@ impl Balance {
         balance
     }
 
-    /// Through the panels of a block, once.
-    fn pass(&mut self, axis: &Axis, power: &CyclePower<'_>, block: &Block, passed: &mut Passed) {
-        axis.trace.panels(block, &mut |panel| self.panel(&panel, power, passed));
+    /// Through a block, once.
+    fn pass(&mut self, axis: &Axis, power: &CyclePower<'_>, block: &Block, (with_bank, passed): (bool, &mut Passed)) {
+        let mut sweep = Sweep::of(power);
+        axis.trace.sweep(block, &mut |swept| match swept {
+            Swept::Ramps(ramps) => sweep.pass(ramps, with_bank.then_some(&mut self.bank)),
+            Swept::Panel(panel) => self.panel(&panel, power, passed),
+        });
+        let [whole, back, peak] = sweep.found();
+        self.whole += whole;
+        self.back += back;
+        self.peak = self.peak.max(peak);
     }
 
     fn panel(&mut self, panel: &Panel<'_>, power: &CyclePower<'_>, passed: &mut Passed) {
@@ -279,10 +295,10 @@ impl Balance {
     fn repeat(&mut self, axis: &Axis, power: &CyclePower<'_>, block: &Block, passed: &mut Passed) {
         let (whole, back) = (self.whole, self.back);
         let first = self.bank.held;
-        self.pass(axis, power, block, passed);
+        self.pass(axis, power, block, (true, passed));
         self.bank.held += (block.times - 3.0).max(0.0) * (self.bank.held - first).max(0.0);
         if block.times > 2.0 {
-            self.pass(axis, power, block, passed);
+            self.pass(axis, power, block, (true, passed));
         }
         (self.whole, self.back) = (whole, back);
     }
@@ -323,24 +339,55 @@ impl<'a> CellPower<'a> {
         }
     }
 
-    fn add(&self, cell: &Cell, balance: &mut Balance, passed: &mut Passed) {
+    /// ∫P dt over a cell in which torque and power keep their sign \[J\].
+    fn of_one_sign(&self, cell: &Cell) -> Option<f64> {
         let (low, high) = cell.extent.range(self.torque);
         let (back, forth) = cell.extent.direction;
         let driving = (low >= 0.0 && back >= 0.0) || (high <= 0.0 && forth <= 0.0) || (back == 0.0 && forth == 0.0);
         if driving {
-            return balance.part(self.energy(cell, self.driving));
+            return Some(self.energy(cell, self.driving));
         }
-        if (low >= 0.0 && forth <= 0.0) || (high <= 0.0 && back >= 0.0) {
-            let current = cell.extent.range(self.driven);
-            let (r, k) = self.power.constants();
-            let volt =
-                std::array::from_fn(|n| r * self.driven.get(n).unwrap_or(&0.0) + k * self.speed.get(n).unwrap_or(&0.0));
-            let volt = cell.extent.range(volt);
-            let (plus, minus) = (|range: (f64, f64)| range.0 >= 0.0, |range: (f64, f64)| range.1 <= 0.0);
-            let one_sign = (plus(current) || minus(current)) && (plus(volt) || minus(volt));
-            if one_sign {
-                return balance.part(self.energy(cell, self.driven));
+        let driven = (low >= 0.0 && forth <= 0.0) || (high <= 0.0 && back >= 0.0);
+        if !driven {
+            return None;
+        }
+        let current = cell.extent.range(self.driven);
+        let (r, k) = self.power.constants();
+        let volt =
+            std::array::from_fn(|n| r * self.driven.get(n).unwrap_or(&0.0) + k * self.speed.get(n).unwrap_or(&0.0));
+        let volt = cell.extent.range(volt);
+        let (plus, minus) = (|range: (f64, f64)| range.0 >= 0.0, |range: (f64, f64)| range.1 <= 0.0);
+        let one_sign = (plus(current) || minus(current)) && (plus(volt) || minus(volt));
+        one_sign.then(|| self.energy(cell, self.driven))
+    }
+
+    /// Whether the cells leave few intervals to be passed one by one; else all of them are passed more quickly in the order
+    /// of time, as they lie in the memory.
+    fn serve(&self) -> bool {
+        let mut left = self.strip.intervals() / WORTHWHILE;
+        self.strip.root().is_some_and(|root| self.leaves_at_most(root, &mut left))
+    }
+
+    fn leaves_at_most(&self, cell: &Cell, left: &mut usize) -> bool {
+        if self.of_one_sign(cell).is_some() {
+            return true;
+        }
+        match cell.inside {
+            Inside::Intervals(from, to) => {
+                let within = (to - from) as usize;
+                let enough = within <= *left;
+                *left = left.saturating_sub(within);
+                enough
             }
+            Inside::Halves(halves) => {
+                self.strip.halves(halves).into_iter().flatten().all(|half| self.leaves_at_most(half, left))
+            }
+        }
+    }
+
+    fn add(&self, cell: &Cell, balance: &mut Balance, passed: &mut Passed) {
+        if let Some(taken) = self.of_one_sign(cell) {
+            return balance.part(taken);
         }
         match cell.inside {
             Inside::Intervals(from, to) => {

@@ -325,7 +325,7 @@ fn first_checks(
     to.of_drivetrain(|| explained(explain, |work| checks::peak_speed(axis, drivetrain, work)));
     to.of_drivetrain(|| explained(explain, |work| checks::mean_speed(axis, drivetrain, work)));
     to.own(explained(explain, |work| heat_checks::continuous_torque(axis, actuator, electrics, demands, work)));
-    currents::current_checks(axis, actuator, currents, explain).into_iter().for_each(|check| to.own(check));
+    currents::current_checks(axis, actuator, currents, explain, &mut |check| to.own(check));
     if axis.supply.is_some() {
         to.own(explained(explain, |work| currents::voltage(axis, actuator, (electrics, currents), work)));
     }

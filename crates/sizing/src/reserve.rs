@@ -86,10 +86,10 @@ pub fn reserve_watched<W: Watch>(axis: &Axis, actuator: &Parameters, watch: &W) 
         (of_loads(), of_others())
     } else {
         std::thread::scope(|scope| {
-            let others = scope.spawn(of_others);
+            let others = std::thread::Builder::new().spawn_scoped(scope, of_others).ok();
             let loads = of_loads();
-            // A thread that could not finish leaves its part to this one.
-            (loads, others.join().unwrap_or_else(|_| of_others()))
+            // A thread that cannot be had, as in a browser, or could not finish leaves its part to this one.
+            (loads, others.and_then(|others| others.join().ok()).unwrap_or_else(of_others))
         })
     };
     let ((load_factor, payload_factor), (factor, ambient)) = (loads?, others?);

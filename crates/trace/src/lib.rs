@@ -20,7 +20,7 @@ pub use build::{INSTANTS_MOST, instants};
 pub use carried::Carried;
 pub use form::Form;
 pub use lags::{Lag, Peak};
-pub use recording::{Cell, Inside, Strip};
+pub use recording::{Cell, Inside, Ramps, Strip, Swept};
 pub use search::{Any, Convex, Sought, TorqueWith};
 
 use lags::LagCache;
@@ -358,6 +358,16 @@ impl Block {
         matches!(self.place, Place::Recorded { .. })
     }
 
+    /// The place of that recording among the strips.
+    #[inline]
+    #[must_use]
+    pub const fn strip(&self) -> Option<usize> {
+        match &self.place {
+            Place::Recorded { strip, .. } => Some(*strip),
+            Place::Kept(_) => None,
+        }
+    }
+
     #[inline]
     fn join(&mut self, other: &Self) {
         self.duration_s += other.duration_s;
@@ -473,6 +483,18 @@ impl Trace {
                     intervals.clone().for_each(|index| strip.interval(index, look));
                 }
             }
+        }
+    }
+
+    /// The same, of recordings several straight intervals at a time.
+    pub fn sweep(&self, block: &Block, look: &mut impl FnMut(Swept<'_>)) {
+        match &block.place {
+            Place::Recorded { strip, .. } => {
+                if let Some(strip) = self.strips.get(*strip) {
+                    strip.sweep(block, look);
+                }
+            }
+            Place::Kept(_) => self.panels(block, &mut |panel| look(Swept::Panel(panel))),
         }
     }
 

@@ -5,11 +5,13 @@ mod bent;
 mod cells;
 mod lagging;
 mod straight;
+mod sweep;
 mod view;
 
 use view::View;
 
 pub use cells::{Cell, Inside};
+pub use sweep::{Ramps, Swept};
 
 use super::cubes::Moments;
 use super::gains::{GainTables, LagBlock, Products};
@@ -159,7 +161,9 @@ impl Strip {
         }
     }
 
-    pub(super) fn intervals(&self) -> usize {
+    /// Number of intervals between samples.
+    #[must_use]
+    pub fn intervals(&self) -> usize {
         self.placed.intervals()
     }
 
@@ -331,7 +335,7 @@ impl Strip {
     }
 
     /// The panels of a block under the load.
-    pub(super) fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
+    pub fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
         if let Place::Recorded { intervals, .. } = &block.place {
             intervals.clone().for_each(|index| self.interval(index, look));
         }
@@ -367,17 +371,17 @@ fn in_two<I: Sync, O: Send>(items: &[I], shared: bool, of: &(impl Fn(&I) -> O + 
     }
     let (first, second) = items.split_at(items.len() / 2);
     std::thread::scope(|scope| {
-        let other = scope.spawn(|| work(second));
+        let other = std::thread::Builder::new().spawn_scoped(scope, || work(second)).ok();
         let mut all = Vec::with_capacity(items.len());
         all.extend(first.iter().map(of));
-        // A thread that could not finish leaves its part to this one.
-        all.extend(other.join().unwrap_or_else(|_| work(second)));
+        // A thread that cannot be had, as in a browser, or could not finish leaves its part to this one.
+        all.extend(other.and_then(|other| other.join().ok()).unwrap_or_else(|| work(second)));
         all
     })
 }
 
 /// So many intervals run side by side.
-const LANES: usize = 4;
+pub(super) const LANES: usize = 4;
 
 /// Smallest and largest value.
 fn range(values: &[f64]) -> (f64, f64) {

@@ -280,6 +280,11 @@ pub(super) fn short(lambda: f64) -> (f64, [f64; 3]) {
 /// The instant at a share of a panel, on the polynomial through its nodes.
 #[inline]
 pub(super) fn between(nodes: &[Node], s: f64) -> Node {
+    if let [_, _, _] = nodes {
+        // The parabola through both ends and the middle, as most intervals of a recording have it.
+        let ahead = 2.0 * s - 1.0;
+        return weighted(nodes, &[ahead * (s - 1.0), 4.0 * s * (1.0 - s), ahead * s], s);
+    }
     weighted(nodes, &rule(nodes.len()).shares(s), s)
 }
 
@@ -290,7 +295,8 @@ pub(super) fn middles(nodes: &[Node]) -> impl Iterator<Item = Node> {
     rule.middles.iter().zip(places).map(|(shares, s)| weighted(nodes, shares, s))
 }
 
-fn weighted(nodes: &[Node], shares: &Values, s: f64) -> Node {
+#[inline]
+fn weighted(nodes: &[Node], shares: &[f64], s: f64) -> Node {
     let mut at = Node::default();
     for (node, share) in nodes.iter().zip(shares) {
         at.acceleration_rad_s2 += share * node.acceleration_rad_s2;

@@ -131,20 +131,17 @@ impl Trace {
         (best.value, best.node)
     }
 
-    /// The largest value over the recordings whose nodes are not kept, if it is above the least that counts; else that.
-    pub fn largest_recorded(&self, sought: &impl Sought, least: f64) -> f64 {
-        let mut best = Best { value: least, node: Node { time_s: f64::NEG_INFINITY, ..Node::default() } };
-        self.search_cells(sought, &mut best);
-        best.value
-    }
-
     fn search_cells(&self, sought: &impl Sought, best: &mut Best) {
-        for (strip, cell) in self.strips.iter().filter_map(|strip| Some((strip, strip.root()?))) {
-            let (extent, from) = strip.seen(cell);
-            if best.may_be_within(sought.bound(&extent), from) {
-                best.within(strip, cell, sought);
-            }
-        }
+        self.strips.iter().for_each(|strip| best.search(strip, sought));
+    }
+}
+
+impl Strip {
+    /// The largest value over a recording whose nodes are not kept, if it is above the least that counts; else that.
+    pub fn largest(&self, sought: &impl Sought, least: f64) -> f64 {
+        let mut best = Best { value: least, node: Node { time_s: f64::NEG_INFINITY, ..Node::default() } };
+        best.search(self, sought);
+        best.value
     }
 }
 
@@ -168,6 +165,16 @@ impl Best {
             bound >= self.value
         } else {
             bound > self.value + ROUNDING * self.value.abs()
+        }
+    }
+
+    /// Looks into the cells of a recording.
+    fn search(&mut self, strip: &Strip, sought: &impl Sought) {
+        if let Some(cell) = strip.root() {
+            let (extent, from) = strip.seen(cell);
+            if self.may_be_within(sought.bound(&extent), from) {
+                self.within(strip, cell, sought);
+            }
         }
     }
 

@@ -36,6 +36,13 @@ pub fn glossary_symbols() -> impl Iterator<Item = (&'static str, &'static str, &
     step_terms().chain(told)
 }
 
+/// The meaning of one of them in a language.
+#[must_use]
+pub fn glossary_symbol(symbol: &str, language: Language) -> Option<&'static str> {
+    let (_, en, de) = glossary_symbols().find(|(known, ..)| *known == symbol)?;
+    Some(if language == Language::De { de } else { en })
+}
+
 fn row(page: &mut String, cells: &[&str]) {
     for cell in cells {
         page.push_str("| ");

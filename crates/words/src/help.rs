@@ -125,7 +125,12 @@ texts! {
     lang =
         "Language of the answer, en or de (or variable ANTRIEB_LANG)"
         | "Sprache der Antwort, en oder de (oder Variable ANTRIEB_LANG)";
-    torsion = "Torsion of the gear under a torque" | "Torsion des Getriebes unter einem Drehmoment";
+    torsion =
+        "Torsion of the gear under a torque, or the torque of an angle"
+        | "Torsion des Getriebes unter einem Drehmoment oder das Drehmoment zu einem Winkel";
+    torsion_angle =
+        "Angle of torsion, for example \"1 arcmin\", instead of the torque"
+        | "Torsionswinkel, zum Beispiel \"1 arcmin\", statt des Drehmoments";
     torsion_torque = "Torque at the output, for example \"60 N m\"" | "Drehmoment am Abtrieb, zum Beispiel \"60 N m\"";
     bearing =
         "The output bearing of every size under a project's loads"

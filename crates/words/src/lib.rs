@@ -57,10 +57,10 @@ pub use errata::{erratum_kind, erratum_place, erratum_status};
 pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
 pub use faults::{Told, battery_fault, fault_text, file_trouble, hint_text, told};
-pub use glossary_page::{glossary_page, glossary_symbols};
+pub use glossary_page::{glossary_page, glossary_symbol, glossary_symbols};
 pub use keys::about_text;
 pub use letters::{is_vowel, stands_before_a_number};
-pub use measured_keys::measured_key_text;
+pub use measured_keys::{measured_key_text, measured_label};
 pub use motion::law_text;
 pub use print::{
     cell_text, decimal, document_note, erratum_readings, own_and_foreign, table_note, table_title, term_remark,
@@ -69,7 +69,7 @@ pub use print::{
 pub use project_file::{body_key, key_word, short_label, table_of_project};
 pub use project_page::project_page;
 pub use quantity::{quantity_fault, quantity_hint};
-pub use recording::encoding_guess;
+pub use recording::{encoding_guess, role_text};
 pub use results::{
     assumption_text, check_missing, check_title, condition_text, curve_title, evidence_text, figure_term, grade_about,
     grade_word, note_text, ranking_rule, requirement_title, source_text, standing_text, symbol_term, unmet_text,

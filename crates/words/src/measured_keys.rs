@@ -1,7 +1,41 @@
 //! Words of the keys of a record of measured values.
 
+use crate::{commission, measurand_name, terms};
+use installation::commission::expected::Measurand;
 use project::MeasuredKey;
 use quantities::Language;
+
+/// What a key of a record is called, or what its table is about.
+#[must_use]
+pub const fn measured_label(key: MeasuredKey, language: Language) -> &'static str {
+    if let Some(what) = key.measurand() {
+        return measurand_name(what, language);
+    }
+    let (en, de) = match key {
+        MeasuredKey::NoLoad => return measurand_name(Measurand::NoLoadCurrent, language),
+        MeasuredKey::Winding => return terms::winding(language),
+        MeasuredKey::Format => ("format", "Format"),
+        MeasuredKey::WindingTemperature | MeasuredKey::SensorTemperature | MeasuredKey::NoLoadTemperature => {
+            return commission::temperature(language);
+        }
+        MeasuredKey::Emf => ("induced voltage", "induzierte Spannung"),
+        MeasuredKey::EmfSpeed | MeasuredKey::SpeedMotor => ("speed of the motor", "Drehzahl des Motors"),
+        MeasuredKey::Sensor => ("temperature sensors", "Temperatursensoren"),
+        MeasuredKey::Brake => ("brake", "Bremse"),
+        MeasuredKey::Direction => ("directions", "Drehrichtungen"),
+        MeasuredKey::DirectionMotor => ("motor shaft turns", "Motorwelle dreht"),
+        MeasuredKey::DirectionFlange => ("flange turns", "Flansch dreht"),
+        MeasuredKey::DirectionPosition => ("position is", "Position ist"),
+        MeasuredKey::Speed => return terms::rotary_speed(language),
+        MeasuredKey::SpeedFlange | MeasuredKey::NoLoadSpeed => ("speed of the flange", "Drehzahl des Flansches"),
+        MeasuredKey::SpeedFrequency => ("frequency of the motor current", "Frequenz des Motorstroms"),
+        _ => ("", ""),
+    };
+    match language {
+        Language::En => en,
+        Language::De => de,
+    }
+}
 
 /// What a key of a record is for.
 #[must_use]

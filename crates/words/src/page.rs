@@ -70,6 +70,7 @@ texts! {
     least_bore = "Bore at least, mm" | "Bohrung mindestens, mm";
     greatest_length = "Length at most, mm" | "Länge höchstens, mm";
     greatest_mass = "Mass at most, kg" | "Masse höchstens, kg";
+    least_dc_link = "DC link up to at least, V" | "Zwischenkreis bis mindestens, V";
     shown_of(shown, all) = "{shown} of {all} shown" | "{shown} von {all} gezeigt";
     more_fitting(count) = "1 more fits" | "1 weiterer geeignet", "{count} more fit" | "{count} weitere geeignet";
     side_by_side = "Side by side" | "Nebeneinander";
@@ -87,12 +88,61 @@ texts! {
     tool_upkeep = "Upkeep" | "Instandhaltung";
     tool_glossary = "Glossary" | "Glossar";
     tool_errata = "Errata" | "Druckfehler";
-    delivered_on = "Delivered on" | "Geliefert am";
+    tool_curve = "Torque-speed curves" | "Kennlinien";
+    tool_torsion = "Torsion";
+    tool_bearing = "Output bearing" | "Abtriebslager";
+    tool_inertia = "Moment of inertia" | "Massenträgheitsmoment";
+    tool_battery = "Encoder battery" | "Geberbatterie";
+    tool_record = "Measured values" | "Gemessene Werte";
+    link_to_tool = "Link to these entries" | "Link auf diese Angaben";
+    answer_is_old =
+        "The answer shown belongs to the last entries without faults."
+        | "Die gezeigte Antwort gehört zu den letzten fehlerfreien Angaben.";
+    under_project = "Under the loads of the project that is open" | "Unter den Lasten des offenen Projekts";
+    drive_sinamics = "Parameter list (SINAMICS)" | "Parameterliste (SINAMICS)";
+    drive_eds = "Objects (EDS)" | "Objekte (EDS)";
+    checklist_pdf = "Check-lists (PDF form)" | "Prüflisten (PDF-Formular)";
+    calendar_file = "Calendar (ICS)" | "Kalender (ICS)";
+    record_file = "Record (TOML)" | "Messprotokoll (TOML)";
+    record_as_text = "Record as text (TOML)" | "Messprotokoll als Text (TOML)";
+    one_a_line(label) = "{label}; one a line" | "{label}; je Zeile einer";
+    measured_elsewhere(what) =
+        "What is {what} is typed in under “Measured values” and judged there."
+        | "Was {what} ist, wird unter „Gemessene Werte“ eingetippt und dort beurteilt.";
     folder = "Working folder" | "Arbeitsordner";
     saved(name) = "Saved: {name}" | "Gespeichert: {name}";
     changed_on_disk(name) =
         "{name} was changed on the disk since it was opened; it was left as it is. Open it anew, or save under another name."
         | "{name} wurde auf der Platte geändert, seit es geöffnet wurde; es blieb, wie es ist. Neu öffnen oder unter anderem Namen speichern.";
+    browser_folder = "Kept in this browser" | "In diesem Browser aufbewahrt";
+    kept_in_browser(name, button) =
+        "Kept in this browser: {name}. “{button}” gives it to you as a file."
+        | "In diesem Browser aufbewahrt: {name}. „{button}“ gibt es als Datei heraus.";
+    changed_in_browser(name) =
+        "{name} was saved from elsewhere since it was opened here, or the name is taken; it was left as it is. Open it anew, or save under another name."
+        | "{name} wurde anderswo gespeichert, seit es hier geöffnet wurde, oder der Name ist vergeben; es blieb, wie es ist. Neu öffnen oder unter anderem Namen speichern.";
+    forget_short = "Delete" | "Löschen";
+    forget(name) = "Delete {name} from this browser" | "{name} aus diesem Browser löschen";
+    browser_keeps_nothing =
+        "The browser keeps no more files for this page: its room is full, or it is set to keep nothing. Nothing was saved."
+        | "Der Browser bewahrt für diese Seite keine weiteren Dateien auf: Der Platz ist voll, oder er ist so eingestellt. Es wurde nichts gespeichert.";
+    report_elsewhere =
+        "The report as PDF is written by antrieb itself: `antrieb report`, or the page of `antrieb serve`."
+        | "Den Bericht als PDF schreibt das installierte antrieb: `antrieb report` oder die Seite von `antrieb serve`.";
+    engine_comes = "antrieb is being loaded; it then computes in this browser." | "antrieb wird geladen; es rechnet dann in diesem Browser.";
+    needs_scripts = "The page computes in the browser and needs JavaScript." | "Die Seite rechnet im Browser und braucht JavaScript.";
+    no_engine =
+        "antrieb cannot be loaded here: this browser has no WebAssembly, or a file of the page is missing."
+        | "antrieb lässt sich hier nicht laden: Dieser Browser hat kein WebAssembly, oder eine Datei der Seite fehlt.";
+    other_version(name) =
+        "In the folder {name} is another version than the one opened here. Loading it can be undone; keeping yours, the next save replaces it."
+        | "Im Ordner steht {name} in einem anderen Stand als hier geöffnet. Das Laden lässt sich rückgängig machen; wird Ihrer behalten, ersetzt ihn das nächste Speichern.";
+    no_version(name) =
+        "{name} is not in the folder any more; the next save writes it anew."
+        | "{name} ist nicht mehr im Ordner; das nächste Speichern schreibt die Datei neu.";
+    load_it = "Load it" | "Laden";
+    keep_mine = "Keep mine" | "Meinen behalten";
+    from_elsewhere = "A file from elsewhere" | "Eine Datei von anderswo";
     not_a_text(name) =
         "{name} is not UTF-8; save it as UTF-8 and open it again"
         | "{name} ist nicht UTF-8; als UTF-8 speichern und erneut öffnen";
@@ -112,4 +162,56 @@ texts! {
     no_such_page = "There is nothing at this address." | "Unter dieser Adresse gibt es nichts.";
     drawing_of(mechanism) = "Drawing: {mechanism}" | "Zeichnung: {mechanism}";
     worst_instant(time) = "at {time} s" | "bei {time} s";
+    cancel = "Cancel" | "Abbrechen";
+    was_cancelled = "Cancelled" | "Abgebrochen";
+    result_before =
+        "The result shown is the one from before the change."
+        | "Das gezeigte Ergebnis ist das von vor der Änderung.";
+    compute_again = "Compute again" | "Noch einmal rechnen";
+    no_answer =
+        "No answer from antrieb; the last change was not taken. Is the program still running?"
+        | "Keine Antwort von antrieb; die letzte Änderung wurde nicht übernommen. Läuft das Programm noch?";
+    all_axes = "All axes" | "Alle Achsen";
+    axes_together = "All axes together" | "Alle Achsen zusammen";
+    axes_told =
+        "Mass and power of all axes are added as if each had its largest power at the same instant."
+        | "Masse und Leistung aller Achsen sind addiert, als hätte jede ihre größte Leistung im selben Augenblick.";
+    sum_of_known(known, all) = "sum of {known} of {all}" | "Summe von {known} aus {all}";
+    sum = "sum" | "Summe";
+    power_taken = "largest power taken at the motor terminals" | "größte Leistungsaufnahme an den Motorklemmen";
+    power_returned = "largest power returned at the motor terminals" | "größte Rückspeiseleistung an den Motorklemmen";
+    tolerances = "Tolerances" | "Toleranzen";
+    tolerances_told(count) =
+        "1 quantity has a tolerance; the result above is that of its nominal value."
+        | "1 Größe hat eine Toleranz; das Ergebnis oben ist das ihres Nennwerts.",
+        "{count} quantities have a tolerance; the result above is that of their nominal values."
+        | "{count} Größen haben eine Toleranz; das Ergebnis oben ist das ihrer Nennwerte.";
+    judge_tolerances = "Judge the tolerances" | "Toleranzen beurteilen";
+    samples = "Samples" | "Stichproben";
+    as_many_as_seconds_allow = "some seconds" | "einige Sekunden";
+    tolerance_of(name) = "Tolerance of {name}" | "Toleranz von {name}";
+    time_shown = "Time shown" | "Gezeigte Zeit";
+    zoom_in = "Show less time, in more detail" | "Weniger Zeit zeigen, genauer";
+    zoom_out = "Show more time" | "Mehr Zeit zeigen";
+    window_back = "Earlier" | "Früher";
+    window_on = "Later" | "Später";
+    whole_cycle = "Whole cycle" | "Ganzer Zyklus";
+    worst_instants = "Worst instants of the checks" | "Ungünstigste Zeitpunkte der Nachweise";
+    end_of_segment(number, law) = "end of segment {number}, {law}" | "Ende von Abschnitt {number}, {law}";
+    ends_at(time, way, unit) = "at {time} s, {way} {unit}" | "bei {time} s, {way} {unit}";
+    grips_told =
+        "Arrow keys to the side change the time of the segment, up and down its way; with Shift in larger steps."
+        | "Pfeiltasten zur Seite ändern die Zeit des Abschnitts, auf und ab seinen Weg; mit Umschalttaste in größeren Schritten.";
+    choose_by_picture = "Choose by its picture" | "Nach dem Bild wählen";
+    law_pictures_told =
+        "From top to bottom position, speed and acceleration over time"
+        | "Von oben nach unten Position, Geschwindigkeit und Beschleunigung über der Zeit";
+    trapezoid_with_pause = "trapezoid with pause" | "Trapez mit Pause";
+    move_up(name) = "Move {name} up" | "{name} nach oben";
+    once_more(name) = "Duplicate {name}" | "{name} verdoppeln";
+    recognised(name) = "{name} (recognised)" | "{name} (erkannt)";
+    no_column = "no column" | "keine Spalte";
+    unit_of(name) = "Unit of {name}" | "Einheit von {name}";
+    first_rows = "First rows of the file" | "Erste Zeilen der Datei";
+    map_told = "A click on a point looks at this actuator." | "Ein Klick auf einen Punkt zeigt diesen Antrieb.";
 }

@@ -16,6 +16,9 @@ texts! {
     utilisation_of_the_limit = "Utilisation of the limit" | "Auslastung der Grenze";
     angle_at_the_output = "Angle at the output" | "Winkel am Abtrieb";
     output_speed = "Output speed" | "Abtriebsdrehzahl";
+    position_along_the_line = "Position along the line" | "Position längs der Führung";
+    speed_along_the_line = "Speed along the line" | "Geschwindigkeit längs der Führung";
+    acceleration_along_the_line = "Acceleration along the line" | "Beschleunigung längs der Führung";
     acceleration_at_the_output = "Acceleration at the output" | "Beschleunigung am Abtrieb";
     output_torque = "Output torque" | "Abtriebsdrehmoment";
     motor_current_rms = "Motor current, rms" | "Motorstrom, effektiv";
@@ -106,9 +109,15 @@ texts! {
     torsion_described(torque, angle, one, two) =
         "The largest torque of the load, {torque}, twists the gear by {angle}. The stiffness changes at {one} and {two}."
         | "Das größte Drehmoment der Last, {torque}, verdreht das Getriebe um {angle}. Die Steifigkeit ändert sich bei {one} und {two}.";
+    torsion_of_a_code_described(torque, angle, one, two) =
+        "{torque} twists the gear by {angle}. The stiffness changes at {one} and {two}."
+        | "{torque} verdreht das Getriebe um {angle}. Die Steifigkeit ändert sich bei {one} und {two}.";
     torsion_caption(one, two) =
-        "Mean values of many gears with blocked input; hysteresis and lost motion come on top. The stiffness changes at T_1 = {one} and T_2 = {two}. Torque of the load without the actuator's own inertia."
-        | "Mittelwerte vieler Getriebe bei blockiertem Eingang; Hysterese und Lost Motion kommen hinzu. Die Steifigkeit ändert sich bei T_1 = {one} und T_2 = {two}. Drehmoment der Last ohne die Eigenträgheit des Antriebs.";
+        "Mean values of many gears with blocked input; hysteresis and lost motion come on top. The stiffness changes at T_1 = {one} and T_2 = {two}."
+        | "Mittelwerte vieler Getriebe bei blockiertem Eingang; Hysterese und Lost Motion kommen hinzu. Die Steifigkeit ändert sich bei T_1 = {one} und T_2 = {two}.";
+    torque_of_the_load =
+        "Torque of the load without the actuator's own inertia."
+        | "Drehmoment der Last ohne die Eigenträgheit des Antriebs.";
     utilisation_caption =
         "The line at 100 % is the limit. A bar that is broken goes on beyond the picture. What is not checked stands below with the datum that is missing; it does not count as passed."
         | "Die Linie bei 100 % ist die Grenze. Ein unterbrochener Balken reicht über das Bild hinaus. Nicht Geprüftes steht unten mit der fehlenden Angabe; es gilt nicht als erfüllt.";

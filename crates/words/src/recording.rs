@@ -170,8 +170,8 @@ fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
     match fault {
         Fault::ColumnUnknown { role, name, nearest, headers } => (
             e(
-                format!("no column is named {} ({})", q(name), role_name(*role, language)),
-                format!("keine Spalte heißt {} ({})", q(name), role_name(*role, language)),
+                format!("no column is named {} ({})", q(name), role_text(*role, language)),
+                format!("keine Spalte heißt {} ({})", q(name), role_text(*role, language)),
             ),
             Some(match nearest {
                 Some(nearest) => e(format!("did you mean {}?", q(nearest)), format!("ist {} gemeint?", q(nearest))),
@@ -179,7 +179,7 @@ fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
             }),
         ),
         Fault::ColumnTwice { column, roles: [first, second] } => {
-            let (first, second) = (role_name(*first, language), role_name(*second, language));
+            let (first, second) = (role_text(*first, language), role_text(*second, language));
             (
                 e(
                     format!("the column {} is named as {first} and as {second}", q(column)),
@@ -202,7 +202,7 @@ fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
         ),
         Fault::Ambiguous { role, columns } => {
             let list = list(columns, language);
-            let (role, key) = (role_name(*role, language), role_key(*role));
+            let (role, key) = (role_text(*role, language), role_key(*role));
             (
                 e(
                     format!("several columns could be the {role}: {list}"),
@@ -236,7 +236,7 @@ fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
         ),
         Fault::UnitWrong { role, column, unit, by } => {
             let (measures, by) = (unit.dimension.name(language), known_by(*by, language));
-            let (unit, column, role_name) = (q(unit.ascii), q(column), role_name(*role, language));
+            let (unit, column, role_name) = (q(unit.ascii), q(column), role_text(*role, language));
             (
                 e(
                     format!("{unit} is a unit of {measures}, {column} is read as {role_name} ({by})"),
@@ -470,7 +470,9 @@ const fn role_key(role: Role) -> &'static str {
     }
 }
 
-fn role_name(role: Role, language: Language) -> String {
+/// What a column of a recording is for.
+#[must_use]
+pub fn role_text(role: Role, language: Language) -> String {
     match role {
         Role::Time => either(language, "time", "Zeit"),
         Role::Position => either(language, "position", "Position"),

@@ -22,6 +22,9 @@ texts! {
         | "json, csv oder parquet für eine Tabelle, xlsx für die Mappe; ohne Angabe json, wo eine Tabelle genannt ist, sonst xlsx";
     figure = "Which picture" | "Welches Bild";
     kind = "Kind of the project" | "Art des Projekts";
+    body =
+        "Body, for example “disc diameter=200mm length=20mm density=7850kg/m^3”"
+        | "Körper, etwa „disc diameter=200mm length=20mm density=7850kg/m^3“";
     moves =
         "The motion of an axis, every segment with what follows from it"
         | "Die Bewegung einer Achse, jeder Abschnitt mit dem, was aus ihm folgt";
@@ -31,6 +34,13 @@ texts! {
         | "Wie ein Antrieb unter den Drehmomenten und Lasten eines Projekts montiert wird";
     pins_compared = "A list of pins compared with the print" | "Eine Stiftliste, mit dem Druck verglichen";
     measured_judged = "Measured values judged, with likely causes" | "Gemessene Werte beurteilt, mit wahrscheinlichen Ursachen";
+    commission_drive =
+        "Values for the drive as a file: parameters line by line (sinamics), or an EDS (cia402)"
+        | "Werte für den Regler als Datei: Parameter zeilenweise (sinamics) oder eine EDS (cia402)";
+    commission_checklist =
+        "The check-lists as PDF, a form to fill in on the screen or on paper"
+        | "Die Prüflisten als PDF, ein Formular zum Ausfüllen am Bildschirm oder auf Papier";
+    upkeep_calendar = "The same plan as iCalendar" | "Derselbe Plan als iCalendar";
     no_such_path(path) = "there is nothing at {path}" | "unter {path} gibt es nichts";
     paths_are_listed =
         "GET /api/v1/openapi.json lists what can be asked"

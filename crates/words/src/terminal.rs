@@ -3,9 +3,12 @@
 use crate::texts::texts;
 
 texts! {
-    battery(life, grade, recommended, latest) =
-        "M128S battery: {life} a in use ({grade}, model battery)\nexchange of the encoder: recommended after {recommended} a, at the latest {latest} a after delivery"
-        | "Batterie des M128S: {life} a im Betrieb ({grade}, Modell Batterie)\nTausch des Gebers: empfohlen nach {recommended} a, spätestens {latest} a nach Lieferung";
+    battery(life, grade) =
+        "M128S battery: {life} a in use ({grade}, model battery)"
+        | "Batterie des M128S: {life} a im Betrieb ({grade}, Modell Batterie)";
+    battery_exchange(recommended, latest) =
+        "exchange of the encoder: recommended after {recommended} a, at the latest {latest} a after delivery"
+        | "Tausch des Gebers: empfohlen nach {recommended} a, spätestens {latest} a nach Lieferung";
     recording_not_written(recording, kind) =
         "{recording} is not written to standard output; `antrieb new {kind} --out FILE` writes both"
         | "{recording} geht nicht auf die Standardausgabe; `antrieb new {kind} --out DATEI` schreibt beide";
@@ -24,9 +27,16 @@ texts! {
     see = "see" | "siehe";
     value_of_the_standard(value) = "not printed (standard {value})" | "nicht abgedruckt (Standard {value})";
     value_and_print(value, printed) = "{value} (printed {printed})" | "{value} (im Druck {printed})";
-    torsion(code, angle, radian, torque, region, t1, t2, k1, k2, k3, table) =
-        "{code}: {angle} arcmin ({radian} mrad) under {torque} Nm, stiffness region {region}\nT_1 {t1} Nm, T_2 {t2} Nm, K_1 {k1}, K_2 {k2}, K_3 {k3} kNm/rad (table {table}); mean values, blocked motor"
-        | "{code}: {angle} arcmin ({radian} mrad) unter {torque} Nm, Steifigkeitsbereich {region}\nT_1 {t1} Nm, T_2 {t2} Nm, K_1 {k1}, K_2 {k2}, K_3 {k3} kNm/rad (Tabelle {table}); Mittelwerte, Motor blockiert";
+    torsion(code, angle, radian, torque, region) =
+        "{code}: {angle} arcmin ({radian} mrad) under {torque} Nm, stiffness region {region}"
+        | "{code}: {angle} arcmin ({radian} mrad) unter {torque} Nm, Steifigkeitsbereich {region}";
+    torsion_curve(t1, t2, k1, k2, k3, table) =
+        "T_1 {t1} Nm, T_2 {t2} Nm, K_1 {k1}, K_2 {k2}, K_3 {k3} kNm/rad (table {table}); mean values, blocked motor"
+        | "T_1 {t1} Nm, T_2 {t2} Nm, K_1 {k1}, K_2 {k2}, K_3 {k3} kNm/rad (Tabelle {table}); Mittelwerte, Motor blockiert";
+    torque_or_angle =
+        "one of torque and angle is needed; the other follows from it"
+        | "eines von torque und angle ist nötig; das andere folgt daraus";
+    most_lost(name, angle, source) = "{name}: at most {angle} arcmin ({source})" | "{name}: höchstens {angle} arcmin ({source})";
     no_common_axis =
         "the two projects have no axis of the same name"
         | "die beiden Projekte haben keine Achse gleichen Namens";

@@ -2,11 +2,13 @@
 
 mod commission;
 mod mount;
+mod recorded;
 mod upkeep;
 mod wiring;
 
 pub use commission::commission;
 pub use mount::mount;
+pub use recorded::{RecordedLine, recorded};
 pub use upkeep::upkeep;
 pub use wiring::wiring;
 

@@ -24,6 +24,31 @@ pub fn glossary(wanted: Option<&str>, language: Language) -> Result<Glossary, Ve
     if found.is_empty() { Err(nearest(&all, wanted)) } else { Ok(found) }
 }
 
+/// What a symbol means, with its unit and what is to be known of it; `None` for what is none of the glossary.
+#[must_use]
+pub fn meaning_of_symbol(symbol: &str, language: Language) -> Option<String> {
+    if let Some(term) = catalogue::term(symbol) {
+        let name = words::symbol_term(symbol, language);
+        let unit = if term.unit.is_empty() { String::new() } else { format!(" [{}]", shown_unit(term.unit)) };
+        let remark = term_remark(term, language);
+        return Some(if remark.is_empty() { format!("{name}{unit}") } else { format!("{name}{unit}: {remark}") });
+    }
+    words::glossary_symbol(symbol, language).map(str::to_owned)
+}
+
+fn shown_unit(unit: &'static str) -> &'static str {
+    quantities::Unit::of(unit).map_or(unit, |unit| unit.symbol)
+}
+
+/// What a word means, in either language; `None` for what is none of the glossary.
+#[must_use]
+pub fn meaning_of_word(word: &str, language: Language) -> Option<&'static str> {
+    let small = word.to_lowercase();
+    let found =
+        catalogue::words().iter().find(|known| [known.en, known.de].iter().any(|each| each.to_lowercase() == small));
+    found.map(|found| word_meaning(found, language))
+}
+
 fn whole(language: Language) -> Glossary {
     Glossary {
         words: catalogue::words()
@@ -100,6 +125,15 @@ mod tests {
         let losses = glossary(Some("P_0"), Language::En).unwrap();
         assert_eq!(losses.symbols.len(), 2, "{losses:?}");
         assert!(glossary(Some("demagnetisation"), Language::En).unwrap().terms.len() == 1);
+    }
+
+    #[test]
+    fn a_symbol_and_a_word_tell_what_they_mean() {
+        let torque = meaning_of_symbol("T_max", Language::De).unwrap();
+        assert!(torque.starts_with("maximales Drehmoment [Nm]"), "{torque}");
+        assert!(meaning_of_symbol("T_rms", Language::En).is_some() && meaning_of_symbol("x_y", Language::En).is_none());
+        assert_eq!(meaning_of_word("Nachweis", Language::En), meaning_of_word("check", Language::En));
+        assert!(meaning_of_word("check", Language::En).is_some());
     }
 
     #[test]

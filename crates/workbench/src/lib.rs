@@ -17,24 +17,28 @@ mod export;
 mod fingerprint;
 mod flange;
 mod glossary;
+mod grips;
+mod law_shape;
 mod licences;
 mod limits;
 mod mount;
 mod moves;
 mod patience;
 mod plane;
+mod preview;
 mod reading;
 mod sheet;
 mod sizing_use;
 mod subject;
 mod templates;
+mod together;
 mod told;
 mod tolerance;
 mod torsion;
 mod upkeep;
 mod wiring;
 
-pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
+pub use actuator::{BatteryLife, CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
 pub use ask::{
     Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, sized, verification,
@@ -54,13 +58,15 @@ pub use explain::{derivation, node_amount, trust};
 pub use export::{EXPORT_COLUMNS, export_csv, export_rows};
 pub use fingerprint::{catalogue_fingerprint, project_fingerprint};
 pub use flange::flange_course;
-pub use glossary::glossary;
+pub use glossary::{glossary, meaning_of_symbol, meaning_of_word};
+pub use grips::{Grip, Grips, grips};
 pub use installation::calendar::Interval;
 pub use installation::mount::MountAsked;
 pub use installation::upkeep::{Planned, Upkeep, UpkeepAsked};
 pub use installation::wiring::{
     Connector, Group as SignalGroup, LISTED_BYTES_MAX, ListFault, Role, VoltageDrop, Wiring, voltage_drops, wiring,
 };
+pub use law_shape::{Shape, law_shape};
 pub use licences::licences;
 pub use limits::{NeededLimit, limits_needed};
 pub use mount::{joint_loads, mount, read_bore};
@@ -68,35 +74,41 @@ pub use moves::{Move, Moves, moves};
 pub use order_code::{Brake, Field, OrderCode, Size};
 pub use patience::Patience;
 pub use plane::{Plane, curve_rows, plane, plane_of};
+pub use preview::{recording_preview, recording_roles};
 pub use project::{
     ALL_CORNERS_MOST, Assumption, BODY_SHAPES, BodyAnswer, BodyShape, Diagnostic, Fault, Files, Grant, Hint,
     InertiaAnswer, Input, InputChange, NoFiles, NoRegularFile, OwnActuator, PROJECT_MAX_BYTES, Project, RatioAnswer,
     Reach, RecordingRead, SegmentLaw, Tolerance, inertia, input_changes, inputs, place,
 };
-pub use project::{Edit, EditFault, KEYS, Key, Kind, Variants, Written, edit, example, key_at, written};
+pub use project::{
+    About, Edit, EditFault, KEYS, Key, Kind, MEASURED_KEYS, MeasuredKey, Variants, Written, edit, edit_measured,
+    example, key_at, measured_key_at, stretch, written,
+};
 pub use provenance::Grade;
 pub use quantities::{self, Language};
 pub use reading::{Unread, read, read_all, read_all_watched, schema};
-pub use recording::MEMORY_USUAL;
-pub use sheet::{Sheet, SheetNote, SheetRow, SheetSection, sheet};
+pub use recording::{MEMORY_USUAL, Preview, Role as ColumnRole};
+pub use sheet::{Sheet, SheetMarks, SheetNote, SheetRow, SheetSection, sheet, sheet_value_text, uncovered_mark};
 pub use sizing::derivation as workings;
 pub use sizing::{
     Check, CheckId, Checks, Course, Demand, Direction, Figure, FlangeSample, Part, Reserve, Sample, Verdict,
 };
 pub use sizing_use::{
-    Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, explain, explain_own, reserve_of,
-    size,
+    Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, course_within, explain, explain_own,
+    reserve_of, size,
 };
 pub use subject::{candidate_for, candidate_of_tables, names, paired, picked};
 pub use templates::{Template, template, template_kinds};
+pub use together::{PowerOverCycle, power_over_cycle, sum_of_known};
 pub use told::{
-    by_importance, demand_figures, figure_text, objection_text, percent, reason, recording_text, reserve_lines, shown,
-    unit_text,
+    battery_lines, by_importance, demand_figures, dominating, figure_text, objection_text, passing_text, percent,
+    reason, recording_text, reserve_lines, sampling_text, share_text, shown, tolerance_heads, tolerance_lines,
+    tolerance_rows, torsion_lines, unit_text, worst_text,
 };
 pub use tolerance::{
     Assessment, Draw, Influence, Place, Quantiles, SAMPLES_MOST, SAMPLES_USUAL, SEED_USUAL, Sampling, Worst, assess,
 };
-pub use torsion::{TorsionAnswer, TorsionCurve, read_torque, torsion, torsion_of};
+pub use torsion::{TorsionAnswer, TorsionCurve, Twist, read_twist, torsion, torsion_of};
 pub use upkeep::{OptionFault, day_of_clock, read_date, read_interval, read_storage, upkeep};
 pub use wiring::{CABLE_LENGTH_MAX_M, CROSS_SECTION_MAX_MM2, ListRead, cable_length, cross_section, read_list};
 

@@ -28,6 +28,8 @@ pub struct Moves<'p> {
     pub turns: bool,
     /// Units of distance, speed and acceleration.
     pub units: [&'static Unit; 3],
+    /// What is along the line, or behind a stage, per what is at the output, both in SI.
+    pub per_output: f64,
     /// The segments in their order.
     pub moves: Vec<Move<'p>>,
 }
@@ -66,5 +68,5 @@ pub fn moves(project: &Project) -> Moves<'_> {
             recording,
         }
     });
-    Moves { turns: travel.is_none(), units, moves: moves.collect() }
+    Moves { turns: travel.is_none(), units, per_output: factor, moves: moves.collect() }
 }

@@ -13,6 +13,7 @@ pub struct Stopped;
 pub struct Patience {
     limited: bool,
     cancelled: AtomicBool,
+    late: AtomicBool,
     done: AtomicUsize,
     expected: AtomicUsize,
 }
@@ -33,6 +34,18 @@ impl Patience {
     /// Ends the work before its next step.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// Ends it because the time is over.
+    pub fn expire(&self) {
+        self.late.store(true, Ordering::Relaxed);
+        self.cancel();
+    }
+
+    /// Whether it ended because the time was over, and not because somebody cancelled it.
+    #[must_use]
+    pub fn is_late(&self) -> bool {
+        self.late.load(Ordering::Relaxed)
     }
 
     /// Whether there is an end to it.

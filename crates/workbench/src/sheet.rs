@@ -3,6 +3,8 @@
 use catalogue::{Cell, Footnote};
 use configurator::Uncovered;
 use order_code::{Brake, Option1, OrderCode};
+use quantities::Language;
+use words::{cell_text, decimal, terminal};
 
 /// A remark on a value or a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -129,6 +131,62 @@ fn concerns(cell: &Cell, code: &OrderCode) -> bool {
         }
     };
     !of_the_other_variant
+}
+
+/// The marks of the notes in a table: the printed ones, else the next small letter. What the tables do not cover of the code
+/// has the token that brings it.
+#[derive(Clone, Debug, Default)]
+pub struct SheetMarks(Vec<(String, SheetNote)>);
+
+impl SheetMarks {
+    /// The mark of a note, the same one each time.
+    pub fn of(&mut self, note: SheetNote) -> String {
+        if let SheetNote::Uncovered(what) = note {
+            return uncovered_mark(what).to_owned();
+        }
+        if let Some((mark, _)) = self.0.iter().find(|(_, known)| *known == note) {
+            return mark.clone();
+        }
+        let letters = self.0.iter().filter(|(_, known)| known.mark().is_empty()).count();
+        let mark = match note.mark() {
+            "" => ('a'..='z').nth(letters).unwrap_or('z').to_string(),
+            mark => mark.to_owned(),
+        };
+        self.0.push((mark.clone(), note));
+        mark
+    }
+
+    /// Every note that has got a mark, by their marks.
+    #[must_use]
+    pub fn sorted(mut self) -> Vec<(String, SheetNote)> {
+        self.0.sort_by(|(one, _), (other, _)| one.cmp(other));
+        self.0
+    }
+}
+
+/// The token of the code that brings what the tables do not cover.
+#[must_use]
+pub const fn uncovered_mark(what: Uncovered) -> &'static str {
+    match what {
+        Uncovered::LongerWithK => "K",
+        Uncovered::SpecialDesign => "SP",
+        Uncovered::OutputEncoder => "EC",
+    }
+}
+
+/// The value after errata, with the print where it differs; a value of the standard only is none of this code.
+#[must_use]
+pub fn sheet_value_text(row: &SheetRow, language: Language) -> String {
+    let cell = row.cell;
+    let value = decimal(cell_text(cell, language), language);
+    if row.of_standard_only {
+        return terminal::value_of_the_standard(&value, language);
+    }
+    if cell.corrected == cell.printed {
+        return value;
+    }
+    let printed = decimal(cell.printed, language);
+    terminal::value_and_print(&value, &printed, language)
 }
 
 #[cfg(test)]

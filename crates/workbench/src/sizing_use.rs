@@ -10,6 +10,8 @@ use sizing::{
     Check, CheckId, Course, Depth, Judge, Judgement, Reserve, Standing, Unwatched, Verdict, Watch, finished, rank,
     reserve_watched,
 };
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// What a candidate is called.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -168,16 +170,36 @@ pub fn size(project: &Project) -> Sizing<'_> {
 /// # Errors
 /// Where it was stopped.
 pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, watch: &W) -> Result<Sizing<'p>, W::Stop> {
-    let actuators = actuators_of(project, project.option_1);
-    // Two fixed halves; the order is that of the catalogue, whoever is done first.
-    let (first, second) = actuators.split_at(actuators.len() / 2);
-    let candidates = std::thread::scope(|scope| {
-        let other = scope.spawn(|| judged(project, second, watch));
-        let mut candidates = judged(project, first, watch)?;
-        // A thread that could not finish leaves its part to this one.
-        candidates.extend(other.join().unwrap_or_else(|_| judged(project, second, watch))?);
-        Ok(candidates)
+    let parts = parts(actuators_of(project, project.option_1));
+    let next = AtomicUsize::new(0);
+    // Each of two threads takes the next part until none is left: those that fit are judged by more checks and stand
+    // together in the catalogue, so that two fixed halves would be done at different times.
+    let work = || -> Result<Vec<_>, W::Stop> {
+        let mut judging = Judging::of(project, Depth::Survivors);
+        let mut done = Vec::with_capacity(parts.len());
+        while let place = next.fetch_add(1, Ordering::Relaxed)
+            && let Some(part) = parts.get(place)
+        {
+            done.push((place, judged(&mut judging, part, watch)?));
+        }
+        Ok(done)
+    };
+    let mut done = std::thread::scope(|scope| {
+        let other = std::thread::Builder::new().spawn_scoped(scope, work).ok();
+        let mut done = work()?;
+        if let Some(other) = other.and_then(|other| other.join().ok()) {
+            done.extend(other?);
+        }
+        Ok(done)
     })?;
+    // A thread that cannot be had, as in a browser, took no part; one that could not finish leaves its own to this one.
+    let missing: Vec<_> = (0..parts.len()).filter(|place| done.iter().all(|(known, _)| known != place)).collect();
+    for (place, part) in missing.into_iter().filter_map(|place| Some((place, parts.get(place)?))) {
+        done.push((place, judged(&mut Judging::of(project, Depth::Survivors), part, watch)?));
+    }
+    done.sort_by_key(|(place, _)| *place);
+    let mut candidates = Vec::with_capacity(parts.iter().map(|part| part.len()).sum());
+    done.into_iter().for_each(|(_, part)| candidates.extend(part));
     Ok(Sizing {
         name: &project.name,
         candidates: ranked(candidates),
@@ -194,18 +216,38 @@ fn ranked(candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
     order.into_iter().filter_map(|(_, index)| places.get_mut(index)?.take()).collect()
 }
 
+/// A part has at least so many actuators.
+const PART: usize = 8;
+
+/// The catalogue in parts for one thread or the other, cut where one drivetrain ends: neighbours share what is found of it.
+fn parts(actuators: &[(OrderCode, Parameters)]) -> Vec<&[(OrderCode, Parameters)]> {
+    let mut parts = Vec::with_capacity(actuators.len() / PART + 1);
+    let mut rest = actuators;
+    while let Some((_, last)) = rest.get(PART - 1) {
+        let drivetrain = &last.drivetrain;
+        let same = |(_, parameters): &&(OrderCode, Parameters)| Arc::ptr_eq(&parameters.drivetrain, drivetrain);
+        let (part, further) = rest.split_at(PART + rest.iter().skip(PART).take_while(same).count());
+        parts.push(part);
+        rest = further;
+    }
+    if !rest.is_empty() {
+        parts.push(rest);
+    }
+    parts
+}
+
 /// Each actuator as a candidate, with the options that the project asks for.
 fn judged<'p, W: Watch>(
-    project: &'p Project,
+    judging: &mut Judging<'p>,
     actuators: &'p [(OrderCode, Parameters)],
     watch: &W,
 ) -> Result<Vec<Candidate<'p>>, W::Stop> {
-    let mut judging = Judging::of(project, Depth::Survivors);
+    let project = judging.project;
     let mut candidates = Vec::with_capacity(actuators.len());
     for (code, parameters) in actuators {
         watch.step()?;
         let code = OrderCode { option_1: project.option_1, option_2: project.option_2, ..*code };
-        candidates.push(candidate(&mut judging, code, parameters));
+        candidates.push(candidate(judging, code, parameters));
     }
     Ok(candidates)
 }
@@ -254,6 +296,12 @@ pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
 #[must_use]
 pub fn course(project: &Project, candidate: &Candidate<'_>) -> Course {
     Course::of(&project.axis, candidate.parameters)
+}
+
+/// The same, finer between two instants \[s\].
+#[must_use]
+pub fn course_within(project: &Project, candidate: &Candidate<'_>, window: (f64, f64)) -> Course {
+    Course::within(&project.axis, candidate.parameters, window)
 }
 
 /// How far the axis of a project may be changed until a candidate just fits.

@@ -1,12 +1,23 @@
 //! Results in short words that a terminal and a page both say.
 
+mod tolerances;
+
+pub use tolerances::{
+    dominating, passing_text, sampling_text, share_text, tolerance_heads, tolerance_lines, tolerance_rows, worst_text,
+};
+
 use crate::limits::NeededLimit;
 use crate::sizing_use::{Candidate, CandidateId, Objection};
+use crate::torsion::TorsionAnswer;
 use crate::{Check, Checks, Demand, Figure, Reserve, Verdict, limits_needed};
+use actuator::BatteryLife;
+use order_code::OrderCode;
 use project::RecordingRead;
-use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE};
-use quantities::{Language, Measure, Unit, format_number, format_significant};
-use words::{check_title, describe_rule, encoding_guess, terminal, unmet_text};
+use quantities::unit::{
+    ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, YEAR,
+};
+use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
+use words::{check_title, describe_rule, encoding_guess, grade_word, source_text, symbol_term, terminal, unmet_text};
 
 /// A value in its unit, four digits.
 #[must_use]
@@ -130,6 +141,40 @@ pub fn reserve_lines(
         lines.push((terminal::would_fit_with_this_asked_for(language), needed.iter().map(each).collect()));
     }
     lines
+}
+
+/// The torsion of a gear under a torque, the curve that it comes from, and what is lost at its reversal, a line each.
+#[must_use]
+pub fn torsion_lines(code: &OrderCode, answer: &TorsionAnswer, language: Language) -> Vec<String> {
+    let number = |value: f64, digits| format_significant(value, digits, language);
+    let [k1, k2, k3] = answer.curve.stiffness.map(|k| number(k.in_unit(&KILONEWTON_METRE_PER_RADIAN), 3));
+    let (torque, angle) =
+        (number(answer.torque.in_unit(&NEWTON_METRE), 4), number(answer.angle.in_unit(&ARCMINUTE), 3));
+    let radian = number(answer.angle.si() * 1e3, 3);
+    let (t1, t2) = (number(answer.curve.torque_1.si(), 3), number(answer.curve.torque_2.si(), 3));
+    let table = if code.size.number() >= 32 { "54.4" } else { "54.3" };
+    let mut lines = vec![
+        terminal::torsion(code, &angle, &radian, &torque, &answer.region, language),
+        terminal::torsion_curve(&t1, &t2, &k1, &k2, &k3, &table, language),
+    ];
+    for (symbol, lost) in [("hysteresis_loss", &answer.hysteresis_loss), ("lost_motion", &answer.lost_motion)] {
+        let Some(known) = lost.known() else { continue };
+        let source = format!("{}, {}", grade_word(known.grade, language), source_text(&known.source, language));
+        let angle = number(known.value.in_unit(&ARCMINUTE), 3);
+        lines.push(terminal::most_lost(&symbol_term(symbol, language), &angle, &source, language));
+    }
+    lines
+}
+
+/// The life of the encoder's battery and the exchange that follows from it, a line each.
+#[must_use]
+pub fn battery_lines(battery: &BatteryLife, language: Language) -> Vec<String> {
+    let years = |time: Time| format_significant(time.in_unit(&YEAR), 3, language);
+    let grade = grade_word(battery.life.grade, language);
+    vec![
+        terminal::battery(&years(battery.life.value), &grade, language),
+        terminal::battery_exchange(&years(battery.exchange_recommended), &years(battery.exchange_latest), language),
+    ]
 }
 
 /// What was read of a recording: file, samples, columns with their units, what was left out, what was guessed.

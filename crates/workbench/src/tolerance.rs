@@ -67,6 +67,13 @@ impl Draw {
             }
         }
     }
+
+    /// Whether that takes no longer than somebody who types would wait unasked.
+    #[must_use]
+    pub fn is_quick(self, project: &Project, actuators: usize) -> bool {
+        let sampling = self.sampling(project, actuators, false);
+        sampling.is_ok_and(|sampling| work::is_quick(project, actuators, sampling.samples))
+    }
 }
 
 impl Default for Sampling {

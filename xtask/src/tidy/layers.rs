@@ -18,7 +18,7 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 32] = [
+const ROOMS: [(&str, Room); 34] = [
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
     ("order-code", Room::Layer(0)),
@@ -45,10 +45,12 @@ const ROOMS: [(&str, Room); 32] = [
     ("disk", Room::Layer(8)),
     ("page", Room::Layer(8)),
     ("server", Room::Layer(9)),
+    ("site", Room::Layer(9)),
     ("antrieb", Room::Layer(10)),
     ("testkit", Room::DevOnly),
     ("xtask", Room::Outside),
     ("benches", Room::Outside),
+    ("browser", Room::Outside),
     ("fuzz", Room::Outside),
     ("validation", Room::Outside),
 ];

@@ -50,14 +50,24 @@ impl Member {
     }
 }
 
+/// Members with a table of their own: that of the workspace, but that a file of theirs may lift the ban on unsafe code.
+const OWN_LINTS: [&str; 1] = ["site"];
+
 /// Every member takes the lints of the workspace; cargo tells nobody which do.
 pub(super) fn lints(root: &Path) -> Vec<Finding> {
     let tree = Tree::read(root);
     let members = Members::read(root);
+    let table = |path: &str| -> toml::Table { tree.text(path).unwrap_or_default().parse().unwrap_or_default() };
+    let top = table("Cargo.toml");
+    let mut liftable = top.get("workspace").and_then(|workspace| workspace.get("lints")).cloned();
+    if let Some(lint) = liftable.as_mut().and_then(|lints| lints.get_mut("rust")?.get_mut("unsafe_code")) {
+        *lint = toml::Value::from("deny");
+    }
     let inherits = |member: &Member| {
-        let table: toml::Table = tree.text(&member.manifest).unwrap_or_default().parse().unwrap_or_default();
-        let flag = table.get("lints").and_then(|lints| lints.get("workspace")).and_then(|flag| flag.as_bool());
-        flag == Some(true)
+        let table = table(&member.manifest);
+        let lints = table.get("lints");
+        let is_own = OWN_LINTS.contains(&member.package.name.as_str()) && lints == liftable.as_ref();
+        is_own || lints.and_then(|lints| lints.get("workspace")).and_then(|flag| flag.as_bool()) == Some(true)
     };
     let mut findings = members.findings;
     findings.extend(members.list.iter().filter(|member| !inherits(member)).map(|member| Finding {
@@ -89,9 +99,13 @@ mod tests {
             ("crates/sizing/src/lib.rs", ""),
             ("xtask/Cargo.toml", "[package]\nname = \"xtask\"\n[lints.clippy]\nall = \"warn\"\n"),
             ("xtask/src/lib.rs", ""),
+            ("crates/site/Cargo.toml", "[package]\nname = \"site\"\n[lints.rust]\nunsafe_code = \"deny\"\n"),
+            ("crates/site/src/lib.rs", ""),
+            ("crates/plot/Cargo.toml", "[package]\nname = \"plot\"\n[lints.rust]\nunsafe_code = \"deny\"\n"),
+            ("crates/plot/src/lib.rs", ""),
         ]);
         let paths: Vec<String> = lints(scratch.root()).into_iter().map(|found| found.path).collect();
-        assert_eq!(paths, ["crates/sizing/Cargo.toml", "xtask/Cargo.toml"]);
+        assert_eq!(paths, ["crates/plot/Cargo.toml", "crates/sizing/Cargo.toml", "xtask/Cargo.toml"]);
     }
 
     #[test]

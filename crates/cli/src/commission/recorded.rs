@@ -1,14 +1,13 @@
 //! A recorded commissioning, judged.
 
-use super::{shown, unit_shown};
 use crate::answer::Answer;
 use crate::fault::{Source, report};
 use crate::table::{Align, Table, paragraph};
 use clap::ArgMatches;
 use std::path::Path;
-use workbench::answers::{Fit, Recorded, RecordedValue};
-use workbench::text::{capitalised, commission, grade_word, terms, told, verdict_word};
-use workbench::{Commissioning, Language, answer};
+use workbench::answers::{Fit, Recorded};
+use workbench::text::{capitalised, commission, terms, told, verdict_word};
+use workbench::{Commissioning, Language, answer, chapter};
 
 /// `antrieb commission CODE --record FILE`: 0 nothing is off, 1 something is, 2 the record cannot be read.
 pub(super) fn record(
@@ -39,66 +38,21 @@ fn text(recorded: &Recorded, language: Language) -> String {
         (terms::unit(language), Align::Left),
         (terms::remark(language), Align::Left),
     ];
+    let lines = chapter::recorded(recorded, language);
     let mut table = Table::new(heads);
-    for each in &recorded.measurements {
+    for line in &lines {
         table.row([
-            name(each),
-            verdict_word(*each.verdict, language),
-            value(each, language),
-            expected(each, language),
-            unit(each),
-            remark(each, language),
+            line.name.clone(),
+            verdict_word(line.verdict, language),
+            line.value.clone(),
+            line.expected.clone(),
+            line.unit.clone(),
+            line.remark.clone(),
         ]);
     }
     out.push_str(&table.render());
-    for each in recorded.measurements.iter().filter(|each| each.cause_text.is_some()) {
-        let cause = each.cause_text.as_deref().unwrap_or_default();
-        out.push_str(&paragraph(&format!("{}: ", name(each)), &commission::likely_cause(&cause, language)));
+    for (line, cause) in lines.iter().filter_map(|line| Some((line, line.cause.as_ref()?))) {
+        out.push_str(&paragraph(&format!("{}: ", line.name), cause));
     }
     out
-}
-
-fn name(value: &RecordedValue) -> String {
-    value.number.map_or_else(|| value.name.clone(), |number| format!("{} {number}", value.name))
-}
-
-/// Whether a measurement is a yes or no.
-fn is_direction(value: &RecordedValue) -> bool {
-    value.expected.is_none() && value.high.is_none() && value.id.starts_with("direction_")
-}
-
-fn unit(value: &RecordedValue) -> String {
-    unit_shown(value.unit)
-}
-
-fn value(value: &RecordedValue, language: Language) -> String {
-    match value.value {
-        Some(measured) if is_direction(value) => {
-            if measured.0 > 0.5 { commission::right(language) } else { commission::reversed(language) }.to_owned()
-        }
-        Some(measured) => shown(measured.0, language),
-        None => "–".to_owned(),
-    }
-}
-
-fn expected(value: &RecordedValue, language: Language) -> String {
-    match (value.expected, value.low, value.high) {
-        (Some(expected), Some(low), Some(high)) => {
-            let band = commission::between(&shown_short(low.0, language), &shown_short(high.0, language), language);
-            format!("{} ({band})", shown_short(expected.0, language))
-        }
-        (None, _, Some(high)) => commission::at_most_value(&shown_short(high.0, language), language),
-        _ => "–".to_owned(),
-    }
-}
-
-fn shown_short(value: f64, language: Language) -> String {
-    workbench::quantities::format_significant(value, 3, language)
-}
-
-fn remark(value: &RecordedValue, language: Language) -> String {
-    let grade = value.grade.map(|grade| grade_word(*grade, language).to_owned());
-    let parts = [Some(value.remark.clone()), grade, Some(value.source.clone())];
-    let parts: Vec<String> = parts.into_iter().flatten().filter(|part| !part.is_empty()).collect();
-    parts.join("; ")
 }

@@ -17,17 +17,17 @@ const USUAL_NAME: &str = "stdin";
 const TEXT_MOST: usize = 200;
 
 /// A question with values that the endpoint takes.
-pub(super) struct Asked<'a> {
+pub(crate) struct Asked<'a> {
     call: &'a Call<'a>,
     values: Vec<(&'static str, String)>,
-    pub(super) shell: &'a dyn Shell,
+    pub(crate) shell: &'a dyn Shell,
     pub(super) patience: &'a Patience,
-    pub(super) language: Language,
+    pub(crate) language: Language,
 }
 
 impl<'a> Asked<'a> {
     /// Reads the query; every fault of it at once.
-    pub(super) fn of(
+    pub(crate) fn of(
         endpoint: &Endpoint,
         call: &'a Call<'a>,
         shell: &'a dyn Shell,
@@ -83,7 +83,7 @@ impl<'a> Asked<'a> {
     }
 
     /// The value of a name.
-    pub(super) fn text(&self, name: &str) -> Option<&str> {
+    pub(crate) fn text(&self, name: &str) -> Option<&str> {
         self.all(name).next()
     }
 
@@ -278,7 +278,7 @@ const TRUE: &str = "true";
 /// A value as it is kept, or what would be right.
 fn valid<'v>(parameter: &Parameter, value: &'v str) -> Result<Cow<'v, str>, Option<UsageHint>> {
     match parameter.kind {
-        Kind::Text => Ok(Cow::Borrowed(value)),
+        Kind::Text | Kind::Date => Ok(Cow::Borrowed(value)),
         Kind::Flag => match value {
             "" | "1" => Ok(Cow::Borrowed(TRUE)),
             "0" => Ok(Cow::Borrowed("false")),

@@ -5,7 +5,7 @@ use super::{Unanswered, record};
 use crate::{Reply, ReportAsked};
 use figures::{By, Figure, Size, Theme};
 use serde::Serialize;
-use workbench::answers::{Answered, Faults};
+use workbench::answers::{self, Answered, Faults};
 use workbench::quantities::Length;
 use workbench::text::{terminal, terms};
 use workbench::{CheckId, MountAsked, OrderCode, Project, Refusal, Verdict, answer};
@@ -130,6 +130,11 @@ pub(super) fn diff(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
 }
 
 pub(super) fn mount(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    mount_of(asked).map(|found| record(200, &found))
+}
+
+/// How an actuator is mounted under the loads of a project.
+pub(crate) fn mount_of(asked: &Asked<'_>) -> Result<answers::Mount, Unanswered> {
     super::code::mount_under(asked, |code| {
         let (_, project) = asked.axis()?;
         let loads = workbench::joint_loads(&project, code).map_err(|refusal| asked.refused(&refusal))?;

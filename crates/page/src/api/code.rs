@@ -4,10 +4,13 @@ use super::asked::Asked;
 use super::{Unanswered, record};
 use crate::Reply;
 use workbench::answer;
-use workbench::answers::{CommissionAnswer, Faults};
+use workbench::answers::{self, CommissionAnswer, Faults};
 use workbench::quantities::{ElectricPotential, ThermodynamicTemperature};
-use workbench::text::{file_trouble, upkeep, wiring};
-use workbench::{Date, DriveForm, LISTED_BYTES_MAX, MountAsked, OrderCode, Refusal, UpkeepAsked, usual_ambient};
+use workbench::text::{file_trouble, terminal, upkeep, wiring};
+use workbench::{
+    Commissioning, Date, DriveForm, LISTED_BYTES_MAX, MountAsked, OrderCode, PerformanceCurve, Plane, Refusal,
+    TorsionAnswer, Upkeep, UpkeepAsked, Wiring, usual_ambient,
+};
 
 pub(super) fn parse(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let text = asked.text("code").unwrap_or_default();
@@ -43,23 +46,40 @@ pub(super) fn data(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
 }
 
 pub(super) fn torsion(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
-    let code = asked.code()?;
-    let torque = workbench::read_torque(asked.text("torque").unwrap_or_default(), asked.language)
-        .map_err(|fault| answer::option_fault("torque", fault))?;
-    let found = workbench::torsion(&code, torque).ok_or_else(|| asked.refused(&Refusal::NoData))?;
+    let (code, found) = torsion_of(asked)?;
     Ok(record(200, &answer::torsion(&code, &found)))
 }
 
+/// A gear under a torque, or twisted by an angle.
+pub(crate) fn torsion_of(asked: &Asked<'_>) -> Result<(OrderCode, TorsionAnswer), Unanswered> {
+    let code = asked.code()?;
+    let twist = workbench::read_twist(asked.text("torque"), asked.text("angle"), asked.language)
+        .map_err(|(option, fault)| answer::option_fault(option, fault))?;
+    let found = workbench::torsion(&code, twist).ok_or_else(|| asked.refused(&Refusal::NoData))?;
+    Ok((code, found))
+}
+
 pub(super) fn curve(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    let (code, curves, _) = curves_of(asked)?;
+    Ok(record(200, &answer::curves(&code, &curves, asked.language)))
+}
+
+/// The curves of a code, and the plane that they bound.
+pub(crate) fn curves_of(asked: &Asked<'_>) -> Result<(OrderCode, Vec<PerformanceCurve>, Plane), Unanswered> {
     let code = asked.code()?;
     let voltage: Option<ElectricPotential> = asked.quantity("voltage")?;
-    match workbench::curves(&code, voltage) {
-        Some(Ok(curves)) => Ok(record(200, &answer::curves(&code, &curves, asked.language))),
+    match (workbench::curves(&code, voltage), workbench::plane_of(&code, voltage)) {
+        (Some(Ok(curves)), Some(Ok(plane))) => Ok((code, curves, plane)),
         _ => Err(asked.refused(&Refusal::NoData)),
     }
 }
 
 pub(super) fn wiring(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    wiring_of(asked).map(|(_, found)| record(200, &found))
+}
+
+/// Connectors, pins and cables.
+pub(crate) fn wiring_of(asked: &Asked<'_>) -> Result<(Wiring, answers::Wiring), Unanswered> {
     let code = asked.code()?;
     let found = workbench::wiring(&code).ok_or_else(|| asked.refused(&Refusal::NoData))?;
     let language = asked.language;
@@ -70,7 +90,8 @@ pub(super) fn wiring(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     if section.is_some() && length.is_none() {
         return Err(asked.missing("length"));
     }
-    Ok(record(200, &answer::wiring(&found, length.map(|length| (length, section)), language)))
+    let told = answer::wiring(&found, length.map(|length| (length, section)), language);
+    Ok((found, told))
 }
 
 pub(super) fn pins(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
@@ -91,6 +112,11 @@ pub(super) fn pins(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
 
 /// How an actuator is mounted.
 pub(super) fn mount(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    mount_alone(asked).map(|found| record(200, &found))
+}
+
+/// The same under the limits of the manual.
+pub(crate) fn mount_alone(asked: &Asked<'_>) -> Result<answers::Mount, Unanswered> {
     mount_under(asked, |_| Ok((MountAsked::default(), None)))
 }
 
@@ -98,7 +124,7 @@ pub(super) fn mount(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
 pub(super) fn mount_under(
     asked: &Asked<'_>,
     loads: impl FnOnce(&OrderCode) -> Result<(MountAsked, Option<String>), Unanswered>,
-) -> Result<Reply, Unanswered> {
+) -> Result<answers::Mount, Unanswered> {
     let mut faults: Vec<Faults> = Vec::new();
     let code = asked.code_among_others(asked.text("code").unwrap_or_default()).map_err(|fault| faults.push(fault));
     let mut bore = |name: &str| {
@@ -110,10 +136,24 @@ pub(super) fn mount_under(
     let (under, name) = loads(&code)?;
     let question = MountAsked { bore_load: load.or(both), bore_housing: housing.or(both), ..under };
     let found = workbench::mount(&code, &question).ok_or_else(|| asked.refused(&Refusal::NoData))?;
-    Ok(record(200, &answer::mount(&found, &question, name.as_deref(), asked.language)))
+    Ok(answer::mount(&found, &question, name.as_deref(), asked.language))
 }
 
 pub(super) fn upkeep(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    upkeep_of(asked).map(|(_, found)| record(200, &found))
+}
+
+/// The plan as a calendar.
+#[cfg(feature = "interface")]
+pub(super) fn calendar(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    let name = asked.label("name")?;
+    let (plan, found) = upkeep_of(asked)?;
+    let text = tables::calendar(&plan, &found, name.as_deref(), asked.language);
+    Ok(Reply::of(200, super::list::CALENDAR, text).saved_as(&format!("{}.ics", found.code)))
+}
+
+/// What is to be done, and when.
+pub(crate) fn upkeep_of(asked: &Asked<'_>) -> Result<(Upkeep, answers::Upkeep), Unanswered> {
     let language = asked.language;
     let mut faults: Vec<Faults> = Vec::new();
     let code = asked.code_among_others(asked.text("code").unwrap_or_default()).map_err(|fault| faults.push(fault)).ok();
@@ -148,7 +188,8 @@ pub(super) fn upkeep(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
             let question = UpkeepAsked { delivered, storage, hours_per_day, inspect, today };
             let plan = workbench::upkeep(&code, &question, language)
                 .map_err(|(name, message, hint)| answer::option_fault(name, (message, hint)))?;
-            Ok(record(200, &answer::upkeep(&plan, language)))
+            let found = answer::upkeep(&plan, language);
+            Ok((plan, found))
         }
         _ => Err(Faults::together(faults).into()),
     }
@@ -162,20 +203,60 @@ fn before(day: Date, asked: &Asked<'_>) -> Option<Date> {
 }
 
 pub(super) fn commission(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
-    let about = workbench::commission(&asked.code()?).ok_or_else(|| asked.refused(&Refusal::NoData))?;
+    let (sheet, objects) = commission_of(asked)?;
+    if asked.text("for").and_then(DriveForm::of_id) == Some(DriveForm::Cia402) {
+        return Ok(record(200, &CommissionAnswer::Objects(objects)));
+    }
+    Ok(record(200, &CommissionAnswer::Sheet(Box::new(sheet))))
+}
+
+/// What a drive is told, with the objects of CiA 402 where they are asked for.
+pub(crate) fn commission_of(
+    asked: &Asked<'_>,
+) -> Result<(answers::Commissioning, Vec<answers::DriveObject>), Unanswered> {
+    let about = commissioning(asked)?;
     let ambient: Option<ThermodynamicTemperature> = asked.quantity("ambient")?;
     let form = asked.text("for").and_then(DriveForm::of_id).unwrap_or(DriveForm::Plain);
-    let found = if form == DriveForm::Cia402 {
-        CommissionAnswer::Objects(answer::drive_objects(&about, asked.language))
-    } else {
-        let sheet = answer::commissioning(&about, form, ambient.unwrap_or_else(usual_ambient), asked.language);
-        CommissionAnswer::Sheet(Box::new(sheet))
+    let objects = if form == DriveForm::Cia402 { answer::drive_objects(&about, asked.language) } else { Vec::new() };
+    Ok((answer::commissioning(&about, form, ambient.unwrap_or_else(usual_ambient), asked.language), objects))
+}
+
+/// What is known for the commissioning of a code.
+pub(crate) fn commissioning(asked: &Asked<'_>) -> Result<Commissioning, Unanswered> {
+    workbench::commission(&asked.code()?).ok_or_else(|| asked.refused(&Refusal::NoData))
+}
+
+/// The values as a drive reads them.
+pub(super) fn commission_file(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    let about = commissioning(asked)?;
+    let (text, ending) = match asked.text("for").and_then(DriveForm::of_id) {
+        Some(DriveForm::Cia402) => (workbench::eds(&about, asked.language), "eds"),
+        _ => (workbench::sinamics_script(&about, asked.language), "txt"),
     };
-    Ok(record(200, &found))
+    Ok(Reply::of(200, super::list::PLAIN, text).saved_as(&format!("{}.{ending}", about.code)))
+}
+
+/// An empty record to fill in.
+pub(super) fn blank(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    let about = commissioning(asked)?;
+    let name = format!("{}-measured.toml", about.code);
+    let text = workbench::blank_record(&about, &name, asked.language);
+    Ok(Reply::of(200, super::list::TOML, text).saved_as(&name))
+}
+
+/// The check-lists as a form to fill in.
+pub(super) fn checklist(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    let l = asked.language;
+    let Some(write) = asked.shell.checklist() else {
+        return Err(answer::fault(terminal::built_without_report(l)).into());
+    };
+    let (sheet, _) = commission_of(asked)?;
+    let bytes = write(&sheet, l).map_err(|what| Unanswered::from(answer::fault(&what)))?;
+    Ok(Reply::of(200, super::list::PDF, bytes).saved_as(&format!("{}.pdf", sheet.code)))
 }
 
 pub(super) fn judged(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
-    let about = workbench::commission(&asked.code()?).ok_or_else(|| asked.refused(&Refusal::NoData))?;
+    let about = commissioning(asked)?;
     let judged = workbench::judge(&about, &asked.measured()?);
     Ok(record(200, &answer::recorded(&about, &judged, asked.language)))
 }

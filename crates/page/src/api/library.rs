@@ -5,23 +5,31 @@ use super::{JSON, Unanswered, record};
 use crate::Reply;
 use workbench::quantities::{Measure, Time};
 use workbench::text::told;
-use workbench::{ErrataRefusal, Refusal, answer};
+use workbench::{BatteryLife, ErrataRefusal, InertiaAnswer, Refusal, answer};
 
 pub(super) fn battery(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    battery_of(asked).map(|found| record(200, &answer::battery(&found)))
+}
+
+/// Life of the encoder's battery.
+pub(crate) fn battery_of(asked: &Asked<'_>) -> Result<BatteryLife, Unanswered> {
     let hours = "hours-per-day";
     let operation = workbench::read_hours(asked.text(hours).unwrap_or_default(), asked.language)
         .map_err(|fault| answer::option_fault(hours, fault))?;
     let storage = asked.quantity::<Time>("storage")?.unwrap_or_else(|| Time::from_si(0.0));
-    let found = workbench::battery(operation, storage, asked.language)
-        .map_err(|message| answer::option_fault(hours, (message, None)))?;
-    Ok(record(200, &answer::battery(&found)))
+    workbench::battery(operation, storage, asked.language)
+        .map_err(|message| answer::option_fault(hours, (message, None)).into())
 }
 
 pub(super) fn inertia(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
+    inertia_of(asked).map(|found| record(200, &answer::inertia(&found)))
+}
+
+/// Bodies about an axis.
+pub(crate) fn inertia_of(asked: &Asked<'_>) -> Result<InertiaAnswer, Unanswered> {
     // One body a line: the line of a fault is the number of the body.
     let text = asked.all("body").collect::<Vec<_>>().join("\n");
-    let found = workbench::inertia(&text).map_err(|faults| answer::faults("body", &told(&faults, asked.language)))?;
-    Ok(record(200, &answer::inertia(&found)))
+    workbench::inertia(&text).map_err(|faults| answer::faults("body", &told(&faults, asked.language)).into())
 }
 
 pub(super) fn errata(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
@@ -72,6 +80,7 @@ pub(super) fn template(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
 /// What the header of a new project calls its file.
 const TEMPLATE_NAME: &str = "axis.toml";
 
+#[cfg(feature = "interface")]
 pub(super) fn openapi(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let mut text = serde_json::to_string_pretty(&super::openapi::document(asked.language)).unwrap_or_default();
     text.push('\n');

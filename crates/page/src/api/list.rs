@@ -1,7 +1,9 @@
 //! What can be asked.
 
-use super::Kind::{Flag, Text, Whole, Word};
-use super::{Body, Endpoint, Output, Parameter, axis, code, library, tables};
+use super::Kind::{Date, Flag, Text, Whole, Word};
+#[cfg(feature = "interface")]
+use super::tables;
+use super::{Body, Endpoint, Output, Parameter, axis, code, library};
 use crate::Method::{Get, Post};
 use figures::Figure;
 use workbench::text::{help, requests};
@@ -13,6 +15,8 @@ pub(super) const PDF: &str = "application/pdf";
 pub(super) const CSV: &str = "text/csv; charset=utf-8";
 pub(super) const TOML: &str = "application/toml; charset=utf-8";
 pub(super) const XLSX: &str = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
+pub(super) const PLAIN: &str = "text/plain; charset=utf-8";
+pub(super) const CALENDAR: &str = "text/calendar; charset=utf-8";
 pub(super) const PARQUET: &str = "application/vnd.apache.parquet";
 
 const AXIS: Parameter = Parameter::of("axis", help::axis, Text);
@@ -52,6 +56,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::Project,
         parameters: &[AXIS, FILE, top(help::size_top), Parameter::of("all", help::size_all, Flag), SAMPLES, SEED],
         output: Output::Record("size"),
+        #[cfg(feature = "interface")]
         answer: axis::size,
     },
     Endpoint {
@@ -61,6 +66,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::Project,
         parameters: &[AXIS, FILE, Parameter::of("code", help::check_code, Text), SAMPLES, SEED],
         output: Output::Record("check"),
+        #[cfg(feature = "interface")]
         answer: axis::check,
     },
     Endpoint {
@@ -75,6 +81,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
             Parameter::of("check", help::explain_check, Word(checks)),
         ],
         output: Output::Record("explain"),
+        #[cfg(feature = "interface")]
         answer: axis::explain,
     },
     Endpoint {
@@ -84,6 +91,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::Project,
         parameters: &[AXIS, FILE, Parameter::of("code", help::compare_code, Text).required().repeated()],
         output: Output::Record("compare"),
+        #[cfg(feature = "interface")]
         answer: axis::compare,
     },
     Endpoint {
@@ -93,6 +101,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::TwoProjects,
         parameters: &[AXIS, Parameter::of("code", help::diff_code, Text)],
         output: Output::Record("diff"),
+        #[cfg(feature = "interface")]
         answer: axis::diff,
     },
     Endpoint {
@@ -102,6 +111,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::Project,
         parameters: &[AXIS, FILE],
         output: Output::Record("bearing"),
+        #[cfg(feature = "interface")]
         answer: axis::bearing,
     },
     Endpoint {
@@ -111,6 +121,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::Project,
         parameters: &[AXIS, FILE],
         output: Output::Shared("Motion"),
+        #[cfg(feature = "interface")]
         answer: axis::moves,
     },
     Endpoint {
@@ -129,6 +140,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
             HEIGHT,
         ],
         output: Output::Media(&[SVG]),
+        #[cfg(feature = "interface")]
         answer: axis::plot,
     },
     Endpoint {
@@ -145,6 +157,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
             Parameter::of("date", help::date, Text),
         ],
         output: Output::Media(&[PDF]),
+        #[cfg(feature = "interface")]
         answer: axis::report,
     },
     Endpoint {
@@ -156,6 +169,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
             AXIS,
             FILE,
             Parameter::of("code", help::export_code, Text),
+            #[cfg(feature = "interface")]
             Parameter::of("table", help::export_table, Word(|| ::tables::NAMES.to_vec())),
             Parameter::of("format", requests::format, Word(|| vec!["json", "csv", "parquet", "xlsx"])),
             top(help::export_top),
@@ -163,6 +177,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
             Parameter::of("date", help::export_date, Text),
         ],
         output: Output::RecordOr("export --table", &[XLSX, CSV, PARQUET]),
+        #[cfg(feature = "interface")]
         answer: tables::export,
     },
     Endpoint {
@@ -172,6 +187,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[CODE],
         output: Output::Record("code parse"),
+        #[cfg(feature = "interface")]
         answer: code::parse,
     },
     Endpoint {
@@ -184,6 +200,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
             Parameter::of("available", help::code_list_available, Flag),
         ],
         output: Output::Record("code list"),
+        #[cfg(feature = "interface")]
         answer: code::list,
     },
     Endpoint {
@@ -193,6 +210,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[Parameter::of("code", help::code_complete_pattern, Text).required()],
         output: Output::Record("code complete"),
+        #[cfg(feature = "interface")]
         answer: code::complete,
     },
     Endpoint {
@@ -202,6 +220,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[CODE],
         output: Output::Record("data"),
+        #[cfg(feature = "interface")]
         answer: code::data,
     },
     Endpoint {
@@ -209,8 +228,13 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         path: "torsion",
         about: help::torsion,
         body: Body::None,
-        parameters: &[CODE, Parameter::of("torque", help::torsion_torque, Text).required()],
+        parameters: &[
+            CODE,
+            Parameter::of("torque", help::torsion_torque, Text),
+            Parameter::of("angle", help::torsion_angle, Text),
+        ],
         output: Output::Record("torsion"),
+        #[cfg(feature = "interface")]
         answer: code::torsion,
     },
     Endpoint {
@@ -220,6 +244,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[CODE, Parameter::of("voltage", help::curve_voltage, Text)],
         output: Output::Record("curve"),
+        #[cfg(feature = "interface")]
         answer: code::curve,
     },
     Endpoint {
@@ -233,6 +258,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
             Parameter::of("cross-section", help::wiring_section, Text),
         ],
         output: Output::Record("wiring"),
+        #[cfg(feature = "interface")]
         answer: code::wiring,
     },
     Endpoint {
@@ -242,6 +268,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::Pins,
         parameters: &[CODE, FILE],
         output: Output::Record("wiring --check"),
+        #[cfg(feature = "interface")]
         answer: code::pins,
     },
     Endpoint {
@@ -251,6 +278,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[CODE, BORE, BORE_LOAD, BORE_HOUSING],
         output: Output::Record("mount"),
+        #[cfg(feature = "interface")]
         answer: code::mount,
     },
     Endpoint {
@@ -260,6 +288,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::Project,
         parameters: &[CODE, BORE, BORE_LOAD, BORE_HOUSING, AXIS, FILE],
         output: Output::Record("mount"),
+        #[cfg(feature = "interface")]
         answer: axis::mount,
     },
     Endpoint {
@@ -267,29 +296,68 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         path: "upkeep",
         about: help::upkeep,
         body: Body::None,
-        parameters: &[
-            CODE,
-            Parameter::of("delivered", help::upkeep_delivered, Text).required(),
-            Parameter::of("storage", help::upkeep_storage, Text),
-            Parameter::of("hours-per-day", help::upkeep_hours, Text),
-            Parameter::of("inspect", help::upkeep_inspect, Text),
-            Parameter::of("today", help::upkeep_today, Text),
-        ],
+        parameters: &[CODE, DELIVERED, STORAGE, HOURS, INSPECT, TODAY],
         output: Output::Record("upkeep"),
+        #[cfg(feature = "interface")]
         answer: code::upkeep,
+    },
+    Endpoint {
+        method: Get,
+        path: "upkeep/calendar",
+        about: requests::upkeep_calendar,
+        body: Body::None,
+        parameters: &[CODE, DELIVERED, STORAGE, HOURS, INSPECT, TODAY, Parameter::of("name", help::upkeep_name, Text)],
+        output: Output::Media(&[CALENDAR]),
+        #[cfg(feature = "interface")]
+        answer: code::calendar,
     },
     Endpoint {
         method: Get,
         path: "commission",
         about: help::commission,
         body: Body::None,
+        parameters: &[CODE, Parameter::of("for", help::commission_for, Word(forms)), AMBIENT],
+        output: Output::Record("commission"),
+        #[cfg(feature = "interface")]
+        answer: code::commission,
+    },
+    Endpoint {
+        method: Get,
+        path: "commission/drive",
+        about: requests::commission_drive,
+        body: Body::None,
         parameters: &[
             CODE,
-            Parameter::of("for", help::commission_for, Word(forms)),
-            Parameter::of("ambient", help::commission_ambient, Text),
+            Parameter::of(
+                "for",
+                help::commission_for,
+                Word(|| [DriveForm::Sinamics, DriveForm::Cia402].map(DriveForm::id).to_vec()),
+            )
+            .required(),
         ],
-        output: Output::Record("commission"),
-        answer: code::commission,
+        output: Output::Media(&[PLAIN]),
+        #[cfg(feature = "interface")]
+        answer: code::commission_file,
+    },
+    Endpoint {
+        method: Get,
+        path: "commission/checklist",
+        about: requests::commission_checklist,
+        body: Body::None,
+        parameters: &[CODE, AMBIENT],
+        output: Output::Media(&[PDF]),
+        #[cfg(feature = "interface")]
+        answer: code::checklist,
+    },
+    Endpoint {
+        method: Get,
+        path: "commission/blank",
+        about: help::commission_blank,
+        body: Body::None,
+        parameters: &[CODE],
+        output: Output::Media(&[TOML]),
+        #[cfg(feature = "interface")]
+        answer: code::blank,
     },
     Endpoint {
         method: Post,
@@ -298,6 +366,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::Measured,
         parameters: &[CODE, FILE],
         output: Output::Record("commission --record"),
+        #[cfg(feature = "interface")]
         answer: code::judged,
     },
     Endpoint {
@@ -310,6 +379,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
             Parameter::of("storage", help::battery_storage, Text),
         ],
         output: Output::Record("battery"),
+        #[cfg(feature = "interface")]
         answer: library::battery,
     },
     Endpoint {
@@ -317,8 +387,9 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         path: "inertia",
         about: help::inertia,
         body: Body::None,
-        parameters: &[Parameter::of("body", help::inertia_body, Text).required().repeated()],
+        parameters: &[Parameter::of("body", requests::body, Text).required().repeated()],
         output: Output::Record("inertia"),
+        #[cfg(feature = "interface")]
         answer: library::inertia,
     },
     Endpoint {
@@ -328,6 +399,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[Parameter::of("about", help::errata_about, Text)],
         output: Output::Record("errata"),
+        #[cfg(feature = "interface")]
         answer: library::errata,
     },
     Endpoint {
@@ -337,6 +409,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[Parameter::of("term", help::glossary_term, Text)],
         output: Output::Record("glossary"),
+        #[cfg(feature = "interface")]
         answer: library::glossary,
     },
     Endpoint {
@@ -346,6 +419,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[Parameter::of("format", help::catalogue_format, Word(|| vec!["json", "csv"]))],
         output: Output::RecordOr("catalogue export", &[CSV]),
+        #[cfg(feature = "interface")]
         answer: library::catalogue,
     },
     Endpoint {
@@ -355,6 +429,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[Parameter::of("kind", requests::kind, Word(|| workbench::template_kinds().collect())).required()],
         output: Output::Media(&[TOML]),
+        #[cfg(feature = "interface")]
         answer: library::template,
     },
     Endpoint {
@@ -364,6 +439,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[Parameter::of("answers", help::schema_answers, Flag)],
         output: Output::Json,
+        #[cfg(feature = "interface")]
         answer: library::schema,
     },
     Endpoint {
@@ -373,6 +449,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[],
         output: Output::Record("licences"),
+        #[cfg(feature = "interface")]
         answer: library::licences,
     },
     Endpoint {
@@ -382,6 +459,7 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
         body: Body::None,
         parameters: &[],
         output: Output::Json,
+        #[cfg(feature = "interface")]
         answer: library::openapi,
     },
 ];
@@ -389,3 +467,9 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
 const BORE: Parameter = Parameter::of("bore", help::mount_bore, Text);
 const BORE_LOAD: Parameter = Parameter::of("bore-load", help::mount_bore_load, Text);
 const BORE_HOUSING: Parameter = Parameter::of("bore-housing", help::mount_bore_housing, Text);
+const AMBIENT: Parameter = Parameter::of("ambient", help::commission_ambient, Text);
+const DELIVERED: Parameter = Parameter::of("delivered", help::upkeep_delivered, Date).required();
+const STORAGE: Parameter = Parameter::of("storage", help::upkeep_storage, Text);
+const HOURS: Parameter = Parameter::of("hours-per-day", help::upkeep_hours, Text);
+const INSPECT: Parameter = Parameter::of("inspect", help::upkeep_inspect, Text);
+const TODAY: Parameter = Parameter::of("today", help::upkeep_today, Date);

@@ -92,6 +92,17 @@ enum Schema {
         #[serde(skip_serializing_if = "Option::is_none")]
         maximum: Option<u64>,
     },
+    /// True or false, in every way in which it is taken.
+    Flag {
+        #[serde(rename = "enum")]
+        values: Vec<Value>,
+    },
+    /// A day.
+    Day {
+        #[serde(rename = "type")]
+        kind: &'static str,
+        format: &'static str,
+    },
     /// Several of a plain value.
     Several {
         #[serde(rename = "type")]
@@ -217,7 +228,8 @@ fn answer(endpoint: &Endpoint, answers: &Value) -> BTreeMap<&'static str, Conten
 fn named(parameter: &Parameter, language: Language) -> Named {
     let schema = match parameter.kind {
         Kind::Text => Schema::plain("string"),
-        Kind::Flag => Schema::plain("boolean"),
+        Kind::Date => Schema::Day { kind: "string", format: "date" },
+        Kind::Flag => Schema::Flag { values: flag_values() },
         Kind::Whole(least, most) => {
             Schema::Plain { kind: "integer", words: None, minimum: Some(least), maximum: Some(most) }
         }
@@ -230,6 +242,12 @@ fn named(parameter: &Parameter, language: Language) -> Named {
         required: parameter.required,
         schema: if parameter.repeated { Schema::Several { kind: "array", items: Box::new(schema) } } else { schema },
     }
+}
+
+/// As a boolean, as a number, as the text of either; a name without a value is true.
+fn flag_values() -> Vec<Value> {
+    let texts = ["true", "false", "1", "0", ""].map(Value::from);
+    [true.into(), false.into(), 1.into(), 0.into()].into_iter().chain(texts).collect()
 }
 
 fn sent(body: Body, language: Language) -> Option<Sent> {

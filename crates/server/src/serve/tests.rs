@@ -34,7 +34,7 @@ fn up(respond: Respond, listen: Option<IpAddr>, limits: Limits) -> Up {
         memory: 1 << 20,
         language: Language::default(),
         limits,
-        report: None,
+        press: None,
     };
     let server = Server::with(options, respond).unwrap();
     let (address, url) = (server.address(), server.url());
@@ -212,4 +212,43 @@ fn what_has_begun_is_finished_when_the_end_comes() {
     let mut answer = String::new();
     let _ = stream.read_to_string(&mut answer);
     assert!(answer.starts_with("HTTP/1.1 200 "), "{answer}");
+}
+
+/// Says what it is told to: works until it is over, and tells why; else what a shell knows of works.
+fn named(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
+    let work = call.field("work").unwrap_or_default();
+    match call.path {
+        page::PROGRESS => Reply::text(if shell.progress(&work).is_some() { 200 } else { 404 }, ""),
+        page::CANCEL => Reply::text(if shell.cancel(&work) { 200 } else { 404 }, ""),
+        _ => {
+            while !patience.is_over() {
+                std::thread::sleep(Duration::from_millis(5));
+            }
+            Reply::text(200, if patience.is_late() { "late" } else { "cancelled" })
+        }
+    }
+}
+
+/// A work with a name tells what is there when its time is over; it is cancelled by its name while all turns are taken.
+#[test]
+fn a_work_with_a_name_is_followed_and_cancelled() {
+    let up_short = up(named, None, short());
+    let answer = up_short.ask("GET /long", "x-work: a-1\r\n");
+    assert!(answer.starts_with("HTTP/1.1 200 ") && answer.ends_with("late"), "{answer}");
+    assert!(up_short.ask("GET /long", "x-work: ../a\r\n").starts_with("HTTP/1.1 503 "), "no name of a work");
+    drop(up_short);
+    let up_long = up(named, None, Limits { computed: 1, waiting: 1, ..Limits::default() });
+    assert!(up_long.ask("GET /progress?work=a-1", "").starts_with("HTTP/1.1 404 "));
+    std::thread::scope(|scope| {
+        let long = scope.spawn(|| up_long.ask("GET /long", "x-work: a-1\r\n"));
+        let begun = Instant::now();
+        while !up_long.ask("GET /progress?work=a-1", "").starts_with("HTTP/1.1 200 ") {
+            assert!(begun.elapsed() < Duration::from_secs(10), "the work has begun");
+        }
+        assert!(up_long.ask("GET /cancel?work=b", "").starts_with("HTTP/1.1 404 "));
+        assert!(up_long.ask("GET /cancel?work=a-1", "").starts_with("HTTP/1.1 200 "));
+        let answer = long.join().unwrap();
+        assert!(answer.starts_with("HTTP/1.1 200 ") && answer.ends_with("cancelled"), "{answer}");
+    });
+    assert!(up_long.ask("GET /progress?work=a-1", "").starts_with("HTTP/1.1 404 "), "it has ended");
 }

@@ -4,8 +4,8 @@ use super::{CyclePower, Returned};
 use motion::lobatto;
 use trace::{Node, Panel, Sought};
 
-/// Nodes of the rule for a part of a panel: exact for the power of signals of the sixth degree.
-const NODES: usize = 8;
+/// Nodes of the rule for a part of a panel: exact for the power of signals of the sixth degree, and of those of the second.
+const NODES: [usize; 2] = [8, 4];
 
 /// A share of a panel up to which the place of a cut is sought: energy beside it is of second order in what is left.
 const CLOSE: f64 = 1e-8;
@@ -107,12 +107,14 @@ impl<'a, 'p> Walk<'a, 'p> {
         let length = to - self.from;
         if length > 0.0 {
             let at = |s: f64| self.power.with(&self.panel.at(self.from + s * length), self.driven);
-            let taken: f64 = lobatto(NODES).iter().map(|(s, w)| w * at(*s)).sum();
+            let [many, few] = NODES;
+            let rule = lobatto(if self.panel.nodes.len() <= 3 { few } else { many });
+            let taken: f64 = rule.iter().map(|(s, w)| w * at(*s)).sum();
             let duration = self.duration();
             self.parts.push(taken * length * duration);
             if taken < 0.0 {
                 let from = self.from;
-                self.look(|| lobatto(NODES).iter().map(move |(s, _)| from + s * length));
+                self.look(|| rule.iter().map(move |(s, _)| from + s * length));
             }
         }
         self.from = to;

@@ -1,4 +1,4 @@
-//! The intervals of a recording as a k-d tree over their signals: neighbours in acceleration, torque and speed, whenever
+//! The intervals of a recording as a k-d tree over their signals: neighbours in acceleration, speed and torque, whenever
 //! they were. However much noise there is, what a cell holds has close bounds, and a search or an integral that depends on a
 //! sign need look into few of them.
 
@@ -42,10 +42,11 @@ pub(super) struct Cells {
     order: Vec<u32>,
 }
 
-/// An interval by its signals in the middle: α, ω, T.
+/// An interval by α, ω in its middle and T. A torque that the load makes of them changes little within an interval and counts
+/// in its middle; a recorded one may be noise and counts at both ends.
 #[derive(Clone, Copy)]
-struct Point {
-    signals: [f32; 3],
+struct Point<const N: usize> {
+    signals: [f32; N],
     index: u32,
 }
 
@@ -64,10 +65,16 @@ impl Cells {
         let sides = [Some(-1.0), Some(0.0), Some(1.0), None];
         // One direction after the other: the points of all of them would take as much as two columns of the recording.
         for ((here, count), side) in counts.into_iter().enumerate().zip(sides).filter(|((_, count), _)| *count > 0) {
-            let mut points = Vec::with_capacity(count);
-            let indices = directions().enumerate().filter(|(_, direction)| *direction == here);
-            points.extend(indices.filter_map(|(index, _)| Point::of(strip, index)));
-            let own = all.group(strip, side, &mut points);
+            let indices = directions().enumerate().filter(|(_, direction)| *direction == here).map(|(index, _)| index);
+            let own = if strip.surveyed.recorded.torque_nm().is_some() {
+                let mut points = Vec::with_capacity(count);
+                points.extend(indices.filter_map(|index| Point::with_recorded(strip, index)));
+                all.group(strip, side, &mut points)
+            } else {
+                let mut points = Vec::with_capacity(count);
+                points.extend(indices.filter_map(|index| Point::of(strip, index)));
+                all.group(strip, side, &mut points)
+            };
             root = Some(root.map_or(own, |root| join(&mut all.cells, [root, own])));
         }
         all.cells.iter_mut().zip(0..).for_each(|(cell, number)| cell.number = number);
@@ -75,7 +82,7 @@ impl Cells {
     }
 
     /// Adds the cells of intervals of one direction; which is the one of all of them.
-    fn group(&mut self, strip: &Strip, side: Option<f64>, points: &mut [Point]) -> u32 {
+    fn group<const N: usize>(&mut self, strip: &Strip, side: Option<f64>, points: &mut [Point<N>]) -> u32 {
         let of = (strip, side);
         let scale = spread(points).map(|spread| if spread > 0.0 { 1.0 / spread } else { 0.0 });
         let first = count(self.order.len());
@@ -88,11 +95,12 @@ impl Cells {
             let mut others = Vec::with_capacity(cells_of(high.len()));
             let from = first + count(middle);
             let (a, b) = std::thread::scope(|scope| {
-                let other = scope.spawn(|| split(of, high, from, &scale, &mut others));
-                (split(of, low, first, &scale, &mut self.cells), other.join())
+                let other = || split(of, high, from, &scale, &mut others);
+                let other = std::thread::Builder::new().spawn_scoped(scope, other).ok();
+                (split(of, low, first, &scale, &mut self.cells), other.and_then(|other| other.join().ok()))
             });
-            let b = b.unwrap_or_else(|_| {
-                // A thread that could not finish leaves its part to this one.
+            let b = b.unwrap_or_else(|| {
+                // A thread that cannot be had, as in a browser, or could not finish leaves its part to this one.
                 others.clear();
                 split(of, high, from, &scale, &mut others)
             });
@@ -170,19 +178,41 @@ const fn cells_of(points: usize) -> usize {
     2 * points.div_ceil(LEAF).next_power_of_two()
 }
 
-impl Point {
-    /// Of an interval; exactness is of no matter here.
-    #[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
+#[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
+impl Point<3> {
+    /// Of an interval without a torque of its own; exactness is of no matter here.
     fn of(strip: &Strip, index: usize) -> Option<Self> {
         let interval = strip.surveyed.interval(index)?;
         let [from, to] = interval.speed_rad_s;
-        let mut torque = 0.5 * (interval.torque_nm[0] + interval.torque_nm[1]);
+        let mut torque = 0.0;
         if strip.plain.is_none() {
             strip.raw_interval(index, &mut |panel: Panel<'_>| {
                 torque = panel.nodes.get(panel.nodes.len() / 2).map_or(0.0, |node| node.load_nm);
             });
         }
         let signals = [interval.acceleration_rad_s2() as f32, (0.5 * (from + to)) as f32, torque as f32];
+        Some(Self { signals, index: count(index) })
+    }
+}
+
+#[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
+impl Point<4> {
+    /// Of an interval with a torque of its own.
+    fn with_recorded(strip: &Strip, index: usize) -> Option<Self> {
+        let interval = strip.surveyed.interval(index)?;
+        let [from, to] = interval.speed_rad_s;
+        let mut torque = interval.torque_nm;
+        if strip.plain.is_none() {
+            let mut ends: Option<[f64; 2]> = None;
+            strip.raw_interval(index, &mut |panel: Panel<'_>| {
+                if let [first, .., last] = panel.nodes {
+                    ends = Some([ends.map_or(first.load_nm, |[first, _]| first), last.load_nm]);
+                }
+            });
+            torque = ends.unwrap_or(torque);
+        }
+        let [first, last] = torque.map(|torque| torque as f32);
+        let signals = [interval.acceleration_rad_s2() as f32, (0.5 * (from + to)) as f32, first, last];
         Some(Self { signals, index: count(index) })
     }
 }
@@ -201,21 +231,21 @@ fn direction(from: f64, to: f64) -> usize {
 }
 
 /// Largest less smallest of each signal.
-fn spread(points: &[Point]) -> [f32; 3] {
-    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+fn spread<const N: usize>(points: &[Point<N>]) -> [f32; N] {
+    let (mut low, mut high) = ([f32::INFINITY; N], [f32::NEG_INFINITY; N]);
     for point in points {
         for ((low, high), value) in low.iter_mut().zip(&mut high).zip(point.signals) {
             *low = if value < *low { value } else { *low };
             *high = if value > *high { value } else { *high };
         }
     }
-    let mut spread = [0.0; 3];
+    let mut spread = [0.0; N];
     spread.iter_mut().zip(low).zip(high).for_each(|((spread, low), high)| *spread = high - low);
     spread
 }
 
 /// Sorts points into two halves by the signal that differs most among them; the place between.
-fn part(points: &mut [Point], scale: &[f32; 3]) -> usize {
+fn part<const N: usize>(points: &mut [Point<N>], scale: &[f32; N]) -> usize {
     let spread = spread(points);
     let mut widest = (0, 0.0);
     for (signal, (spread, scale)) in spread.iter().zip(scale).enumerate() {
@@ -224,19 +254,25 @@ fn part(points: &mut [Point], scale: &[f32; 3]) -> usize {
         }
     }
     let middle = points.len() / 2;
-    let key = |point: &Point| point.signals.get(widest.0).copied().unwrap_or(0.0);
+    let key = |point: &Point<N>| point.signals.get(widest.0).copied().unwrap_or(0.0);
     points.select_nth_unstable_by(middle, |a, b| key(a).total_cmp(&key(b)));
     middle
 }
 
 /// Adds the cells of some points, of which the first has that place in the order; which is the one of all of them.
-fn split(of: (&Strip, Option<f64>), points: &mut [Point], first: u32, scale: &[f32; 3], cells: &mut Vec<Cell>) -> u32 {
+fn split<const N: usize>(
+    of: (&Strip, Option<f64>),
+    points: &mut [Point<N>],
+    first: u32,
+    scale: &[f32; N],
+    cells: &mut Vec<Cell>,
+) -> u32 {
     if points.len() <= LEAF {
         let inside = Inside::Intervals(first, first + count(points.len()));
         // As they lie in the memory.
         points.sort_unstable_by_key(|point| point.index);
         let cell = match of {
-            (Strip { plain: Some(plain), .. }, Some(direction)) => straight(of.0, plain, direction, points, inside),
+            (Strip { plain: Some(plain), .. }, Some(direction)) => straight(of.0, (plain, direction), points, inside),
             (strip, _) => {
                 let mut cell = Cell { inside, ..Cell::NONE };
                 for point in points.iter() {
@@ -255,7 +291,12 @@ fn split(of: (&Strip, Option<f64>), points: &mut [Point], first: u32, scale: &[f
 }
 
 /// The cell of straight intervals of one direction.
-fn straight(strip: &Strip, plain: &Plain, direction: f64, points: &[Point], inside: Inside) -> Cell {
+fn straight<const N: usize>(
+    strip: &Strip,
+    (plain, direction): (&Plain, f64),
+    points: &[Point<N>],
+    inside: Inside,
+) -> Cell {
     const NONE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
     let wider = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
     let (mut sums, mut acceleration, mut torque, mut speeds) = (Sums::default(), NONE, NONE, NONE);

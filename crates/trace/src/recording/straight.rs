@@ -30,7 +30,7 @@ impl Strip {
     }
 
     /// The first interval from one on that is not run through in the direction in which that one begins.
-    fn one_way(&self, from: usize, end: usize) -> usize {
+    pub(super) fn one_way(&self, from: usize, end: usize) -> usize {
         let speeds = self.placed.recorded.speed_rad_s().get(from..=end).unwrap_or_default();
         let Some(first) = speeds.first() else { return end };
         let other = if *first > 0.0 {

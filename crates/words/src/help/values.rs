@@ -4,6 +4,7 @@ use crate::texts::texts;
 
 texts! {
     address = "ADDRESS" | "ADRESSE";
+    angle = "ANGLE" | "WINKEL";
     area = "AREA" | "QUERSCHNITT";
     connector = "CONNECTOR" | "STECKER";
     body = "BODY" | "KÖRPER";

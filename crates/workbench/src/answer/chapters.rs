@@ -9,11 +9,12 @@ use answers::{
 };
 use order_code::{OrderCode, Size};
 use project::{BodyAnswer, InertiaAnswer};
+use provenance::Datum;
 use quantities::unit::{
     ARCMINUTE, DEGREE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_RADIAN, PERCENT,
     RADIAN, REVOLUTION_PER_MINUTE, VOLT, YEAR,
 };
-use quantities::{Language, Measure};
+use quantities::{Angle, Language, Measure};
 use words::{curve_title, source_text};
 
 fn points(points: &[CurvePoint]) -> Vec<[Number; 2]> {
@@ -50,6 +51,7 @@ pub fn curves(code: &OrderCode, curves: &[PerformanceCurve], language: Language)
 /// The torsion of a gear under a torque.
 #[must_use]
 pub fn torsion(code: &OrderCode, answer: &TorsionAnswer) -> Torsion {
+    let minutes = |angle: &Datum<Angle>| angle.known().map(|known| Number::in_unit(known.value.si(), &ARCMINUTE));
     Torsion {
         code: code.to_string(),
         torque: Number::in_unit(answer.torque.si(), &NEWTON_METRE),
@@ -59,7 +61,14 @@ pub fn torsion(code: &OrderCode, answer: &TorsionAnswer) -> Torsion {
         torque_1: Number::in_unit(answer.curve.torque_1.si(), &NEWTON_METRE),
         torque_2: Number::in_unit(answer.curve.torque_2.si(), &NEWTON_METRE),
         stiffness: answer.curve.stiffness.map(|k| Number::in_unit(k.si(), &NEWTON_METRE_PER_RADIAN)),
-        units: Units::of(&[("T", &NEWTON_METRE), ("K", &NEWTON_METRE_PER_RADIAN)]),
+        hysteresis_loss: minutes(&answer.hysteresis_loss),
+        lost_motion: minutes(&answer.lost_motion),
+        units: Units::of(&[
+            ("T", &NEWTON_METRE),
+            ("K", &NEWTON_METRE_PER_RADIAN),
+            ("hysteresis_loss", &ARCMINUTE),
+            ("lost_motion", &ARCMINUTE),
+        ]),
         source: "cha-manual eq. 73.1 to 73.4",
     }
 }

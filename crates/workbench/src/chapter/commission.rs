@@ -45,7 +45,7 @@ pub fn commission(record: &Commissioning, objects: &[DriveObject], language: Lan
 }
 
 /// As many digits as the value has, four at the least.
-fn shown(value: f64, language: Language) -> String {
+pub(super) fn shown(value: f64, language: Language) -> String {
     let plain = value.to_string();
     let digits = plain.trim_start_matches(['0', '.', '-']).chars().filter(char::is_ascii_digit).count();
     if digits <= 4 {

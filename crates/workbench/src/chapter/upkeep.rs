@@ -21,16 +21,12 @@ pub fn upkeep(record: &Upkeep, language: Language) -> Chapter {
     chapter.grid(columns, record.plan.iter().map(|line| planned(line, language)).collect());
     if let Some(battery) = &record.battery {
         let years = |value| significant(Some(value), 3, language);
-        let told = terminal::battery(
-            &years(battery.life),
-            &grade_word(*battery.grade, language),
+        chapter.text(terminal::battery(&years(battery.life), &grade_word(*battery.grade, language), language));
+        chapter.text(terminal::battery_exchange(
             &years(battery.exchange_recommended),
             &years(battery.exchange_latest),
             language,
-        );
-        for line in told.lines() {
-            chapter.text(line);
-        }
+        ));
     }
     let erratum = |erratum: &answers::CitedErratum| format!("{}: {}", erratum.id, erratum.evidence);
     chapter.points(record.notes.iter().cloned().chain(record.errata.iter().map(erratum)).collect());

@@ -25,6 +25,17 @@ pub(super) fn cost_of_a_variant(project: &Project, actuators: usize) -> f64 {
     1.5 * made + actuators as f64 * (10.0 + 0.125 * instants)
 }
 
+/// So much is done without being asked for while somebody types: up to a second.
+const QUICK: f64 = 1e6;
+
+/// Whether so many samples are judged quickly.
+pub(super) fn is_quick(project: &Project, actuators: usize, samples: usize) -> bool {
+    let corners = 1_usize << project.tolerances.len().min(ALL_CORNERS_MOST);
+    #[allow(clippy::cast_precision_loss, reason = "at most a million")]
+    let work = (samples + corners) as f64 * cost_of_a_variant(project, actuators);
+    work <= QUICK
+}
+
 /// The numbers of samples that are taken unless the user says otherwise, the largest first.
 const STEPS: [usize; 7] = [SAMPLES_USUAL, 5_000, 2_000, 1_000, 500, 200, 100];
 

@@ -1,0 +1,107 @@
+//! Where a way through the page begins, and the steps that many of them share.
+
+use crate::shell::Shell;
+use crate::tab::{Tab, Told, expect};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// A tab before a shell.
+pub(crate) struct Stage<'s> {
+    pub(crate) tab: Tab,
+    pub(crate) shell: &'s Shell,
+    pub(crate) downloads: &'s Path,
+    pub(crate) axe: &'s str,
+    pub(crate) site: &'s Path,
+}
+
+/// The rules of WCAG 2.2, levels A and AA, as axe-core names them.
+const RULES: [&str; 5] = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"];
+
+impl Stage<'_> {
+    /// Opens the page where one begins.
+    pub(crate) fn start(&self, language: &str) -> Told {
+        self.tab.open(&self.shell.at(&format!("lang={language}")))?;
+        self.tab.there("#start-title")?;
+        self.listens()
+    }
+
+    /// Opens an example.
+    pub(crate) fn example(&self, kind: &str, language: &str) -> Told {
+        self.tab.open(&self.shell.at(&format!("new={kind}&lang={language}")))?;
+        self.ready()
+    }
+
+    /// Waits until the page with a project has its answer and listens to its keys.
+    pub(crate) fn ready(&self) -> Told {
+        self.tab.there("#standing")?;
+        self.listens()?;
+        // The script has been there: it tells the values at the instant.
+        self.tab.until("document.querySelector('#instant-values')?.textContent !== ''")
+    }
+
+    fn listens(&self) -> Told {
+        self.tab.until("typeof htmx === 'object' && document.readyState === 'complete' && (document.documentElement.dataset.ready !== undefined || !document.querySelector('script[src*=\"site.js\"]'))")
+    }
+
+    /// Changes a value of the project by its path and waits until the page has answered.
+    pub(crate) fn change(&self, field: &str, value: &str) -> Told {
+        let mark = "document.querySelector('#work').dataset.before = ''; \
+            addEventListener('htmx:after:swap', () => { document.documentElement.dataset.answered = String(Number(document.documentElement.dataset.answered ?? 0) + 1); }, { once: true });";
+        let before = self
+            .tab
+            .run(&format!("{mark} return Number(document.documentElement.dataset.answered ?? 0);"), Vec::new())?;
+        self.tab.fill(field, value)?;
+        self.tab.until(&format!("Number(document.documentElement.dataset.answered ?? 0) > {before}"))
+    }
+
+    /// No rule of accessibility is broken by what is in sight.
+    pub(crate) fn accessible(&self, what: &str) -> Told {
+        self.tab
+            .run(&format!("{}\nreturn null;", self.axe.replace("module.exports", "void 0")), Vec::new())
+            .or_else(|_| self.tab.run("(0, eval)(arguments_[0]);", vec![json!(self.axe)]))?;
+        let script = "const found = await axe.run(document, { runOnly: arguments_[0] }); \
+            return { passed: found.passes.length, violations: found.violations.map((each) => `${each.id}: ${each.nodes.map((node) => node.target + ' ' + node.failureSummary).slice(0, 3).join(' | ')}`) };";
+        let found = self.tab.run(script, vec![json!(RULES)])?;
+        expect(found["passed"].as_u64().is_some_and(|passed| passed > 5), || {
+            format!("axe looked at nothing of {what}")
+        })?;
+        let violations = found["violations"].as_array().cloned().unwrap_or_default();
+        expect(violations.is_empty(), || format!("{what}: {}", Value::Array(violations)))
+    }
+
+    /// The page is no wider than the window.
+    pub(crate) fn no_sideways_scroll(&self, what: &str) -> Told {
+        let script = "const wide = [...document.querySelectorAll('body *')].filter((each) => each.getBoundingClientRect().right > innerWidth + 1 && !each.closest('svg')).slice(0, 3).map((each) => each.tagName + '#' + each.id + '.' + each.className); \
+            return [document.documentElement.scrollWidth, innerWidth, wide];";
+        let found = self.tab.run(script, Vec::new())?;
+        expect(found[0].as_u64() <= found[1].as_u64(), || format!("{what}: {found}"))
+    }
+
+    /// Presses a button that downloads, and gives the file when it is whole.
+    pub(crate) fn download(&self, button: &str, ending: &str) -> Told<PathBuf> {
+        let all = || -> Vec<PathBuf> {
+            std::fs::read_dir(self.downloads).into_iter().flatten().flatten().map(|entry| entry.path()).collect()
+        };
+        let before = all();
+        self.tab.click(button)?;
+        let begin = Instant::now();
+        while begin.elapsed() < Duration::from_secs(60) {
+            let new = all().into_iter().filter(|path| !before.contains(path));
+            let found = new.into_iter().find(|path| path.extension().is_some_and(|found| found == ending));
+            if let Some(path) = found {
+                return Ok(path);
+            }
+            std::thread::sleep(Duration::from_millis(50));
+        }
+        Err(format!("{button} gave no file with the ending {ending}: {}", self.tab.text("#told").unwrap_or_default()))
+    }
+
+    /// The console has told of no fault, and nothing was kept from being loaded.
+    pub(crate) fn no_fault_in_the_console(&self) -> Told {
+        let mut faults = self.tab.faults()?;
+        // A reply that says no is told there too; the ways look at what the page says of it.
+        faults.retain(|fault| !fault.contains("the server responded with a status of 4"));
+        expect(faults.is_empty(), || faults.join("; "))
+    }
+}

@@ -1,0 +1,308 @@
+//! One tab, as a person uses it: looks, types, clicks, waits.
+
+use fantoccini::actions::{InputSource, KeyAction, KeyActions, MOUSE_BUTTON_LEFT, MouseActions, PointerAction};
+use fantoccini::wd::{TimeoutConfiguration, WebDriverCompatibleCommand, WindowHandle};
+use fantoccini::{Client, Locator};
+use serde_json::{Value, json};
+use std::rc::Rc;
+use std::time::{Duration, Instant};
+use tokio::runtime::Runtime;
+
+/// A failure in words.
+pub(crate) type Told<T = ()> = Result<T, String>;
+
+/// So long something may take on a machine that has others to serve.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// Keys as the driver names them.
+pub(crate) mod key {
+    pub(crate) const TAB: char = '\u{e004}';
+    pub(crate) const ENTER: char = '\u{e007}';
+    pub(crate) const SPACE: char = ' ';
+    pub(crate) const END: char = '\u{e010}';
+    pub(crate) const RIGHT: char = '\u{e014}';
+    pub(crate) const CONTROL: char = '\u{e009}';
+}
+
+/// A browser and the tab of it that is looked at.
+pub(crate) struct Tab {
+    client: Client,
+    runtime: Rc<Runtime>,
+}
+
+fn told(error: impl std::fmt::Display) -> String {
+    error.to_string()
+}
+
+/// An expectation in words.
+pub(crate) fn expect(holds: bool, what: impl FnOnce() -> String) -> Told {
+    if holds { Ok(()) } else { Err(what()) }
+}
+
+impl Tab {
+    pub(crate) fn new(client: Client, runtime: Rc<Runtime>) -> Told<Self> {
+        let patience = TimeoutConfiguration::new(Some(4 * PATIENCE), Some(4 * PATIENCE), None);
+        runtime.block_on(client.update_timeouts(patience)).map_err(told)?;
+        Ok(Self { client, runtime })
+    }
+
+    /// Ends the browser.
+    pub(crate) fn close(self) {
+        let _ = self.runtime.block_on(self.client.close());
+    }
+
+    /// Opens an address.
+    pub(crate) fn open(&self, address: &str) -> Told {
+        self.runtime.block_on(self.client.goto(address)).map_err(told)
+    }
+
+    pub(crate) fn reload(&self) -> Told {
+        self.runtime.block_on(self.client.refresh()).map_err(told)
+    }
+
+    /// A further tab, which is looked at from now on; gives the one before.
+    pub(crate) fn another(&self) -> Told<WindowHandle> {
+        self.runtime.block_on(async {
+            let before = self.client.window().await.map_err(told)?;
+            let new = self.client.new_window(true).await.map_err(told)?;
+            self.client.switch_to_window(new.handle).await.map_err(told)?;
+            Ok(before)
+        })
+    }
+
+    /// Closes the tab and looks at another.
+    pub(crate) fn back_to(&self, before: WindowHandle) -> Told {
+        self.runtime.block_on(async {
+            self.client.close_window().await.map_err(told)?;
+            self.client.switch_to_window(before).await.map_err(told)
+        })
+    }
+
+    /// What a script gives that is the body of a function; it may wait for promises.
+    pub(crate) fn run(&self, script: &str, arguments: Vec<Value>) -> Told<Value> {
+        let script = format!(
+            "const done = arguments[arguments.length - 1]; const given = arguments; \
+             (async (...arguments_) => {{ {script} }})(...given).then((value) => done({{ value: value ?? null }}), (error) => done({{ error: String(error) }}));"
+        );
+        let answer = self.runtime.block_on(self.client.execute_async(&script, arguments)).map_err(told)?;
+        match answer.get("error") {
+            Some(error) => Err(format!("{error} in {script}")),
+            None => Ok(answer.get("value").cloned().unwrap_or_default()),
+        }
+    }
+
+    /// The value of an expression.
+    pub(crate) fn eval(&self, expression: &str) -> Told<Value> {
+        self.run(&format!("return {expression};"), Vec::new())
+    }
+
+    /// Waits until an expression is true.
+    pub(crate) fn until(&self, expression: &str) -> Told {
+        let begin = Instant::now();
+        loop {
+            // While a page is being loaded there is nothing to ask.
+            let now = self.eval(&format!("!!({expression})"));
+            if now == Ok(Value::Bool(true)) {
+                return Ok(());
+            }
+            if begin.elapsed() > PATIENCE {
+                let seen = self.text("body").unwrap_or_default();
+                let seen: String = seen.chars().take(400).collect();
+                return Err(format!(
+                    "not within {} s: {expression} ({now:?}); the page says: {seen}",
+                    PATIENCE.as_secs()
+                ));
+            }
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    /// Waits until something is there.
+    pub(crate) fn there(&self, selector: &str) -> Told {
+        self.until(&format!("document.querySelector({})", json!(selector)))
+    }
+
+    /// Waits until a text is in something.
+    pub(crate) fn says(&self, selector: &str, text: &str) -> Told {
+        self.until(&format!("document.querySelector({})?.textContent.includes({})", json!(selector), json!(text)))
+    }
+
+    /// Waits until a field has a value.
+    pub(crate) fn holds(&self, selector: &str, value: &str) -> Told {
+        self.until(&format!("document.querySelector({})?.value === {}", json!(selector), json!(value)))
+    }
+
+    pub(crate) fn text(&self, selector: &str) -> Told<String> {
+        let found = self.run("return document.querySelector(arguments_[0])?.textContent;", vec![json!(selector)])?;
+        found.as_str().map(str::to_owned).ok_or_else(|| format!("no {selector}"))
+    }
+
+    pub(crate) fn value(&self, selector: &str) -> Told<String> {
+        let found = self.run("return document.querySelector(arguments_[0])?.value;", vec![json!(selector)])?;
+        found.as_str().map(str::to_owned).ok_or_else(|| format!("no {selector}"))
+    }
+
+    pub(crate) fn click(&self, selector: &str) -> Told {
+        self.there(selector)?;
+        // Folds are opened as a person would who looks for what is inside.
+        self.run(
+            "const found = document.querySelector(arguments_[0]); \
+             for (let fold = found.closest('details'); fold; fold = fold.parentElement.closest('details')) if (!found.matches('summary')) fold.open = true; \
+             found.scrollIntoView({ block: 'center' });",
+            vec![json!(selector)],
+        )?;
+        self.runtime.block_on(async {
+            let found = self.client.find(Locator::Css(selector)).await.map_err(told)?;
+            found.click().await.map_err(|error| format!("{selector}: {error}"))
+        })
+    }
+
+    /// Puts a text in the place of what a field holds, and leaves the field.
+    pub(crate) fn fill(&self, selector: &str, text: &str) -> Told {
+        self.there(selector)?;
+        self.run(
+            "const field = document.querySelector(arguments_[0]); \
+             for (let fold = field.closest('details'); fold; fold = fold.parentElement.closest('details')) fold.open = true; \
+             field.focus(); field.select();",
+            vec![json!(selector)],
+        )?;
+        self.keys(text)?;
+        self.run("document.activeElement.blur();", Vec::new())?;
+        Ok(())
+    }
+
+    /// Presses keys one after the other.
+    pub(crate) fn keys(&self, keys: &str) -> Told {
+        let mut actions = KeyActions::new("keys".to_owned());
+        for key in keys.chars() {
+            actions = actions.then(KeyAction::Down { value: key }).then(KeyAction::Up { value: key });
+        }
+        self.runtime.block_on(self.client.perform_actions(actions)).map_err(told)
+    }
+
+    /// Presses a key while another is held.
+    pub(crate) fn chord(&self, held: char, key: char) -> Told {
+        let actions = KeyActions::new("keys".to_owned())
+            .then(KeyAction::Down { value: held })
+            .then(KeyAction::Down { value: key })
+            .then(KeyAction::Up { value: key })
+            .then(KeyAction::Up { value: held });
+        self.runtime.block_on(self.client.perform_actions(actions)).map_err(told)
+    }
+
+    /// Takes something with the pointer and lets it go so many pixels further.
+    pub(crate) fn drag(&self, selector: &str, (x, y): (i64, i64)) -> Told {
+        self.there(selector)?;
+        self.run("document.querySelector(arguments_[0]).scrollIntoView({ block: 'center' });", vec![json!(selector)])?;
+        self.runtime.block_on(async {
+            let element = self.client.find(Locator::Css(selector)).await.map_err(told)?;
+            let duration = Some(Duration::from_millis(100));
+            let by = |x: i64, y: i64| PointerAction::MoveBy { duration, x: x as f64, y: y as f64 };
+            let actions = MouseActions::new("pointer".to_owned())
+                .then(PointerAction::MoveToElement { element, duration, x: 0.0, y: 0.0 })
+                .then(PointerAction::Down { button: MOUSE_BUTTON_LEFT })
+                .then(by(x / 2, y / 2))
+                .then(by(x - x / 2, y - y / 2))
+                .then(PointerAction::Up { button: MOUSE_BUTTON_LEFT });
+            self.client.perform_actions(actions).await.map_err(|error| format!("{selector}: {error}"))
+        })
+    }
+
+    /// Presses the tabulator until something has the focus.
+    pub(crate) fn tab_to(&self, selector: &str) -> Told {
+        for _ in 0..400 {
+            self.keys(&key::TAB.to_string())?;
+            if self.eval(&format!("document.activeElement.matches({})", json!(selector)))? == Value::Bool(true) {
+                return Ok(());
+            }
+        }
+        Err(format!("the tabulator does not lead to {selector}"))
+    }
+
+    /// Pastes a text into the page.
+    pub(crate) fn paste(&self, text: &str) -> Told {
+        self.run(
+            "const held = new DataTransfer(); held.setData('text/plain', arguments_[0]); \
+             document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData: held, bubbles: true, cancelable: true }));",
+            vec![json!(text)],
+        )?;
+        Ok(())
+    }
+
+    /// Gives a file to the next chooser that the page opens.
+    pub(crate) fn will_choose(&self, name: &str, text: &str) -> Told {
+        self.run(
+            "const [name, text] = arguments_; const click = HTMLInputElement.prototype.click; \
+             HTMLInputElement.prototype.click = function () { \
+               if (this.type !== 'file') return click.call(this); \
+               HTMLInputElement.prototype.click = click; \
+               const held = new DataTransfer(); held.items.add(new File([text], name)); \
+               this.files = held.files; this.dispatchEvent(new Event('change')); };",
+            vec![json!(name), json!(text)],
+        )?;
+        Ok(())
+    }
+
+    /// A size of the page in its own pixels, and how many of the screen's there are to each.
+    pub(crate) fn sized(&self, width: u32, height: u32, scale: f64) -> Told {
+        let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": scale, "mobile": false });
+        self.command("Emulation.setDeviceMetricsOverride", metrics)
+    }
+
+    /// Takes the network away, or gives it back.
+    pub(crate) fn offline(&self, is: bool) -> Told {
+        self.command("Network.enable", json!({}))?;
+        let network = json!({ "offline": is, "latency": 0, "downloadThroughput": -1, "uploadThroughput": -1 });
+        self.command("Network.emulateNetworkConditions", network)
+    }
+
+    /// What the console has had to say since it was asked, faults only.
+    pub(crate) fn faults(&self) -> Told<Vec<String>> {
+        let log = Log;
+        let answer = self.runtime.block_on(self.client.issue_cmd(log)).map_err(told)?;
+        let severe = |entry: &&Value| entry.get("level").and_then(Value::as_str) == Some("SEVERE");
+        let message = |entry: &Value| entry.get("message").and_then(Value::as_str).unwrap_or_default().to_owned();
+        Ok(answer.as_array().into_iter().flatten().filter(severe).map(message).collect())
+    }
+
+    /// A picture of the page as it is seen.
+    pub(crate) fn picture(&self) -> Told<Vec<u8>> {
+        self.runtime.block_on(self.client.screenshot()).map_err(told)
+    }
+
+    fn command(&self, name: &'static str, arguments: Value) -> Told {
+        let command = OfTheBrowser { name, arguments };
+        self.runtime.block_on(self.client.issue_cmd(command)).map(drop).map_err(told)
+    }
+}
+
+/// A command of the browser itself, which the standard does not have.
+#[derive(Debug)]
+struct OfTheBrowser {
+    name: &'static str,
+    arguments: Value,
+}
+
+impl WebDriverCompatibleCommand for OfTheBrowser {
+    fn endpoint(&self, base: &url::Url, session: Option<&str>) -> Result<url::Url, url::ParseError> {
+        base.join(&format!("session/{}/goog/cdp/execute", session.unwrap_or_default()))
+    }
+
+    fn method_and_body(&self, _: &url::Url) -> (http::Method, Option<String>) {
+        (http::Method::POST, Some(json!({ "cmd": self.name, "params": self.arguments }).to_string()))
+    }
+}
+
+/// Asks for what stands in the console.
+#[derive(Debug)]
+struct Log;
+
+impl WebDriverCompatibleCommand for Log {
+    fn endpoint(&self, base: &url::Url, session: Option<&str>) -> Result<url::Url, url::ParseError> {
+        base.join(&format!("session/{}/se/log", session.unwrap_or_default()))
+    }
+
+    fn method_and_body(&self, _: &url::Url) -> (http::Method, Option<String>) {
+        (http::Method::POST, Some(json!({ "type": "browser" }).to_string()))
+    }
+}

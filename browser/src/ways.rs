@@ -1,0 +1,85 @@
+//! The ways through the page.
+
+mod begin;
+mod files;
+mod form;
+mod looks;
+mod pictures;
+mod same;
+mod times;
+
+use crate::shell::Shell;
+use crate::stage::Stage;
+use crate::tab::Told;
+
+/// One way.
+pub(crate) struct Way {
+    pub(crate) name: &'static str,
+    shells: Shells,
+    pub(crate) go: fn(&Stage<'_>) -> Told,
+}
+
+/// Which shells it is gone with.
+#[derive(Clone, Copy)]
+enum Shells {
+    Both,
+    Server,
+    Site,
+}
+
+impl Way {
+    const fn both(name: &'static str, go: fn(&Stage<'_>) -> Told) -> Self {
+        Self { name, shells: Shells::Both, go }
+    }
+
+    const fn server(name: &'static str, go: fn(&Stage<'_>) -> Told) -> Self {
+        Self { name, shells: Shells::Server, go }
+    }
+
+    const fn site(name: &'static str, go: fn(&Stage<'_>) -> Told) -> Self {
+        Self { name, shells: Shells::Site, go }
+    }
+
+    /// Whether it is gone with a shell.
+    pub(crate) fn concerns(&self, shell: &Shell) -> bool {
+        match self.shells {
+            Shells::Both => true,
+            Shells::Server => matches!(shell, Shell::Server { .. }),
+            Shells::Site => matches!(shell, Shell::Site { .. }),
+        }
+    }
+}
+
+/// All of them.
+pub(crate) const ALL: &[Way] = &[
+    Way::both("begin-with-figures", begin::with_figures),
+    Way::both("begin-with-an-example", begin::with_an_example),
+    Way::both("begin-with-a-file", begin::with_a_file),
+    Way::both("begin-with-a-link", begin::with_a_link),
+    Way::both("change-a-value", form::a_value_changes_the_verdict),
+    Way::both("a-fault-at-its-field", form::a_fault_stands_at_its_field),
+    Way::both("undo-and-redo", form::undo_and_redo),
+    Way::both("explain-a-number", form::a_number_is_explained),
+    Way::both("language-and-dark", form::language_and_dark),
+    Way::both("compare", form::compare),
+    Way::both("keyboard", form::by_keyboard),
+    Way::both("pull-an-end", pictures::an_end_is_pulled),
+    Way::both("pull-by-keys", pictures::an_end_is_pulled_by_keys),
+    Way::both("narrow-the-time", pictures::the_time_is_narrowed),
+    Way::both("tolerance", pictures::a_tolerance),
+    Way::both("calculator", pictures::a_calculator),
+    Way::both("save-and-open", files::save_and_open),
+    Way::both("two-tabs", files::two_tabs),
+    Way::both("paste-a-recording", files::paste_a_recording),
+    Way::both("download", files::download),
+    Way::server("report", files::report),
+    Way::site("no-report", files::no_report),
+    Way::site("reload", files::reload),
+    Way::site("no-network", files::no_network),
+    Way::site("opened-as-a-file", files::opened_as_a_file),
+    Way::site("forget", files::forget),
+    Way::both("widths", looks::widths),
+    Way::both("accessibility", looks::accessibility),
+    Way::site("same-answers", same::same_answers),
+    Way::both("times", times::times),
+];

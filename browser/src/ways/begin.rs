@@ -1,0 +1,60 @@
+//! To a first answer.
+
+use crate::stage::Stage;
+use crate::tab::Told;
+use serde_json::json;
+
+const PROJECT: &str = "# a table\nformat = 1\n[load]\ninertia = \"1.3 kg m^2\"\n[[motion]]\nlaw = \"trapezoid\"\ndistance = \"48 deg\"\ntime = \"1.3 s\"\n[requirements]\nsupply = \"560 V\"\n";
+
+/// A drawing, a few figures, an answer.
+pub(crate) fn with_figures(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.start("en")?;
+    tab.click(".tiles li:nth-child(5) .tile")?;
+    tab.there("#detail form")?;
+    tab.fill("#b-f-mechanism-belt-mass", "25 kg")?;
+    tab.click("#detail form button[type=submit]")?;
+    stage.ready()?;
+    tab.says("#text", "25 kg")
+}
+
+/// An example from the list.
+pub(crate) fn with_an_example(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.start("de")?;
+    tab.says("h2", "Was wollen Sie bewegen?")?;
+    tab.click("a[href*=\"new=belt\"]")?;
+    stage.ready()?;
+    tab.says("#demands-title", "Was es verlangt")?;
+    // The way back leads to where one began.
+    tab.click("a[data-leaves]")?;
+    tab.there("#start-title")
+}
+
+/// A project file of the disk.
+pub(crate) fn with_a_file(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.start("en")?;
+    tab.will_choose("turntable.toml", PROJECT)?;
+    tab.click("[data-open]")?;
+    stage.ready()?;
+    tab.holds("#file", "turntable.toml")?;
+    tab.holds("#text", PROJECT)
+}
+
+/// A link that holds the whole project behind its mark.
+pub(crate) fn with_a_link(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    stage.change("#f-mechanism-belt-mass", "21 kg")?;
+    let text = tab.value("#text")?;
+    tab.click("#link")?;
+    tab.until("location.hash.startsWith('#p=')")?;
+    let hash = tab.eval("location.hash")?;
+    // Another browser would begin where one begins.
+    tab.run("sessionStorage.clear();", Vec::new())?;
+    tab.open("about:blank")?;
+    tab.open(&format!("{}{}", stage.shell.at("lang=en"), hash.as_str().unwrap_or_default()))?;
+    stage.ready()?;
+    tab.until(&format!("document.querySelector('#text')?.value === {}", json!(text)))
+}

@@ -1,0 +1,157 @@
+//! What is saved, opened, brought and taken away.
+
+use crate::shell::Shell;
+use crate::stage::Stage;
+use crate::tab::{Told, expect};
+use serde_json::json;
+
+pub(crate) fn save_and_open(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    stage.change("#f-mechanism-belt-mass", "47 kg")?;
+    tab.fill("#file", "saved.toml")?;
+    tab.click("#save")?;
+    tab.says("#told", "saved.toml")?;
+    let text = tab.value("#text")?;
+    if let Some(folder) = stage.shell.folder() {
+        let there = std::fs::read_to_string(folder.join("saved.toml")).map_err(|error| error.to_string())?;
+        expect(there == text, || format!("the disk has {there}"))?;
+    }
+    stage.start("en")?;
+    tab.click("a[href*=\"open=saved.toml\"]")?;
+    stage.ready()?;
+    tab.until(&format!("document.querySelector('#text')?.value === {}", json!(text)))?;
+    // What is saved again is the version that was opened.
+    stage.change("#f-mechanism-belt-mass", "48 kg")?;
+    tab.click("#save")?;
+    tab.says("#told", "saved.toml")?;
+    tab.until("!document.title.startsWith('•')")
+}
+
+pub(crate) fn two_tabs(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    tab.fill("#file", "shared.toml")?;
+    tab.click("#save")?;
+    tab.says("#told", "shared.toml")?;
+    let first = tab.another()?;
+    tab.open(&stage.shell.at("open=shared.toml&lang=en"))?;
+    stage.ready()?;
+    stage.change("#f-mechanism-belt-mass", "31 kg")?;
+    tab.click("#save")?;
+    tab.until("!document.title.startsWith('•')")?;
+    tab.back_to(first)?;
+    stage.change("#f-mechanism-belt-mass", "32 kg")?;
+    tab.click("#save")?;
+    tab.says("#told", "it was left as it is")?;
+    tab.until("document.title.startsWith('•')")?;
+    tab.another()?;
+    tab.open(&stage.shell.at("open=shared.toml&lang=en"))?;
+    stage.ready()?;
+    tab.holds("#f-mechanism-belt-mass", "31 kg")
+}
+
+/// As many columns as a logger writes: time, angle.
+fn recording() -> String {
+    let rows = (0..200)
+        .map(|row| f64::from(row) * 0.01)
+        .map(|t| format!("{t:.2};{:.4}\n", 45.0 - 45.0 * (t * std::f64::consts::PI).cos()));
+    ["t in s;phi in deg\n".to_owned()].into_iter().chain(rows).collect()
+}
+
+pub(crate) fn paste_a_recording(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("table", "en")?;
+    tab.paste(&recording())?;
+    tab.says("#text", "file = \"pasted.csv\"")?;
+    tab.until("document.querySelector('#text').value.includes('law = \"recorded\"')")?;
+    if let Some(folder) = stage.shell.folder() {
+        expect(folder.join("pasted.csv").is_file(), || "no recording in the folder".to_owned())?;
+    }
+    // It is read: what is wrong with it, if anything, is no missing file.
+    let faults = tab.text("body")?;
+    expect(!faults.contains("cannot be read") && !faults.contains("no such file"), || faults)
+}
+
+pub(crate) fn download(stage: &Stage<'_>) -> Told {
+    stage.example("belt", "en")?;
+    let bytes = |path: std::path::PathBuf| std::fs::read(path).map_err(|error| error.to_string());
+    let workbook = bytes(stage.download("#workbook", "xlsx")?)?;
+    expect(workbook.starts_with(b"PK"), || "no workbook".to_owned())?;
+    let data = bytes(stage.download("#data", "json")?)?;
+    let data: serde_json::Value = serde_json::from_slice(&data).map_err(|error| error.to_string())?;
+    expect(data.get("verdict").is_some(), || format!("no answer: {data}"))?;
+    let project = bytes(stage.download("#project", "toml")?)?;
+    let text = stage.tab.value("#text")?;
+    expect(project == text.as_bytes(), || "another project".to_owned())
+}
+
+pub(crate) fn report(stage: &Stage<'_>) -> Told {
+    stage.example("belt", "en")?;
+    let report = stage.download("#report", "pdf")?;
+    let report = std::fs::read(report).map_err(|error| error.to_string())?;
+    expect(report.starts_with(b"%PDF"), || "no PDF".to_owned())
+}
+
+/// Where there is no typesetting engine the page says who writes the report, and offers no button.
+pub(crate) fn no_report(stage: &Stage<'_>) -> Told {
+    stage.example("belt", "de")?;
+    stage.tab.until("!document.querySelector('#report')")?;
+    stage.tab.says("header", "antrieb report")
+}
+
+pub(crate) fn reload(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    stage.change("#f-mechanism-belt-mass", "39 kg")?;
+    tab.click("#theme")?;
+    tab.until("document.documentElement.dataset.theme === 'dark'")?;
+    tab.reload()?;
+    stage.ready()?;
+    tab.holds("#f-mechanism-belt-mass", "39 kg")?;
+    tab.until("document.documentElement.dataset.theme === 'dark'")
+}
+
+pub(crate) fn no_network(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.start("en")?;
+    tab.until("(await navigator.serviceWorker.ready).active?.state === 'activated'")?;
+    // The page is in the hands of its worker from the next time on.
+    tab.reload()?;
+    tab.until("navigator.serviceWorker.controller")?;
+    tab.offline(true)?;
+    tab.open(&stage.shell.at("new=belt&lang=en"))?;
+    stage.ready()?;
+    stage.change("#f-mechanism-belt-mass", "52 kg")?;
+    tab.offline(false)
+}
+
+pub(crate) fn opened_as_a_file(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    let index = stage.site.join("index.html").canonicalize().map_err(|error| error.to_string())?;
+    tab.open(&format!("file://{}?new=belt&lang=en", index.display()))?;
+    stage.ready()?;
+    stage.change("#f-mechanism-belt-mass", "53 kg")?;
+    tab.says("#text", "53 kg")?;
+    tab.fill("#file", "of-a-file.toml")?;
+    tab.click("#save")?;
+    tab.says("#told", "of-a-file.toml")?;
+    tab.open(&format!("file://{}?lang=en", index.display()))?;
+    tab.click("a[href*=\"open=of-a-file.toml\"]")?;
+    stage.ready()?;
+    tab.holds("#f-mechanism-belt-mass", "53 kg")
+}
+
+pub(crate) fn forget(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    expect(matches!(stage.shell, Shell::Site { .. }), || "a folder of the disk is not emptied here".to_owned())?;
+    stage.example("belt", "en")?;
+    tab.click("#save")?;
+    tab.says("#told", "axis.toml")?;
+    stage.start("en")?;
+    tab.click("[data-forget=\"axis.toml\"]")?;
+    tab.until("!document.querySelector('[data-forget]')")?;
+    tab.reload()?;
+    tab.there("#start-title")?;
+    tab.until("!document.querySelector('[data-forget]')")
+}

@@ -1,0 +1,107 @@
+//! The form and its answer.
+
+use crate::stage::Stage;
+use crate::tab::{Told, expect, key};
+
+pub(crate) fn a_value_changes_the_verdict(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let before = tab.text("#answer")?;
+    stage.change("#f-mechanism-belt-mass", "60 kg")?;
+    tab.says("#text", "mass = \"60 kg\"")?;
+    let after = tab.text("#answer")?;
+    expect(before != after, || format!("the same answer: {after}"))?;
+    stage.change("#f-mechanism-belt-mass", "6000 kg")?;
+    tab.says("#answer", "No actuator")
+}
+
+pub(crate) fn a_fault_stands_at_its_field(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let before = tab.text("#standing")?;
+    stage.change("#f-mechanism-belt-mass", "60")?;
+    tab.until("document.querySelector('#f-mechanism-belt-mass').getAttribute('aria-invalid') === 'true'")?;
+    tab.says("#f-mechanism-belt-mass-x", "unit")?;
+    tab.there("#demands.old")?;
+    let kept = tab.text("#demands")?;
+    expect(kept.contains(before.trim()), || format!("the last result is gone: {kept}"))?;
+    stage.change("#f-mechanism-belt-mass", "60 kg")?;
+    tab.until("!document.querySelector('#demands.old') && !document.querySelector('[aria-invalid]')")
+}
+
+pub(crate) fn undo_and_redo(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let before = tab.value("#f-mechanism-belt-mass")?;
+    stage.change("#f-mechanism-belt-mass", "44 kg")?;
+    tab.click("#undo")?;
+    tab.holds("#f-mechanism-belt-mass", &before)?;
+    tab.click("#redo")?;
+    tab.holds("#f-mechanism-belt-mass", "44 kg")?;
+    tab.says("#text", "44 kg")
+}
+
+pub(crate) fn a_number_is_explained(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    tab.click("#check-peak_torque button.plain")?;
+    tab.there("#detail .formula")?;
+    tab.until("document.activeElement.id === 'detail-title'")
+}
+
+pub(crate) fn language_and_dark(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    stage.change("#f-mechanism-belt-mass", "44 kg")?;
+    tab.click("#language")?;
+    tab.says("#demands-title", "Was es verlangt")?;
+    tab.until("document.documentElement.lang === 'de'")?;
+    let light = tab.eval("getComputedStyle(document.documentElement).backgroundColor")?;
+    tab.click("#theme")?;
+    tab.until("document.documentElement.dataset.theme === 'dark'")?;
+    let dark = tab.eval("getComputedStyle(document.documentElement).backgroundColor")?;
+    expect(light != dark, || format!("as light as before: {dark}"))?;
+    tab.says("#text", "44 kg")
+}
+
+pub(crate) fn compare(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let marks = tab.eval("[...document.querySelectorAll('input[name=mark]')].slice(0, 2).map((mark) => mark.id)")?;
+    let marks: Vec<&str> = marks.as_array().into_iter().flatten().filter_map(|mark| mark.as_str()).collect();
+    for mark in &marks {
+        tab.click(&format!("#{mark}"))?;
+        tab.until(&format!("document.querySelector('#{mark}')?.dataset.checked === 'true'"))?;
+    }
+    tab.click("[hx-post='/compare']")?;
+    for mark in marks {
+        tab.says("#detail", mark.trim_start_matches("m-"))?;
+    }
+    Ok(())
+}
+
+/// From the example to a changed verdict and through the plots, without a pointer.
+pub(crate) fn by_keyboard(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.start("en")?;
+    tab.tab_to("a[href*=\"new=belt\"]")?;
+    tab.keys(&key::ENTER.to_string())?;
+    stage.ready()?;
+    tab.tab_to("#f-mechanism-belt-mass")?;
+    tab.chord(key::CONTROL, 'a')?;
+    tab.keys("61 kg")?;
+    tab.keys(&key::TAB.to_string())?;
+    tab.says("#text", "61 kg")?;
+    tab.tab_to("#instant")?;
+    let place = "[...document.querySelectorAll('.cursor-line, .cursor-point')].map((mark) => mark.getAttribute('x1') ?? mark.getAttribute('cx') + ' ' + mark.getAttribute('cy')).join()";
+    let (told, marks) = (tab.text("#instant-values")?, tab.eval(place)?);
+    tab.keys(&key::RIGHT.to_string().repeat(5))?;
+    let (moved, moved_marks) = (tab.text("#instant-values")?, tab.eval(place)?);
+    expect(told != moved && marks != moved_marks, || format!("the cursor stays: {moved}"))?;
+    let spoken = tab.eval("document.querySelector('#instant').getAttribute('aria-valuetext')")?;
+    expect(spoken.as_str() == Some(moved.as_str()), || format!("it says {spoken} and shows {moved}"))?;
+    tab.keys(&key::END.to_string())?;
+    tab.tab_to("#check-peak_torque button.plain")?;
+    tab.keys(&key::SPACE.to_string())?;
+    tab.there("#detail .formula")
+}

@@ -1,0 +1,59 @@
+//! How it looks and whom it shuts out.
+
+use crate::stage::Stage;
+use crate::tab::{Told, expect};
+
+/// Narrow, usual, wide, and twice as large.
+pub(crate) fn widths(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    for language in ["en", "de"] {
+        for (width, height, scale) in [(375, 800, 1.0), (1280, 800, 1.0), (1920, 1080, 1.0), (640, 400, 2.0)] {
+            let what = |page: &str| format!("{page}, {language}, {width} px at {scale}");
+            tab.sized(width, height, scale)?;
+            stage.start(language)?;
+            stage.no_sideways_scroll(&what("start"))?;
+            stage.example("belt", language)?;
+            stage.no_sideways_scroll(&what("main"))?;
+            tab.click("#check-peak_torque button.plain")?;
+            tab.there("#detail .formula")?;
+            stage.no_sideways_scroll(&what("detail"))?;
+        }
+    }
+    Ok(())
+}
+
+/// Start, main, a fault, detail, compare and tools, in light and dark.
+pub(crate) fn accessibility(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    tab.sized(1280, 900, 1.0)?;
+    stage.start("en")?;
+    stage.accessible("start")?;
+    stage.example("belt", "en")?;
+    for look in ["light", "dark"] {
+        let what = |page: &str| format!("{page}, {look}");
+        stage.accessible(&what("main"))?;
+        tab.click("#check-peak_torque button.plain")?;
+        tab.there("#detail .formula")?;
+        stage.accessible(&what("detail"))?;
+        tab.click("#tools")?;
+        tab.there("#detail [name=about], #detail input")?;
+        stage.accessible(&what("tools"))?;
+        stage.change("#f-mechanism-belt-mass", "60")?;
+        stage.accessible(&what("fault"))?;
+        stage.change("#f-mechanism-belt-mass", "60 kg")?;
+        if look == "light" {
+            tab.click("#theme")?;
+            tab.until("document.documentElement.dataset.theme === 'dark'")?;
+        }
+    }
+    for place in [1, 2] {
+        let mark = tab.eval(&format!("[...document.querySelectorAll('input[name=mark]')][{place}].id"))?;
+        let mark = mark.as_str().unwrap_or_default().to_owned();
+        expect(!mark.is_empty(), || "nothing to compare".to_owned())?;
+        tab.click(&format!("#{mark}"))?;
+        tab.until(&format!("document.querySelector('#{mark}')?.dataset.checked === 'true'"))?;
+    }
+    tab.click("[hx-post='/compare']")?;
+    tab.says("#detail", "CHA-")?;
+    stage.accessible("compare, dark")
+}

@@ -1,0 +1,70 @@
+//! What is done in the pictures, and the tools beside the project.
+
+use crate::stage::Stage;
+use crate::tab::{Told, expect, key};
+
+/// The end of a segment pulled by the pointer is one step back.
+pub(crate) fn an_end_is_pulled(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let before = tab.value("#text")?;
+    let verdict = tab.text("#demands")?;
+    // Later: the rest before it lasts longer, and the cycle still closes.
+    tab.drag("#grip-1", (40, 0))?;
+    tab.until(&format!("document.querySelector('#text').value !== {}", serde_json::json!(before)))?;
+    tab.until("!document.querySelector('#demands.old') && !document.querySelector('#faults li')")?;
+    expect(tab.text("#demands")? != verdict, || "the demand is the one before".to_owned())?;
+    tab.until("!document.querySelector('#undo').disabled")?;
+    tab.click("#undo")?;
+    tab.holds("#text", &before)?;
+    tab.until("document.querySelector('#undo').disabled")
+}
+
+/// The same by keys.
+pub(crate) fn an_end_is_pulled_by_keys(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let spoken = "document.querySelector('#grip-1').getAttribute('aria-valuetext')";
+    let (text, before) = (tab.value("#text")?, tab.eval(spoken)?);
+    tab.run("document.querySelector('#grip-1').focus();", Vec::new())?;
+    tab.keys(&key::RIGHT.to_string())?;
+    tab.until(&format!("document.querySelector('#text').value !== {}", serde_json::json!(text)))?;
+    tab.until(&format!("{spoken} !== {before}"))?;
+    tab.until("document.activeElement.id === 'grip-1'")
+}
+
+/// The pictures over time show less of it, and the whole again.
+pub(crate) fn the_time_is_narrowed(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let shown = "(() => { const plane = document.querySelector('#plot-cycle g.plane[data-x-max]').dataset; return plane.xMax - plane.xMin; })()";
+    let whole = tab.eval(shown)?.as_f64().ok_or("no cycle")?;
+    tab.click("#zoom-in")?;
+    tab.until(&format!("{shown} < {}", 0.9 * whole))?;
+    tab.click("#zoom-whole")?;
+    tab.until(&format!("Math.abs({shown} - {whole}) < 1e-9"))
+}
+
+/// A tolerance is typed beside its value.
+pub(crate) fn a_tolerance(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    stage.example("belt", "en")?;
+    let text = tab.value("#text")?;
+    expect(!text.contains('±'), || format!("there is one already: {text}"))?;
+    tab.fill("#f-mechanism-belt-mass-pm", "5 %")?;
+    tab.says("#text", "±")
+}
+
+/// A calculator answers while it is typed to, and says what is wrong.
+pub(crate) fn a_calculator(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    tab.open(&stage.shell.at("tool=torsion&lang=en"))?;
+    tab.there("#tool #about")?;
+    tab.until("typeof htmx === 'object' && document.readyState === 'complete'")?;
+    tab.fill("#about", "CHA-25A-100-H-C1024")?;
+    tab.fill("#t-torque", "30 N m")?;
+    tab.says("#tool", "arcmin")?;
+    tab.fill("#t-torque", "30 kg")?;
+    tab.says("#tool .fault", "kg")?;
+    stage.accessible("calculator")
+}

@@ -1,0 +1,182 @@
+//! The engine in the browser says what the program says: every word, and every number to twelve digits.
+
+use crate::stage::Stage;
+use crate::tab::{Told, expect};
+use page::{Call, Entry, Folder, Method, Place, SaveFault, Shell, respond};
+use serde_json::json;
+use std::io::ErrorKind;
+use workbench::{Files, Language, NoFiles, Patience, template, template_kinds};
+
+/// As the engine in a browser that keeps nothing yet.
+struct Empty;
+
+impl Shell for Empty {
+    fn files(&self) -> &dyn Files {
+        &NoFiles
+    }
+
+    fn folder(&self) -> Option<&dyn Folder> {
+        Some(self)
+    }
+
+    fn version(&self, _: &[u8]) -> String {
+        String::new()
+    }
+}
+
+impl Folder for Empty {
+    fn place(&self) -> Place {
+        Place::Browser
+    }
+
+    fn list(&self) -> std::io::Result<Vec<Entry>> {
+        Ok(Vec::new())
+    }
+
+    fn read(&self, _: &str) -> std::io::Result<Vec<u8>> {
+        Err(ErrorKind::NotFound.into())
+    }
+
+    fn save(&self, _: &str, _: &[u8], _: Option<&str>) -> Result<(), SaveFault> {
+        Err(SaveFault::Name)
+    }
+
+    fn keep(&self, _: &str, _: &[u8]) -> Result<String, SaveFault> {
+        Err(SaveFault::Name)
+    }
+}
+
+/// What a text of a project is asked: the page, records, pictures, a table.
+const ASKED: [(&str, &str); 9] = [
+    ("/api/v1/size", ""),
+    ("/api/v1/size", "top=300"),
+    ("/api/v1/check", ""),
+    ("/api/v1/explain", ""),
+    ("/api/v1/bearing", ""),
+    ("/api/v1/tolerance", "samples=200&seed=7"),
+    ("/api/v1/plot", "figure=torque_speed"),
+    ("/api/v1/plot", "figure=cycle"),
+    ("/api/v1/export", "table=checks&format=csv"),
+];
+
+/// What is asked without a project.
+const ALONE: [&str; 8] = [
+    "/?",
+    "/api/v1/catalogue?format=csv",
+    "/api/v1/errata?",
+    "/api/v1/glossary?",
+    "/api/v1/data?code=CHA-25A-50-H-C1024",
+    "/api/v1/wiring?code=CHA-25A-50-H-C1024",
+    "/api/v1/upkeep?code=CHA-25A-50-H-C1024&delivered=2026-03-01",
+    "/nowhere?",
+];
+
+pub(crate) fn same_answers(stage: &Stage<'_>) -> Told {
+    stage.start("en")?;
+    let mut asked = 0;
+    for language in Language::ALL {
+        let lang = language.id();
+        let examples = template_kinds().filter(|kind| *kind != "recording");
+        for kind in examples {
+            let text = template(kind, "axis.toml", language).map(|found| found.text).unwrap_or_default();
+            same(stage, "/", &format!("new={kind}&lang={lang}"), None)?;
+            for (path, query) in ASKED {
+                same(stage, path, &format!("{query}&lang={lang}"), Some(&text))?;
+                asked += 1;
+            }
+        }
+        for question in ALONE {
+            let (path, query) = question.split_once('?').unwrap_or((question, ""));
+            same(stage, path, &format!("{query}&lang={lang}"), None)?;
+            asked += 1;
+        }
+    }
+    println!("       {asked} answers of the engine in the browser are those of the program");
+    Ok(())
+}
+
+/// Asks both the same.
+fn same(stage: &Stage<'_>, path: &str, query: &str, text: Option<&str>) -> Told {
+    let script = "const [path, query, text] = arguments_; \
+        const reply = await fetch(path + '?' + query, text === null ? {} : { method: 'POST', headers: { 'content-type': 'application/toml' }, body: text }); \
+        const bytes = new Uint8Array(await reply.arrayBuffer()); let packed = ''; \
+        for (let at = 0; at < bytes.length; at += 8192) packed += String.fromCharCode(...bytes.subarray(at, at + 8192)); \
+        return [reply.status, reply.headers.get('content-type'), packed];";
+    let theirs = stage.tab.run(script, vec![json!(path), json!(query), json!(text)])?;
+    let call = Call {
+        method: if text.is_some() { Method::Post } else { Method::Get },
+        path,
+        query,
+        media: text.map(|_| "application/toml"),
+        body: text.unwrap_or_default().as_bytes(),
+        language: Language::default(),
+    };
+    let ours = respond(&call, &Empty, &Patience::endless());
+    let bytes: Vec<u8> = theirs[2]
+        .as_str()
+        .unwrap_or_default()
+        .chars()
+        .map(|sign| u8::try_from(u32::from(sign)).unwrap_or(b'?'))
+        .collect();
+    expect(theirs[0] == json!(ours.status) && theirs[1] == json!(ours.media), || {
+        format!("{path}?{query}: {} {} instead of {} {}", theirs[0], theirs[1], ours.status, ours.media)
+    })?;
+    let (theirs, ours) = (String::from_utf8_lossy(&bytes), String::from_utf8_lossy(&ours.body));
+    match difference(&theirs, &ours) {
+        None => Ok(()),
+        Some((theirs, ours)) => Err(format!("{path}?{query}: {theirs} | {ours}")),
+    }
+}
+
+/// So far two numbers may differ: sine, root and power end in other digits on another machine.
+const APART: f64 = 1e-12;
+
+/// The first place where two texts differ in more than the last digits of a number, with what stands around it.
+fn difference<'t>(theirs: &'t str, ours: &'t str) -> Option<(&'t str, &'t str)> {
+    let (mut a, mut b) = (theirs, ours);
+    loop {
+        let (first, second) = (number(a), number(b));
+        let is_same = first == second || {
+            let (first, second) = (first.parse::<f64>(), second.parse::<f64>());
+            first.is_ok_and(|first| second.is_ok_and(|second| (first - second).abs() <= APART * first.abs().max(1.0)))
+        };
+        let (rest_a, rest_b) = (a.get(first.len()..)?, b.get(second.len()..)?);
+        let (next_a, next_b) = (rest_a.chars().next(), rest_b.chars().next());
+        if !is_same || next_a != next_b {
+            let around = |text: &'t str| text.char_indices().nth(80).map_or(text, |(end, _)| &text[..end]);
+            return Some((around(a), around(b)));
+        }
+        let step = next_a?.len_utf8();
+        (a, b) = (rest_a.get(step..)?, rest_b.get(step..)?);
+    }
+}
+
+/// The number that a text begins with; nothing where it begins with none.
+fn number(text: &str) -> &str {
+    if !text.starts_with(|sign: char| sign.is_ascii_digit()) {
+        return "";
+    }
+    let is_part = |(at, sign): &(usize, char)| {
+        let before = text[..*at].chars().next_back();
+        sign.is_ascii_digit() || *sign == '.' || *sign == 'e' || (*sign == '-' && before == Some('e'))
+    };
+    let end = text.char_indices().find(|found| !is_part(found)).map_or(text.len(), |(at, _)| at);
+    &text[..end]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn last_digits_may_differ_and_nothing_else() {
+        assert_eq!(difference("a 9.74377580034956 b", "a 9.743775800349558 b"), None);
+        assert_eq!(difference("1e-17 Nm", "0 Nm"), None);
+        assert_eq!(difference("", ""), None);
+        for (theirs, ours) in
+            [("a 9.743 b", "a 9.744 b"), ("a 1 b", "a 1 c"), ("a", "ab"), ("x 1", "x 1.1"), ("1 a", "a 1")]
+        {
+            assert!(difference(theirs, ours).is_some() && difference(ours, theirs).is_some(), "{theirs} {ours}");
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! How long it takes and how much is fetched; told, and held to what is promised.
+
+use crate::shell::Shell;
+use crate::stage::Stage;
+use crate::tab::{Told, expect};
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use std::io::Write;
+
+/// Keys that are pressed.
+const KEYS: usize = 15;
+
+/// The page before it listens: what a browser fetches at first, packed as hosts do.
+const WEIGHT_MOST: usize = 350_000;
+
+pub(crate) fn times(stage: &Stage<'_>) -> Told {
+    let tab = &stage.tab;
+    let address = stage.shell.at("new=table&lang=en");
+    tab.open(&address)?;
+    stage.ready()?;
+    // Once more with nothing cold: what is told is the page, not the first use of a disk.
+    let mut opened = Vec::new();
+    let mut painted = Vec::new();
+    for _ in 0..3 {
+        tab.open("about:blank")?;
+        tab.open(&address)?;
+        stage.ready()?;
+        painted.push(number(&tab.eval("performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? -1")?));
+        // The verdict is there when the script has told the values under it.
+        opened.push(number(&tab.eval("performance.getEntriesByName('antrieb-answered')[0]?.startTime ?? performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd")?));
+    }
+    let script = "const field = document.querySelector('#f-load-inertia') ?? document.querySelector('#fields input'); const taken = []; \
+        for (let key = 0; key < arguments_[0]; key++) { \
+          const swapped = new Promise((done) => addEventListener('htmx:after:swap', () => requestAnimationFrame(() => done(performance.now())), { once: true })); \
+          const begin = performance.now(); \
+          field.value = `1.${key + 10} kg m^2`; \
+          field.dispatchEvent(new Event('input', { bubbles: true })); field.dispatchEvent(new Event('change', { bubbles: true })); \
+          taken.push(await swapped - begin); \
+          await new Promise((done) => setTimeout(done, 150)); \
+        } return taken;";
+    let keys = tab.run(script, vec![serde_json::json!(KEYS)])?;
+    let mut keys: Vec<f64> = keys.as_array().into_iter().flatten().map(number).collect();
+    expect(keys.len() == KEYS, || format!("{} of {KEYS} keys answered", keys.len()))?;
+    let weight = weight(stage)?;
+    println!(
+        "       {}: first paint {:.0} ms, open to first answer {:.0} ms, key to page {:.0} ms (slowest {:.0} ms), {} kB gzip",
+        stage.shell.name(),
+        median(&mut painted),
+        median(&mut opened),
+        median(&mut keys),
+        keys.last().copied().unwrap_or_default(),
+        weight / 1000,
+    );
+    expect(weight <= WEIGHT_MOST, || format!("{weight} bytes"))
+}
+
+fn number(value: &serde_json::Value) -> f64 {
+    value.as_f64().unwrap_or(f64::NAN)
+}
+
+fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// The page, its style and its scripts, packed; of the site without the engine, which `cargo xtask site` tells of.
+fn weight(stage: &Stage<'_>) -> Told<usize> {
+    let own: &[&str] = if matches!(stage.shell, Shell::Site { .. }) { &["site.js"] } else { &[] };
+    let mut whole = 0;
+    let mut add = |bytes: &[u8]| -> Told {
+        let mut packer = GzEncoder::new(Vec::new(), Compression::default());
+        packer.write_all(bytes).map_err(|error| error.to_string())?;
+        whole += packer.finish().map_err(|error| error.to_string())?.len();
+        Ok(())
+    };
+    let page = stage.tab.run("return await (await fetch('/?new=table&lang=en')).text();", Vec::new())?;
+    add(page.as_str().unwrap_or_default().as_bytes())?;
+    for name in own.iter().map(|name| (*name).to_owned()).chain(page::ASSETS.map(|name| format!("assets/{name}"))) {
+        add(&std::fs::read(stage.site.join(&name)).map_err(|error| format!("{name}: {error}"))?)?;
+    }
+    Ok(whole)
+}

@@ -1,0 +1,69 @@
+// The tools: a record of measured values goes to and from files; its changes are sent as any other change of the form.
+const $ = (selector) => document.querySelector(selector);
+const tell = (words) => { const told = $('#record-told'); if (told) told.textContent = words; };
+const language = () => document.documentElement.lang;
+
+async function save() {
+  const [text, file, known] = ['#record-text', '#record-file', '#record-known'].map((id) => $(id).value);
+  const reply = await fetch('/save', { method: 'POST', body: new URLSearchParams({ text, file, known, lang: language() }) });
+  if (reply.ok) $('#record-known').value = `${reply.headers.get('x-version') ?? ''} ${file}`;
+  tell(await reply.text());
+}
+function download() {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([$('#record-text').value], { type: 'application/toml' }));
+  link.download = $('#record-file').value;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+function open() {
+  const chooser = document.createElement('input');
+  chooser.type = 'file';
+  chooser.accept = '.toml';
+  chooser.addEventListener('change', async () => {
+    const file = chooser.files[0];
+    if (!file) return;
+    $('#record-file').value = file.name;
+    $('#record-known').value = '';
+    $('#record-text').value = await file.text();
+    $('#record-text').dispatchEvent(new Event('change', { bubbles: true }));
+  });
+  chooser.click();
+}
+// A fault that has no field stands in the text.
+function line(number) {
+  const field = $('#text');
+  if (!field) return;
+  $('#text-pane').open = true;
+  const lines = field.value.split('\n');
+  const begin = lines.slice(0, number - 1).reduce((sum, each) => sum + each.length + 1, 0);
+  field.focus();
+  field.setSelectionRange(begin, begin + (lines[number - 1]?.length ?? 0));
+  field.scrollTop = field.scrollHeight * (number - 3) / lines.length;
+}
+document.addEventListener('click', (event) => {
+  const place = event.target.closest?.('[data-line]')?.dataset.line;
+  if (place) { event.preventDefault(); line(Number(place)); }
+  const what = event.target.closest?.('[data-record]')?.dataset.record;
+  if (what === 'save') save();
+  else if (what === 'download') download();
+  else if (what === 'open') open();
+});
+
+// An explanation stays within the page, and goes with Escape until the term is left.
+function inside(event) {
+  const tip = event.target.closest?.('.tip');
+  const text = tip?.querySelector('.tip-text');
+  if (!text) return;
+  text.style.left = '0';
+  const over = text.getBoundingClientRect().right - document.documentElement.clientWidth + 8;
+  if (over > 0) text.style.left = `${-over}px`;
+}
+for (const kind of ['mouseover', 'focusin']) document.addEventListener(kind, inside);
+addEventListener('keydown', (event) => {
+  if (event.key === 'Escape') for (const tip of document.querySelectorAll('.tip:hover, .tip:focus-within')) tip.classList.add('shut');
+});
+for (const kind of ['mouseout', 'focusout']) document.addEventListener(kind, (event) => {
+  const tip = event.target.closest?.('.tip');
+  if (tip && !tip.contains(event.relatedTarget)) tip.classList.remove('shut');
+});

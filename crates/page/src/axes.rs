@@ -1,0 +1,108 @@
+//! All axes of a project together: what is chosen for each, whether it fits, and what they add up to.
+
+use crate::demand::verdict_class;
+use crate::form::vals;
+use crate::frame::chosen;
+use crate::state::{Held, State};
+use maud::{Markup, html};
+use workbench::quantities::unit::{KILOGRAM, WATT};
+use workbench::quantities::{Measure, format_number};
+use workbench::text::{capitalised, check_title, page, standing_text, terms};
+use workbench::{
+    Candidate, Patience, Project, Verdict, demand_figures, percent, power_over_cycle, reason, sized, sum_of_known,
+};
+
+/// What is told of an axis.
+struct Row {
+    class: &'static str,
+    code: String,
+    standing: String,
+    tightest: String,
+    utilisation: String,
+    figures: Vec<(&'static str, String, &'static str)>,
+    mass_kg: Option<f64>,
+    taken_w: Option<f64>,
+    returned_w: Option<f64>,
+}
+
+/// The summary; `None` where the work ended before it was done.
+pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Option<Markup> {
+    let l = state.language;
+    let mut rows: Vec<(&Project, Option<Row>)> = Vec::new();
+    for project in &held.projects {
+        let sizing = sized(project, patience).ok()?;
+        let found = chosen(project, sizing.candidates.first());
+        rows.push((project, found.map(|candidate| row(state, project, &candidate))));
+    }
+    let figures = rows.iter().find_map(|(_, row)| row.as_ref()).map(|row| row.figures.as_slice()).unwrap_or_default();
+    let of = |get: fn(&Row) -> Option<f64>| -> Vec<Option<f64>> {
+        rows.iter().map(|(_, row)| row.as_ref().and_then(get)).collect()
+    };
+    let [mass, taken, returned] =
+        [of(|row| row.mass_kg), of(|row| row.taken_w), of(|row| row.returned_w)].map(|all| sum_of_known(&all));
+    let number = |value: Option<f64>, digits: usize| {
+        value.map_or_else(|| "–".to_owned(), |value| format_number(value, digits, l))
+    };
+    let sum = |(value, known): (f64, usize), digits: usize| {
+        html! {
+            strong { (number((known > 0).then_some(value), digits)) }
+            @if known < rows.len() { br; span.small { (page::sum_of_known(&known, &rows.len(), l)) } }
+        }
+    };
+    Some(html! {
+        section id="together" aria-labelledby="together-title" class=[held.is_old.then_some("old")] {
+            h2 id="together-title" { (page::axes_together(l)) }
+            (crate::demand::stopped(&html! {}))
+            @if held.is_old { p.advice role="status" { (page::result_is_old(l)) } }
+            p.small { (page::axes_told(l)) }
+            div.wide tabindex="0" role="region" aria-labelledby="together-title" {
+                table {
+                    thead { tr {
+                        @for head in [terms::axis(l), terms::ordering_code(l), terms::verdict(l), terms::check(l), terms::utilisation_short(l)] { th scope="col" { (capitalised(head)) } }
+                        @for (symbol, _, unit) in figures { th.number scope="col" { (crate::chapters::symbol(symbol)) " / " (unit) } }
+                        th.number scope="col" { (capitalised(terms::mass(l))) " / " (KILOGRAM.symbol) }
+                        th.number scope="col" { (capitalised(page::power_taken(l))) " / " (WATT.symbol) }
+                        th.number scope="col" { (capitalised(page::power_returned(l))) " / " (WATT.symbol) }
+                    } }
+                    tbody { @for (place, (project, row)) in rows.iter().enumerate() { tr {
+                        th scope="row" { button.plain type="button" hx-post="/work" hx-vals=(vals(&[("axis", &place.to_string()), ("code", "")])) { (project.name) } }
+                        @if let Some(row) = row {
+                            td { (row.code) } td class=(row.class) { (row.standing) } td { (row.tightest) } td.number { (row.utilisation) " %" }
+                            @for (_, value, _) in &row.figures { td.number { (value) } }
+                            td.number { (number(row.mass_kg, 2)) } td.number { (number(row.taken_w, 0)) } td.number { (number(row.returned_w, 0)) }
+                        }
+                    } } }
+                    tfoot { tr {
+                        th scope="row" { (capitalised(page::sum(l))) }
+                        td colspan=(4 + figures.len()) {}
+                        td.number { (sum(mass, 2)) } td.number { (sum(taken, 0)) } td.number { (sum(returned, 0)) }
+                    } }
+                }
+            }
+        }
+    })
+}
+
+fn row(state: &State, project: &Project, candidate: &Candidate<'_>) -> Row {
+    let l = state.language;
+    let verdict = match (candidate.fits(), candidate.open_questions()) {
+        (false, _) => Verdict::Fail,
+        (true, 0) => Verdict::Pass,
+        (true, _) => Verdict::NotChecked,
+    };
+    let tightest = candidate.judgement.tightest();
+    let power = power_over_cycle(project, candidate);
+    let figures = candidate.judgement.demand.as_ref().map(|demand| demand_figures(demand, l).to_vec());
+    let standing = standing_text(candidate, l);
+    Row {
+        class: verdict_class(verdict),
+        code: candidate.id.to_string(),
+        standing: if candidate.fits() { standing } else { format!("{standing}; {}", reason(candidate, l)) },
+        tightest: tightest.map(|check| check_title(check.id, l)).unwrap_or_default(),
+        utilisation: percent(tightest.and_then(|check| check.utilisation), l),
+        figures: figures.unwrap_or_default(),
+        mass_kg: candidate.parameters.mass.known().map(|mass| KILOGRAM.from_si(mass.value.si())),
+        taken_w: power.map(|power| power.taken_w),
+        returned_w: power.map(|power| power.returned_w),
+    }
+}

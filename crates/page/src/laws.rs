@@ -1,0 +1,100 @@
+//! Laws of motion chosen by their picture: position, speed and acceleration of each, drawn once for the page.
+
+use maud::{Markup, html};
+use workbench::text::{law_text, page};
+use workbench::{KEYS, Kind, Language, SegmentLaw, law_shape};
+
+/// Width, and height of one of the three curves, in the units of the drawing.
+const WIDTH: f64 = 48.0;
+const HEIGHT: f64 = 16.0;
+const GAP: f64 = 3.0;
+
+/// The laws as the project file names them; `parabola` is another name of the triangle.
+fn laws(words: &[&'static str]) -> impl Iterator<Item = (&'static str, SegmentLaw)> {
+    let of = |word: &&'static str| Some((*word, SegmentLaw::of_id(word).filter(|_| *word != "parabola")?));
+    words.iter().filter_map(of).collect::<Vec<_>>().into_iter()
+}
+
+/// The names of the laws in the project file.
+pub(crate) fn words() -> &'static [&'static str] {
+    let motion = KEYS.iter().find_map(|key| match key.kind {
+        Kind::Variants(variants) if key.name == "motion" => variants.keys.iter().find(|key| key.name == variants.by),
+        _ => None,
+    });
+    match motion.map(|key| key.kind) {
+        Some(Kind::OneOf(words)) => words,
+        _ => &[],
+    }
+}
+
+/// What a law is called where all of them stand side by side.
+pub(crate) fn name(law: SegmentLaw, language: Language) -> &'static str {
+    if law == SegmentLaw::Manual { page::trapezoid_with_pause(language) } else { law_text(law, language) }
+}
+
+/// The drawings of all laws, for [`menu`] to refer to.
+pub(crate) fn symbols(words: &[&'static str]) -> Markup {
+    let height = 3.0 * HEIGHT + 2.0 * GAP;
+    html! {
+        svg.hidden width="0" height="0" aria-hidden="true" {
+            @for (word, law) in laws(words) {
+                symbol id={ "law-" (word) } viewBox={ "-2 -2 " (WIDTH + 4.0) " " (height + 4.0) } {
+                    @for place in 1..4_u8 {
+                        @let (zero, path) = curve(law, place);
+                        path.axis d={ "M0 " (zero) "H" (WIDTH) } {}
+                        path class={ "of-" (place) } d=(path) {}
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Where zero is, and one of the curves: 1 position, 2 speed, 3 acceleration.
+fn curve(law: SegmentLaw, place: u8) -> (f64, String) {
+    let top = f64::from(place - 1) * (HEIGHT + GAP);
+    // Position and speed stand above zero, acceleration on both sides.
+    let (zero, unit) = if place == 3 { (top + HEIGHT / 2.0, HEIGHT / 2.0) } else { (top + HEIGHT, HEIGHT) };
+    let shape = law_shape(law);
+    if shape.is_empty() {
+        return (zero, recorded(place, zero, unit));
+    }
+    let mut path = String::new();
+    for point in &shape {
+        let (Some(time), Some(value)) = (point.first(), point.get(usize::from(place))) else { continue };
+        let sign = if path.is_empty() { 'M' } else { 'L' };
+        path.push_str(&format!("{sign}{:.1} {:.1}", time * WIDTH, zero - value * unit));
+    }
+    (zero, path)
+}
+
+/// What stands for a recording, which has no shape of its own: measured points.
+fn recorded(place: u8, zero: f64, unit: f64) -> String {
+    const VALUES: [[f64; 7]; 3] = [
+        [0.0, 0.1, 0.45, 0.6, 0.9, 0.8, 1.0],
+        [0.0, 0.7, 1.0, 0.4, 0.8, 0.3, 0.0],
+        [0.2, 0.9, -0.6, 0.5, -0.8, 0.4, -0.2],
+    ];
+    let values = VALUES.get(usize::from(place - 1)).copied().unwrap_or_default();
+    let point = |(x, value): (f64, f64)| format!("M{:.1} {:.1}h2v2h-2z", x * 7.5, zero - value * unit - 1.0);
+    (0_u8..).map(f64::from).zip(values).map(point).collect()
+}
+
+/// The laws as a group of pictures of which one is chosen; `id` is that of the plain choice, which takes what is chosen here.
+pub(crate) fn menu(id: &str, words: &[&'static str], chosen: &str, language: Language) -> Markup {
+    html! {
+        details.laws id={ (id) "-laws" } data-law=(id) {
+            summary { (page::choose_by_picture(language)) }
+            fieldset {
+                legend.small { (page::law_pictures_told(language)) }
+                @for (word, law) in laws(words) {
+                    label.law {
+                        input type="radio" id={ (id) "-" (word) } name={ "law-of-" (id) } value=(word) checked[word == chosen] data-checked=(word == chosen);
+                        svg width="52" height="58" aria-hidden="true" { use href={ "#law-" (word) } {} }
+                        span { (name(law, language)) }
+                    }
+                }
+            }
+        }
+    }
+}

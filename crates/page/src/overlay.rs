@@ -1,0 +1,95 @@
+//! What lies over the pictures: the instant, marks of the worst instants, ends of segments to pull at. A script puts each
+//! where its numbers belong; it has them from here.
+
+use crate::demand::verdict_class;
+use crate::state::State;
+use maud::{Markup, html};
+use workbench::quantities::{Measure, format_significant};
+use workbench::text::{capitalised, check_title, law_text, page};
+use workbench::{Candidate, Check, Language, Project, by_importance, moves};
+
+/// One range that moves the instant of all pictures, and what narrows the time that they show.
+pub(crate) fn controls(project: &Project, is_narrowed: bool, language: Language) -> Markup {
+    let l = language;
+    html! {
+        div.cursor {
+            label for="instant" { (page::instant_on_the_axis(l)) }
+            input id="instant" type="range" min="0" max="1000" value="0" step="1" data-until=(project.axis.motion.duration().si()) aria-describedby="instant-told" aria-keyshortcuts="+ - 0";
+            span.zoom role="group" aria-label=(page::time_shown(l)) {
+                button type="button" id="zoom-in" data-zoom="in" aria-label=(page::zoom_in(l)) title=(page::zoom_in(l)) { "+" }
+                button type="button" id="zoom-out" data-zoom="out" aria-label=(page::zoom_out(l)) title=(page::zoom_out(l)) disabled[!is_narrowed] { "−" }
+                button type="button" id="zoom-back" data-zoom="back" aria-label=(page::window_back(l)) title=(page::window_back(l)) disabled[!is_narrowed] { "◂" }
+                button type="button" id="zoom-on" data-zoom="on" aria-label=(page::window_on(l)) title=(page::window_on(l)) disabled[!is_narrowed] { "▸" }
+                button type="button" id="zoom-whole" data-zoom="whole" disabled[!is_narrowed] { (page::whole_cycle(l)) }
+            }
+            output id="instant-values" for="instant" {}
+            p.small id="instant-told" { (page::cursor_told(l)) }
+        }
+    }
+}
+
+/// An instant at which checks are worst.
+pub(crate) struct Worst<'c> {
+    at_s: f64,
+    checks: Vec<&'c Check>,
+}
+
+/// The worst instants of a candidate in the order of time; checks that share one stand together.
+pub(crate) fn worst<'c>(candidate: &'c Candidate<'_>) -> Vec<Worst<'c>> {
+    let mut found: Vec<Worst<'c>> = Vec::new();
+    for check in by_importance(&candidate.judgement.checks) {
+        let Some(at_s) = check.at.map(Measure::si) else { continue };
+        match found.iter_mut().find(|known| (known.at_s - at_s).abs() <= 1e-6 * at_s.abs()) {
+            Some(known) => known.checks.push(check),
+            None => found.push(Worst { at_s, checks: vec![check] }),
+        }
+    }
+    found.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+    found
+}
+
+/// The number of the mark of a check.
+pub(crate) fn number(worst: &[Worst<'_>], check: &Check) -> Option<usize> {
+    let place = worst.iter().position(|each| each.checks.iter().any(|other| other.id == check.id))?;
+    Some(place + 1)
+}
+
+/// The marks over a picture; `of` tells those of several pictures apart.
+pub(crate) fn marks(worst: &[Worst<'_>], of: &str, language: Language) -> Markup {
+    let l = language;
+    html! {
+        @if !worst.is_empty() {
+            div.marks-row role="group" aria-label=(page::worst_instants(l)) {
+                @for (place, each) in worst.iter().enumerate() {
+                    @let names = each.checks.iter().map(|check| check_title(check.id, l)).collect::<Vec<_>>().join(", ");
+                    @let first = each.checks.first().map(|check| check.id.id()).unwrap_or_default();
+                    @let told = format!("{}: {}", page::worst_instant(&format_significant(each.at_s, 3, l), l), names);
+                    @let class = each.checks.first().map(|check| verdict_class(check.verdict)).unwrap_or_default();
+                    button type="button" class={ "mark-number " (class) } id={ "mark-" (of) (place) } data-instant=(each.at_s) data-row={ "check-" (first) }
+                        title=(told) aria-label={ (place + 1) ": " (told) } { (place + 1) }
+                }
+            }
+        }
+    }
+}
+
+/// The ends of the segments, to be pulled in the picture of the position: by pointer, or with the arrow keys.
+pub(crate) fn grips(state: &State, project: &Project) -> Markup {
+    let l = state.language;
+    let found = workbench::grips(project);
+    let prefix = &state.prefix;
+    let moves = moves(project);
+    let shown = |value: f64| format_significant(value, 4, l);
+    html! {
+        @for grip in &found.grips {
+            @let law = moves.moves.get(grip.segment).map(|each| law_text(each.law, l)).unwrap_or_default();
+            @let number = grip.segment + 1;
+            @let told = page::ends_at(&shown(grip.to.0), &shown(grip.to.1), &found.unit.symbol, l);
+            button.grip type="button" role="slider" id={ "grip-" (grip.segment) } data-path={ (prefix) "motion[" (number) "]" }
+                data-from-time=(grip.from.0) data-from-way=(grip.from.1) data-time=(grip.to.0) data-way=(grip.to.1) data-goes=(grip.goes)
+                aria-label=(capitalised(&page::end_of_segment(&number, &law, l)))
+                aria-valuenow=(if grip.goes { grip.to.1 } else { grip.to.0 }) aria-valuetext=(told) aria-describedby="grips-told" title=(told) {}
+        }
+        @if !found.grips.is_empty() { span.unseen id="grips-told" { (page::grips_told(l)) } }
+    }
+}

@@ -1,0 +1,23 @@
+//! Terms that explain themselves: a button whose explanation shows while it is pointed at or has the focus.
+
+use crate::chapters::symbol;
+use maud::{Markup, html};
+use workbench::text::capitalised;
+use workbench::{Language, meaning_of_symbol, meaning_of_word};
+
+/// A symbol with its meaning.
+pub(crate) fn of_symbol(name: &str, language: Language) -> Markup {
+    with(&symbol(name), meaning_of_symbol(name, language).as_deref())
+}
+
+/// A word, its first letter large, with its meaning where the glossary has it.
+pub(crate) fn of_word(word: &str, language: Language) -> Markup {
+    with(&html! { (capitalised(word)) }, meaning_of_word(word, language))
+}
+
+fn with(shown: &Markup, meaning: Option<&str>) -> Markup {
+    html! { @match meaning {
+        Some(meaning) => span.tip { button.term type="button" { (shown) span.tip-text role="tooltip" { (meaning) } } },
+        None => (shown),
+    } }
+}

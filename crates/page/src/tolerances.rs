@@ -1,0 +1,76 @@
+//! What the tolerances of the project mean for the actuator that is looked at: at once where that is quick, else when it is
+//! asked for.
+
+use crate::call::{Call, Shell};
+use crate::form::vals;
+use crate::frame::looked_at;
+use crate::state::State;
+use crate::waiting;
+use maud::{Markup, html};
+use workbench::answer::refusal_text;
+use workbench::text::{capitalised, page};
+use workbench::{
+    Assessment, Candidate, Language, Patience, Project, Refusal, margins, sampling_text, sized, tolerance_heads,
+    tolerance_lines, tolerance_rows,
+};
+
+/// Where they are told; nothing where the project has none. It says of which text, axis and actuator they would be, so that a
+/// script need not ask twice.
+pub(crate) fn place(state: &State, project: &Project, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup {
+    if project.tolerances.is_empty() {
+        return html! {};
+    }
+    let l = state.language;
+    let about = format!("{}\n{}\n{}\n{}\n{:?}", state.good, state.axis, candidate.id, l.id(), state.samples);
+    let at_once = state.draw().is_quick(project, 1);
+    html! {
+        section id="tolerances" aria-labelledby="tolerances-title" data-of=(shell.version(about.as_bytes())) data-at-once=[at_once.then_some("")] {
+            h3 id="tolerances-title" { (page::tolerances(l)) }
+            p.small { (page::tolerances_told(project.tolerances.len(), l)) }
+            label.inline { (page::samples(l)) " "
+                input id="samples" name="samples" form="state" inputmode="numeric" size="8" value=[state.samples] placeholder=(page::as_many_as_seconds_allow(l))
+                    hx-post="/work" hx-trigger="change";
+            } " "
+            button type="button" id="tolerances-go" hx-post="/tolerances" hx-target="#tolerances-found" hx-swap="innerHTML" hx-sync="this:replace"
+                hx-vals=(vals(&[("code", &candidate.id.to_string())])) { (page::judge_tolerances(l)) }
+            div id="tolerances-found" aria-live="polite" {}
+        }
+    }
+}
+
+/// The tolerances judged.
+pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+    let mut state = State::of(call);
+    let l = state.language;
+    let stopped = || html! { p.advice { (waiting::stopped(false, None, shell, patience, l)) } };
+    let held = state.hold(shell.files(), patience);
+    if held.is_stopped {
+        return stopped();
+    }
+    let Some(project) = held.projects.get(state.axis) else { return html! {} };
+    let sizing = if state.code.is_none() && project.actuator.is_none() { sized(project, patience).ok() } else { None };
+    let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first());
+    let Some(candidate) = looked_at(&state, project, best) else { return html! {} };
+    match margins(project, &candidate, state.draw(), patience) {
+        Ok((_, Some(assessment))) => found(project, &assessment, l),
+        Ok((_, None)) => html! {},
+        Err(Refusal::Stopped) => stopped(),
+        Err(refusal) => html! { p.fault { (refusal_text(&refusal, None, l)) } },
+    }
+}
+
+fn found(project: &Project, assessment: &Assessment, language: Language) -> Markup {
+    let is_number = |place: usize| !matches!(place, 0 | 3);
+    html! {
+        p.small { (capitalised(&sampling_text(assessment.sampling, language))) }
+        ul.plain { @for line in tolerance_lines(project, assessment, language) { li { (capitalised(&line)) } } }
+        div.wide tabindex="0" role="region" aria-labelledby="tolerances-title" {
+            table {
+                thead { tr { @for (place, head) in tolerance_heads(language).into_iter().enumerate() { th scope="col" class=[is_number(place).then_some("number")] { (capitalised(head)) } } } }
+                tbody { @for row in tolerance_rows(project, assessment, language) { tr {
+                    @for (place, cell) in row.iter().enumerate() { td class=[is_number(place).then_some("number")] { (cell) } }
+                } } }
+            }
+        }
+    }
+}

@@ -1,0 +1,312 @@
+//! The tools beside the project: what is known about a code, calculators, commissioning, glossary. Each is a question of the
+//! interface, its fields are what that question takes, and its faults stand at them.
+
+mod calculators;
+mod code;
+mod field;
+mod loads;
+mod record;
+
+use crate::api::asked::Asked;
+use crate::api::{Endpoint, Unanswered, endpoint};
+use crate::call::{Call, Method, Shell};
+use crate::form::vals;
+use field::{Field, Trouble};
+use figures::Theme;
+use maud::{Markup, html};
+use std::borrow::Cow;
+use workbench::text::{Word, page};
+use workbench::{Language, Patience, read_all_watched, read_code};
+
+/// A tool: its name in requests, what it is called, how it answers.
+struct Tool {
+    id: &'static str,
+    title: Word,
+    ask: Ask,
+}
+
+/// How a tool answers.
+enum Ask {
+    /// What is said about a code, or about a text in its place.
+    About(fn(&str, Language) -> Markup),
+    /// A question of the interface: its place, what stands in its fields at first, and how its answer is shown.
+    Of(Method, &'static str, &'static [(&'static str, &'static str)], Show),
+    /// The mounting, under the limits of the manual or under the loads of the project that is open.
+    Mount,
+    /// The loads on the output bearing.
+    Loads,
+    /// Measured values, judged.
+    Record,
+}
+
+/// How an answer is shown, in light or dark.
+type Show = fn(&Asked<'_>, Theme) -> Result<Markup, Unanswered>;
+
+/// The tools, in the order of their use.
+const TOOLS: [Tool; 14] = [
+    Tool { id: "code", title: page::tool_code, ask: Ask::About(code::explained) },
+    Tool { id: "data", title: page::tool_data, ask: Ask::About(code::data) },
+    Tool { id: "curve", title: page::tool_curve, ask: Ask::Of(Method::Get, "curve", &[], calculators::curve) },
+    Tool {
+        id: "torsion",
+        title: page::tool_torsion,
+        ask: Ask::Of(Method::Get, "torsion", &[("torque", "60 N m")], calculators::torsion),
+    },
+    Tool { id: "bearing", title: page::tool_bearing, ask: Ask::Loads },
+    Tool {
+        id: "inertia",
+        title: page::tool_inertia,
+        ask: Ask::Of(
+            Method::Get,
+            "inertia",
+            &[(
+                "body",
+                "disc diameter=600mm length=20mm density=7850kg/m^3\nbox a=120mm b=80mm height=60mm mass=5kg distance=250mm count=4",
+            )],
+            calculators::inertia,
+        ),
+    },
+    Tool {
+        id: "battery",
+        title: page::tool_battery,
+        ask: Ask::Of(Method::Get, "battery", &[("hours-per-day", "10")], calculators::battery),
+    },
+    Tool { id: "wiring", title: page::tool_wiring, ask: Ask::Of(Method::Get, "wiring", &[], calculators::wiring) },
+    Tool { id: "mount", title: page::tool_mount, ask: Ask::Mount },
+    Tool {
+        id: "commission",
+        title: page::tool_commission,
+        ask: Ask::Of(Method::Get, "commission", &[], calculators::commission),
+    },
+    Tool { id: "record", title: page::tool_record, ask: Ask::Record },
+    Tool { id: "upkeep", title: page::tool_upkeep, ask: Ask::Of(Method::Get, "upkeep", &[], calculators::upkeep) },
+    Tool { id: "errata", title: page::tool_errata, ask: Ask::About(code::errata) },
+    Tool { id: "glossary", title: page::tool_glossary, ask: Ask::About(code::words) },
+];
+
+/// The pane of the tools: which of them is asked for, about what.
+pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
+    let l = call.language();
+    let asked = call.field("tool").unwrap_or_default();
+    let Some(tool) = TOOLS.iter().find(|tool| tool.id == asked).or(TOOLS.first()) else { return html! {} };
+    let scene = Scene::of(call, tool.id, shell, patience);
+    let needs_code = tool.needs_code();
+    let about = if needs_code { page::tool_code(l) } else { (tool.title)(l) };
+    let shown = match &tool.ask {
+        Ask::About(say) => html! { (say(&scene.about, l)) (scene.link(&[])) },
+        Ask::Record => record::shown(&scene),
+        Ask::Loads => loads::shown(&scene),
+        Ask::Mount => mounted(&scene),
+        Ask::Of(method, path, first, show) => match endpoint(*method, path) {
+            Some(endpoint) => of(&scene, &Question { endpoint, first, show: *show, own: None, body: &[] }),
+            None => html! {},
+        },
+    };
+    let inside = html! {
+        nav.kinds aria-label=(page::tools(l)) {
+            @for other in &TOOLS {
+                button type="button" aria-pressed=(other.id == tool.id) hx-post="/tools" hx-target="#detail" hx-swap="innerHTML"
+                    hx-include="#state, [form=state], #about" hx-vals=(vals(&[("tool", other.id)])) { ((other.title)(l)) }
+            }
+        }
+        form id="tool" method="get" action="/" hx-post="/tools" hx-target="#tool" hx-select="#tool" hx-swap="outerMorph" hx-sync="this:replace"
+            hx-include="#state, [form=state]" hx-trigger="input delay:80ms, change, submit" {
+            input type="hidden" name="tool" value=(tool.id);
+            input type="hidden" name="asked" value=(tool.id);
+            @if needs_code || matches!(tool.ask, Ask::About(_)) {
+                div.row {
+                    label for="about" { (about) }
+                    input id="about" name="about" type="text" value=(scene.about) autocomplete="off" spellcheck="false";
+                }
+            } @else {
+                input id="about" name="about" type="hidden" value=(scene.about);
+            }
+            (shown)
+        }
+    };
+    crate::detail::frame(page::tools(l), &inside, l)
+}
+
+impl Tool {
+    /// Whether it is about a code.
+    fn needs_code(&self) -> bool {
+        match &self.ask {
+            Ask::About(_) => !matches!(self.id, "errata" | "glossary"),
+            Ask::Of(method, path, ..) => endpoint(*method, path)
+                .is_some_and(|endpoint| endpoint.parameters.iter().any(|parameter| parameter.name == "code")),
+            Ask::Record | Ask::Mount => true,
+            Ask::Loads => false,
+        }
+    }
+}
+
+/// What stands before the names of a tool's fields: those of the project have names of their own.
+const MARK: &str = "t_";
+
+/// A tool as it is asked for.
+struct Scene<'c> {
+    call: &'c Call<'c>,
+    shell: &'c dyn Shell,
+    patience: &'c Patience,
+    language: Language,
+    theme: Theme,
+    /// Its name in requests.
+    tool: &'static str,
+    /// The code, or what stands in its place.
+    about: String,
+    /// Whether its fields have been filled in, by whomever.
+    is_filled: bool,
+}
+
+impl<'c> Scene<'c> {
+    fn of(call: &'c Call<'c>, tool: &'static str, shell: &'c dyn Shell, patience: &'c Patience) -> Self {
+        let about = call.field("about").or_else(|| call.field("code")).map(Cow::into_owned).unwrap_or_default();
+        Self {
+            call,
+            shell,
+            patience,
+            language: call.language(),
+            theme: if call.field("theme").is_some_and(|theme| theme == "dark") { Theme::Dark } else { Theme::Light },
+            tool,
+            about,
+            is_filled: call.field("asked").is_some_and(|asked| asked == tool),
+        }
+    }
+
+    /// What was typed into a field of the tool; several texts a line each.
+    fn typed(&self, name: &str) -> Option<String> {
+        if !self.is_filled {
+            return None;
+        }
+        let named = |key: &str| key.strip_prefix(MARK) == Some(name);
+        let all: Vec<_> = self.call.fields().filter(|(key, _)| named(key)).map(|(_, value)| value).collect();
+        Some(all.join("\n"))
+    }
+
+    /// The axis of the project that is shown, where there are several.
+    fn axis(&self) -> Option<String> {
+        let place: usize = self.call.field("axis")?.parse().ok()?;
+        let text = self.call.field("text")?;
+        let axes = read_all_watched(&text, self.shell.files(), self.patience).ok().filter(|axes| axes.len() > 1)?;
+        axes.get(place).map(|axis| axis.name.clone())
+    }
+
+    /// An address that opens the tool with these fields.
+    fn address(&self, fields: &[(&str, &str)]) -> String {
+        let mut query = form_urlencoded::Serializer::for_suffix(String::from("/?"), 2);
+        let mut put = |name: &str, value: &str| {
+            let _ = query.append_pair(name, value);
+        };
+        put("tool", self.tool);
+        put("asked", self.tool);
+        put("about", &self.about);
+        for (name, value) in fields {
+            put(&format!("{MARK}{name}"), value);
+        }
+        put("lang", self.language.id());
+        query.finish()
+    }
+
+    fn link(&self, fields: &[(&str, &str)]) -> Markup {
+        html! { p.small { a id="tool-link" href=(self.address(fields)) { (page::link_to_tool(self.language)) } } }
+    }
+}
+
+/// A question of the interface.
+struct Question<'q> {
+    endpoint: &'static Endpoint,
+    first: &'q [(&'q str, &'q str)],
+    show: Show,
+    /// A field of the page's own, which the interface does not know.
+    own: Option<Field>,
+    body: &'q [u8],
+}
+
+/// The field that says whether the loads of the project are taken.
+const UNDER_PROJECT: &str = "project";
+
+/// The mounting: without a project, or without its loads, the limits of the manual stand in their place.
+fn mounted(scene: &Scene<'_>) -> Markup {
+    let text = scene.call.field("text").unwrap_or_default();
+    let own = || Field::new(UNDER_PROJECT, page::under_project(scene.language), field::Entry::Mark);
+    let is_under = scene.typed(UNDER_PROJECT).is_some_and(|value| value == "true") && !text.is_empty();
+    let (method, show): (Method, Show) =
+        if is_under { (Method::Post, calculators::mount_in_project) } else { (Method::Get, calculators::mount) };
+    let Some(endpoint) = endpoint(method, "mount") else { return html! {} };
+    let own = (!text.is_empty()).then(own);
+    let body = if is_under { text.as_bytes() } else { &[] };
+    of(scene, &Question { endpoint, first: &[], show, own, body })
+}
+
+/// A question as fields, with its answer below them.
+fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
+    let l = scene.language;
+    let Question { endpoint, first, show, own, body } = question;
+    let mut fields: Vec<Field> = endpoint.parameters.iter().filter_map(|each| Field::of_parameter(each, l)).collect();
+    fields.extend(own.clone());
+    for field in &mut fields {
+        let usual = || first.iter().find(|(name, _)| *name == field.name).map(|(_, value)| (*value).to_owned());
+        field.value = scene.typed(&field.name).unwrap_or_else(|| usual().unwrap_or_default());
+    }
+    let needs_code = endpoint.parameters.iter().any(|parameter| parameter.name == "code");
+    if needs_code && let Err(fault) = read_code(&scene.about, l) {
+        return html! { (fields_of(&fields, l)) div id="tool-answer" { (code::incomplete(&scene.about, &fault, l)) } };
+    }
+    let axis = scene.axis().filter(|_| !body.is_empty());
+    let said = [("code", Some(scene.about.as_str()).filter(|_| needs_code)), ("axis", axis.as_deref())];
+    let query = query_of(&said, &fields, l);
+    let put = |query: &str| {
+        let path = format!("/api/v1/{}", endpoint.path);
+        let call = Call { method: endpoint.method, path: &path, query, media: None, body, ..*scene.call };
+        Asked::of(endpoint, &call, scene.shell, scene.patience).and_then(|asked| show(&asked, scene.theme))
+    };
+    let answer = put(&query);
+    let good = match &answer {
+        Ok(_) => query,
+        Err(_) => scene.typed(GOOD).unwrap_or_default(),
+    };
+    let troubles: Vec<Trouble> = match &answer {
+        Err(unanswered) => field::troubles(unanswered, l),
+        Ok(_) => Vec::new(),
+    };
+    let loose = field::at_their_fields(&mut fields, troubles, scene.is_filled);
+    let old = if answer.is_err() && !good.is_empty() { put(&good).ok() } else { None };
+    let state: Vec<(&str, &str)> = fields.iter().map(|field| (field.name.as_str(), field.value.as_str())).collect();
+    html! {
+        input type="hidden" name={ (MARK) (GOOD) } value=(good);
+        (fields_of(&fields, l))
+        @for trouble in &loose { (trouble.shown()) }
+        div id="tool-answer" aria-live="polite" class=[old.is_some().then_some("old")] {
+            @match (&answer, &old) {
+                (Ok(answer), _) => (answer),
+                (_, Some(old)) => { p.advice { (page::answer_is_old(l)) } (old) },
+                _ => {},
+            }
+        }
+        (scene.link(&state))
+    }
+}
+
+/// The last question that had an answer.
+const GOOD: &str = "good";
+
+fn fields_of(fields: &[Field], language: Language) -> Markup {
+    html! { div.rows { @for field in fields { (field.shown(language)) } } }
+}
+
+/// What is asked, as a client of the interface would.
+fn query_of(said: &[(&str, Option<&str>)], fields: &[Field], language: Language) -> String {
+    let mut query = form_urlencoded::Serializer::new(String::new());
+    for (name, value) in said {
+        if let Some(value) = value {
+            let _ = query.append_pair(name, value);
+        }
+    }
+    for field in fields.iter().filter(|field| field.name != UNDER_PROJECT) {
+        for value in field.values() {
+            let _ = query.append_pair(&field.name, value);
+        }
+    }
+    let _ = query.append_pair("lang", language.id());
+    query.finish()
+}

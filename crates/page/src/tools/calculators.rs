@@ -1,0 +1,185 @@
+//! How the answers of the tools are shown: lines, tables and the picture where one is drawn.
+
+use crate::api::asked::Asked;
+use crate::api::{Unanswered, axis, code, library};
+use crate::chapters::laid_out;
+use figures::{Drawing, Size, Style, Theme};
+use maud::{Markup, PreEscaped, html};
+use workbench::quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
+use workbench::quantities::{Language, Measure, Torque, format_significant};
+use workbench::text::{
+    body_key, capitalised, commission as words, curve_title, grade_word, help, page, shape_title, source_text,
+    terminal, terms,
+};
+use workbench::{BODY_SHAPES, PerformanceCurve, answer, battery_lines, chapter, curve_rows, torsion_lines};
+
+/// Width of a picture, in pixels.
+const WIDTH: f64 = 640.0;
+
+pub(super) fn picture(drawing: &Drawing, name: &str, theme: Theme, language: Language) -> Markup {
+    let (width, height) = drawing.size_mm;
+    let style = Style::new(Size::pixels(WIDTH, WIDTH * height / width)).theme(theme).language(language).id(name);
+    html! { figure.plot { (PreEscaped(drawing.render(&style).into_svg())) figcaption { (drawing.caption) } } }
+}
+
+pub(super) fn curve(asked: &Asked<'_>, theme: Theme) -> Result<Markup, Unanswered> {
+    let l = asked.language;
+    let (code, curves, plane) = code::curves_of(asked)?;
+    Ok(html! {
+        (picture(&figures::curves(&code, &plane, l), "tool-curve", theme, l))
+        @for curve in &curves { (curve_table(curve, l)) }
+    })
+}
+
+fn curve_table(curve: &PerformanceCurve, language: Language) -> Markup {
+    let l = language;
+    let shown = |value: f64| format_significant(value, 4, l);
+    let volts =
+        curve.voltage.map(|voltage| format!("{} {}", format_significant(voltage.in_unit(&VOLT), 3, l), VOLT.symbol));
+    let torque =
+        |torque: Option<Torque>| torque.map_or_else(|| "–".to_owned(), |torque| shown(torque.in_unit(&NEWTON_METRE)));
+    html! {
+        h4 { (capitalised(&curve_title(&curve.kind, l))) @if let Some(volts) = volts { ", " (volts) } }
+        p.small { (grade_word(curve.grade, l)) ", " (source_text(&curve.source, l)) }
+        div.wide tabindex="0" { table {
+            thead { tr { th.number scope="col" { "n min⁻¹" } th.number scope="col" { "T Nm" } th.number scope="col" { (terminal::up_to_nm(l)) } } }
+            tbody { @for (speed, lower, upper) in curve_rows(curve) { tr {
+                td.number { (shown(speed.in_unit(&REVOLUTION_PER_MINUTE))) } td.number { (torque(lower)) } td.number { (torque(upper)) }
+            } } }
+        } }
+    }
+}
+
+pub(super) fn torsion(asked: &Asked<'_>, theme: Theme) -> Result<Markup, Unanswered> {
+    let l = asked.language;
+    let (code, found) = code::torsion_of(asked)?;
+    let drawing = figures::torsion_curve(&code.to_string(), &found.at(), l);
+    Ok(html! {
+        @for (place, line) in torsion_lines(&code, &found, l).iter().enumerate() {
+            p { @if place == 0 { strong { (line) } } @else { (capitalised(line)) } }
+        }
+        p.small { (answer::torsion(&code, &found).source) }
+        (picture(&drawing, "tool-torsion", theme, l))
+    })
+}
+
+pub(super) fn battery(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
+    let found = library::battery_of(asked)?;
+    let source = source_text(&found.life.source, asked.language);
+    Ok(html! { @for line in battery_lines(&found, asked.language) { p { (capitalised(&line)) } } p.small { (source) } })
+}
+
+pub(super) fn inertia(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
+    let l = asked.language;
+    let found = library::inertia_of(asked)?;
+    let number = |value: f64| format_significant(value, 4, l);
+    let total = &found.total;
+    let heads = ["z", "m [kg]", "r [mm]", "φ [°]", "J_own [kgm²]", "m r² [kgm²]", "J [kgm²]"];
+    let balanced = total.centre_radius.si() <= 0.0;
+    let centre = if balanced {
+        terminal::centre_on_the_axis(l).to_owned()
+    } else {
+        let (radius, angle) = (total.centre_radius.in_unit(&MILLIMETRE), total.centre_angle.in_unit(&DEGREE));
+        let gravity = total.gravity_torque_max().in_unit(&NEWTON_METRE);
+        terminal::centre_of_mass(&number(radius), &number(angle), &number(gravity), l)
+    };
+    Ok(html! {
+        p { strong { "J = " (number(total.inertia.si())) " kgm², m = " (number(total.mass.si())) " kg" } }
+        @for line in centre.lines() { p { (capitalised(line)) } }
+        div.wide tabindex="0" { table {
+            thead { tr { th scope="col" { "#" } th scope="col" { (capitalised(terms::body(l))) } @for head in heads { th.number scope="col" { (head) } } } }
+            tbody { @for (place, each) in found.bodies.iter().enumerate() { tr {
+                td { (place + 1) } th scope="row" { (shape_title(each.shape, l)) } td.number { (each.body.count) }
+                @for value in [
+                    each.parts.mass.si(), each.body.distance.in_unit(&MILLIMETRE), each.body.angle.in_unit(&DEGREE),
+                    each.parts.own.si(), each.parts.steiner.si(), each.parts.total.si(),
+                ] { td.number { (number(value)) } }
+            } } }
+        } }
+        p.small { (terminal::inertia_explained(l)) }
+        (shapes(l))
+    })
+}
+
+/// The shapes that a body may have, with their keys.
+fn shapes(language: Language) -> Markup {
+    let l = language;
+    html! {
+        details id="tool-shapes" {
+            summary { (help::shapes(l)) }
+            ul { @for shape in &BODY_SHAPES { li {
+                code { (shape.name) @for key in shape.dimensions { " " (key) "=…" } } " " (shape_title(shape, l)) ": "
+                @for (place, key) in shape.dimensions.iter().enumerate() { @if place > 0 { ", " } (body_key(key, l).unwrap_or(key)) }
+            } } }
+            p.small { (help::shapes_all(l)) }
+        }
+    }
+}
+
+pub(super) fn wiring(asked: &Asked<'_>, theme: Theme) -> Result<Markup, Unanswered> {
+    let l = asked.language;
+    let (found, told) = code::wiring_of(asked)?;
+    let drawn = found.connectors.iter().filter(|connector| !connector.pins.is_empty());
+    let drawings: Vec<Markup> = drawn
+        .map(|connector| {
+            let drawing = figures::mating_face(&found.code, connector, l);
+            let style = Style::new(drawing.size()).theme(theme).language(l).id(connector.role.id());
+            html! { figure.plot.small { (PreEscaped(drawing.render(&style).into_svg())) figcaption { (drawing.caption) } } }
+        })
+        .collect();
+    Ok(html! { div.faces { @for each in &drawings { (each) } } (laid_out(&chapter::wiring(&told, Vec::new(), l))) })
+}
+
+pub(super) fn mount(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
+    Ok(laid_out(&chapter::mount(&code::mount_alone(asked)?, asked.language)))
+}
+
+/// The same under the loads of the project.
+pub(super) fn mount_in_project(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
+    Ok(laid_out(&chapter::mount(&axis::mount_of(asked)?, asked.language)))
+}
+
+pub(super) fn commission(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
+    let l = asked.language;
+    let (sheet, objects) = code::commission_of(asked)?;
+    let ambient = asked.text("ambient").map(|text| ("ambient", text));
+    let file = |what: &str, more: &[(&str, &str)]| {
+        let place = format!("/api/v1/{what}?");
+        let begin = place.len();
+        let mut query = form_urlencoded::Serializer::for_suffix(place, begin);
+        for (name, value) in [("code", sheet.code.as_str()), ("lang", l.id())].iter().chain(more) {
+            let _ = query.append_pair(name, value);
+        }
+        query.finish()
+    };
+    let lists: Vec<(&str, &str)> = ambient.into_iter().collect();
+    Ok(html! {
+        p.downloads {
+            a.button href=(file("commission/drive", &[("for", "sinamics")])) download { (page::drive_sinamics(l)) } " "
+            a.button href=(file("commission/drive", &[("for", "cia402")])) download { (page::drive_eds(l)) } " "
+            @if asked.shell.checklist().is_some() {
+                a.button href=(file("commission/checklist", &lists)) download { (page::checklist_pdf(l)) }
+            }
+        }
+        p.small { (page::measured_elsewhere(&words::measured(l), l)) }
+        (laid_out(&chapter::commission(&sheet, &objects, l)))
+    })
+}
+
+pub(super) fn upkeep(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
+    let l = asked.language;
+    let (_, found) = code::upkeep_of(asked)?;
+    let place = String::from("/api/v1/upkeep/calendar?");
+    let begin = place.len();
+    let mut query = form_urlencoded::Serializer::for_suffix(place, begin);
+    for name in ["code", "delivered", "storage", "hours-per-day", "inspect", "today"] {
+        if let Some(value) = asked.text(name) {
+            let _ = query.append_pair(name, value);
+        }
+    }
+    let _ = query.append_pair("lang", l.id());
+    Ok(html! {
+        p.downloads { a.button href=(query.finish()) download { (page::calendar_file(l)) } }
+        (laid_out(&chapter::upkeep(&found, l)))
+    })
+}

@@ -1,0 +1,153 @@
+//! What is said about an ordering code alone, and about the words.
+
+use crate::chapters::symbol;
+use maud::{Markup, html};
+use workbench::quantities::Unit;
+use workbench::text::{
+    Word, capitalised, condition_text, describe_field, describe_uncovered, evidence_text, grade_word, page,
+    symbol_term, table_title, terminal, terms,
+};
+use workbench::{
+    CodeRefusal, ErrataRefusal, Grade, Language, SheetMarks, SheetNote, SheetSection, answer, completion, errata_about,
+    explain_code, glossary, list_codes, read_code, read_pattern, sheet, sheet_value_text, uncovered, uncovered_mark,
+};
+
+/// So many codes are proposed for a beginning of one.
+const PROPOSED: usize = 12;
+
+/// A code field by field, or what it could become.
+pub(super) fn explained(typed: &str, language: Language) -> Markup {
+    let l = language;
+    let code = match read_code(typed, l) {
+        Ok(reading) => reading.parsed.code,
+        Err(fault) => return incomplete(typed, &fault, l),
+    };
+    html! {
+        p { strong { (code) } }
+        table {
+            thead { tr { @for head in [terminal::field(l), terminal::token(l), terminal::meaning(l)] { th scope="col" { (capitalised(head)) } } } }
+            tbody { @for (field, token, meaning) in explain_code(&code, l) { tr { th scope="row" { (describe_field(field, l)) } td { (token) } td { (meaning) } } } }
+        }
+        @for what in uncovered(&code) { p.unchecked { (describe_uncovered(what, l)) } }
+    }
+}
+
+/// Why a text is no code, what it could become, and the nearest that are.
+pub(super) fn incomplete(typed: &str, fault: &CodeRefusal, language: Language) -> Markup {
+    let l = language;
+    let pattern = read_pattern(typed, l).ok();
+    let into = |code: String, is_available: bool| {
+        html! { button.plain type="button" data-into="about" value=(code) { (code) } @if !is_available { " " (terms::on_request(l)) } }
+    };
+    html! {
+        @if let Some(pattern) = &pattern {
+            @for (_, name, choices) in completion(pattern, l) {
+                p { (capitalised(name)) ": " @for choice in &choices { span.token { (choice.token) @if !choice.available { " (" (terms::on_request(l)) ")" } } " " } }
+            }
+            ul.rejected { @for (code, found) in list_codes(Some(pattern)).iter().take(PROPOSED) { li { (into(code.to_string(), found.is_available())) } } }
+        } @else {
+            @for each in &fault.faults { p.fault { (each.message) @if let Some(hint) = &each.hint { " – " (hint) } } }
+        }
+        @if !fault.nearest.is_empty() {
+            p { (capitalised(terminal::nearest_valid_codes(l))) ": " }
+            ul.rejected { @for (code, found) in &fault.nearest { li { (into(code.to_string(), found.is_available())) } } }
+        }
+    }
+}
+
+/// The data sheet, table by table, with the notes and errata of each.
+pub(super) fn data(typed: &str, language: Language) -> Markup {
+    let l = language;
+    let code = match read_code(typed, l) {
+        Ok(reading) => reading.parsed.code,
+        Err(fault) => return incomplete(typed, &fault, l),
+    };
+    let Some(found) = sheet(&code) else { return html! { p.unchecked { (terminal::no_data(l)) } } };
+    let mut errata: Vec<&'static str> = Vec::new();
+    let sections: Vec<Markup> = found.sections.iter().map(|each| section(each, &mut errata, l)).collect();
+    html! {
+        @for what in &found.uncovered { p.unchecked { "[" (uncovered_mark(*what)) "] " (describe_uncovered(*what, l)) } }
+        @for each in &sections { (each) }
+        @if !errata.is_empty() {
+            h4 { (page::tool_errata(l)) }
+            dl { @for id in &errata { dt id={ "erratum-" (id) } { (id) } dd { (evidence_text(id, l)) } } }
+        }
+    }
+}
+
+fn section(section: &SheetSection, errata: &mut Vec<&'static str>, language: Language) -> Markup {
+    let l = language;
+    let mut marks = SheetMarks::default();
+    let mut mention = |ids: &[&'static str]| {
+        for id in ids {
+            if !errata.contains(id) {
+                errata.push(id);
+            }
+        }
+    };
+    let rows: Vec<Markup> = section.rows.iter().map(|row| {
+        let cell = row.cell;
+        mention(cell.errata);
+        let notes: Vec<String> = row.notes.iter().map(|note| marks.of(*note)).collect();
+        html! { tr {
+            th scope="row" { (symbol(cell.place.symbol)) " " span.small { (symbol_term(cell.place.symbol, l)) @if !cell.place.condition.is_empty() { " (" (condition_text(cell.place.condition, l)) ")" } } }
+            td.number {
+                (sheet_value_text(row, l))
+                @for mark in &notes { " [" (mark) "]" }
+                @for id in cell.errata { " " a.advice href={ "#erratum-" (id) } { (id) } }
+            }
+            td { (Unit::of(cell.unit).map_or(cell.unit, |unit| unit.symbol)) }
+        } }
+    }).collect();
+    mention(&section.errata);
+    let by = |note: &SheetNote| if note.is_ours() { "antrieb: " } else { "" };
+    html! {
+        h4 { (table_title(section.table, l)) }
+        p.small { (capitalised(terminal::table(l))) " " (section.table.id) ", " (grade_word(Grade::Printed, l)) }
+        div.wide tabindex="0" { table {
+            thead { tr { @for head in [terminal::name as Word, terms::value, terms::unit] { th scope="col" { (capitalised(head(l))) } } } }
+            tbody { @for row in &rows { (row) } }
+        } }
+        @for (mark, note) in marks.sorted() { p.small { "[" (mark) "] " (by(&note)) (answer::sheet_note_text(&note, l)) } }
+        @for note in &section.notices { p.small { (by(note)) (answer::sheet_note_text(note, l)) } }
+        @if !section.errata.is_empty() {
+            p.small { (capitalised(terminal::errata_of_this_table(l))) ": " @for id in &section.errata { a.advice href={ "#erratum-" (id) } { (id) } " " } }
+        }
+    }
+}
+
+/// What is wrong in the print about a code, a table or in all.
+pub(super) fn errata(typed: &str, language: Language) -> Markup {
+    let l = language;
+    let found = match errata_about(Some(typed), l) {
+        Ok(found) => found,
+        Err(ErrataRefusal::Code(fault)) => return incomplete(typed, &fault, l),
+        Err(ErrataRefusal::NoData) => return html! { p.unchecked { (terminal::no_data(l)) } },
+        Err(ErrataRefusal::Unknown { message, hint }) => {
+            return html! { p.fault { (message) @if let Some(hint) = hint { " – " (hint) } } };
+        }
+    };
+    let record = answer::errata(&found, l);
+    html! {
+        @if record.errata.is_empty() { p { (capitalised(terminal::no_erratum(l))) } }
+        dl { @for each in &record.errata {
+            dt { (each.id) ": " (each.place) }
+            dd { (each.printed) " → " (each.corrected) " " (Unit::of(each.unit).map_or(each.unit, |unit| unit.symbol)) br; span.small { (each.evidence) } }
+        } }
+    }
+}
+
+/// Words and symbols with their meaning.
+pub(super) fn words(typed: &str, language: Language) -> Markup {
+    let wanted = (!typed.starts_with("CHA")).then_some(typed);
+    match glossary(wanted, language) {
+        Ok(found) => html! { dl {
+            @for word in &found.words { dt { (word.en) " · " (word.de) } dd { (word.meaning) } }
+            @for term in &found.terms { dt { (symbol(&term.symbol)) } dd { (term.en) " · " (term.de) @if !term.unit.is_empty() { " [" (term.unit) "]" } @if !term.remark.is_empty() { br; span.small { (term.remark) } } } }
+            @for sign in &found.symbols { dt { (symbol(&sign.symbol)) } dd { (sign.en) " · " (sign.de) } }
+        } },
+        Err(nearest) => {
+            html! { p { (terminal::nothing_in_the_glossary(&typed, language)) @if !nearest.is_empty() { ": " (nearest.join(", ")) } } }
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! The fields of a tool: what the question takes, what was typed, what is wrong with it.
+
+use super::MARK;
+use crate::api::{self, Parameter, Unanswered};
+use maud::{Markup, html};
+use workbench::text::{key_word, page};
+use workbench::{Key, Language, example};
+
+/// A field.
+#[derive(Clone)]
+pub(super) struct Field {
+    /// As the interface calls it.
+    pub(super) name: String,
+    pub(super) label: String,
+    /// What else is to be known of it.
+    pub(super) told: Option<String>,
+    /// What stands in grey where nothing is typed.
+    pub(super) ghost: Option<String>,
+    entry: Entry,
+    pub(super) value: String,
+    pub(super) troubles: Vec<Trouble>,
+}
+
+/// How it is filled in.
+#[derive(Clone)]
+pub(super) enum Entry {
+    Line,
+    /// Several texts, a line each.
+    Lines,
+    Day,
+    Whole,
+    Mark,
+    /// One of these words, each with how it is told.
+    Choice(Vec<(String, String)>),
+}
+
+/// What is wrong.
+#[derive(Clone)]
+pub(super) struct Trouble {
+    /// The field that it is about.
+    pub(super) field: Option<String>,
+    pub(super) message: String,
+    pub(super) hint: Option<String>,
+}
+
+impl Trouble {
+    pub(super) fn shown(&self) -> Markup {
+        html! { p.fault { (self.message) @if let Some(hint) = &self.hint { " – " (hint) } } }
+    }
+}
+
+/// What the page itself says in a question.
+const SAID_OTHERWISE: [&str; 6] = ["code", "axis", "file", "width", "height", "theme"];
+
+impl Field {
+    /// The field of a key of a file, with its words or an example of its value in grey.
+    pub(super) fn of_key(path: &str, label: &str, key: &Key, language: Language) -> Self {
+        let told = |word: &&str| ((*word).to_owned(), key_word(key.name, word, language).unwrap_or(word).to_owned());
+        let entry = match key.kind {
+            workbench::Kind::OneOf(words) => Entry::Choice(words.iter().map(told).collect()),
+            _ => Entry::Line,
+        };
+        let sample = example(key).and_then(|line| Some(line.split_once("= ")?.1.trim_matches('"').to_owned()));
+        let ghost = sample.map(|sample| page::for_example(&sample, language));
+        Self { ghost, ..Self::new(path, label, entry) }
+    }
+
+    /// The field of a parameter; none for one that the page says itself.
+    pub(super) fn of_parameter(parameter: &Parameter, language: Language) -> Option<Self> {
+        if SAID_OTHERWISE.contains(&parameter.name) {
+            return None;
+        }
+        let entry = match parameter.kind {
+            api::Kind::Text if parameter.repeated => Entry::Lines,
+            api::Kind::Text => Entry::Line,
+            api::Kind::Date => Entry::Day,
+            api::Kind::Flag => Entry::Mark,
+            api::Kind::Whole(..) => Entry::Whole,
+            api::Kind::Word(words) => {
+                Entry::Choice(words().into_iter().map(|word| (word.to_owned(), word.to_owned())).collect())
+            }
+        };
+        let about = (parameter.about)(language);
+        let about = if parameter.repeated { page::one_a_line(&about, language) } else { about.to_owned() };
+        Some(Self::new(parameter.name, &about, entry))
+    }
+
+    /// A field; what stands behind the first stop of its text is told below it.
+    pub(super) fn new(name: &str, about: &str, entry: Entry) -> Self {
+        let stop = [about.find("; "), about.find(": ")].into_iter().flatten().min();
+        let (label, told) = match stop.and_then(|stop| about.split_at_checked(stop)) {
+            Some((label, told)) => (label, told.get(2..).map(str::to_owned)),
+            None => (about, None),
+        };
+        Self {
+            name: name.to_owned(),
+            label: label.to_owned(),
+            told,
+            ghost: None,
+            entry,
+            value: String::new(),
+            troubles: Vec::new(),
+        }
+    }
+
+    /// What is asked with it: nothing where nothing is typed.
+    pub(super) fn values(&self) -> impl Iterator<Item = &str> {
+        let whole = !matches!(self.entry, Entry::Lines);
+        let lines = self.value.lines().map(str::trim).filter(move |_| !whole);
+        let one = Some(self.value.trim()).filter(|_| whole);
+        one.into_iter().chain(lines).filter(|value| !value.is_empty())
+    }
+
+    /// The row of the field.
+    pub(super) fn shown(&self, language: Language) -> Markup {
+        let (id, name) = (format!("t-{}", self.name), format!("{MARK}{}", self.name));
+        let wrong = !self.troubles.is_empty();
+        let (about, fault) = (format!("{id}-a"), format!("{id}-x"));
+        let by = [self.told.is_some().then_some(about.as_str()), wrong.then_some(fault.as_str())];
+        let by: Vec<&str> = by.into_iter().flatten().collect();
+        let by = Some(by.join(" ")).filter(|by| !by.is_empty());
+        let invalid = wrong.then_some("true");
+        html! {
+            div.row {
+                label for=(id) { (self.label) }
+                @match &self.entry {
+                    Entry::Lines => textarea id=(id) name=(name) rows="4" spellcheck="false" aria-invalid=[invalid] aria-describedby=[by] { (self.value) },
+                    Entry::Mark => input id=(id) name=(name) type="checkbox" value="true" checked[self.value == "true"] data-checked=(self.value == "true") aria-describedby=[by];,
+                    Entry::Choice(words) => select id=(id) name=(name) data-chosen=(self.value) aria-invalid=[invalid] aria-describedby=[by] {
+                        option value="" selected[self.value.is_empty()] { (page::not_stated(language)) }
+                        @for (value, told) in words { option value=(value) selected[self.value == *value] { (told) } }
+                    },
+                    Entry::Day => input id=(id) name=(name) type="date" value=(self.value) aria-invalid=[invalid] aria-describedby=[by];,
+                    Entry::Whole => input id=(id) name=(name) type="text" inputmode="numeric" value=(self.value) autocomplete="off" aria-invalid=[invalid] aria-describedby=[by];,
+                    Entry::Line => input id=(id) name=(name) type="text" value=(self.value) placeholder=[self.ghost.as_ref()] autocomplete="off" spellcheck="false" aria-invalid=[invalid] aria-describedby=[by];,
+                }
+                @if let Some(told) = &self.told { p.small id=(about) { (told) } }
+                @if wrong { div.fault id=(fault) { @for trouble in &self.troubles { (trouble.shown()) } } }
+            }
+        }
+    }
+}
+
+/// What is wrong with a question.
+pub(super) fn troubles(unanswered: &Unanswered, language: Language) -> Vec<Trouble> {
+    match unanswered {
+        Unanswered::Faults(_, faults) => faults
+            .errors
+            .iter()
+            .map(|fault| Trouble {
+                field: fault.option.clone().or_else(|| fault.file.clone()),
+                // Of several texts in a field the line says which.
+                message: match &fault.place {
+                    Some(place) => {
+                        format!("{}: {}", page::at_line(&place.line, &place.column, language), fault.message)
+                    }
+                    None => fault.message.clone(),
+                },
+                hint: fault.hint.clone(),
+            })
+            .collect(),
+        Unanswered::Code(faults) => faults
+            .errors
+            .iter()
+            .map(|fault| Trouble { field: None, message: fault.message.clone(), hint: fault.hint.clone() })
+            .collect(),
+    }
+}
+
+/// Puts each fault to its field; gives back those that have none. Before anything is typed, an empty field is no fault.
+pub(super) fn at_their_fields(fields: &mut [Field], troubles: Vec<Trouble>, is_filled: bool) -> Vec<Trouble> {
+    let mut loose = Vec::new();
+    for trouble in troubles {
+        match fields.iter_mut().find(|field| trouble.field.as_ref() == Some(&field.name)) {
+            Some(field) if is_filled || !field.value.is_empty() => field.troubles.push(trouble),
+            Some(_) => {}
+            None => loose.push(trouble),
+        }
+    }
+    loose
+}

@@ -1,0 +1,120 @@
+//! The output bearing under loads that are typed here: a small project, judged as any other.
+
+use super::field::{Field, Trouble, at_their_fields};
+use super::{GOOD, MARK, Scene, fields_of};
+use crate::demand::{check_heads, verdict_class};
+use crate::state::placed;
+use maud::{Markup, html};
+use workbench::text::{
+    about_text, capitalised, check_title, grade_word, page, short_label, source_text, terminal, terms, verdict_word,
+};
+use workbench::{
+    Candidate, Edit, Language, Project, Size, Unread, Verdict, bearing_checks, bearing_of_each_size, edit, figure_text,
+    key_at, percent, read_all_watched, read_code, unit_text, written,
+};
+
+/// The keys that are asked for, and what stands there at first.
+const KEYS: [(&str, &str); 8] = [
+    ("bearing.radial_force", "1200 N"),
+    ("bearing.radial_distance", "80 mm"),
+    ("bearing.axial_force", "500 N"),
+    ("bearing.axial_distance", "40 mm"),
+    ("motion[1].speed", "10 1/min"),
+    ("bearing.load_factor", ""),
+    ("bearing.operating_condition", ""),
+    ("requirements.bearing_life_min", ""),
+];
+
+/// The rest of a project whose output turns at a steady speed. Its inertia weighs nothing on the bearing.
+const AROUND: &str = "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"constant\"\ntime = \"1 s\"\n";
+
+pub(super) fn shown(scene: &Scene<'_>) -> Markup {
+    let l = scene.language;
+    let mut fields: Vec<Field> = KEYS.iter().filter_map(|(path, first)| field(path, first, scene)).collect();
+    let text = fields
+        .iter()
+        .fold(AROUND.to_owned(), |text, field| edit(&text, &field.name, Edit::Value(&field.value)).unwrap_or(text));
+    let read = |text: &str| read_all_watched(text, scene.shell.files(), scene.patience);
+    let (projects, troubles) = match read(&text) {
+        Ok(projects) => (projects, Vec::new()),
+        Err(Unread::Faults(found)) => {
+            let told = placed(&found, (&text, &written(&text).unwrap_or_default()), key_at, l);
+            let trouble = |(field, told): (Option<String>, workbench::text::Told)| Trouble {
+                field,
+                message: told.message,
+                hint: told.hint,
+            };
+            (Vec::new(), told.into_iter().map(trouble).collect())
+        }
+        Err(Unread::Stopped) => (Vec::new(), Vec::new()),
+    };
+    let loose = at_their_fields(&mut fields, troubles, scene.is_filled);
+    let is_old = projects.is_empty();
+    let good = if is_old { scene.typed(GOOD).unwrap_or_default() } else { text };
+    let projects = if is_old && !good.is_empty() { read(&good).unwrap_or_default() } else { projects };
+    let state: Vec<(&str, &str)> = fields.iter().map(|field| (field.name.as_str(), field.value.as_str())).collect();
+    html! {
+        input type="hidden" name={ (MARK) (GOOD) } value=(good);
+        (fields_of(&fields, l))
+        @for trouble in &loose { (trouble.shown()) }
+        div id="tool-answer" aria-live="polite" class=[is_old.then_some("old")] {
+            @if let Some(project) = projects.first() {
+                @if is_old { p.advice { (page::answer_is_old(l)) } }
+                (answer(project, scene))
+            }
+        }
+        (scene.link(&state))
+    }
+}
+
+fn field(path: &str, first: &str, scene: &Scene<'_>) -> Option<Field> {
+    let l = scene.language;
+    let key = key_at(path)?;
+    let mut field = Field::of_key(path, &capitalised(&short_label(about_text(key.about, l))), key, l);
+    field.value = scene.typed(path).unwrap_or_else(|| first.to_owned());
+    Some(field)
+}
+
+fn answer(project: &Project, scene: &Scene<'_>) -> Markup {
+    let l = scene.language;
+    let sizes = bearing_of_each_size(project);
+    let of_code = read_code(&scene.about, l).ok().map(|reading| reading.parsed.code.size);
+    if sizes.iter().all(|(_, candidate)| bearing_checks(candidate).next().is_none()) {
+        return html! { p.unchecked { (terms::no_flange_loads(l)) } };
+    }
+    html! { @for (size, candidate) in &sizes { (of_size(*size, candidate, of_code == Some(*size), l)) } }
+}
+
+fn of_size(size: Size, candidate: &Candidate<'_>, is_open: bool, language: Language) -> Markup {
+    let l = language;
+    let worst = bearing_checks(candidate)
+        .filter(|check| check.verdict == Verdict::Fail)
+        .max_by(|a, b| a.utilisation.unwrap_or(f64::INFINITY).total_cmp(&b.utilisation.unwrap_or(f64::INFINITY)));
+    let open = bearing_checks(candidate).filter(|check| check.verdict == Verdict::NotChecked).count();
+    let heads = check_heads(l).into_iter().chain([terms::source(l)]);
+    html! {
+        details id={ "size-" (size) } open[is_open] {
+            summary {
+                (capitalised(terminal::size(l))) " " (size) ": "
+                @match worst {
+                    Some(check) => span.fail { (terms::does_not_fit(l)) ", " (check_title(check.id, l)) @if check.utilisation.is_some() { " " (percent(check.utilisation, l)) " %" } },
+                    None => span.pass { (terms::fits(l)) },
+                }
+                @if open > 0 { ", " span.unchecked { (terms::not_checked(l)) ": " (open) } }
+            }
+            div.wide tabindex="0" { table.checks {
+                thead { tr { @for head in heads { th scope="col" { (crate::tip::of_word(head, l)) } } } }
+                tbody { @for check in bearing_checks(candidate) { tr class=(verdict_class(check.verdict)) {
+                    th scope="row" { (capitalised(&check_title(check.id, l))) }
+                    td { span.verdict { (verdict_word(check.verdict, l)) } }
+                    td.number { (figure_text(check.value, l)) } td.number { (figure_text(check.limit, l)) }
+                    td { (unit_text(check.value)) } td.number { (percent(check.utilisation, l)) }
+                    td.small {
+                        @if let (Some(source), Some(grade)) = (&check.limit_source, check.grade) { (grade_word(grade, l)) ", " (source_text(source, l)) }
+                        @if let Some(missing) = check.missing { (page::to_be_checked_state(l)) " " (workbench::text::check_missing(missing, l)) }
+                    }
+                } } }
+            } }
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Whoever waits for a long work: how far it is, that it ends, and what stands where it ended before it was done.
+
+use crate::call::{Call, Reply, Shell};
+use crate::form::vals;
+use maud::{Markup, html};
+use workbench::quantities::format_number;
+use workbench::text::{capitalised, page, requests, terminal};
+use workbench::{Language, Patience};
+
+/// Where a page shows that a work takes longer, with a way to cancel it.
+pub(crate) fn place(language: Language) -> Markup {
+    html! {
+        div id="busy" hidden {
+            output id="busy-told" data-usual=(capitalised(terminal::calculating(language))) { (capitalised(terminal::calculating(language))) }
+            " " button type="button" data-cancel="" { (page::cancel(language)) }
+        }
+    }
+}
+
+/// How far a work is, in words.
+pub(crate) fn progress(call: &Call<'_>, shell: &dyn Shell) -> Reply {
+    let l = call.language();
+    let work = call.field("work").unwrap_or_default();
+    match shell.progress(&work) {
+        None => Reply::text(404, ""),
+        Some((done, Some(all))) if done <= all => {
+            #[allow(clippy::cast_precision_loss, reason = "at most some millions")]
+            let share = format_number(100.0 * done as f64 / all as f64, 0, l);
+            Reply::text(200, &capitalised(&terminal::calculating_share(&share, l)))
+        }
+        Some(_) => Reply::text(200, &capitalised(terminal::calculating(l))),
+    }
+}
+
+/// Cancels a work.
+pub(crate) fn cancelled(call: &Call<'_>, shell: &dyn Shell) -> Reply {
+    let work = call.field("work").unwrap_or_default();
+    let status = if shell.cancel(&work) { 200 } else { 404 };
+    Reply::text(status, "")
+}
+
+/// Why there is no result of the last change, and how to ask for it again; `before` says that an older one is shown.
+pub(crate) fn stopped(
+    before: bool,
+    again: Option<&str>,
+    shell: &dyn Shell,
+    patience: &Patience,
+    language: Language,
+) -> Markup {
+    let why = match shell.time_limit().filter(|_| patience.is_late()) {
+        Some(limit) => requests::not_in_time(&limit.as_secs(), language),
+        None => page::was_cancelled(language).to_owned(),
+    };
+    html! {
+        (capitalised(&why)) ". " @if before { (page::result_before(language)) " " }
+        @if let Some(path) = again {
+            button.small type="button" id="again" hx-post=(path) hx-vals=(vals(&[])) { (page::compute_again(language)) }
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! What tests of the page share: shells without a world or with a folder in memory, requests, and what a whole page is.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
+#![allow(dead_code, unreachable_pub, reason = "each test takes what it needs")]
+
+use page::{Call, Entry, Folder, Method, Reply, SaveFault, Shell, respond};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use workbench::{Files, Language, NoFiles, Patience};
+
+/// A shell without a world.
+pub struct Alone;
+
+impl Shell for Alone {
+    fn files(&self) -> &dyn Files {
+        &NoFiles
+    }
+
+    fn version(&self, bytes: &[u8]) -> String {
+        bytes.len().to_string()
+    }
+}
+
+pub fn form(fields: &[(&str, &str)]) -> String {
+    let one = |(key, value): &(&str, &str)| {
+        let code = |text: &str| text.bytes().map(|byte| format!("%{byte:02x}")).collect::<String>();
+        format!("{}={}", code(key), code(value))
+    };
+    fields.iter().map(one).collect::<Vec<_>>().join("&")
+}
+
+pub fn post(path: &str, fields: &[(&str, &str)]) -> Reply {
+    let body = form(fields);
+    let media = Some("application/x-www-form-urlencoded");
+    let call = Call { method: Method::Post, path, query: "", media, body: body.as_bytes(), language: Language::En };
+    respond(&call, &Alone, &Patience::endless())
+}
+
+pub fn get(path: &str, query: &str) -> Reply {
+    let call = Call { method: Method::Get, path, query, media: None, body: &[], language: Language::En };
+    respond(&call, &Alone, &Patience::endless())
+}
+
+pub fn page(reply: &Reply) -> String {
+    assert_eq!(reply.status, 200);
+    String::from_utf8(reply.body.clone()).unwrap()
+}
+
+/// The tags of a page are closed in order, no identifier stands twice, and every attribute is quoted.
+pub fn whole(html: &str) {
+    const VOID: [&str; 6] = ["input", "meta", "link", "br", "hr", "img"];
+    let mut open: Vec<&str> = Vec::new();
+    let mut ids: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut rest = html;
+    while let Some(at) = rest.find('<') {
+        let tag = &rest[at + 1..];
+        let end = tag.find('>').unwrap_or_else(|| panic!("no end: {}", &tag[..tag.len().min(80)]));
+        let (inside, behind) = (&tag[..end], &tag[end + 1..]);
+        rest = behind;
+        if inside.starts_with('!') {
+            continue;
+        }
+        if let Some(name) = inside.strip_prefix('/') {
+            assert_eq!(open.pop(), Some(name), "{}", &rest[..rest.len().min(120)]);
+            continue;
+        }
+        let name = inside.split([' ', '/', '\n']).next().unwrap_or_default();
+        if let Some(id) = inside.split(" id=\"").nth(1).and_then(|id| id.split('"').next()) {
+            *ids.entry(id).or_default() += 1;
+        }
+        assert_eq!(inside.matches('"').count() % 2, 0, "{inside}");
+        if !VOID.contains(&name) && !inside.ends_with('/') {
+            open.push(name);
+        }
+    }
+    assert!(open.is_empty(), "{open:?}");
+    let twice: Vec<_> = ids.iter().filter(|(_, count)| **count > 1).collect();
+    assert!(twice.is_empty(), "{twice:?}");
+}
+
+/// A folder in memory that keeps to what a folder promises.
+#[derive(Default)]
+pub struct InMemory(pub RefCell<BTreeMap<String, Vec<u8>>>);
+
+impl Folder for InMemory {
+    fn list(&self) -> std::io::Result<Vec<Entry>> {
+        let named = |name: &&String| name.ends_with(".toml");
+        let entry = |name: &String| Entry { name: name.clone(), modified_s: 1_772_323_200 };
+        Ok(self.0.borrow().keys().filter(named).map(entry).collect())
+    }
+
+    fn read(&self, name: &str) -> std::io::Result<Vec<u8>> {
+        self.0.borrow().get(name).cloned().ok_or_else(|| std::io::ErrorKind::NotFound.into())
+    }
+
+    fn save(&self, name: &str, text: &[u8], known: Option<&str>) -> Result<(), SaveFault> {
+        let there = self.0.borrow().get(name).map(|bytes| self.version(bytes));
+        if there.as_deref() != known {
+            return Err(SaveFault::Changed);
+        }
+        let _ = self.0.borrow_mut().insert(name.to_owned(), text.to_vec());
+        Ok(())
+    }
+
+    fn keep(&self, name: &str, bytes: &[u8]) -> Result<String, SaveFault> {
+        let name = if self.0.borrow().contains_key(name) { format!("2-{name}") } else { name.to_owned() };
+        let _ = self.0.borrow_mut().insert(name.clone(), bytes.to_vec());
+        Ok(name)
+    }
+}
+
+impl Files for InMemory {
+    fn open(&self, name: &str) -> std::io::Result<Box<dyn std::io::Read>> {
+        let bytes = self.0.borrow().get(name).cloned().ok_or(std::io::ErrorKind::NotFound)?;
+        Ok(Box::new(std::io::Cursor::new(bytes)))
+    }
+}
+
+impl Shell for InMemory {
+    fn files(&self) -> &dyn Files {
+        self
+    }
+
+    fn folder(&self) -> Option<&dyn Folder> {
+        Some(self)
+    }
+
+    fn version(&self, bytes: &[u8]) -> String {
+        format!("{bytes:x?}").replace(' ', "")
+    }
+}
+
+impl InMemory {
+    /// What it answers to a form.
+    pub fn post(&self, path: &str, fields: &[(&str, &str)]) -> Reply {
+        let body = form(fields);
+        let media = Some("application/x-www-form-urlencoded");
+        let call = Call { method: Method::Post, path, query: "", media, body: body.as_bytes(), language: Language::En };
+        respond(&call, self, &Patience::endless())
+    }
+
+    /// What it answers to a query.
+    pub fn get(&self, path: &str, query: &str) -> Reply {
+        let call = Call { method: Method::Get, path, query, media: None, body: &[], language: Language::En };
+        respond(&call, self, &Patience::endless())
+    }
+}

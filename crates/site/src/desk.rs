@@ -1,0 +1,187 @@
+//! Messages of the browser: a head as JSON, behind its length, and a body.
+
+use crate::Store;
+use page::{Call, Method, Reply, respond};
+use serde::{Deserialize, Serialize};
+use workbench::{Language, Patience};
+
+/// What the browser says.
+#[derive(Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+enum Message {
+    /// A request; its body stands behind the head.
+    Ask(Question),
+    /// A file that the browser keeps; its bytes stand behind the head.
+    Put { name: String, modified_s: u64 },
+    /// A file that it keeps no longer.
+    Gone { name: String },
+    /// The bytes of a file are wanted.
+    Take { name: String },
+}
+
+/// A request as the browser has it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Question {
+    post: bool,
+    /// The path, decoded.
+    path: String,
+    /// The query without the question mark.
+    query: String,
+    media: Option<String>,
+    /// The language of the page.
+    language: String,
+    /// Seconds since 1970 by the clock of the browser.
+    now_s: u64,
+}
+
+/// What is answered; the body stands behind it.
+#[derive(Default, Serialize)]
+struct Head<'a> {
+    status: u16,
+    media: &'a str,
+    headers: &'a [(&'static str, String)],
+    /// The file that the request has written, which the browser is to keep.
+    kept: Option<String>,
+}
+
+/// Answers messages; knows the files that the browser keeps.
+#[derive(Default)]
+pub struct Desk {
+    store: Store,
+}
+
+impl Desk {
+    /// Answers a message. What is none is answered with the status 400 and no words: only the script beside it speaks so.
+    pub fn answer(&mut self, message: &[u8]) -> Vec<u8> {
+        let Some((message, body)) = taken_apart(message) else {
+            return put_together(&Head { status: 400, ..Head::default() }, &[]);
+        };
+        let done = || put_together(&Head { status: 204, ..Head::default() }, &[]);
+        match message {
+            Message::Ask(question) => {
+                let reply = self.ask(&question, body);
+                let kept = self.store.written();
+                let head = Head { status: reply.status, media: reply.media, headers: &reply.headers, kept };
+                put_together(&head, &reply.body)
+            }
+            Message::Put { name, modified_s } => {
+                self.store.put(&name, body, modified_s);
+                done()
+            }
+            Message::Gone { name } => {
+                self.store.remove(&name);
+                done()
+            }
+            Message::Take { name } => match self.store.bytes(&name) {
+                Some(bytes) => put_together(&Head { status: 200, ..Head::default() }, &bytes),
+                None => put_together(&Head { status: 404, ..Head::default() }, &[]),
+            },
+        }
+    }
+
+    fn ask(&self, question: &Question, body: &[u8]) -> Reply {
+        self.store.is_now(question.now_s);
+        let call = Call {
+            method: if question.post { Method::Post } else { Method::Get },
+            path: &question.path,
+            query: &question.query,
+            media: question.media.as_deref(),
+            body,
+            language: Language::of_id(&question.language).unwrap_or_default(),
+        };
+        // Whoever waits no longer ends the worker in which this runs.
+        respond(&call, &self.store, &Patience::endless())
+    }
+}
+
+fn taken_apart(bytes: &[u8]) -> Option<(Message, &[u8])> {
+    let (length, rest) = bytes.split_first_chunk::<4>()?;
+    let (head, body) = rest.split_at_checked(u32::from_le_bytes(*length) as usize)?;
+    Some((serde_json::from_slice(head).ok()?, body))
+}
+
+fn put_together(head: &Head<'_>, body: &[u8]) -> Vec<u8> {
+    let head = serde_json::to_vec(head).unwrap_or_default();
+    let length = u32::try_from(head.len()).unwrap_or(0).to_le_bytes();
+    [&length[..], &head, body].concat()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
+
+    use super::*;
+    use serde_json::{Value, json};
+
+    fn message(head: &Value, body: &[u8]) -> Vec<u8> {
+        let head = serde_json::to_vec(head).unwrap();
+        [&u32::try_from(head.len()).unwrap().to_le_bytes()[..], &head, body].concat()
+    }
+
+    fn said(desk: &mut Desk, head: &Value, body: &[u8]) -> (Value, Vec<u8>) {
+        let answer = desk.answer(&message(head, body));
+        let (length, rest) = answer.split_first_chunk::<4>().unwrap();
+        let (head, body) = rest.split_at(u32::from_le_bytes(*length) as usize);
+        (serde_json::from_slice(head).unwrap(), body.to_vec())
+    }
+
+    fn ask(post: bool, path: &str, query: &str, media: Option<&str>) -> Value {
+        json!({ "ask": { "post": post, "path": path, "query": query, "media": media, "language": "de", "now_s": 1_000 } })
+    }
+
+    const FORM: Option<&str> = Some("application/x-www-form-urlencoded");
+
+    #[test]
+    fn a_request_has_the_reply_of_the_page() {
+        let mut desk = Desk::default();
+        let (head, body) = said(&mut desk, &ask(false, "/", "", None), &[]);
+        assert_eq!((head["status"].clone(), head["media"].clone()), (json!(200), json!("text/html; charset=utf-8")));
+        assert!(String::from_utf8(body).unwrap().contains("Was wollen Sie bewegen?"));
+        assert_eq!(said(&mut desk, &ask(true, "/nowhere", "", None), &[]).0["status"], 404);
+    }
+
+    #[test]
+    fn what_is_saved_is_handed_back_to_be_kept_and_another_version_is_left() {
+        let mut desk = Desk::default();
+        let save = |known: &str, text: &str| format!("file=a.toml&text={text}&known={known}").into_bytes();
+        let (head, _) = said(&mut desk, &ask(true, "/save", "", FORM), &save("", "format"));
+        assert_eq!((head["status"].clone(), head["kept"].clone()), (json!(200), json!("a.toml")));
+        let version = head["headers"][0][1].as_str().unwrap().to_owned();
+        assert_eq!(said(&mut desk, &json!({ "take": { "name": "a.toml" } }), &[]).1, b"format");
+        // Another tab has saved meanwhile.
+        let _ = said(&mut desk, &json!({ "put": { "name": "a.toml", "modified_s": 5 } }), b"theirs");
+        let (head, _) = said(&mut desk, &ask(true, "/save", "", FORM), &save(&format!("{version}+a.toml"), "mine"));
+        assert_eq!((head["status"].clone(), head["kept"].clone()), (json!(409), json!(null)));
+        assert_eq!(said(&mut desk, &json!({ "take": { "name": "a.toml" } }), &[]).1, b"theirs");
+        let _ = said(&mut desk, &json!({ "gone": { "name": "a.toml" } }), &[]);
+        assert_eq!(said(&mut desk, &json!({ "take": { "name": "a.toml" } }), &[]).0["status"], 404);
+    }
+
+    #[test]
+    fn a_recording_that_is_brought_can_be_read_by_a_project() {
+        let mut desk = Desk::default();
+        let csv = "t in s;phi in deg\n0;0\n0.5;20\n1;0\n";
+        let (head, body) = said(&mut desk, &ask(true, "/recording", "name=run.csv", None), csv.as_bytes());
+        assert_eq!(
+            (head["status"].clone(), head["kept"].clone(), body),
+            (json!(200), json!("run.csv"), b"run.csv".to_vec())
+        );
+        let project = "format = 1\n[[motion]]\nlaw = \"recorded\"\nfile = \"run.csv\"\n";
+        let (_, body) = said(&mut desk, &ask(true, "/api/v1/size", "", Some("application/toml")), project.as_bytes());
+        let there = String::from_utf8(body).unwrap();
+        let _ = said(&mut desk, &json!({ "gone": { "name": "run.csv" } }), &[]);
+        let (_, body) = said(&mut desk, &ask(true, "/api/v1/size", "", Some("application/toml")), project.as_bytes());
+        let gone = String::from_utf8(body).unwrap();
+        assert!(gone.contains("run.csv") && gone != there, "{there}\n{gone}");
+    }
+
+    #[test]
+    fn what_is_no_message_is_answered_too() {
+        let mut desk = Desk::default();
+        for bytes in [&b""[..], b"abc", &[255, 255, 255, 255, 1], &message(&json!({ "ask": 1 }), b"")] {
+            let answer = desk.answer(bytes);
+            assert!(String::from_utf8_lossy(&answer).contains("\"status\":400"));
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! The files of the folder: the first page, the engine, and what the page itself brings.
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::DeflateEncoder;
+use maud::{DOCTYPE, PreEscaped, html};
+use page::{Call, Method, respond};
+use std::io::Write;
+use workbench::text::{self, requests};
+use workbench::{Language, Patience};
+
+/// What may be loaded and asked for: nothing from elsewhere. The worker and, in a folder that is opened as a file, the
+/// modules are made by the page itself (`blob:`).
+const POLICY: &str = "default-src 'self'; img-src 'self' data: blob:; style-src 'self'; \
+    script-src 'self' blob: 'wasm-unsafe-eval'; worker-src 'self' blob:; connect-src 'self'; base-uri 'none'; \
+    form-action 'self'; object-src 'none'";
+
+/// The engines in scripts.
+const PACKED: [&str; 2] = ["engine.js", "interface.js"];
+
+const SITE_JS: &str = include_str!("../assets/site.js");
+const WORKER_JS: &str = include_str!("../assets/sw.js");
+
+/// Files by their paths in the folder, for the engine in these bytes and the larger one that also has the interface.
+///
+/// # Errors
+/// What is in the way of packing the engines.
+pub fn files([engine, interface]: [&[u8]; 2], notices: &str) -> std::io::Result<Vec<(String, Vec<u8>)>> {
+    let mut files = vec![
+        ("index.html".to_owned(), index().into_bytes()),
+        ("site.js".to_owned(), SITE_JS.into()),
+        ("engine.wasm".to_owned(), engine.to_vec()),
+        ("interface.wasm".to_owned(), interface.to_vec()),
+        ("engine.js".to_owned(), packed(engine)?.into_bytes()),
+        ("interface.js".to_owned(), packed(interface)?.into_bytes()),
+        ("THIRD-PARTY.md".to_owned(), notices.into()),
+    ];
+    for name in page::ASSETS {
+        let path = format!("/assets/{name}");
+        let call =
+            Call { method: Method::Get, path: &path, query: "", media: None, body: &[], language: Language::default() };
+        let reply = respond(&call, &crate::Store::default(), &Patience::endless());
+        files.push((format!("assets/{name}"), reply.body));
+    }
+    let worker = kept(&files);
+    files.push(("sw.js".to_owned(), worker.into_bytes()));
+    Ok(files)
+}
+
+/// The page that is shown until the engine has answered.
+fn index() -> String {
+    let both = |told: fn(Language) -> &'static str| html! { @for l in Language::ALL { p lang=(l.id()) { (told(l)) } } };
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta http-equiv="content-security-policy" content=(PreEscaped(POLICY));
+                meta name="referrer" content="same-origin";
+                title { (text::page::title(Language::default())) }
+                link rel="icon" href=(page::ICON);
+                link rel="stylesheet" href="assets/page.css";
+                link rel="preload" as="script" href="assets/htmx.min.js";
+                @for l in Language::ALL {
+                    template lang=(l.id()) data-failed=(requests::failed_inside(l)) data-full=(text::page::browser_keeps_nothing(l))
+                        data-none=(text::page::no_engine(l)) {}
+                }
+                script src="site.js" {}
+            }
+            body {
+                header { h1 { "antrieb" } }
+                main.start id="waiting" role="status" { (both(text::page::engine_comes)) noscript { (both(text::page::needs_scripts)) } }
+            }
+        }
+    }
+    .into_string()
+}
+
+/// The engine in a script: packed, as text.
+fn packed(engine: &[u8]) -> std::io::Result<String> {
+    let mut packer = DeflateEncoder::new(Vec::new(), Compression::best());
+    packer.write_all(engine)?;
+    Ok(format!("self.antriebEngine='{}';\n", STANDARD.encode(packer.finish()?)))
+}
+
+/// The script that keeps the files; its version is that of their content.
+fn kept(files: &[(String, Vec<u8>)]) -> String {
+    let mut version = blake3::Hasher::new();
+    let mut names = vec!["./"];
+    for (name, bytes) in files {
+        let _ = version.update(name.as_bytes()).update(&(bytes.len() as u64).to_le_bytes()).update(bytes);
+        // Only a folder that is opened as a file needs the packed engines, and there is no worker there.
+        if !PACKED.contains(&name.as_str()) {
+            names.push(name);
+        }
+    }
+    let version: String = version.finalize().to_hex().chars().take(16).collect();
+    WORKER_JS.replace("@version@", &version).replace("@files@", &serde_json::json!(names).to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+
+    use super::*;
+
+    fn text(files: &[(String, Vec<u8>)], name: &str) -> String {
+        let found = files.iter().find(|(path, _)| path == name).unwrap();
+        String::from_utf8(found.1.clone()).unwrap()
+    }
+
+    #[test]
+    fn every_path_is_relative_and_there() {
+        let files = files([b"engine", b"interface"], "notices").unwrap();
+        let index = text(&files, "index.html");
+        for (mark, end) in [("href=\"", '"'), ("src=\"", '"')] {
+            for path in index.split(mark).skip(1).filter_map(|rest| rest.split(end).next()) {
+                assert!(path.starts_with("data:") || files.iter().any(|(name, _)| name == path), "{path}");
+            }
+        }
+        let worker = text(&files, "sw.js");
+        assert!(
+            !worker.contains('@') && worker.contains("\"./\"") && worker.contains("\"assets/page.js\""),
+            "{worker}"
+        );
+        assert!(!index.contains("<style") && !index.contains(" style=") && !index.contains(" on"), "{index}");
+    }
+
+    #[test]
+    fn another_engine_is_another_version() {
+        let version = |engine: &[u8]| {
+            text(&files([engine, b"interface"], "").unwrap(), "sw.js").lines().nth(1).unwrap().to_owned()
+        };
+        assert_eq!(version(b"one"), version(b"one"));
+        assert_ne!(version(b"one"), version(b"two"));
+    }
+}

@@ -1,0 +1,15 @@
+//! The page without a server: the engine that runs in the browser, and the few files around it.
+//!
+//! `page` answers; this crate carries what the browser asks to it and its replies back, as bytes ([`Desk`]). The working
+//! folder is in memory ([`Store`]); the script beside it keeps what is saved there in the browser.
+
+mod desk;
+mod exports;
+#[cfg(not(target_family = "wasm"))]
+mod folder;
+mod store;
+
+pub use desk::Desk;
+#[cfg(not(target_family = "wasm"))]
+pub use folder::files;
+pub use store::Store;

@@ -1,0 +1,94 @@
+//! The interface over HTTP tried by an outside tool: schemathesis reads the OpenAPI document and asks what nobody here has
+//! thought of. No answer may be a failure of the server, of another form than the document says, or accept what it forbids.
+
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+use crate::cargo::{Workspace, must_succeed, spelled};
+use crate::{Error, samples};
+
+/// The tool with all that it needs, each with its sums.
+const PINNED: &str = include_str!("../schemathesis/requirements.txt");
+
+/// Its settings, and what it is told about the interface.
+const SETTINGS: [(&str, &str); 2] = [
+    ("schemathesis.toml", include_str!("../schemathesis/schemathesis.toml")),
+    ("hooks.py", include_str!("../schemathesis/hooks.py")),
+];
+
+/// So long it asks at the most, in seconds.
+const TIME: &str = "90";
+
+/// The question is a text, and what of it is understood is told with status 422: that a text of the right type is refused is
+/// no fault.
+const NOT_ASKED: &str = "positive_data_acceptance";
+
+/// Tries the interface.
+pub(crate) fn run(root: &Path) -> Result<(), Error> {
+    let tool = ready(root)?;
+    let program = samples::built(root)?;
+    let desk = Workspace::ask(root)?.target.join("xtask").join("api");
+    let folder = desk.join("served");
+    fs::create_dir_all(&folder).map_err(|source| Error::File { path: folder.clone(), source })?;
+    let mut command = Command::new(program);
+    command
+        .args(["serve", "--port", "0"])
+        .arg(&folder)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null());
+    let spelled = spelled(&command);
+    let server = command.spawn().map_err(|source| Error::NotStarted { command: spelled.clone(), source })?;
+    let mut server = Ends(server);
+    let mut address = String::new();
+    if let Some(out) = server.0.stdout.take() {
+        BufReader::new(out).read_line(&mut address).map_err(|source| Error::NotStarted { command: spelled, source })?;
+    }
+    let document = format!("{}/api/v1/openapi.json", address.trim().trim_end_matches('/'));
+    let mut command = Command::new(tool);
+    command.args(["run", &document, "--no-color", "--workers", "1", "--seed", "1", "--max-time", TIME]);
+    command.args(["--phases", "coverage,fuzzing", "--exclude-checks", NOT_ASKED, "--generation-database", "none"]);
+    // Beside its settings, which name what it is told about text bodies; what it leaves there does not lie in the tree.
+    for (name, text) in SETTINGS {
+        let path = desk.join(name);
+        fs::write(&path, text).map_err(|source| Error::File { path, source })?;
+    }
+    command.current_dir(desk).stdin(Stdio::null());
+    must_succeed(&mut command)
+}
+
+/// A server that ends with the step.
+struct Ends(Child);
+
+impl Drop for Ends {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// The program, installed into an environment of its own where it is not there yet.
+fn ready(root: &Path) -> Result<PathBuf, Error> {
+    let folder = Workspace::ask(root)?.target.join("tools").join("schemathesis");
+    let own = |name: &str| {
+        let bin = folder.join(if cfg!(windows) { "Scripts" } else { "bin" });
+        bin.join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
+    };
+    let (tool, whole) = (own("schemathesis"), folder.join("whole"));
+    if tool.is_file() && fs::read_to_string(&whole).is_ok_and(|pinned| pinned == PINNED) {
+        return Ok(tool);
+    }
+    eprintln!("api: installing schemathesis …");
+    let quiet = |command: &mut Command| must_succeed(command.stdin(Stdio::null())).map_err(|_| Error::NoSchemathesis);
+    let python = |python: &str| quiet(Command::new(python).args(["-m", "venv", "--clear"]).arg(&folder));
+    python("python3").or_else(|_| python("python"))?;
+    let mut pip = Command::new(own("python"));
+    pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-input", "--no-deps"]);
+    pip.args(["--only-binary", ":all:", "--require-hashes", "--requirement"]);
+    quiet(pip.arg(root.join("xtask").join("schemathesis").join("requirements.txt")))?;
+    // An environment that is half installed is not found.
+    fs::write(&whole, PINNED).map_err(|source| Error::File { path: whole, source })?;
+    Ok(tool)
+}

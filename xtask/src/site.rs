@@ -1,0 +1,107 @@
+//! The page without a server: the engine as WebAssembly, and a folder that any host of files serves.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::Error;
+use crate::cargo::{Workspace, cargo, must_succeed};
+
+/// What the engine is compiled for: WebAssembly with the few functions of WASI in the place of an operating system.
+const TARGET: &str = "wasm32-wasip1";
+
+/// Bytes that the engine may take as a browser fetches it, packed with brotli.
+const ENGINE_MOST: usize = 1 << 20;
+
+/// Where the folder is.
+pub(crate) fn folder(root: &Path) -> Result<PathBuf, Error> {
+    Ok(Workspace::ask(root)?.target.join("site"))
+}
+
+/// Builds the folder and tells what it weighs.
+///
+/// # Errors
+/// When the target of the compiler is not to be had, something does not build, or the engine is heavier than it may be.
+pub fn run(root: &Path) -> Result<(), Error> {
+    target_ready(root)?;
+    let target = Workspace::ask(root)?.target;
+    let built = |name: &str, features: &[&str]| -> Result<PathBuf, Error> {
+        let library = ["rustc", "--locked", "--quiet", "--package", "site", "--lib", "--crate-type", "cdylib"];
+        must_succeed(cargo(root, &library).args(["--profile", "site", "--target", TARGET]).args(features))?;
+        let made = target.join(TARGET).join("site");
+        let (from, to) = (made.join("site.wasm"), made.join(name));
+        fs::copy(&from, &to).map_err(|source| Error::File { path: from, source })?;
+        Ok(to)
+    };
+    let engine = built("engine.wasm", &["--no-default-features"])?;
+    let interface = built("interface.wasm", &[])?;
+    let folder = folder(root)?;
+    if folder.exists() {
+        fs::remove_dir_all(&folder).map_err(|source| Error::File { path: folder.clone(), source })?;
+    }
+    let mut write = cargo(root, &["run", "--quiet", "--package", "site", "--"]);
+    must_succeed(write.arg(&engine).arg(&interface).arg(root.join("THIRD-PARTY.md")).arg(&folder))?;
+    println!("site: {}", folder.display());
+    let told = |path: &Path| -> Result<usize, Error> {
+        let bytes = fs::read(path).map_err(|source| Error::File { path: path.to_path_buf(), source })?;
+        let packed = packed(&bytes);
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        println!("site: {name} of {} kB, {} kB packed with brotli", bytes.len() / 1000, packed / 1000);
+        Ok(packed)
+    };
+    // The larger one is fetched when something is downloaded.
+    told(&interface)?;
+    let packed = told(&engine)?;
+    if packed > ENGINE_MOST { Err(Error::Heavy { bytes: packed, most: ENGINE_MOST }) } else { Ok(()) }
+}
+
+/// Bytes as a host that packs well sends them.
+fn packed(bytes: &[u8]) -> usize {
+    let mut counter = Counter(0);
+    let parameters = brotli::enc::BrotliEncoderParams { quality: 11, lgwin: 24, ..Default::default() };
+    // Reading from memory and counting do not fail.
+    let _ = brotli::BrotliCompress(&mut &*bytes, &mut counter, &parameters);
+    counter.0
+}
+
+struct Counter(usize);
+
+impl std::io::Write for Counter {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0 += bytes.len();
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+/// The target of the compiler, installed with rustup where it is missing.
+fn target_ready(root: &Path) -> Result<(), Error> {
+    if has_target(root) {
+        return Ok(());
+    }
+    eprintln!("site: installing the target {TARGET} …");
+    // What rustup says is on the screen already; without it the target may still have come with the compiler.
+    must_succeed(Command::new("rustup").args(["target", "add", TARGET]).current_dir(root)).ok();
+    if has_target(root) { Ok(()) } else { Err(Error::NoTarget { target: TARGET }) }
+}
+
+fn has_target(root: &Path) -> bool {
+    let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let mut command = Command::new(compiler);
+    let told = command.args(["--print", "target-libdir", "--target", TARGET]).current_dir(root).output();
+    told.is_ok_and(|told| Path::new(String::from_utf8_lossy(&told.stdout).trim()).is_dir())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_repeats_is_packed() {
+        assert!(packed(&[7; 100_000]) < 100);
+        assert!(packed(b"") < 10);
+    }
+}
