@@ -105,6 +105,18 @@ export function jump(time) {
   range.focus();
 }
 
+// How wide a picture is: asked once, then told by the browser, for to ask means to lay out the page at once.
+const widths = new WeakMap();
+const watcher = new ResizeObserver((entries) => {
+  let changed = false;
+  for (const { target } of entries) { changed ||= widths.get(target) !== target.clientWidth; widths.set(target, target.clientWidth); }
+  if (changed) overlay();
+});
+function width(figure) {
+  if (!widths.has(figure)) { widths.set(figure, figure.clientWidth); watcher.observe(figure); }
+  return widths.get(figure);
+}
+
 // Marks and grips stand where their numbers belong in the picture that was drawn last.
 export function overlay() {
   for (const figure of overTime()) {
@@ -117,7 +129,7 @@ export function overlay() {
       if (mark.hidden) continue;
       const x = xOf(p, time) / box.width;
       // What would cover the one before stands a row lower.
-      row = x - until < 26 / figure.clientWidth ? row + 1 : 0;
+      row = x - until < 26 / width(figure) ? row + 1 : 0;
       until = x;
       rows = Math.max(rows, row + 1);
       mark.style.left = `${100 * x}%`;
@@ -146,7 +158,6 @@ function put(grip, time, way) {
   grip.style.left = `${100 * xOf(p, time) / box.width}%`;
   grip.style.top = `${100 * Math.min(p.bottom, Math.max(p.top, yOf(p, way))) / box.height}%`;
 }
-addEventListener('resize', overlay);
 
 // A window of time is a part of the state; the picture of it is drawn anew.
 const state = (name) => $(`#state [name=${name}]`);

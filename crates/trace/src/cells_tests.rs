@@ -7,9 +7,10 @@ use super::*;
 use mechanism::Plain;
 use motion::{Closing, Recorded, Samples, SegmentSpec, Treatment};
 use quantities::{Measure, ViscousFriction};
+use std::f64::consts::PI;
 
 /// Swings with a pause between them, 20 000 intervals, noise in speed and torque.
-fn noisy(with_torque: bool) -> Motion {
+pub(crate) fn noisy(with_torque: bool) -> Motion {
     let count = 20_001_u32;
     let mut state = 7_u64;
     let mut noise = || {
@@ -220,5 +221,72 @@ fn moments_of_straight_intervals_by_two_ways() {
         for (a, b) in by_nodes.iter().zip(closed) {
             assert!((a - b).abs() <= 1e-12 * a.abs(), "{index}: {a} {b}");
         }
+    }
+}
+
+/// Ten slow swings, each from rest to rest at a sample, 16 000 intervals.
+fn from_rest() -> Motion {
+    let time_s: Vec<f64> = (0..16_001).map(|k| 1e-3 * f64::from(k)).collect();
+    let speeds: Vec<f64> =
+        (0..16_001_u32).map(|k| if k % 800 == 0 { 0.0 } else { (PI * f64::from(k) / 800.0).sin() }).collect();
+    let torque: Vec<f64> = (0..16_001_u32).map(|k| f64::from(k * 7919 % 1009) / 500.0 - 1.0).collect();
+    let samples = Samples {
+        time_s: time_s.into(),
+        speed_rad_s: Some(speeds.into()),
+        torque_nm: Some(torque.into()),
+        position_rad: None,
+    };
+    let recorded = Recorded::new(samples, Treatment::default()).unwrap();
+    Motion::new(&[SegmentSpec::Recorded(Arc::new(recorded))], None, Closing::SingleMove).unwrap()
+}
+
+/// Several intervals side by side have the integrals of their panels, block by block, and most of them go side by side.
+#[test]
+fn a_sweep_has_the_integrals_of_the_panels() {
+    let mut lossless = arm();
+    (lossless.efficiency_driving, lossless.efficiency_driven) = (1.0, 1.0);
+    let rest = [("from rest", direct()), ("arm from rest", lossless), ("arm with losses", arm())]
+        .map(|(what, load)| (what, load, from_rest()));
+    let noise = cases().into_iter().chain([("arm with torque", arm(), noisy(true))]);
+    for (what, mechanism, motion) in noise.chain(rest) {
+        let trace = Trace::of(&mechanism, &motion, &[], &[]);
+        let [strip] = trace.strips() else { panic!("{what}: not kept") };
+        let mut ramps = 0;
+        for block in trace.blocks() {
+            let (mut swept, mut expected) = ([0.0; 5], [0.0; 5]);
+            let add = |sums: &mut [f64; 5], panel: &Panel<'_>| {
+                for node in panel.nodes {
+                    let [_, load, direction, speed] = node.signals();
+                    let values = [1.0, load, speed * load, direction * load, load * load];
+                    sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += node.weight_s * value);
+                }
+            };
+            strip.panels(block, &mut |panel| add(&mut expected, &panel));
+            strip.sweep(block, &mut |passed| match passed {
+                Swept::Panel(panel) => add(&mut swept, &panel),
+                Swept::Ramps(four) => {
+                    ramps += four.duration_s.iter().filter(|duration| **duration > 0.0).count();
+                    for lane in 0..4 {
+                        for (share, weight) in [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)] {
+                            let at = |ends: [[f64; 4]; 2]| ends[0][lane] + share * (ends[1][lane] - ends[0][lane]);
+                            let (load, speed) = (at(four.load_nm), at(four.speed_rad_s));
+                            let values = [1.0, load, speed * load, four.direction * load, load * load];
+                            let weight = weight * four.duration_s[lane];
+                            swept.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
+                        }
+                    }
+                }
+            });
+            let most = f64::max(block.extent.load_nm.1, -block.extent.load_nm.0);
+            let scale = block.duration_s * (1.0 + most) * (1.0 + most);
+            for (swept, expected) in swept.iter().zip(expected) {
+                assert!(
+                    (swept - expected).abs() <= 1e-12 * scale,
+                    "{what}: {swept} against {expected} at {}",
+                    block.from_s
+                );
+            }
+        }
+        assert!(ramps * 10 > strip.intervals() * 8, "{what}: {ramps}");
     }
 }

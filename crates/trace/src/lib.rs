@@ -7,6 +7,7 @@
 mod alike;
 mod build;
 mod carried;
+mod crossing;
 mod cubes;
 mod form;
 mod gains;
@@ -18,6 +19,7 @@ mod short;
 
 pub use build::{INSTANTS_MOST, instants};
 pub use carried::Carried;
+pub use crossing::crossing;
 pub use form::Form;
 pub use lags::{Lag, Peak};
 pub use recording::{Cell, Inside, Ramps, Strip, Swept};

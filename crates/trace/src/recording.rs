@@ -4,6 +4,7 @@
 mod bent;
 mod cells;
 mod lagging;
+mod loads;
 mod straight;
 mod sweep;
 mod view;
@@ -18,6 +19,7 @@ use super::gains::{GainTables, LagBlock, Products};
 use super::{Block, Extent, Kept, Like, Node, Panel, Place};
 use cells::Cells;
 use lagging::LagPart;
+use loads::Known;
 use mechanism::{Extra, Mechanism, Plain};
 use motion::{Interval, Placed};
 use quantities::Measure;
@@ -49,6 +51,8 @@ pub struct Strip {
     /// Positions at which the load has a corner.
     kinks: Vec<f64>,
     view: View,
+    /// Of a mechanism that is not plain.
+    loads: Arc<Known>,
     survey: Arc<Survey>,
 }
 
@@ -108,8 +112,11 @@ impl Strip {
             None => placed.clone(),
         };
         let kinks = mechanism.kinks();
-        let mut strip =
-            Self { placed, surveyed, mechanism, extra, plain, kinks, view, survey: Arc::new(Survey::empty()) };
+        let (loads, survey) = (Arc::default(), Arc::new(Survey::empty()));
+        let mut strip = Self { placed, surveyed, mechanism, extra, plain, kinks, view, loads, survey };
+        if strip.plain.is_none() {
+            strip.loads = Arc::new(strip.find_loads());
+        }
         strip.survey = known.unwrap_or_else(|| Arc::new(strip.look()));
         strip
     }
@@ -139,7 +146,12 @@ impl Strip {
     fn raw_interval(&self, index: usize, look: &mut impl FnMut(Panel<'_>)) {
         let Some(interval) = self.surveyed.interval(index) else { return };
         let Some(plain) = &self.plain else {
-            self.bent_interval(&interval, look);
+            match (self.loads.pieces(index), loads::direction(&interval)) {
+                (pieces @ [Some(_), _], Some(direction)) => {
+                    pieces.iter().flatten().for_each(|piece| piece.panel(&interval, direction, look));
+                }
+                _ => self.bent_interval(&interval, look),
+            }
             return;
         };
         let acceleration = interval.acceleration_rad_s2();

@@ -13,6 +13,12 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// So often the place of a largest value between two nodes is halved: what is left is 10⁻¹² of the smooth bend there.
 const HALVINGS: u32 = 20;
 
+/// A vertex is where its parabola says if both differ by this share at most.
+const AGREEMENT: f64 = 1e-13;
+
+/// A parabola serves where it is off at its vertex by at most this share of its bend.
+const GOOD: f64 = 0.05;
+
 /// A signal whose largest value over the cycle is sought.
 pub trait Sought {
     /// Whether no value on a straight line is above both its ends, as of the magnitude of a weighted sum.
@@ -266,29 +272,63 @@ impl Best {
         bound > self.value + NEGLIGIBLE * self.value.abs()
     }
 
-    /// The largest value between two shares of a panel, by halving about the best of three instants. What bends by less
-    /// between them than it and both ends lie below the highest is left alone.
+    /// The largest value between two shares of a panel: the best of three instants closer and closer together, by half each
+    /// time, and by a quarter where the parabola through them tells what is found at its vertex. It ends where two vertices
+    /// that follow upon each other agree with their parabolas. What bends by less between the three than the best of them and
+    /// both ends lie below the highest is left alone.
     fn narrow(&mut self, (from, to): (f64, f64), highest_end: f64, sought: &impl Sought, place: impl Fn(f64) -> Node) {
+        let mut own = Self { value: f64::NEG_INFINITY, node: Node::default() };
+        self.narrow_alone(&mut own, (from, to), highest_end, sought, place);
+        // Of what is as high but for rounding the first counts.
+        let room = ROUNDING * self.value.abs();
+        if own.value > self.value + room {
+            *self = own;
+        } else if own.value >= self.value - room && own.node.time_s < self.node.time_s {
+            *self = Self { value: self.value.max(own.value), node: own.node };
+        }
+    }
+
+    fn narrow_alone(
+        &self,
+        own: &mut Self,
+        (from, to): (f64, f64),
+        highest_end: f64,
+        sought: &impl Sought,
+        place: impl Fn(f64) -> Node,
+    ) {
         let mut at = |s: f64| {
             let node = place(s);
             let found = sought.value(&node);
-            self.see(&node, found);
-            ((s, found), self.value)
+            own.see(&node, found);
+            ((s, found), self.value.max(own.value))
         };
         let mut quarter = 0.25 * (to - from);
         let (mut middle, _) = at(from + 2.0 * quarter);
+        let mut agreed = f64::NAN;
         for _ in 0..HALVINGS {
             let [(before, _), (after, highest)] = [middle.0 - quarter, middle.0 + quarter].map(&mut at);
-            let bend = (before.1 - 2.0 * middle.1 + after.1).abs();
-            for side in [before, after] {
-                if side.1 > middle.1 {
-                    middle = side;
-                }
-            }
-            if middle.1.max(highest_end) + bend < highest {
+            let bend = before.1 - 2.0 * middle.1 + after.1;
+            let rise = 0.5 * (after.1 - before.1);
+            let is_between = before.1 <= middle.1 && after.1 <= middle.1 && bend < 0.0;
+            let best = [before, after].into_iter().fold(middle, |best, side| if side.1 > best.1 { side } else { best });
+            if best.1.max(highest_end) + bend.abs() < highest {
                 return;
             }
-            quarter *= 0.5;
+            if !is_between {
+                (middle, quarter, agreed) = (best, 0.5 * quarter, f64::NAN);
+                continue;
+            }
+            let height = middle.1 - 0.5 * rise * rise / bend;
+            let (vertex, _) = at(middle.0 - rise / bend * quarter);
+            let (off, close) = ((vertex.1 - height).abs(), AGREEMENT * height.abs());
+            if off <= close && (vertex.1 - agreed).abs() <= close {
+                return;
+            }
+            agreed = if off <= close { vertex.1 } else { f64::NAN };
+            quarter *= if off <= -GOOD * bend { 0.25 } else { 0.5 };
+            if vertex.1 > middle.1 {
+                middle = vertex;
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{CyclePower, Returned};
 use motion::lobatto;
-use trace::{Node, Panel, Sought};
+use trace::{Node, Panel, Sought, crossing};
 
 /// Nodes of the rule for a part of a panel: exact for the power of signals of the sixth degree, and of those of the second.
 const NODES: [usize; 2] = [8, 4];
@@ -63,7 +63,7 @@ impl<'a, 'p> Walk<'a, 'p> {
         let along = |node: &Node| power.torque(node) * node.direction;
         let (a, b) = (along(first), along(last));
         if a * b < 0.0 {
-            let zero = crossing(|s| along(&panel.at(s)), (from, a), (to, b));
+            let zero = crossing(|s| along(&panel.at(s)), (from, a), (to, b), CLOSE * (to - from));
             let at = panel.at(zero);
             self.stretch((from, first), (zero, &at), None, a < 0.0);
             self.stretch((zero, &at), (to, last), None, b < 0.0);
@@ -91,13 +91,21 @@ impl<'a, 'p> Walk<'a, 'p> {
         let (power, panel) = (self.power, self.panel);
         let at = |s: f64| power.with(&panel.at(s), true);
         let ((a, b), middle) = ((power.with(first, true), power.with(last, true)), 0.5 * (from + to));
+        let close = CLOSE * (to - from);
         if a * b < 0.0 {
-            self.close(crossing(at, (from, a), (to, b)));
-        } else if a > 0.0 {
+            self.close(crossing(at, (from, a), (to, b), close));
+        } else {
+            // Between two ends of one sign the power may have the other one: looked for half-way, else at the vertex of the
+            // parabola through the three.
             let low = half_way.map_or_else(|| at(middle), |node| power.with(node, true));
-            if low < 0.0 {
-                self.close(crossing(at, (from, a), (middle, low)));
-                self.close(crossing(at, (middle, low), (to, b)));
+            let towards = |s: f64, value: f64| (s, -a.signum() * value);
+            let turned = Some((middle, low)).filter(|(_, value)| a * value < 0.0).or_else(|| {
+                let (s, _) = vertex(towards(from, a), towards(middle, low), towards(to, b))?;
+                Some((s, at(s))).filter(|(_, value)| a * value < 0.0)
+            });
+            if let Some(turned) = turned {
+                self.close(crossing(at, (from, a), turned, close));
+                self.close(crossing(at, turned, (to, b), close));
             }
         }
     }
@@ -156,29 +164,4 @@ fn vertex(a: (f64, f64), b: (f64, f64), c: (f64, f64)) -> Option<(f64, f64)> {
     let s = 0.5 * (a.0 + b.0 - left / bend);
     let height = a.1 + left * (s - a.0) + bend * (s - a.0) * (s - b.0);
     (bend < 0.0 && s > a.0 && s < c.0 && s != b.0).then_some((s, height))
-}
-
-/// Where a function passes zero between two instants with values of opposite sign: regula falsi, the end that stays
-/// behind counted half (Illinois).
-fn crossing(value: impl Fn(f64) -> f64, (mut a, mut at_a): (f64, f64), (mut b, mut at_b): (f64, f64)) -> f64 {
-    let close = CLOSE * (b - a);
-    let mut s = a;
-    let mut kept = None;
-    for _ in 0..60 {
-        let before = s;
-        s = b - at_b * (b - a) / (at_b - at_a);
-        let here = value(s);
-        if here == 0.0 || (s - before).abs() <= close {
-            break;
-        }
-        let keeps_a = (here < 0.0) == (at_b < 0.0);
-        let behind = if kept == Some(keeps_a) { 0.5 } else { 1.0 };
-        if keeps_a {
-            (b, at_b, at_a) = (s, here, behind * at_a);
-        } else {
-            (a, at_a, at_b) = (s, here, behind * at_b);
-        }
-        kept = Some(keeps_a);
-    }
-    s
 }

@@ -2,6 +2,7 @@
 //! the corners of the load, with as many nodes as it turns far.
 
 use super::{Node, Panel, Strip, parts};
+use crate::crossing;
 use mechanism::{Extra, Output};
 use motion::{Interval, lobatto};
 use quantities::{Measure, Torque};
@@ -10,8 +11,8 @@ use std::f64::consts::{PI, TAU};
 /// An interval turns so far at most for 3, 5 and 9 nodes \[rad\]; beyond 16 are taken. By the error of the rule for cos³.
 const TURNED: [(f64, usize); 3] = [(0.01, 3), (0.1, 5), (0.5, 9)];
 
-/// So often the place of a cut is halved.
-const HALVINGS: u32 = 50;
+/// A share of what it is sought within up to which the place of a cut is found.
+const CLOSE: f64 = 1e-14;
 
 /// At a corner of the load the node lies this share of the panel beside it, on its own side.
 const BESIDE: f64 = 1e-9;
@@ -114,7 +115,7 @@ impl Strip {
 
 /// How far a smooth load may rise above the straight line between two neighbouring nodes, by its largest second difference:
 /// a parabola rises above its chord by an eighth of the second derivative times the square of the chord's time.
-fn bow(nodes: &[Node]) -> f64 {
+pub(super) fn bow(nodes: &[Node]) -> f64 {
     let triples = nodes.iter().zip(nodes.iter().skip(1)).zip(nodes.iter().skip(2));
     let most = triples.fold(0.0_f64, |most, ((a, b), c)| {
         let (left, right) = (b.time_s - a.time_s, c.time_s - b.time_s);
@@ -130,13 +131,9 @@ fn crossings(value: &impl Fn(f64) -> f64, from: f64, to: f64, cuts: &mut Vec<f64
     let middle = 0.5 * (from + to);
     let at = [from, middle, to].map(value);
     let halves = [(from, middle), (middle, to)].into_iter().zip(at.iter().zip(at.iter().skip(1)));
-    for ((mut low, mut high), (first, second)) in halves {
+    for ((low, high), (first, second)) in halves {
         if first * second < 0.0 {
-            for _ in 0..HALVINGS {
-                let here = 0.5 * (low + high);
-                if value(here) * first > 0.0 { low = here } else { high = here }
-            }
-            cuts.push(0.5 * (low + high));
+            cuts.push(crossing(value, (low, *first), (high, *second), CLOSE * (high - low)));
         }
     }
 }

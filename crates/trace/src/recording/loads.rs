@@ -1,0 +1,188 @@
+//! The load of a recording that hangs on the position or has losses, found once: the sines of an arm and the lever of a crank
+//! cost more than all that is asked of an interval afterwards.
+
+use super::{Node, Panel, SHARED_FROM, Strip, bent, in_two, parts};
+use motion::Interval;
+
+/// T_L at the beginning, in the middle and at the end of a part of an interval \[Nm\].
+type Loads = [f64; 3];
+
+/// Intervals that are looked at in one go.
+const GO: usize = 1 << 10;
+
+/// The loads of all intervals that have one panel with three nodes, or two of them on both sides of a cut.
+#[derive(Debug, Default)]
+pub(super) struct Known {
+    /// Of an interval with one panel; of one with a cut no numbers but the place among the cuts; else no numbers at all.
+    whole: Vec<Loads>,
+    cuts: Vec<Cut>,
+}
+
+/// An interval in two.
+#[derive(Clone, Copy, Debug)]
+struct Cut {
+    /// The share of the interval before it.
+    at: f64,
+    loads: [Loads; 2],
+}
+
+/// A part of an interval, from one share of it to another, with its loads.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) loads: Loads,
+}
+
+impl Known {
+    fn push(&mut self, pieces: &[Piece]) {
+        let nothing = [f64::NAN; 3];
+        self.whole.push(match pieces {
+            [only] => only.loads,
+            [first, second] => {
+                self.cuts.push(Cut { at: first.to, loads: [first.loads, second.loads] });
+                // Some millions at most.
+                #[allow(clippy::cast_precision_loss, reason = "see above")]
+                let place = (self.cuts.len() - 1) as f64;
+                [f64::NAN, place, f64::NAN]
+            }
+            _ => nothing,
+        });
+    }
+
+    fn extend(&mut self, other: &Self) {
+        #[allow(clippy::cast_precision_loss, reason = "some millions at most")]
+        let before = self.cuts.len() as f64;
+        self.whole.extend(other.whole.iter().map(|loads| match loads {
+            [first, place, last] if first.is_nan() => [*first, place + before, *last],
+            loads => *loads,
+        }));
+        self.cuts.extend_from_slice(&other.cuts);
+    }
+
+    /// The pieces of an interval, in the order of time; of one with other panels none.
+    #[inline]
+    pub(super) fn pieces(&self, index: usize) -> [Option<Piece>; 2] {
+        match self.whole.get(index) {
+            Some(loads) if !loads[0].is_nan() => [Some(Piece { from: 0.0, to: 1.0, loads: *loads }), None],
+            Some([_, place, _]) if place.is_finite() => {
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place")]
+                let Some(Cut { at, loads: [first, second] }) = self.cuts.get(*place as usize) else { return [None; 2] };
+                [Some(Piece { from: 0.0, to: *at, loads: *first }), Some(Piece { from: *at, to: 1.0, loads: *second })]
+            }
+            _ => [None; 2],
+        }
+    }
+}
+
+impl Piece {
+    /// How far the middle lies above the straight line between the ends \[Nm\].
+    pub(super) fn bend(&self) -> f64 {
+        let [first, middle, last] = self.loads;
+        middle - 0.5 * (first + last)
+    }
+
+    /// The panel of a piece of an interval in which the axis does not turn round.
+    #[inline]
+    pub(super) fn panel(&self, interval: &Interval, direction: f64, look: &mut impl FnMut(Panel<'_>)) {
+        let share = self.to - self.from;
+        let duration = share * interval.duration_s;
+        let acceleration = interval.acceleration_rad_s2();
+        let [first, last] = interval.speed_rad_s;
+        let rule = [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)];
+        let mut nodes = [Node::default(); 3];
+        for ((node, (s, weight)), load) in nodes.iter_mut().zip(rule).zip(self.loads) {
+            let u = if s == 1.0 { self.to } else { self.from + s * share };
+            *node = Node {
+                time_s: interval.start_s + u * interval.duration_s,
+                weight_s: weight * duration,
+                acceleration_rad_s2: acceleration,
+                speed_rad_s: first + u * (last - first),
+                direction,
+                load_nm: load,
+            };
+        }
+        let bow = [0.0, bent::bow(&nodes), 0.0, 0.0];
+        look(Panel { nodes: &nodes, duration_s: duration, bow, extent: None, like: None });
+    }
+}
+
+/// The direction in which an interval is run through, if it is one.
+#[inline]
+pub(super) fn direction(interval: &Interval) -> Option<f64> {
+    let mut parts = parts(interval);
+    let (_, _, direction) = parts.next()?;
+    parts.next().is_none().then_some(direction)
+}
+
+impl Strip {
+    /// The loads of all intervals.
+    pub(super) fn find_loads(&self) -> Known {
+        let count = self.placed.intervals();
+        let goes: Vec<usize> = (0..count).step_by(GO).collect();
+        let of = |from: &usize| {
+            let mut known = Known::default();
+            (*from..(from + GO).min(count)).for_each(|index| known.push(&self.pieces_of(index)));
+            known
+        };
+        let mut all = Known { whole: Vec::with_capacity(count), cuts: Vec::new() };
+        in_two(&goes, count >= SHARED_FROM, &of).iter().for_each(|go| all.extend(go));
+        all.cuts.shrink_to_fit();
+        all
+    }
+
+    /// The pieces of an interval, found anew; none if there are panels with more nodes or the axis turns round.
+    fn pieces_of(&self, index: usize) -> Vec<Piece> {
+        let Some(interval) = self.surveyed.interval(index) else { return Vec::new() };
+        let (mut pieces, mut until, mut others) = (Vec::new(), 0.0, direction(&interval).is_none());
+        if !others {
+            self.bent_interval(&interval, &mut |panel| {
+                let [a, b, c] = panel.nodes else {
+                    others = true;
+                    return;
+                };
+                let to = (c.time_s - interval.start_s) / interval.duration_s;
+                pieces.push(Piece { from: until, to, loads: [a, b, c].map(|node| node.load_nm) });
+                until = to;
+            });
+        }
+        if others { Vec::new() } else { pieces }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::cells_tests::noisy;
+    use crate::tests::arm;
+    use crate::{Node, Panel, Trace};
+
+    /// What was found once is what is found anew.
+    #[test]
+    fn known_panels_are_those_made_anew() {
+        let mut lossless = arm();
+        (lossless.efficiency_driving, lossless.efficiency_driven) = (1.0, 1.0);
+        for (mechanism, is_cut) in [(lossless, false), (arm(), true)] {
+            let trace = Trace::of(&mechanism, &noisy(true), &[], &[]);
+            let [strip] = trace.strips() else { panic!("not kept") };
+            let (mut known, mut cut) = (0, 0);
+            for index in 0..strip.intervals() {
+                let all = |found: &mut Vec<Node>, panel: &Panel<'_>| found.extend_from_slice(panel.nodes);
+                let (mut found, mut expected) = (Vec::new(), Vec::new());
+                strip.interval(index, &mut |panel| all(&mut found, &panel));
+                strip.bent_interval(&strip.surveyed.interval(index).unwrap(), &mut |panel| all(&mut expected, &panel));
+                assert_eq!(found.len(), expected.len());
+                for (found, expected) in found.iter().zip(&expected) {
+                    // The place of a cut is known as closely as the time is.
+                    let [a, b] = [found, expected]
+                        .map(|node| [node.time_s, node.speed_rad_s, node.load_nm, node.direction, node.weight_s]);
+                    assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-13 * (1.0 + b.abs())), "{a:?} {b:?}");
+                }
+                let pieces = strip.loads.pieces(index);
+                known += usize::from(pieces[0].is_some());
+                cut += usize::from(pieces[1].is_some());
+            }
+            assert!(known > 15_000 && known < strip.intervals(), "{known}");
+            assert!(if is_cut { cut > 100 } else { cut == 0 }, "{cut}");
+        }
+    }
+}
