@@ -82,4 +82,5 @@ pub(crate) const ALL: &[Way] = &[
     Way::both("accessibility", looks::accessibility),
     Way::site("same-answers", same::same_answers),
     Way::both("times", times::times),
+    Way::both("times-of-a-table", times::times_of_a_table),
 ];

@@ -12,6 +12,7 @@ pub mod draft;
 pub mod project;
 pub mod quantity;
 pub mod recorded;
+pub mod request;
 pub mod text;
 
 /// How many cases got past the first gate of their target: for Parquet the footer. Others have none.
@@ -29,11 +30,12 @@ pub struct Target {
 }
 
 /// Every target; `xtask/src/fuzz.rs` has their limits.
-pub const TARGETS: [Target; 6] = [
+pub const TARGETS: [Target; 7] = [
     Target { name: "code", run: code::run, shown: code::shown },
     Target { name: "quantity", run: quantity::run, shown: quantity::shown },
     Target { name: "project", run: project::run, shown: project::shown },
     Target { name: "csv", run: recorded::csv, shown: recorded::shown_csv },
     Target { name: "parquet", run: recorded::parquet, shown: recorded::shown_parquet },
     Target { name: "axis", run: axis::run, shown: axis::shown },
+    Target { name: "request", run: request::run, shown: request::shown },
 ];

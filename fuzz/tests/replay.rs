@@ -39,8 +39,12 @@ fn the_corpora_keep_the_promises() {
         let files = cases("corpus", target.name);
         assert!(!files.is_empty(), "no corpus of {}", target.name);
         // Not optimised, sizing takes a second: here a part, all of it in the step `fuzz` of CI.
-        let step =
-            if target.name == "axis" { files.len().div_ceil(8).max(1) } else { files.len().div_ceil(150).max(1) };
+        let part = match target.name {
+            "axis" => 8,
+            "request" => 24,
+            _ => 150,
+        };
+        let step = files.len().div_ceil(part).max(1);
         let part: Vec<PathBuf> = files.into_iter().step_by(step).collect();
         replay(&target, &part);
     }

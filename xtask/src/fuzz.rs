@@ -32,7 +32,7 @@ pub(crate) struct Target {
     gate: Option<&'static str>,
 }
 
-const TARGETS: [Target; 6] = [
+const TARGETS: [Target; 7] = [
     Target { name: "code", ci_seconds: 15, case_seconds: 2, memory_mb: 64, bytes: 128, cases: 10_000_000, gate: None },
     Target {
         name: "quantity",
@@ -63,6 +63,15 @@ const TARGETS: [Target; 6] = [
         gate: Some("the footer"),
     },
     Target { name: "axis", ci_seconds: 40, case_seconds: 20, memory_mb: 512, bytes: 1024, cases: 10_000, gate: None },
+    Target {
+        name: "request",
+        ci_seconds: 30,
+        case_seconds: 20,
+        memory_mb: 512,
+        bytes: 1024,
+        cases: 10_000,
+        gate: None,
+    },
 ];
 
 /// After so many finds of a target a run ends: they are rarely different.

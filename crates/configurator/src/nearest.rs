@@ -2,8 +2,11 @@
 
 use crate::codes::all;
 use crate::rules::Availability;
-use order_code::{Brake, CodeErrors, Distances, Field, OrderCode, Pattern, Size, Texts, Winding};
+use order_code::{Brake, Distances, Field, OrderCode, Pattern, Size, Texts, Winding};
 use std::sync::LazyLock;
+
+/// No code is shorter: `CHA-14A-30-H-RES`.
+const LETTERS_LEAST: usize = 16;
 
 /// A valid code with data, and its availability.
 type Known = (OrderCode, Availability);
@@ -82,8 +85,8 @@ impl Letters {
 }
 
 /// The valid codes nearest to a misspelt text, by the number of letters to insert, delete, change or swap; words in the
-/// wrong order count as one step. Only codes with data, and with all the words that were understood if there are such; of
-/// several as near, those available without asking first.
+/// wrong order count as one step. Only codes with data, and with all the words that were understood if there are such, else
+/// with all but one; of several as near, those available without asking first.
 ///
 /// Cost: a count of letters per valid code; a row of two tables of edit distances for each beginning of codes that may
 /// lead to one near.
@@ -91,14 +94,9 @@ impl Letters {
 pub fn nearest(text: &str, most: usize) -> Vec<&'static (OrderCode, Availability)> {
     let wanted: String = text.trim().to_uppercase().chars().take(40).collect();
     let Index { entries, written, reordered, of } = &*WITH_DATA;
-    // No code here is a special design.
-    let understood =
-        |faults: CodeErrors| Pattern::of(|field| faults.understood(field).filter(|_| field != Field::Special));
-    let pattern = order_code::parse(text).err().map(understood).unwrap_or_default();
-    let any = entries.iter().any(|entry| pattern.matches(&entry.known.0));
-    let pattern = if any { pattern } else { Pattern::default() };
-    // A code that shares less than half of its letters is no help.
-    let half = wanted.chars().count() / 2;
+    let pattern = kept(text);
+    // A code that shares less than half of its letters is no help; those that a text cut off lacks are not wrong.
+    let half = wanted.chars().count().max(LETTERS_LEAST) / 2;
     let letters = Letters::of(&wanted);
     let at_least = |entry: &Entry| {
         let kept = pattern.matches(&entry.known.0);
@@ -126,6 +124,21 @@ pub fn nearest(text: &str, most: usize) -> Vec<&'static (OrderCode, Availability
             None => bound = half.min(bound + 2),
         }
     }
+}
+
+/// The words of a text that a proposal keeps: all that were understood, if a code has them. Else one of them contradicts the
+/// others: the first to be left out is the one that says least of the machine. No code here is a special design.
+fn kept(text: &str) -> Pattern {
+    let Err(faults) = order_code::parse(text) else { return Pattern::default() };
+    let without = |left_out: Option<Field>| {
+        Pattern::of(|field| faults.understood(field).filter(|_| field != Field::Special && Some(field) != left_out))
+    };
+    let is_known = |pattern: &Pattern| WITH_DATA.entries.iter().any(|entry| pattern.matches(&entry.known.0));
+    std::iter::once(None)
+        .chain(Field::ALL.iter().rev().map(|field| Some(*field)))
+        .map(without)
+        .find(is_known)
+        .unwrap_or_default()
 }
 
 /// The codes found at most so far away: the nearest first, of several as near those available without asking.
@@ -201,6 +214,19 @@ mod tests {
         assert_eq!(proposals("CHA-14A-120-H-D2048").first().unwrap(), "CHA-14A-100-N-D2048");
     }
 
+    /// 48 V is not made of 25A: size and ratio stay, not the winding.
+    #[test]
+    fn a_word_that_contradicts_the_others_goes() {
+        let found = |text: &str| -> Vec<String> { nearest(text, 3).iter().map(|(code, _)| code.to_string()).collect() };
+        let of_25 = found("CHA-25A-100-E");
+        assert!(!of_25.is_empty() && of_25.iter().all(|code| code.starts_with("CHA-25A-100-")), "{of_25:?}");
+        let of_20 = found("CHA-20A-100-H-C1024-EC-X");
+        assert!(of_20.iter().all(|code| code.starts_with("CHA-20A-100-H-C1024")), "{of_20:?}");
+        assert_eq!(found("CHA"), [""; 0], "too little to say anything");
+        let shortest = WITH_DATA.entries.iter().map(|entry| entry.known.0.to_string().len()).min();
+        assert_eq!(shortest, Some(LETTERS_LEAST));
+    }
+
     #[test]
     fn every_proposal_has_data() {
         for (code, _) in nearest("CHA-20A-100-H-REX", 40) {
@@ -217,11 +243,21 @@ mod tests {
             Err(faults) => Field::ALL.iter().filter_map(|field| Some((*field, faults.understood(*field)?))).collect(),
             Ok(_) => Vec::new(),
         };
-        let keeps = |(code, _): &&Known| {
-            understood.iter().all(|(field, word)| *field == Field::Special || code.token(*field) == Some(word))
-        };
         let with_data = || WITH_DATA.entries.iter().map(|entry| entry.known);
-        let mut kept: Vec<&Known> = with_data().filter(keeps).collect();
+        let keeping = |left_out: &[Field]| -> Vec<&Known> {
+            let counts = |field: &Field| *field != Field::Special && !left_out.contains(field);
+            let mut counted = understood.clone();
+            counted.retain(|(field, _)| counts(field));
+            with_data()
+                .filter(|(code, _)| counted.iter().all(|(field, word)| code.token(*field) == Some(*word)))
+                .collect()
+        };
+        let mut kept = keeping(&[]);
+        for field in Field::ALL.iter().rev() {
+            if kept.is_empty() {
+                kept = keeping(&[*field]);
+            }
+        }
         if kept.is_empty() {
             kept = with_data().collect();
         }
@@ -234,7 +270,7 @@ mod tests {
         let mut scored: Vec<(usize, bool, &Known)> = kept.into_iter().map(score).collect();
         scored.sort_by_key(|(distance, asked, (code, _))| (*distance, *asked, *code));
         let best = scored.first().map_or(0, |(distance, ..)| *distance);
-        let bound = (best + 1).min(wanted.chars().count() / 2);
+        let bound = (best + 1).min(wanted.chars().count().max(16) / 2);
         scored.into_iter().filter(|(distance, ..)| *distance <= bound).take(most).map(|(_, _, known)| known).collect()
     }
 

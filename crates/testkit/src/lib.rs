@@ -1,5 +1,6 @@
-//! Tolerances for tests against printed values, and files that lie. Development only.
+//! Tolerances for tests against printed values, files that lie, and what a whole page is. Development only.
 
+pub mod html;
 pub mod parquet;
 
 /// Whether a computed value agrees with a printed one within half of the last printed digit.

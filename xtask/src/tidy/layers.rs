@@ -98,7 +98,8 @@ fn objection(name: &str, from: Room, dependency: &Dependency) -> Option<String> 
     }
     let on = dependency.name.as_str();
     match (from, room(on)?) {
-        (_, Room::DevOnly) => Some(format!("`{on}` may only be a dev-dependency")),
+        // What looks at the product from outside is no part of it, and may be a test itself.
+        (Room::Layer(_) | Room::DevOnly, Room::DevOnly) => Some(format!("`{on}` may only be a dev-dependency")),
         (Room::Layer(_), Room::Outside) => Some(format!("`{name}` is part of the product and may not use `{on}`")),
         (Room::Layer(own), Room::Layer(other)) => {
             let served = SERVE_THEIR_LAYER.contains(&on) && !SERVE_THEIR_LAYER.contains(&name) && own == other;
@@ -160,6 +161,7 @@ mod tests {
             told("sizing", "[dependencies]\ntestkit = \"1\"\n"),
             ["it/Cargo.toml:4: layers: `testkit` may only be a dev-dependency"]
         );
+        assert!(told("fuzz", "[dependencies]\ntestkit = \"1\"\n").is_empty());
         assert_eq!(told("antrieb", "[dependencies]\nxtask = \"0\"\n").len(), 1);
     }
 

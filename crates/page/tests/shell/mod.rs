@@ -5,6 +5,7 @@
 use page::{Call, Entry, Folder, Method, Reply, SaveFault, Shell, respond};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+pub use testkit::html::whole;
 use workbench::{Files, Language, NoFiles, Patience};
 
 /// A shell without a world.
@@ -43,38 +44,6 @@ pub fn get(path: &str, query: &str) -> Reply {
 pub fn page(reply: &Reply) -> String {
     assert_eq!(reply.status, 200);
     String::from_utf8(reply.body.clone()).unwrap()
-}
-
-/// The tags of a page are closed in order, no identifier stands twice, and every attribute is quoted.
-pub fn whole(html: &str) {
-    const VOID: [&str; 6] = ["input", "meta", "link", "br", "hr", "img"];
-    let mut open: Vec<&str> = Vec::new();
-    let mut ids: BTreeMap<&str, usize> = BTreeMap::new();
-    let mut rest = html;
-    while let Some(at) = rest.find('<') {
-        let tag = &rest[at + 1..];
-        let end = tag.find('>').unwrap_or_else(|| panic!("no end: {}", &tag[..tag.len().min(80)]));
-        let (inside, behind) = (&tag[..end], &tag[end + 1..]);
-        rest = behind;
-        if inside.starts_with('!') {
-            continue;
-        }
-        if let Some(name) = inside.strip_prefix('/') {
-            assert_eq!(open.pop(), Some(name), "{}", &rest[..rest.len().min(120)]);
-            continue;
-        }
-        let name = inside.split([' ', '/', '\n']).next().unwrap_or_default();
-        if let Some(id) = inside.split(" id=\"").nth(1).and_then(|id| id.split('"').next()) {
-            *ids.entry(id).or_default() += 1;
-        }
-        assert_eq!(inside.matches('"').count() % 2, 0, "{inside}");
-        if !VOID.contains(&name) && !inside.ends_with('/') {
-            open.push(name);
-        }
-    }
-    assert!(open.is_empty(), "{open:?}");
-    let twice: Vec<_> = ids.iter().filter(|(_, count)| **count > 1).collect();
-    assert!(twice.is_empty(), "{twice:?}");
 }
 
 /// A folder in memory that keeps to what a folder promises.
