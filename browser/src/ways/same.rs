@@ -131,14 +131,24 @@ fn same(stage: &Stage<'_>, path: &str, query: &str, text: Option<&str>) -> Told 
 /// So far two numbers may differ: sine, root and power end in other digits on another machine.
 const APART: f64 = 1e-12;
 
+/// So far two instants may differ at which a smooth value is largest \[s\]: the value is level there, and its last digits move the
+/// instant by more than themselves.
+const INSTANTS_APART: f64 = 1e-9;
+
+/// What stands before an instant, in an answer and in a page.
+const BEFORE_INSTANTS: [&str; 2] = ["\"at\": ", "data-instant=\""];
+
 /// The first place where two texts differ in more than the last digits of a number, with what stands around it.
 fn difference<'t>(theirs: &'t str, ours: &'t str) -> Option<(&'t str, &'t str)> {
     let (mut a, mut b) = (theirs, ours);
     loop {
         let (first, second) = (number(a), number(b));
         let is_same = first == second || {
+            let before = theirs.get(..theirs.len() - a.len()).unwrap_or_default();
+            let is_instant = BEFORE_INSTANTS.iter().any(|words| before.ends_with(words));
+            let apart = if is_instant { INSTANTS_APART } else { APART };
             let (first, second) = (first.parse::<f64>(), second.parse::<f64>());
-            first.is_ok_and(|first| second.is_ok_and(|second| (first - second).abs() <= APART * first.abs().max(1.0)))
+            first.is_ok_and(|first| second.is_ok_and(|second| (first - second).abs() <= apart * first.abs().max(1.0)))
         };
         let (rest_a, rest_b) = (a.get(first.len()..)?, b.get(second.len()..)?);
         let (next_a, next_b) = (rest_a.chars().next(), rest_b.chars().next());
@@ -173,6 +183,9 @@ mod tests {
         assert_eq!(difference("a 9.74377580034956 b", "a 9.743775800349558 b"), None);
         assert_eq!(difference("1e-17 Nm", "0 Nm"), None);
         assert_eq!(difference("", ""), None);
+        assert_eq!(difference("\"at\": 0.226600958278,", "\"at\": 0.226600958283,"), None);
+        assert!(difference("\"at\": 0.2266009,", "\"at\": 0.2266008,").is_some());
+        assert!(difference("\"value\": 0.226600958278,", "\"value\": 0.226600958283,").is_some());
         for (theirs, ours) in
             [("a 9.743 b", "a 9.744 b"), ("a 1 b", "a 1 c"), ("a", "ab"), ("x 1", "x 1.1"), ("1 a", "a 1")]
         {

@@ -16,6 +16,9 @@ const HALVINGS: u32 = 20;
 /// A vertex is where its parabola says if both differ by this share at most.
 const AGREEMENT: f64 = 1e-13;
 
+/// A vertex is told as one of so many places between two nodes: its value knows it no better.
+const PLACES: f64 = (1 << 24) as f64;
+
 /// A parabola serves where it is off at its vertex by at most this share of its bend.
 const GOOD: f64 = 0.05;
 
@@ -322,9 +325,11 @@ impl Best {
             let (vertex, _) = at(middle.0 - rise / bend * quarter);
             let (off, close) = ((vertex.1 - height).abs(), AGREEMENT * height.abs());
             if off <= close && (vertex.1 - agreed).abs() <= close {
-                // What is higher by the last digits alone is so by chance, and lies somewhere else on another machine.
+                // What is higher by the last digits alone is so by chance, and lies somewhere else on another machine; so do
+                // the last digits of the place.
                 if own.value <= vertex.1 + close {
-                    *own = Self { value: vertex.1, node: place(vertex.0) };
+                    let node = place(from + (to - from) / PLACES * ((vertex.0 - from) / (to - from) * PLACES).round());
+                    *own = Self { value: sought.value(&node), node };
                 }
                 return;
             }

@@ -10,13 +10,14 @@ use crate::Error;
 use crate::cargo::{Workspace, cargo, must_succeed, spelled};
 
 /// What is told: a name, and the folders and files under `crates/` that belong to it.
-const PARTS: [(&str, &[&str]); 6] = [
+const PARTS: [(&str, &[&str]); 7] = [
     ("quantities", &["quantities/src/"]),
     ("order-code", &["order-code/src/"]),
     ("recording", &["recording/src/"]),
     ("project", &["project/src/"]),
     ("configurator, its reading of codes", &["configurator/src/codes.rs", "configurator/src/nearest.rs"]),
     ("workbench, its reading", &["workbench/src/codes.rs", "workbench/src/reading.rs"]),
+    ("page and interface", &["page/src/"]),
 ];
 
 /// The lines of the files of a part, and those of them that were run.

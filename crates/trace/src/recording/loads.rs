@@ -35,11 +35,11 @@ pub(super) struct Piece {
 }
 
 impl Known {
-    fn push(&mut self, pieces: &[Piece]) {
+    fn push(&mut self, pieces: [Option<Piece>; 2]) {
         let nothing = [f64::NAN; 3];
         self.whole.push(match pieces {
-            [only] => only.loads,
-            [first, second] => {
+            [Some(only), None] => only.loads,
+            [Some(first), Some(second)] => {
                 self.cuts.push(Cut { at: first.to, loads: [first.loads, second.loads] });
                 // Some millions at most.
                 #[allow(clippy::cast_precision_loss, reason = "see above")]
@@ -122,31 +122,32 @@ impl Strip {
         let goes: Vec<usize> = (0..count).step_by(GO).collect();
         let of = |from: &usize| {
             let mut known = Known::default();
-            (*from..(from + GO).min(count)).for_each(|index| known.push(&self.pieces_of(index)));
+            (*from..(from + GO).min(count)).for_each(|index| known.push(self.pieces_of(index)));
             known
         };
         let mut all = Known { whole: Vec::with_capacity(count), cuts: Vec::new() };
-        in_two(&goes, count >= SHARED_FROM, &of).iter().for_each(|go| all.extend(go));
+        in_two(&goes, count >= SHARED_FROM, &of).into_iter().for_each(|go| all.extend(&go));
         all.cuts.shrink_to_fit();
         all
     }
 
-    /// The pieces of an interval, found anew; none if there are panels with more nodes or the axis turns round.
-    fn pieces_of(&self, index: usize) -> Vec<Piece> {
-        let Some(interval) = self.surveyed.interval(index) else { return Vec::new() };
-        let (mut pieces, mut until, mut others) = (Vec::new(), 0.0, direction(&interval).is_none());
-        if !others {
-            self.bent_interval(&interval, &mut |panel| {
-                let [a, b, c] = panel.nodes else {
-                    others = true;
-                    return;
-                };
+    /// The pieces of an interval, found anew; none if there are panels with more nodes, more panels, or the axis turns round.
+    fn pieces_of(&self, index: usize) -> [Option<Piece>; 2] {
+        let none = [None; 2];
+        let Some(interval) = self.surveyed.interval(index).filter(|interval| direction(interval).is_some()) else {
+            return none;
+        };
+        let (mut pieces, mut count, mut until) = (none, 0, 0.0);
+        self.bent_interval(&interval, &mut |panel| {
+            let place = pieces.get_mut(count);
+            count += if panel.nodes.len() == 3 { 1 } else { none.len() + 1 };
+            if let ([a, b, c], Some(place)) = (panel.nodes, place) {
                 let to = (c.time_s - interval.start_s) / interval.duration_s;
-                pieces.push(Piece { from: until, to, loads: [a, b, c].map(|node| node.load_nm) });
+                *place = Some(Piece { from: until, to, loads: [a, b, c].map(|node| node.load_nm) });
                 until = to;
-            });
-        }
-        if others { Vec::new() } else { pieces }
+            }
+        });
+        if count <= none.len() { pieces } else { none }
     }
 }
 
