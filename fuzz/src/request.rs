@@ -193,10 +193,16 @@ fn chosen(u: &mut Unstructured<'_>) -> Result<Asked> {
     Ok(asked)
 }
 
-/// The text of a project, mostly valid.
+/// The text of a project, mostly valid. Its tolerances are left out: ten thousand samples are worth their ten seconds to a user,
+/// not to a case.
 fn project(u: &mut Unstructured<'_>) -> Result<String> {
     let edits = if u.ratio(1, 4)? { any_edits(u, 3)? } else { Vec::new() };
-    Ok(mutate(&draft::project(u, false)?, &edits))
+    let mut text = draft::project(u, false)?;
+    while let Some(from) = text.find(" ± ") {
+        let length = text.get(from..).and_then(|rest| rest.find('"')).unwrap_or(text.len() - from);
+        text.replace_range(from..from + length, "");
+    }
+    Ok(mutate(&text, &edits))
 }
 
 fn word(u: &mut Unstructured<'_>) -> Result<&'static str> {

@@ -66,7 +66,7 @@ const TARGETS: [Target; 7] = [
     Target {
         name: "request",
         ci_seconds: 30,
-        case_seconds: 20,
+        case_seconds: 40,
         memory_mb: 512,
         bytes: 1024,
         cases: 10_000,
