@@ -3,10 +3,10 @@
 //! Baseline: sorting ten thousand numbers; and a NumPy script of an engineer where there is one.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
-use benches::{Gates, against, numpy, sort};
+use benches::{Gates, against, numpy, size, sort};
 use std::hint::black_box;
 use std::process::ExitCode;
-use workbench::{check, reserve_of, size};
+use workbench::{check, reserve_of};
 
 const PROJECT: &str = include_str!("../../examples/indexing-table.toml");
 

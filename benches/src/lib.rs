@@ -5,11 +5,18 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
+use workbench::{Patience, Project, Sizing, sized};
 
 /// The top of the tree.
 #[must_use]
 pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// The catalogue as the command ranks it: the ten best judged by every check.
+#[must_use]
+pub fn size(project: &Project) -> Sizing<'_> {
+    sized(project, 10, &Patience::endless()).unwrap_or_else(|refusal| unreachable!("nobody stops it: {refusal:?}"))
 }
 
 /// The release binary, built by the same cargo into the target folder that this bench runs from.

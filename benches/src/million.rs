@@ -11,7 +11,7 @@
     reason = "a bench fails loudly and prints what it measured"
 )]
 
-use benches::{Against, Gates, binary, run, timed};
+use benches::{Against, Gates, binary, run, size, timed};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -19,7 +19,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::Arc;
 use std::time::Duration;
-use workbench::{CandidateId, Files, check, reserve_of, size};
+use workbench::{CandidateId, Files, check, reserve_of};
 
 const SAMPLES: usize = 1_000_000;
 

@@ -5,6 +5,7 @@ use crate::code::parse_for_use;
 use crate::fault::{Source, path_text, simple, text_option};
 use crate::save::{ready, save};
 use crate::subject::{picked, refuse};
+use crate::waiting::patience;
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use tables::{Front, NAMES, Subject, Table};
@@ -55,9 +56,9 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         return Err(simple(&what, as_json, language));
     }
     let Some((axis, project)) = axes.pop() else { return Ok(Answer::none()) };
-    let sizing = workbench::size(&project);
-    let (chosen, talk) = chosen(matches, &project, &sizing, as_json, language)?;
     let top = usize::from(matches.get_one::<u16>("top").copied().unwrap_or(20));
+    let sizing = workbench::sized(&project, top, patience()).map_err(|refusal| refuse(&refusal, as_json, language))?;
+    let (chosen, talk) = chosen(matches, &project, &sizing, as_json, language)?;
     let subject =
         Subject { text: &source.text, axis, project: &project, sizing: &sizing, chosen: &chosen, top, language };
     let tables: Vec<Table> = match wish.table {

@@ -35,7 +35,7 @@ pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> A
     };
     let figure = matches.get_one::<String>("figure").and_then(|id| Figure::of_id(id)).unwrap_or(Figure::TorqueSpeed);
     let by = if matches.get_one::<String>("by").is_some_and(|by| by == "length") { By::Length } else { By::Mass };
-    let best = || workbench::size(project).candidates.into_iter().next().map(|best| best.id);
+    let best = || workbench::order(project).candidates.into_iter().next().map(|best| best.id);
     let (candidate, talk) = match candidate(project, best, matches, as_json, language) {
         Ok(found) => found,
         Err(answer) => return answer,

@@ -127,7 +127,7 @@ fn served(asked: &ReportAsked<'_>) -> Result<Vec<u8>, String> {
     let said = |refusal: Refusal| answer::refusal_text(&refusal, None, l);
     let mut axes = Vec::new();
     for (place, project) in asked.axes {
-        let sizing = workbench::sized(project, asked.patience).map_err(said)?;
+        let sizing = workbench::sized(project, usize::MAX, asked.patience).map_err(said)?;
         let best = || sizing.candidates.first().map(|best| best.id.clone());
         let candidate = workbench::candidate_for(project, asked.code.as_ref(), best).map_err(said)?;
         let mut content =

@@ -63,6 +63,6 @@ pub fn draw(
         Figure::Torsion => torsion(project, candidate, language),
         Figure::BearingLoad => bearing_load(project, candidate, language),
         Figure::MatingFace => Err(NoFigure::OfACode),
-        Figure::CandidateMap => Ok(candidate_map(&workbench::size(project), by, Some(&candidate.id), language)),
+        Figure::CandidateMap => Ok(candidate_map(&workbench::order(project), by, Some(&candidate.id), language)),
     }
 }

@@ -30,7 +30,7 @@ pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Optio
     let l = state.language;
     let mut rows: Vec<(&Project, Option<Row>)> = Vec::new();
     for project in &held.projects {
-        let sizing = sized(project, patience).ok()?;
+        let sizing = sized(project, 0, patience).ok()?;
         let found = chosen(project, sizing.candidates.first());
         rows.push((project, found.map(|candidate| row(state, project, &candidate))));
     }

@@ -16,7 +16,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use workbench::text::{capitalised, check_title, page, terms};
 use workbench::{
     Candidate, CandidateId, CheckId, Language, Patience, Project, Template, check, check_own, compare, explain,
-    explain_own, size, sized, template, template_kinds,
+    explain_own, order, sized, template, template_kinds,
 };
 
 /// The sign of the page in a browser.
@@ -103,7 +103,7 @@ fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Mar
             .ok_or_else(|| Box::new(held));
     }
     let project = held.projects.get(state.axis);
-    let sizing = match project.map(|project| sized(project, patience)).transpose() {
+    let sizing = match project.map(|project| sized(project, 0, patience)).transpose() {
         Ok(sizing) => sizing,
         Err(_) => return Err(Box::new(held)),
     };
@@ -315,7 +315,7 @@ pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience)
         return html! { p.advice role="status" { (waiting::stopped(false, None, shell, patience, state.language)) } };
     }
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
-    let sizing = if state.code.is_none() && project.actuator.is_none() { Some(size(project)) } else { None };
+    let sizing = if state.code.is_none() && project.actuator.is_none() { Some(order(project)) } else { None };
     let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first()).map(|best| best.id.clone());
     let found = match (state.code, best) {
         (Some(code), _) | (None, Some(CandidateId::Code(code))) => explain(project, &code),

@@ -48,7 +48,8 @@ pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
         return stopped();
     }
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
-    let sizing = if state.code.is_none() && project.actuator.is_none() { sized(project, patience).ok() } else { None };
+    let sizing =
+        if state.code.is_none() && project.actuator.is_none() { sized(project, 0, patience).ok() } else { None };
     let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first());
     let Some(candidate) = looked_at(&state, project, best) else { return html! {} };
     match margins(project, &candidate, state.draw(), patience) {

@@ -438,6 +438,11 @@ impl Sought for Returned<'_> {
     }
 }
 
+/// Whether a datum is missing without which the energy that comes back is not known.
+pub(crate) fn is_missing(actuator: &Parameters, currents: Result<&Currents, &Missing>) -> bool {
+    CyclePower::of(actuator, currents).is_err()
+}
+
 /// Mean power that the motor gives back over the cycle, winding cold.
 ///
 /// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the

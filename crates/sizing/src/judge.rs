@@ -73,6 +73,9 @@ pub enum Depth {
     Full,
     /// The checks that look at the cycle once more only if none of the others fails.
     Survivors,
+    /// The same without the energy that comes back where no limit is asked for: it takes part in no verdict and no
+    /// utilisation, and costs a pass over the whole cycle.
+    Ranking,
     /// Every check that can fail or has a margin: what is only shown or advised is left out, and so is the demand by
     /// the manual. Verdict and utilisation are those of [`Depth::Full`].
     Margins,
@@ -274,7 +277,8 @@ impl<'a> Judge<'a> {
         let governing = manual.as_ref().map_or(0, |manual| manual.governing);
         let shared = known.checks.as_ref().filter(|(named, _)| *named == governing);
         let [rejected, all] = ROOM;
-        let room = if depth == Depth::Survivors { rejected } else { all };
+        let only_survivors = matches!(depth, Depth::Survivors | Depth::Ranking);
+        let room = if only_survivors { rejected } else { all };
         let shared = shared.map(|(_, shared)| Arc::clone(shared));
         let mut checks = Gathered {
             all: Checks { own: Vec::with_capacity(room), shared, places: 0 },
@@ -298,10 +302,10 @@ impl<'a> Judge<'a> {
             known.checks = Some((governing, Arc::clone(&found)));
             checks.all.shared = Some(found);
         }
-        if depth != Depth::Survivors || !checks.all.any_fails() {
+        if !only_survivors || !checks.all.any_fails() {
             let own = &mut checks.all.own;
             own.reserve_exact(all - own.len().min(all));
-            further_checks(axis, actuator, (electrics, currents), (bare, explain), own);
+            further_checks(axis, actuator, (electrics, currents), (depth, explain), own);
         }
         let mut checks = checks.all;
         checks.own.iter_mut().for_each(|check| naming(check, governing));
@@ -352,13 +356,15 @@ fn further_checks(
     axis: &Axis,
     actuator: &Parameters,
     (electrics, currents): (&Electrics, Result<&Currents<'_>, &provenance::Missing>),
-    (bare, explain): (bool, bool),
+    (depth, explain): (Depth, bool),
     checks: &mut Vec<Check>,
 ) {
+    let bare = depth == Depth::Margins;
     checks.push(explained(explain, |work| electric_checks::torque_speed_trace(axis, actuator, currents, work)));
     checks.push(explained(explain, |work| heat_checks::thermal(axis, actuator, currents, work)));
     checks.push(explained(explain, |work| heat_checks::overload(axis, actuator, (electrics, currents), work)));
-    if !bare || axis.asked.regeneration_power_max.is_some() {
+    let is_told = !bare && (depth != Depth::Ranking || energy::is_missing(actuator, currents));
+    if is_told || axis.asked.regeneration_power_max.is_some() {
         checks.push(explained(explain, |work| energy::regeneration(axis, actuator, currents, work)));
     }
     gear_checks::judge_further(axis, actuator, (bare, explain), checks);

@@ -104,7 +104,7 @@ pub struct Ranking<'p> {
 pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
     let told = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
     let sampling = draw.sampling(project, told, patience.is_limited())?;
-    let sizing = sized(project, patience)?;
+    let sizing = sized(project, top, patience)?;
     let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits());
     let chosen: Vec<&Candidate<'_>> = fitting.take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
     // Without tolerances there is no assessment, and so no pair.
@@ -113,12 +113,13 @@ pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Pati
     Ok(Ranking { project, sizing, top, assessed })
 }
 
-/// The catalogue judged and ranked for an axis, without its tolerances, for somebody who may stop it.
+/// The catalogue judged and ranked for an axis, without its tolerances, for somebody who may stop it. The first `told` are
+/// judged by every check where they fit; of the others is left out how much energy comes back, unless a limit is asked for.
 ///
 /// # Errors
 /// [`Refusal::Stopped`].
-pub fn sized<'p>(project: &'p Project, patience: &Patience) -> Result<Sizing<'p>, Refusal> {
-    size_watched(project, patience).map_err(|Stopped| Refusal::Stopped)
+pub fn sized<'p>(project: &'p Project, told: usize, patience: &Patience) -> Result<Sizing<'p>, Refusal> {
+    size_watched(project, told, patience).map_err(|Stopped| Refusal::Stopped)
 }
 
 impl Ranking<'_> {

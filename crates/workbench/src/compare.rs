@@ -1,6 +1,6 @@
 //! Several actuators on one axis, and one actuator on two revisions of it.
 
-use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own, size};
+use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own, order};
 use order_code::OrderCode;
 use project::Project;
 use provenance::Datum;
@@ -209,7 +209,7 @@ pub struct Difference<'p> {
 /// # Errors
 /// [`Refusal`] where the code cannot be judged.
 pub fn difference<'p>(old: &'p Project, new: &'p Project, code: Option<&OrderCode>) -> Result<Difference<'p>, Refusal> {
-    let (sized_before, sized_after) = (size(old), size(new));
+    let (sized_before, sized_after) = (order(old), order(new));
     let best = |sizing: &Sizing<'_>| sizing.answer().map(|answer| answer.id.clone());
     let own = code.is_none() && old.actuator.is_some() && new.actuator.is_some();
     let first = match sized_before.candidates.first().map(|candidate| &candidate.id) {

@@ -95,7 +95,7 @@ pub use sizing::{
 };
 pub use sizing_use::{
     Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, course_within, explain, explain_own,
-    reserve_of, size,
+    order, reserve_of, size,
 };
 pub use subject::{candidate_for, candidate_of_tables, names, paired, picked};
 pub use templates::{Template, template, template_kinds};

@@ -82,7 +82,7 @@ fn best_ratio<W: Watch>(
     let mut best: Option<(Project, sizing::Standing, usize)> = None;
     for ratio in ratios {
         let Some(trial) = with(*ratio) else { continue };
-        let sizing = size_watched(&trial, watch)?;
+        let sizing = size_watched(&trial, 0, watch)?;
         let Some(first) = sizing.candidates.first() else { continue };
         let standing = first.standing;
         answers.push(RatioAnswer {

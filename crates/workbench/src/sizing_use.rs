@@ -157,25 +157,57 @@ fn actuators_of(project: &Project, option_1: Option<Option1>) -> &[(OrderCode, P
     }
 }
 
-/// Judges the whole catalogue for the axis of a project and ranks it.
+/// Judges the whole catalogue for the axis of a project and ranks it; whatever fits by every check.
 ///
 /// Cost: O(ramps) to prepare the motion, O(ramps) per actuator, O(n log n) to rank.
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
-    finished(size_watched(project, &Unwatched))
+    finished(size_watched(project, usize::MAX, &Unwatched))
 }
 
-/// The same for somebody who may stop it.
+/// The same for somebody who asks for the order alone: of what fits is left out what takes no part in it.
+#[must_use]
+pub fn order(project: &Project) -> Sizing<'_> {
+    finished(size_watched(project, 0, &Unwatched))
+}
+
+/// The same for somebody who may stop it and tells the first `told` in full: of the others is known what a place in the
+/// ranking hangs on ([`Depth::Ranking`]).
 ///
 /// # Errors
 /// Where it was stopped.
-pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, watch: &W) -> Result<Sizing<'p>, W::Stop> {
-    let parts = parts(actuators_of(project, project.option_1));
+pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, told: usize, watch: &W) -> Result<Sizing<'p>, W::Stop> {
+    let actuators = actuators_of(project, project.option_1);
+    let depth = if told < actuators.len() { Depth::Ranking } else { Depth::Survivors };
+    let mut candidates = ranked(judged_by_two(project, actuators, depth, watch)?);
+    if depth == Depth::Ranking {
+        let mut judging = Judging::of(project, Depth::Full);
+        for candidate in candidates.iter_mut().take(told).filter(|candidate| candidate.judgement_fits()) {
+            watch.step()?;
+            candidate.judgement = judging.judge(candidate.parameters);
+        }
+    }
+    Ok(Sizing {
+        name: &project.name,
+        candidates,
+        own: project.actuator.as_ref().map(|own| own_candidate(project, own)),
+        assumptions: &project.assumptions,
+    })
+}
+
+/// Every actuator as a candidate, in the order of the catalogue.
+fn judged_by_two<'p, W: Watch>(
+    project: &'p Project,
+    actuators: &'p [(OrderCode, Parameters)],
+    depth: Depth,
+    watch: &W,
+) -> Result<Vec<Candidate<'p>>, W::Stop> {
+    let parts = parts(actuators);
     let next = AtomicUsize::new(0);
     // Each of two threads takes the next part until none is left: those that fit are judged by more checks and stand
     // together in the catalogue, so that two fixed halves would be done at different times.
     let work = || -> Result<Vec<_>, W::Stop> {
-        let mut judging = Judging::of(project, Depth::Survivors);
+        let mut judging = Judging::of(project, depth);
         let mut done = Vec::with_capacity(parts.len());
         while let place = next.fetch_add(1, Ordering::Relaxed)
             && let Some(part) = parts.get(place)
@@ -195,17 +227,12 @@ pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, watch: &W) -> Res
     // A thread that cannot be had, as in a browser, took no part; one that could not finish leaves its own to this one.
     let missing: Vec<_> = (0..parts.len()).filter(|place| done.iter().all(|(known, _)| known != place)).collect();
     for (place, part) in missing.into_iter().filter_map(|place| Some((place, parts.get(place)?))) {
-        done.push((place, judged(&mut Judging::of(project, Depth::Survivors), part, watch)?));
+        done.push((place, judged(&mut Judging::of(project, depth), part, watch)?));
     }
     done.sort_by_key(|(place, _)| *place);
     let mut candidates = Vec::with_capacity(parts.iter().map(|part| part.len()).sum());
     done.into_iter().for_each(|(_, part)| candidates.extend(part));
-    Ok(Sizing {
-        name: &project.name,
-        candidates: ranked(candidates),
-        own: project.actuator.as_ref().map(|own| own_candidate(project, own)),
-        assumptions: &project.assumptions,
-    })
+    Ok(candidates)
 }
 
 /// Candidates, best first, in the memory in which they lie.

@@ -3,7 +3,7 @@
 
 use configurator::catalogue_actuators;
 use sizing::{Check, Depth, Judge};
-use workbench::Files;
+use workbench::{Candidate, Files, Patience, Verdict};
 
 struct Examples;
 
@@ -58,18 +58,23 @@ supply = "560 V"
 ambient = "30 degC"
 "#;
 
-#[test]
-fn what_neighbours_share_each_has_alone() {
+/// The axes of all examples.
+fn examples() -> Vec<workbench::Project> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let texts = files.filter(|path| path.extension().is_some_and(|end| end == "toml"));
-    let mut projects: Vec<_> = texts
+    texts
         .flat_map(|path| workbench::read_all(&std::fs::read_to_string(path).unwrap(), &Examples).unwrap_or_default())
-        .collect();
+        .collect()
+}
+
+#[test]
+fn what_neighbours_share_each_has_alone() {
+    let mut projects = examples();
     projects.extend(workbench::read_all(TURNING, &Examples).unwrap());
     assert!(projects.len() > 5);
     for project in &projects {
-        for depth in [Depth::Survivors, Depth::Margins] {
+        for depth in [Depth::Survivors, Depth::Ranking, Depth::Margins] {
             let mut all = Judge::of(&project.axis, depth);
             // Of a long cycle some neighbours show it as well as all of them.
             let most = if project.axis.is_short() { usize::MAX } else { 12 };
@@ -96,4 +101,40 @@ fn the_order_of_the_checks_is_the_same_for_every_actuator() {
     let first = orders.next().unwrap();
     assert_eq!(first.len(), 20);
     assert!(orders.all(|other| other == first));
+}
+
+/// Whoever asks for the best three is told the same of them and sees the same of all others, but for the energy that comes
+/// back without a limit.
+#[test]
+fn a_ranking_is_the_same_however_many_are_told_in_full() {
+    let limited = format!("{TURNING}regeneration_power_max = \"1 W\"\n");
+    let mut projects = examples();
+    let seen = [TURNING, &limited].map(|text| workbench::read(text).unwrap());
+    projects.extend(seen);
+    let (mut left_out, mut decided) = (0, 0);
+    for project in &projects {
+        let all = workbench::size(project).candidates;
+        let some = workbench::sized(project, 3, &Patience::endless()).unwrap().candidates;
+        assert_eq!(all.len(), some.len());
+        for (place, (full, short)) in all.iter().zip(&some).enumerate() {
+            let energy = |each: &Candidate<'_>| {
+                each.judgement.checks.iter().find(|check| check.id == sizing::CheckId::Regeneration).cloned()
+            };
+            let advice = |each: &Candidate<'_>| {
+                each.judgement.checks.iter().filter(|check| check.verdict == Verdict::Advice).count()
+            };
+            let said = |each: &Candidate<'_>| {
+                let id = |check: Option<&Check>| check.map(|check| check.id);
+                let (tightest, worst) = (id(each.judgement.tightest()), id(each.worst_failure()));
+                (each.id.to_string(), each.standing, each.open_questions(), advice(each), tightest, worst)
+            };
+            assert_eq!(said(full), said(short), "{}", project.name);
+            if place < 3 && full.fits() {
+                assert_eq!(format!("{:?}", full.judgement), format!("{:?}", short.judgement), "{}", project.name);
+            }
+            left_out += u32::from(energy(full).is_some() && energy(short).is_none());
+            decided += u32::from(energy(short).is_some_and(|check| check.verdict == Verdict::Fail));
+        }
+    }
+    assert!(left_out > 100 && decided > 10, "{left_out} left out, {decided} decided by it");
 }

@@ -147,7 +147,7 @@ pub(super) fn plot(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let code = asked.code_if_any()?;
     // Sought only where neither a code nor an actuator of the project's own is drawn.
     let best = if code.is_none() && project.actuator.is_none() {
-        let found = workbench::sized(&project, asked.patience).map_err(|refusal| asked.refused(&refusal))?;
+        let found = workbench::sized(&project, 0, asked.patience).map_err(|refusal| asked.refused(&refusal))?;
         found.candidates.first().map(|best| best.id.clone())
     } else {
         None

@@ -24,10 +24,10 @@ pub(super) fn export(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let (revision, date, file) = (asked.label("revision")?, asked.label("date")?, asked.name()?);
     let (axis, project) = asked.axis_or(|names| terminal::export_is_of_one_axis(&names, language))?;
     let code = asked.code_if_any()?;
-    let sizing = workbench::sized(&project, asked.patience).map_err(|refusal| asked.refused(&refusal))?;
+    let top = asked.whole("top").unwrap_or(TOP_USUAL);
+    let sizing = workbench::sized(&project, top, asked.patience).map_err(|refusal| asked.refused(&refusal))?;
     let chosen =
         workbench::candidate_of_tables(&project, code.as_ref(), &sizing).map_err(|refusal| asked.refused(&refusal))?;
-    let top = asked.whole("top").unwrap_or(TOP_USUAL);
     let subject =
         Subject { text: asked.body()?, axis, project: &project, sizing: &sizing, chosen: &chosen, top, language };
     let not_written = |error: tables::WriteError| Unanswered::from(answer::fault(&error.message(language)));
