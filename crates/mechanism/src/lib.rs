@@ -119,13 +119,17 @@ pub struct Mechanism {
     pub stage: Option<Stage>,
 }
 
-/// The factors of a torque J α + T_h + T_c σ + b ω.
+/// The factors of a torque J α + T_h + W cos(q + q_0) + T_c σ + b ω.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plain {
     /// J \[kgm²\]
     pub inertia_kgm2: f64,
     /// T_h: what does not change over the motion \[Nm\].
     pub constant_nm: f64,
+    /// W: the weight of an unbalanced rotor at its largest lever \[Nm\]; zero where no torque depends on the position.
+    pub weight_nm: f64,
+    /// q_0: angle of the centre of mass above the horizontal at q = 0 \[rad\].
+    pub angle_rad: f64,
     /// T_c: Coulomb friction \[Nm\].
     pub coulomb_nm: f64,
     /// b: viscous friction [Nm s/rad].
@@ -298,22 +302,28 @@ impl Mechanism {
         !matches!(&self.kind, Kind::Joint(Joint { holding_torque: None, .. }))
     }
 
-    /// The torque as a sum of four parts with constant factors, where the mechanism is one.
+    /// The torque as a sum of five parts with constant factors, where the mechanism is one.
     ///
-    /// T = J α + T_h + T_c σ + b ω
+    /// T = J α + T_h + W cos(q + q_0) + T_c σ + b ω
     ///
-    /// # Valid    no dependence on the position, no efficiency and no stage, so that nothing switches with the sign of a
-    /// torque and recorded torque counts as it is
+    /// # Valid    constant inertia, no efficiency and no stage, so that nothing switches with the sign of a torque and
+    /// recorded torque counts as it is
     #[must_use]
     pub fn plain(&self, extra: &Extra) -> Option<Plain> {
         let losses = self.efficiency_driving != 1.0 || self.efficiency_driven != 1.0;
-        if self.depends_on_position() || losses || self.gearing().is_some() {
+        if losses || self.gearing().is_some() {
             return None;
         }
-        let reduced = self.reduced(0.0, extra);
+        let (reduced, weight_nm, angle_rad) = match &self.kind {
+            Kind::Rotor(rotor) => rotor.laden(extra).apart(),
+            Kind::SliderCrank(_) | Kind::Table(_) => return None,
+            Kind::Linear(_) | Kind::Joint(_) => (self.reduced(0.0, extra), 0.0, 0.0),
+        };
         Some(Plain {
             inertia_kgm2: reduced.inertia,
             constant_nm: reduced.holding + self.friction.external.si(),
+            weight_nm,
+            angle_rad,
             coulomb_nm: reduced.coulomb + self.friction.coulomb.si(),
             viscous_nms: self.friction.viscous.si(),
         })

@@ -77,6 +77,12 @@ pub(crate) struct Laden {
 }
 
 impl Laden {
+    /// What no position changes, and the weight by itself: its largest torque \[Nm\] and q_0 \[rad\].
+    pub(crate) fn apart(&self) -> (Reduced, f64, f64) {
+        let balanced = Self { weight_nm: 0.0, ..*self };
+        (balanced.reduced(0.0), self.weight_nm * self.sine_of_tilt, self.angle_rad)
+    }
+
     pub(crate) fn reduced(&self, position_rad: f64) -> Reduced {
         let lever = if self.weight_nm == 0.0 { 0.0 } else { (position_rad + self.angle_rad).cos() * self.sine_of_tilt };
         Reduced { inertia: self.inertia, slope: 0.0, holding: self.weight_nm * lever + self.torque_nm, coulomb: 0.0 }

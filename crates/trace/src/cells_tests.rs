@@ -2,7 +2,7 @@
 //! against a plain loop over every interval.
 
 use super::cubes::cubes_of_panel;
-use super::tests::{arm, direct};
+use super::tests::{arm, direct, lossless};
 use super::*;
 use mechanism::Plain;
 use motion::{Closing, Recorded, Samples, SegmentSpec, Treatment};
@@ -42,6 +42,8 @@ fn cases() -> Vec<(&'static str, Mechanism, Motion)> {
         ("viscous", viscous.clone(), noisy(false)),
         ("torque besides", viscous, noisy(true)),
         ("arm", arm(), noisy(false)),
+        ("lossless arm", lossless(), noisy(false)),
+        ("lossless arm with torque", lossless(), noisy(true)),
     ]
 }
 
@@ -121,6 +123,32 @@ fn the_largest_values_are_those_of_a_plain_loop() {
     }
 }
 
+/// Straight intervals side by side against finely cut sums: torque with and without a zero, speed from rest and to it.
+#[test]
+fn cubes_of_ramps_by_brute_force() {
+    let ramps = Ramps {
+        duration_s: [0.5, 2.0, 1e-3, 0.7],
+        acceleration_rad_s2: [0.0; 4],
+        speed_rad_s: [[0.0, -3.0, 2.0, -1.0], [4.0, -1.0, 2.0, 0.0]],
+        load_nm: [[5.0, -7.0, -1.0, 3.0], [9.0, 2.0, -1.0, -30.0]],
+        direction: 1.0,
+    };
+    let mut expected = 0.0;
+    for lane in 0..4 {
+        let steps = 100_000;
+        for k in 0..steps {
+            let u = (f64::from(k) + 0.5) / f64::from(steps);
+            let at = |ends: [[f64; 4]; 2]| ends[0][lane] + u * (ends[1][lane] - ends[0][lane]);
+            let torque = at(ramps.load_nm);
+            expected += (torque.powi(3) * at(ramps.speed_rad_s)).abs() * ramps.duration_s[lane] / f64::from(steps);
+        }
+    }
+    let found = crate::cubes::cubes_of_ramps(&ramps);
+    assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+    let empty = Ramps { duration_s: [0.0; 4], ..Ramps::default() };
+    assert_eq!(crate::cubes::cubes_of_ramps(&empty), 0.0);
+}
+
 #[test]
 fn the_cubes_are_those_of_a_plain_loop() {
     for (what, mechanism, motion) in cases() {
@@ -134,23 +162,87 @@ fn the_cubes_are_those_of_a_plain_loop() {
 /// The views of one survey, as the search for reserves makes them, against surveys of their own.
 #[test]
 fn another_load_and_another_pace_are_seen_as_if_surveyed_anew() {
-    let motion = noisy(true);
-    let base = Trace::of(&direct(), &motion, &[], &[]);
-    let _ = base.largest(&TorqueWith { inertia_kgm2: 0.5 });
-    for (mechanism, motion) in [(direct().with_masses(3.0), motion.clone()), (direct(), motion.stretched(0.7))] {
-        let (changed, anew) = (base.changed(&mechanism, &motion, &[], &[]), Trace::of(&mechanism, &motion, &[], &[]));
-        for own in [0.0, 0.5] {
-            let sought = TorqueWith { inertia_kgm2: own };
-            close(changed.largest(&sought).0, anew.largest(&sought).0, "peak");
-        }
-        close(changed.cubes(), anew.cubes(), "cubes");
-        for weights in [[0.3, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.2]] {
-            close(changed.gram.square(weights), anew.gram.square(weights), "sums");
-        }
-        let lag = |tau_s: f64| Lag { tau_s, form: Form::square([0.2, 0.5, 0.1, 0.3]) };
-        let (a, b) = (changed.peak_of_lags(&[lag(3.0), lag(900.0)]), anew.peak_of_lags(&[lag(3.0), lag(900.0)]));
-        assert!((a.value / b.value - 1.0).abs() < 1e-9, "{} {}", a.value, b.value);
+    let (positions, torques) = (noisy(false), noisy(true));
+    for (load, motion, is_factor) in [
+        (direct(), &torques, true),
+        (lossless(), &positions, true),
+        // The recorded torque stays when the load is another one.
+        (lossless(), &torques, false),
+    ] {
+        let base = Trace::of(&load, motion, &[], &[]);
+        let _ = base.largest(&TorqueWith { inertia_kgm2: 0.5 });
+        let heavier = base.changed(&load.with_masses(3.0), motion, &[], &[]);
+        seen_as_anew(&heavier, &Trace::of(&load.with_masses(3.0), motion, &[], &[]));
+        let faster = base.changed(&load, &motion.stretched(0.7), &[], &[]);
+        seen_as_anew(&faster, &Trace::of(&load, &motion.stretched(0.7), &[], &[]));
+        let survey = |trace: &Trace| trace.strips().first().map(Strip::survey_address);
+        assert_eq!([survey(&heavier) == survey(&base), survey(&faster) == survey(&base)], [is_factor, true]);
     }
+}
+
+/// A rotor in balance and one that is not know nothing of each other.
+#[test]
+fn a_weight_that_was_not_there_is_surveyed() {
+    let motion = noisy(true);
+    let base = Trace::of(&lossless(), &motion, &[], &[]);
+    for other in [direct(), lossless().with_masses(0.0)] {
+        seen_as_anew(&base.changed(&other, &motion, &[], &[]), &Trace::of(&other, &motion, &[], &[]));
+    }
+    let base = Trace::of(&direct(), &motion, &[], &[]);
+    seen_as_anew(&base.changed(&lossless(), &motion, &[], &[]), &Trace::of(&lossless(), &motion, &[], &[]));
+}
+
+/// What a view shows of an arm is what the arm asks for at every instant.
+#[test]
+fn the_view_of_an_arm_is_what_it_asks_for() {
+    let mut load = lossless();
+    load.friction.viscous = ViscousFriction::from_si(3.0);
+    for (motion, stretch) in [(noisy(true), 1.0), (noisy(false), 0.7), (noisy(true), 1.9)] {
+        let motion = motion.stretched(stretch);
+        let trace = Trace::of(&load, &motion, &[], &[]);
+        let [strip] = trace.strips() else { panic!("not kept") };
+        let placed = &motion.recordings()[0];
+        let mut seen = 0;
+        for index in 0..strip.intervals() {
+            let interval = placed.interval(index).unwrap();
+            strip.interval(index, &mut |panel| {
+                for node in panel.nodes {
+                    let share = (node.time_s - interval.start_s) / interval.duration_s;
+                    let (position_rad, speed_rad_s, torque) = interval.at(share);
+                    let output = mechanism::Output {
+                        position_rad,
+                        speed_rad_s,
+                        acceleration_rad_s2: interval.acceleration_rad_s2(),
+                        direction: node.direction,
+                    };
+                    let extra = Extra { torque: Torque::from_si(torque), ..Extra::none() };
+                    let asked = load.torque(&output, &extra);
+                    assert!((node.load_nm - asked).abs() < 1e-9 * (1.0 + asked.abs()), "{} {asked}", node.load_nm);
+                    seen += 1;
+                }
+            });
+        }
+        assert!(seen > 60_000, "{seen}");
+        let holding =
+            placed.recorded.position_rad().iter().map(|q| load.holding_torque(q + placed.offset_rad, &Extra::none()));
+        let holding = holding.map(|torque| torque.si().abs()).fold(0.0, f64::max);
+        close(trace.holding().si(), holding, "holding");
+    }
+}
+
+fn seen_as_anew(changed: &Trace, anew: &Trace) {
+    for own in [0.0, 0.5] {
+        let sought = TorqueWith { inertia_kgm2: own };
+        close(changed.largest(&sought).0, anew.largest(&sought).0, "peak");
+    }
+    close(changed.holding().si(), anew.holding().si(), "holding");
+    close(changed.cubes(), anew.cubes(), "cubes");
+    for weights in [[0.3, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.2]] {
+        close(changed.gram.square(weights), anew.gram.square(weights), "sums");
+    }
+    let lag = |tau_s: f64| Lag { tau_s, form: Form::square([0.2, 0.5, 0.1, 0.3]) };
+    let (a, b) = (changed.peak_of_lags(&[lag(3.0), lag(900.0)]), anew.peak_of_lags(&[lag(3.0), lag(900.0)]));
+    assert!((a.value / b.value - 1.0).abs() < 1e-9, "{} {}", a.value, b.value);
 }
 
 /// Two lags, one short and one long against the blocks, by the exact step of a parabola over every interval.
@@ -243,9 +335,7 @@ fn from_rest() -> Motion {
 /// Several intervals side by side have the integrals of their panels, block by block, and most of them go side by side.
 #[test]
 fn a_sweep_has_the_integrals_of_the_panels() {
-    let mut lossless = arm();
-    (lossless.efficiency_driving, lossless.efficiency_driven) = (1.0, 1.0);
-    let rest = [("from rest", direct()), ("arm from rest", lossless), ("arm with losses", arm())]
+    let rest = [("from rest", direct()), ("arm from rest", lossless()), ("arm with losses", arm())]
         .map(|(what, load)| (what, load, from_rest()));
     let noise = cases().into_iter().chain([("arm with torque", arm(), noisy(true))]);
     for (what, mechanism, motion) in noise.chain(rest) {

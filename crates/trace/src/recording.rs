@@ -47,11 +47,14 @@ pub struct Strip {
     surveyed: Placed,
     mechanism: Mechanism,
     extra: Extra,
+    /// Of a load that is a sum of parts with constant factors: then a view of a survey shows it.
     plain: Option<Plain>,
+    /// The weight under which it was surveyed \[Nm\].
+    surveyed_weight_nm: f64,
     /// Positions at which the load has a corner.
     kinks: Vec<f64>,
     view: View,
-    /// Of a mechanism that is not plain.
+    /// Where the intervals are not straight: what does not hang on the pace of a load that is a sum, else all of it.
     loads: Arc<Known>,
     survey: Arc<Survey>,
 }
@@ -60,8 +63,10 @@ pub struct Strip {
 #[derive(Debug)]
 pub(super) struct Survey {
     blocks: Vec<Block>,
-    /// Smallest and largest J_L \[kgm²\] and holding torque \[Nm\] over the positions; of a plain mechanism not needed.
+    /// Smallest and largest J_L \[kgm²\] and holding torque \[Nm\] over the positions; of a load that is a sum not needed.
     by_position: Option<((f64, f64), f64)>,
+    /// The positions at which the weight of such a load has its smallest and its largest lever \[rad\].
+    levers: [f64; 2],
     /// Lowest and highest recorded position \[rad\].
     span: (f64, f64),
     lags: OnceLock<Vec<LagBlock>>,
@@ -83,6 +88,9 @@ pub(super) struct Found {
     pub(super) holding: f64,
 }
 
+/// A panel of an interval has so many nodes at most.
+const NODES: usize = 16;
+
 /// A part of an interval in which the direction does not change, from one share of it to another.
 type Part = (f64, f64, f64);
 
@@ -97,28 +105,55 @@ impl Strip {
                 viscous: plain.viscous_nms,
                 stretch: placed.stretch,
                 start: placed.start_s,
+                ..View::NONE
             },
-            None => View { inertia: 0.0, coulomb: 0.0, viscous: 0.0, stretch: 1.0, start: 0.0 },
+            None => View::NONE,
         };
-        let same = |other: &&Self| {
-            let constant = |plain: &Option<Plain>| plain.map(|plain| plain.constant_nm);
-            plain.is_some()
-                && constant(&other.plain) == constant(&plain)
-                && Arc::ptr_eq(&other.placed.recorded, &placed.recorded)
-        };
-        let known = known.iter().find(same).map(|other| Arc::clone(&other.survey));
         let surveyed = match &plain {
-            Some(_) => Placed { start_s: 0.0, offset_rad: 0.0, stretch: 1.0, ..placed.clone() },
+            Some(_) => Placed { start_s: 0.0, stretch: 1.0, ..placed.clone() },
             None => placed.clone(),
         };
+        let known = plain.and_then(|plain| known.iter().find(|other| other.shows(&plain, &placed)));
         let kinks = mechanism.kinks();
+        let surveyed_weight_nm = plain.map_or(0.0, |plain| plain.weight_nm);
         let (loads, survey) = (Arc::default(), Arc::new(Survey::empty()));
-        let mut strip = Self { placed, surveyed, mechanism, extra, plain, kinks, view, loads, survey };
-        if strip.plain.is_none() {
+        let mut strip =
+            Self { placed, surveyed, mechanism, extra, plain, surveyed_weight_nm, kinks, view, loads, survey };
+        if let Some(known) = known {
+            (strip.loads, strip.survey) = (Arc::clone(&known.loads), Arc::clone(&known.survey));
+            if known.surveyed_weight_nm != 0.0 {
+                strip.view.weight = surveyed_weight_nm / known.surveyed_weight_nm;
+            }
+            strip.surveyed_weight_nm = known.surveyed_weight_nm;
+            return strip;
+        }
+        if strip.straight().is_none() {
             strip.loads = Arc::new(strip.find_loads());
         }
-        strip.survey = known.unwrap_or_else(|| Arc::new(strip.look()));
+        strip.survey = Arc::new(strip.look());
         strip
+    }
+
+    /// Whether a view of its survey shows a recording under a load that is a sum of parts.
+    fn shows(&self, plain: &Plain, placed: &Placed) -> bool {
+        let Some(own) = &self.plain else { return false };
+        if !Arc::ptr_eq(&self.placed.recorded, &placed.recorded) || own.constant_nm != plain.constant_nm {
+            return false;
+        }
+        if self.surveyed_weight_nm == 0.0 || plain.weight_nm == 0.0 {
+            return self.surveyed_weight_nm == plain.weight_nm;
+        }
+        // Another weight is a factor where nothing is added to it.
+        let alone = own.constant_nm == 0.0 && placed.recorded.torque_nm().is_none();
+        (alone || self.surveyed_weight_nm == plain.weight_nm)
+            && own.angle_rad == plain.angle_rad
+            && self.placed.offset_rad == placed.offset_rad
+    }
+
+    /// The load where it makes every interval a straight one.
+    #[inline]
+    fn straight(&self) -> Option<&Plain> {
+        self.plain.as_ref().filter(|_| self.surveyed_weight_nm == 0.0)
     }
 
     /// The panels of an interval, one for each direction: both ends and the middle with the weights of Simpson's rule. Where
@@ -129,23 +164,22 @@ impl Strip {
             return;
         }
         self.raw_interval(index, &mut |panel| {
-            if let [a, b, c] = panel.nodes {
-                let nodes = [a, b, c].map(|node| self.view.node(node));
-                look(Panel {
-                    nodes: &nodes,
-                    duration_s: panel.duration_s * self.view.stretch,
-                    bow: panel.bow,
-                    extent: None,
-                    like: None,
-                });
-            }
+            let mut nodes = [Node::default(); NODES];
+            nodes.iter_mut().zip(panel.nodes).for_each(|(node, raw)| *node = self.view.node(raw));
+            look(Panel {
+                nodes: nodes.get(..panel.nodes.len()).unwrap_or_default(),
+                duration_s: panel.duration_s * self.view.stretch,
+                bow: self.view.bow(panel.bow),
+                extent: None,
+                like: None,
+            });
         });
     }
 
     /// The same in the signals of the survey: of a plain mechanism those of the recording by itself.
     fn raw_interval(&self, index: usize, look: &mut impl FnMut(Panel<'_>)) {
         let Some(interval) = self.surveyed.interval(index) else { return };
-        let Some(plain) = &self.plain else {
+        let Some(plain) = self.straight() else {
             match (self.loads.pieces(index), loads::direction(&interval)) {
                 (pieces @ [Some(_), _], Some(direction)) => {
                     pieces.iter().flatten().for_each(|piece| piece.panel(&interval, direction, look));
@@ -223,7 +257,7 @@ impl Strip {
         let blocks = in_two(&ranges, intervals >= SHARED_FROM, &|range| self.block(range.clone()));
         let positions = self.placed.recorded.position_rad();
         let span = range(positions);
-        let by_position = self.mechanism.depends_on_position().then(|| {
+        let by_position = (self.plain.is_none() && self.mechanism.depends_on_position()).then(|| {
             let (mut inertia, mut holding) = ((f64::INFINITY, f64::NEG_INFINITY), 0.0_f64);
             for q in positions {
                 let q = q + self.placed.offset_rad;
@@ -238,12 +272,26 @@ impl Strip {
             lag_parts: blocks.iter().map(|_| OnceLock::new()).collect(),
             blocks,
             by_position,
+            levers: self.levers(),
             span,
             lags: OnceLock::new(),
             largest_swings: OnceLock::new(),
             cubes: OnceLock::new(),
             gains: GainTables::default(),
         }
+    }
+
+    /// The positions at which the weight has its smallest and its largest lever.
+    fn levers(&self) -> [f64; 2] {
+        let Some(plain) = self.plain.filter(|plain| plain.weight_nm != 0.0) else { return [0.0; 2] };
+        let positions = self.placed.recorded.position_rad().iter().map(|q| q + self.placed.offset_rad);
+        let (mut low, mut high) = ((f64::INFINITY, 0.0), (f64::NEG_INFINITY, 0.0));
+        for q in positions {
+            let lever = (q + plain.angle_rad).cos();
+            low = if lever < low.0 { (lever, q) } else { low };
+            high = if lever > high.0 { (lever, q) } else { high };
+        }
+        [low.1, high.1]
     }
 
     /// What the survey says under this load, with the blocks of the strip of this number.
@@ -269,7 +317,8 @@ impl Strip {
         };
         let (inertia, holding) = self.survey.by_position.unwrap_or_else(|| {
             let inertia = self.mechanism.inertia(0.0, &self.extra).si();
-            ((inertia, inertia), self.mechanism.holding_torque(0.0, &self.extra).si().abs())
+            let holding = self.survey.levers.map(|q| self.mechanism.holding_torque(q, &self.extra).si().abs());
+            ((inertia, inertia), holding.into_iter().fold(0.0, f64::max))
         });
         Found {
             blocks: self.survey.blocks.iter().map(block).collect(),
@@ -284,13 +333,24 @@ impl Strip {
         &self.view
     }
 
+    /// Tells one survey from another.
+    #[cfg(test)]
+    pub(super) fn survey_address(&self) -> *const Survey {
+        Arc::as_ptr(&self.survey)
+    }
+
     pub(super) fn survey(&self) -> &Survey {
         &self.survey
     }
 
+    /// Whether its cells have moments for the cube of a torque.
+    pub(super) fn has_moments(&self) -> bool {
+        self.straight().is_some()
+    }
+
     /// The moments of a cell for the cube of a torque; of a plain mechanism only, whose intervals are straight.
     pub(super) fn cubic(&self, cell: &Cell) -> Option<&Moments> {
-        self.plain.as_ref()?;
+        self.straight()?;
         self.survey.cubes.get_or_init(|| self.cells().moments(self)).get(cell.number as usize)
     }
 
@@ -364,6 +424,7 @@ impl Survey {
         Self {
             blocks: Vec::new(),
             by_position: None,
+            levers: [0.0; 2],
             span: (0.0, 0.0),
             lags: OnceLock::new(),
             largest_swings: OnceLock::new(),

@@ -53,6 +53,11 @@ pub(super) fn arm() -> Mechanism {
     Mechanism { kind: Kind::Rotor(rotor), efficiency_driving: 0.9, efficiency_driven: 0.8, ..direct() }
 }
 
+/// The same without losses: a sum of five parts.
+pub(super) fn lossless() -> Mechanism {
+    Mechanism { efficiency_driving: 1.0, efficiency_driven: 1.0, ..arm() }
+}
+
 /// The same integrals by composite Simpson sums, 4000 steps over each span between reversals and sign changes of the
 /// torque; the fourth-order error is far below the tolerance.
 fn brute(mechanism: &Mechanism, motion: &Motion, own: f64) -> [f64; 5] {

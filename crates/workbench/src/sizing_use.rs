@@ -178,7 +178,9 @@ pub fn order(project: &Project) -> Sizing<'_> {
 /// Where it was stopped.
 pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, told: usize, watch: &W) -> Result<Sizing<'p>, W::Stop> {
     let actuators = actuators_of(project, project.option_1);
-    let depth = if told < actuators.len() { Depth::Ranking } else { Depth::Survivors };
+    // Of a short cycle the energy costs less than to judge some of them twice.
+    let is_long = told < actuators.len() && !project.axis.is_short();
+    let depth = if is_long { Depth::Ranking } else { Depth::Survivors };
     let mut candidates = ranked(judged_by_two(project, actuators, depth, watch)?);
     if depth == Depth::Ranking {
         let mut judging = Judging::of(project, Depth::Full);

@@ -1,7 +1,7 @@
 //! An interval of a recording whose load depends on the position or has losses: cut where the losses change sides and at
 //! the corners of the load, with as many nodes as it turns far.
 
-use super::{Node, Panel, Strip, parts};
+use super::{NODES, Node, Panel, Strip, parts};
 use crate::crossing;
 use mechanism::{Extra, Output};
 use motion::{Interval, lobatto};
@@ -22,7 +22,7 @@ impl Strip {
     pub(super) fn bent_interval(&self, interval: &Interval, look: &mut impl FnMut(Panel<'_>)) {
         let lossless = |driving: f64, driven: f64| driving == 1.0 && driven == 1.0;
         let lossy = !lossless(self.mechanism.efficiency_driving, self.mechanism.efficiency_driven);
-        let plain = !lossy && self.mechanism.stage.is_none() && self.kinks.is_empty();
+        let plain = self.plain.is_some() || !lossy && self.mechanism.stage.is_none() && self.kinks.is_empty();
         for (from, to, direction) in parts(interval) {
             if plain {
                 self.bent_panel(interval, (from, to, direction), look);
@@ -91,9 +91,9 @@ impl Strip {
         look: &mut impl FnMut(Panel<'_>),
     ) {
         let turned = (interval.at(to).0 - interval.at(from).0).abs() / self.mechanism.stage_ratio();
-        let count = TURNED.iter().find(|(most, _)| turned <= *most).map_or(16, |(_, count)| *count);
+        let count = TURNED.iter().find(|(most, _)| turned <= *most).map_or(NODES, |(_, count)| *count);
         let duration = (to - from) * interval.duration_s;
-        let mut nodes = [Node::default(); 16];
+        let mut nodes = [Node::default(); NODES];
         for (node, (share, weight)) in nodes.iter_mut().zip(lobatto(count)) {
             let u = if *share == 1.0 { to } else { from + share * (to - from) };
             let beside = if self.kinks.is_empty() { u } else { from + share.clamp(BESIDE, 1.0 - BESIDE) * (to - from) };
@@ -105,7 +105,14 @@ impl Strip {
                 acceleration_rad_s2: output.acceleration_rad_s2,
                 speed_rad_s: output.speed_rad_s,
                 direction,
-                load_nm: self.mechanism.torque(&output, &self.with_recorded(torque)),
+                load_nm: match &self.plain {
+                    // The rest is a matter of the view.
+                    Some(plain) => {
+                        let lever = (output.position_rad + plain.angle_rad).cos();
+                        torque + plain.constant_nm + self.surveyed_weight_nm * lever
+                    }
+                    None => self.mechanism.torque(&output, &self.with_recorded(torque)),
+                },
             };
         }
         let nodes = nodes.get(..count).unwrap_or_default();

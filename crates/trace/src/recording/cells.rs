@@ -127,7 +127,7 @@ impl Cells {
         let of_leaf = |cell: &Cell| {
             let mut moments = [0.0; 20];
             if let Inside::Intervals(from, to) = cell.inside {
-                let constant = strip.plain.as_ref().map(|plain| plain.constant_nm);
+                let constant = strip.straight().map(|plain| plain.constant_nm);
                 let constant = constant.filter(|_| strip.surveyed.recorded.torque_nm().is_none());
                 for index in self.intervals(from, to) {
                     match (constant, strip.surveyed.interval(index)) {
@@ -185,7 +185,7 @@ impl Point<3> {
         let interval = strip.surveyed.interval(index)?;
         let [from, to] = interval.speed_rad_s;
         let mut torque = 0.0;
-        if strip.plain.is_none() {
+        if strip.straight().is_none() {
             strip.raw_interval(index, &mut |panel: Panel<'_>| {
                 torque = panel.nodes.get(panel.nodes.len() / 2).map_or(0.0, |node| node.load_nm);
             });
@@ -202,7 +202,7 @@ impl Point<4> {
         let interval = strip.surveyed.interval(index)?;
         let [from, to] = interval.speed_rad_s;
         let mut torque = interval.torque_nm;
-        if strip.plain.is_none() {
+        if strip.straight().is_none() {
             let mut ends: Option<[f64; 2]> = None;
             strip.raw_interval(index, &mut |panel: Panel<'_>| {
                 if let [first, .., last] = panel.nodes {
@@ -271,9 +271,10 @@ fn split<const N: usize>(
         let inside = Inside::Intervals(first, first + count(points.len()));
         // As they lie in the memory.
         points.sort_unstable_by_key(|point| point.index);
-        let cell = match of {
-            (Strip { plain: Some(plain), .. }, Some(direction)) => straight(of.0, (plain, direction), points, inside),
-            (strip, _) => {
+        let strip = of.0;
+        let cell = match (strip.straight(), of.1) {
+            (Some(plain), Some(direction)) => straight(strip, (plain, direction), points, inside),
+            _ => {
                 let mut cell = Cell { inside, ..Cell::NONE };
                 for point in points.iter() {
                     strip.raw_interval(point.index as usize, &mut |panel| cell.add(&panel));

@@ -28,7 +28,7 @@ impl Strip {
 
     /// What lags need of some intervals.
     fn lag_block(&self, duration: f64, (back, forth): (f64, f64), intervals: &Range<usize>) -> LagBlock {
-        if let (Some(plain), None, true) = (&self.plain, self.surveyed.recorded.torque_nm(), back == forth) {
+        if let (Some(plain), None, true) = (self.straight(), self.surveyed.recorded.torque_nm(), back == forth) {
             let intervals = intervals.clone().filter_map(|index| self.surveyed.interval(index));
             return LagBlock::straight(duration, [plain.constant_nm, back], intervals);
         }

@@ -154,22 +154,20 @@ impl Strip {
 #[cfg(test)]
 mod tests {
     use crate::cells_tests::noisy;
-    use crate::tests::arm;
+    use crate::tests::{arm, lossless};
     use crate::{Node, Panel, Trace};
 
     /// What was found once is what is found anew.
     #[test]
     fn known_panels_are_those_made_anew() {
-        let mut lossless = arm();
-        (lossless.efficiency_driving, lossless.efficiency_driven) = (1.0, 1.0);
-        for (mechanism, is_cut) in [(lossless, false), (arm(), true)] {
+        for (mechanism, is_cut) in [(lossless(), false), (arm(), true)] {
             let trace = Trace::of(&mechanism, &noisy(true), &[], &[]);
             let [strip] = trace.strips() else { panic!("not kept") };
             let (mut known, mut cut) = (0, 0);
             for index in 0..strip.intervals() {
                 let all = |found: &mut Vec<Node>, panel: &Panel<'_>| found.extend_from_slice(panel.nodes);
                 let (mut found, mut expected) = (Vec::new(), Vec::new());
-                strip.interval(index, &mut |panel| all(&mut found, &panel));
+                strip.raw_interval(index, &mut |panel| all(&mut found, &panel));
                 strip.bent_interval(&strip.surveyed.interval(index).unwrap(), &mut |panel| all(&mut expected, &panel));
                 assert_eq!(found.len(), expected.len());
                 for (found, expected) in found.iter().zip(&expected) {

@@ -17,7 +17,7 @@ impl Strip {
             // Up to where the axis turns round, starts or stops; one interval at least.
             let to = self.one_way(from, intervals.end).max(from + 1);
             let many = from + (to - from) / LANES * LANES;
-            let sums = self.plain.as_ref().filter(|_| many > from);
+            let sums = self.straight().filter(|_| many > from);
             if let Some(part) = sums.and_then(|plain| self.quick(plain, &place, from..many)) {
                 block.join(&part);
                 from = many;

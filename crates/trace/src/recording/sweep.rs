@@ -41,7 +41,7 @@ impl Strip {
     /// Passes the intervals of a block in the order of time, as [`Strip::panels`] does.
     pub fn sweep(&self, block: &Block, look: &mut impl FnMut(Swept<'_>)) {
         let Place::Recorded { intervals, .. } = &block.place else { return };
-        let Some(plain) = &self.plain else {
+        let Some(plain) = self.straight() else {
             return self.pieces(block, intervals.clone(), look);
         };
         // Where the bounds show one direction nothing turns round.
@@ -112,8 +112,12 @@ impl Strip {
         let bent_at_most = STRAIGHT * f64::max(block.extent.load_nm.1, -block.extent.load_nm.0);
         let mut gathered = Gathered::default();
         for index in intervals {
-            let Some(interval) = self.surveyed.interval(index) else { continue };
-            let pieces = self.loads.pieces(index);
+            let Some(interval) = self.placed.interval(index) else { continue };
+            let seen = |piece: Piece| match direction(&interval) {
+                Some(direction) => self.view.piece(&piece, &interval, direction),
+                None => piece,
+            };
+            let pieces = self.loads.pieces(index).map(|piece| piece.map(seen));
             let is_straight = |piece: &Piece| piece.bend().abs() <= bent_at_most;
             match direction(&interval) {
                 Some(direction) if pieces[0].is_some() && pieces.iter().flatten().all(is_straight) => {

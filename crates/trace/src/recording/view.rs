@@ -1,15 +1,19 @@
 //! A recording seen under another load and at another pace than its survey.
 
+use super::loads::Piece;
 use crate::{Extent, Form, Gram, Node};
+use motion::Interval;
 
 /// How the signals of a strip follow from those that its survey holds.
 ///
-/// α = α_0/f², ω = ω_0/f, T_L = R + J α + T_c σ + b ω, t = t_0 + f t'
+/// α = α_0/f², ω = ω_0/f, T_L = w R + J α + T_c σ + b ω, t = t_0 + f t'
 ///
-/// # Symbols  f stretch of the time; R recorded torque and what does not change over the motion \[Nm\]
+/// # Symbols  f stretch of the time; R recorded torque, what does not change over the motion and what the weight asks for at
+/// each position \[Nm\]; w factor on R, other than one only where it is the weight alone
 /// # Source   docs/theory/moments.md
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct View {
+    pub(super) weight: f64,
     pub(super) inertia: f64,
     pub(super) coulomb: f64,
     pub(super) viscous: f64,
@@ -18,6 +22,10 @@ pub(crate) struct View {
 }
 
 impl View {
+    /// What the survey holds itself.
+    pub(super) const NONE: Self =
+        Self { weight: 1.0, inertia: 0.0, coulomb: 0.0, viscous: 0.0, stretch: 1.0, start: 0.0 };
+
     #[inline]
     pub(super) fn node(&self, raw: &Node) -> Node {
         let (acceleration, speed) =
@@ -28,8 +36,28 @@ impl View {
             acceleration_rad_s2: acceleration,
             speed_rad_s: speed,
             direction: raw.direction,
-            load_nm: raw.load_nm + self.inertia * acceleration + self.coulomb * raw.direction + self.viscous * speed,
+            load_nm: self.weight * raw.load_nm
+                + self.inertia * acceleration
+                + self.coulomb * raw.direction
+                + self.viscous * speed,
         }
+    }
+
+    /// A piece of an interval, placed as the view has it and run through in one direction, under the load.
+    #[inline]
+    pub(super) fn piece(&self, raw: &Piece, interval: &Interval, direction: f64) -> Piece {
+        let [begin, end] = interval.speed_rad_s;
+        let unchanging = self.inertia * interval.acceleration_rad_s2() + self.coulomb * direction;
+        let at = |u: f64, load: f64| self.weight * load + unchanging + self.viscous * (begin + u * (end - begin));
+        let [first, middle, last] = raw.loads;
+        let loads = [at(raw.from, first), at(0.5 * (raw.from + raw.to), middle), at(raw.to, last)];
+        Piece { loads, ..*raw }
+    }
+
+    /// How far the signals bend: R alone does.
+    #[inline]
+    pub(super) fn bow(&self, [acceleration, load, direction, speed]: [f64; 4]) -> [f64; 4] {
+        [acceleration, self.weight.abs() * load, direction, speed]
     }
 
     /// Row i gives signal i from those of the survey.
@@ -39,7 +67,7 @@ impl View {
         let slower = slow * slow;
         [
             [slower, 0.0, 0.0, 0.0],
-            [self.inertia * slower, 1.0, self.coulomb, self.viscous * slow],
+            [self.inertia * slower, self.weight, self.coulomb, self.viscous * slow],
             [0.0, 0.0, 1.0, 0.0],
             [0.0, 0.0, 0.0, slow],
         ]
@@ -49,12 +77,13 @@ impl View {
     pub(super) fn gram(&self, raw: &Gram) -> Gram {
         let slow = 1.0 / self.stretch;
         let (a, j, c, b) = (slow * slow, self.inertia * slow * slow, self.coulomb, self.viscous * slow);
+        let r = self.weight;
         let [ga, gt, gs, gw] = raw.0;
-        let torque = |[ga, gt, gs, gw]: [f64; 4]| j * ga + gt + c * gs + b * gw;
+        let torque = |[ga, gt, gs, gw]: [f64; 4]| j * ga + r * gt + c * gs + b * gw;
         let (ta, tt, ts, tw) = (torque(ga), torque(gt), torque(gs), torque(gw));
         let f = self.stretch;
         let [aa, at, as_, aw] = [f * a * a * ga[0], f * a * ta, f * a * ga[2], f * a * slow * ga[3]];
-        let [ttt, tts, ttw] = [f * (j * ta + tt + c * ts + b * tw), f * ts, f * slow * tw];
+        let [ttt, tts, ttw] = [f * (j * ta + r * tt + c * ts + b * tw), f * ts, f * slow * tw];
         let [ss, sw, ww] = [f * gs[2], f * slow * gs[3], f * slow * slow * gw[3]];
         Gram([[aa, at, as_, aw], [at, ttt, tts, ttw], [as_, tts, ss, sw], [aw, ttw, sw, ww]])
     }
@@ -75,7 +104,7 @@ impl View {
         let slow = 1.0 / self.stretch;
         let (acceleration, speeds) = (times(raw.acceleration_rad_s2, slow * slow), times(raw.speeds_rad_s, slow));
         let parts = [
-            raw.load_nm,
+            times(raw.load_nm, self.weight),
             times(acceleration, self.inertia),
             times(raw.direction, self.coulomb),
             times(speeds, self.viscous),
