@@ -79,6 +79,21 @@ pub struct Reserve {
     pub ambient: Option<Number>,
     /// Units of the latter two.
     pub units: Units,
+    /// What was not sought because of what it costs; `null` where everything was.
+    pub not_sought: Option<NotSought>,
+}
+
+/// Changes that were not sought: each step of the search would find the load of a long recording anew.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct NotSought {
+    /// The fields beside this one that are `null` for it.
+    pub quantities: Vec<&'static str>,
+    /// How many samples each step would look at.
+    pub samples: usize,
+    /// How many it may without `--deadline`.
+    pub most: usize,
+    /// The same in words.
+    pub text: String,
 }
 
 /// A limit of the project that would have to be another.

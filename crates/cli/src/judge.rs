@@ -206,7 +206,9 @@ fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: La
         out.push_str(&reserve_text(&Reserve::default(), limited, language));
     }
     if let Some(near) = nearest {
-        out.push_str(&reserve_text(&workbench::reserve_of(project, near), near, language));
+        if let Ok(reserve) = workbench::reserve_within(project, near, patience()) {
+            out.push_str(&reserve_text(&reserve, near, language));
+        }
     }
     out
 }

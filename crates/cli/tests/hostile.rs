@@ -237,6 +237,37 @@ fn whoever_asks_for_json_gets_every_fault_as_json() {
     assert_eq!(fs::read_dir(here).unwrap().count(), 1, "nothing was written");
 }
 
+/// What would take long is not begun unasked, and said in each form of the answer.
+#[test]
+fn reserves_of_a_long_recording_under_losses_are_not_sought_unasked() {
+    let rows: String = (0..=50_001_u32)
+        .map(|k| {
+            let t = f64::from(k) / 1000.0;
+            format!("{t:.3},{:.6}\n", (1.0 - (t * std::f64::consts::TAU / 25.0005).cos()) * 0.4)
+        })
+        .collect();
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("swing.csv"), format!("time [s],position [rad]\n{rows}")).unwrap();
+    let text = "format = 1\n[axis]\nsingle_move = true\n[mechanism.arm]\ninertia = \"0.5 kg m^2\"\nmass = \"2 kg\"\n\
+                centre_distance = \"100 mm\"\naxis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\nefficiency = 0.9\n\
+                [[motion]]\nlaw = \"recorded\"\nfile = \"swing.csv\"\n";
+    fs::write(folder.path().join("axis.toml"), text).unwrap();
+    let check = ["check", "axis.toml", "--code", "CHA-25A-100-H-C1024", "--lang", "en"];
+    let run = |more: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
+        let output = command.args(check).args(more).current_dir(folder.path()).output().unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let told = run(&[]).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains("not sought: other loads and other cycle times"), "{told}");
+    assert!(told.contains("50002 samples") && told.contains("--deadline"), "{told}");
+    let found: serde_json::Value = serde_json::from_str(&run(&["--json"])).unwrap();
+    let reserve = &found["reserve"];
+    assert_eq!(reserve["not_sought"]["samples"], 50_002, "{reserve}");
+    assert_eq!(reserve["not_sought"]["quantities"][2], "cycle_time", "{reserve}");
+    assert!(reserve["cycle_time"].is_null() && reserve["ambient"].is_number(), "{reserve}");
+}
+
 #[test]
 fn an_axis_that_cannot_be_answered_has_no_verdict_beside_it() {
     let folder = tempfile::tempdir().unwrap();

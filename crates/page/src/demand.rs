@@ -13,8 +13,8 @@ use workbench::text::{
     terminal, terms, verdict_word,
 };
 use workbench::{
-    Candidate, Check, Draw, Language, Patience, Project, Reserve, Verdict, by_importance, demand_figures, figure_text,
-    margins, objection_text, percent, reserve_lines, unit_text,
+    Candidate, Check, Language, Patience, Project, Verdict, by_importance, demand_figures, figure_text, objection_text,
+    percent, reserve_lines, reserve_unasked, unit_text,
 };
 
 /// Width of the pictures in the page, in pixels.
@@ -78,8 +78,8 @@ fn head(candidate: &Candidate<'_>, language: Language) -> Markup {
 }
 
 fn sums(project: &Project, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Markup {
-    let reserve = margins(project, candidate, Draw { samples: Some(1), seed: 1 }, patience);
-    let reserve = reserve.map(|(reserve, _)| reserve).unwrap_or_else(|_| Reserve::default());
+    // As far as that is quick: a page answers while somebody types.
+    let reserve = reserve_unasked(project, candidate, patience).unwrap_or_default();
     html! {
         section aria-label=(page::sums(language)) {
             @if let Some(demand) = &candidate.judgement.demand {

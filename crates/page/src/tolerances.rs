@@ -10,7 +10,7 @@ use maud::{Markup, html};
 use workbench::answer::refusal_text;
 use workbench::text::{capitalised, page};
 use workbench::{
-    Assessment, Candidate, Language, Patience, Project, Refusal, margins, sampling_text, sized, tolerance_heads,
+    Assessment, Candidate, Language, Patience, Project, Refusal, sampling_text, scatter, sized, tolerance_heads,
     tolerance_lines, tolerance_rows,
 };
 
@@ -52,9 +52,9 @@ pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
         if state.code.is_none() && project.actuator.is_none() { sized(project, 0, patience).ok() } else { None };
     let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first());
     let Some(candidate) = looked_at(&state, project, best) else { return html! {} };
-    match margins(project, &candidate, state.draw(), patience) {
-        Ok((_, Some(assessment))) => found(project, &assessment, l),
-        Ok((_, None)) => html! {},
+    match scatter(project, &candidate, state.draw(), patience) {
+        Ok(Some(assessment)) => found(project, &assessment, l),
+        Ok(None) => html! {},
         Err(Refusal::Stopped) => stopped(),
         Err(refusal) => html! { p.fault { (refusal_text(&refusal, None, l)) } },
     }

@@ -44,5 +44,5 @@ pub use flange::{DerivedLoads, FlangeSample};
 pub use judge::{Checks, Depth, InOrder, Judge, Judgement, Naming, judge};
 pub use notes::{Note, Notes};
 pub use rank::{Standing, rank};
-pub use reserve::{Reserve, reserve, reserve_watched};
+pub use reserve::{Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watched};
 pub use watch::{Unwatched, Watch, finished};

@@ -19,7 +19,23 @@ pub struct Reserve {
     pub cycle_time: Option<Time>,
     /// Highest ambient temperature.
     pub ambient: Option<ThermodynamicTemperature>,
+    /// What was not sought for its cost.
+    pub unsought: Option<Unsought>,
 }
+
+/// Changes of the load, and perhaps of the pace, that were not sought: each step would find the load of a long recording
+/// anew.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unsought {
+    /// Whether the cycle time is among them; load and payloads always are.
+    pub pace: bool,
+    /// How many samples each step would look at, more than are looked at unasked.
+    pub samples: usize,
+}
+
+/// Samples whose load the steps of the search find anew at most where nobody has said how long it may take: some forty
+/// steps, seventy with payloads, at 1.5 µs for a sample of noise under losses.
+pub const SAMPLES_ANEW: usize = 50_000;
 
 /// Factors looked at: beyond, nobody asks.
 const FACTOR_MOST: f64 = 1e3;
@@ -46,14 +62,20 @@ const AMBIENT_STEP: f64 = 5.0;
 /// motion prepared anew for each.
 #[must_use]
 pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
-    finished(reserve_watched(axis, actuator, &Unwatched))
+    finished(reserve_watched(axis, actuator, usize::MAX, &Unwatched))
 }
 
-/// The same for somebody who may stop it.
+/// The same for somebody who may stop it; changes for which each step finds the load of more than `most` samples anew are
+/// not sought.
 ///
 /// # Errors
 /// Where it was stopped.
-pub fn reserve_watched<W: Watch>(axis: &Axis, actuator: &Parameters, watch: &W) -> Result<Reserve, W::Stop> {
+pub fn reserve_watched<W: Watch>(
+    axis: &Axis,
+    actuator: &Parameters,
+    most: usize,
+    watch: &W,
+) -> Result<Reserve, W::Stop> {
     let excess = |axis: &Axis| -> Result<f64, W::Stop> {
         watch.step()?;
         Ok(excess(axis, actuator))
@@ -79,8 +101,15 @@ pub fn reserve_watched<W: Watch>(axis: &Axis, actuator: &Parameters, watch: &W) 
         // No load and no pace mends what hangs on neither.
         return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
     }
-    let of_loads = || Ok((largest(load)?, if carries { largest(payload)? } else { None }));
-    let of_others = || Ok((largest(faster)?, ambient()?));
+    let [other_load, other_pace] = axis.trace.found_anew();
+    let seeks = [other_load <= most, other_pace <= most];
+    let of_loads = || match seeks {
+        [true, _] => Ok((largest(load)?, if carries { largest(payload)? } else { None })),
+        [false, _] => Ok((None, None)),
+    };
+    let of_others = || Ok((if seeks[1] { largest(faster)? } else { None }, ambient()?));
+    // What changes with the pace changes with the load too.
+    let unsought = (!seeks[0]).then_some(Unsought { pace: !seeks[1], samples: other_load });
     let (loads, others): (Result<_, W::Stop>, Result<_, W::Stop>) = if axis.is_short() {
         // Beginning a thread would take as long as the work.
         (of_loads(), of_others())
@@ -94,7 +123,7 @@ pub fn reserve_watched<W: Watch>(axis: &Axis, actuator: &Parameters, watch: &W) 
     };
     let ((load_factor, payload_factor), (factor, ambient)) = (loads?, others?);
     let cycle_time = factor.map(|factor| Time::from_si(axis.moments().duration.si() / factor));
-    Ok(Reserve { load_factor, payload_factor, cycle_time, ambient })
+    Ok(Reserve { load_factor, payload_factor, cycle_time, ambient, unsought })
 }
 
 /// How near to its limits an actuator is: above zero it does not pass with certainty.
@@ -317,6 +346,74 @@ mod tests {
         let factor = reserve(&axis, &actuator()).load_factor.unwrap();
         let fits = |factor: f64| judge(&axis.with_load(factor, factor), &actuator(), Depth::Full).fits();
         assert!(fits(factor) && !fits(factor * (1.0 + 1e-9)));
+    }
+
+    /// Nine seconds of swinging, too many samples for their nodes to be kept.
+    fn recorded(with_torque: bool) -> Motion {
+        let time_s: Vec<f64> = (0..9_001).map(|k| 1e-3 * f64::from(k)).collect();
+        let speed: Vec<f64> = (0..9_001).map(|k| (f64::from(k) * std::f64::consts::PI / 1_000.0).sin()).collect();
+        let torque: Vec<f64> = time_s.iter().map(|t| t.cos()).collect();
+        let samples = motion::Samples {
+            time_s: time_s.into(),
+            speed_rad_s: Some(speed.into()),
+            torque_nm: with_torque.then(|| torque.into()),
+            position_rad: None,
+        };
+        let recorded = motion::Recorded::new(samples, motion::Treatment::default()).unwrap();
+        Motion::new(&[SegmentSpec::Recorded(recorded.into())], Some(Angle::from_si(0.0)), Closing::SingleMove).unwrap()
+    }
+
+    /// An arm with the weight of 2 kg at 0.2 m.
+    fn arm(efficiency: f64) -> Mechanism {
+        let rotor = mechanism::Rotor {
+            mass: Mass::from_si(2.0),
+            radius: quantities::Length::from_si(0.2),
+            tilt: Angle::from_si(std::f64::consts::FRAC_PI_2),
+            ..mechanism::Rotor::balanced(MomentOfInertia::from_si(0.5))
+        };
+        let direct = Mechanism::direct(MomentOfInertia::from_si(0.5), Torque::from_si(1.0));
+        Mechanism {
+            kind: mechanism::Kind::Rotor(rotor),
+            efficiency_driving: efficiency,
+            efficiency_driven: efficiency,
+            ..direct
+        }
+    }
+
+    #[test]
+    fn what_costs_too_much_is_not_sought_and_said() {
+        let found = |mechanism: &Mechanism, with_torque: bool, most: usize| {
+            let axis = Axis::new(mechanism.clone(), recorded(with_torque), Vec::new());
+            finished(reserve_watched(&axis, &actuator(), most, &Unwatched))
+        };
+        // A view of one survey shows every load and every pace.
+        let all = found(&arm(1.0), false, 0);
+        assert!(all.load_factor.is_some() && all.cycle_time.is_some() && all.unsought.is_none(), "{all:?}");
+        // The recorded torque stays when the weight is another one.
+        let some = found(&arm(1.0), true, 9_000);
+        assert!(some.load_factor.is_none() && some.cycle_time.is_some(), "{some:?}");
+        assert_eq!(some.unsought, Some(Unsought { pace: false, samples: 9_001 }));
+        // Losses change sides elsewhere.
+        let none = found(&arm(0.9), false, 9_000);
+        assert!(none.load_factor.is_none() && none.cycle_time.is_none(), "{none:?}");
+        assert_eq!(none.unsought, Some(Unsought { pace: true, samples: 9_001 }));
+        assert_eq!(none.ambient, all.ambient);
+    }
+
+    /// With a little less than no losses the search that finds each load anew ends where that by views does.
+    #[test]
+    fn views_and_surveys_of_an_arm_have_the_same_reserves() {
+        let reserves = |mechanism: &Mechanism| {
+            let axis = Axis::new(mechanism.clone(), recorded(true), Vec::new());
+            reserve(&axis, &actuator())
+        };
+        let (by_views, anew) = (reserves(&arm(1.0)), reserves(&arm(1.0 - 1e-12)));
+        assert!(
+            (by_views.load_factor.unwrap() / anew.load_factor.unwrap() - 1.0).abs() < 1e-8,
+            "{by_views:?} {anew:?}"
+        );
+        let [a, b] = [by_views, anew].map(|found| found.cycle_time.unwrap().si());
+        assert!((a / b - 1.0).abs() < 1e-8, "{a} {b}");
     }
 
     #[test]

@@ -34,6 +34,8 @@ pub(super) struct Builder<'a> {
     kinked: bool,
     /// Whether panels that repeat are sought.
     seeks_alike: bool,
+    /// Whether the nodes of the recordings are kept.
+    keeps_recordings: bool,
 }
 
 /// Where the load depends on the position a panel covers at most this angle, so that sixteen nodes leave an error near
@@ -52,8 +54,8 @@ pub const INSTANTS_MOST: f64 = 130_000.0;
 /// A panel of so many nodes holds signals that are straight over time.
 const STRAIGHT: usize = 4;
 
-/// The nodes of a recording of at most so many intervals are kept: they are looked at many times for every candidate, and
-/// a few megabytes hold them. Those of a longer one would cost more to store and load than to make.
+/// The nodes of recordings of at most so many intervals together are kept: they are looked at many times for every
+/// candidate, and a few megabytes hold them. Those of longer ones would cost more to store and load than to make.
 const KEPT: usize = 1 << 13;
 
 impl<'a> Builder<'a> {
@@ -81,6 +83,7 @@ impl<'a> Builder<'a> {
             holding: 0.0,
             kinked: !mechanism.kinks().is_empty(),
             seeks_alike: true,
+            keeps_recordings: motion.recordings().iter().map(Placed::intervals).sum::<usize>() <= KEPT,
         }
     }
 
@@ -167,7 +170,7 @@ impl<'a> Builder<'a> {
         self.inertia = (self.inertia.0.max(survey.inertia.1), self.inertia.1.min(survey.inertia.0));
         self.span = both(self.span, survey.span);
         self.holding = self.holding.max(survey.holding);
-        if strip.intervals() <= KEPT {
+        if self.keeps_recordings {
             let (nodes, panels) = (&mut self.nodes, &mut self.panels);
             survey.blocks.iter_mut().for_each(|block| strip.keep(block, nodes, panels));
             self.blocked = (self.nodes.len(), self.panels.len());

@@ -443,6 +443,13 @@ impl Trace {
         Self { is_changed: true, ..builder.knowing(&self.strips, self.has_copies()).trace() }
     }
 
+    /// The samples of long recordings whose load has to be found anew for another load, and for another pace: where it has
+    /// losses, a stage or an inertia that hangs on the position, and of a weight beside a torque that stays.
+    #[must_use]
+    pub fn found_anew(&self) -> [usize; 2] {
+        self.strips.iter().map(Strip::found_anew).fold([0; 2], |[load, pace], [a, b]| [load + a, pace + b])
+    }
+
     /// Sums of the products of the signals over the whole cycle.
     #[must_use]
     #[inline]

@@ -143,11 +143,24 @@ impl Strip {
         if self.surveyed_weight_nm == 0.0 || plain.weight_nm == 0.0 {
             return self.surveyed_weight_nm == plain.weight_nm;
         }
-        // Another weight is a factor where nothing is added to it.
-        let alone = own.constant_nm == 0.0 && placed.recorded.torque_nm().is_none();
-        (alone || self.surveyed_weight_nm == plain.weight_nm)
+        (self.is_weight_alone() || self.surveyed_weight_nm == plain.weight_nm)
             && own.angle_rad == plain.angle_rad
             && self.placed.offset_rad == placed.offset_rad
+    }
+
+    /// Whether nothing is added to the weight, so that another one is a factor.
+    fn is_weight_alone(&self) -> bool {
+        self.placed.recorded.torque_nm().is_none() && self.plain.is_some_and(|plain| plain.constant_nm == 0.0)
+    }
+
+    /// Its samples where their load is found anew for another load, and for another pace.
+    pub(super) fn found_anew(&self) -> [usize; 2] {
+        let samples = self.placed.recorded.len();
+        match &self.plain {
+            None => [samples; 2],
+            Some(_) if self.straight().is_none() && !self.is_weight_alone() => [samples, 0],
+            Some(_) => [0; 2],
+        }
     }
 
     /// The load where it makes every interval a straight one.

@@ -217,6 +217,7 @@ texts! {
     s_tightest = "The tightest checks" | "Die engsten Nachweise";
     reserve_alone = "Reserve: how far each may change alone" | "Reserve: so weit darf sich jedes allein ändern";
     s_answers = "Answers" | "Ergebnisse";
+    not_sought = "Not sought" | "Nicht gesucht";
     reserve_needed = "What alone would let it fit" | "Was jeweils allein genügte";
     c_tolerances = "Tolerances" | "Toleranzen";
     c_build = "Bill of material and screws" | "Stückliste und Schrauben";

@@ -106,6 +106,13 @@ texts! {
     would_fit_with_one_of = "would fit with one of" | "wäre geeignet mit einem von";
     checks_would_pass_with_one_of = "all checks would pass with one of" | "alle Nachweise wären erfüllt mit einem von";
     would_fit_with_this_asked_for = "would fit with this asked for" | "wäre geeignet, wenn nur dies gefordert wäre";
+    not_sought = "not sought" | "nicht gesucht";
+    load_and_pace_not_sought(samples, most) =
+        "other loads and other cycle times, since each step of that search would find the load of {samples} samples anew; unasked at most {most}: `antrieb check --deadline` says how long it may take"
+        | "andere Lasten und andere Zykluszeiten, denn jeder Schritt dieser Suche bestimmte die Last von {samples} Abtastwerten neu; ungefragt höchstens {most}: `antrieb check --deadline` sagt, wie lange es dauern darf";
+    load_not_sought(samples, most) =
+        "other loads, since each step of that search would find the load of {samples} samples anew; unasked at most {most}: `antrieb check --deadline` says how long it may take"
+        | "andere Lasten, denn jeder Schritt dieser Suche bestimmte die Last von {samples} Abtastwerten neu; ungefragt höchstens {most}: `antrieb check --deadline` sagt, wie lange es dauern darf";
     payload_factor(factor) = "payload × {factor}" | "Nutzlast × {factor}";
     load_factor(factor) = "all masses and inertias × {factor}" | "alle Massen und Trägheiten × {factor}";
     cycle_time(time) = "cycle of {time} s" | "Zyklus von {time} s";

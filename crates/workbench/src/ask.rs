@@ -13,7 +13,7 @@ use order_code::OrderCode;
 use project::Project;
 use quantities::Language;
 use serde::Serialize;
-use sizing::{Check, CheckId, Reserve};
+use sizing::{Check, CheckId, Reserve, SAMPLES_ANEW};
 
 /// Of so many candidates of a ranking at most the tolerances are judged.
 const ASSESSED_MOST: usize = 10;
@@ -177,10 +177,45 @@ pub fn margins(
     draw: Draw,
     patience: &Patience,
 ) -> Result<(Reserve, Option<Assessment>), Refusal> {
+    // First what may be refused.
+    draw.sampling(project, 1, patience.is_limited())?;
+    let reserve = reserve_within(project, candidate, patience)?;
+    Ok((reserve, scatter(project, candidate, draw, patience)?))
+}
+
+/// What the tolerances of a project mean for a candidate; `None` without tolerances.
+///
+/// # Errors
+/// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
+pub fn scatter(
+    project: &Project,
+    candidate: &Candidate<'_>,
+    draw: Draw,
+    patience: &Patience,
+) -> Result<Option<Assessment>, Refusal> {
     let sampling = draw.sampling(project, 1, patience.is_limited())?;
-    let reserve = reserve_of_watched(project, candidate, patience).map_err(|Stopped| Refusal::Stopped)?;
     let assessed = assess_watched(project, &[candidate], sampling, patience).map_err(|Stopped| Refusal::Stopped)?;
-    Ok((reserve, assessed.into_iter().next()))
+    Ok(assessed.into_iter().next())
+}
+
+/// How far one thing may be changed until a candidate just fits: whatever it costs for somebody who has said how long it may
+/// take, else as far as that is sought unasked.
+///
+/// # Errors
+/// [`Refusal::Stopped`].
+pub fn reserve_within(project: &Project, candidate: &Candidate<'_>, patience: &Patience) -> Result<Reserve, Refusal> {
+    if !patience.is_limited() {
+        return reserve_unasked(project, candidate, patience);
+    }
+    reserve_of_watched(project, candidate, usize::MAX, patience).map_err(|Stopped| Refusal::Stopped)
+}
+
+/// The same as far as it is sought unasked.
+///
+/// # Errors
+/// [`Refusal::Stopped`].
+pub fn reserve_unasked(project: &Project, candidate: &Candidate<'_>, patience: &Patience) -> Result<Reserve, Refusal> {
+    reserve_of_watched(project, candidate, SAMPLES_ANEW, patience).map_err(|Stopped| Refusal::Stopped)
 }
 
 impl Verification<'_> {

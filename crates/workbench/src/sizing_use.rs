@@ -7,8 +7,8 @@ use order_code::{Field, Option1, OrderCode};
 use project::{Assumption, OwnActuator, Project};
 use quantities::Measure;
 use sizing::{
-    Check, CheckId, Course, Depth, Judge, Judgement, Reserve, Standing, Unwatched, Verdict, Watch, finished, rank,
-    reserve_watched,
+    Check, CheckId, Course, Depth, Judge, Judgement, Reserve, SAMPLES_ANEW, Standing, Unwatched, Verdict, Watch,
+    finished, rank, reserve_watched,
 };
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -341,22 +341,23 @@ pub fn course_within(project: &Project, candidate: &Candidate<'_>, window: (f64,
     Course::within(&project.axis, candidate.parameters, window)
 }
 
-/// How far the axis of a project may be changed until a candidate just fits.
+/// How far the axis of a project may be changed until a candidate just fits, as far as that is sought unasked.
 #[must_use]
 pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
-    finished(reserve_of_watched(project, candidate, &Unwatched))
+    finished(reserve_of_watched(project, candidate, SAMPLES_ANEW, &Unwatched))
 }
 
-/// The same for somebody who may stop it.
+/// The same for somebody who may stop it, with the samples whose load the steps of the search may find anew.
 ///
 /// # Errors
 /// Where it was stopped.
 pub(crate) fn reserve_of_watched<W: Watch>(
     project: &Project,
     candidate: &Candidate<'_>,
+    most: usize,
     watch: &W,
 ) -> Result<Reserve, W::Stop> {
-    reserve_watched(&project.axis, candidate.parameters, watch)
+    reserve_watched(&project.axis, candidate.parameters, most, watch)
 }
 
 /// Judges one actuator after the other for the axis of a project, whose keys the checks cite as its file has them.

@@ -17,6 +17,7 @@ use quantities::unit::{
     ARCMINUTE, DEGREE_CELSIUS, KILONEWTON_METRE_PER_RADIAN, NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, YEAR,
 };
 use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
+use sizing::{SAMPLES_ANEW, Unsought};
 use words::{check_title, describe_rule, encoding_guess, grade_word, source_text, symbol_term, terminal, unmet_text};
 
 /// A value in its unit, four digits.
@@ -133,6 +134,9 @@ pub fn reserve_lines(
         };
         lines.push((head, parts));
     }
+    if let Some(unsought) = &reserve.unsought {
+        lines.push((terminal::not_sought(language), vec![unsought_text(unsought, language)]));
+    }
     if let Some(needed) = limits_needed(candidate) {
         let each = |needed: &NeededLimit| {
             let unit = needed.enough.unit;
@@ -141,6 +145,16 @@ pub fn reserve_lines(
         lines.push((terminal::would_fit_with_this_asked_for(language), needed.iter().map(each).collect()));
     }
     lines
+}
+
+/// Which changes were not sought, why, and how they are.
+pub(crate) fn unsought_text(unsought: &Unsought, language: Language) -> String {
+    let samples = unsought.samples.to_string();
+    if unsought.pace {
+        terminal::load_and_pace_not_sought(&samples, &SAMPLES_ANEW, language)
+    } else {
+        terminal::load_not_sought(&samples, &SAMPLES_ANEW, language)
+    }
 }
 
 /// The torsion of a gear under a torque, the curve that it comes from, and what is lost at its reversal, a line each.

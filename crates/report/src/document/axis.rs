@@ -62,6 +62,8 @@ struct Cover {
     on_request: Vec<String>,
     objections: Vec<String>,
     reserve: Vec<Reserved>,
+    /// What was not sought of it, in words; empty where everything was.
+    not_sought: String,
 }
 
 /// How far one thing may be changed.
@@ -223,6 +225,7 @@ fn cover(content: &AxisContent, checks: &Checks, titles: &Titles, shown: &Shown)
         on_request: candidate.on_request.clone(),
         objections: candidate.objections.iter().map(|text| tied(text)).collect(),
         reserve: reserve.chain(limits).collect(),
+        not_sought: judgement.reserve.not_sought.as_ref().map(|found| tied(&found.text)).unwrap_or_default(),
     }
 }
 

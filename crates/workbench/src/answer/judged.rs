@@ -4,16 +4,17 @@ use super::check::{assumptions, check, demand};
 use super::motion;
 use crate::limits::{NeededLimit, limits_needed};
 use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
+use crate::told::unsought_text;
 use crate::tolerance::{Assessment, Place};
 use answers::{
-    Assessed, Fit, Id, Influence, Judgement, Number, Quantiles, Ranked, Rejection, Stage, StageRatio, Tolerance,
-    ToleratedValue, Units, WorstCorner,
+    Assessed, Fit, Id, Influence, Judgement, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
+    Tolerance, ToleratedValue, Units, WorstCorner,
 };
 use order_code::Field;
 use project::{ALL_CORNERS_MOST, Project};
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM, SECOND};
 use quantities::{Language, Measure};
-use sizing::{Reserve, Verdict};
+use sizing::{Reserve, SAMPLES_ANEW, Verdict};
 use words::{describe_field, describe_rule, ranking_rule, unmet_text};
 
 fn objection(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> String {
@@ -76,7 +77,7 @@ pub fn judgement(
         candidate: candidate(judged, language),
         axis: project.name.clone(),
         motion: motion(&crate::moves(project), language),
-        reserve: reserve(found, judged),
+        reserve: reserve(found, judged, language),
         tolerance: assessment.map(|found| tolerance(project, found)),
         assumptions: assumptions(&project.assumptions, language),
     }
@@ -142,7 +143,7 @@ fn stage(project: &Project) -> Option<Stage> {
 
 /// How far the axis may be changed, or the limits of its project.
 #[must_use]
-pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>) -> answers::Reserve {
+pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language) -> answers::Reserve {
     let limit = |needed: NeededLimit| {
         let unit = needed.enough.unit;
         answers::NeededLimit { key: needed.key, value: Number::in_unit(needed.enough.si, unit), unit: unit.json }
@@ -154,6 +155,15 @@ pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>) -> answers::Reserve
         cycle_time: reserve.cycle_time.map(|time| Number::in_unit(time.si(), &SECOND)),
         ambient: reserve.ambient.map(|ambient| Number::in_unit(ambient.si(), &DEGREE_CELSIUS)),
         units: Units::of(&[("cycle_time", &SECOND), ("ambient", &DEGREE_CELSIUS)]),
+        not_sought: reserve.unsought.map(|unsought| NotSought {
+            quantities: ["load_factor", "payload_factor"]
+                .into_iter()
+                .chain(unsought.pace.then_some("cycle_time"))
+                .collect(),
+            samples: unsought.samples,
+            most: SAMPLES_ANEW,
+            text: unsought_text(&unsought, language),
+        }),
     }
 }
 
