@@ -96,6 +96,8 @@ impl Part {
 pub(crate) enum Mended {
     /// A smaller load or another pace of the motion may.
     LoadOrPace,
+    /// Another pace alone.
+    Pace,
     /// Neither of them.
     Neither,
 }
@@ -141,9 +143,9 @@ checks! {
     /// Peak torque against T_max.
     PeakTorque: "peak_torque", Drive, AtMost, Share, LoadOrPace;
     /// Peak speed against n_mot,max/i.
-    PeakSpeed: "peak_speed", Drive, AtMost, Share, LoadOrPace;
+    PeakSpeed: "peak_speed", Drive, AtMost, Share, Pace;
     /// Mean speed against n_N/i.
-    MeanSpeed: "mean_speed", Drive, AtMost, Share, LoadOrPace;
+    MeanSpeed: "mean_speed", Drive, AtMost, Share, Pace;
     /// Effective torque against the continuous torque at the mean speed.
     ContinuousTorque: "continuous_torque", Thermal, AtMost, Share, LoadOrPace;
     /// Peak motor current against I_max.
@@ -183,7 +185,7 @@ checks! {
     /// Filtered square of the current against that of I_0.
     OverloadI2t: "overload_i2t", Thermal, AtMost, Share, LoadOrPace;
     /// Mean input speed of the gear against its limit.
-    GearMeanInputSpeed: "gear_mean_input_speed", Gear, AtMost, Share, LoadOrPace;
+    GearMeanInputSpeed: "gear_mean_input_speed", Gear, AtMost, Share, Pace;
     /// Torque of a collision against T_M.
     CollisionTorque: "collision_torque", Gear, AtMost, Share, LoadOrPace;
     /// Distance of the speeds that the cycle holds from those at which the wave generator excites the load.
@@ -253,6 +255,12 @@ impl CheckId {
     #[must_use]
     pub const fn is_of_the_place(self) -> bool {
         matches!(self.entry().mended, Mended::Neither)
+    }
+
+    /// Whether its answer hangs on the pace of the motion alone.
+    #[must_use]
+    pub(crate) const fn is_of_the_pace(self) -> bool {
+        matches!(self.entry().mended, Mended::Pace)
     }
 }
 

@@ -2,8 +2,8 @@
 
 use crate::axis::Axis;
 use crate::brake_times::carried;
-use crate::check::Verdict;
-use crate::judge::{Depth, judge};
+use crate::check::{CheckId, Verdict};
+use crate::judge::{Depth, Judgement, judge};
 use crate::watch::{Unwatched, Watch, finished};
 use actuator::Parameters;
 use quantities::{Mass, Measure, ThermodynamicTemperature, Time};
@@ -50,6 +50,9 @@ const HALVINGS: usize = 30;
 /// What they leave of it: 2⁻³⁰, 10⁻⁹.
 const NARROW: f64 = 1.0 / (1_u64 << HALVINGS) as f64;
 
+/// So many steps more than halving the search may take: they go where interpolation leads.
+const FREE: i32 = 4;
+
 /// Ambient temperatures looked at, −20 °C to 80 °C, in kelvin.
 const AMBIENT_RANGE: (f64, f64) = (253.15, 353.15);
 
@@ -58,8 +61,8 @@ const AMBIENT_STEP: f64 = 5.0;
 
 /// Searches the reserves of an actuator for an axis, each on the same checks that judge it.
 ///
-/// Cost: about twenty judgements for each of the quantities where their excess is smooth, at most fifty-eight, with the
-/// motion prepared anew for each.
+/// Cost: a judgement for each step of the walk and some six more for each of the quantities where their excess is smooth, at
+/// most thirty-five, with the motion prepared anew for each.
 #[must_use]
 pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
     finished(reserve_watched(axis, actuator, usize::MAX, &Unwatched))
@@ -97,19 +100,24 @@ pub fn reserve_watched<W: Watch>(
         return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
     }
     let now = judge(axis, actuator, Depth::Margins);
-    if now.checks.iter().any(|check| check.verdict == Verdict::Fail && check.id.is_of_the_place()) {
+    let fails = |of: fn(CheckId) -> bool| now.checks.iter().any(|check| check.verdict == Verdict::Fail && of(check.id));
+    if fails(CheckId::is_of_the_place) {
         // No load and no pace mends what hangs on neither.
         return Ok(Reserve { ambient: ambient()?, ..Reserve::default() });
     }
+    let here = excess_of(&now);
     let [other_load, other_pace] = axis.trace.found_anew();
     let seeks = [other_load <= most, other_pace <= most];
+    // Too fast is too fast under any load and at any temperature.
+    let too_fast = fails(CheckId::is_of_the_pace);
     let of_loads = || match seeks {
-        [true, _] => Ok((largest(load)?, if carries { largest(payload)? } else { None })),
-        [false, _] => Ok((None, None)),
+        [true, _] if !too_fast => Ok((largest(here, load)?, if carries { largest(here, payload)? } else { None })),
+        _ => Ok((None, None)),
     };
-    let of_others = || Ok((if seeks[1] { largest(faster)? } else { None }, ambient()?));
+    let pace = || if seeks[1] { largest(here, faster) } else { Ok(None) };
+    let of_others = || Ok((pace()?, if too_fast { None } else { ambient()? }));
     // What changes with the pace changes with the load too.
-    let unsought = (!seeks[0]).then_some(Unsought { pace: !seeks[1], samples: other_load });
+    let unsought = (!seeks[0] && (!too_fast || !seeks[1])).then_some(Unsought { pace: !seeks[1], samples: other_load });
     let (loads, others): (Result<_, W::Stop>, Result<_, W::Stop>) = if axis.is_short() {
         // Beginning a thread would take as long as the work.
         (of_loads(), of_others())
@@ -129,17 +137,25 @@ pub fn reserve_watched<W: Watch>(
 /// How near to its limits an actuator is: above zero it does not pass with certainty.
 ///
 /// The largest utilisation less one, as far as it agrees with the verdict; what lies inside the band of an estimate has
-/// more than one and counts as beyond.
+/// more than one and counts as beyond. Where a limit of zero is exceeded beside others, how far those are tells how near it
+/// is.
 fn excess(axis: &Axis, actuator: &Parameters) -> f64 {
-    let judgement = judge(axis, actuator, Depth::Margins);
-    let excess = judgement.utilisation() - 1.0;
-    if judgement.fits() { excess } else { excess.max(f64::EPSILON) }
+    excess_of(&judge(axis, actuator, Depth::Margins))
 }
 
-/// The largest factor from which nothing fits any more, walking up from what fits or down from what does not;
+fn excess_of(judgement: &Judgement) -> f64 {
+    let excess = judgement.utilisation() - 1.0;
+    if judgement.fits() {
+        return excess;
+    }
+    let finite = judgement.tightest().and_then(|check| check.utilisation).unwrap_or(0.0) - 1.0;
+    if excess.is_finite() || finite <= 0.0 { excess.max(f64::EPSILON) } else { finite }
+}
+
+/// The largest factor from which nothing fits any more, with the excess at a factor of one, walking up from what fits or down from what does not;
 /// `None` if nothing near fits, or everything does.
-fn largest<S>(excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option<f64>, S> {
-    let (mut factor, mut here) = (1.0, excess(1.0)?);
+fn largest<S>(now: f64, excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option<f64>, S> {
+    let (mut factor, mut here) = (1.0, now);
     if here <= 0.0 {
         loop {
             let farther = factor * step(factor);
@@ -171,39 +187,54 @@ fn step(factor: f64) -> f64 {
 
 /// The border between what fits at `good` and what does not at `bad`, on the side that fits; both with their excess.
 ///
-/// Interpolate, truncate, project: one step more than halving at most, far fewer where the excess is smooth.
+/// Inverse quadratic interpolation through both ends and the end that was there before, kept so near to the middle that
+/// [`FREE`] steps more than halving are the most; where the excess is smooth five to eight suffice. Once the interpolation stays
+/// within what is left of an end, the next step goes just beyond it.
 ///
-/// # Source   Oliveira and Takahashi, An Enhancement of the Bisection Method Average Performance Preserving Minmax
-/// Optimality, ACM TOMS 47 (2020), with κ_1 = 0.2/(b_0 − a_0), κ_2 = 2, n_0 = 1
+/// # Source   Chandrupatla, A new hybrid quadratic/bisection algorithm, Adv. Eng. Softw. 28 (1997), for where the
+/// interpolation is trusted; Oliveira and Takahashi, ACM TOMS 47 (2020), for the projection, with n_0 = [`FREE`]
 fn border<S>(
     mut excess: impl FnMut(f64) -> Result<f64, S>,
     mut good: (f64, f64),
     mut bad: (f64, f64),
 ) -> Result<f64, S> {
     let whole = bad.0 - good.0;
-    // Where halving would stand after one step less; what is left beyond half the width is free for interpolation.
-    let mut halved = whole;
-    for _ in 0..=HALVINGS {
+    // Where halving would stand; what is left beyond half the width is free for interpolation.
+    let mut halved = whole * 2.0_f64.powi(FREE - 1);
+    let narrow = 0.9 * whole * NARROW;
+    let mut before = None;
+    while bad.0 - good.0 > whole * NARROW {
         let width = bad.0 - good.0;
-        if width <= whole * NARROW {
-            break;
-        }
         let middle = good.0 + 0.5 * width;
-        let line = (bad.1 * good.0 - good.1 * bad.0) / (bad.1 - good.1);
-        // Where the excess has no bound, nothing can be interpolated.
-        let away = if line.is_finite() { line - middle } else { 0.0 };
+        let beside = narrow.min(0.5 * width);
+        let within = interpolated(good, bad, before).clamp(good.0 + beside, bad.0 - beside);
         let free = (halved - 0.5 * width).max(0.0);
-        let away = away.signum() * (away.abs() - 0.2 * width * width / whole).clamp(0.0, free);
-        let at = middle + away;
+        let at = within.clamp(middle - free, middle + free);
         halved *= 0.5;
         let found = (at, excess(at)?);
-        if found.1 <= 0.0 {
-            good = found;
-        } else {
-            bad = found;
-        }
+        let end = if found.1 <= 0.0 { &mut good } else { &mut bad };
+        before = Some(std::mem::replace(end, found));
     }
     Ok(good.0)
+}
+
+/// Where the excess should be zero between two ends, by them and the end that one of them has replaced: on the straight line,
+/// later on the inverse parabola where it has one branch between the ends. The middle where neither can be trusted.
+fn interpolated((a, at_a): (f64, f64), (b, at_b): (f64, f64), before: Option<(f64, f64)>) -> f64 {
+    let found = match before {
+        None => (at_b * a - at_a * b) / (at_b - at_a),
+        Some((c, at_c)) => {
+            // The end that has just been found, and the one on the other side of the root.
+            let ((new, at_new), (far, at_far)) =
+                if (at_c <= 0.0) == (at_a <= 0.0) { ((a, at_a), (b, at_b)) } else { ((b, at_b), (a, at_a)) };
+            let (place, height) = ((new - far) / (c - far), (at_new - at_far) / (at_c - at_far));
+            let is_one_branch = height * height < place && (1.0 - height) * (1.0 - height) < 1.0 - place;
+            let share = at_new / (at_far - at_new) * at_c / (at_far - at_c)
+                + (c - new) / (far - new) * at_new / (at_c - at_new) * at_far / (at_c - at_far);
+            if is_one_branch { new + share * (far - new) } else { f64::NAN }
+        }
+    };
+    if found.is_finite() { found } else { 0.5 * (a + b) }
 }
 
 fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<Option<ThermodynamicTemperature>, S> {
@@ -323,12 +354,18 @@ mod tests {
             (finished(border(counted, good, bad)), calls.get())
         };
         let root = 1.037_f64;
-        let smooth: [&dyn Fn(f64) -> f64; 3] =
-            [&|x| x / root - 1.0, &|x| (x / root).powi(3) - 1.0, &|x| 1.0 - (root / x).powi(2)];
+        let smooth: [&dyn Fn(f64) -> f64; 4] =
+            [&|x| x / root - 1.0, &|x| (x / root).powi(3) - 1.0, &|x| 1.0 - (root / x).powi(2), &|x| {
+                (x / root).powi(12) - 1.0
+            }];
         for excess in smooth {
             let (found, calls) = steps(excess);
-            assert!(found <= root && root - found < 1e-10 && calls <= 12, "{found}, {calls} calls");
+            assert!(found <= root && root - found < 1e-10 && calls <= 7, "{found}, {calls} calls");
         }
+        // One check takes over from another near the border.
+        let bent = |x: f64| f64::max(x - root, 5.0 * (x - root - 1e-5));
+        let (found, calls) = steps(&bent);
+        assert!(found <= root && root - found < 1e-10 && calls <= 25, "{found}, {calls} calls");
         // A jump, a limit of zero, and advice that hides where the utilisation stands.
         let rough: [&dyn Fn(f64) -> f64; 3] =
             [&|x| if x <= root { -0.5 } else { 0.5 }, &|x| if x <= root { -0.5 } else { f64::INFINITY }, &|x| {
@@ -336,7 +373,7 @@ mod tests {
             }];
         for excess in rough {
             let (found, calls) = steps(excess);
-            assert!(found <= root && root - found < 2e-10 && calls <= HALVINGS + 1, "{found}, {calls} calls");
+            assert!(found <= root && root - found < 2e-10 && calls <= HALVINGS + 5, "{found}, {calls} calls");
         }
     }
 
@@ -414,6 +451,26 @@ mod tests {
         );
         let [a, b] = [by_views, anew].map(|found| found.cycle_time.unwrap().si());
         assert!((a / b - 1.0).abs() < 1e-8, "{a} {b}");
+    }
+
+    /// Too fast: beside the speed the trace fails too, whose limit is zero there.
+    #[test]
+    fn what_is_too_fast_is_mended_by_another_pace_alone() {
+        let slow = |most: f64| Parameters {
+            inertia_out: known(MomentOfInertia::from_si(0.5)),
+            ..Drivetrain {
+                torque_max: known(Torque::from_si(105.0)),
+                speed_max: known(AngularVelocity::from_si(most)),
+                ..Drivetrain::unknown()
+            }
+            .into()
+        };
+        let found = reserve(&axis(1.0), &slow(3.9));
+        assert_eq!((found.load_factor, found.ambient), (None, None), "{found:?}");
+        assert!((found.cycle_time.unwrap().si() - 1.3 * 4.0 / 3.9).abs() < 1e-8, "{found:?}");
+        // The speed that is just not too high bounds the pace.
+        let found = reserve(&axis(1.0), &slow(4.1));
+        assert!((found.cycle_time.unwrap().si() - 1.3 * 4.0 / 4.1).abs() < 1e-8, "{found:?}");
     }
 
     #[test]

@@ -275,6 +275,7 @@ impl<'a> Builder<'a> {
         let mut cuts = vec![0.0];
         cuts.extend(runs.reversals());
         let ramp = piece.speed_degree().is_some_and(|degree| degree <= 1);
+        let parts = parts(self.mechanism, piece);
         if !ramp {
             // The extremes of speed and acceleration become nodes.
             cuts.extend(piece.acceleration_roots());
@@ -282,7 +283,7 @@ impl<'a> Builder<'a> {
         }
         if !(ramp && self.mechanism.is_constant_over_ramps()) {
             // So many spans that no two roots fall into one step of the search.
-            let spans = (parts(self.mechanism, piece) / PANELS_PER_SEARCH).ceil().max(1.0);
+            let spans = (parts / PANELS_PER_SEARCH).ceil().max(1.0);
             let span = piece.duration_s / spans;
             // A root on the border of two spans lies inside neither.
             let mut border = 1.0;
@@ -323,7 +324,6 @@ impl<'a> Builder<'a> {
         cuts.push(piece.duration_s);
         cuts.sort_by(f64::total_cmp);
         cuts.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * piece.duration_s);
-        let parts = parts(self.mechanism, piece);
         if parts <= 1.0 {
             return cuts;
         }
@@ -418,7 +418,8 @@ fn whole_revolutions(mechanism: &Mechanism, piece: &Piece) -> Option<f64> {
 /// Revolutions of the load in a piece. They are at most those at the largest speed; the ends and the quarters of the piece
 /// bound it closely.
 fn turned(mechanism: &Mechanism, piece: &Piece) -> f64 {
-    let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| piece.at(u * piece.duration_s).speed_rad_s.abs());
+    let state = piece.states();
+    let speed = [0.0, 0.25, 0.5, 0.75, 1.0].map(|u| state(u * piece.duration_s).speed_rad_s.abs());
     speed.into_iter().fold(0.0, f64::max) * piece.duration_s / (TAU * mechanism.stage_ratio().abs())
 }
 
