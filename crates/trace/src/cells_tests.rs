@@ -337,7 +337,10 @@ fn from_rest() -> Motion {
 fn a_sweep_has_the_integrals_of_the_panels() {
     let rest = [("from rest", direct()), ("arm from rest", lossless()), ("arm with losses", arm())]
         .map(|(what, load)| (what, load, from_rest()));
-    let noise = cases().into_iter().chain([("arm with torque", arm(), noisy(true))]);
+    let mut viscous = lossless();
+    viscous.friction.viscous = ViscousFriction::from_si(3.0);
+    let slower = ("lossless arm, slower", viscous, noisy(true).stretched(1.3));
+    let noise = cases().into_iter().chain([("arm with torque", arm(), noisy(true)), slower]);
     for (what, mechanism, motion) in noise.chain(rest) {
         let trace = Trace::of(&mechanism, &motion, &[], &[]);
         let [strip] = trace.strips() else { panic!("{what}: not kept") };

@@ -122,7 +122,7 @@ impl Strip {
 
 /// How far a smooth load may rise above the straight line between two neighbouring nodes, by its largest second difference:
 /// a parabola rises above its chord by an eighth of the second derivative times the square of the chord's time.
-pub(super) fn bow(nodes: &[Node]) -> f64 {
+fn bow(nodes: &[Node]) -> f64 {
     let triples = nodes.iter().zip(nodes.iter().skip(1)).zip(nodes.iter().skip(2));
     let most = triples.fold(0.0_f64, |most, ((a, b), c)| {
         let (left, right) = (b.time_s - a.time_s, c.time_s - b.time_s);

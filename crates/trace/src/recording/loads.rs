@@ -1,7 +1,7 @@
 //! The load of a recording that hangs on the position or has losses, found once: the sines of an arm and the lever of a crank
 //! cost more than all that is asked of an interval afterwards.
 
-use super::{Node, Panel, SHARED_FROM, Strip, bent, in_two, parts};
+use super::{LANES, Node, Panel, SHARED_FROM, Strip, in_two, parts};
 use motion::Interval;
 
 /// T_L at the beginning, in the middle and at the end of a part of an interval \[Nm\].
@@ -60,6 +60,13 @@ impl Known {
         self.cuts.extend_from_slice(&other.cuts);
     }
 
+    /// The loads of neighbouring intervals from one on, if each has one panel.
+    #[inline]
+    pub(super) fn whole(&self, from: usize) -> Option<&[Loads; LANES]> {
+        let loads: &[Loads; LANES] = self.whole.get(from..from + LANES)?.try_into().ok()?;
+        loads.iter().all(|[first, ..]| !first.is_nan()).then_some(loads)
+    }
+
     /// The pieces of an interval, in the order of time; of one with other panels none.
     #[inline]
     pub(super) fn pieces(&self, index: usize) -> [Option<Piece>; 2] {
@@ -102,7 +109,8 @@ impl Piece {
                 load_nm: load,
             };
         }
-        let bow = [0.0, bent::bow(&nodes), 0.0, 0.0];
+        // A parabola rises above either half of its chord by a quarter of its bend.
+        let bow = [0.0, 0.25 * self.bend().abs(), 0.0, 0.0];
         look(Panel { nodes: &nodes, duration_s: duration, bow, extent: None, like: None });
     }
 }
@@ -165,11 +173,19 @@ mod tests {
             let [strip] = trace.strips() else { panic!("not kept") };
             let (mut known, mut cut) = (0, 0);
             for index in 0..strip.intervals() {
-                let all = |found: &mut Vec<Node>, panel: &Panel<'_>| found.extend_from_slice(panel.nodes);
+                let mut bows = Vec::new();
+                let mut all = |found: &mut Vec<Node>, panel: &Panel<'_>| {
+                    found.extend_from_slice(panel.nodes);
+                    bows.push(panel.bow[1]);
+                };
                 let (mut found, mut expected) = (Vec::new(), Vec::new());
                 strip.raw_interval(index, &mut |panel| all(&mut found, &panel));
                 strip.bent_interval(&strip.surveyed.interval(index).unwrap(), &mut |panel| all(&mut expected, &panel));
                 assert_eq!(found.len(), expected.len());
+                let (bows, expected_bows) = bows.split_at(bows.len() / 2);
+                for (bow, expected) in bows.iter().zip(expected_bows) {
+                    assert!((bow - expected).abs() <= 1e-11 * (1.0 + found[0].load_nm.abs()), "{bow} {expected}");
+                }
                 for (found, expected) in found.iter().zip(&expected) {
                     // The place of a cut is known as closely as the time is.
                     let [a, b] = [found, expected]

@@ -65,45 +65,69 @@ impl Strip {
 
     /// Passes as many intervals of one direction as make whole lanes; the first that is left.
     fn ramps(&self, plain: &Plain, intervals: Range<usize>, direction: f64, look: &mut impl FnMut(Swept<'_>)) -> usize {
-        let recorded = &*self.placed.recorded;
-        let (time, speed, torque) = (recorded.time_s(), recorded.speed_rad_s(), recorded.torque_nm());
-        let view = &self.view;
-        let slow = 1.0 / view.stretch;
+        let torque = self.placed.recorded.torque_nm();
         let mut from = intervals.start;
-        let constant = plain.constant_nm + view.coulomb * direction;
+        let constant = plain.constant_nm + self.view.coulomb * direction;
         while from + LANES <= intervals.end {
-            let (Some(time), Some(speed)) = (ends(time, from), ends(speed, from)) else { break };
             let torque = torque.map_or(Some([[0.0; LANES]; 2]), |torque| ends(torque, from));
-            let Some(torque) = torque else { break };
-            let [duration, acceleration] = {
-                let ([t0, t1], [w0, w1]) = (time, speed);
-                let mut both = [[0.0; LANES]; 2];
-                let [duration, acceleration] = &mut both;
-                for (lane, (h, a)) in duration.iter_mut().zip(acceleration.iter_mut()).enumerate() {
-                    let of = |values: &[f64; LANES]| values.get(lane).copied().unwrap_or(0.0);
-                    let raw = of(&t1) - of(&t0);
-                    *h = raw * view.stretch;
-                    *a = (of(&w1) - of(&w0)) / raw * slow * slow;
-                }
-                both
-            };
-            let speed = speed.map(|speed| speed.map(|speed| speed * slow));
-            let mut load = torque;
-            for (load, speed) in load.iter_mut().zip(&speed) {
-                for ((load, speed), acceleration) in load.iter_mut().zip(speed).zip(&acceleration) {
-                    *load += constant + view.inertia * acceleration + view.viscous * speed;
+            let (Some(mut ramps), Some(torque)) = (self.lanes(from, direction), torque) else { break };
+            for ((load, torque), speed) in ramps.load_nm.iter_mut().zip(&torque).zip(&ramps.speed_rad_s) {
+                for (((load, torque), speed), acceleration) in
+                    load.iter_mut().zip(torque).zip(speed).zip(&ramps.acceleration_rad_s2)
+                {
+                    *load = torque + constant + self.view.inertia * acceleration + self.view.viscous * speed;
                 }
             }
-            look(Swept::Ramps(&Ramps {
-                duration_s: duration,
-                acceleration_rad_s2: acceleration,
-                speed_rad_s: speed,
-                load_nm: load,
-                direction,
-            }));
+            look(Swept::Ramps(&ramps));
             from += LANES;
         }
         from
+    }
+
+    /// The course of neighbouring intervals from one on, without their load.
+    #[inline]
+    fn lanes(&self, from: usize, direction: f64) -> Option<Ramps> {
+        let recorded = &*self.placed.recorded;
+        let ([t0, t1], [w0, w1]) = (ends(recorded.time_s(), from)?, ends(recorded.speed_rad_s(), from)?);
+        // What is not plain is surveyed as it is placed.
+        let stretch = self.placed.stretch;
+        let slow = 1.0 / stretch;
+        let mut ramps =
+            Ramps { speed_rad_s: [w0, w1].map(|speed| speed.map(|speed| speed * slow)), direction, ..Ramps::default() };
+        let lanes = ramps.duration_s.iter_mut().zip(&mut ramps.acceleration_rad_s2);
+        for ((((h, a), (t0, t1)), w0), w1) in lanes.zip(t0.iter().zip(&t1)).zip(&w0).zip(&w1) {
+            let raw = t1 - t0;
+            *h = raw * stretch;
+            *a = (w1 - w0) / raw * slow * slow;
+        }
+        Some(ramps)
+    }
+
+    /// Neighbouring intervals from one on that are run through in one direction, each with one piece that is nearly straight.
+    #[inline]
+    fn leaning(&self, from: usize, bent_at_most: f64) -> Option<Ramps> {
+        let loads = self.loads.whole(from)?;
+        let speeds = self.placed.recorded.speed_rad_s().get(from..=from + LANES)?;
+        let direction = if speeds.iter().all(|speed| *speed > 0.0) {
+            1.0
+        } else if speeds.iter().all(|speed| *speed < 0.0) {
+            -1.0
+        } else {
+            return None;
+        };
+        let (view, mut ramps) = (&self.view, self.lanes(from, direction)?);
+        let [load_0, load_1] = &mut ramps.load_nm;
+        let [speed_0, speed_1] = &ramps.speed_rad_s;
+        let mut bent = 0.0_f64;
+        let lanes = load_0.iter_mut().zip(load_1).zip(speed_0.iter().zip(speed_1)).zip(&ramps.acceleration_rad_s2);
+        for ((((load_0, load_1), (speed_0, speed_1)), acceleration), [first, middle, last]) in lanes.zip(loads) {
+            let bend = view.weight * (middle - 0.5 * (first + last));
+            let unchanging = view.inertia * acceleration + view.coulomb * direction + 2.0 / 3.0 * bend;
+            bent = bent.max(bend.abs());
+            *load_0 = view.weight * first + view.viscous * speed_0 + unchanging;
+            *load_1 = view.weight * last + view.viscous * speed_1 + unchanging;
+        }
+        (bent <= bent_at_most).then_some(ramps)
     }
 
     /// Passes intervals whose load hangs on the position or has losses: the pieces whose loads are known and nearly straight
@@ -111,7 +135,18 @@ impl Strip {
     fn pieces(&self, block: &Block, intervals: Range<usize>, look: &mut impl FnMut(Swept<'_>)) {
         let bent_at_most = STRAIGHT * f64::max(block.extent.load_nm.1, -block.extent.load_nm.0);
         let mut gathered = Gathered::default();
-        for index in intervals {
+        let mut next = intervals.start;
+        while next < intervals.end {
+            if next + LANES <= intervals.end
+                && let Some(ramps) = self.leaning(next, bent_at_most)
+            {
+                gathered.pass(look);
+                look(Swept::Ramps(&ramps));
+                next += LANES;
+                continue;
+            }
+            let index = next;
+            next += 1;
             let Some(interval) = self.placed.interval(index) else { continue };
             let seen = |piece: Piece| match direction(&interval) {
                 Some(direction) => self.view.piece(&piece, &interval, direction),
