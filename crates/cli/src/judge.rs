@@ -55,14 +55,18 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
     let parts = projects.iter().map(|project| {
         let found = workbench::ranking(project, top, tolerance::draw(matches), patience())
             .map_err(|refusal| refuse(&refusal, as_json, language))?;
-        let (record, text) = (|| found.record(language), || sizing_text(&found, all, language));
+        // What would have to change for the nearest miss, which neither the record nor the long list tells.
+        let nearest = found.sizing.nearest_miss().filter(|_| !as_json && !all);
+        let reserve = nearest.map(|near| workbench::reserve_within(project, near, patience())).transpose();
+        let reserve = reserve.map_err(|refusal| refuse(&refusal, as_json, language))?;
+        let (record, text) = (|| found.record(language), || sizing_text(&found, reserve.as_ref(), all, language));
         Ok(Part::of(as_json, found.sizing.fits(), record, text))
     });
     let answer = together(parts.collect(), as_json);
     Answer { talk: answer.talk.clone() + &talk, ..answer }
 }
 
-fn sizing_text(found: &Ranking<'_>, all: bool, language: Language) -> String {
+fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, language: Language) -> String {
     let Ranking { project, sizing, top, .. } = found;
     let top = *top;
     let mut out = String::new();
@@ -114,7 +118,7 @@ fn sizing_text(found: &Ranking<'_>, all: bool, language: Language) -> String {
         }
         out.push_str(&told);
     }
-    out.push_str(&rejected_text(sizing, project, all, language));
+    out.push_str(&rejected_text(sizing, of_nearest, all, language));
     if let Some(own) = &sizing.own {
         let _ = writeln!(out, "\n{}:", terminal::own_actuator_of_the_project(language));
         out.push_str(&candidate_text(own, language));
@@ -158,7 +162,7 @@ fn ranking_table(sizing: &Sizing<'_>, top: usize, language: Language) -> Table {
     table
 }
 
-fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: Language) -> String {
+fn rejected_text(sizing: &Sizing<'_>, of_nearest: Option<&Reserve>, all: bool, language: Language) -> String {
     let rejected: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|candidate| !candidate.fits()).collect();
     if rejected.is_empty() {
         return String::new();
@@ -205,10 +209,8 @@ fn rejected_text(sizing: &Sizing<'_>, project: &Project, all: bool, language: La
         out.push_str(&told(head, limited));
         out.push_str(&reserve_text(&Reserve::default(), limited, language));
     }
-    if let Some(near) = nearest {
-        if let Ok(reserve) = workbench::reserve_within(project, near, patience()) {
-            out.push_str(&reserve_text(&reserve, near, language));
-        }
+    if let (Some(near), Some(reserve)) = (nearest, of_nearest) {
+        out.push_str(&reserve_text(reserve, near, language));
     }
     out
 }
