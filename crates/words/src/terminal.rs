@@ -108,11 +108,11 @@ texts! {
     would_fit_with_this_asked_for = "would fit with this asked for" | "wäre geeignet, wenn nur dies gefordert wäre";
     not_sought = "not sought" | "nicht gesucht";
     load_and_pace_not_sought(samples, most) =
-        "other loads and other cycle times; each step of that search would find the load of {samples} samples anew, and of more than {most} only where `antrieb check --deadline` says how long it may take"
-        | "andere Lasten und andere Zykluszeiten; jeder Schritt dieser Suche müsste die Last von {samples} Abtastwerten neu bestimmen, und von mehr als {most} nur, wo `antrieb check --deadline` sagt, wie lange es dauern darf";
+        "other loads and other cycle times; each step of that search would find the load of {samples} samples anew, and of more than {most} only where --deadline of check, size or report says how long it may take"
+        | "andere Lasten und andere Zykluszeiten; jeder Schritt dieser Suche müsste die Last von {samples} Abtastwerten neu bestimmen, und von mehr als {most} nur, wo --deadline bei check, size oder report sagt, wie lange es dauern darf";
     load_not_sought(samples, most) =
-        "other loads; each step of that search would find the load of {samples} samples anew, and of more than {most} only where `antrieb check --deadline` says how long it may take"
-        | "andere Lasten; jeder Schritt dieser Suche müsste die Last von {samples} Abtastwerten neu bestimmen, und von mehr als {most} nur, wo `antrieb check --deadline` sagt, wie lange es dauern darf";
+        "other loads; each step of that search would find the load of {samples} samples anew, and of more than {most} only where --deadline of check, size or report says how long it may take"
+        | "andere Lasten; jeder Schritt dieser Suche müsste die Last von {samples} Abtastwerten neu bestimmen, und von mehr als {most} nur, wo --deadline bei check, size oder report sagt, wie lange es dauern darf";
     payload_factor(factor) = "payload × {factor}" | "Nutzlast × {factor}";
     load_factor(factor) = "all masses and inertias × {factor}" | "alle Massen und Trägheiten × {factor}";
     cycle_time(time) = "cycle of {time} s" | "Zyklus von {time} s";
