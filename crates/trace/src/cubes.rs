@@ -116,7 +116,8 @@ impl Trace {
     /// ∫|T_L|³ |ω| dt; only gears with a rating ask for it.
     pub fn cubes(&self) -> f64 {
         *self.cubes.get_or_init(|| {
-            let by_cells = |strip: &&Strip| strip.has_moments();
+            // The moments serve whoever asks for many loads; for one alone they would cost more than a pass.
+            let by_cells = |strip: &&Strip| self.is_changed && strip.has_moments();
             let passed = self.blocks.iter().filter(|block| !self.strip_of(block).as_ref().is_some_and(by_cells));
             let strips = self.strips.iter().filter(by_cells);
             let recorded = strips.filter_map(|strip| Some(cubes_of_cell(strip, strip.root()?)));
