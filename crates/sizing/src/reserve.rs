@@ -152,8 +152,8 @@ fn excess_of(judgement: &Judgement) -> f64 {
     if excess.is_finite() || finite <= 0.0 { excess.max(f64::EPSILON) } else { finite }
 }
 
-/// The largest factor from which nothing fits any more, with the excess at a factor of one, walking up from what fits or down from what does not;
-/// `None` if nothing near fits, or everything does.
+/// The largest factor from which nothing fits any more, walking up from what fits or down from what does not; `None` if
+/// nothing near fits, or everything does. The excess `now` is that at a factor of one.
 fn largest<S>(now: f64, excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option<f64>, S> {
     let (mut factor, mut here) = (1.0, now);
     if here <= 0.0 {
