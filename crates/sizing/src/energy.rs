@@ -7,7 +7,9 @@ use crate::axis::Axis;
 use crate::check::{Check, CheckId};
 use crate::comparison::{Asking, against_asked, not_checked};
 use crate::currents::{Currents, SPEED};
+use crate::electrics::Electrics;
 use crate::notes::Note;
+use crate::watch::Watch;
 use actuator::{Parameters, TerminalPower};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
@@ -16,7 +18,7 @@ use quantities::{Energy, Measure, Power, ThermodynamicTemperature};
 use ramps::Sweep;
 use std::collections::BTreeMap;
 use std::ops::Range;
-use trace::{Block, Cell, Extent, Inside, Node, Panel, Sought, Strip, Swept};
+use trace::{Block, Cell, Extent, Gram, Inside, Node, Panel, Ramps, Sought, Strip, Swept};
 
 /// A winding as cold as its resistance is printed for, 20 °C in kelvin: the least of the copper loss, so the most comes back.
 const COLD_WINDING: f64 = 293.15;
@@ -66,11 +68,11 @@ impl<'a> CyclePower<'a> {
         (self.motor.copper_ohm(), self.motor.constant_v_s_per_rad())
     }
 
-    /// Its integral over a block in which the load is only driven \[J\].
-    fn driving(&self, block: &Block) -> f64 {
+    /// Its integral over a time in which the load is only driven \[J\].
+    fn driving(&self, gram: &Gram) -> f64 {
         let weights = self.weights(false);
         let (r, k) = self.constants();
-        r * block.gram.square(weights) + k * block.gram.product(weights, SPEED)
+        r * gram.square(weights) + k * gram.product(weights, SPEED)
     }
 
     /// Over a gap between two instants, torque and speed taken as straight in it: cut where the torque passes zero,
@@ -226,57 +228,6 @@ struct Balance {
 }
 
 impl Balance {
-    /// Over a cycle, with what a bank must hold or without: only that asks for the order in time of what is recorded.
-    fn of(axis: &Axis, power: &CyclePower<'_>, with_bank: bool) -> Self {
-        let mut balance = Self::default();
-        let mut passed = Passed::default();
-        let strips = axis.trace.strips();
-        // Of each recording: whether it goes by cells.
-        let by_cells = |strip: &Strip| !with_bank && CellPower::of(strip, power).serve();
-        let by_cells: Vec<bool> = strips.iter().map(by_cells).collect();
-        for (strip, _) in strips.iter().zip(&by_cells).filter(|(_, by_cells)| **by_cells) {
-            if let Some(root) = strip.root() {
-                CellPower::of(strip, power).add(root, &mut balance, &mut passed);
-            }
-            balance.peak = strip.largest(&Returned(power), balance.peak);
-        }
-        let by_cells = |block: &Block| block.strip().and_then(|strip| by_cells.get(strip)).is_some_and(|cells| *cells);
-        for block in axis.trace.blocks().iter().filter(|block| !by_cells(block)) {
-            // Where the load is only driven the power has one sign, and the block is taken as a whole.
-            if !axis.trace.is_short() && block.extent.power_sign(power.currents.inertia) == Some(1.0) {
-                let taken = power.driving(block);
-                balance.whole += taken;
-                balance.bank.pass(taken);
-                continue;
-            }
-            let before = balance;
-            balance.pass(axis, power, block, (with_bank, &mut passed));
-            if block.times > 1.0 {
-                balance.whole = before.whole + block.times * (balance.whole - before.whole);
-                balance.back = before.back + block.times * (balance.back - before.back);
-                balance.repeat(axis, power, block, &mut passed);
-            }
-        }
-        // What is left of a sum that cancels is nothing that comes back.
-        if balance.back <= ROUNDING * balance.whole.abs() {
-            (balance.back, balance.peak, balance.bank) = (0.0, 0.0, Bank::default());
-        }
-        balance
-    }
-
-    /// Through a block, once.
-    fn pass(&mut self, axis: &Axis, power: &CyclePower<'_>, block: &Block, (with_bank, passed): (bool, &mut Passed)) {
-        let mut sweep = Sweep::of(power);
-        axis.trace.sweep(block, &mut |swept| match swept {
-            Swept::Ramps(ramps) => sweep.pass(ramps, with_bank.then_some(&mut self.bank)),
-            Swept::Panel(panel) => self.panel(&panel, power, passed),
-        });
-        let [whole, back, peak] = sweep.found();
-        self.whole += whole;
-        self.back += back;
-        self.peak = self.peak.max(peak);
-    }
-
     fn panel(&mut self, panel: &Panel<'_>, power: &CyclePower<'_>, passed: &mut Passed) {
         match panel.nodes {
             [a, .., b] if panel.is_straight() => {
@@ -291,18 +242,6 @@ impl Balance {
         }
     }
 
-    /// What the further periods of a block do to the bank: from the second on each adds as much as the one before.
-    fn repeat(&mut self, axis: &Axis, power: &CyclePower<'_>, block: &Block, passed: &mut Passed) {
-        let (whole, back) = (self.whole, self.back);
-        let first = self.bank.held;
-        self.pass(axis, power, block, (true, passed));
-        self.bank.held += (block.times - 3.0).max(0.0) * (self.bank.held - first).max(0.0);
-        if block.times > 2.0 {
-            self.pass(axis, power, block, (true, passed));
-        }
-        (self.whole, self.back) = (whole, back);
-    }
-
     fn take(&mut self, arc: &Arc) {
         self.peak = self.peak.max(-arc.least());
         arc.parts(|taken| self.part(taken));
@@ -314,6 +253,164 @@ impl Balance {
         self.back -= taken.min(0.0);
         self.bank.pass(taken);
     }
+}
+
+/// What the cycle takes and gives back with one actuator, on its way.
+struct Account<'a> {
+    power: &'a CyclePower<'a>,
+    with_bank: bool,
+    balance: Balance,
+    passed: Passed,
+    sweep: Sweep,
+    /// Of each recording: whether it goes by cells, and is in the balance from the beginning.
+    by_cells: Vec<bool>,
+}
+
+impl<'a> Account<'a> {
+    /// With what a bank must hold or without: only that asks for the order in time of what is recorded.
+    fn of(axis: &Axis, power: &'a CyclePower<'a>) -> Self {
+        let with_bank = axis.asked.dc_link_rise.is_some();
+        let mut account = Self {
+            power,
+            with_bank,
+            balance: Balance::default(),
+            passed: Passed::default(),
+            sweep: Sweep::of(power),
+            by_cells: Vec::new(),
+        };
+        for strip in axis.trace.strips() {
+            let cells = CellPower::of(strip, power);
+            let serve = !with_bank && cells.serve();
+            if serve {
+                if let Some(root) = strip.root() {
+                    cells.add(root, &mut account.balance, &mut account.passed);
+                }
+                account.balance.peak = strip.largest(&Returned(power), account.balance.peak);
+            }
+            account.by_cells.push(serve);
+        }
+        account
+    }
+
+    /// Whether a block is to be passed: not where its cells are in the balance, nor where the load is only driven, for the
+    /// power has one sign there and the block is taken as a whole.
+    fn asks_for(&mut self, axis: &Axis, block: &Block) -> bool {
+        if block.strip().and_then(|strip| self.by_cells.get(strip)).is_some_and(|cells| *cells) {
+            return false;
+        }
+        if !axis.trace.is_short() && block.extent.power_sign(self.power.currents.inertia) == Some(1.0) {
+            let taken = self.power.driving(&block.gram);
+            self.balance.whole += taken;
+            self.balance.bank.pass(taken);
+            return false;
+        }
+        true
+    }
+
+    /// Passes some intervals, but for what the power would be there if the load nowhere drove.
+    fn ramps(&mut self, ramps: &[Ramps], extent: &Extent) {
+        // Most blocks lie below the largest power that is found already.
+        let with_peak = Returned(self.power).bound(extent) > self.balance.peak;
+        let bank = self.with_bank.then_some(&mut self.balance.bank);
+        let added = self.sweep.pass(ramps, with_peak, bank);
+        self.balance.whole += added.beside;
+        self.balance.back += added.back;
+        self.balance.peak = self.balance.peak.max(added.peak);
+    }
+
+    fn panel(&mut self, panel: &Panel<'_>) {
+        self.balance.panel(panel, self.power, &mut self.passed);
+    }
+
+    /// Passes a block whose panels follow upon each other several times.
+    fn repeated(&mut self, axis: &Axis, block: &Block) {
+        let before = self.balance;
+        self.once(axis, block);
+        if block.times > 1.0 {
+            let Balance { whole, back, .. } = self.balance;
+            let all = |before: f64, once: f64| before + block.times * (once - before);
+            // What the further periods do to the bank: from the second on each adds as much as the one before.
+            let first = self.balance.bank.held;
+            self.once(axis, block);
+            let bank = &mut self.balance.bank;
+            bank.held += (block.times - 3.0).max(0.0) * (bank.held - first).max(0.0);
+            if block.times > 2.0 {
+                self.once(axis, block);
+            }
+            (self.balance.whole, self.balance.back) = (all(before.whole, whole), all(before.back, back));
+        }
+    }
+
+    fn once(&mut self, axis: &Axis, block: &Block) {
+        sweep(axis, block, &mut [self]);
+    }
+
+    fn close(self) -> Balance {
+        let mut balance = self.balance;
+        // What is left of a sum that cancels is nothing that comes back.
+        if balance.back <= ROUNDING * balance.whole.abs() {
+            (balance.back, balance.peak, balance.bank) = (0.0, 0.0, Bank::default());
+        }
+        balance
+    }
+}
+
+/// Passes a block once for several accounts.
+fn sweep(axis: &Axis, block: &Block, accounts: &mut [&mut Account<'_>]) {
+    // Of what is passed as ramps.
+    let mut gram = block.gram;
+    axis.trace.sweep(block, &mut |swept| match swept {
+        Swept::Ramps(ramps) => accounts.iter_mut().for_each(|account| account.ramps(ramps, &block.extent)),
+        Swept::Panel(panel) => {
+            if block.is_recorded() {
+                gram.take(&panel);
+            }
+            accounts.iter_mut().for_each(|account| account.panel(&panel));
+        }
+    });
+    if block.is_recorded() {
+        accounts.iter_mut().for_each(|account| account.balance.whole += account.power.driving(&gram));
+    }
+}
+
+/// What the cycle takes and gives back with one actuator.
+fn balance(axis: &Axis, power: &CyclePower<'_>) -> Balance {
+    let mut account = Account::of(axis, power);
+    for block in axis.trace.blocks() {
+        if account.asks_for(axis, block) {
+            account.repeated(axis, block);
+        }
+    }
+    account.close()
+}
+
+/// Blocks that are passed between two looks at whether somebody still waits.
+const STEP: usize = 64;
+
+/// What the cycle takes and gives back with each of several actuators. What a recording asks for is found once for all of
+/// them, which costs as much as to pass it where it has losses.
+fn balances<W: Watch>(axis: &Axis, powers: &[CyclePower<'_>], watch: &W) -> Result<Vec<Balance>, W::Stop> {
+    let mut accounts = Vec::with_capacity(powers.len());
+    for power in powers {
+        watch.step()?;
+        accounts.push(Account::of(axis, power));
+    }
+    for blocks in axis.trace.blocks().chunks(STEP) {
+        watch.step()?;
+        for block in blocks {
+            let mut asking: Vec<_> =
+                accounts.iter_mut().filter_map(|each| each.asks_for(axis, block).then_some(each)).collect();
+            if asking.is_empty() {
+                continue;
+            }
+            if block.is_recorded() {
+                sweep(axis, block, &mut asking);
+            } else {
+                asking.iter_mut().for_each(|account| account.repeated(axis, block));
+            }
+        }
+    }
+    Ok(accounts.into_iter().map(Account::close).collect())
 }
 
 /// Power of the cells of a recording: where torque and power keep their sign all through a cell its sums serve.
@@ -410,7 +507,8 @@ impl<'a> CellPower<'a> {
 struct Returned<'a>(&'a CyclePower<'a>);
 
 impl Sought for Returned<'_> {
-    /// −P = −R I² − k ω I: the second largest at a corner, the first where |I| is least. While driving nothing comes back.
+    /// −P = −R I² − k ω I: the second largest at a corner, the first where |I| is least; whatever I is, no more than
+    /// (k ω)²/(4 R). While driving nothing comes back.
     fn bound(&self, extent: &Extent) -> f64 {
         let (low, high) = extent.range(self.0.weights(true));
         let (back, forth) = extent.speeds_rad_s;
@@ -424,7 +522,8 @@ impl Sought for Returned<'_> {
         };
         let (r, k) = self.0.constants();
         let returned = -k * corners.into_iter().fold(f64::INFINITY, f64::min);
-        (returned - r * least * least).max(0.0)
+        let open = k * extent.speed_rad_s;
+        (returned - r * least * least).min(open * open / (4.0 * r)).max(0.0)
     }
 
     fn value(&self, node: &Node) -> f64 {
@@ -443,6 +542,28 @@ pub(crate) fn is_missing(actuator: &Parameters, currents: Result<&Currents, &Mis
     CyclePower::of(actuator, currents).is_err()
 }
 
+/// The check of the energy that comes back with each of several actuators, in one pass over the cycle.
+pub(crate) fn regenerations<W: Watch>(
+    axis: &Axis,
+    actuators: &[&Parameters],
+    watch: &W,
+) -> Result<Vec<Check>, W::Stop> {
+    let electrics: Vec<_> = actuators.iter().map(|actuator| Electrics::of(axis, actuator)).collect();
+    let of = |(actuator, electrics)| Currents::of(axis, actuator, electrics);
+    let currents: Vec<_> = actuators.iter().copied().zip(&electrics).map(of).collect();
+    let (mut powers, mut known) = (Vec::new(), Vec::new());
+    for (actuator, currents) in actuators.iter().zip(&currents) {
+        known.push(CyclePower::of(actuator, currents.as_ref()).map(|power| powers.push(power)));
+    }
+    let mut found = powers.iter().zip(balances(axis, &powers, watch)?);
+    let told = |(power, balance): (&CyclePower<'_>, Balance)| told(axis, power, &balance, &mut Workings::off());
+    let check = |known: Result<(), Missing>| match known {
+        Ok(()) => found.next().map(told),
+        Err(missing) => Some(not_checked(CheckId::Regeneration, missing)),
+    };
+    Ok(known.into_iter().filter_map(check).collect())
+}
+
 /// Mean power that the motor gives back over the cycle, winding cold.
 ///
 /// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
@@ -453,12 +574,15 @@ pub(crate) fn regeneration(
     currents: Result<&Currents, &Missing>,
     work: &mut Workings,
 ) -> Check {
-    let id = CheckId::Regeneration;
     let power = match CyclePower::of(actuator, currents) {
         Ok(power) => power,
-        Err(missing) => return not_checked(id, missing),
+        Err(missing) => return not_checked(CheckId::Regeneration, missing),
     };
-    let balance = Balance::of(axis, &power, axis.asked.dc_link_rise.is_some());
+    told(axis, &power, &balance(axis, &power), work)
+}
+
+fn told(axis: &Axis, power: &CyclePower<'_>, balance: &Balance, work: &mut Workings) -> Check {
+    let id = CheckId::Regeneration;
     let grade = power.currents.grade.worst(Grade::Computed);
     let mean = balance.back / axis.moments.duration.si();
     let permitted = axis.asked.regeneration_power_max.map(Measure::si);

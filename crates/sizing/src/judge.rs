@@ -15,6 +15,7 @@ use crate::feedback_checks;
 use crate::gear_checks;
 use crate::heat_checks;
 use crate::joint_checks;
+use crate::watch::Watch;
 use actuator::{Drivetrain, Parameters};
 use std::ops::Range;
 use std::sync::Arc;
@@ -56,6 +57,20 @@ impl Judgement {
         utilisation(&self.checks.own).max(shared)
     }
 
+    /// Adds the energy that comes back to a judgement that left it out, at its place; see [`energies`].
+    pub fn complete(&mut self, mut energy: Check, naming: Naming<'_>) {
+        naming(&mut energy, self.manual.as_ref().map_or(0, |manual| manual.governing));
+        let own = &mut self.checks.own;
+        let before = own.iter().position(|check| check.id == CheckId::OverloadI2t);
+        own.insert(before.map_or(own.len(), |before| before + 1), energy);
+    }
+
+    /// Whether it says what energy comes back, or why that is not known.
+    #[must_use]
+    pub fn tells_energy(&self) -> bool {
+        self.checks.own.iter().any(|check| check.id == CheckId::Regeneration)
+    }
+
     /// The check with that utilisation.
     #[must_use]
     pub fn tightest(&self) -> Option<&Check> {
@@ -73,8 +88,8 @@ pub enum Depth {
     Full,
     /// The checks that look at the cycle once more only if none of the others fails.
     Survivors,
-    /// The same without the energy that comes back where no limit is asked for: it takes part in no verdict and no
-    /// utilisation, and costs a pass over the whole cycle.
+    /// The same without the energy that comes back, which costs a pass over the whole cycle: many find it together, see
+    /// [`energies`]. Without a limit that is asked for it takes part in no verdict and no utilisation.
     Ranking,
     /// Every check that can fail or has a margin: what is only shown or advised is left out, and so is the demand by
     /// the manual. Verdict and utilisation are those of [`Depth::Full`].
@@ -313,6 +328,14 @@ impl<'a> Judge<'a> {
     }
 }
 
+/// The check that [`Depth::Ranking`] leaves out, for several actuators in one pass over the cycle.
+///
+/// # Errors
+/// Where it was stopped.
+pub fn energies<W: Watch>(axis: &Axis, actuators: &[&Parameters], watch: &W) -> Result<Vec<Check>, W::Stop> {
+    energy::regenerations(axis, actuators, watch)
+}
+
 /// What the first checks look at.
 type Looked<'l> = (checks::Demands<'l>, &'l Electrics, Result<&'l Currents<'l>, &'l provenance::Missing>);
 
@@ -363,8 +386,12 @@ fn further_checks(
     checks.push(explained(explain, |work| electric_checks::torque_speed_trace(axis, actuator, currents, work)));
     checks.push(explained(explain, |work| heat_checks::thermal(axis, actuator, currents, work)));
     checks.push(explained(explain, |work| heat_checks::overload(axis, actuator, (electrics, currents), work)));
-    let is_told = !bare && (depth != Depth::Ranking || energy::is_missing(actuator, currents));
-    if is_told || axis.asked.regeneration_power_max.is_some() {
+    let is_told = match depth {
+        Depth::Full | Depth::Survivors => true,
+        Depth::Ranking => energy::is_missing(actuator, currents),
+        Depth::Margins => axis.asked.regeneration_power_max.is_some(),
+    };
+    if is_told {
         checks.push(explained(explain, |work| energy::regeneration(axis, actuator, currents, work)));
     }
     gear_checks::judge_further(axis, actuator, (bare, explain), checks);

@@ -41,7 +41,7 @@ pub use course::{Course, Sample};
 pub use demand::{Demand, ManualDemand, MoveTorques, Moves};
 pub use derivation;
 pub use flange::{DerivedLoads, FlangeSample};
-pub use judge::{Checks, Depth, InOrder, Judge, Judgement, Naming, judge};
+pub use judge::{Checks, Depth, InOrder, Judge, Judgement, Naming, energies, judge};
 pub use notes::{Note, Notes};
 pub use rank::{Standing, rank};
 pub use reserve::{Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watched};

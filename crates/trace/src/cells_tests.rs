@@ -357,7 +357,7 @@ fn a_sweep_has_the_integrals_of_the_panels() {
             strip.panels(block, &mut |panel| add(&mut expected, &panel));
             strip.sweep(block, &mut |passed| match passed {
                 Swept::Panel(panel) => add(&mut swept, &panel),
-                Swept::Ramps(four) => {
+                Swept::Ramps(many) => many.iter().for_each(|four| {
                     ramps += four.duration_s.iter().filter(|duration| **duration > 0.0).count();
                     for lane in 0..4 {
                         for (share, weight) in [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)] {
@@ -368,7 +368,7 @@ fn a_sweep_has_the_integrals_of_the_panels() {
                             swept.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
                         }
                     }
-                }
+                }),
             });
             let most = f64::max(block.extent.load_nm.1, -block.extent.load_nm.0);
             let scale = block.duration_s * (1.0 + most) * (1.0 + most);

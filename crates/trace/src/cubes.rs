@@ -130,7 +130,7 @@ impl Trace {
         match self.strip_of(block) {
             Some(strip) => strip.sweep(block, &mut |passed| {
                 sum += match passed {
-                    Swept::Ramps(ramps) => cubes_of_ramps(ramps),
+                    Swept::Ramps(ramps) => ramps.iter().map(cubes_of_ramps).sum(),
                     Swept::Panel(panel) => cubes_of_panel(&panel),
                 }
             }),

@@ -214,6 +214,11 @@ impl Gram {
         }
     }
 
+    /// Without those of a panel.
+    pub fn take(&mut self, panel: &Panel<'_>) {
+        panel.nodes.iter().for_each(|node| self.add(&Node { weight_s: -node.weight_s, ..*node }));
+    }
+
     /// cᵀ G c
     #[inline]
     pub fn square(&self, c: [f64; 4]) -> f64 {

@@ -8,7 +8,7 @@ use project::{Assumption, OwnActuator, Project};
 use quantities::Measure;
 use sizing::{
     Check, CheckId, Course, Depth, Judge, Judgement, Reserve, SAMPLES_ANEW, Standing, Unwatched, Verdict, Watch,
-    finished, rank, reserve_watched,
+    energies, finished, rank, reserve_watched,
 };
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -178,16 +178,25 @@ pub fn order(project: &Project) -> Sizing<'_> {
 /// Where it was stopped.
 pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, told: usize, watch: &W) -> Result<Sizing<'p>, W::Stop> {
     let actuators = actuators_of(project, project.option_1);
-    // Of a short cycle the energy costs less than to judge some of them twice.
-    let is_long = told < actuators.len() && !project.axis.is_short();
+    // Of a short cycle the energy costs less than to look at some of them twice.
+    let is_long = !project.axis.is_short();
     let depth = if is_long { Depth::Ranking } else { Depth::Survivors };
-    let mut candidates = ranked(judged_by_two(project, actuators, depth, watch)?);
-    if depth == Depth::Ranking {
-        let mut judging = Judging::of(project, Depth::Full);
-        for candidate in candidates.iter_mut().take(told).filter(|candidate| candidate.judgement_fits()) {
-            watch.step()?;
-            candidate.judgement = judging.judge(candidate.parameters);
-        }
+    let parts = by_drivetrain(actuators);
+    let begin = || {
+        let mut judging = Judging::of(project, depth);
+        move |part: &&'p [(OrderCode, Parameters)]| judged(&mut judging, part, watch)
+    };
+    let mut candidates = Vec::with_capacity(actuators.len());
+    by_two(&parts, begin)?.into_iter().for_each(|part| candidates.extend(part));
+    // Where a limit is asked for the order hangs on it.
+    let is_limited = project.axis.asked.regeneration_power_max.is_some();
+    if is_long && is_limited {
+        complete(project, &mut candidates, watch)?;
+    }
+    let mut candidates = ranked(candidates);
+    if is_long && !is_limited {
+        let told = told.min(candidates.len());
+        complete(project, candidates.get_mut(..told).unwrap_or_default(), watch)?;
     }
     Ok(Sizing {
         name: &project.name,
@@ -197,44 +206,64 @@ pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, told: usize, watc
     })
 }
 
-/// Every actuator as a candidate, in the order of the catalogue.
-fn judged_by_two<'p, W: Watch>(
-    project: &'p Project,
-    actuators: &'p [(OrderCode, Parameters)],
-    depth: Depth,
-    watch: &W,
-) -> Result<Vec<Candidate<'p>>, W::Stop> {
-    let parts = parts(actuators);
+/// So many actuators pass a long cycle together at most: what is kept of them stays near the processor.
+const TOGETHER: usize = 64;
+
+/// Adds to the judgements of those that fit what a ranking leaves out.
+fn complete<W: Watch>(project: &Project, candidates: &mut [Candidate<'_>], watch: &W) -> Result<(), W::Stop> {
+    let mut open: Vec<&mut Candidate<'_>> = candidates
+        .iter_mut()
+        .filter(|candidate| candidate.judgement_fits() && !candidate.judgement.tells_energy())
+        .collect();
+    let actuators: Vec<&Parameters> = open.iter().map(|candidate| candidate.parameters).collect();
+    let parts: Vec<_> = actuators.chunks(actuators.len().div_ceil(2).clamp(1, TOGETHER)).collect();
+    let found = by_two(&parts, || |part: &&[&Parameters]| energies(&project.axis, part, watch))?;
+    let mut cited = Cited::of(project);
+    for (candidate, energy) in open.iter_mut().zip(found.into_iter().flatten()) {
+        candidate.judgement.complete(energy, &mut |check, governing| cited.cite(check, governing));
+        let Standing { size, mass_kg, .. } = candidate.standing;
+        let mass = Some(mass_kg).filter(|mass| mass.is_finite());
+        candidate.standing = Standing::of(&candidate.judgement, candidate.objections.is_empty(), size, mass);
+    }
+    Ok(())
+}
+
+/// Work on each of several parts, in their order. Each of two threads takes the next part until none is left: those that fit
+/// are judged by more checks and stand together in the catalogue, so that two fixed halves would be done at different times.
+fn by_two<'t, T: Sync, R: Send, S: Send, F: FnMut(&'t T) -> Result<R, S>>(
+    parts: &'t [T],
+    begin: impl Fn() -> F + Sync,
+) -> Result<Vec<R>, S> {
     let next = AtomicUsize::new(0);
-    // Each of two threads takes the next part until none is left: those that fit are judged by more checks and stand
-    // together in the catalogue, so that two fixed halves would be done at different times.
-    let work = || -> Result<Vec<_>, W::Stop> {
-        let mut judging = Judging::of(project, depth);
+    let work = || -> Result<Vec<(usize, R)>, S> {
+        let mut one = begin();
         let mut done = Vec::with_capacity(parts.len());
         while let place = next.fetch_add(1, Ordering::Relaxed)
             && let Some(part) = parts.get(place)
         {
-            done.push((place, judged(&mut judging, part, watch)?));
+            done.push((place, one(part)?));
         }
         Ok(done)
     };
-    let mut done = std::thread::scope(|scope| {
-        let other = std::thread::Builder::new().spawn_scoped(scope, work).ok();
-        let mut done = work()?;
-        if let Some(other) = other.and_then(|other| other.join().ok()) {
-            done.extend(other?);
-        }
-        Ok(done)
-    })?;
+    let mut done = if parts.len() < 2 {
+        work()?
+    } else {
+        std::thread::scope(|scope| {
+            let other = std::thread::Builder::new().spawn_scoped(scope, work).ok();
+            let mut done = work()?;
+            if let Some(other) = other.and_then(|other| other.join().ok()) {
+                done.extend(other?);
+            }
+            Ok(done)
+        })?
+    };
     // A thread that cannot be had, as in a browser, took no part; one that could not finish leaves its own to this one.
     let missing: Vec<_> = (0..parts.len()).filter(|place| done.iter().all(|(known, _)| known != place)).collect();
     for (place, part) in missing.into_iter().filter_map(|place| Some((place, parts.get(place)?))) {
-        done.push((place, judged(&mut Judging::of(project, depth), part, watch)?));
+        done.push((place, begin()(part)?));
     }
     done.sort_by_key(|(place, _)| *place);
-    let mut candidates = Vec::with_capacity(parts.iter().map(|part| part.len()).sum());
-    done.into_iter().for_each(|(_, part)| candidates.extend(part));
-    Ok(candidates)
+    Ok(done.into_iter().map(|(_, found)| found).collect())
 }
 
 /// Candidates, best first, in the memory in which they lie.
@@ -257,7 +286,7 @@ fn ranked(mut candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
 const PART: usize = 8;
 
 /// The catalogue in parts for one thread or the other, cut where one drivetrain ends: neighbours share what is found of it.
-fn parts(actuators: &[(OrderCode, Parameters)]) -> Vec<&[(OrderCode, Parameters)]> {
+fn by_drivetrain(actuators: &[(OrderCode, Parameters)]) -> Vec<&[(OrderCode, Parameters)]> {
     let mut parts = Vec::with_capacity(actuators.len() / PART + 1);
     let mut rest = actuators;
     while let Some((_, last)) = rest.get(PART - 1) {

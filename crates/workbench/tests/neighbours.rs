@@ -58,6 +58,20 @@ supply = "560 V"
 ambient = "30 degC"
 "#;
 
+/// An arm that swings so often that its cycle is no short one, each time by another angle, with a limit for what comes back.
+fn swinging() -> String {
+    let head = "format = 1\n[axis]\nname = \"swings\"\n[mechanism.arm]\naxis_tilt = \"90 deg\"\nmass = \"4 kg\"\n\
+        centre_distance = \"200 mm\"\nstart_angle = \"-60 deg\"\nfriction_torque = \"0.5 N m\"\ninertia = \"0.3 kg m^2\"\n\
+        [requirements]\nregeneration_power_max = \"0.5 W\"\n";
+    let swing = |angle: u32| {
+        [1.0, -1.0].map(|sign| {
+            let distance = sign * f64::from(angle);
+            format!("[[motion]]\nlaw = \"modified_sine\"\ndistance = \"{distance} deg\"\ntime = \"0.4 s\"\n")
+        })
+    };
+    head.to_owned() + &(20..60).flat_map(swing).collect::<String>()
+}
+
 /// The axes of all examples.
 fn examples() -> Vec<workbench::Project> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
@@ -103,13 +117,42 @@ fn the_order_of_the_checks_is_the_same_for_every_actuator() {
     assert!(orders.all(|other| other == first));
 }
 
+/// The energy that comes back is found for many in one pass over a long cycle: it is what each of them has alone.
+#[test]
+fn what_a_cycle_gives_back_is_found_for_many_as_for_one() {
+    let mut projects = examples();
+    projects.extend(workbench::read_all(&swinging(), &Examples).unwrap());
+    let (mut seen, mut failed) = (0, 0);
+    for project in projects.iter().filter(|project| !project.axis.is_short()) {
+        let all = workbench::size(project).candidates;
+        let mut judge = Judge::of(&project.axis, Depth::Full);
+        for candidate in all.iter().filter(|candidate| candidate.fits()).take(20) {
+            let energy = |checks: &sizing::Checks| {
+                let energy = checks.iter().find(|check| check.id == sizing::CheckId::Regeneration).unwrap();
+                (energy.value, energy.verdict, energy.notes.clone())
+            };
+            let alone = judge.next(candidate.parameters, &mut |_, _| {});
+            let ids = |checks: &sizing::Checks| checks.iter().map(|check| check.id).collect::<Vec<_>>();
+            assert_eq!(ids(&candidate.judgement.checks), ids(&alone.checks), "{}, {}", project.name, candidate.id);
+            let (together, alone) = (energy(&candidate.judgement.checks), energy(&alone.checks));
+            assert_eq!(format!("{together:?}"), format!("{alone:?}"), "{}, {}", project.name, candidate.id);
+            seen += 1;
+        }
+        let by_energy =
+            |each: &&Candidate<'_>| each.worst_failure().map(|check| check.id) == Some(sizing::CheckId::Regeneration);
+        failed += all.iter().filter(by_energy).count();
+        assert!(all.is_sorted_by(|a, b| sizing::rank(&a.standing, &b.standing).is_le()), "{}", project.name);
+    }
+    assert!(seen > 40 && failed > 10, "{seen} seen, {failed} failed by it");
+}
+
 /// Whoever asks for the best three is told the same of them and sees the same of all others, but for the energy that comes
 /// back without a limit.
 #[test]
 fn a_ranking_is_the_same_however_many_are_told_in_full() {
     let limited = format!("{TURNING}regeneration_power_max = \"1 W\"\n");
     let mut projects = examples();
-    let seen = [TURNING, &limited].map(|text| workbench::read(text).unwrap());
+    let seen = [TURNING, &limited, &swinging()].map(|text| workbench::read(text).unwrap());
     projects.extend(seen);
     let (mut left_out, mut decided) = (0, 0);
     for project in &projects {

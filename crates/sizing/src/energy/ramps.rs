@@ -10,157 +10,158 @@ const fn all(value: f64) -> f64x4 {
     f64x4::new([value; 4])
 }
 
+/// A signal that is a straight line over an interval: at its beginning and at its end.
+type Line = [f64x4; 2];
+
+/// A part of an interval, from one share of it to another; an empty one ends where it begins, or before.
+type Part = [f64x4; 2];
+
+/// a f + b g
+#[inline]
+fn sum((a, [f0, f1]): (f64x4, Line), (b, [g0, g1]): (f64x4, Line)) -> Line {
+    [a * f0 + b * g0, a * f1 + b * g1]
+}
+
+/// The part in which a line lies below zero: its length is what of |f_0| + |f_1| is below.
+#[inline]
+fn below([f0, f1]: Line) -> Part {
+    let under = f0.fast_min(f64x4::ZERO) + f1.fast_min(f64x4::ZERO);
+    let length = -under / (f0.abs() + f1.abs()).fast_max(all(f64::MIN_POSITIVE));
+    let from = f0.simd_lt(f64x4::ZERO).select(f64x4::ZERO, f64x4::ONE - length);
+    [from, from + length]
+}
+
+/// What two parts have in common.
+#[inline]
+fn common([a, b]: Part, [c, d]: Part) -> Part {
+    [a.fast_max(c), b.fast_min(d)]
+}
+
+#[inline]
+fn at([f0, f1]: Line, share: f64x4) -> f64x4 {
+    f0 + (f1 - f0) * share
+}
+
+/// ∫f g over a part of the interval, whose duration is one: by its middle and what the product bends beside it.
+#[inline]
+fn product(f: Line, g: Line, [from, to]: Part) -> f64x4 {
+    let (length, middle) = ((to - from).fast_max(f64x4::ZERO), (from + to) * all(0.5));
+    let bend = (f[1] - f[0]) * (g[1] - g[0]);
+    length * (at(f, middle) * at(g, middle) + bend * length * length * all(1.0 / 12.0))
+}
+
 /// A power that is summed up over straight intervals.
+///
+/// P = I V with V = 1.5 R I + k_TM i ω: of two straight lines, so the parts of its sign end at their zeros. Counted in the
+/// direction of the motion power comes back where the load drives, I is below zero and V above.
 pub(super) struct Sweep {
     inertia: f64x4,
-    /// Factor of the torque in the current while the load drives, and while it is driven [A/Nm].
-    per_torque: [f64x4; 2],
+    /// Factor of the torque in the current while the load does not drive, and while it does [A/Nm].
+    per_torque: [f64; 2],
     /// Factors of σ \[A\] and ω [As/rad] in the current.
     starting: f64,
-    per_speed: f64x4,
+    per_speed: f64,
     /// 1.5 R \[Ω\]
-    copper: f64x4,
+    copper: f64,
     /// k_TM i [Vs/rad]
-    constant: f64x4,
-    /// ∫P dt and −∫P dt where P < 0 \[J\]
-    whole: f64x4,
-    back: f64x4,
-    /// Largest −P \[W\]
-    peak: f64x4,
+    constant: f64,
 }
 
-/// A straight interval of the output: torque with that of the own inertia, and speed, at its beginning and their increase.
-#[derive(Clone, Copy)]
-struct Line {
-    duration: f64x4,
-    torque: [f64x4; 2],
-    speed: [f64x4; 2],
-    /// σ I_s \[A\]
-    starting: f64x4,
-}
-
-/// The parabola of the power over a part of it: P(u) = p_0 + p_1 u + p_2 u², u from 0 to 1.
-struct Arcs {
-    duration: f64x4,
-    power: [f64x4; 3],
-}
-
-impl Arcs {
-    /// ∫P dt from the beginning to u \[J\]
-    fn energy(&self, u: f64x4) -> f64x4 {
-        let [p0, p1, p2] = self.power;
-        self.duration * u * (p0 + u * (p1 * all(0.5) + u * p2 * all(1.0 / 3.0)))
-    }
-
-    /// Where P passes zero within, in order; an end of the part where it does not.
-    fn zeros(&self) -> [f64x4; 2] {
-        let [p0, p1, p2] = self.power;
-        let root = p1 * p1 - all(4.0) * p2 * p0;
-        // Without cancellation: one root from the sum, the other from the product. Of a parabola without one, or of a power
-        // that is zero all through, no part is cut off.
-        let (none, sum) = (root.simd_lt(f64x4::ZERO), root.fast_max(f64x4::ZERO).sqrt());
-        let q = all(-0.5) * (p1 + p1.simd_lt(f64x4::ZERO).select(-sum, sum));
-        let within = |u: f64x4| {
-            let inside = u.simd_gt(f64x4::ZERO) & u.simd_lt(f64x4::ONE);
-            none.select(f64x4::ZERO, inside.select(u, f64x4::ZERO))
-        };
-        let (a, b) = (within(q / p2), within(p0 / q));
-        [a.fast_min(b), a.fast_max(b)]
-    }
-
-    /// The least power at an end or between \[W\].
-    fn least(&self) -> f64x4 {
-        let [p0, p1, p2] = self.power;
-        let ends = p0.fast_min(p0 + p1 + p2);
-        let vertex = all(-0.5) * p1 / p2;
-        let between = vertex.simd_gt(f64x4::ZERO) & vertex.simd_lt(f64x4::ONE);
-        between.select(ends.fast_min(p0 + vertex * (p1 + vertex * p2)), ends)
-    }
+/// What some intervals add to a balance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Added {
+    /// ∫(P − P_0) dt where P_0 is the power if nowhere the load drove \[J\].
+    pub(super) beside: f64,
+    /// −∫P dt where P < 0 \[J\]
+    pub(super) back: f64,
+    /// Largest −P, if it is asked for \[W\].
+    pub(super) peak: f64,
 }
 
 impl Sweep {
     pub(super) fn of(power: &CyclePower<'_>) -> Self {
         let [[_, driving, starting, per_speed], [_, driven, ..]] = [false, true].map(|driven| power.weights(driven));
         let (copper, constant) = power.constants();
-        Self {
-            inertia: all(power.currents.inertia),
-            per_torque: [all(driving), all(driven)],
-            starting,
-            per_speed: all(per_speed),
-            copper: all(copper),
-            constant: all(constant),
-            whole: f64x4::ZERO,
-            back: f64x4::ZERO,
-            peak: f64x4::ZERO,
+        let inertia = all(power.currents.inertia);
+        Self { inertia, per_torque: [driving, driven], starting, per_speed, copper, constant }
+    }
+
+    /// Passes some intervals. The largest power that comes back is found where it is asked for; a bank takes the parts of each
+    /// interval in their order.
+    pub(super) fn pass(&self, ramps: &[Ramps], with_peak: bool, bank: Option<&mut Bank>) -> Added {
+        match (bank, with_peak) {
+            (None, false) => self.each::<false>(ramps, None),
+            (bank, _) => self.each::<true>(ramps, bank),
         }
     }
 
-    /// What was taken \[J\], what came back \[J\] and the largest power that did \[W\].
-    pub(super) fn found(&self) -> [f64; 3] {
-        let peak = self.peak.to_array().into_iter().fold(0.0, f64::max);
-        [self.whole.reduce_add(), self.back.reduce_add(), peak]
-    }
-
-    /// The power of a part from one share of it to another, with the factor of the torque in the current.
-    fn arcs(&self, line: &Line, from: f64x4, to: f64x4, per_torque: f64x4) -> Arcs {
-        let ([t, dt], [w, dw], share) = (line.torque, line.speed, to - from);
-        let (w0, dw0) = (w + dw * from, dw * share);
-        let i0 = per_torque * (t + dt * from) + line.starting + self.per_speed * w0;
-        let di = per_torque * dt * share + self.per_speed * dw0;
-        let (r, k) = (self.copper, self.constant);
-        Arcs {
-            duration: line.duration * share,
-            power: [(r * i0 + k * w0) * i0, all(2.0) * r * i0 * di + k * (i0 * dw0 + w0 * di), (r * di + k * dw0) * di],
+    fn each<const PEAK: bool>(&self, ramps: &[Ramps], mut bank: Option<&mut Bank>) -> Added {
+        let [mut beside, mut back, mut peak] = [f64x4::ZERO; 3];
+        for four in ramps {
+            let found = self.four::<PEAK>(four, bank.as_deref_mut());
+            beside += found[0];
+            back += found[1];
+            peak = peak.fast_max(found[2]);
         }
+        let peak = peak.to_array().into_iter().fold(0.0, f64::max);
+        Added { beside: beside.reduce_add(), back: back.reduce_add(), peak }
     }
 
-    /// Passes some intervals; a bank takes the parts of each in their order.
-    pub(super) fn pass(&mut self, ramps: &Ramps, bank: Option<&mut Bank>) {
+    /// What four of them add.
+    #[inline]
+    fn four<const PEAK: bool>(&self, ramps: &Ramps, bank: Option<&mut Bank>) -> [f64x4; 3] {
+        let duration = f64x4::new(ramps.duration_s);
         let own = self.inertia * f64x4::new(ramps.acceleration_rad_s2);
-        let [a, b] = ramps.load_nm.map(|load| own + f64x4::new(load));
-        let [w0, w1] = ramps.speed_rad_s.map(f64x4::new);
-        let direction = all(ramps.direction);
-        let line = Line {
-            duration: f64x4::new(ramps.duration_s),
-            torque: [a, b - a],
-            speed: [w0, w1 - w0],
-            starting: all(self.starting * ramps.direction),
-        };
-        // The load drives in one part at most: before the zero of the torque, behind it, all through or nowhere.
-        // At rest nothing does.
-        let crosses = (a * b * direction * direction).simd_lt(f64x4::ZERO);
-        let zero = crosses.select(a / (a - b), f64x4::ONE);
-        let first = (a * direction).simd_lt(f64x4::ZERO);
-        let some = ((a + b) * direction).simd_lt(f64x4::ZERO);
-        let braking = crosses.select(first, some);
-        // Up to there: the braking part comes first, or the driving one.
-        let (before, after) = ([f64x4::ZERO, zero], [zero, f64x4::ONE]);
-        let pick = |plain: [f64x4; 2], other: [f64x4; 2]| {
-            let ([a, b], [c, d]) = (plain, other);
-            [braking.select(a, c), braking.select(b, d)]
-        };
-        let ([from, to], [back_from, back_to]) = (pick(after, before), pick(before, after));
+        // Torque, speed and current count in the direction of the motion; the power of two of them is the same.
+        let sign = all(if ramps.direction < 0.0 { -1.0 } else { 1.0 });
+        let torque = ramps.load_nm.map(|load| sign * (own + f64x4::new(load)));
+        let speed = ramps.speed_rad_s.map(|speed| sign * f64x4::new(speed));
+        let starting = self.starting * ramps.direction.abs();
+        let friction = speed.map(|speed| all(self.per_speed) * speed + all(starting));
         let [driving, driven] = self.per_torque;
-        let taken = self.arcs(&line, from, to, driving).energy(f64x4::ONE);
-        let arcs = self.arcs(&line, back_from, back_to, driven);
-        let [u, v] = arcs.zeros();
-        let (at_u, at_v, at_end) = (arcs.energy(u), arcs.energy(v), arcs.energy(f64x4::ONE));
-        let parts = [at_u, at_v - at_u, at_end - at_v];
-        self.whole += taken + at_end;
-        for part in parts {
-            self.back -= part.fast_min(f64x4::ZERO);
+        let (r, k) = (self.copper, self.constant);
+        let power = |factor: f64| {
+            let current = sum((all(factor), torque), (f64x4::ONE, friction));
+            (current, sum((all(r), current), (all(k), speed)))
+        };
+        // The load drives before the zero of the torque, behind it, all through or nowhere; at rest nothing does.
+        let braking = if ramps.direction == 0.0 { [f64x4::ONE; 2] } else { below(torque) };
+        // With the factors a where it does and b elsewhere P − P_0 = (a − b) T (1.5 R ((a + b) T + 2 I_f) + k_TM i ω).
+        let per_speed = all((driven - driving) * (2.0 * r * self.per_speed + k));
+        let unchanging = all((driven - driving) * 2.0 * r * starting);
+        let per_torque = all((driven - driving) * r * (driven + driving));
+        let change = sum((per_torque, torque), (per_speed, speed)).map(|change| change + unchanging);
+        let beside = duration * product(torque, change, braking);
+        let (current, voltage) = power(driven);
+        let returning = common(below(current), below(voltage.map(|voltage| -voltage)));
+        let returning = common(returning, braking);
+        let back = -duration * product(current, voltage, returning);
+        let [from, to] = returning;
+        let comes = to.simd_gt(from);
+        let mut peak = f64x4::ZERO;
+        if PEAK {
+            // The vertex of P lies half-way between the zeros; of a line there is none, and an end has the largest.
+            let root = |[f0, f1]: Line| f0 / (f0 - f1);
+            let bends = ((current[1] - current[0]) * (voltage[1] - voltage[0])).simd_ne(f64x4::ZERO);
+            let vertex = bends.select(all(0.5) * (root(current) + root(voltage)), from).fast_max(from).fast_min(to);
+            let returned = |share: f64x4| -at(current, share) * at(voltage, share);
+            let most = returned(from).fast_max(returned(to)).fast_max(returned(vertex));
+            peak = comes.select(most, f64x4::ZERO);
         }
-        self.peak = self.peak.fast_max((back_to - back_from).simd_gt(f64x4::ZERO).select(-arcs.least(), self.peak));
         if let Some(bank) = bank {
-            let (taken, parts) = (taken.to_array(), parts.map(|part| part.to_array()));
-            let first = braking.to_bitmask();
-            for (lane, taken) in taken.into_iter().enumerate() {
-                let of = |part: &[f64; 4]| part.get(lane).copied().unwrap_or(0.0);
-                let [a, b, c] = parts.each_ref().map(of);
-                let order = if first >> lane & 1 == 1 { [a, b, c, taken] } else { [taken, a, b, c] };
-                order.into_iter().for_each(|taken| bank.pass(taken));
+            let (current, voltage) = power(driving);
+            let until = comes.select(from, f64x4::ONE);
+            let begin = [f64x4::ZERO, until];
+            let taken = |part: Part| product(current, voltage, part) + product(torque, change, common(part, braking));
+            let parts = [taken(begin), taken([f64x4::ZERO, f64x4::ONE])].map(|taken| (duration * taken).to_array());
+            let [before, whole] = parts;
+            for ((before, whole), back) in before.into_iter().zip(whole).zip(back.to_array()) {
+                bank.pass(before);
+                bank.pass(-back);
+                bank.pass(whole + back - before);
             }
         }
+        [beside, back, peak]
     }
 }
 
@@ -180,18 +181,15 @@ mod tests {
         let [driving, driven] = PER_TORQUE;
         Sweep {
             inertia: all(INERTIA),
-            per_torque: [all(driving), all(driven)],
+            per_torque: [driving, driven],
             starting: STARTING,
-            per_speed: all(PER_SPEED),
-            copper: all(COPPER),
-            constant: all(CONSTANT),
-            whole: f64x4::ZERO,
-            back: f64x4::ZERO,
-            peak: f64x4::ZERO,
+            per_speed: PER_SPEED,
+            copper: COPPER,
+            constant: CONSTANT,
         }
     }
 
-    /// The instants of an interval, taken apart as finely as is asked for: ∫P dt, −∫P dt where P < 0, the largest −P.
+    /// The instants of an interval, taken apart as finely as is asked for: ∫(P − P_0) dt, −∫P dt where P < 0, the largest −P.
     fn brute(ramps: &Ramps, lane: usize, steps: u32, bank: &mut Bank) -> [f64; 3] {
         let (sigma, h) = (ramps.direction, ramps.duration_s[lane]);
         let step = h / f64::from(steps);
@@ -201,10 +199,13 @@ mod tests {
             let along = |ends: [[f64; 4]; 2]| ends[0][lane] + u * (ends[1][lane] - ends[0][lane]);
             let (speed, load) = (along(ramps.speed_rad_s), along(ramps.load_nm));
             let torque = INERTIA * ramps.acceleration_rad_s2[lane] + load;
-            let per_torque = PER_TORQUE[usize::from(torque * sigma < 0.0)];
-            let current = per_torque * torque + STARTING * sigma + PER_SPEED * speed;
-            let power = (COPPER * current + CONSTANT * speed) * current;
-            found[0] += power * step;
+            let power = |per_torque: f64| {
+                let current = per_torque * torque + STARTING * sigma + PER_SPEED * speed;
+                (COPPER * current + CONSTANT * speed) * current
+            };
+            let [driving, driven] = PER_TORQUE.map(power);
+            let power = if torque * sigma < 0.0 { driven } else { driving };
+            found[0] += (power - driving) * step;
             found[1] -= power.min(0.0) * step;
             found[2] = f64::max(found[2], -power);
             bank.pass(power * step);
@@ -230,18 +231,19 @@ mod tests {
                         .map(|load| load.map(|load| load - INERTIA * acceleration)),
                     direction: sigma,
                 };
-                let (mut own, mut bank, mut expected_bank) = (sweep(), Bank::default(), Bank::default());
-                own.pass(&ramps, Some(&mut bank));
-                let mut without = sweep();
-                without.pass(&ramps, None);
-                assert_eq!(own.found(), without.found(), "the bank changes nothing");
+                let (mut bank, mut expected_bank) = (Bank::default(), Bank::default());
+                let added = sweep().pass(&[ramps], true, Some(&mut bank));
+                assert_eq!(added, sweep().pass(&[ramps], true, None), "the bank changes nothing");
+                let without = sweep().pass(&[ramps], false, None);
+                assert_eq!(Added { peak: 0.0, ..added }, without, "nor does the largest power");
+                let found = [added.beside, added.back, added.peak];
                 let each = [0, 1, 2, 3].map(|lane| brute(&ramps, lane, 20_000, &mut expected_bank));
                 let expected = each.into_iter().reduce(|[a, b, c], [d, e, f]| [a + d, b + e, c.max(f)]).unwrap();
-                let what = format!("{a} to {four:?} Nm, {w0} to {w1} rad/s: {:?} against {expected:?}", own.found());
-                let scale = 1.0 + expected[0].abs() + expected[1];
-                assert!((own.found()[0] - expected[0]).abs() < 1e-6 * scale, "{what}");
-                assert!((own.found()[1] - expected[1]).abs() < 1e-6 * scale, "{what}");
-                assert!((own.found()[2] - expected[2]).abs() < 1e-3 * (1.0 + expected[2]), "{what}");
+                let what = format!("{a} to {four:?} Nm, {w0} to {w1} rad/s: {found:?} against {expected:?}");
+                let scale = 1.0 + expected[0].abs() + expected[1] + expected_bank.most;
+                assert!((found[0] - expected[0]).abs() < 1e-6 * scale, "{what}");
+                assert!((found[1] - expected[1]).abs() < 1e-6 * scale, "{what}");
+                assert!((found[2] - expected[2]).abs() < 1e-3 * (1.0 + expected[2]), "{what}");
                 let (most, expected_most) = (bank.most, expected_bank.most);
                 assert!((most - expected_most).abs() < 1e-5 * scale, "{what}: {most} J against {expected_most} J");
                 seen_back += u32::from(expected[1] > 0.0);

@@ -1,7 +1,7 @@
-//! A recording passed interval by interval, several straight ones at a time: for what no sum of a block or cell holds.
+//! A recording passed several straight intervals at a time: for what no sum of a block or cell holds.
 
 use super::loads::{Piece, direction};
-use super::{LANES, Strip};
+use super::{LANES, Strip, parts};
 use crate::{Block, Panel, Place};
 use mechanism::Plain;
 use motion::Interval;
@@ -29,10 +29,10 @@ pub struct Ramps {
 }
 
 /// What a sweep passes.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Swept<'p> {
-    /// Straight intervals.
-    Ramps(&'p Ramps),
+    /// Straight intervals, one after the other.
+    Ramps(&'p [Ramps]),
     /// One panel, whatever its signals are.
     Panel(Panel<'p>),
 }
@@ -41,20 +41,12 @@ impl Strip {
     /// Passes the intervals of a block in the order of time, as [`Strip::panels`] does.
     pub fn sweep(&self, block: &Block, look: &mut impl FnMut(Swept<'_>)) {
         let Place::Recorded { intervals, .. } = &block.place else { return };
-        let Some(plain) = self.straight() else {
-            return self.pieces(block, intervals.clone(), look);
-        };
-        // Where the bounds show one direction nothing turns round.
-        let turns = block.extent.direction.0 != block.extent.direction.1;
-        let mut from = intervals.start;
-        while from < intervals.end {
-            let to = if turns { self.one_way(from, intervals.end).max(from + 1) } else { intervals.end };
-            // A block that starts from rest has its direction all the same.
-            let direction = if turns { self.direction(from) } else { block.extent.direction.0 };
-            let done = self.ramps(plain, from..to, direction, look);
-            (done..to).for_each(|index| self.interval(index, &mut |panel| look(Swept::Panel(panel))));
-            from = to;
+        let mut gathered = Gathered::of(intervals.len());
+        match self.straight() {
+            Some(plain) => self.straight_intervals(plain, block, intervals.clone(), &mut gathered),
+            None => self.pieces(block, intervals.clone(), &mut gathered, look),
         }
+        gathered.pass(look);
     }
 
     /// The direction in which a sample is passed.
@@ -63,8 +55,34 @@ impl Strip {
         speed.map_or(0.0, |speed| if *speed == 0.0 { 0.0 } else { speed.signum() })
     }
 
-    /// Passes as many intervals of one direction as make whole lanes; the first that is left.
-    fn ramps(&self, plain: &Plain, intervals: Range<usize>, direction: f64, look: &mut impl FnMut(Swept<'_>)) -> usize {
+    /// Gathers intervals under a load that makes each a straight one.
+    fn straight_intervals(&self, plain: &Plain, block: &Block, intervals: Range<usize>, gathered: &mut Gathered) {
+        // Where the bounds show one direction nothing turns round.
+        let turns = block.extent.direction.0 != block.extent.direction.1;
+        let mut from = intervals.start;
+        while from < intervals.end {
+            let to = if turns { self.one_way(from, intervals.end).max(from + 1) } else { intervals.end };
+            // A block that starts from rest has its direction all the same.
+            let direction = if turns { self.direction(from) } else { block.extent.direction.0 };
+            let done = self.ramps(plain, from..to, direction, gathered);
+            for interval in (done..to).filter_map(|index| self.placed.interval(index)) {
+                let acceleration = interval.acceleration_rad_s2();
+                for (from, to, direction) in parts(&interval) {
+                    let unchanging =
+                        plain.constant_nm + self.view.coulomb * direction + self.view.inertia * acceleration;
+                    let load = |u: f64| {
+                        let (_, speed, torque) = interval.at(u);
+                        torque + unchanging + self.view.viscous * speed
+                    };
+                    gathered.add((from, to), [load(from), load(to)], &interval, direction);
+                }
+            }
+            from = to;
+        }
+    }
+
+    /// Gathers as many intervals of one direction as make whole lanes; the first that is left.
+    fn ramps(&self, plain: &Plain, intervals: Range<usize>, direction: f64, gathered: &mut Gathered) -> usize {
         let torque = self.placed.recorded.torque_nm();
         let mut from = intervals.start;
         let constant = plain.constant_nm + self.view.coulomb * direction;
@@ -78,7 +96,7 @@ impl Strip {
                     *load = torque + constant + self.view.inertia * acceleration + self.view.viscous * speed;
                 }
             }
-            look(Swept::Ramps(&ramps));
+            gathered.push(&ramps);
             from += LANES;
         }
         from
@@ -130,18 +148,22 @@ impl Strip {
         (bent <= bent_at_most).then_some(ramps)
     }
 
-    /// Passes intervals whose load hangs on the position or has losses: the pieces whose loads are known and nearly straight
-    /// side by side, whatever else there is one by one.
-    fn pieces(&self, block: &Block, intervals: Range<usize>, look: &mut impl FnMut(Swept<'_>)) {
+    /// Gathers intervals whose load hangs on the position or has losses: the pieces whose loads are known and nearly straight
+    /// side by side; whatever else there is, is passed one by one.
+    fn pieces(
+        &self,
+        block: &Block,
+        intervals: Range<usize>,
+        gathered: &mut Gathered,
+        look: &mut impl FnMut(Swept<'_>),
+    ) {
         let bent_at_most = STRAIGHT * f64::max(block.extent.load_nm.1, -block.extent.load_nm.0);
-        let mut gathered = Gathered::default();
         let mut next = intervals.start;
         while next < intervals.end {
             if next + LANES <= intervals.end
                 && let Some(ramps) = self.leaning(next, bent_at_most)
             {
-                gathered.pass(look);
-                look(Swept::Ramps(&ramps));
+                gathered.push(&ramps);
                 next += LANES;
                 continue;
             }
@@ -156,7 +178,12 @@ impl Strip {
             let is_straight = |piece: &Piece| piece.bend().abs() <= bent_at_most;
             match direction(&interval) {
                 Some(direction) if pieces[0].is_some() && pieces.iter().flatten().all(is_straight) => {
-                    pieces.iter().flatten().for_each(|piece| gathered.add(piece, &interval, direction, look));
+                    for piece in pieces.iter().flatten() {
+                        // A straight line of the same mean: Simpson's is ⅔ of the bend above the line between the ends.
+                        let raised = 2.0 / 3.0 * piece.bend();
+                        let [first, _, last] = piece.loads;
+                        gathered.add((piece.from, piece.to), [first + raised, last + raised], &interval, direction);
+                    }
                 }
                 _ => {
                     gathered.pass(look);
@@ -164,52 +191,72 @@ impl Strip {
                 }
             }
         }
-        gathered.pass(look);
     }
 }
 
-/// Pieces on their way to be passed together.
-#[derive(Default)]
+/// Straight intervals on their way to be passed together.
 struct Gathered {
-    ramps: Ramps,
+    ramps: Vec<Ramps>,
+    /// Single ones that wait for others, in the first lanes.
+    single: Ramps,
     count: usize,
 }
 
 impl Gathered {
-    /// Adds a piece as a straight line of the same mean: Simpson's is ⅔ of the bend above the line between the ends.
-    fn add(&mut self, piece: &Piece, interval: &Interval, direction: f64, look: &mut impl FnMut(Swept<'_>)) {
-        if self.count > 0 && self.ramps.direction != direction {
-            self.pass(look);
+    fn of(intervals: usize) -> Self {
+        // Single ones may leave lanes empty where the direction changes.
+        Self { ramps: Vec::with_capacity(intervals / LANES + LANES), single: Ramps::default(), count: 0 }
+    }
+
+    /// Neighbouring intervals, as many as there are lanes.
+    #[inline]
+    fn push(&mut self, ramps: &Ramps) {
+        self.close();
+        self.ramps.push(*ramps);
+    }
+
+    /// A part of an interval, with its load at both ends.
+    fn add(&mut self, (from, to): (f64, f64), loads: [f64; 2], interval: &Interval, direction: f64) {
+        if self.single.direction != direction {
+            self.close();
         }
-        self.ramps.direction = direction;
-        let raised = 2.0 / 3.0 * piece.bend();
-        let [first, _, last] = piece.loads;
+        self.single.direction = direction;
         let [begin, end] = interval.speed_rad_s;
         let speed = |u: f64| if u == 1.0 { end } else { begin + u * (end - begin) };
         let Ramps {
             duration_s, acceleration_rad_s2, speed_rad_s: [speed_0, speed_1], load_nm: [load_0, load_1], ..
-        } = &mut self.ramps;
+        } = &mut self.single;
         for (values, value) in [
-            (duration_s, (piece.to - piece.from) * interval.duration_s),
+            (duration_s, (to - from) * interval.duration_s),
             (acceleration_rad_s2, interval.acceleration_rad_s2()),
-            (speed_0, speed(piece.from)),
-            (speed_1, speed(piece.to)),
-            (load_0, first + raised),
-            (load_1, last + raised),
+            (speed_0, speed(from)),
+            (speed_1, speed(to)),
+            (load_0, loads[0]),
+            (load_1, loads[1]),
         ] {
             values.iter_mut().skip(self.count).take(1).for_each(|place| *place = value);
         }
         self.count += 1;
         if self.count == LANES {
-            self.pass(look);
+            self.close();
         }
     }
 
-    /// Passes what is there; the lanes that are left have no duration, and nothing in them.
-    fn pass(&mut self, look: &mut impl FnMut(Swept<'_>)) {
+    /// No further single one joins those that wait; the lanes that are left have no duration, and nothing in them.
+    #[inline]
+    fn close(&mut self) {
         if self.count > 0 {
+            self.ramps.push(self.single);
+            (self.single, self.count) = (Ramps::default(), 0);
+        }
+    }
+
+    /// Passes what is there.
+    fn pass(&mut self, look: &mut impl FnMut(Swept<'_>)) {
+        self.close();
+        if !self.ramps.is_empty() {
             look(Swept::Ramps(&self.ramps));
-            *self = Self::default();
+            self.ramps.clear();
         }
     }
 }
