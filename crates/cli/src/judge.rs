@@ -5,7 +5,7 @@ use crate::code::parse_for_use;
 use crate::moves;
 use crate::report;
 use crate::reserve::{assumptions_text, reserve_text};
-use crate::subject::{Part, axes_of, refuse, together};
+use crate::subject::{Part, axes_of, in_reach, refuse, together};
 use crate::table::{Align, Table, labelled, paragraph, width};
 use crate::tolerance;
 use crate::waiting::patience;
@@ -42,6 +42,9 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
         Ok(projects) => projects,
         Err(answer) => return answer,
     };
+    if let Err(answer) = in_reach(&projects, as_json, language) {
+        return answer;
+    }
     // The file first: a report that cannot be written leaves nothing half said.
     let talk = match matches.get_one::<PathBuf>("report") {
         Some(out) => match report::write(matches, out, false, language) {
@@ -343,6 +346,9 @@ pub(crate) fn check(matches: &ArgMatches, as_json: bool, language: Language) -> 
         Ok(projects) => projects,
         Err(answer) => return answer,
     };
+    if let Err(answer) = in_reach(&projects, as_json, language) {
+        return answer;
+    }
     let answers = projects.iter().map(|project| check_axis(project, matches, as_json, language));
     together(answers.collect(), as_json)
 }

@@ -4,7 +4,7 @@ use crate::answer::{Answer, written};
 use crate::fault::{Source, option_fault, path_text, simple, text_option};
 use crate::save::{Unwritten, ready, save};
 use crate::subject::candidate;
-use crate::subject::{picked, refuse};
+use crate::subject::{in_reach, picked, refuse};
 use crate::waiting::patience;
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Style, Theme};
@@ -49,6 +49,7 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
     let force = matches.get_flag("force");
     ready(&[out], &inputs, force).map_err(|fault| fault.answer(as_json, language))?;
     let projects = picked(projects, matches, as_json, language)?;
+    in_reach(projects.iter().map(|(_, project)| project), as_json, language)?;
     if projects.len() > 1 && matches!(matches.try_get_one::<String>("code"), Ok(Some(_))) {
         let names: Vec<&str> = projects.iter().map(|(_, project)| project.name.as_str()).collect();
         let names = names.join(", ");

@@ -124,6 +124,18 @@ pub(crate) fn candidate<'p>(
         .map_err(|refusal| refuse(&refusal, as_json, language))
 }
 
+/// Refuses what takes long where nobody has said how long it may take.
+pub(crate) fn in_reach<'p>(
+    projects: impl IntoIterator<Item = &'p Project>,
+    as_json: bool,
+    language: Language,
+) -> Result<(), Answer> {
+    if time_limit().is_some() {
+        return Ok(());
+    }
+    workbench::unasked(projects).map_err(|refusal| refuse(&refusal, as_json, language))
+}
+
 /// Why an actuator cannot be judged.
 pub(crate) fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> Answer {
     let waited = time_limit().map(|most| most.as_secs_f64());

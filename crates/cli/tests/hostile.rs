@@ -268,6 +268,49 @@ fn reserves_of_a_long_recording_under_losses_are_not_sought_unasked() {
     assert!(reserve["cycle_time"].is_null() && reserve["ambient"].is_number(), "{reserve}");
 }
 
+/// Beyond what is answered within five seconds a time has to be named; within it the answer is given.
+#[test]
+fn longer_recordings_than_are_judged_unasked_are_refused_by_their_number() {
+    // Up and down by 0.4 rad, once a second: every segment begins where the one before it ended.
+    let count = 52_429_u32;
+    let rows: String = (0..=count)
+        .map(|k| {
+            let share = f64::from(k) / f64::from(count);
+            format!("{:.6},{:.9}\n", share * 20.0, (1.0 - (share * 20.0 * std::f64::consts::TAU).cos()) * 0.2)
+        })
+        .collect();
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("swing.csv"), format!("time [s],position [rad]\n{rows}")).unwrap();
+    let segment = "[[motion]]\nlaw = \"recorded\"\nfile = \"swing.csv\"\n";
+    let axis = |segments: usize| {
+        let head = "format = 1\n[axis]\nsingle_move = true\n[mechanism.arm]\ninertia = \"0.5 kg m^2\"\nmass = \"2 kg\"\n\
+                    centre_distance = \"100 mm\"\naxis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\n";
+        fs::write(folder.path().join("axis.toml"), format!("{head}{}", segment.repeat(segments))).unwrap();
+    };
+    let run = |args: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
+        let output = command.args(args).current_dir(folder.path()).output().unwrap();
+        (output.status.code().unwrap(), serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap())
+    };
+    axis(20);
+    for args in [&["size", "axis.toml", "--json"][..], &["report", "axis.toml", "--json", "--out", "axis.pdf"]] {
+        let (code, told) = run(args);
+        let message = told["errors"][0]["message"].as_str().unwrap();
+        assert_eq!(code, 2, "{told}");
+        for part in ["1048600", "2097152", "--deadline"] {
+            assert!(message.contains(part), "{message}");
+        }
+        assert_eq!(told.as_object().unwrap().len(), 1, "{told}");
+    }
+    assert!(!folder.path().join("axis.pdf").exists());
+    let check = ["check", "axis.toml", "--json", "--code", "CHA-25A-100-H-C1024"];
+    let (code, told) = run(&[&check[..], &["--deadline", "0.001 s"]].concat());
+    let message = told["errors"][0]["message"].as_str().unwrap();
+    assert!(code == 2 && message.contains("not answered within 0.001"), "{told}");
+    axis(1);
+    assert!(run(&check).0 < 2);
+}
+
 #[test]
 fn an_axis_that_cannot_be_answered_has_no_verdict_beside_it() {
     let folder = tempfile::tempdir().unwrap();

@@ -286,6 +286,13 @@ impl Axis {
         self.trace.instants()
     }
 
+    /// The samples of its long recordings, and what they cost: those under a load that hangs on the position or has losses count
+    /// twice.
+    #[must_use]
+    pub fn samples(&self) -> [usize; 2] {
+        self.trace.samples()
+    }
+
     /// The swings below the manual's 5°; only the output bearing asks for them.
     pub(crate) fn small_swings(&self) -> SmallSwings {
         *self.small_swings.get_or_init(|| SmallSwings::of(self))

@@ -455,6 +455,14 @@ impl Trace {
         self.strips.iter().map(Strip::found_anew).fold([0; 2], |[load, pace], [a, b]| [load + a, pace + b])
     }
 
+    /// The samples of its long recordings, and what they cost: those under a load that hangs on the position or has losses
+    /// count twice.
+    #[must_use]
+    pub fn samples(&self) -> [usize; 2] {
+        let each = |strip: &Strip| [strip.intervals() + 1, strip.cost()];
+        self.strips.iter().map(each).fold([0; 2], |[samples, cost], [a, b]| [samples + a, cost + b])
+    }
+
     /// Sums of the products of the signals over the whole cycle.
     #[must_use]
     #[inline]

@@ -163,6 +163,12 @@ impl Strip {
         }
     }
 
+    /// What it costs, in samples under a load that makes every interval a straight one: others take about twice as long.
+    pub(super) fn cost(&self) -> usize {
+        let samples = self.placed.recorded.len();
+        if self.straight().is_some() { samples } else { 2 * samples }
+    }
+
     /// The load where it makes every interval a straight one.
     #[inline]
     fn straight(&self) -> Option<&Plain> {

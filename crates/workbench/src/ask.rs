@@ -97,6 +97,21 @@ pub struct Ranking<'p> {
     pub assessed: Vec<(CandidateId, Assessment)>,
 }
 
+/// The samples of recordings that are judged without a word about the time that may take; those under a load that hangs on the
+/// position or has losses count twice.
+pub const SAMPLES_UNASKED: usize = 1 << 21;
+
+/// Whether an answer about some axes is given without a word about the time that it may take: it is within five seconds of one
+/// core, for the largest recordings too.
+///
+/// # Errors
+/// [`Refusal::TooLong`]
+pub fn unasked<'p>(projects: impl IntoIterator<Item = &'p Project>) -> Result<(), Refusal> {
+    let each = projects.into_iter().map(|project| project.axis.samples());
+    let [samples, cost] = each.fold([0; 2], |[samples, cost], [a, b]| [samples + a, cost + b]);
+    if cost > SAMPLES_UNASKED { Err(Refusal::TooLong { samples, most: SAMPLES_UNASKED }) } else { Ok(()) }
+}
+
 /// Ranks the catalogue for an axis.
 ///
 /// # Errors

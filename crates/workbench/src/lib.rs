@@ -41,8 +41,8 @@ mod wiring;
 pub use actuator::{BatteryLife, CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
 pub use ask::{
-    Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, reserve_unasked,
-    reserve_within, scatter, sized, verification,
+    Explanation, Ranking, Request, Response, SAMPLES_UNASKED, Verification, ask, explanation, margins, ranking,
+    reserve_unasked, reserve_within, scatter, sized, unasked, verification,
 };
 pub use catalogue::{Fact, Signal, Step, Topic};
 pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_hours, read_quantity};

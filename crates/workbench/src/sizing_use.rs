@@ -145,6 +145,13 @@ pub enum Refusal {
         /// At most, for this axis and these actuators.
         most: usize,
     },
+    /// So long recordings cost more than is done where no time is named.
+    TooLong {
+        /// Samples in use.
+        samples: usize,
+        /// At most; half as many under a load that hangs on the position or has losses.
+        most: usize,
+    },
     /// Whoever asked does not wait any longer.
     Stopped,
 }
