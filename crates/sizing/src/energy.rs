@@ -451,6 +451,16 @@ pub(crate) fn is_missing(actuator: &Parameters, currents: Result<&Currents, &Mis
     CyclePower::of(actuator, currents).is_err()
 }
 
+/// Whether the power that comes back is surely below a share of its limit: by the bounds of the blocks alone.
+pub(crate) fn is_below(axis: &Axis, actuator: &Parameters, currents: Result<&Currents, &Missing>, share: f64) -> bool {
+    let (Ok(power), Some(permitted)) = (CyclePower::of(actuator, currents), axis.asked.regeneration_power_max) else {
+        return false;
+    };
+    let returned = Returned(&power);
+    let most: f64 = axis.trace.blocks().iter().map(|block| returned.bound(&block.extent) * block.duration_s).sum();
+    most < share * permitted.si() * axis.moments.duration.si()
+}
+
 /// The check of the energy that comes back with each of several actuators, in one pass over the cycle.
 pub(crate) fn regenerations<W: Watch>(
     axis: &Axis,

@@ -92,7 +92,8 @@ pub enum Depth {
     /// [`energies`]. Without a limit that is asked for it takes part in no verdict and no utilisation.
     Ranking,
     /// Every check that can fail or has a margin: what is only shown or advised is left out, and so is the demand by
-    /// the manual. Verdict and utilisation are those of [`Depth::Full`].
+    /// the manual, and the energy that comes back where its bounds are below another utilisation. Verdict and utilisation
+    /// are those of [`Depth::Full`].
     Margins,
 }
 
@@ -389,7 +390,11 @@ fn further_checks(
     let is_told = match depth {
         Depth::Full | Depth::Survivors => true,
         Depth::Ranking => energy::is_missing(actuator, currents),
-        Depth::Margins => axis.asked.regeneration_power_max.is_some(),
+        // What passes and is below another utilisation changes neither verdict nor margin.
+        Depth::Margins => {
+            let share = || utilisation(checks).min(1.0);
+            axis.asked.regeneration_power_max.is_some() && !energy::is_below(axis, actuator, currents, share())
+        }
     };
     if is_told {
         checks.push(explained(explain, |work| energy::regeneration(axis, actuator, currents, work)));

@@ -175,6 +175,7 @@ fn the_margins_alone_give_the_verdict_and_the_utilisation_of_every_check() {
     let bare = include_str!("../../../examples/manual-example.toml").to_owned();
     for text in [
         format!("{bare}{asked}"),
+        format!("{bare}[requirements]\nregeneration_power_max = \"2 W\"\n"),
         bare,
         include_str!("../../../examples/tilting-arm.toml").to_owned(),
         include_str!("../../../examples/two-way-shuttle.toml").to_owned(),
