@@ -50,10 +50,7 @@ fn cycle_with(
     language: Language,
 ) -> Drawing {
     let window = window.and_then(|window| inside(window, project));
-    let whole = match window {
-        Some(window) => workbench::course_within(project, candidate, window),
-        None => workbench::course(project, candidate),
-    };
+    let whole = workbench::course_seen(project, candidate, window);
     let course = thinned(match window {
         Some(window) => cut(whole, window),
         None => whole,

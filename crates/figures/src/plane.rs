@@ -19,7 +19,7 @@ type Point = (f64, f64);
 #[must_use]
 pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
     let plane = workbench::plane(project, candidate).ok();
-    let course = workbench::course(project, candidate);
+    let course = workbench::course_seen(project, candidate, None);
     let mut chart = empty(language);
     if let Some(plane) = &plane {
         chart = with_limits(chart, plane, language);

@@ -19,6 +19,12 @@ const PER_WINDOW: f64 = 1000.0;
 /// Samples in one piece, however small a part of it is looked at.
 const PER_PIECE_MOST: f64 = 16_384.0;
 
+/// Up to so many recorded intervals are seen one by one.
+const SEEN_MOST: usize = 1 << 17;
+
+/// Of more than those so many groups of neighbours are seen: more than a picture has columns.
+const GROUPS: usize = 1 << 14;
+
 /// One instant of the cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
@@ -56,51 +62,68 @@ pub struct Course {
 }
 
 impl Course {
-    /// The cycle of an axis on an actuator; quantities whose data are not known are left out.
+    /// The cycle of an axis on an actuator, with every sample of its recordings; quantities whose data are not known are left
+    /// out.
     #[must_use]
     pub fn of(axis: &Axis, actuator: &Parameters) -> Self {
-        Self::sampled(axis, actuator, &|_, _| PER_PIECE)
+        Self::sampled(axis, actuator, (&|_, _| PER_PIECE, &|_| 1))
     }
 
-    /// The same with so many samples between two instants \[s\] that a picture of that time alone shows no corner which the law
-    /// has not.
+    /// The same as a picture shows it, or as a picture of a time \[s\] alone does: with so many samples there that it shows no
+    /// corner which the law has not. Of long recordings neighbouring intervals are one group, of which the first and the last
+    /// instant and those with the smallest and the largest values are there; temperatures and overload are those of all.
     #[must_use]
-    pub fn within(axis: &Axis, actuator: &Parameters, (from, until): (f64, f64)) -> Self {
-        Self::sampled(axis, actuator, &|start, duration| {
-            if start > until || start + duration < from {
-                return PER_PIECE;
-            }
+    pub fn seen(axis: &Axis, actuator: &Parameters, window: Option<(f64, f64)>) -> Self {
+        let is_outside = |start: f64, end: f64| window.is_some_and(|(from, until)| start > until || end < from);
+        let parts = |start: f64, duration: f64| {
+            let Some((from, until)) = window.filter(|_| !is_outside(start, start + duration)) else { return PER_PIECE };
             let parts = PER_WINDOW * duration / (until - from);
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to thousands")]
             let parts = parts.clamp(f64::from(PER_PIECE), PER_PIECE_MOST) as u32;
             parts
-        })
+        };
+        let [mut all, mut inside] = [0, 0];
+        for placed in axis.motion.recordings() {
+            all += placed.intervals();
+            inside += (0..placed.intervals())
+                .filter_map(|index| placed.interval(index))
+                .filter(|interval| !is_outside(interval.start_s, interval.start_s + interval.duration_s))
+                .count();
+        }
+        let group = |count: usize| if count > SEEN_MOST { count.div_ceil(GROUPS) } else { 1 };
+        let [all, inside] = [all, inside].map(group);
+        Self::sampled(axis, actuator, (&parts, &|start| if is_outside(start, start) { all } else { inside }))
     }
 
-    /// `parts`: of a piece with its beginning and its duration \[s\].
-    fn sampled(axis: &Axis, actuator: &Parameters, parts: &dyn Fn(f64, f64) -> u32) -> Self {
+    /// `parts`: of a piece with its beginning and its duration \[s\]; `group`: how many recorded intervals from an instant on are
+    /// seen as one.
+    fn sampled(axis: &Axis, actuator: &Parameters, fine: Fineness<'_>) -> Self {
         let inertia = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());
+        let stall = actuator.stall_current.known().map(|stall| stall.value.si());
         let electrics = Electrics::of(axis, actuator);
         let currents = Currents::of(axis, actuator, &electrics);
         let power = CyclePower::of(actuator, currents.as_ref());
-        let mut samples = Vec::new();
-        let mut losses = Vec::new();
-        instants(axis, parts, &mut |position_rad, node| {
-            samples.push(Sample {
+        let mut gathered = Gathered::default();
+        instants(axis, fine, &mut |position_rad, node, waits| {
+            let current = currents.as_ref().ok().map(|currents| currents.at(node));
+            let losses = currents.as_ref().ok().and_then(|currents| currents.losses(node)).unwrap_or_default();
+            let square = current.zip(stall).map_or(0.0, |(current, stall)| (current / stall).powi(2));
+            let sample = Sample {
                 time_s: node.time_s,
                 position_rad,
                 speed_rad_s: node.speed_rad_s,
                 acceleration_rad_s2: node.acceleration_rad_s2,
                 torque_nm: inertia * node.acceleration_rad_s2 + node.load_nm,
-                current_a: currents.as_ref().ok().map(|currents| currents.at(node)),
+                current_a: current,
                 power_w: power.as_ref().ok().map(|power| power.at(node)),
                 ..Sample::default()
-            });
-            losses.extend(currents.as_ref().ok().and_then(|currents| currents.losses(node)));
+            };
+            gathered.take(sample, [losses.copper_w, losses.friction_w, square], waits);
         });
+        let Gathered { mut samples, means, .. } = gathered;
         if let Ok(currents) = &currents {
-            heat(&mut samples, &losses, axis, currents);
-            overload(&mut samples, actuator);
+            heat(&mut samples, &means, axis, currents);
+            overload(&mut samples, &means, actuator);
         }
         Self {
             samples,
@@ -110,13 +133,102 @@ impl Course {
     }
 }
 
+/// In how many parts a piece is looked at, by its beginning and its duration \[s\], and how many recorded intervals from an
+/// instant on are seen as one.
+type Fineness<'f> = (&'f dyn Fn(f64, f64) -> u32, &'f dyn Fn(f64) -> usize);
+
+/// Copper loss and friction \[W\] and the square of the current as a share of I_0.
+type Rates = [f64; 3];
+
+/// Instants on their way into a course.
+#[derive(Default)]
+struct Gathered {
+    samples: Vec<Sample>,
+    /// From each sample to the next.
+    means: Vec<Rates>,
+    /// A group that is not complete.
+    waiting: Vec<(Sample, Rates)>,
+    /// The instant before, whether it is kept or not \[s\].
+    before: Option<(f64, Rates)>,
+    /// ∫ dt since the sample kept last, and over how many gaps.
+    since: (Rates, usize),
+}
+
+impl Gathered {
+    /// Takes the next instant, which waits for the rest of its group or completes it.
+    fn take(&mut self, sample: Sample, rates: Rates, waits: bool) {
+        self.waiting.push((sample, rates));
+        if waits {
+            return;
+        }
+        let group = std::mem::take(&mut self.waiting);
+        let kept = kept(&group);
+        let mut kept = kept.iter().copied().peekable();
+        for (place, (sample, rates)) in group.iter().enumerate() {
+            let is_kept = kept.next_if_eq(&place).is_some();
+            self.pass(sample, rates, is_kept);
+        }
+        // Its memory serves the next group.
+        self.waiting = group;
+        self.waiting.clear();
+    }
+
+    fn pass(&mut self, sample: &Sample, rates: &Rates, is_kept: bool) {
+        let mut mean = *rates;
+        if let Some((time, before)) = self.before {
+            let duration = (sample.time_s - time).max(0.0);
+            mean = std::array::from_fn(|k| 0.5 * (before.get(k).unwrap_or(&0.0) + rates.get(k).unwrap_or(&0.0)));
+            self.since.0.iter_mut().zip(mean).for_each(|(sum, mean)| *sum += mean * duration);
+            self.since.1 += 1;
+        }
+        self.before = Some((sample.time_s, *rates));
+        if is_kept {
+            if let Some(last) = self.samples.last() {
+                let duration = sample.time_s - last.time_s;
+                let several = self.since.1 > 1 && duration > 0.0;
+                self.means.push(if several { self.since.0.map(|sum| sum / duration) } else { mean });
+            }
+            self.since = Default::default();
+            self.samples.push(*sample);
+        }
+    }
+}
+
+/// The places of the first and the last instant of a group and of those with the smallest and the largest values, in order.
+fn kept(group: &[(Sample, Rates)]) -> Vec<usize> {
+    let signals: [fn(&Sample) -> f64; 6] = [
+        |sample| sample.position_rad,
+        |sample| sample.speed_rad_s,
+        |sample| sample.acceleration_rad_s2,
+        |sample| sample.torque_nm,
+        |sample| sample.current_a.unwrap_or(0.0),
+        |sample| sample.power_w.unwrap_or(0.0),
+    ];
+    let mut places = vec![0, group.len().saturating_sub(1)];
+    for signal in signals.iter().filter(|_| group.len() > 2) {
+        let values = || group.iter().map(|(sample, _)| signal(sample)).enumerate();
+        places.extend(values().min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(place, _)| place));
+        places.extend(values().max_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(place, _)| place));
+    }
+    places.sort_unstable();
+    places.dedup();
+    places
+}
+
 /// The pieces of the laws, sampled, and the samples of the recordings, in the order of time.
-fn instants(axis: &Axis, parts: &dyn Fn(f64, f64) -> u32, look: &mut impl FnMut(f64, &Node)) {
+fn instants(axis: &Axis, (parts, group): Fineness<'_>, look: &mut impl FnMut(f64, &Node, bool)) {
     let none = Extra::none();
     let extra = |segment: usize| axis.extras.get(segment).unwrap_or(&none);
     let mut recordings = axis.motion.recordings().iter().peekable();
-    let recorded = |placed: &motion::Placed, look: &mut dyn FnMut(f64, &Node)| {
-        for interval in (0..placed.intervals()).filter_map(|index| placed.interval(index)) {
+    let recorded = |placed: &motion::Placed, look: &mut dyn FnMut(f64, &Node, bool)| {
+        let count = placed.intervals();
+        let (mut left, mut is_group) = (0, false);
+        for (index, interval) in (0..count).filter_map(|index| Some((index, placed.interval(index)?))) {
+            if left == 0 {
+                left = group(interval.start_s).clamp(1, count - index);
+                is_group = left > 1;
+            }
+            left -= 1;
             let acceleration = interval.acceleration_rad_s2();
             let [first, last] = interval.speed_rad_s;
             let direction = if first + last == 0.0 { 0.0 } else { (first + last).signum() };
@@ -138,6 +250,7 @@ fn instants(axis: &Axis, parts: &dyn Fn(f64, f64) -> u32, look: &mut impl FnMut(
                         direction,
                         load_nm: load,
                     },
+                    if u == 0.0 { is_group } else { left > 0 },
                 );
             }
         }
@@ -183,6 +296,7 @@ fn instants(axis: &Axis, parts: &dyn Fn(f64, f64) -> u32, look: &mut impl FnMut(
                     direction,
                     load_nm: load,
                 },
+                false,
             );
         }
     }
@@ -198,23 +312,15 @@ fn gaps(samples: &[Sample]) -> Vec<f64> {
     samples.iter().zip(next.chain(last)).map(|(sample, next)| (next - sample.time_s).max(0.0)).collect()
 }
 
-/// Means of a signal over the gaps.
-fn means(values: &[f64]) -> impl Iterator<Item = f64> {
-    values.iter().zip(values.iter().skip(1).chain(values.last())).map(|(a, b)| 0.5 * (a + b))
-}
-
-fn heat(samples: &mut [Sample], losses: &[Losses], axis: &Axis, currents: &Currents) {
+fn heat(samples: &mut [Sample], means: &[Rates], axis: &Axis, currents: &Currents) {
     let Ok((model, _)) = currents.heat() else { return };
-    if losses.len() != samples.len() {
-        return;
-    }
     let ambient = axis.ambient.unwrap_or_else(|| model.ambient_reference());
-    let copper: Vec<f64> = losses.iter().map(|losses| losses.copper_w).collect();
-    let friction: Vec<f64> = losses.iter().map(|losses| losses.friction_w).collect();
     let pieces: Vec<(Time, Losses)> = gaps(samples)
         .into_iter()
-        .zip(means(&copper).zip(means(&friction)))
-        .map(|(duration, (copper_w, friction_w))| (Time::from_si(duration), Losses { copper_w, friction_w }))
+        .zip(means.iter().chain(std::iter::once(&[0.0; 3])))
+        .map(|(duration, [copper_w, friction_w, _])| {
+            (Time::from_si(duration), Losses { copper_w: *copper_w, friction_w: *friction_w })
+        })
         .collect();
     for (sample, found) in samples.iter_mut().zip(model.network().course(&pieces, ambient)) {
         sample.winding_k = Some(found.winding.si());
@@ -222,19 +328,15 @@ fn heat(samples: &mut [Sample], losses: &[Losses], axis: &Axis, currents: &Curre
     }
 }
 
-fn overload(samples: &mut [Sample], actuator: &Parameters) {
+fn overload(samples: &mut [Sample], means: &[Rates], actuator: &Parameters) {
     let known = actuator.stall_current.known().zip(actuator.heat.winding_time_constant.known());
-    let Some((stall, tau)) = known.map(|(stall, tau)| (stall.value.si(), tau.value)) else { return };
-    let squares: Vec<f64> = samples.iter().filter_map(|sample| Some((sample.current_a? / stall).powi(2))).collect();
-    if squares.len() != samples.len() {
-        return;
-    }
+    let Some((_, tau)) = known else { return };
     let pieces: Vec<(Time, Ratio)> = gaps(samples)
         .into_iter()
-        .zip(means(&squares))
-        .map(|(duration, square)| (Time::from_si(duration), Ratio::from_si(square)))
+        .zip(means.iter().chain(std::iter::once(&[0.0; 3])))
+        .map(|(duration, [.., square])| (Time::from_si(duration), Ratio::from_si(*square)))
         .collect();
-    let course = actuator::overload_course(&pieces, tau);
+    let course = actuator::overload_course(&pieces, tau.value);
     for (sample, found) in samples.iter_mut().zip(course) {
         sample.overload = Some(found.si());
     }

@@ -365,16 +365,16 @@ pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
     project.actuator.as_ref().map(|own| own_candidate(project, own)).ok_or(Refusal::NoActuator)
 }
 
-/// The cycle of a project's axis on a candidate as time series.
+/// The cycle of a project's axis on a candidate as time series, with every sample of its recordings.
 #[must_use]
 pub fn course(project: &Project, candidate: &Candidate<'_>) -> Course {
     Course::of(&project.axis, candidate.parameters)
 }
 
-/// The same, finer between two instants \[s\].
+/// The same as a picture of it shows, or as one of the time between two instants \[s\].
 #[must_use]
-pub fn course_within(project: &Project, candidate: &Candidate<'_>, window: (f64, f64)) -> Course {
-    Course::within(&project.axis, candidate.parameters, window)
+pub fn course_seen(project: &Project, candidate: &Candidate<'_>, window: Option<(f64, f64)>) -> Course {
+    Course::seen(&project.axis, candidate.parameters, window)
 }
 
 /// How far the axis of a project may be changed until a candidate just fits, as far as that is sought unasked.

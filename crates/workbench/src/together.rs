@@ -1,6 +1,6 @@
 //! What several axes take from their supply.
 
-use crate::sizing_use::{Candidate, course};
+use crate::sizing_use::{Candidate, course_seen};
 use project::Project;
 
 /// The electrical power of an axis at the motor terminals over its cycle \[W\].
@@ -15,7 +15,8 @@ pub struct PowerOverCycle {
 /// The power of a candidate over the cycle; `None` where a datum of the actuator that it needs is not known.
 #[must_use]
 pub fn power_over_cycle(project: &Project, candidate: &Candidate<'_>) -> Option<PowerOverCycle> {
-    let course = course(project, candidate);
+    // The largest values of either sign are among what a picture shows.
+    let course = course_seen(project, candidate, None);
     let mut powers = course.samples.iter().filter_map(|sample| sample.power_w).peekable();
     let _ = powers.peek()?;
     let none = PowerOverCycle { taken_w: 0.0, returned_w: 0.0 };
