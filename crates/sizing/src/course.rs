@@ -157,6 +157,9 @@ struct Gathered {
 impl Gathered {
     /// Takes the next instant, which waits for the rest of its group or completes it.
     fn take(&mut self, sample: Sample, rates: Rates, waits: bool) {
+        if !waits && self.waiting.is_empty() {
+            return self.pass(&sample, &rates, true);
+        }
         self.waiting.push((sample, rates));
         if waits {
             return;
