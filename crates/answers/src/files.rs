@@ -87,7 +87,8 @@ pub struct PlotWritten {
 
 /// `export --table`: one table of the results.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Table {
+#[schemars(rename = "Table", bound = "")]
+pub struct Table<Rows = Vec<TableRow<'static>>> {
     /// Its name.
     pub table: &'static str,
     /// Its title.
@@ -97,7 +98,8 @@ pub struct Table {
     /// What each column means.
     pub columns: Vec<TableColumn>,
     /// A record for each row, by the names of the columns.
-    pub rows: Vec<TableRow>,
+    #[schemars(with = "Vec<TableRow<'static>>")]
+    pub rows: Rows,
 }
 
 /// A column of a table.
@@ -132,9 +134,9 @@ pub enum ColumnKind {
 /// A row: a value for each column.
 #[derive(Clone, Debug, PartialEq, JsonSchema)]
 #[schemars(with = "std::collections::BTreeMap<String, TableCell>")]
-pub struct TableRow(pub Vec<(String, TableCell)>);
+pub struct TableRow<'a>(pub Vec<(&'a str, TableCell)>);
 
-impl Serialize for TableRow {
+impl Serialize for TableRow<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(name, cell)| (name, cell)))
     }

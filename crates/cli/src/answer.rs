@@ -49,6 +49,18 @@ fn safe(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
+/// A text in pieces of whole lines, so that a long one need not be held twice.
+fn pieces(mut rest: &str) -> impl Iterator<Item = &str> {
+    const LONG: usize = 1 << 16;
+    std::iter::from_fn(move || {
+        let from = rest.floor_char_boundary(LONG);
+        let end = rest.get(from..).and_then(|behind| behind.find('\n')).map_or(rest.len(), |at| from + at + 1);
+        let (piece, behind) = rest.split_at_checked(end)?;
+        rest = behind;
+        (!piece.is_empty()).then_some(piece)
+    })
+}
+
 impl Answer {
     pub(crate) fn none() -> Self {
         Self::default()
@@ -79,7 +91,8 @@ impl Answer {
     pub(crate) fn write(self, language: Language) -> ExitCode {
         let _ = anstream::stderr().write_all(safe(&self.talk).as_bytes());
         let mut out = anstream::stdout();
-        let written = out.write_all(safe(&self.data).as_bytes()).and_then(|()| out.flush());
+        let mut pieces = pieces(&self.data);
+        let written = pieces.try_for_each(|piece| out.write_all(safe(piece).as_bytes())).and_then(|()| out.flush());
         match written {
             Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
                 let _ = writeln!(anstream::stderr(), "antrieb: stdout: {}", file_trouble(&error, language));
@@ -102,5 +115,14 @@ mod tests {
         assert_eq!(told, "\\u{1b}]0;title\\u{7}\\u{1b}[2J\\u{9b}31m\\u{202e}x\\u{d}");
         assert_eq!(safe("\u{1b}["), "\\u{1b}[");
         assert_eq!(safe("a,b\r\nc\rd"), "a,b\r\nc\\u{d}d");
+    }
+
+    #[test]
+    fn a_long_text_is_written_in_whole_lines() {
+        for text in [String::new(), "x".into(), "a\n".into(), "ä".repeat(50_000), "äb\r\n".repeat(70_000) + "end"] {
+            let pieces: Vec<&str> = pieces(&text).collect();
+            assert!(pieces.iter().rev().skip(1).all(|piece| piece.ends_with('\n') && piece.len() > 1 << 16));
+            assert_eq!(pieces.concat(), text);
+        }
     }
 }

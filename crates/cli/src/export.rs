@@ -8,19 +8,10 @@ use crate::subject::{picked, refuse};
 use crate::waiting::patience;
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
-use tables::{Front, NAMES, Subject, Table};
+use tables::{Format, Front, NAMES, Subject, Table};
 use workbench::answers::{ExportWritten, TableWritten};
 use workbench::text::{hint_text, standing_text, terminal};
 use workbench::{Candidate, Hint, Language, Project, Sizing, answer};
-
-/// How a table is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
-    Workbook,
-    Csv,
-    Json,
-    Parquet,
-}
 
 /// What is asked for, before anything is computed.
 struct Wish<'m> {
@@ -56,13 +47,15 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         return Err(simple(&what, as_json, language));
     }
     let Some((axis, project)) = axes.pop() else { return Ok(Answer::none()) };
+    let memory = source.memory();
+    wish.format.within(&project, wish.table, memory).map_err(|refusal| refuse(&refusal, as_json, language))?;
     let top = usize::from(matches.get_one::<u16>("top").copied().unwrap_or(20));
     let sizing = workbench::sized(&project, top, patience()).map_err(|refusal| refuse(&refusal, as_json, language))?;
     let (chosen, talk) = chosen(matches, &project, &sizing, as_json, language)?;
     let subject =
         Subject { text: &source.text, axis, project: &project, sizing: &sizing, chosen: &chosen, top, language };
     let tables: Vec<Table> = match wish.table {
-        Some(name) => subject.table(name).into_iter().collect(),
+        Some(name) => subject.table(name, wish.format).into_iter().collect(),
         None => subject.tables(),
     };
     let file = path.file_name().map_or_else(|| source.name.clone(), |name| path_text(Path::new(name)));
@@ -104,12 +97,10 @@ fn wish<'m>(matches: &'m ArgMatches, as_json: bool, language: Language) -> Resul
     let ending = file.map(|file| file.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()));
     let format = match ending.as_ref().map(Option::as_deref) {
         None if as_json => Format::Json,
-        None | Some(Some("csv")) => Format::Csv,
-        Some(Some("xlsx")) => Format::Workbook,
-        Some(Some("json")) => Format::Json,
-        Some(Some("parquet")) => Format::Parquet,
-        Some(_) => {
-            return Err(fault(terminal::ending_says_the_format(language)));
+        None => Format::Csv,
+        Some(ending) => {
+            let known = ending.and_then(Format::of_ending);
+            known.ok_or_else(|| fault(terminal::ending_says_the_format(language)))?
         }
     };
     if table.is_none() && format != Format::Workbook {

@@ -44,6 +44,11 @@ impl Source {
         Ok(Self { name, text, path: if piped { PathBuf::new() } else { path.to_owned() }, memory })
     }
 
+    /// Bytes of memory that the project is allowed.
+    pub(crate) const fn memory(&self) -> u64 {
+        self.memory
+    }
+
     fn folder(&self) -> &Path {
         self.path.parent().unwrap_or(Path::new(""))
     }

@@ -311,6 +311,48 @@ fn longer_recordings_than_are_judged_unasked_are_refused_by_their_number() {
     assert!(run(&check).0 < 2);
 }
 
+/// A table of the course holds every sample: it is made within the memory that is allowed, and a workbook does without it.
+#[test]
+fn a_table_of_a_long_course_is_held_to_the_memory() {
+    let count = 200_010_u32;
+    let rows: String = (0..=count)
+        .map(|k| {
+            let share = f64::from(k) / f64::from(count);
+            format!("{:.6},{:.9}\n", share * 200.0, (1.0 - (share * 20.0 * std::f64::consts::TAU).cos()) * 0.2)
+        })
+        .collect();
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("swing.csv"), format!("time [s],position [rad]\n{rows}")).unwrap();
+    let text = "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"0.5 kg m^2\"\n\
+                [[motion]]\nlaw = \"recorded\"\nfile = \"swing.csv\"\n";
+    fs::write(folder.path().join("axis.toml"), text).unwrap();
+    let run = |args: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
+        let code = ["export", "axis.toml", "--json", "--code", "CHA-25A-100-H-C1024", "--top", "1"];
+        let output = command.args(code).args(args).current_dir(folder.path()).output().unwrap();
+        (output.status.code().unwrap(), serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap())
+    };
+    for (ending, needed) in [("csv", "98 MiB"), ("json", "196 MiB"), ("parquet", "98 MiB")] {
+        let name = format!("course.{ending}");
+        let (code, told) = run(&["--table", "course", "--out", &name, "--memory", "50 MiB"]);
+        let message = told["errors"][0]["message"].as_str().unwrap();
+        assert_eq!((code, told.as_object().unwrap().len()), (2, 1), "{told}");
+        for part in ["400020 rows", needed, "50 MiB", "--memory"] {
+            assert!(message.contains(part), "{message}");
+        }
+        assert!(!folder.path().join(name).exists());
+    }
+    let (_, told) = run(&["--table", "course", "--out", "course.csv", "--memory", "98 MiB"]);
+    let rows = told["tables"][0]["rows"].as_u64().unwrap();
+    assert!((200_011..=400_020).contains(&rows), "{told}");
+    let lines = fs::read_to_string(folder.path().join("course.csv")).unwrap().lines().count();
+    assert_eq!(lines as u64, rows + 1);
+    let (_, told) = run(&["--out", "all.xlsx", "--memory", "50 MiB"]);
+    let course = told["tables"].as_array().unwrap().iter().find(|table| table["name"] == "course").unwrap();
+    assert_eq!(course["rows"], 400_020);
+    assert!(fs::metadata(folder.path().join("all.xlsx")).unwrap().len() < 1 << 20);
+}
+
 #[test]
 fn an_axis_that_cannot_be_answered_has_no_verdict_beside_it() {
     let folder = tempfile::tempdir().unwrap();

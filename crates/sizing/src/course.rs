@@ -95,6 +95,17 @@ impl Course {
         Self::sampled(axis, actuator, (&parts, &|start| if is_outside(start, start) { all } else { inside }))
     }
 
+    /// How many instants [`Course::of`] has at most, found without looking at them.
+    #[must_use]
+    pub fn instants_most(axis: &Axis) -> usize {
+        let of_piece = |piece: &motion::Piece| {
+            // A rest has two ends, and the brake closes and opens in it; elsewhere an instant is there twice where it turns round.
+            if piece.is_rest() { 6 } else { PER_PIECE as usize + 1 + 2 * piece.reversals().len() }
+        };
+        let pieces = axis.motion.pieces().iter().map(of_piece).sum::<usize>();
+        pieces + axis.motion.recordings().iter().map(|placed| 2 * placed.intervals()).sum::<usize>()
+    }
+
     /// `parts`: of a piece with its beginning and its duration \[s\]; `group`: how many recorded intervals from an instant on are
     /// seen as one.
     fn sampled(axis: &Axis, actuator: &Parameters, fine: Fineness<'_>) -> Self {

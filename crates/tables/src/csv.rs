@@ -1,39 +1,51 @@
 //! A table as CSV.
 
 use crate::table::{Cell, Table};
+use std::fmt::Write as _;
 
 /// A table as CSV (RFC 4180): UTF-8, a header `name [unit]`, commas, decimal points, lines ended by CR LF. A text that a
 /// spreadsheet would calculate stands behind an apostrophe, which tells it that this is text; numbers stay as they are.
 #[must_use]
 pub fn csv(table: &Table) -> String {
-    let mut out = String::new();
-    let heads: Vec<String> = table.columns.iter().map(|column| quoted(&column.header())).collect();
-    line(&mut out, &heads);
-    for row in &table.rows {
-        let fields: Vec<String> = row.iter().map(field).collect();
-        line(&mut out, &fields);
+    // As much as a series of numbers needs; words take what they take.
+    let mut out = String::with_capacity(table.rows.iter().len() * table.columns.len() * NUMBER_BYTES);
+    for (place, column) in table.columns.iter().enumerate() {
+        begin(&mut out, place);
+        quoted(&mut out, &column.header());
+    }
+    out.push_str("\r\n");
+    for row in table.rows.iter() {
+        let begun = out.len();
+        for (place, cell) in row.iter().enumerate() {
+            begin(&mut out, place);
+            field(&mut out, cell);
+        }
+        // A line with nothing in it would be no record.
+        if out.len() == begun {
+            out.push_str("\"\"");
+        }
+        out.push_str("\r\n");
     }
     out
 }
 
-fn line(out: &mut String, fields: &[String]) {
-    // A line with nothing in it would be no record.
-    if let [only] = fields
-        && only.is_empty()
-    {
-        out.push_str("\"\"");
+/// A number with its comma, as most of a series are.
+const NUMBER_BYTES: usize = 13;
+
+fn begin(out: &mut String, place: usize) {
+    if place > 0 {
+        out.push(',');
     }
-    out.push_str(&fields.join(","));
-    out.push_str("\r\n");
 }
 
-fn field(cell: &Cell) -> String {
+fn field(out: &mut String, cell: &Cell) {
     match cell {
-        Cell::Empty => String::new(),
-        Cell::Number(number) => number.to_string(),
-        Cell::Text(text) if is_formula(text) => quoted(&format!("'{text}")),
-        Cell::Text(text) => quoted(text),
-        Cell::Word(id, _) => quoted(id),
+        Cell::Empty => {}
+        // Writing to a text does not fail.
+        Cell::Number(number) => drop(write!(out, "{number}")),
+        Cell::Text(text) if is_formula(text) => quoted(out, &format!("'{text}")),
+        Cell::Text(text) => quoted(out, text),
+        Cell::Word(id, _) => quoted(out, id),
     }
 }
 
@@ -51,17 +63,25 @@ fn is_formula(text: &str) -> bool {
     begins && !is_quantity()
 }
 
-fn quoted(field: &str) -> String {
+fn quoted(out: &mut String, field: &str) {
     if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
+        out.push('"');
+        out.push_str(&field.replace('"', "\"\""));
+        out.push('"');
     } else {
-        field.to_owned()
+        out.push_str(field);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn field(cell: &Cell) -> String {
+        let mut out = String::new();
+        super::field(&mut out, cell);
+        out
+    }
 
     #[test]
     fn a_text_that_would_be_calculated_stands_behind_an_apostrophe() {

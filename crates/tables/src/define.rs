@@ -1,6 +1,8 @@
 //! The tables: what each shows, and where it takes it from.
 
+use crate::format::Format;
 use crate::results;
+use crate::rows::Rows;
 use crate::table::{Cell, Column, Kind, Table};
 use workbench::quantities::Measure;
 use workbench::quantities::Unit;
@@ -57,9 +59,10 @@ pub(crate) fn titled(
 }
 
 impl Subject<'_> {
-    /// A table by its name; `None` for a name that is none of [`NAMES`].
+    /// A table by its name, as a format takes it; `None` for a name that is none of [`NAMES`]. Of a course that is too long for
+    /// the sheet of a workbook the rows are counted alone.
     #[must_use]
-    pub fn table(&self, name: &str) -> Option<Table> {
+    pub fn table(&self, name: &str, format: Format) -> Option<Table> {
         Some(match name {
             "inputs" => self.inputs(),
             "assumptions" => self.assumptions(),
@@ -67,15 +70,15 @@ impl Subject<'_> {
             "motion" => self.motion(),
             "candidates" => results::candidates(self),
             "checks" => results::checks(self),
-            "course" => self.course(),
+            "course" => self.course(format),
             _ => return None,
         })
     }
 
-    /// Every table, in the order of [`NAMES`].
+    /// Every table of a workbook, in the order of [`NAMES`].
     #[must_use]
     pub fn tables(&self) -> Vec<Table> {
-        NAMES.iter().filter_map(|name| self.table(name)).collect()
+        NAMES.iter().filter_map(|name| self.table(name, Format::Workbook)).collect()
     }
 
     /// The candidates that are shown, best first, each judged in full, with its place in the ranking if it fits.
@@ -102,7 +105,7 @@ impl Subject<'_> {
 
     pub(crate) fn empty(&self, name: &'static str, title: Word, about: Word, columns: Vec<Column>) -> Table {
         let (title, about) = (capitalised(title(self.language)), about(self.language).to_owned());
-        Table { name, title, about, columns, rows: Vec::new(), derived: Vec::new() }
+        Table { name, title, about, columns, rows: Rows::from(Vec::new()), derived: Vec::new() }
     }
 
     fn inputs(&self) -> Table {
@@ -132,7 +135,8 @@ impl Subject<'_> {
                     unit,
                 ]
             })
-            .collect();
+            .collect::<Vec<_>>()
+            .into();
         table
     }
 
@@ -147,7 +151,8 @@ impl Subject<'_> {
         table.rows = (1_u16..)
             .zip(&self.project.assumptions)
             .map(|(number, each)| vec![Cell::number(f64::from(number)), Cell::text(assumption_text(*each, l))])
-            .collect();
+            .collect::<Vec<_>>()
+            .into();
         table
     }
 
@@ -187,11 +192,12 @@ impl Subject<'_> {
                     each.recording.map_or(Cell::Empty, |read| Cell::text(read.file.as_str())),
                 ]
             })
-            .collect();
+            .collect::<Vec<_>>()
+            .into();
         table
     }
 
-    fn course(&self) -> Table {
+    fn course(&self, format: Format) -> Table {
         let l = self.language;
         type Of = fn(&Sample) -> Option<f64>;
         let series: [(&str, Word, &'static Unit, Word, Of); 10] = [
@@ -214,13 +220,13 @@ impl Subject<'_> {
             .collect();
         let about = tables::course_about;
         let mut table = self.empty("course", tables::course, about, columns);
-        table.rows = course(self.project, self.chosen)
-            .samples
-            .iter()
-            .map(|sample| series.iter().map(|(_, _, unit, _, of)| Cell::in_unit(of(sample), unit)).collect())
-            .collect();
-        // Neighbours that say the same say it once.
-        table.rows.dedup();
+        if let Some(rows) = format.course_left_out(self.project) {
+            table.rows = Rows::left_out(rows);
+            return table;
+        }
+        let course = course(self.project, self.chosen);
+        let row = |sample: &Sample| series.map(|(.., unit, _, of)| of(sample).map(|si| unit.from_si(si)));
+        table.rows = Rows::series(course.samples.iter().map(row));
         table
     }
 }

@@ -1,18 +1,29 @@
 //! A table as a record.
 
 use crate::table::{Cell, Column, Kind, Table};
+use serde::{Serialize, Serializer};
 use workbench::answers::{self, ColumnKind, Number, TableCell, TableColumn, TableRow};
 
 /// A table as one record: what each column means, and a record for each row.
 #[must_use]
-pub fn record(table: &Table) -> answers::Table {
-    let names = || table.columns.iter().map(|column| column.name.clone());
+pub fn record(table: &Table) -> answers::Table<Records<'_>> {
     answers::Table {
         table: table.name,
         title: table.title.clone(),
         about: table.about.clone(),
         columns: table.columns.iter().map(column).collect(),
-        rows: table.rows.iter().map(|row| TableRow(names().zip(row.iter().map(cell)).collect())).collect(),
+        rows: Records(table),
+    }
+}
+
+/// A record for each row of a table, made when it is written.
+#[derive(Clone, Copy, Debug)]
+pub struct Records<'t>(&'t Table);
+
+impl Serialize for Records<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let names = || self.0.columns.iter().map(|column| column.name.as_str());
+        serializer.collect_seq(self.0.rows.iter().map(|row| TableRow(names().zip(row.iter().map(cell)).collect())))
     }
 }
 

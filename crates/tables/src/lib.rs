@@ -13,10 +13,12 @@
 mod csv;
 mod define;
 mod error;
+mod format;
 mod ical;
 mod json;
 mod parquet;
 mod results;
+mod rows;
 mod table;
 mod xlsx;
 
@@ -25,6 +27,8 @@ pub use crate::json::record;
 pub use crate::parquet::parquet;
 pub use define::{NAMES, Subject};
 pub use error::WriteError;
+pub use format::Format;
 pub use ical::calendar;
+pub use rows::Rows;
 pub use table::{Cell, Column, Derived, Kind, Table};
 pub use xlsx::{Front, SHEET_ROWS_MOST, xlsx};

@@ -1,7 +1,7 @@
 //! A table as Parquet.
 
 use crate::error::WriteError;
-use crate::table::{Cell, Column, Table};
+use crate::table::{Column, Table};
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType};
 use parquet::file::metadata::KeyValue;
@@ -28,18 +28,21 @@ pub fn parquet(table: &Table) -> Result<Vec<u8>, WriteError> {
         .build();
     let mut out = Vec::new();
     let mut writer = SerializedFileWriter::new(&mut out, schema, Arc::new(properties))?;
-    for rows in table.rows.chunks(GROUP) {
+    let count = table.rows.iter().len();
+    for from in (0..count).step_by(GROUP) {
         let mut group = writer.next_row_group()?;
         for (index, column) in table.columns.iter().enumerate() {
             let Some(mut into) = group.next_column()? else { continue };
-            let cells = || rows.iter().map(|row| row.get(index).unwrap_or(&Cell::Empty));
             if column.is_numeric() {
-                let levels: Vec<i16> = cells().map(|cell| i16::from(cell.as_number().is_some())).collect();
-                let values: Vec<f64> = cells().filter_map(Cell::as_number).collect();
+                let cells: Vec<Option<f64>> = table.numbers(index).skip(from).take(GROUP).collect();
+                let levels: Vec<i16> = cells.iter().map(|cell| i16::from(cell.is_some())).collect();
+                let values: Vec<f64> = cells.into_iter().flatten().collect();
                 into.typed::<DoubleType>().write_batch(&values, Some(&levels), None)?;
             } else {
-                let levels: Vec<i16> = cells().map(|cell| i16::from(cell.as_text().is_some())).collect();
-                let values: Vec<ByteArray> = cells().filter_map(Cell::as_text).map(ByteArray::from).collect();
+                let cells: Vec<Option<ByteArray>> =
+                    table.rows.iter().skip(from).take(GROUP).map(|row| Some(row.get(index)?.as_text()?.into())).collect();
+                let levels: Vec<i16> = cells.iter().map(|cell| i16::from(cell.is_some())).collect();
+                let values: Vec<ByteArray> = cells.into_iter().flatten().collect();
                 into.typed::<ByteArrayType>().write_batch(&values, Some(&levels), None)?;
             }
             into.close()?;

@@ -46,6 +46,7 @@ pub(crate) fn demand(subject: &Subject<'_>) -> Table {
     ];
     let about = tables::demand_about;
     let mut table = subject.empty("demand", terms::demand, about, columns);
+    let mut rows = Vec::new();
     for (_, candidate) in subject.shown() {
         let judgement = &candidate.judgement;
         let mut row = |mode: &str, demand: &Demand, moves: [Cell; 4]| {
@@ -60,7 +61,7 @@ pub(crate) fn demand(subject: &Subject<'_>) -> Table {
                 Cell::in_unit(Some(demand.duty_factor), &PERCENT),
             ];
             cells.extend(moves);
-            table.rows.push(cells);
+            rows.push(cells);
         };
         let none = [Cell::Empty, Cell::Empty, Cell::Empty, Cell::Empty];
         if let Some(manual) = &judgement.manual {
@@ -76,6 +77,7 @@ pub(crate) fn demand(subject: &Subject<'_>) -> Table {
             row("integral", demand, none);
         }
     }
+    table.rows = rows.into();
     table
 }
 
@@ -118,6 +120,7 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
     let mut table = subject.empty("candidates", terms::candidates, about, columns);
     #[allow(clippy::cast_precision_loss, reason = "counts of a few hundred")]
     let count = |count: usize| Cell::number(count as f64);
+    let mut rows = Vec::new();
     for (rank, candidate) in &shown {
         let data = candidate.parameters;
         let utilisation = Cell::number(candidate.standing.utilisation);
@@ -146,8 +149,9 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
             let check = candidate.judgement.checks.iter().find(|check| check.id == *id);
             check.and_then(|check| check.utilisation).map_or(Cell::Empty, Cell::number)
         }));
-        table.rows.push(row);
+        rows.push(row);
     }
+    table.rows = rows.into();
     if let (Some(column), Some(utilisation)) = (table.column("margin"), table.column("utilisation")) {
         table.derived.push(Derived::Margin { column, utilisation });
     }
@@ -179,10 +183,11 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
     let mut shown = subject.shown();
     // The chosen one stands first: its checks are what most readers look for.
     shown.sort_by_key(|(_, candidate)| candidate.id != *chosen);
-    for (_, candidate) in &shown {
+    let of_each = |(_, candidate): &(Option<usize>, Candidate<'_>)| {
         let name = candidate.id.to_string();
-        table.rows.extend(candidate.judgement.checks.iter().map(|check| check_row(&name, check, l)));
-    }
+        candidate.judgement.checks.iter().map(|check| check_row(&name, check, l)).collect::<Vec<_>>()
+    };
+    table.rows = shown.iter().flat_map(of_each).collect::<Vec<_>>().into();
     let of = |name: &str| table.column(name);
     if let (Some(column), Some(value), Some(limit), Some(direction), Some(margin)) =
         (of("utilisation"), of("value"), of("limit"), of("direction"), of("margin"))

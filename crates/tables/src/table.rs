@@ -1,5 +1,6 @@
 //! A table as plain data.
 
+use crate::rows::Rows;
 use workbench::quantities::Unit;
 use workbench::quantities::unit::ONE;
 
@@ -51,11 +52,7 @@ impl Cell {
     /// What is not finite is no value.
     #[must_use]
     pub fn number(value: f64) -> Self {
-        if !value.is_finite() {
-            return Self::Empty;
-        }
-        // No negative zero either.
-        Self::Number(if value == 0.0 { 0.0 } else { format!("{value:.11e}").parse().unwrap_or(value) })
+        rounded(value).map_or(Self::Empty, Self::Number)
     }
 
     /// An SI value in a unit.
@@ -97,6 +94,39 @@ impl Cell {
     }
 }
 
+/// A finite number with twelve significant digits, the closest one that there is to them.
+pub(crate) fn rounded(value: f64) -> Option<f64> {
+    if !value.is_finite() {
+        return None;
+    }
+    // No negative zero either.
+    if value == 0.0 {
+        return Some(0.0);
+    }
+    Some(rounded_by_a_power_of_ten(value).unwrap_or_else(|| format!("{value:.11e}").parse().unwrap_or(value)))
+}
+
+/// The same where it is certain without the digits: the number with its twelve digits before the point, rounded, over the power
+/// of ten that brought them there. Both are whole numbers that a double holds exactly, so that their quotient is the closest
+/// double to the digits. The product before is off by less than 2⁻¹³: it says which way to round unless it lies about the middle.
+fn rounded_by_a_power_of_ten(value: f64) -> Option<f64> {
+    /// Largest power of ten that a double holds exactly.
+    const EXACT: i32 = 22;
+    #[allow(clippy::cast_possible_truncation, reason = "the exponent of a double has three digits")]
+    let places = 11 - value.abs().log10().floor() as i32;
+    if !(0..=EXACT).contains(&places) {
+        return None;
+    }
+    let power = 10_f64.powi(places);
+    let product = value.abs() * power;
+    let whole = product.floor();
+    let behind = product - whole;
+    if !(1e11..1e12 - 1.0).contains(&whole) || (behind - 0.5).abs() < 1e-3 {
+        return None;
+    }
+    Some(((whole + if behind > 0.5 { 1.0 } else { 0.0 }) / power).copysign(value))
+}
+
 /// How a column follows from others, where that is simple.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Derived {
@@ -121,7 +151,7 @@ pub enum Derived {
 }
 
 /// A table.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Table {
     /// Its name in data exchange.
     pub name: &'static str,
@@ -132,7 +162,7 @@ pub struct Table {
     /// The columns.
     pub columns: Vec<Column>,
     /// The rows, each with a cell for every column.
-    pub rows: Vec<Vec<Cell>>,
+    pub rows: Rows,
     /// What follows from other columns.
     pub derived: Vec<Derived>,
 }
@@ -146,7 +176,7 @@ impl Table {
 
     /// The numbers of a column, in the order of the rows.
     pub fn numbers(&self, column: usize) -> impl Iterator<Item = Option<f64>> {
-        self.rows.iter().map(move |row| row.get(column).and_then(Cell::as_number))
+        self.rows.numbers(column)
     }
 }
 
@@ -183,6 +213,42 @@ mod tests {
         assert_eq!(Cell::number(f64::INFINITY), Cell::Empty);
         assert_eq!(Cell::number(f64::NAN), Cell::Empty);
         assert_eq!(Cell::number(-0.0), Cell::Number(0.0));
+        assert_eq!(Cell::number(5e-324), Cell::Number(5e-324));
         assert!(matches!(Cell::number(-0.0), Cell::Number(zero) if zero.is_sign_positive()));
+    }
+
+    #[test]
+    fn the_quick_way_to_twelve_digits_gives_the_digits() {
+        let mut state = 0x2545_f491_4f6c_dd1d_u64;
+        let mut next = || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            state
+        };
+        let mut quick = 0;
+        let mut look = |value: f64| {
+            let written: f64 = format!("{value:.11e}").parse().unwrap();
+            if let Some(found) = rounded_by_a_power_of_ten(value) {
+                quick += 1;
+                assert_eq!(found.to_bits(), written.to_bits(), "{value:e}");
+            }
+            assert_eq!(rounded(value), Some(written), "{value:e}");
+        };
+        for _ in 0..200_000 {
+            // Every exponent, the usual ones, decimals at the border between two roundings, and powers of ten.
+            let any = f64::from_bits(next());
+            if any.is_finite() && any != 0.0 {
+                look(any);
+            }
+            let digits = (next() % 10_000_000_000_000) as f64;
+            let power = 10_f64.powi((next() % 30) as i32);
+            look(digits.max(1.0) / power);
+            look((digits + 0.5).next_up() / power);
+            look(f64::from(u32::try_from(next() >> 32).unwrap()).mul_add(1e-9, 1e-3));
+            look(power.next_down());
+            look(1.0 / power);
+        }
+        assert!(quick > 500_000, "{quick}");
     }
 }

@@ -95,7 +95,7 @@ pub use sizing::{
     Check, CheckId, Checks, Course, Demand, Direction, Figure, FlangeSample, Part, Reserve, Sample, Verdict,
 };
 pub use sizing_use::{
-    Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, course_seen, explain, explain_own,
+    Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, course_rows, course_seen, explain, explain_own,
     order, reserve_of, size,
 };
 pub use subject::{candidate_for, candidate_of_tables, names, paired, picked};

@@ -152,6 +152,15 @@ pub enum Refusal {
         /// At most; half as many under a load that hangs on the position or has losses.
         most: usize,
     },
+    /// A table of the course takes more memory than the project is allowed.
+    TooManyRows {
+        /// Rows, at most.
+        rows: usize,
+        /// Bytes that they take.
+        needed: u64,
+        /// Bytes that are allowed.
+        most: u64,
+    },
     /// Whoever asked does not wait any longer.
     Stopped,
 }
@@ -369,6 +378,12 @@ pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
 #[must_use]
 pub fn course(project: &Project, candidate: &Candidate<'_>) -> Course {
     Course::of(&project.axis, candidate.parameters)
+}
+
+/// How many instants that course has at most: what a table of it has as rows.
+#[must_use]
+pub fn course_rows(project: &Project) -> usize {
+    Course::instants_most(&project.axis)
 }
 
 /// The same as a picture of it shows, or as one of the time between two instants \[s\].

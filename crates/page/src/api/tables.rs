@@ -3,7 +3,7 @@
 use super::asked::Asked;
 use super::{Unanswered, list, record};
 use crate::Reply;
-use tables::{Front, Subject};
+use tables::{Format, Front, Subject};
 use workbench::answer;
 use workbench::text::{requests, terminal};
 
@@ -13,17 +13,20 @@ const TOP_USUAL: usize = 20;
 pub(super) fn export(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let language = asked.language;
     let table = asked.text("table");
-    let format = asked.text("format").unwrap_or(if table.is_some() { "json" } else { "xlsx" });
+    let usual = if table.is_some() { Format::Json } else { Format::Workbook };
+    let format = asked.text("format").and_then(Format::of_ending).unwrap_or(usual);
     match (format, table) {
-        ("xlsx", Some(_)) => return Err(answer::fault(requests::workbook_has_all_tables(language)).into()),
-        ("json" | "csv" | "parquet", None) => {
-            return Err(answer::fault(&requests::format_needs_a_table(&format, language)).into());
+        (Format::Workbook, Some(_)) => return Err(answer::fault(requests::workbook_has_all_tables(language)).into()),
+        (Format::Json | Format::Csv | Format::Parquet, None) => {
+            return Err(answer::fault(&requests::format_needs_a_table(&format.ending(), language)).into());
         }
         _ => {}
     }
     let (revision, date, file) = (asked.label("revision")?, asked.label("date")?, asked.name()?);
     let (axis, project) = asked.axis_or(|names| terminal::export_is_of_one_axis(&names, language))?;
     let code = asked.code_if_any()?;
+    let memory = asked.shell.files().grant().memory;
+    format.within(&project, table, memory).map_err(|refusal| asked.refused(&refusal))?;
     let top = asked.whole("top").unwrap_or(TOP_USUAL);
     let sizing = workbench::sized(&project, top, asked.patience).map_err(|refusal| asked.refused(&refusal))?;
     let chosen =
@@ -43,13 +46,13 @@ pub(super) fn export(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
         let bytes = tables::xlsx(&subject.tables(), &front).map_err(not_written)?;
         return Ok(Reply::of(200, list::XLSX, bytes).saved_as("antrieb.xlsx"));
     };
-    let table = subject.table(name).ok_or_else(|| asked.refused(&workbench::Refusal::NoData))?;
+    let table = subject.table(name, format).ok_or_else(|| asked.refused(&workbench::Refusal::NoData))?;
     Ok(match format {
-        "csv" => Reply::of(200, list::CSV, tables::csv(&table)).saved_as(&format!("{name}.csv")),
-        "parquet" => {
+        Format::Csv => Reply::of(200, list::CSV, tables::csv(&table)).saved_as(&format!("{name}.csv")),
+        Format::Parquet => {
             let bytes = tables::parquet(&table).map_err(not_written)?;
             Reply::of(200, list::PARQUET, bytes).saved_as(&format!("{name}.parquet"))
         }
-        _ => record(200, &tables::record(&table)),
+        Format::Json | Format::Workbook => record(200, &tables::record(&table)),
     })
 }

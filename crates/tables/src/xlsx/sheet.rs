@@ -36,7 +36,7 @@ impl Links {
             let Some(target) = tables.iter().find(|table| table.name == to) else { continue };
             let Some(code) = target.column("code") else { continue };
             let mut rows = BTreeMap::new();
-            for (row, cells) in (FIRST..).zip(&target.rows) {
+            for (row, cells) in (FIRST..).zip(target.rows.iter()) {
                 if let Some(text) = cells.get(code).and_then(Cell::as_text) {
                     rows.entry(text.to_owned()).or_insert(row);
                 }
@@ -71,16 +71,16 @@ pub(super) fn sheet(
         widths.push(wide);
         let derived = table.derived.iter().find(|derived| derived.column() == index);
         let format = column_format(table, index, column, derived, styles);
-        for (row, cells) in (FIRST..).zip(&table.rows) {
+        for (row, cells) in (FIRST..).zip(table.rows.iter()) {
             let Some(cell) = cells.get(index) else { continue };
-            let place = Place { row, at, cells };
+            let place = Place { row, at, cells: &cells };
             write(&mut sheet, &place, cell, (column, derived), format.as_ref(), (table.name, links), styles)?;
         }
         colour(&mut sheet, column, derived, (at, last), styles, language)?;
     }
     let title = table.columns.iter().zip(&widths).map(|(column, wide)| lines(&column.title, *wide)).max();
     sheet.set_row_height(0, height(title.unwrap_or(1)))?;
-    for (row, cells) in (FIRST..).zip(&table.rows) {
+    for (row, cells) in (FIRST..).zip(table.rows.iter()) {
         let most = cells.iter().zip(&widths).map(|(cell, wide)| cell.as_text().map_or(1, |text| lines(text, *wide)));
         // What stands on one line has the height that a program gives a row by itself.
         if let Some(most) = most.max().filter(|most| *most > 1) {

@@ -62,6 +62,10 @@ pub fn refusal_text(refusal: &Refusal, waited_s: Option<f64>, language: Language
         Refusal::NoActuator => terminal::no_own_actuator(language).to_owned(),
         Refusal::TooManySamples { asked, most } => terminal::too_many_samples(asked, most, language),
         Refusal::TooLong { samples, most } => terminal::too_long(samples, most, language),
+        Refusal::TooManyRows { rows, needed, most } => {
+            let whole = |bytes: u64| bytes.div_ceil(1 << 20);
+            terminal::too_many_rows(rows, &whole(*needed), &(most >> 20), language)
+        }
         Refusal::Stopped => terminal::not_in_time(&format_significant(waited_s.unwrap_or(0.0), 3, language), language),
         Refusal::NoData | Refusal::Broken(_) => terminal::no_data(language).to_owned(),
     }
