@@ -133,18 +133,18 @@ fn beside(case: &Case<'_>, sizing: &Sizing<'_>) {
         CandidateId::Own(_) => None,
     };
     let codes: Vec<OrderCode> = sizing.candidates.iter().filter_map(of).take(2).collect();
-    let Ok(found) = workbench::compare(case.project, &codes) else { return };
+    let Ok(found) = workbench::compare(case.project, &codes, &Patience::endless()) else { return };
     keeps_to_schema("compare", &answer::comparison(&found, &case.project.name, case.language));
     assert!(found.checks.iter().all(|row| row.checks.len() == codes.len()));
     let twice: Vec<OrderCode> = codes.iter().take(1).chain(codes.iter().take(1)).copied().collect();
-    let Ok(found) = workbench::compare(case.project, &twice) else { return };
+    let Ok(found) = workbench::compare(case.project, &twice, &Patience::endless()) else { return };
     assert!(found.demand.iter().chain(&found.data).all(workbench::DatumRow::is_same), "{:?}", found.demand);
     assert!(found.checks.iter().all(|row| row.better.is_none()), "nothing is better than itself");
 }
 
 /// A revision that changes nothing changes nothing.
 fn revisions(case: &Case<'_>, code: &OrderCode) {
-    let Ok(found) = difference(case.project, case.project, Some(code)) else { return };
+    let Ok(found) = difference(case.project, case.project, Some(code), &Patience::endless()) else { return };
     assert!(found.demand.iter().all(workbench::DatumRow::is_same), "{:?}", found.demand);
     assert!(found.checks.iter().all(workbench::CheckChange::is_same), "{code}");
     assert_eq!(found.best_before, found.best_after);

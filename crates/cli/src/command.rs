@@ -90,7 +90,7 @@ pub(crate) fn build(language: Language) -> Command {
 fn headed(command: Command, language: Language) -> Command {
     let reads_a_project =
         command.get_arguments().any(|argument| ["project", "old"].contains(&argument.get_id().as_str()));
-    let command = if reads_a_project { command.arg(files::memory(language)) } else { command };
+    let command = if reads_a_project { command.arg(deadline(language)).arg(files::memory(language)) } else { command };
     let mut command = command
         .disable_help_flag(true)
         .disable_help_subcommand(true)
@@ -208,13 +208,13 @@ fn commands(language: Language) -> Command {
             .value_parser(value_parser!(std::path::PathBuf))
             .help(with_report(language, help::size_report(language))),
     );
-    let size = sheet(sampling(size, language), language).arg(deadline(language));
+    let size = sheet(sampling(size, language), language);
     let check = Command::new("check")
         .about(help::check(language))
         .arg(project(language))
         .arg(axis(language))
         .arg(Arg::new("code").long("code").value_name(values::code(language)).help(help::check_code(language)));
-    let check = sampling(check, language).arg(deadline(language));
+    let check = sampling(check, language);
     let explain = Command::new("explain")
         .about(help::explain(language))
         .arg(project(language))

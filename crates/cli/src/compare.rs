@@ -5,11 +5,14 @@ use crate::code::parse_for_use;
 use crate::fault::simple;
 use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table, paragraph};
+use crate::waiting::patience;
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::quantities::format_significant;
 use workbench::text::{check_title, figure_term, symbol_shown, terminal, terms, verdict_word};
-use workbench::{Candidate, Check, Comparison, DatumRow, Language, OrderCode, Project, Verdict, answer, answers};
+use workbench::{
+    Candidate, Check, Comparison, DatumRow, Language, OrderCode, Project, Refusal, Verdict, answer, answers,
+};
 use workbench::{figure_text, percent};
 
 /// How many are compared.
@@ -52,9 +55,9 @@ fn axis(
     as_json: bool,
     language: Language,
 ) -> Result<Part<answers::Comparison>, Answer> {
-    let found = workbench::compare(project, codes).map_err(|(index, refusal)| {
+    let found = workbench::compare(project, codes, patience()).map_err(|(index, refusal)| {
         let mut fault = refuse(&refusal, as_json, language);
-        if let Some(code) = codes.get(index) {
+        if let Some(code) = codes.get(index).filter(|_| refusal != Refusal::Stopped) {
             let _ = writeln!(fault.talk, "{code}");
         }
         fault

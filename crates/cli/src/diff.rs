@@ -4,15 +4,16 @@ use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::compare::{names, shown, verdict};
 use crate::fault::{Source, simple};
-use crate::subject::{Part, picked, refuse, together};
+use crate::subject::{Part, in_reach, picked, refuse, together};
 use crate::table::{Align, Table, labelled};
+use crate::waiting::patience;
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use workbench::quantities::format_number;
 use workbench::text::{check_title, terminal, terms, verdict_word};
 use workbench::{
-    CandidateId, Check, CheckChange, Difference, InputChange, Language, OrderCode, Project, answer, answers,
+    CandidateId, Check, CheckChange, Difference, InputChange, Language, OrderCode, Project, Wait, answer, answers,
 };
 use workbench::{figure_text, percent};
 
@@ -41,6 +42,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         Ok((source, axes))
     };
     let ((old_file, old), (new_file, new)) = (read("old")?, read("new")?);
+    in_reach(Wait::TenSeconds, old.iter().chain(&new).map(|(_, project)| project), as_json, language)?;
     let pairs = workbench::paired(&old, &new);
     let told = |axis: &Axis, file: &Source, paired: bool| {
         let (name, file) = (&axis.1.name, &file.name);
@@ -77,7 +79,8 @@ fn axis(
     as_json: bool,
     language: Language,
 ) -> Result<Part<answers::Difference>, Answer> {
-    let found = workbench::difference(old, new, code).map_err(|refusal| refuse(&refusal, as_json, language))?;
+    let found =
+        workbench::difference(old, new, code, patience()).map_err(|refusal| refuse(&refusal, as_json, language))?;
     let record = || answer::difference(&found, inputs, &new.name, language);
     Ok(Part::of(as_json, found.after.fits(), record, || text(&found, &new.name, inputs, language)))
 }

@@ -4,6 +4,7 @@ use crate::answer::Answer;
 use crate::code::parse_for_use;
 use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{hanging, labelled, paragraph};
+use crate::waiting::patience;
 use clap::ArgMatches;
 use std::fmt::Write as _;
 use workbench::answers::Explanations;
@@ -36,7 +37,7 @@ fn axis(
         }
     };
     let wanted = matches.get_one::<String>("check").and_then(|id| CheckId::ALL.iter().find(|each| each.id() == id));
-    let found = workbench::explanation(project, code.as_ref(), wanted.copied())
+    let found = workbench::explanation(project, code.as_ref(), wanted.copied(), patience())
         .map_err(|refusal| refuse(&refusal, as_json, language))?;
     let text = || derivations(project, &found.candidate, &found.checks(), language);
     Ok(Part::of(as_json, found.candidate.fits(), || found.record(language), text).with_talk(talk))

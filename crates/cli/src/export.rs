@@ -4,14 +4,14 @@ use crate::answer::{Answer, written};
 use crate::code::parse_for_use;
 use crate::fault::{Source, path_text, simple, text_option};
 use crate::save::{ready, save};
-use crate::subject::{picked, refuse};
+use crate::subject::{in_reach, picked, refuse};
 use crate::waiting::patience;
 use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 use tables::{Format, Front, NAMES, Subject, Table};
 use workbench::answers::{ExportWritten, TableWritten};
 use workbench::text::{hint_text, standing_text, terminal};
-use workbench::{Candidate, Hint, Language, Project, Sizing, answer};
+use workbench::{Candidate, Hint, Language, Project, Sizing, Wait, answer};
 
 /// What is asked for, before anything is computed.
 struct Wish<'m> {
@@ -47,6 +47,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         return Err(simple(&what, as_json, language));
     }
     let Some((axis, project)) = axes.pop() else { return Ok(Answer::none()) };
+    in_reach(Wait::TenSeconds, [&project], as_json, language)?;
     let memory = source.memory();
     wish.format.within(&project, wish.table, memory).map_err(|refusal| refuse(&refusal, as_json, language))?;
     let top = usize::from(matches.get_one::<u16>("top").copied().unwrap_or(20));

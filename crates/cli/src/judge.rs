@@ -21,8 +21,8 @@ use workbench::text::{
     standing_text, terminal, terms, verdict_word,
 };
 use workbench::{
-    Candidate, Check, Demand, Language, Objection, Project, Ranking, Reserve, Sizing, Verdict, answers, by_importance,
-    demand_figures, figure_text, objection_text, percent, reason, shown, unit_text,
+    Candidate, Check, Demand, Language, Objection, Project, Ranking, Reserve, Sizing, Verdict, Wait, answers,
+    by_importance, demand_figures, figure_text, objection_text, percent, reason, shown, unit_text,
 };
 
 fn paint(text: &str, verdict: Verdict) -> String {
@@ -42,7 +42,7 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
         Ok(projects) => projects,
         Err(answer) => return answer,
     };
-    if let Err(answer) = in_reach(&projects, as_json, language) {
+    if let Err(answer) = in_reach(Wait::FiveSeconds, &projects, as_json, language) {
         return answer;
     }
     // The file first: a report that cannot be written leaves nothing half said.
@@ -346,7 +346,7 @@ pub(crate) fn check(matches: &ArgMatches, as_json: bool, language: Language) -> 
         Ok(projects) => projects,
         Err(answer) => return answer,
     };
-    if let Err(answer) = in_reach(&projects, as_json, language) {
+    if let Err(answer) = in_reach(Wait::FiveSeconds, &projects, as_json, language) {
         return answer;
     }
     let answers = projects.iter().map(|project| check_axis(project, matches, as_json, language));

@@ -3,7 +3,8 @@
 use crate::answer::Answer;
 use crate::fault::{path_text, quantity, simple};
 use crate::save::{ready, save};
-use crate::subject::{axes_with_inputs, candidate};
+use crate::subject::{axes_with_inputs, candidate, refuse};
+use crate::waiting::{patience, waited_s};
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
 use std::path::{Path, PathBuf};
@@ -35,14 +36,20 @@ pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> A
     };
     let figure = matches.get_one::<String>("figure").and_then(|id| Figure::of_id(id)).unwrap_or(Figure::TorqueSpeed);
     let by = if matches.get_one::<String>("by").is_some_and(|by| by == "length") { By::Length } else { By::Mass };
-    let best = || workbench::order(project).candidates.into_iter().next().map(|best| best.id);
+    // Sought only where neither a code nor an actuator of the project's own is drawn.
+    let is_sought = !matches.contains_id("code") && project.actuator.is_none();
+    let sizing = match is_sought.then(|| workbench::sized(project, 0, patience())).transpose() {
+        Ok(found) => found,
+        Err(refusal) => return refuse(&refusal, as_json, language),
+    };
+    let best = || sizing.as_ref()?.candidates.first().map(|best| best.id.clone());
     let (candidate, talk) = match candidate(project, best, matches, as_json, language) {
         Ok(found) => found,
         Err(answer) => return answer,
     };
-    let drawing = match figures::draw(figure, project, &candidate, by, language) {
+    let drawing = match figures::draw(figure, project, &candidate, by, patience(), language) {
         Ok(drawing) => drawing,
-        Err(fault) => return refused(fault.message(language), as_json, language),
+        Err(fault) => return refused(&fault.message(waited_s(), language), as_json, language),
     };
     let answer = put(&drawing, matches, &inputs, as_json, language);
     let code = if answer.code == 0 { u8::from(!candidate.fits()) } else { answer.code };

@@ -15,7 +15,7 @@ use workbench::answers::{AxisWritten, Chapter, Commissioning, Fit, Picture, Repo
 use workbench::text::{standing_text, terminal};
 use workbench::{
     Candidate, CandidateId, Draw, DriveForm, Language, MountAsked, OrderCode, Patience, Project, Refusal, Sizing,
-    UpkeepAsked, answer, chapter, usual_ambient,
+    UpkeepAsked, Wait, answer, chapter, usual_ambient,
 };
 
 /// The figures of the report beside the map of the candidates, each with its place there.
@@ -49,7 +49,7 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
     let force = matches.get_flag("force");
     ready(&[out], &inputs, force).map_err(|fault| fault.answer(as_json, language))?;
     let projects = picked(projects, matches, as_json, language)?;
-    in_reach(projects.iter().map(|(_, project)| project), as_json, language)?;
+    in_reach(Wait::FiveSeconds, projects.iter().map(|(_, project)| project), as_json, language)?;
     if projects.len() > 1 && matches!(matches.try_get_one::<String>("code"), Ok(Some(_))) {
         let names: Vec<&str> = projects.iter().map(|(_, project)| project.name.as_str()).collect();
         let names = names.join(", ");
@@ -65,7 +65,8 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
         .map_err(|fault| option_fault("delivered", fault, as_json, language))?;
     let (mut axes, mut told, mut talk, mut standings) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for (place, project) in &projects {
-        let sizing = workbench::size(project);
+        let sizing =
+            workbench::sized(project, usize::MAX, patience()).map_err(|refusal| refuse(&refusal, as_json, language))?;
         let best = || sizing.candidates.first().map(|best| best.id.clone());
         let (candidate, said) = candidate(project, best, matches, as_json, language)?;
         let mut content = content((*place, project), &sizing, &candidate, &source.text, patience(), language)
@@ -230,7 +231,7 @@ fn drawn_figures(
     language: Language,
 ) -> Vec<report::Figure> {
     let figures = FIGURES.iter().filter_map(|(place, id, figure)| {
-        let drawing = figures::draw(*figure, project, candidate, By::Mass, language).ok()?;
+        let drawing = figures::draw(*figure, project, candidate, By::Mass, patience(), language).ok()?;
         Some(drawn((*place, id), &drawing, language))
     });
     let map = figures::candidate_map(sizing, By::Mass, Some(&candidate.id), language);

@@ -3,12 +3,12 @@
 use crate::answer::{Answer, written};
 use crate::code::parse_for_use;
 use crate::fault::{Source, simple};
-use crate::waiting::time_limit;
+use crate::waiting::{time_limit, waited_s};
 use clap::ArgMatches;
 use serde::Serialize;
 use std::path::PathBuf;
 use workbench::answers::{Answered, Faults};
-use workbench::{Candidate, CandidateId, Language, Project, Refusal};
+use workbench::{Candidate, CandidateId, Language, Project, Refusal, Wait};
 
 /// The axes of the project, or the one that is asked for.
 pub(crate) fn axes_of(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
@@ -26,6 +26,7 @@ pub(crate) fn axes_with_inputs(
     let projects = source.projects(as_json, language)?;
     let inputs = source.inputs(&projects);
     let found = picked(projects, matches, as_json, language)?;
+    in_reach(Wait::TenSeconds, found.iter().map(|(_, project)| project), as_json, language)?;
     Ok((found.into_iter().map(|(_, project)| project).collect(), inputs))
 }
 
@@ -126,6 +127,7 @@ pub(crate) fn candidate<'p>(
 
 /// Refuses what takes long where nobody has said how long it may take.
 pub(crate) fn in_reach<'p>(
+    wait: Wait,
     projects: impl IntoIterator<Item = &'p Project>,
     as_json: bool,
     language: Language,
@@ -133,12 +135,11 @@ pub(crate) fn in_reach<'p>(
     if time_limit().is_some() {
         return Ok(());
     }
-    workbench::unasked(projects).map_err(|refusal| refuse(&refusal, as_json, language))
+    wait.is_enough(projects).map_err(|refusal| refuse(&refusal, as_json, language))
 }
 
 /// Why an actuator cannot be judged.
 pub(crate) fn refuse(refusal: &Refusal, as_json: bool, language: Language) -> Answer {
-    let waited = time_limit().map(|most| most.as_secs_f64());
-    let what = workbench::answer::refusal_text(refusal, waited, language);
+    let what = workbench::answer::refusal_text(refusal, waited_s(), language);
     simple(&what, as_json, language)
 }

@@ -32,6 +32,11 @@ pub(crate) fn time_limit() -> Option<Duration> {
     caller().1
 }
 
+/// The same in seconds.
+pub(crate) fn waited_s() -> Option<f64> {
+    time_limit().map(|most| most.as_secs_f64())
+}
+
 /// As long as it lives the work goes on; a terminal shows so after a second, anything else shows nothing.
 pub(crate) struct Waiting {
     done: Vec<(Sender<()>, JoinHandle<()>)>,

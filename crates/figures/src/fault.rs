@@ -1,10 +1,11 @@
 //! Why a figure cannot be drawn.
 
-use workbench::Language;
+use workbench::answer::refusal_text;
 use workbench::text::{pictures, terms, wiring};
+use workbench::{Language, Refusal};
 
 /// Why a figure cannot be drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum NoFigure {
     /// The project names no loads on the flange.
     NoFlangeLoads,
@@ -12,16 +13,19 @@ pub enum NoFigure {
     NoStiffness,
     /// The figure is one of an ordering code, not of a project.
     OfACode,
+    /// What it shows was not found.
+    Refused(Refusal),
 }
 
 impl NoFigure {
-    /// The reason in a sentence.
+    /// The reason in a sentence; `waited_s` is how long whoever asked was ready to wait.
     #[must_use]
-    pub fn message(self, language: Language) -> &'static str {
+    pub fn message(&self, waited_s: Option<f64>, language: Language) -> String {
         match self {
-            Self::NoFlangeLoads => terms::no_flange_loads(language),
-            Self::OfACode => wiring::face_of_a_code(language),
-            Self::NoStiffness => pictures::no_stiffness(language),
+            Self::NoFlangeLoads => terms::no_flange_loads(language).to_owned(),
+            Self::OfACode => wiring::face_of_a_code(language).to_owned(),
+            Self::NoStiffness => pictures::no_stiffness(language).to_owned(),
+            Self::Refused(refusal) => refusal_text(refusal, waited_s, language),
         }
     }
 }

@@ -25,7 +25,7 @@ pub use plot::{Picture, Size, Style, Theme};
 pub use torsion::{torsion, torsion_curve};
 pub use utilisation::utilisation;
 
-use workbench::{Candidate, Language, Project};
+use workbench::{Candidate, Language, Patience, Project};
 
 /// One figure of a candidate, of those over time only what lies between two instants \[s\].
 ///
@@ -36,24 +36,26 @@ pub fn draw_within(
     project: &Project,
     candidate: &Candidate<'_>,
     window: Option<(f64, f64)>,
+    patience: &Patience,
     language: Language,
 ) -> Result<Drawing, NoFigure> {
     match figure {
         Figure::Cycle => Ok(cycle_within(project, candidate, window, language)),
         Figure::BearingLoad => bearing_load_within(project, candidate, window, language),
-        other => draw(other, project, candidate, By::Mass, language),
+        other => draw(other, project, candidate, By::Mass, patience, language),
     }
 }
 
 /// One figure of a candidate; the map is that of all candidates, this one marked.
 ///
 /// # Errors
-/// [`NoFigure`] where the project or the actuator gives nothing to draw.
+/// [`NoFigure`] where the project or the actuator gives nothing to draw, or nobody waits any more for the map.
 pub fn draw(
     figure: Figure,
     project: &Project,
     candidate: &Candidate<'_>,
     by: By,
+    patience: &Patience,
     language: Language,
 ) -> Result<Drawing, NoFigure> {
     match figure {
@@ -63,6 +65,9 @@ pub fn draw(
         Figure::Torsion => torsion(project, candidate, language),
         Figure::BearingLoad => bearing_load(project, candidate, language),
         Figure::MatingFace => Err(NoFigure::OfACode),
-        Figure::CandidateMap => Ok(candidate_map(&workbench::order(project), by, Some(&candidate.id), language)),
+        Figure::CandidateMap => {
+            let sizing = workbench::sized(project, 0, patience).map_err(NoFigure::Refused)?;
+            Ok(candidate_map(&sizing, by, Some(&candidate.id), language))
+        }
     }
 }

@@ -6,7 +6,7 @@ use roxmltree::{Document, Node};
 use std::path::PathBuf;
 use workbench::quantities::unit::{ARCMINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use workbench::quantities::{Language, Measure};
-use workbench::{Candidate, CheckId, Files, Project};
+use workbench::{Candidate, CheckId, Files, Patience, Project};
 
 const LANGUAGES: [Language; 2] = [Language::En, Language::De];
 
@@ -69,7 +69,7 @@ fn every_figure_of_every_example_is_whole() {
             for figure in Figure::ALL {
                 for language in LANGUAGES {
                     let what = format!("{} {} {}", project.name, candidate.id, figure.id());
-                    let drawing = match draw(figure, &project, &candidate, By::Mass, language) {
+                    let drawing = match draw(figure, &project, &candidate, By::Mass, &Patience::endless(), language) {
                         Ok(drawing) => drawing,
                         Err(NoFigure::NoFlangeLoads) => {
                             assert!(figure == Figure::BearingLoad && project.axis.bearing.is_none(), "{what}");
@@ -186,8 +186,10 @@ fn the_same_input_gives_the_same_bytes() {
     let project = example("screw-axis.toml");
     let candidate = candidates(&project).swap_remove(0);
     for figure in Figure::ALL {
-        let svg =
-            || draw(figure, &project, &candidate, By::Length, Language::De).map(|found| picture(&found, Language::De));
+        let svg = || {
+            draw(figure, &project, &candidate, By::Length, &Patience::endless(), Language::De)
+                .map(|found| picture(&found, Language::De))
+        };
         assert_eq!(svg(), svg());
     }
 }
@@ -234,11 +236,13 @@ fn what_is_known_of_an_own_actuator_is_drawn() {
 fn loads_on_the_bearing_are_drawn_with_their_limits_or_told_as_constant() {
     let constant = example("robot-joint.toml");
     let candidate = candidates(&constant).swap_remove(0);
-    let drawing = draw(Figure::BearingLoad, &constant, &candidate, By::Mass, Language::En).unwrap();
+    let drawing =
+        draw(Figure::BearingLoad, &constant, &candidate, By::Mass, &Patience::endless(), Language::En).unwrap();
     assert!(drawing.caption.contains("constant") && drawing.description.contains("constant at 110.0 N"));
     let varying = example("slewing-arm.toml");
     let candidate = candidates(&varying).swap_remove(0);
-    let drawing = draw(Figure::BearingLoad, &varying, &candidate, By::Mass, Language::En).unwrap();
+    let drawing =
+        draw(Figure::BearingLoad, &varying, &candidate, By::Mass, &Patience::endless(), Language::En).unwrap();
     let picture = picture(&drawing, Language::En);
     for symbol in ["F_R,dyn(max) = ", "F_A,dyn(max) = ", "M_dyn(max) = "] {
         assert!(picture.texts().iter().any(|text| text.text.starts_with(symbol)), "{symbol}");

@@ -43,11 +43,11 @@ pub(crate) fn column(
                 (sums(project, candidate, patience, l))
                 (tolerances::place(state, project, candidate, shell))
                 (overlay::controls(project, state.window.is_some(), l))
-                (picture(state, project, candidate, Figure::Cycle, &overlay::marks(&worst, "", l), &held))
-                (picture(state, project, candidate, Figure::TorqueSpeed, &none, &none))
+                (picture((state, patience), project, candidate, Figure::Cycle, &overlay::marks(&worst, "", l), &held))
+                (picture((state, patience), project, candidate, Figure::TorqueSpeed, &none, &none))
                 (checks(candidate, &worst, l))
-                (picture(state, project, candidate, Figure::BearingLoad, &overlay::marks(&worst, "b", l), &none))
-                (picture(state, project, candidate, Figure::Torsion, &none, &none))
+                (picture((state, patience), project, candidate, Figure::BearingLoad, &overlay::marks(&worst, "b", l), &none))
+                (picture((state, patience), project, candidate, Figure::Torsion, &none, &none))
                 (assumptions(project, l))
             }
         }
@@ -114,14 +114,16 @@ pub(crate) fn nothing(language: Language, why: &Markup) -> Markup {
 
 /// A picture, drawn for the page, with what stands above it and what lies over it; nothing where there is nothing to draw.
 fn picture(
-    state: &State,
+    (state, patience): (&State, &Patience),
     project: &Project,
     candidate: &Candidate<'_>,
     figure: Figure,
     above: &Markup,
     over: &Markup,
 ) -> Markup {
-    let Ok(drawing) = draw_within(figure, project, candidate, state.window, state.language) else { return html! {} };
+    let Ok(drawing) = draw_within(figure, project, candidate, state.window, patience, state.language) else {
+        return html! {};
+    };
     let (width, height) = drawing.size_mm;
     let size = Size::pixels(WIDTH, WIDTH * height / width);
     let name = figure.id().replace('_', "-");

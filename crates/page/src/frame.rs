@@ -16,7 +16,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use workbench::text::{capitalised, check_title, page, terms};
 use workbench::{
     Candidate, CandidateId, CheckId, Language, Patience, Project, Template, check, check_own, compare, explain,
-    explain_own, order, sized, template, template_kinds,
+    explain_own, sized, template, template_kinds,
 };
 
 /// The sign of the page in a browser.
@@ -315,7 +315,8 @@ pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience)
         return html! { p.advice role="status" { (waiting::stopped(false, None, shell, patience, state.language)) } };
     }
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
-    let sizing = if state.code.is_none() && project.actuator.is_none() { Some(order(project)) } else { None };
+    let is_sought = state.code.is_none() && project.actuator.is_none();
+    let sizing = if is_sought { sized(project, 0, patience).ok() } else { None };
     let best = sizing.as_ref().and_then(|sizing| sizing.candidates.first()).map(|best| best.id.clone());
     let found = match (state.code, best) {
         (Some(code), _) | (None, Some(CandidateId::Code(code))) => explain(project, &code),
@@ -333,6 +334,6 @@ pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience)
 pub(crate) fn compared(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
     let mut state = State::of(call);
     let held = state.hold(shell.files(), patience);
-    let found = held.projects.get(state.axis).and_then(|project| compare(project, &state.marked).ok());
+    let found = held.projects.get(state.axis).and_then(|project| compare(project, &state.marked, patience).ok());
     html! { @if let Some(found) = found { (detail::compared(&found, state.language)) } }
 }

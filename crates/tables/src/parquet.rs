@@ -39,8 +39,13 @@ pub fn parquet(table: &Table) -> Result<Vec<u8>, WriteError> {
                 let values: Vec<f64> = cells.into_iter().flatten().collect();
                 into.typed::<DoubleType>().write_batch(&values, Some(&levels), None)?;
             } else {
-                let cells: Vec<Option<ByteArray>> =
-                    table.rows.iter().skip(from).take(GROUP).map(|row| Some(row.get(index)?.as_text()?.into())).collect();
+                let cells: Vec<Option<ByteArray>> = table
+                    .rows
+                    .iter()
+                    .skip(from)
+                    .take(GROUP)
+                    .map(|row| Some(row.get(index)?.as_text()?.into()))
+                    .collect();
                 let levels: Vec<i16> = cells.iter().map(|cell| i16::from(cell.is_some())).collect();
                 let values: Vec<ByteArray> = cells.into_iter().flatten().collect();
                 into.typed::<ByteArrayType>().write_batch(&values, Some(&levels), None)?;

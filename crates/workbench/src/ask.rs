@@ -13,7 +13,7 @@ use order_code::OrderCode;
 use project::Project;
 use quantities::Language;
 use serde::Serialize;
-use sizing::{Check, CheckId, Reserve, SAMPLES_ANEW};
+use sizing::{Check, CheckId, Reserve, SAMPLES_ANEW, Watch as _};
 
 /// Of so many candidates of a ranking at most the tolerances are judged.
 const ASSESSED_MOST: usize = 10;
@@ -74,10 +74,10 @@ pub fn ask(project: &Project, request: &Request, language: Language, patience: &
             Response::Judgement(verification(project, code.as_ref(), *draw, patience)?.record(language))
         }
         Request::Explain { code, check } => {
-            Response::Explanations(explanation(project, code.as_ref(), *check)?.record(language))
+            Response::Explanations(explanation(project, code.as_ref(), *check, patience)?.record(language))
         }
         Request::Compare { codes } => {
-            let found = compare(project, codes).map_err(|(_, refusal)| refusal)?;
+            let found = compare(project, codes, patience).map_err(|(_, refusal)| refusal)?;
             Response::Comparison(answer::comparison(&found, &project.name, language))
         }
         Request::Bearing => Response::Bearings(answer::bearings(&bearing_of_each_size(project), language)),
@@ -97,19 +97,43 @@ pub struct Ranking<'p> {
     pub assessed: Vec<(CandidateId, Assessment)>,
 }
 
-/// The samples of recordings that are judged without a word about the time that may take; those under a load that hangs on the
-/// position or has losses count twice.
-pub const SAMPLES_UNASKED: usize = 1 << 21;
+/// How long an answer takes at most, on one core, where nobody has said how long it may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wait {
+    /// For the judgement of the catalogue or of an actuator, with its reserves.
+    FiveSeconds,
+    /// For any other answer.
+    TenSeconds,
+}
 
-/// Whether an answer about some axes is given without a word about the time that it may take: it is within five seconds of one
-/// core, for the largest recordings too.
-///
-/// # Errors
-/// [`Refusal::TooLong`]
-pub fn unasked<'p>(projects: impl IntoIterator<Item = &'p Project>) -> Result<(), Refusal> {
-    let each = projects.into_iter().map(|project| project.axis.samples());
-    let [samples, cost] = each.fold([0; 2], |[samples, cost], [a, b]| [samples + a, cost + b]);
-    if cost > SAMPLES_UNASKED { Err(Refusal::TooLong { samples, most: SAMPLES_UNASKED }) } else { Ok(()) }
+impl Wait {
+    /// The samples of recordings that are looked at within it, of all axes together; those under a load that hangs on the
+    /// position or has losses count twice.
+    #[must_use]
+    pub const fn samples(self) -> usize {
+        match self {
+            Self::FiveSeconds => 1 << 21,
+            Self::TenSeconds => 1 << 22,
+        }
+    }
+
+    const fn seconds(self) -> usize {
+        match self {
+            Self::FiveSeconds => 5,
+            Self::TenSeconds => 10,
+        }
+    }
+
+    /// Whether an answer about some axes takes no longer, for the largest recordings too.
+    ///
+    /// # Errors
+    /// [`Refusal::TooLong`]
+    pub fn is_enough<'p>(self, projects: impl IntoIterator<Item = &'p Project>) -> Result<(), Refusal> {
+        let each = projects.into_iter().map(|project| project.axis.samples());
+        let [samples, cost] = each.fold([0; 2], |[samples, cost], [a, b]| [samples + a, cost + b]);
+        let (most, seconds) = (self.samples(), self.seconds());
+        if cost > most { Err(Refusal::TooLong { samples, most, seconds }) } else { Ok(()) }
+    }
 }
 
 /// Ranks the catalogue for an axis.
@@ -255,12 +279,14 @@ pub struct Explanation<'p> {
 /// Judges one actuator with its workings; without a code the project's own.
 ///
 /// # Errors
-/// Why it cannot be judged, or [`Refusal::NotAsked`] where the check is not part of the judgement.
+/// Why it cannot be judged, [`Refusal::NotAsked`] where the check is not part of the judgement, [`Refusal::Stopped`].
 pub fn explanation<'p>(
     project: &'p Project,
     code: Option<&OrderCode>,
     wanted: Option<CheckId>,
+    patience: &Patience,
 ) -> Result<Explanation<'p>, Refusal> {
+    patience.step().map_err(|Stopped| Refusal::Stopped)?;
     let candidate = match code {
         Some(code) => explain(project, code)?,
         None => explain_own(project)?,

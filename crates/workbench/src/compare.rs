@@ -1,6 +1,8 @@
 //! Several actuators on one axis, and one actuator on two revisions of it.
 
-use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own, order};
+use crate::ask::sized;
+use crate::patience::{Patience, Stopped};
+use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own};
 use order_code::OrderCode;
 use project::Project;
 use provenance::Datum;
@@ -9,7 +11,7 @@ use quantities::unit::{
 };
 use quantities::unit::{PERCENT, REVOLUTION_PER_MINUTE};
 use quantities::{Measure, Unit};
-use sizing::{Check, CheckId, Verdict};
+use sizing::{Check, CheckId, Verdict, Watch as _};
 
 /// Utilisations that differ by less are the same: more than a double carries, less than a line shows.
 const SAME: f64 = 1e-9;
@@ -66,9 +68,16 @@ pub struct Comparison<'p> {
 /// Lays the judgements of several actuators side by side.
 ///
 /// # Errors
-/// [`Refusal`] of the first code that cannot be judged, with its place in the list.
-pub fn compare<'p>(project: &'p Project, codes: &[OrderCode]) -> Result<Comparison<'p>, (usize, Refusal)> {
-    let judged = |(index, code): (usize, &OrderCode)| check(project, code).map_err(|refusal| (index, refusal));
+/// [`Refusal`] of the first code that cannot be judged, with its place in the list, or [`Refusal::Stopped`] at its place.
+pub fn compare<'p>(
+    project: &'p Project,
+    codes: &[OrderCode],
+    patience: &Patience,
+) -> Result<Comparison<'p>, (usize, Refusal)> {
+    let judged = |(index, code): (usize, &OrderCode)| {
+        let goes_on = patience.step().map_err(|Stopped| Refusal::Stopped);
+        goes_on.and_then(|()| check(project, code)).map_err(|refusal| (index, refusal))
+    };
     let candidates: Vec<Candidate<'p>> = codes.iter().enumerate().map(judged).collect::<Result<_, _>>()?;
     let all: Vec<&Candidate<'p>> = candidates.iter().collect();
     let (demand, data, checks) = (demand_rows(&all), data_rows(&all), check_rows(&all));
@@ -207,9 +216,14 @@ pub struct Difference<'p> {
 /// else the best for the first revision, be it the nearest miss.
 ///
 /// # Errors
-/// [`Refusal`] where the code cannot be judged.
-pub fn difference<'p>(old: &'p Project, new: &'p Project, code: Option<&OrderCode>) -> Result<Difference<'p>, Refusal> {
-    let (sized_before, sized_after) = (order(old), order(new));
+/// [`Refusal`] where the code cannot be judged, [`Refusal::Stopped`].
+pub fn difference<'p>(
+    old: &'p Project,
+    new: &'p Project,
+    code: Option<&OrderCode>,
+    patience: &Patience,
+) -> Result<Difference<'p>, Refusal> {
+    let (sized_before, sized_after) = (sized(old, 0, patience)?, sized(new, 0, patience)?);
     let best = |sizing: &Sizing<'_>| sizing.answer().map(|answer| answer.id.clone());
     let own = code.is_none() && old.actuator.is_some() && new.actuator.is_some();
     let first = match sized_before.candidates.first().map(|candidate| &candidate.id) {

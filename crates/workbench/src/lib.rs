@@ -41,8 +41,8 @@ mod wiring;
 pub use actuator::{BatteryLife, CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
 pub use ask::{
-    Explanation, Ranking, Request, Response, SAMPLES_UNASKED, Verification, ask, explanation, margins, ranking,
-    reserve_unasked, reserve_within, scatter, sized, unasked, verification,
+    Explanation, Ranking, Request, Response, Verification, Wait, ask, explanation, margins, ranking, reserve_unasked,
+    reserve_within, scatter, sized, verification,
 };
 pub use catalogue::{Fact, Signal, Step, Topic};
 pub use chapters::{battery, bearing_checks, bearing_of_each_size, curves, read_hours, read_quantity};
@@ -95,8 +95,8 @@ pub use sizing::{
     Check, CheckId, Checks, Course, Demand, Direction, Figure, FlangeSample, Part, Reserve, Sample, Verdict,
 };
 pub use sizing_use::{
-    Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, course_rows, course_seen, explain, explain_own,
-    order, reserve_of, size,
+    Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, course, course_rows, course_seen, explain,
+    explain_own, reserve_of, size,
 };
 pub use subject::{candidate_for, candidate_of_tables, names, paired, picked};
 pub use templates::{Template, template, template_kinds};

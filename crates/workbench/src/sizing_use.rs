@@ -151,6 +151,8 @@ pub enum Refusal {
         samples: usize,
         /// At most; half as many under a load that hangs on the position or has losses.
         most: usize,
+        /// How long those take, about \[s\].
+        seconds: usize,
     },
     /// A table of the course takes more memory than the project is allowed.
     TooManyRows {
@@ -179,12 +181,6 @@ fn actuators_of(project: &Project, option_1: Option<Option1>) -> &[(OrderCode, P
 #[must_use]
 pub fn size(project: &Project) -> Sizing<'_> {
     finished(size_watched(project, usize::MAX, &Unwatched))
-}
-
-/// The same for somebody who asks for the order alone: of what fits is left out what takes no part in it.
-#[must_use]
-pub fn order(project: &Project) -> Sizing<'_> {
-    finished(size_watched(project, 0, &Unwatched))
 }
 
 /// The same for somebody who may stop it and tells the first `told` in full: of the others is known what a place in the

@@ -1,6 +1,6 @@
 //! The commands that compare, and those that write files.
 
-use super::{axis, deadline, project, with_report};
+use super::{axis, project, with_report};
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, Command, value_parser};
 use workbench::Language;
@@ -163,7 +163,6 @@ pub(super) fn report(language: Language) -> Command {
         .about(with_report(language, help::report(language)))
         .arg(project(language))
         .arg(axis(language))
-        .arg(deadline(language))
         .arg(text("code", values::code(language), help::own_or_best_code(language)))
         .arg(
             text("out", values::file(language), help::report_out(language))

@@ -3,7 +3,7 @@
 use super::asked::Asked;
 use super::{Unanswered, record};
 use crate::{Reply, ReportAsked};
-use figures::{By, Figure, Size, Theme};
+use figures::{By, Figure, NoFigure, Size, Theme};
 use serde::Serialize;
 use workbench::answers::{self, Answered, Faults};
 use workbench::quantities::Length;
@@ -65,7 +65,8 @@ pub(super) fn explain(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let code = wanted(asked)?;
     let check = asked.text("check").and_then(|id| CheckId::ALL.iter().find(|each| each.id() == id)).copied();
     let one = |(_, project): &(usize, Project)| {
-        let found = workbench::explanation(project, code.as_ref(), check).map_err(|refusal| asked.refused(&refusal))?;
+        let found = workbench::explanation(project, code.as_ref(), check, asked.patience)
+            .map_err(|refusal| asked.refused(&refusal))?;
         Ok((found.record(asked.language), found.candidate.fits()))
     };
     together(axes.iter().map(one).collect())
@@ -83,7 +84,8 @@ pub(super) fn compare(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     }
     let codes = written.iter().map(|text| asked.code_of(text)).collect::<Result<Vec<OrderCode>, _>>()?;
     let one = |(_, project): &(usize, Project)| {
-        let found = workbench::compare(project, &codes).map_err(|(_, refusal)| asked.refused(&refusal))?;
+        let found =
+            workbench::compare(project, &codes, asked.patience).map_err(|(_, refusal)| asked.refused(&refusal))?;
         let fits = found.candidates.iter().any(workbench::Candidate::fits);
         Ok((answer::comparison(&found, &project.name, asked.language), fits))
     };
@@ -119,7 +121,7 @@ pub(super) fn diff(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
     let one = |(before, after): (usize, usize)| {
         let (before, after) = (old.get(before)?, new.get(after)?);
         let inputs = workbench::input_changes((&old_text, before.0), (&new_text, after.0));
-        let found = workbench::difference(&before.1, &after.1, code.as_ref());
+        let found = workbench::difference(&before.1, &after.1, code.as_ref(), asked.patience);
         Some(
             found
                 .map_err(|refusal| asked.refused(&refusal))
@@ -156,8 +158,13 @@ pub(super) fn plot(asked: &Asked<'_>) -> Result<Reply, Unanswered> {
         workbench::candidate_for(&project, code.as_ref(), || best).map_err(|refusal| asked.refused(&refusal))?;
     let figure = asked.text("figure").and_then(Figure::of_id).ok_or_else(|| asked.refused(&Refusal::NoData))?;
     let by = if asked.text("by") == Some("length") { By::Length } else { By::Mass };
-    let drawing = figures::draw(figure, &project, &candidate, by, asked.language)
-        .map_err(|fault| answer::fault(fault.message(asked.language)))?;
+    let drawing =
+        figures::draw(figure, &project, &candidate, by, asked.patience, asked.language).map_err(
+            |fault| match fault {
+                NoFigure::Refused(refusal) => asked.refused(&refusal),
+                other => answer::fault(&other.message(None, asked.language)).into(),
+            },
+        )?;
     picture(asked, &drawing)
 }
 

@@ -172,7 +172,11 @@ pub(super) const ENDPOINTS: &[Endpoint] = &[
             #[cfg(feature = "interface")]
             Parameter::of("table", help::export_table, Word(|| ::tables::NAMES.to_vec())),
             #[cfg(feature = "interface")]
-            Parameter::of("format", requests::format, Word(|| ::tables::Format::ALL.map(::tables::Format::ending).to_vec())),
+            Parameter::of(
+                "format",
+                requests::format,
+                Word(|| ::tables::Format::ALL.map(::tables::Format::ending).to_vec()),
+            ),
             top(help::export_top),
             Parameter::of("revision", help::export_revision, Text),
             Parameter::of("date", help::export_date, Text),

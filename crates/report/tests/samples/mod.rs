@@ -85,9 +85,9 @@ fn figures_of(project: &Project, ranked: &Sizing<'_>, chosen: &Candidate<'_>, la
         (Place::OutputBearing, figures::Figure::BearingLoad),
         (Place::Gear, figures::Figure::Torsion),
     ];
-    let drawn = kinds
-        .iter()
-        .filter_map(|(place, kind)| Some((*place, figures::draw(*kind, project, chosen, By::Mass, language).ok()?)));
+    let drawn = kinds.iter().filter_map(|(place, kind)| {
+        Some((*place, figures::draw(*kind, project, chosen, By::Mass, &workbench::Patience::endless(), language).ok()?))
+    });
     let map = figures::candidate_map(ranked, By::Mass, Some(&chosen.id), language);
     drawn
         .chain([(Place::Alternatives, map)])
