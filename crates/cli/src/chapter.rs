@@ -13,7 +13,7 @@ use workbench::answers::{Bearings, FilesWritten};
 use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use workbench::quantities::{ElectricPotential, Measure, Time, Torque, format_significant};
 use workbench::text::{check_title, curve_title, grade_word, source_text, terminal, terms, verdict_word};
-use workbench::{Candidate, Language, Size, Verdict, answer};
+use workbench::{Candidate, Language, Question, Size, Verdict, answer};
 
 /// `antrieb curve CODE`
 pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -71,7 +71,7 @@ pub(crate) fn curve(matches: &ArgMatches, as_json: bool, language: Language) -> 
 
 /// `antrieb bearing PROJECT`
 pub(crate) fn bearing(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let projects = match axes_of(matches, as_json, language) {
+    let projects = match axes_of(Question::Other, matches, as_json, language) {
         Ok(projects) => projects,
         Err(answer) => return answer,
     };

@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 use workbench::quantities::format_significant;
 use workbench::text::{check_title, figure_term, symbol_shown, terminal, terms, verdict_word};
 use workbench::{
-    Candidate, Check, Comparison, DatumRow, Language, OrderCode, Project, Refusal, Verdict, answer, answers,
+    Candidate, Check, Comparison, DatumRow, Language, OrderCode, Project, Question, Refusal, Verdict, answer, answers,
 };
 use workbench::{figure_text, percent};
 
@@ -42,7 +42,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         talk.push_str(&note);
         codes.push(reading.parsed.code);
     }
-    let projects = axes_of(matches, as_json, language)?;
+    let projects = axes_of(Question::Other, matches, as_json, language)?;
     let parts = projects.iter().map(|project| axis(project, &codes, as_json, language));
     let mut answer = together(parts.collect(), as_json);
     answer.talk = talk + &answer.talk;

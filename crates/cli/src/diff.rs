@@ -13,7 +13,7 @@ use std::path::PathBuf;
 use workbench::quantities::format_number;
 use workbench::text::{check_title, terminal, terms, verdict_word};
 use workbench::{
-    CandidateId, Check, CheckChange, Difference, InputChange, Language, OrderCode, Project, Wait, answer, answers,
+    CandidateId, Check, CheckChange, Difference, InputChange, Language, OrderCode, Project, Question, answer, answers,
 };
 use workbench::{figure_text, percent};
 
@@ -42,7 +42,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         Ok((source, axes))
     };
     let ((old_file, old), (new_file, new)) = (read("old")?, read("new")?);
-    in_reach(Wait::TenSeconds, old.iter().chain(&new).map(|(_, project)| project), as_json, language)?;
+    in_reach(Question::Other, old.iter().chain(&new).map(|(_, project)| project), as_json, language)?;
     let pairs = workbench::paired(&old, &new);
     let told = |axis: &Axis, file: &Source, paired: bool| {
         let (name, file) = (&axis.1.name, &file.name);

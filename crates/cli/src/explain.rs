@@ -11,11 +11,11 @@ use workbench::answers::Explanations;
 use workbench::text::{
     assumption_text, check_missing, check_title, note_text, symbol_shown, terminal, terms, verdict_word,
 };
-use workbench::{Candidate, Check, CheckId, Language, Node, Project, derivation, node_amount, trust};
+use workbench::{Candidate, Check, CheckId, Language, Node, Project, Question, derivation, node_amount, trust};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
 pub(crate) fn explain(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let projects = match axes_of(matches, as_json, language) {
+    let projects = match axes_of(Question::Other, matches, as_json, language) {
         Ok(projects) => projects,
         Err(answer) => return answer,
     };

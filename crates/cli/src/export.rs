@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use tables::{Format, Front, NAMES, Subject, Table};
 use workbench::answers::{ExportWritten, TableWritten};
 use workbench::text::{hint_text, standing_text, terminal};
-use workbench::{Candidate, Hint, Language, Project, Sizing, Wait, answer};
+use workbench::{Candidate, Hint, Language, Project, Question, Sizing, answer};
 
 /// What is asked for, before anything is computed.
 struct Wish<'m> {
@@ -47,7 +47,7 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         return Err(simple(&what, as_json, language));
     }
     let Some((axis, project)) = axes.pop() else { return Ok(Answer::none()) };
-    in_reach(Wait::TenSeconds, [&project], as_json, language)?;
+    in_reach(Question::Other, [&project], as_json, language)?;
     let memory = source.memory();
     wish.format.within(&project, wish.table, memory).map_err(|refusal| refuse(&refusal, as_json, language))?;
     let top = usize::from(matches.get_one::<u16>("top").copied().unwrap_or(20));

@@ -5,7 +5,7 @@ use crate::code::parse_for_use;
 use crate::moves;
 use crate::report;
 use crate::reserve::{assumptions_text, reserve_text};
-use crate::subject::{Part, axes_of, in_reach, refuse, together};
+use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table, labelled, paragraph, width};
 use crate::tolerance;
 use crate::waiting::patience;
@@ -21,7 +21,7 @@ use workbench::text::{
     standing_text, terminal, terms, verdict_word,
 };
 use workbench::{
-    Candidate, Check, Demand, Language, Objection, Project, Ranking, Reserve, Sizing, Verdict, Wait, answers,
+    Candidate, Check, Demand, Language, Objection, Project, Question, Ranking, Reserve, Sizing, Verdict, answers,
     by_importance, demand_figures, figure_text, objection_text, percent, reason, shown, unit_text,
 };
 
@@ -38,13 +38,13 @@ fn paint(text: &str, verdict: Verdict) -> String {
 
 /// `antrieb size PROJECT`
 pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let projects = match axes_of(matches, as_json, language) {
+    let all = matches.get_flag("all");
+    let top = if all { usize::MAX } else { usize::from(matches.get_one::<u16>("top").copied().unwrap_or(10)) };
+    let question = Question::Ranking { told: top, draw: tolerance::draw(matches) };
+    let projects = match axes_of(question, matches, as_json, language) {
         Ok(projects) => projects,
         Err(answer) => return answer,
     };
-    if let Err(answer) = in_reach(Wait::FiveSeconds, &projects, as_json, language) {
-        return answer;
-    }
     // The file first: a report that cannot be written leaves nothing half said.
     let talk = match matches.get_one::<PathBuf>("report") {
         Some(out) => match report::write(matches, out, false, language) {
@@ -53,8 +53,6 @@ pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> A
         },
         None => String::new(),
     };
-    let all = matches.get_flag("all");
-    let top = if all { usize::MAX } else { usize::from(matches.get_one::<u16>("top").copied().unwrap_or(10)) };
     let parts = projects.iter().map(|project| {
         let found = workbench::ranking(project, top, tolerance::draw(matches), patience())
             .map_err(|refusal| refuse(&refusal, as_json, language))?;
@@ -342,13 +340,11 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
 
 /// `antrieb check PROJECT --code CODE`
 pub(crate) fn check(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let projects = match axes_of(matches, as_json, language) {
+    let question = Question::Check { draw: tolerance::draw(matches) };
+    let projects = match axes_of(question, matches, as_json, language) {
         Ok(projects) => projects,
         Err(answer) => return answer,
     };
-    if let Err(answer) = in_reach(Wait::FiveSeconds, &projects, as_json, language) {
-        return answer;
-    }
     let answers = projects.iter().map(|project| check_axis(project, matches, as_json, language));
     together(answers.collect(), as_json)
 }

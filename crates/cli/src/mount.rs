@@ -8,7 +8,7 @@ use crate::subject::{axes_of, refuse, refused_together};
 use clap::ArgMatches;
 use workbench::answers::Fit;
 use workbench::text::terminal;
-use workbench::{Language, MountAsked, OrderCode, chapter};
+use workbench::{Language, MountAsked, OrderCode, Question, chapter};
 
 /// `antrieb mount CODE`
 pub(crate) fn mount(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
@@ -51,7 +51,7 @@ fn loaded(
     if !matches.contains_id("project") {
         return Ok((asked, None));
     }
-    let projects = axes_of(matches, as_json, language)?;
+    let projects = axes_of(Question::Other, matches, as_json, language)?;
     let [project] = projects.as_slice() else {
         let names: Vec<&str> = projects.iter().map(|project| project.name.as_str()).collect();
         return Err(simple(&terminal::several_axes(&names.join(", "), language), as_json, language));

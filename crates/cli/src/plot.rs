@@ -8,11 +8,11 @@ use crate::waiting::{patience, waited_s};
 use clap::ArgMatches;
 use figures::{By, Drawing, Figure, Picture, Size, Style, Theme};
 use std::path::{Path, PathBuf};
-use workbench::Language;
 use workbench::answers::{Number, PlotWritten, Units};
 use workbench::quantities::unit::MILLIMETRE;
 use workbench::quantities::{Length, format_number};
 use workbench::text::terminal;
+use workbench::{Language, Question};
 
 /// Pixels of a PNG to the CSS pixel: 192 dpi.
 const PNG_SCALE: f64 = 2.0;
@@ -22,7 +22,7 @@ const MM_PER_PX: f64 = 25.4 / 96.0;
 
 /// `antrieb plot PROJECT --figure FIGURE`
 pub(crate) fn plot(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let (projects, inputs) = match axes_with_inputs(matches, as_json, language) {
+    let (projects, inputs) = match axes_with_inputs(Question::Other, matches, as_json, language) {
         Ok(found) => found,
         Err(answer) => return answer,
     };

@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 use workbench::answers::{AxisWritten, Chapter, Commissioning, Fit, Picture, ReportWritten};
 use workbench::text::{standing_text, terminal};
 use workbench::{
-    Candidate, CandidateId, Draw, DriveForm, Language, MountAsked, OrderCode, Patience, Project, Refusal, Sizing,
-    UpkeepAsked, Wait, answer, chapter, usual_ambient,
+    Candidate, CandidateId, Draw, DriveForm, Language, MountAsked, OrderCode, Patience, Project, Question, Refusal,
+    Sizing, UpkeepAsked, answer, chapter, usual_ambient,
 };
 
 /// The figures of the report beside the map of the candidates, each with its place there.
@@ -49,7 +49,7 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
     let force = matches.get_flag("force");
     ready(&[out], &inputs, force).map_err(|fault| fault.answer(as_json, language))?;
     let projects = picked(projects, matches, as_json, language)?;
-    in_reach(Wait::FiveSeconds, projects.iter().map(|(_, project)| project), as_json, language)?;
+    in_reach(Question::Report, projects.iter().map(|(_, project)| project), as_json, language)?;
     if projects.len() > 1 && matches!(matches.try_get_one::<String>("code"), Ok(Some(_))) {
         let names: Vec<&str> = projects.iter().map(|(_, project)| project.name.as_str()).collect();
         let names = names.join(", ");

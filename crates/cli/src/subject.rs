@@ -8,15 +8,22 @@ use clap::ArgMatches;
 use serde::Serialize;
 use std::path::PathBuf;
 use workbench::answers::{Answered, Faults};
-use workbench::{Candidate, CandidateId, Language, Project, Refusal, Wait};
+use workbench::{Candidate, CandidateId, Language, Project, Question, Refusal};
 
-/// The axes of the project, or the one that is asked for.
-pub(crate) fn axes_of(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Vec<Project>, Answer> {
-    axes_with_inputs(matches, as_json, language).map(|(projects, _)| projects)
+/// The axes of the project, or the one that is asked for, where the answer to a question about them does not take long or
+/// somebody has said how long it may take.
+pub(crate) fn axes_of(
+    question: Question,
+    matches: &ArgMatches,
+    as_json: bool,
+    language: Language,
+) -> Result<Vec<Project>, Answer> {
+    axes_with_inputs(question, matches, as_json, language).map(|(projects, _)| projects)
 }
 
 /// The same with the files that were read for them.
 pub(crate) fn axes_with_inputs(
+    question: Question,
     matches: &ArgMatches,
     as_json: bool,
     language: Language,
@@ -26,7 +33,7 @@ pub(crate) fn axes_with_inputs(
     let projects = source.projects(as_json, language)?;
     let inputs = source.inputs(&projects);
     let found = picked(projects, matches, as_json, language)?;
-    in_reach(Wait::TenSeconds, found.iter().map(|(_, project)| project), as_json, language)?;
+    in_reach(question, found.iter().map(|(_, project)| project), as_json, language)?;
     Ok((found.into_iter().map(|(_, project)| project).collect(), inputs))
 }
 
@@ -127,15 +134,15 @@ pub(crate) fn candidate<'p>(
 
 /// Refuses what takes long where nobody has said how long it may take.
 pub(crate) fn in_reach<'p>(
-    wait: Wait,
-    projects: impl IntoIterator<Item = &'p Project>,
+    question: Question,
+    projects: impl IntoIterator<Item = &'p Project> + Clone,
     as_json: bool,
     language: Language,
 ) -> Result<(), Answer> {
     if time_limit().is_some() {
         return Ok(());
     }
-    wait.is_enough(projects).map_err(|refusal| refuse(&refusal, as_json, language))
+    question.is_quick(projects).map_err(|refusal| refuse(&refusal, as_json, language))
 }
 
 /// Why an actuator cannot be judged.

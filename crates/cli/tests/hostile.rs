@@ -320,6 +320,42 @@ fn longer_recordings_than_are_judged_unasked_are_refused_by_their_number() {
     assert!(run(&check).0 < 2);
 }
 
+/// Axes are counted together: each is quick, all of them are not.
+#[test]
+fn more_axes_than_are_answered_in_time_are_refused_by_their_number() {
+    let folder = tempfile::tempdir().unwrap();
+    let axis = |number: u32| {
+        format!(
+            "[[axis]]\nname = \"a{number}\"\n[axis.load]\ninertia = \"1 kg m^2\"\n[[axis.motion]]\nlaw = \"manual\"\n\
+             speed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n"
+        )
+    };
+    let project = |axes: u32| format!("format = 1\n{}", (1..=axes).map(axis).collect::<String>());
+    fs::write(folder.path().join("many.toml"), project(600)).unwrap();
+    fs::write(folder.path().join("some.toml"), project(60)).unwrap();
+    let code = ["--code", "CHA-32A-50-H-C1024"];
+    let calls: [(&[&str], &str); 5] = [
+        (&["size", "many.toml"], "600 axes take together more than some 5 seconds"),
+        (&["check", "many.toml", code[0], code[1]], "600 axes take together more than some 5 seconds"),
+        (&["explain", "many.toml", code[0], code[1]], "600 axes take together more than some 10 seconds"),
+        (&["diff", "many.toml", "some.toml"], "660 axes take together more than some 10 seconds"),
+        (&["report", "some.toml", "--out", "some.pdf"], "60 axes take together more than some 10 seconds"),
+    ];
+    for (call, wanted) in calls {
+        let errors = faults(folder.path(), call);
+        let message = errors[0]["message"].as_str().unwrap();
+        assert!(message.contains(wanted), "{call:?}: {message}");
+        assert!(message.contains("--axis") && message.contains("--deadline"), "{message}");
+    }
+    // One of them by its name, and all where a time is named.
+    for more in [&["--axis", "a599"][..], &["--deadline", "60 s"]] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
+        let call = [&["explain", "many.toml", code[0], code[1], "--check", "peak_torque"], more].concat();
+        let output = command.args(call).current_dir(folder.path()).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{more:?}");
+    }
+}
+
 /// A table of the course holds every sample: it is made within the memory that is allowed, and a workbook does without it.
 #[test]
 fn a_table_of_a_long_course_is_held_to_the_memory() {

@@ -6,6 +6,7 @@ mod axis;
 pub(crate) mod checklist;
 mod checks;
 mod demand;
+mod ends;
 mod inputs;
 pub(crate) mod laid_out;
 mod origins;

@@ -45,4 +45,5 @@ pub use judge::{Checks, Depth, InOrder, Judge, Judgement, Naming, energies, judg
 pub use notes::{Note, Notes};
 pub use rank::{Standing, rank};
 pub use reserve::{Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watched};
+pub use trace::INSTANTS_MOST;
 pub use watch::{Unwatched, Watch, finished};

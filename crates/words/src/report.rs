@@ -229,6 +229,13 @@ texts! {
     inputs_text =
         "From the project file; those of the mechanism follow in the next chapter. What is not listed was not stated."
         | "Aus der Projektdatei; die der Mechanik folgen im nächsten Kapitel. Was hier fehlt, wurde nicht angegeben.";
+    not_listed = "Not listed here" | "Hier nicht aufgeführt";
+    not_listed_inputs =
+        "The project file has all of them; its fingerprint stands on the first page."
+        | "Die Projektdatei enthält alle; ihre Prüfsumme steht auf der ersten Seite.";
+    not_listed_results =
+        "The answer of “antrieb check --json” has all of them."
+        | "Die Antwort von „antrieb check --json“ enthält alle.";
     s_bodies = "Bodies" | "Körper";
     bodies_below = "Bodies, see below" | "Körper, siehe unten";
     bodies_sum = "All bodies" | "Alle Körper";

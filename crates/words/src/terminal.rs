@@ -135,6 +135,9 @@ texts! {
     too_long(samples, most, seconds) =
         "{samples} samples of recordings take more than some {seconds} seconds; unasked at most {most} are looked at, half as many under a load that hangs on the position or has losses: state how long the answer may take with --deadline, or use fewer with from and to"
         | "{samples} Abtastwerte von Aufzeichnungen dauern länger als etwa {seconds} Sekunden; ungefragt werden höchstens {most} angesehen, halb so viele unter einer Last, die von der Stellung abhängt oder Verluste hat: mit --deadline angeben, wie lange die Antwort dauern darf, oder mit from und to weniger verwenden";
+    too_many_axes(axes, seconds) =
+        "{axes} axes take together more than some {seconds} seconds: name one with --axis, or state how long the answer may take with --deadline"
+        | "{axes} Achsen dauern zusammen länger als etwa {seconds} Sekunden: mit --axis eine nennen oder mit --deadline angeben, wie lange die Antwort dauern darf";
     too_many_rows(rows, needed, most) =
         "the table of the course has up to {rows} rows, which take {needed} MiB; {most} MiB are allowed: allow more with --memory, or use fewer samples with from and to"
         | "die Tabelle des Verlaufs hat bis zu {rows} Zeilen, die {needed} MiB belegen; erlaubt sind {most} MiB: mit --memory mehr erlauben oder mit from und to weniger Abtastwerte verwenden";

@@ -16,7 +16,7 @@ use serde::Serialize;
 use sizing::{Check, CheckId, Reserve, SAMPLES_ANEW, Watch as _};
 
 /// Of so many candidates of a ranking at most the tolerances are judged.
-const ASSESSED_MOST: usize = 10;
+pub(crate) const ASSESSED_MOST: usize = 10;
 
 /// A question about an axis.
 #[derive(Clone, Debug)]
@@ -95,45 +95,6 @@ pub struct Ranking<'p> {
     pub top: usize,
     /// The tolerances judged for the first of those and for the project's own actuator; empty without tolerances.
     pub assessed: Vec<(CandidateId, Assessment)>,
-}
-
-/// How long an answer takes at most, on one core, where nobody has said how long it may take.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wait {
-    /// For the judgement of the catalogue or of an actuator, with its reserves.
-    FiveSeconds,
-    /// For any other answer.
-    TenSeconds,
-}
-
-impl Wait {
-    /// The samples of recordings that are looked at within it, of all axes together; those under a load that hangs on the
-    /// position or has losses count twice.
-    #[must_use]
-    pub const fn samples(self) -> usize {
-        match self {
-            Self::FiveSeconds => 1 << 21,
-            Self::TenSeconds => 1 << 22,
-        }
-    }
-
-    const fn seconds(self) -> usize {
-        match self {
-            Self::FiveSeconds => 5,
-            Self::TenSeconds => 10,
-        }
-    }
-
-    /// Whether an answer about some axes takes no longer, for the largest recordings too.
-    ///
-    /// # Errors
-    /// [`Refusal::TooLong`]
-    pub fn is_enough<'p>(self, projects: impl IntoIterator<Item = &'p Project>) -> Result<(), Refusal> {
-        let each = projects.into_iter().map(|project| project.axis.samples());
-        let [samples, cost] = each.fold([0; 2], |[samples, cost], [a, b]| [samples + a, cost + b]);
-        let (most, seconds) = (self.samples(), self.seconds());
-        if cost > most { Err(Refusal::TooLong { samples, most, seconds }) } else { Ok(()) }
-    }
 }
 
 /// Ranks the catalogue for an axis.

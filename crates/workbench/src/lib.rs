@@ -26,6 +26,7 @@ mod moves;
 mod patience;
 mod plane;
 mod preview;
+mod question;
 mod reading;
 mod sheet;
 mod sizing_use;
@@ -41,7 +42,7 @@ mod wiring;
 pub use actuator::{BatteryLife, CurveKind, CurvePoint, PerformanceCurve};
 pub use answers::{self, Derivation, Node};
 pub use ask::{
-    Explanation, Ranking, Request, Response, Verification, Wait, ask, explanation, margins, ranking, reserve_unasked,
+    Explanation, Ranking, Request, Response, Verification, ask, explanation, margins, ranking, reserve_unasked,
     reserve_within, scatter, sized, verification,
 };
 pub use catalogue::{Fact, Signal, Step, Topic};
@@ -87,6 +88,7 @@ pub use project::{
 };
 pub use provenance::Grade;
 pub use quantities::{self, Language};
+pub use question::Question;
 pub use reading::{Unread, read, read_all, read_all_watched, schema};
 pub use recording::{MEMORY_USUAL, Preview, Role as ColumnRole};
 pub use sheet::{Sheet, SheetMarks, SheetNote, SheetRow, SheetSection, sheet, sheet_value_text, uncovered_mark};

@@ -154,6 +154,13 @@ pub enum Refusal {
         /// How long those take, about \[s\].
         seconds: usize,
     },
+    /// Several axes take longer together than is done where no time is named.
+    TooManyAxes {
+        /// How many.
+        axes: usize,
+        /// How long is waited, about \[s\].
+        seconds: usize,
+    },
     /// A table of the course takes more memory than the project is allowed.
     TooManyRows {
         /// Rows, at most.

@@ -4,7 +4,7 @@
 mod corners;
 mod draws;
 mod statistics;
-mod work;
+pub(crate) mod work;
 
 use crate::sizing_use::{Candidate, CandidateId, Objection, Refusal};
 use draws::Draws;

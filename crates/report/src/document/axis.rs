@@ -4,7 +4,7 @@ use super::alternatives::Alternatives;
 use super::checks::{Checks, Titles};
 use super::demand::{DemandTable, MotionTable};
 use super::figure_file;
-use super::inputs::{Group, Mechanism, groups};
+use super::inputs::{Inputs, Mechanism, groups};
 use super::laid_out::{LaidOut, laid_out};
 use super::origins::{Derived, Source, derived, sources};
 use super::shown::{Shown, tied};
@@ -20,7 +20,7 @@ pub(super) struct Axis {
     number: usize,
     name: String,
     cover: Cover,
-    inputs: Vec<Group>,
+    inputs: Inputs,
     assumptions: Vec<String>,
     mechanism: Mechanism,
     motion: MotionTable,

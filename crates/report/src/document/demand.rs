@@ -1,5 +1,6 @@
 //! The motion as it came out, and what it asks of the actuator.
 
+use super::ends::Ends;
 use super::shown::Shown;
 use answers::{DemandFigures, DemandMode, Dossier, Motion, MoveTorques, Number, UnitBy};
 use serde::Serialize;
@@ -8,8 +9,8 @@ use std::f64::consts::TAU;
 #[derive(Serialize)]
 pub(super) struct MotionTable {
     units: [String; 4],
-    rows: Vec<MotionRow>,
-    recordings: Vec<Recorded>,
+    segments: Ends<MotionRow>,
+    recordings: Ends<Recorded>,
 }
 
 #[derive(Serialize)]
@@ -57,8 +58,8 @@ impl MotionTable {
         let unit = |of| motion.units.unit(of).map(|unit| shown.unit(unit)).unwrap_or_default();
         Self {
             units: ["time", "distance", "speed", "acceleration"].map(unit),
-            rows: rows.collect(),
-            recordings: recordings.collect(),
+            segments: Ends::of(rows, None),
+            recordings: Ends::of(recordings.collect::<Vec<_>>().into_iter(), None),
         }
     }
 }
@@ -71,8 +72,15 @@ pub(super) struct DemandTable {
     both: bool,
     /// Whether there is a line to which the figures are carried over.
     line: bool,
-    moves: Vec<[String; 3]>,
-    governing: Option<usize>,
+    moves: Ends<Move>,
+}
+
+/// A move of the manual's cycle with its torques.
+#[derive(Serialize)]
+struct Move {
+    number: usize,
+    torques: [String; 3],
+    governing: bool,
 }
 
 /// A figure of the demand.
@@ -90,14 +98,7 @@ impl DemandTable {
     pub(super) fn build(dossier: &Dossier, shown: &Shown) -> Self {
         let travel = dossier.mechanism.travel_mm_per_rev.map(|travel| travel.0);
         let Some(demand) = &dossier.judgement.candidate.demand else {
-            return Self {
-                by_manual: false,
-                rows: Vec::new(),
-                both: false,
-                line: false,
-                moves: Vec::new(),
-                governing: None,
-            };
+            return Self { by_manual: false, rows: Vec::new(), both: false, line: false, moves: Ends::default() };
         };
         let by_manual = match demand.mode {
             DemandMode::Manual => true,
@@ -124,13 +125,17 @@ impl DemandTable {
                 integral: integral.map(|value| shown.number(value)).unwrap_or_default(),
                 line: travel.map(|travel| along(value, unit, travel, shown)).unwrap_or_default(),
             };
+        let moves = demand.moves.iter().enumerate().map(|(place, each)| Move {
+            number: place + 1,
+            torques: values(each).map(|value| shown.number(value)),
+            governing: demand.governing_move == Some(place + 1),
+        });
         Self {
             by_manual,
             rows: figures.into_iter().chain(torques).map(row).collect(),
             both: exact.is_some(),
             line: travel.is_some(),
-            moves: demand.moves.iter().map(|each| values(each).map(|value| shown.number(value))).collect(),
-            governing: demand.governing_move,
+            moves: Ends::of(moves, demand.governing_move.and_then(|number| number.checked_sub(1))),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The project as it was written, and what of it the sketch calls out.
 
+use super::ends::{Ends, is_listed};
 use super::shown::{Shown, tied};
 use answers::{Dossier, InputTable, MechanismKind};
 use serde::Serialize;
@@ -9,6 +10,14 @@ use serde::Serialize;
 pub(super) struct Group {
     title: String,
     rows: Vec<Row>,
+}
+
+/// What was stated.
+#[derive(Serialize)]
+pub(super) struct Inputs {
+    groups: Vec<Group>,
+    /// How many tables are not listed.
+    left_out: usize,
 }
 
 #[derive(Serialize)]
@@ -28,10 +37,22 @@ fn row(input: &answers::Input) -> Row {
     }
 }
 
-/// The inputs by table, in the order of the file, without those of the mechanism, which stand beside its sketch.
-pub(super) fn groups(tables: &[InputTable]) -> Vec<Group> {
+/// The inputs by table, in the order of the file, without those of the mechanism, which stand beside its sketch; of many segments
+/// the first and the last.
+pub(super) fn groups(tables: &[InputTable]) -> Inputs {
     let others = tables.iter().filter(|table| !table.of_mechanism);
-    others.map(|table| Group { title: table.title.clone(), rows: table.values.iter().map(row).collect() }).collect()
+    let segments = tables.iter().filter_map(segment_of).max().unwrap_or(0);
+    let (listed, left_out): (Vec<&InputTable>, Vec<&InputTable>) =
+        others.partition(|table| segment_of(table).is_none_or(|number| is_listed(number - 1, segments)));
+    let group =
+        |table: &&InputTable| Group { title: table.title.clone(), rows: table.values.iter().map(row).collect() };
+    Inputs { groups: listed.iter().map(group).collect(), left_out: left_out.len() }
+}
+
+/// The number, from 1, of the segment that a table is about.
+fn segment_of(table: &InputTable) -> Option<usize> {
+    let (number, _) = table.key.strip_prefix("motion[")?.split_once(']')?;
+    number.parse().ok().filter(|number| *number > 0)
 }
 
 /// What hangs on the flange.
@@ -42,8 +63,8 @@ pub(super) struct Mechanism {
     upright: bool,
     /// Way along the line for one turn of the actuator.
     travel: String,
-    rows: Vec<Row>,
-    bodies: Vec<Body>,
+    data: Ends<Row>,
+    bodies: Ends<Body>,
     /// Of all bodies together.
     inertia: String,
     mass: String,
@@ -66,36 +87,58 @@ impl Mechanism {
         let found = &dossier.mechanism;
         let mut rows: Vec<Row> =
             dossier.inputs.iter().filter(|table| table.of_mechanism).flat_map(|table| &table.values).map(row).collect();
-        let mut bodies = Vec::new();
+        let mut bodies = Ends::default();
         if let Some(inertia) = &found.bodies {
             // Each body stands as a row of its own table, in the words of the project.
             let (texts, others): (Vec<Row>, Vec<Row>) =
                 rows.into_iter().partition(|row| row.name.starts_with("bodies["));
             rows = others;
             let mut texts = texts.into_iter().map(|row| row.text);
-            bodies = inertia
-                .bodies
-                .iter()
-                .map(|body| Body {
-                    shape: body.shape,
-                    count: body.count,
-                    mass: shown.number(body.mass),
-                    distance: shown.number(body.distance),
-                    own: shown.number(body.own),
-                    steiner: shown.number(body.steiner),
-                    total: shown.number(body.total),
-                    text: texts.next().unwrap_or_default(),
-                })
-                .collect();
+            let told = inertia.bodies.iter().map(|body| Body {
+                shape: body.shape,
+                count: body.count,
+                mass: shown.number(body.mass),
+                distance: shown.number(body.distance),
+                own: shown.number(body.own),
+                steiner: shown.number(body.steiner),
+                total: shown.number(body.total),
+                text: texts.next().unwrap_or_default(),
+            });
+            bodies = Ends::of(told, None);
         }
         Self {
             kind: found.kind,
             upright: found.inclination_deg.is_some_and(|angle| (angle.0.abs() % 180.0 - 90.0).abs() < 45.0),
             travel: found.travel_mm_per_rev.map(|travel| shown.figure(travel, "mm")).unwrap_or_default(),
-            rows,
+            data: Ends::of(rows.into_iter(), None),
             bodies,
             inertia: found.bodies.as_ref().map(|it| shown.figure(it.inertia, "kgm^2")).unwrap_or_default(),
             mass: found.bodies.as_ref().map(|it| shown.figure(it.mass, "kg")).unwrap_or_default(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_many_segments_the_first_and_the_last_are_listed_with_what_belongs_to_them() {
+        let table = |key: &str| InputTable {
+            key: key.to_owned(),
+            title: key.to_owned(),
+            of_mechanism: key == "mechanism.arm",
+            values: Vec::new(),
+        };
+        let segments = (1..=1000).flat_map(|number| [format!("motion[{number}]"), format!("motion[{number}].bearing")]);
+        let keys =
+            ["".to_owned(), "mechanism.arm".to_owned()].into_iter().chain(segments).chain(["bearing".to_owned()]);
+        let tables: Vec<InputTable> = keys.map(|key| table(&key)).collect();
+        let found = groups(&tables);
+        assert_eq!((found.groups.len(), found.left_out), (2 + 400, 1600));
+        let titles: Vec<&str> = found.groups.iter().map(|group| group.title.as_str()).collect();
+        assert!(titles.contains(&"motion[150].bearing") && titles.contains(&"motion[951]"));
+        assert!(!titles.contains(&"motion[151]") && !titles.contains(&"motion[950].bearing"));
+        assert_eq!(groups(&tables[..300]).left_out, 0);
     }
 }

@@ -1,6 +1,6 @@
 //! What judging tolerances costs, known before it begins.
 
-use super::{SAMPLES_MOST, SAMPLES_USUAL};
+use super::{Draw, SAMPLES_MOST, SAMPLES_USUAL};
 use project::{ALL_CORNERS_MOST, Project};
 
 /// The unit is the work of one instant of a cycle under a load that depends on the position, about a microsecond on a slow
@@ -30,10 +30,24 @@ const QUICK: f64 = 1e6;
 
 /// Whether so many samples are judged quickly.
 pub(super) fn is_quick(project: &Project, actuators: usize, samples: usize) -> bool {
+    work(project, actuators, samples) <= QUICK
+}
+
+/// So much is done in five seconds.
+const FIVE_SECONDS: f64 = 1e7;
+
+/// The share of five seconds that judging the tolerances of a project takes; none of what is refused by itself.
+pub(crate) fn share(project: &Project, actuators: usize, draw: Draw) -> f64 {
+    let Ok(sampling) = draw.sampling(project, actuators, false) else { return 0.0 };
+    if project.tolerances.is_empty() { 0.0 } else { work(project, actuators, sampling.samples) / FIVE_SECONDS }
+}
+
+/// Work to judge so many samples and the corners.
+fn work(project: &Project, actuators: usize, samples: usize) -> f64 {
     let corners = 1_usize << project.tolerances.len().min(ALL_CORNERS_MOST);
     #[allow(clippy::cast_precision_loss, reason = "at most a million")]
-    let work = (samples + corners) as f64 * cost_of_a_variant(project, actuators);
-    work <= QUICK
+    let points = (samples + corners) as f64;
+    points * cost_of_a_variant(project, actuators)
 }
 
 /// The numbers of samples that are taken unless the user says otherwise, the largest first.
@@ -42,10 +56,7 @@ const STEPS: [usize; 7] = [SAMPLES_USUAL, 5_000, 2_000, 1_000, 500, 200, 100];
 /// How many samples of a project are judged for some actuators unless the user says otherwise: ten thousand, or fewer where
 /// that would take longer than some seconds.
 pub(super) fn samples_usual(project: &Project, actuators: usize) -> usize {
-    let cost = cost_of_a_variant(project, actuators);
-    let corners = 1_usize << project.tolerances.len().min(ALL_CORNERS_MOST);
-    #[allow(clippy::cast_precision_loss, reason = "at most ten thousand")]
-    let fits = |samples: &&usize| (**samples + corners) as f64 * cost <= USUAL;
+    let fits = |samples: &&usize| work(project, actuators, **samples) <= USUAL;
     STEPS.iter().find(fits).copied().unwrap_or(100)
 }
 
