@@ -302,7 +302,7 @@ fn longer_recordings_than_are_judged_unasked_are_refused_by_their_number() {
     };
     axis(20);
     refused(&["size", "axis.toml", "--json"], ["1048600", "2097152", "5 seconds"]);
-    refused(&["report", "axis.toml", "--json", "--out", "axis.pdf"], ["1048600", "2097152", "5 seconds"]);
+    refused(&["report", "axis.toml", "--json", "--out", "axis.pdf"], ["1048600", "2097152", "10 seconds"]);
     assert!(!folder.path().join("axis.pdf").exists());
     // What else there is may take twice as long: together the two revisions are more than that.
     refused(&["diff", "axis.toml", "axis.toml", "--json"], ["2097200", "4194304", "10 seconds"]);
