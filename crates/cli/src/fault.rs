@@ -12,7 +12,7 @@ use disk::{Beside, Links};
 use std::path::{Path, PathBuf};
 use workbench::quantities::{Measure, seen};
 use workbench::text::{Told, Usage, file_trouble, terminal, told, usage_text};
-use workbench::{Grant, Language, PROJECT_MAX_BYTES, Project, Reach, Refusal, Unread};
+use workbench::{Grant, Language, PROJECT_MAX_BYTES, Project, Reach, Unread};
 
 /// The text of a project file.
 pub(crate) struct Source {
@@ -67,7 +67,7 @@ impl Source {
         let files = Beside { folder: self.folder().to_owned(), links: Links::Followed, grant };
         workbench::read_all_watched(&self.text, &files, patience()).map_err(|unread| match unread {
             Unread::Faults(faults) => report(&self.name, &self.text, &told(&faults, language), as_json, language),
-            Unread::Stopped => refuse(&Refusal::Stopped, as_json, language),
+            Unread::Refused(refusal) => refuse(&refusal, as_json, language),
         })
     }
 }

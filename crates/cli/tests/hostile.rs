@@ -320,6 +320,35 @@ fn longer_recordings_than_are_judged_unasked_are_refused_by_their_number() {
     assert!(run(&check).0 < 2);
 }
 
+/// Tolerances and ratios of a stage that would make a long recording anew again and again are not begun unasked.
+#[test]
+fn what_makes_a_long_recording_anew_is_counted_before() {
+    let count = 100_000_u32;
+    let rows: String = (0..=count)
+        .map(|k| {
+            let share = f64::from(k) / f64::from(count);
+            format!("{:.6},{:.9}\n", share * 100.0, (1.0 - (share * 20.0 * std::f64::consts::TAU).cos()) * 0.2)
+        })
+        .collect();
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("swing.csv"), format!("time [s],position [rad]\n{rows}")).unwrap();
+    let write = |name: &str, inertia: &str, tables: &str, segments: usize| {
+        let segment = "[[motion]]\nlaw = \"recorded\"\nfile = \"swing.csv\"\n".repeat(segments);
+        let head = format!("format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"{inertia}\"\n{tables}");
+        fs::write(folder.path().join(name), format!("{head}{segment}")).unwrap();
+    };
+    write("uncertain.toml", "0.5 kg m^2 ± 5 %", "", 4);
+    let check = ["check", "uncertain.toml", "--code", "CHA-25A-100-H-C1024"];
+    let errors = faults(folder.path(), &check);
+    let message = errors[0]["message"].as_str().unwrap();
+    assert!(message.starts_with("100 samples of these tolerances") && message.contains("--deadline"), "{message}");
+    let ratios = "[stage]\nkind = \"belt\"\nratios = [1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0]\nefficiency = 0.95\n";
+    write("ratios.toml", "0.5 kg m^2", ratios, 2);
+    let errors = faults(folder.path(), &["size", "ratios.toml"]);
+    let message = errors[0]["message"].as_str().unwrap();
+    assert!(message.contains("each of 11 ratios") && message.contains("--deadline"), "{message}");
+}
+
 /// Axes are counted together: each is quick, all of them are not.
 #[test]
 fn more_axes_than_are_answered_in_time_are_refused_by_their_number() {

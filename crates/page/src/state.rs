@@ -179,7 +179,7 @@ impl State {
                 let written = keys.unwrap_or_default();
                 Held { projects, faults: Vec::new(), is_old: false, written, has_places, is_stopped: false }
             }
-            Err(Unread::Stopped) => Held {
+            Err(Unread::Refused(_)) => Held {
                 projects: Vec::new(),
                 faults: Vec::new(),
                 is_old: true,
@@ -193,7 +193,7 @@ impl State {
                 let written = keys.or_else(|| written(&self.good)).unwrap_or_default();
                 let (projects, is_stopped) = match read_all_watched(&self.good, files, patience) {
                     Ok(projects) => (projects, false),
-                    Err(unread) => (Vec::new(), unread == Unread::Stopped),
+                    Err(unread) => (Vec::new(), matches!(unread, Unread::Refused(_))),
                 };
                 Held { projects, faults, is_old: true, written, has_places, is_stopped }
             }

@@ -227,6 +227,14 @@ fn layout(section: &Section, reader: &mut Reader<'_>) -> Layout {
     }
 }
 
+/// The samples of the recording of a segment, if it is one.
+pub(crate) fn samples(section: &Section) -> usize {
+    match section.get("file") {
+        Some(Entry::Recording(read)) => read.recording.time_s.len(),
+        _ => 0,
+    }
+}
+
 /// The recorded motion of a segment at the output; `None` where a fault stands in the way.
 ///
 /// `travel`: way along the line per angle [m/rad], where the mechanism has one.

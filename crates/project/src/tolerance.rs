@@ -1,6 +1,7 @@
 //! Quantities with a tolerance: where they stand, and the project with other values in their place.
 
 use crate::read::Reader;
+use crate::recorded;
 use crate::section::Section;
 use crate::{Diagnostic, Fault, Hint};
 use crate::{OwnActuator, Project, build_actuator, finish, prepare, requirements};
@@ -58,6 +59,7 @@ pub const fn sign(corner: usize, quantity: usize) -> f64 {
 /// Tells the first tolerance within which the project cannot be built: each quantity at its ends with the others
 /// nominal, and then, where these are possible, the corners.
 pub(crate) fn hold(root: &Section, tolerances: &[Tolerance], reader: &mut Reader<'_>) {
+    let recorded: usize = root.tables("motion").iter().map(recorded::samples).sum();
     let mut root = root.clone();
     let mut fails = |values: &[(&Tolerance, f64)], reader: &Reader<'_>| {
         for (tolerance, share) in values {
@@ -87,7 +89,7 @@ pub(crate) fn hold(root: &Section, tolerances: &[Tolerance], reader: &mut Reader
     if !sound || tolerances.len() < 2 {
         return;
     }
-    let all = tolerances.len() <= ALL_CORNERS_MOST;
+    let all = tolerances.len() <= ALL_CORNERS_MOST && recorded << tolerances.len() <= SAMPLES_BUILT_MOST;
     // Of very many corners only the two at which everything is low or high.
     let corners = if all { 0..1 << tolerances.len() } else { 0..2 };
     for corner in corners {
@@ -102,6 +104,9 @@ pub(crate) fn hold(root: &Section, tolerances: &[Tolerance], reader: &mut Reader
         }
     }
 }
+
+/// Samples of recordings of which a motion is made, corner after corner: a third of a second.
+const SAMPLES_BUILT_MOST: usize = 1 << 26;
 
 /// The fault of values within the tolerances at which there is no such axis.
 fn impossible(values: &[(&Tolerance, f64)], found: Option<Diagnostic>) -> (Fault, Option<Hint>) {

@@ -138,6 +138,9 @@ texts! {
     too_many_axes(axes, seconds) =
         "{axes} axes take together more than some {seconds} seconds: name one with --axis, or state how long the answer may take with --deadline"
         | "{axes} Achsen dauern zusammen länger als etwa {seconds} Sekunden: mit --axis eine nennen oder mit --deadline angeben, wie lange die Antwort dauern darf";
+    too_many_ratios(ratios, seconds) =
+        "to judge the catalogue for each of {ratios} ratios of the stage takes more than some {seconds} seconds: state fewer in stage.ratios, or how long the answer may take with --deadline"
+        | "den Katalog für jede von {ratios} Übersetzungen der Zwischenstufe zu beurteilen, dauert länger als etwa {seconds} Sekunden: in stage.ratios weniger angeben oder mit --deadline, wie lange die Antwort dauern darf";
     too_many_rows(rows, needed, most) =
         "the table of the course has up to {rows} rows, which take {needed} MiB; {most} MiB are allowed: allow more with --memory, or use fewer samples with from and to"
         | "die Tabelle des Verlaufs hat bis zu {rows} Zeilen, die {needed} MiB belegen; erlaubt sind {most} MiB: mit --memory mehr erlauben oder mit from und to weniger Abtastwerte verwenden";

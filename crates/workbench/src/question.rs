@@ -72,6 +72,16 @@ impl Question {
             + tolerances
     }
 
+    /// Whether the catalogue is judged in that time for each of several ratios of a stage, of which the axis has one.
+    ///
+    /// # Errors
+    /// [`Refusal::TooManyRatios`]
+    pub(crate) fn is_quick_for(self, project: &Project, ratios: usize) -> Result<(), Refusal> {
+        #[allow(clippy::cast_precision_loss, reason = "at most sixteen")]
+        let share = self.share(project) * ratios as f64;
+        if share > 1.0 { Err(Refusal::TooManyRatios { ratios, seconds: self.seconds() }) } else { Ok(()) }
+    }
+
     /// Whether an answer about some axes takes no longer than is waited unasked.
     ///
     /// # Errors

@@ -10,7 +10,8 @@ mod project_tests;
 mod stage_tests;
 
 use crate::patience::{Patience, Stopped};
-use crate::sizing_use::size_watched;
+use crate::question::Question;
+use crate::sizing_use::{Refusal, size_watched};
 use project::{Diagnostic, Files, Project, RatioAnswer};
 use quantities::Language;
 use serde_json::Value;
@@ -38,8 +39,8 @@ pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagn
 pub enum Unread {
     /// Every fault of the file, each with its place, in the order of the file.
     Faults(Vec<Diagnostic>),
-    /// Whoever asked does not wait any longer.
-    Stopped,
+    /// The best of several ratios was not sought: nobody waits any longer, or it takes longer than is waited unasked.
+    Refused(Refusal),
 }
 
 /// Reads as [`read_all`] does, for somebody who may stop it: among several ratios of a stage the best is sought, and the
@@ -48,15 +49,18 @@ pub enum Unread {
 /// # Errors
 /// [`Unread`].
 pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> Result<Vec<Project>, Unread> {
-    let stopped = Cell::new(false);
+    let refused = Cell::new(None);
     let choose = |ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>| {
-        best_ratio(ratios, with, patience).unwrap_or_else(|Stopped| {
-            stopped.set(true);
+        let first = ratios.iter().find_map(|ratio| with(*ratio)).filter(|_| !patience.is_limited());
+        let quick = first.map_or(Ok(()), |first| Question::Other.is_quick_for(&first, ratios.len()));
+        let found = quick.and_then(|()| best_ratio(ratios, with, patience).map_err(|Stopped| Refusal::Stopped));
+        found.unwrap_or_else(|refusal| {
+            refused.set(Some(refusal));
             None
         })
     };
     let read = Project::read_all(text, files, &choose);
-    if stopped.get() { Err(Unread::Stopped) } else { read.map_err(Unread::Faults) }
+    refused.take().map_or_else(|| read.map_err(Unread::Faults), |refusal| Err(Unread::Refused(refusal)))
 }
 
 /// The JSON Schema of the project file (draft 2020-12).

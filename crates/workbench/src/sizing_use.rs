@@ -161,6 +161,13 @@ pub enum Refusal {
         /// How long is waited, about \[s\].
         seconds: usize,
     },
+    /// The catalogue is not judged for each of several ratios of a stage where no time is named.
+    TooManyRatios {
+        /// How many.
+        ratios: usize,
+        /// How long is waited, about \[s\].
+        seconds: usize,
+    },
     /// A table of the course takes more memory than the project is allowed.
     TooManyRows {
         /// Rows, at most.

@@ -57,15 +57,11 @@ impl Draw {
     /// limit of time [`SAMPLES_MOST`] may be asked for.
     pub fn sampling(self, project: &Project, actuators: usize, in_time: bool) -> Result<Sampling, Refusal> {
         let most = if in_time { SAMPLES_MOST } else { work::samples_most(project, actuators) };
-        match self.samples {
-            Some(asked) if asked > most && !project.tolerances.is_empty() => {
-                Err(Refusal::TooManySamples { asked, most })
-            }
-            asked => {
-                let samples = asked.unwrap_or_else(|| work::samples_usual(project, actuators));
-                Ok(Sampling { samples, seed: self.seed })
-            }
+        let samples = self.samples.unwrap_or_else(|| work::samples_usual(project, actuators));
+        if samples > most && !project.tolerances.is_empty() {
+            return Err(Refusal::TooManySamples { asked: samples, most });
         }
+        Ok(Sampling { samples, seed: self.seed })
     }
 
     /// Whether that takes no longer than somebody who types would wait unasked.

@@ -62,7 +62,7 @@ fn the_choice_among_ratios_is_cancelled_too() {
     assert_eq!(steps, 5 * 276, "the catalogue for each ratio");
     let patience = Patience::limited();
     patience.cancel();
-    assert_eq!(read(&patience).unwrap_err(), Unread::Stopped);
+    assert_eq!(read(&patience).unwrap_err(), Unread::Refused(Refusal::Stopped));
     assert_eq!(patience.progress().0, 2, "one step of each thread, and no other ratio");
     // A fault of the file is told all the same.
     let wrong = text.replace("0.7 s", "0.7 m");

@@ -205,7 +205,7 @@ impl<'a> Asked<'a> {
         let projects =
             workbench::read_all_watched(text, self.shell.files(), self.patience).map_err(|unread| match unread {
                 Unread::Faults(found) => faults(name, &told(&found, self.language)).into(),
-                Unread::Stopped => self.refused(&Refusal::Stopped),
+                Unread::Refused(refusal) => self.refused(&refusal),
             })?;
         workbench::picked(projects, self.text("axis"), self.language).map_err(|what| fault(&what).into())
     }

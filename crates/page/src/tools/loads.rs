@@ -46,7 +46,7 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
             };
             (Vec::new(), told.into_iter().map(trouble).collect())
         }
-        Err(Unread::Stopped) => (Vec::new(), Vec::new()),
+        Err(Unread::Refused(_)) => (Vec::new(), Vec::new()),
     };
     let loose = at_their_fields(&mut fields, troubles, scene.is_filled);
     let is_old = projects.is_empty();

@@ -63,6 +63,7 @@ pub fn refusal_text(refusal: &Refusal, waited_s: Option<f64>, language: Language
         Refusal::TooManySamples { asked, most } => terminal::too_many_samples(asked, most, language),
         Refusal::TooLong { samples, most, seconds } => terminal::too_long(samples, most, seconds, language),
         Refusal::TooManyAxes { axes, seconds } => terminal::too_many_axes(axes, seconds, language),
+        Refusal::TooManyRatios { ratios, seconds } => terminal::too_many_ratios(ratios, seconds, language),
         Refusal::TooManyRows { rows, needed, most } => {
             let whole = |bytes: u64| bytes.div_ceil(1 << 20);
             terminal::too_many_rows(rows, &whole(*needed), &(most >> 20), language)

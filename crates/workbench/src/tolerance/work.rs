@@ -7,8 +7,8 @@ use project::{ALL_CORNERS_MOST, Project};
 /// core. So much is done unless the user asks for more: some seconds.
 const USUAL: f64 = 3e6;
 
-/// So much is done where the user names the number of samples and no time.
-const MOST: f64 = 2e7;
+/// So much is done where no time is named, however few samples that is: ten seconds of a long recording, less of others.
+const MOST: f64 = 1e7;
 
 /// So much a search for the worst corner may take.
 pub(super) const FOR_CORNERS: f64 = 1e6;
@@ -33,21 +33,22 @@ pub(super) fn is_quick(project: &Project, actuators: usize, samples: usize) -> b
     work(project, actuators, samples) <= QUICK
 }
 
-/// So much is done in five seconds.
-const FIVE_SECONDS: f64 = 1e7;
-
-/// The share of five seconds that judging the tolerances of a project takes; none of what is refused by itself.
+/// The share of it that judging the tolerances of a project takes; none of what is refused by itself.
 pub(crate) fn share(project: &Project, actuators: usize, draw: Draw) -> f64 {
     let Ok(sampling) = draw.sampling(project, actuators, false) else { return 0.0 };
-    if project.tolerances.is_empty() { 0.0 } else { work(project, actuators, sampling.samples) / FIVE_SECONDS }
+    if project.tolerances.is_empty() { 0.0 } else { work(project, actuators, sampling.samples) / MOST }
 }
 
 /// Work to judge so many samples and the corners.
 fn work(project: &Project, actuators: usize, samples: usize) -> f64 {
-    let corners = 1_usize << project.tolerances.len().min(ALL_CORNERS_MOST);
     #[allow(clippy::cast_precision_loss, reason = "at most a million")]
-    let points = (samples + corners) as f64;
+    let points = (samples + corners(project)) as f64;
     points * cost_of_a_variant(project, actuators)
+}
+
+/// How many corners are looked at, at most.
+fn corners(project: &Project) -> usize {
+    1_usize << project.tolerances.len().min(ALL_CORNERS_MOST)
 }
 
 /// The numbers of samples that are taken unless the user says otherwise, the largest first.
@@ -60,8 +61,10 @@ pub(super) fn samples_usual(project: &Project, actuators: usize) -> usize {
     STEPS.iter().find(fits).copied().unwrap_or(100)
 }
 
-/// The most samples of a project that are judged for some actuators without a word about the time they may take.
+/// The most samples of a project that are judged for some actuators, beside the corners, without a word about the time they
+/// may take.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a million")]
 pub(super) fn samples_most(project: &Project, actuators: usize) -> usize {
-    ((MOST / cost_of_a_variant(project, actuators)) as usize).clamp(100, SAMPLES_MOST)
+    let points = (MOST / cost_of_a_variant(project, actuators)) as usize;
+    points.saturating_sub(corners(project)).min(SAMPLES_MOST)
 }
