@@ -347,6 +347,13 @@ fn what_makes_a_long_recording_anew_is_counted_before() {
     let errors = faults(folder.path(), &["size", "ratios.toml"]);
     let message = errors[0]["message"].as_str().unwrap();
     assert!(message.contains("each of 11 ratios") && message.contains("--deadline"), "{message}");
+    // A quarter of one of them is not long.
+    write("part.toml", "0.5 kg m^2", ratios, 1);
+    let text = fs::read_to_string(folder.path().join("part.toml")).unwrap();
+    fs::write(folder.path().join("part.toml"), text + "to = \"25 s\"\n").unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_antrieb"));
+    let explain = ["explain", "part.toml", "--code", "CHA-25A-100-H-C1024", "--check", "peak_torque"];
+    assert_eq!(command.args(explain).current_dir(folder.path()).output().unwrap().status.code(), Some(0));
 }
 
 /// Axes are counted together: each is quick, all of them are not.

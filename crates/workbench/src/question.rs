@@ -59,17 +59,15 @@ impl Question {
     /// The share of that time which an axis takes.
     #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     fn share(self, project: &Project) -> f64 {
-        let [_, samples] = project.axis.samples();
+        let [recorded, samples] = project.axis.samples();
+        let nodes = project.axis.instants().saturating_sub(recorded);
         let (instants, tolerances) = match self {
             Self::Ranking { told, draw } => (INSTANTS_MOST, work::share(project, told.min(ASSESSED_MOST), draw)),
             Self::Check { draw } => (INSTANTS_MOST, work::share(project, 1, draw)),
             Self::Report => (INSTANTS_MOST, work::share(project, 1, Draw::default())),
             Self::Other => (2.0 * INSTANTS_MOST, 0.0),
         };
-        1.0 / self.axes()
-            + samples as f64 / self.samples() as f64
-            + project.axis.instants() as f64 / instants
-            + tolerances
+        1.0 / self.axes() + samples as f64 / self.samples() as f64 + nodes as f64 / instants + tolerances
     }
 
     /// Whether the catalogue is judged in that time for each of several ratios of a stage, of which the axis has one.

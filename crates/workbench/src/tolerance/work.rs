@@ -33,10 +33,16 @@ pub(super) fn is_quick(project: &Project, actuators: usize, samples: usize) -> b
     work(project, actuators, samples) <= QUICK
 }
 
-/// The share of it that judging the tolerances of a project takes; none of what is refused by itself.
+/// So much is done in five seconds: of a long recording a variant is slower, since all of its samples pass once more.
+const FIVE_SECONDS: [f64; 2] = [1.4e7, 5e6];
+
+/// The share of five seconds that judging the tolerances of a project takes; none of what is refused by itself.
 pub(crate) fn share(project: &Project, actuators: usize, draw: Draw) -> f64 {
     let Ok(sampling) = draw.sampling(project, actuators, false) else { return 0.0 };
-    if project.tolerances.is_empty() { 0.0 } else { work(project, actuators, sampling.samples) / MOST }
+    let [recorded, _] = project.axis.samples();
+    let [short, long] = FIVE_SECONDS;
+    let most = if recorded == 0 { short } else { long };
+    if project.tolerances.is_empty() { 0.0 } else { work(project, actuators, sampling.samples) / most }
 }
 
 /// Work to judge so many samples and the corners.
