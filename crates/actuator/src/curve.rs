@@ -61,14 +61,14 @@ impl Curve {
     #[must_use]
     pub fn at(&self, speed: AngularVelocity) -> Torque {
         let speed = speed.si().abs();
-        for (low, high) in self.points.iter().zip(self.points.iter().skip(1)) {
-            let (a, b) = (low.speed.si(), high.speed.si());
-            if speed <= b {
-                let share = (speed - a) / (b - a);
-                return Torque::from_si(low.torque.si() + share * (high.torque.si() - low.torque.si()));
-            }
-        }
-        Torque::from_si(0.0)
+        // A measured curve may have thousands of points.
+        let high = self.points.partition_point(|point| point.speed.si() < speed).max(1);
+        let (Some(low), Some(high)) = (self.points.get(high - 1), self.points.get(high)) else {
+            return Torque::from_si(0.0);
+        };
+        let (a, b) = (low.speed.si(), high.speed.si());
+        let share = (speed - a) / (b - a);
+        Torque::from_si(low.torque.si() + share * (high.torque.si() - low.torque.si()))
     }
 
     /// The limit at a speed; beyond the last speed that of the last one.

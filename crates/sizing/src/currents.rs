@@ -292,6 +292,8 @@ impl<'a> Overcurrent<'a> {
         }
         // Beyond its end the curve permits nothing.
         corners.extend(points.last().map(|end| end.speed.si().next_up()));
+        corners.sort_by(f64::total_cmp);
+        corners.dedup();
         Self { currents, printed, curve, states, corners }
     }
 
@@ -325,7 +327,8 @@ impl Sought for Overcurrent<'_> {
     fn bound(&self, extent: &Extent) -> f64 {
         let (back, forth) = extent.speeds_rad_s;
         let slowest = back.max(-forth).max(0.0);
-        let within = self.corners.iter().copied().filter(|corner| *corner > slowest && *corner < extent.speed_rad_s);
+        let first = self.corners.partition_point(|corner| *corner <= slowest);
+        let within = self.corners.iter().copied().skip(first).take_while(|corner| *corner < extent.speed_rad_s);
         let speeds = || within.clone().chain([slowest, extent.speed_rad_s]);
         let of = |friction: &&FrictionAt| {
             let [acceleration, load, direction, speed] = self.currents.weights(friction);

@@ -38,7 +38,7 @@ pub trait Sought {
         self.bound(&Extent::between(a, b, &[0.0; 4]))
     }
 
-    /// Values of |ω| at which the value may have a corner.
+    /// Values of |ω| at which the value may have a corner, rising.
     fn corners(&self) -> &[f64] {
         &[]
     }
@@ -346,9 +346,10 @@ impl Best {
 #[inline]
 fn next_corner(corners: &[f64], passed: f64, to: f64) -> Option<f64> {
     if to > passed {
-        corners.iter().copied().filter(|corner| *corner > passed && *corner < to).min_by(f64::total_cmp)
+        corners.get(corners.partition_point(|corner| *corner <= passed)).copied().filter(|corner| *corner < to)
     } else {
-        corners.iter().copied().filter(|corner| *corner < passed && *corner > to).max_by(f64::total_cmp)
+        let below = corners.partition_point(|corner| *corner < passed).checked_sub(1)?;
+        corners.get(below).copied().filter(|corner| *corner > to)
     }
 }
 
