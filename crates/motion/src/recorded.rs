@@ -2,6 +2,7 @@
 
 use crate::faults::RecordedFault;
 use quantities::{AngularVelocity, Measure, Time};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Recorded position and speed may differ by so much of the travel before one of them must be wrong.
@@ -369,6 +370,7 @@ fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f64>, Vec<f6
     // Samples at the very edge belong to the window, however their instants are rounded.
     let half = 0.5 * window * (1.0 + 1e-9);
     let mut fitted = (Vec::with_capacity(time.len()), Vec::with_capacity(time.len()));
+    let groups = Sums::of_groups(time, values, half);
     let (mut from, mut to) = (0, 0);
     for t in time {
         while time.get(from).is_some_and(|first| t - first > half) {
@@ -385,8 +387,21 @@ fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f64>, Vec<f6
             let gap = time.windows(2).filter_map(|pair| Some(pair.last()? - pair.first()?)).fold(0.0, f64::max);
             return Err(RecordedFault::WindowTooShort { least: Time::from_si(6.0 * gap) });
         }
-        let near = time.get(from..to).unwrap_or_default().iter().zip(values.get(from..to).unwrap_or_default());
-        let (value, slope) = parabola(near.map(|(other, y)| ((other - t) / half, *y)));
+        let mut sums = Sums::default();
+        let mut take = |range: Range<usize>| {
+            let near = time.get(range.clone()).unwrap_or_default().iter().zip(values.get(range).unwrap_or_default());
+            near.for_each(|(other, y)| sums.take((other - t) / half, *y));
+        };
+        let whole = from.div_ceil(GROUP)..to / GROUP;
+        if whole.len() < 2 {
+            take(from..to);
+        } else {
+            take(from..whole.start * GROUP);
+            take(whole.end * GROUP..to);
+            let inside = groups.get(whole).unwrap_or_default();
+            inside.iter().for_each(|(middle, group)| sums.take_group(group, (middle - t) / half));
+        }
+        let (value, slope) = sums.parabola();
         fitted.0.push(value);
         fitted.1.push(slope / half);
     }
@@ -396,25 +411,67 @@ fn smooth(time: &[f64], values: &[f64], window: f64) -> Result<(Vec<f64>, Vec<f6
 /// Most samples in one smoothing window.
 const WINDOW_MOST: usize = 10_001;
 
-/// Value and slope at zero of the parabola of least squares.
-fn parabola(points: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
-    let mut s = [0.0; 5];
-    let mut r = [0.0; 3];
-    for (x, y) in points {
+/// So many samples of a long window are taken at once.
+const GROUP: usize = 64;
+
+/// Sums of the powers of x, and of their products with y: what the parabola of least squares hangs on.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Sums {
+    /// Σ 1, Σ x, … Σ x⁴
+    s: [f64; 5],
+    /// Σ y, Σ x y, Σ x² y
+    r: [f64; 3],
+}
+
+impl Sums {
+    fn take(&mut self, x: f64, y: f64) {
         let x2 = x * x;
-        for (sum, term) in s.iter_mut().zip([1.0, x, x2, x2 * x, x2 * x2]) {
+        for (sum, term) in self.s.iter_mut().zip([1.0, x, x2, x2 * x, x2 * x2]) {
             *sum += term;
         }
-        for (sum, term) in r.iter_mut().zip([y, x * y, x2 * y]) {
+        for (sum, term) in self.r.iter_mut().zip([y, x * y, x2 * y]) {
             *sum += term;
         }
     }
-    let [s0, s1, s2, s3, s4] = s;
-    let [r0, r1, r2] = r;
-    let (m00, m01, m02) = (s2 * s4 - s3 * s3, s2 * s3 - s1 * s4, s1 * s3 - s2 * s2);
-    let (m11, m12) = (s0 * s4 - s2 * s2, s1 * s2 - s0 * s3);
-    let determinant = s0 * m00 + s1 * m01 + s2 * m02;
-    ((m00 * r0 + m01 * r1 + m02 * r2) / determinant, (m01 * r0 + m11 * r1 + m12 * r2) / determinant)
+
+    /// Takes samples whose sums are known about a place d from here: x = d + x', so that Σ xᵏ follows from the sums of the
+    /// powers up to k by the binomial law. Within a window |d| ≤ 1, and nothing cancels that would not in the sums themselves.
+    fn take_group(&mut self, group: &Self, d: f64) {
+        let ([s0, s1, s2, s3, s4], [r0, r1, r2]) = (group.s, group.r);
+        let d2 = d * d;
+        let moved = [
+            s0,
+            s1 + d * s0,
+            s2 + 2.0 * d * s1 + d2 * s0,
+            s3 + 3.0 * d * s2 + 3.0 * d2 * s1 + d2 * d * s0,
+            s4 + 4.0 * d * s3 + 6.0 * d2 * s2 + 4.0 * d2 * d * s1 + d2 * d2 * s0,
+        ];
+        self.s.iter_mut().zip(moved).for_each(|(sum, term)| *sum += term);
+        let moved = [r0, r1 + d * r0, r2 + 2.0 * d * r1 + d2 * r0];
+        self.r.iter_mut().zip(moved).for_each(|(sum, term)| *sum += term);
+    }
+
+    /// Those of every [`GROUP`] samples about an instant amid them, with that instant.
+    fn of_groups(time: &[f64], values: &[f64], half: f64) -> Vec<(f64, Self)> {
+        let groups = time.chunks(GROUP).zip(values.chunks(GROUP));
+        groups
+            .map(|(time, values)| {
+                let middle = time.get(time.len() / 2).copied().unwrap_or(0.0);
+                let mut sums = Self::default();
+                time.iter().zip(values).for_each(|(t, y)| sums.take((t - middle) / half, *y));
+                (middle, sums)
+            })
+            .collect()
+    }
+
+    /// Value and slope at zero of the parabola of least squares.
+    fn parabola(&self) -> (f64, f64) {
+        let ([s0, s1, s2, s3, s4], [r0, r1, r2]) = (self.s, self.r);
+        let (m00, m01, m02) = (s2 * s4 - s3 * s3, s2 * s3 - s1 * s4, s1 * s3 - s2 * s2);
+        let (m11, m12) = (s0 * s4 - s2 * s2, s1 * s2 - s0 * s3);
+        let determinant = s0 * m00 + s1 * m01 + s2 * m02;
+        ((m00 * r0 + m01 * r1 + m02 * r2) / determinant, (m01 * r0 + m11 * r1 + m12 * r2) / determinant)
+    }
 }
 
 /// Position and speed, both recorded, must tell of the same motion.
