@@ -268,19 +268,23 @@ fn reserves_of_a_long_recording_under_losses_are_not_sought_unasked() {
     assert!(reserve["cycle_time"].is_null() && reserve["ambient"].is_number(), "{reserve}");
 }
 
+/// A recording `swing.csv` of so many intervals: twenty times up and down by 0.4 rad within a time \[s\].
+fn swing(folder: &Path, count: u32, seconds: f64) {
+    let row = |k: u32| {
+        let share = f64::from(k) / f64::from(count);
+        format!("{:.6},{:.9}\n", share * seconds, (1.0 - (share * 20.0 * std::f64::consts::TAU).cos()) * 0.2)
+    };
+    let rows: String = (0..=count).map(row).collect();
+    fs::write(folder.join("swing.csv"), format!("time [s],position [rad]\n{rows}")).unwrap();
+}
+
 /// Beyond what is answered within five seconds a time has to be named; within it the answer is given.
 #[test]
 fn longer_recordings_than_are_judged_unasked_are_refused_by_their_number() {
     // Up and down by 0.4 rad, once a second: every segment begins where the one before it ended.
     let count = 52_429_u32;
-    let rows: String = (0..=count)
-        .map(|k| {
-            let share = f64::from(k) / f64::from(count);
-            format!("{:.6},{:.9}\n", share * 20.0, (1.0 - (share * 20.0 * std::f64::consts::TAU).cos()) * 0.2)
-        })
-        .collect();
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("swing.csv"), format!("time [s],position [rad]\n{rows}")).unwrap();
+    swing(folder.path(), count, 20.0);
     let segment = "[[motion]]\nlaw = \"recorded\"\nfile = \"swing.csv\"\n";
     let axis = |segments: usize| {
         let head = "format = 1\n[axis]\nsingle_move = true\n[mechanism.arm]\ninertia = \"0.5 kg m^2\"\nmass = \"2 kg\"\n\
@@ -324,14 +328,8 @@ fn longer_recordings_than_are_judged_unasked_are_refused_by_their_number() {
 #[test]
 fn what_makes_a_long_recording_anew_is_counted_before() {
     let count = 100_000_u32;
-    let rows: String = (0..=count)
-        .map(|k| {
-            let share = f64::from(k) / f64::from(count);
-            format!("{:.6},{:.9}\n", share * 100.0, (1.0 - (share * 20.0 * std::f64::consts::TAU).cos()) * 0.2)
-        })
-        .collect();
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("swing.csv"), format!("time [s],position [rad]\n{rows}")).unwrap();
+    swing(folder.path(), count, 100.0);
     let write = |name: &str, inertia: &str, tables: &str, segments: usize| {
         let segment = "[[motion]]\nlaw = \"recorded\"\nfile = \"swing.csv\"\n".repeat(segments);
         let head = format!("format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"{inertia}\"\n{tables}");
@@ -401,14 +399,8 @@ fn more_axes_than_are_answered_in_time_are_refused_by_their_number() {
 #[test]
 fn a_table_of_a_long_course_is_held_to_the_memory() {
     let count = 200_010_u32;
-    let rows: String = (0..=count)
-        .map(|k| {
-            let share = f64::from(k) / f64::from(count);
-            format!("{:.6},{:.9}\n", share * 200.0, (1.0 - (share * 20.0 * std::f64::consts::TAU).cos()) * 0.2)
-        })
-        .collect();
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("swing.csv"), format!("time [s],position [rad]\n{rows}")).unwrap();
+    swing(folder.path(), count, 200.0);
     let text = "format = 1\n[axis]\nsingle_move = true\n[load]\ninertia = \"0.5 kg m^2\"\n\
                 [[motion]]\nlaw = \"recorded\"\nfile = \"swing.csv\"\n";
     fs::write(folder.path().join("axis.toml"), text).unwrap();
