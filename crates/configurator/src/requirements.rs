@@ -67,33 +67,27 @@ pub enum Unmet {
 
 impl Requirements {
     /// Every requirement that an actuator does not meet; a datum that is not known meets nothing.
-    #[must_use]
-    pub fn unmet(&self, code: &OrderCode, actuator: &Parameters) -> Vec<Unmet> {
-        let mut unmet = Vec::new();
-        if !self.feedback.is_empty() && !self.feedback.contains(&code.feedback) {
-            unmet.push(Unmet::Feedback(code.feedback));
-        }
-        if self.brake.is_some_and(|brake| brake != (code.brake == Brake::With)) {
-            unmet.push(Unmet::Brake(code.brake));
-        }
+    pub fn unmet(&self, code: &OrderCode, actuator: &Parameters) -> impl Iterator<Item = Unmet> {
+        let is_other_feedback = !self.feedback.is_empty() && !self.feedback.contains(&code.feedback);
+        let is_other_brake = self.brake.is_some_and(|brake| brake != (code.brake == Brake::With));
         // What the print has for the standard only is not known of this code.
         let unknown = |symbol| uncovered(code).iter().any(|each| each.not_printed().contains(&symbol));
         let length_unknown = self.length_max.is_some() && unknown("L");
         let mass_unknown = self.mass_max.is_some() && unknown("m");
-        unmet.extend(length_unknown.then_some(Unmet::NotKnown { symbol: "L" }));
-        unmet.extend(mass_unknown.then_some(Unmet::NotKnown { symbol: "m" }));
+        let of_the_code = [
+            is_other_feedback.then_some(Unmet::Feedback(code.feedback)),
+            is_other_brake.then_some(Unmet::Brake(code.brake)),
+            length_unknown.then_some(Unmet::NotKnown { symbol: "L" }),
+            mass_unknown.then_some(Unmet::NotKnown { symbol: "m" }),
+        ];
         let length_max = self.length_max.filter(|_| !length_unknown);
         let mass_max = self.mass_max.filter(|_| !mass_unknown);
-        self.unmet_of((length_max, mass_max), actuator, &mut unmet);
-        unmet
+        of_the_code.into_iter().flatten().chain(self.unmet_of((length_max, mass_max), actuator))
     }
 
     /// The requirements that look at data only, and so also hold for a user's own actuator.
-    #[must_use]
-    pub fn unmet_by_data(&self, actuator: &Parameters) -> Vec<Unmet> {
-        let mut unmet = Vec::new();
-        self.unmet_of((self.length_max, self.mass_max), actuator, &mut unmet);
-        unmet
+    pub fn unmet_by_data(&self, actuator: &Parameters) -> impl Iterator<Item = Unmet> {
+        self.unmet_of((self.length_max, self.mass_max), actuator)
     }
 
     /// The same with what is asked of length and mass handed in.
@@ -101,36 +95,37 @@ impl Requirements {
         &self,
         (length_max, mass_max): (Option<Length>, Option<Mass>),
         actuator: &Parameters,
-        unmet: &mut Vec<Unmet>,
-    ) {
-        compare(unmet, self.hollow_shaft_min, &actuator.hollow_shaft, "d_H", |needs, has| {
-            (has.si() < needs.si()).then_some(Unmet::HollowShaft { has, needs })
-        });
-        compare(unmet, length_max, &actuator.length, "L", |permits, has| {
-            (has.si() > permits.si()).then_some(Unmet::Length { has, permits })
-        });
-        compare(unmet, mass_max, &actuator.mass, "m", |permits, has| {
-            (has.si() > permits.si()).then_some(Unmet::Mass { has, permits })
-        });
-        compare(unmet, self.supply, &actuator.terminal_voltage_min, "U_M", |supply, needs| {
-            let gives = ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2);
-            (gives.si() < needs.si()).then_some(Unmet::SupplyTooLow { needs, gives })
-        });
+    ) -> impl Iterator<Item = Unmet> + use<> {
+        let found = [
+            compare(self.hollow_shaft_min, &actuator.hollow_shaft, "d_H", |needs, has| {
+                (has.si() < needs.si()).then_some(Unmet::HollowShaft { has, needs })
+            }),
+            compare(length_max, &actuator.length, "L", |permits, has| {
+                (has.si() > permits.si()).then_some(Unmet::Length { has, permits })
+            }),
+            compare(mass_max, &actuator.mass, "m", |permits, has| {
+                (has.si() > permits.si()).then_some(Unmet::Mass { has, permits })
+            }),
+            compare(self.supply, &actuator.terminal_voltage_min, "U_M", |supply, needs| {
+                let gives = ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2);
+                (gives.si() < needs.si()).then_some(Unmet::SupplyTooLow { needs, gives })
+            }),
+        ];
+        found.into_iter().flatten()
     }
 }
 
 /// Compares a requirement with a datum, if there is a requirement.
 fn compare<Q: Copy>(
-    unmet: &mut Vec<Unmet>,
     required: Option<Q>,
     datum: &Datum<Q>,
     symbol: &'static str,
     breaks: impl FnOnce(Q, Q) -> Option<Unmet>,
-) {
-    let Some(required) = required else { return };
+) -> Option<Unmet> {
+    let required = required?;
     match datum.known() {
-        Some(known) => unmet.extend(breaks(required, known.value)),
-        None => unmet.push(Unmet::NotKnown { symbol }),
+        Some(known) => breaks(required, known.value),
+        None => Some(Unmet::NotKnown { symbol }),
     }
 }
 
@@ -141,7 +136,7 @@ mod tests {
 
     fn unmet(requirements: &Requirements, text: &str) -> Vec<Unmet> {
         let code = order_code::parse(text).unwrap().code;
-        requirements.unmet(&code, &crate::parameters(&code).unwrap())
+        requirements.unmet(&code, &crate::parameters(&code).unwrap()).collect()
     }
 
     #[test]

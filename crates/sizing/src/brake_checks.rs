@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::brake_times::brakings;
 use crate::check::{Check, CheckId, Figure, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, explained, not_checked};
-use crate::notes::{Note, Notes};
+use crate::notes::{BrakeStop, Note, Notes};
 use crate::workings;
 use actuator::{Brake, Parameters, StopOutcome};
 use derivation::Workings;
@@ -284,12 +284,9 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Worki
         stop_angle(axis, actuator, brake, stop.angle.si(), work);
         work.asked("phi_perm", &DEGREE, angle, "requirements.stop_angle_max");
     }
-    check.notes.push(Note::BrakeStop {
-        angle: stop.angle,
-        time: stop.time,
-        energy: stop.energy,
-        permitted: permitted.map(|permitted| permitted.value),
-    });
+    let permitted = permitted.map(|permitted| permitted.value);
+    let stop = BrakeStop { angle: stop.angle, time: stop.time, energy: stop.energy, permitted };
+    check.notes.push(Note::BrakeStop(Box::new(stop)));
     check
 }
 

@@ -236,7 +236,7 @@ fn an_endless_axis_names_the_turns_of_its_encoder() {
     let of = |turns: Datum<f64>| {
         let feedback = Feedback { single_turn_absolute: true, turns_absolute: turns, ..Feedback::unknown() };
         let actuator = Parameters { feedback, feedback_out: Feedback::absent(FeedbackSide::Output), ..unbraked() };
-        check(&axis, &actuator, CheckId::FeedbackRange).notes[0]
+        check(&axis, &actuator, CheckId::FeedbackRange).notes[0].clone()
     };
     assert_eq!(of(Datum::NotApplicable), Note::ReferenceLost { turns: 1.0 });
     assert_eq!(of(known(4096.0)), Note::ReferenceLost { turns: 4096.0 });

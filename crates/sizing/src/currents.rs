@@ -57,7 +57,7 @@ impl<'e> Currents<'e> {
             Note::FrictionTemperatures { cold: law.cold.temperature, settled: settled.map(|settled| settled.housing) };
         let mut notes = match law.cold_band {
             Some((low, high)) => Notes::from([told, Note::FrictionExtrapolated { low, high }]),
-            None => Notes::from([told]),
+            None => told.into(),
         };
         cite(&mut notes, inertia.errata);
         cite(&mut notes, law.errata);

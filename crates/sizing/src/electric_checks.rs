@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Comparison, Edges, not_checked};
 use crate::currents::Currents;
-use crate::notes::{Note, Notes};
+use crate::notes::Note;
 use crate::workings;
 use actuator::{Drivetrain, Parameters};
 use derivation::Workings;
@@ -39,7 +39,7 @@ pub(crate) fn dc_link(
             work.formula("U_top", &VOLT, top.si(), "U_DC + dU", &asked);
             work.value("U_top");
             let free = limit.value - supply;
-            let notes = Notes::from([Note::DcLinkRises { to: top, free }]);
+            let notes = Note::DcLinkRises { to: top, free }.into();
             Comparison { notes, ..Comparison::with(id, &VOLT, top.si(), asked, limit) }.answer(Verdict::Advice)
         }
         _ => {

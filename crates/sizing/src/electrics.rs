@@ -55,7 +55,7 @@ impl Electrics {
         Self {
             current: CurrentLaw::of(axis, drivetrain),
             voltage: MotorVoltage::of(drivetrain),
-            estimated: remark.map_or(Notes::NONE, |remark| Notes::from([remark])),
+            estimated: remark.map_or(Notes::NONE, |remark| remark.into()),
             continuous,
             heat,
         }

@@ -4,7 +4,7 @@ use crate::axis::Axis;
 use crate::bearing_checks::{self, Borne};
 use crate::check::{Check, CheckId, Verdict};
 use crate::comparison::{Asking, Comparison, against_asked, equation, explained, not_checked};
-use crate::notes::{Note, Notes};
+use crate::notes::{Budget, Note, Notes};
 use crate::resonance;
 use crate::stage;
 use crate::workings;
@@ -216,11 +216,8 @@ fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Chec
         }
     };
     check.grade = Some(budget.grade());
-    check.notes.push(Note::Budget {
-        root_sum_square: budget.root_sum_square(),
-        deviation,
-        missing: budget.missing.len(),
-    });
+    let (root_sum_square, missing) = (budget.root_sum_square(), budget.missing.len());
+    check.notes.push(Note::Budget(Box::new(Budget { root_sum_square, deviation, missing })));
     check
 }
 

@@ -17,12 +17,14 @@ use crate::heat_checks;
 use crate::joint_checks;
 use crate::watch::Watch;
 use actuator::{Drivetrain, Parameters};
-use std::ops::Range;
 use std::sync::Arc;
 
 /// Room for the checks of one actuator that is rejected, without those of its drivetrain, and for all of one that is not,
 /// so that judging many does not grow one vector after the other.
 const ROOM: [usize; 2] = [8, 24];
+
+/// Room for the checks that actuators of one drivetrain, or with one output bearing, share.
+const ROOM_SHARED: usize = 8;
 
 /// Everything there is to say about one actuator for one axis.
 #[derive(Clone, Debug)]
@@ -53,8 +55,7 @@ impl Judgement {
     /// is exceeded.
     #[must_use]
     pub fn utilisation(&self) -> f64 {
-        let shared = self.checks.shared.as_ref().map_or(0.0, |shared| shared.utilisation);
-        utilisation(&self.checks.own).max(shared)
+        self.checks.shared().map(|shared| shared.utilisation).fold(utilisation(&self.checks.own), f64::max)
     }
 
     /// Adds the energy that comes back to a judgement that left it out, at its place; see [`energies`].
@@ -108,35 +109,45 @@ fn utilisation(checks: &[Check]) -> f64 {
 }
 
 /// The checks of an actuator in a fixed order. What hangs on the axis and on the drivetrain alone is shared by the
-/// judgements of all actuators with that drivetrain.
+/// judgements of all actuators with that drivetrain, what hangs on the output bearing by all with that bearing.
 #[derive(Clone, Debug, Default)]
 pub struct Checks {
     own: Vec<Check>,
+    shared: [Part; 2],
+}
+
+/// Checks that several actuators share, with their places among those of one.
+#[derive(Clone, Debug, Default)]
+struct Part {
     shared: Option<Arc<Shared>>,
-    /// Bit k: whether the check at that place is the next one of those that are shared.
+    /// Bit k: whether the check at that place is the next one of these.
     places: u64,
 }
 
-/// The checks of a drivetrain for one axis.
+impl Part {
+    fn checks(&self) -> &[Check] {
+        self.shared.as_ref().map_or(&[], |shared| &shared.checks)
+    }
+}
+
+/// The checks of a drivetrain or of an output bearing for one axis.
 #[derive(Debug)]
 struct Shared {
     checks: Vec<Check>,
-    /// Those of the output bearing, one after the other.
-    bearing: Range<usize>,
     /// Whether one of them fails.
     fail: bool,
     utilisation: f64,
 }
 
 impl Checks {
-    fn shared(&self) -> &[Check] {
-        self.shared.as_ref().map_or(&[], |shared| &shared.checks)
+    fn shared(&self) -> impl Iterator<Item = &Shared> {
+        self.shared.iter().filter_map(|part| part.shared.as_deref())
     }
 
     /// How many they are.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.own.len() + self.shared().len()
+        self.own.len() + self.shared().map(|shared| shared.checks.len()).sum::<usize>()
     }
 
     /// Whether there is none.
@@ -148,13 +159,12 @@ impl Checks {
     /// Each in its order.
     #[must_use]
     pub fn iter(&self) -> InOrder<'_> {
-        InOrder { own: self.own.iter(), shared: self.shared().iter(), places: self.places }
+        InOrder { own: self.own.iter(), shared: self.shared.each_ref().map(|part| (part.checks().iter(), part.places)) }
     }
 
     /// Whether one of them fails.
     fn any_fails(&self) -> bool {
-        self.shared.as_ref().is_some_and(|shared| shared.fail)
-            || self.own.iter().any(|check| check.verdict == Verdict::Fail)
+        self.shared().any(|shared| shared.fail) || self.own.iter().any(|check| check.verdict == Verdict::Fail)
     }
 }
 
@@ -162,8 +172,7 @@ impl Checks {
 #[derive(Clone, Debug)]
 pub struct InOrder<'c> {
     own: std::slice::Iter<'c, Check>,
-    shared: std::slice::Iter<'c, Check>,
-    places: u64,
+    shared: [(std::slice::Iter<'c, Check>, u64); 2],
 }
 
 impl<'c> Iterator for InOrder<'c> {
@@ -171,13 +180,18 @@ impl<'c> Iterator for InOrder<'c> {
 
     #[inline]
     fn next(&mut self) -> Option<&'c Check> {
-        let is_shared = self.places & 1 == 1;
-        self.places >>= 1;
-        if is_shared { self.shared.next() } else { self.own.next() }
+        let mut from = &mut self.own;
+        for (checks, places) in &mut self.shared {
+            if *places & 1 == 1 {
+                from = checks;
+            }
+            *places >>= 1;
+        }
+        from.next()
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        let left = self.own.len() + self.shared.len();
+        let left = self.own.len() + self.shared.iter().map(|(checks, _)| checks.len()).sum::<usize>();
         (left, Some(left))
     }
 }
@@ -214,50 +228,70 @@ pub struct Judge<'a> {
 struct Known {
     drivetrain: Arc<Drivetrain>,
     electrics: Electrics,
-    /// Its checks, named for a governing move.
-    checks: Option<(usize, Arc<Shared>)>,
+    checks: Option<Named>,
+    of_bearing: Option<Named>,
 }
+
+/// Checks named for a governing move.
+type Named = (usize, Arc<Shared>);
 
 /// The checks of one actuator on their way.
 struct Gathered {
-    all: Checks,
+    own: Vec<Check>,
     count: u32,
-    /// Those of the drivetrain, where they are not known yet.
-    new: Vec<Check>,
-    /// Which of them are those of the output bearing.
-    bearing: Range<usize>,
-    /// Another drivetrain with the same output bearing, whose checks of it serve.
-    same_bearing: Option<Arc<Shared>>,
+    drivetrain: Gathering,
+    bearing: Gathering,
 }
 
-impl Gathered {
-    fn own(&mut self, check: Check) {
-        self.all.own.push(check);
-        self.count += 1;
+/// Checks that several actuators share, on their way.
+struct Gathering {
+    known: Option<Arc<Shared>>,
+    /// Where they are not known yet.
+    new: Vec<Check>,
+    places: u64,
+}
+
+impl Gathering {
+    fn of(named: Option<&Named>, governing: usize) -> Self {
+        let known = named.filter(|(named, _)| *named == governing).map(|(_, shared)| Arc::clone(shared));
+        let new = Vec::with_capacity(if known.is_none() { ROOM_SHARED } else { 0 });
+        Self { known, new, places: 0 }
     }
 
-    fn of_drivetrain(&mut self, check: impl FnOnce() -> Check) {
-        self.all.places |= 1 << self.count;
-        self.count += 1;
-        if self.all.shared.is_none() {
+    fn take(&mut self, place: u32, check: impl FnOnce() -> Check) {
+        self.places |= 1 << place;
+        if self.known.is_none() {
             self.new.push(check());
         }
     }
 
+    /// All of them; what is new is named and kept for the next.
+    fn all(mut self, governing: usize, naming: Naming<'_>, kept: &mut Option<Named>) -> Part {
+        let shared = self.known.unwrap_or_else(|| {
+            self.new.iter_mut().for_each(|check| naming(check, governing));
+            let fail = self.new.iter().any(|check| check.verdict == Verdict::Fail);
+            let found = Arc::new(Shared { fail, utilisation: utilisation(&self.new), checks: self.new });
+            *kept = Some((governing, Arc::clone(&found)));
+            found
+        });
+        Part { shared: Some(shared), places: self.places }
+    }
+}
+
+impl Gathered {
+    fn own(&mut self, check: Check) {
+        self.own.push(check);
+        self.count += 1;
+    }
+
+    fn of_drivetrain(&mut self, check: impl FnOnce() -> Check) {
+        self.drivetrain.take(self.count, check);
+        self.count += 1;
+    }
+
     fn of_bearing(&mut self, check: impl FnOnce() -> Check) {
-        if self.all.shared.is_some() {
-            self.of_drivetrain(check);
-            return;
-        }
-        let place = self.new.len();
-        if self.bearing.is_empty() {
-            self.bearing.start = place;
-        }
-        let number = place - self.bearing.start;
-        let of_bearing = |same: &Arc<Shared>| same.checks.get(same.bearing.clone())?.get(number).cloned();
-        let known = self.same_bearing.as_ref().and_then(of_bearing);
-        self.of_drivetrain(|| known.unwrap_or_else(check));
-        self.bearing.end = self.new.len();
+        self.bearing.take(self.count, check);
+        self.count += 1;
     }
 }
 
@@ -278,52 +312,47 @@ impl<'a> Judge<'a> {
     pub fn next(&mut self, actuator: &Parameters, naming: Naming<'_>) -> Judgement {
         let (axis, depth, explain) = (self.axis, self.depth, self.explain);
         let before = self.known.take();
-        let is_same = before.as_ref().is_some_and(|known| Arc::ptr_eq(&known.drivetrain, &actuator.drivetrain));
-        let (known, other) = if is_same { (before, None) } else { (None, before) };
-        let known = self.known.insert(known.unwrap_or_else(|| Known {
-            drivetrain: Arc::clone(&actuator.drivetrain),
-            electrics: Electrics::of(axis, actuator),
-            checks: None,
-        }));
-        let other = other.filter(|other| other.drivetrain.output_bearing == actuator.output_bearing);
+        let is_same = |known: &Known| Arc::ptr_eq(&known.drivetrain, &actuator.drivetrain);
+        let known = self.known.insert(match before {
+            Some(known) if is_same(&known) => known,
+            other => Known {
+                drivetrain: Arc::clone(&actuator.drivetrain),
+                electrics: Electrics::of(axis, actuator),
+                checks: None,
+                of_bearing: other
+                    .filter(|other| other.drivetrain.output_bearing == actuator.output_bearing)
+                    .and_then(|other| other.of_bearing),
+            },
+        });
         let inertia = actuator.inertia_out.known().map(|known| known.value);
         let demand = inertia.map(|inertia| axis.demand(inertia));
         let bare = depth == Depth::Margins;
         let manual = inertia.filter(|_| !bare).and_then(|inertia| axis.manual_demand(inertia));
         let governing = manual.as_ref().map_or(0, |manual| manual.governing);
-        let shared = known.checks.as_ref().filter(|(named, _)| *named == governing);
         let [rejected, all] = ROOM;
         let only_survivors = matches!(depth, Depth::Survivors | Depth::Ranking);
-        let room = if only_survivors { rejected } else { all };
-        let shared = shared.map(|(_, shared)| Arc::clone(shared));
         let mut checks = Gathered {
-            all: Checks { own: Vec::with_capacity(room), shared, places: 0 },
+            own: Vec::with_capacity(if only_survivors { rejected } else { all }),
             count: 0,
-            new: Vec::new(),
-            bearing: 0..0,
-            same_bearing: other.and_then(|other| other.checks).filter(|(named, _)| *named == governing).map(|(_, s)| s),
+            drivetrain: Gathering::of(known.checks.as_ref(), governing),
+            bearing: Gathering::of(known.of_bearing.as_ref(), governing),
         };
         let demands = (demand.as_ref(), manual.as_ref());
         let electrics = &known.electrics;
         let currents = Currents::of(axis, actuator, electrics);
         let currents = currents.as_ref();
         first_checks(axis, actuator, (demands, electrics, currents), (bare, explain), &mut checks);
-        if checks.all.shared.is_none() {
-            let (mut found, bearing) = (std::mem::take(&mut checks.new), checks.bearing.clone());
-            let is_named = |place: usize| checks.same_bearing.is_some() && bearing.contains(&place);
-            let new = found.iter_mut().enumerate().filter(|(place, _)| !is_named(*place));
-            new.for_each(|(_, check)| naming(check, governing));
-            let fail = found.iter().any(|check| check.verdict == Verdict::Fail);
-            let found = Arc::new(Shared { bearing, fail, utilisation: utilisation(&found), checks: found });
-            known.checks = Some((governing, Arc::clone(&found)));
-            checks.all.shared = Some(found);
-        }
-        if !only_survivors || !checks.all.any_fails() {
-            let own = &mut checks.all.own;
+        let Gathered { own, drivetrain, bearing, .. } = checks;
+        let shared = [
+            drivetrain.all(governing, naming, &mut known.checks),
+            bearing.all(governing, naming, &mut known.of_bearing),
+        ];
+        let mut checks = Checks { own, shared };
+        if !only_survivors || !checks.any_fails() {
+            let own = &mut checks.own;
             own.reserve_exact(all - own.len().min(all));
             further_checks(axis, actuator, (electrics, currents), (depth, explain), own);
         }
-        let mut checks = checks.all;
         checks.own.iter_mut().for_each(|check| naming(check, governing));
         Judgement { demand, manual, checks }
     }

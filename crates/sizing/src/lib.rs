@@ -42,7 +42,7 @@ pub use demand::{Demand, ManualDemand, MoveTorques, Moves};
 pub use derivation;
 pub use flange::{DerivedLoads, FlangeSample};
 pub use judge::{Checks, Depth, InOrder, Judge, Judgement, Naming, energies, judge};
-pub use notes::{Note, Notes};
+pub use notes::{BrakeStop, Budget, Note, Notes, ResonanceSpeeds};
 pub use rank::{Standing, rank};
 pub use reserve::{Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watched};
 pub use trace::INSTANTS_MOST;

@@ -9,7 +9,9 @@ use std::ops::Deref;
 use std::sync::Arc;
 
 /// What a reader must know about a check beyond its numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// Of every candidate some are kept: what is longer than three numbers stands in a box.
+#[derive(Clone, Debug, PartialEq)]
 pub enum Note {
     /// Friction counts with the gear as cold as the air and with the gear as warm as the cycle makes it, if that is known;
     /// the larger current decides.
@@ -70,16 +72,7 @@ pub enum Note {
     /// While the brake closes the load sags by this angle.
     Sag(Angle),
     /// A stop by the brake alone from the peak speed.
-    BrakeStop {
-        /// Angle until rest.
-        angle: Angle,
-        /// Time until rest.
-        time: Time,
-        /// Heat in the brake.
-        energy: Energy,
-        /// How many such stops are permitted, if printed.
-        permitted: Option<f64>,
-    },
+    BrakeStop(Box<BrakeStop>),
     /// The load drives harder than the brake holds.
     BrakeDoesNotStop,
     /// In a dwell nothing holds the load but its friction.
@@ -152,27 +145,48 @@ pub enum Note {
     },
     /// The field of application needs a risk assessment and the maker's approval (section 2.4).
     ApprovalNeeded,
-    /// Output speeds at which the wave generator excites the load in the three regions of stiffness: each from that of
-    /// the largest to that of the least inertia of the cycle.
-    ResonanceSpeeds {
-        /// The load swings alone.
-        blocked: [(AngularVelocity, AngularVelocity); 3],
-        /// The rotor swings against it, if its inertia is known.
-        free: Option<[(AngularVelocity, AngularVelocity); 3]>,
-    },
+    /// Output speeds at which the wave generator excites the load.
+    ResonanceSpeeds(Box<ResonanceSpeeds>),
     /// First natural frequency of load and free rotor against each other.
     FreeRotor(Frequency),
     /// The budget by root of squares, and at the lever arm if there is one.
-    Budget {
-        /// Root of the sum of squares.
-        root_sum_square: Angle,
-        /// Worst case at the lever arm.
-        deviation: Option<Length>,
-        /// How many contributions are not known.
-        missing: usize,
-    },
+    Budget(Box<Budget>),
     /// The limit is the safe side of an open contradiction in the print: the erratum.
     Erratum(&'static str),
+}
+
+/// A stop by the brake alone from the peak speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BrakeStop {
+    /// Angle until rest.
+    pub angle: Angle,
+    /// Time until rest.
+    pub time: Time,
+    /// Heat in the brake.
+    pub energy: Energy,
+    /// How many such stops are permitted, if printed.
+    pub permitted: Option<f64>,
+}
+
+/// Output speeds at which the wave generator excites the load in the three regions of stiffness: each from that of the
+/// largest to that of the least inertia of the cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResonanceSpeeds {
+    /// The load swings alone.
+    pub blocked: [(AngularVelocity, AngularVelocity); 3],
+    /// The rotor swings against it, if its inertia is known.
+    pub free: Option<[(AngularVelocity, AngularVelocity); 3]>,
+}
+
+/// The sum of the angular errors, told in other ways than its check does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Budget {
+    /// Root of the sum of squares.
+    pub root_sum_square: Angle,
+    /// Worst case at the lever arm.
+    pub deviation: Option<Length>,
+    /// How many contributions are not known.
+    pub missing: usize,
 }
 
 impl Note {
@@ -191,7 +205,9 @@ pub struct Notes(Told);
 enum Told {
     /// The same for every candidate.
     Fixed(&'static [Note]),
-    /// With figures of a candidate.
+    /// One with figures of a candidate, as most have.
+    One(Note),
+    /// Several with such figures.
     Found(Arc<[Note]>),
 }
 
@@ -206,10 +222,11 @@ impl Notes {
 
     /// Adds one.
     pub(crate) fn push(&mut self, note: Note) {
-        self.0 = Told::Found(match &self[..] {
-            [] => Arc::new([note]),
-            told => told.iter().copied().chain(std::iter::once(note)).collect(),
-        });
+        self.0 = match &self[..] {
+            [] => Told::One(note),
+            [one] => Told::Found(Arc::new([one.clone(), note])),
+            told => Told::Found(told.iter().cloned().chain(std::iter::once(note)).collect()),
+        };
     }
 
     /// Adds some.
@@ -224,8 +241,15 @@ impl Deref for Notes {
     fn deref(&self) -> &[Note] {
         match &self.0 {
             Told::Fixed(notes) => notes,
+            Told::One(note) => std::slice::from_ref(note),
             Told::Found(notes) => notes,
         }
+    }
+}
+
+impl From<Note> for Notes {
+    fn from(note: Note) -> Self {
+        Self(Told::One(note))
     }
 }
 

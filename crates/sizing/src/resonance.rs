@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Figure, Verdict};
 use crate::comparison::{Asking, against_asked, not_checked};
-use crate::notes::{Note, Notes};
+use crate::notes::{Note, ResonanceSpeeds};
 use crate::stage;
 use crate::workings;
 use actuator::Parameters;
@@ -218,7 +218,7 @@ pub(crate) fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings)
         value_source: Some(MODEL),
         limit_source: Some(MODEL),
         missing: open.then_some("recorded_speed"),
-        notes: Notes::from([speeds_note(axis, &stiffness, ratio.value, own)]),
+        notes: speeds_note(axis, &stiffness, ratio.value, own).into(),
         workings: Box::default(),
     }
 }
@@ -233,7 +233,8 @@ fn speeds_note(axis: &Axis, stiffness: &[&Sourced<TorsionalStiffness>; 3], ratio
         lines(stiffness, ratio, rotor, (least, largest))
             .map(|line| (AngularVelocity::from_si(line.speeds.0), AngularVelocity::from_si(line.speeds.1)))
     };
-    Note::ResonanceSpeeds { blocked: speeds(Rotor::Blocked), free: own.map(|own| speeds(Rotor::Free(own))) }
+    let free = own.map(|own| speeds(Rotor::Free(own)));
+    Note::ResonanceSpeeds(Box::new(ResonanceSpeeds { blocked: speeds(Rotor::Blocked), free }))
 }
 
 /// The workings of the distance `d` from the resonance of a region that is nearest to what is held.

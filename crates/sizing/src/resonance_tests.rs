@@ -102,8 +102,9 @@ fn a_changing_inertia_resonates_over_a_range() {
     }
     assert!((d(0.9 * low) - 0.1).abs() < 1e-4, "{}", d(0.9 * low));
     let again = judge(&axis(0.9 * low), &actuator(), Depth::Full);
-    let note = again.checks.iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap().notes[0];
-    let Note::ResonanceSpeeds { blocked, free: Some(free) } = note else { panic!("{note:?}") };
+    let note = again.checks.iter().find(|check| check.id == CheckId::ResonanceSpeed).unwrap().notes[0].clone();
+    let Note::ResonanceSpeeds(speeds) = note else { panic!("{note:?}") };
+    let ResonanceSpeeds { blocked, free: Some(free) } = *speeds else { panic!("{speeds:?}") };
     assert!((blocked[0].0.in_unit(&RPM) / low - 1.0).abs() < 1e-4 && blocked[0].1.in_unit(&RPM) > 1.1 * low);
     assert!(free.iter().zip(blocked).all(|(free, blocked)| free.0.si() > blocked.0.si()));
 }

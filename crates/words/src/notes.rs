@@ -7,7 +7,7 @@ use quantities::unit::{
     SECOND, VOLT, WATT, YEAR,
 };
 use quantities::{AngularVelocity, Language, Measure, Torque, format_number, format_significant};
-use sizing::Note;
+use sizing::{BrakeStop, Budget, Note, ResonanceSpeeds};
 
 /// Heat and energy.
 pub(super) fn heat(note: &Note, language: Language) -> String {
@@ -170,7 +170,8 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
                 format!("während die Bremse schließt und nichts sonst hält, sackt die Last bis zu {angle} ab"),
             )
         }
-        Note::BrakeStop { angle, time, energy, permitted } => {
+        Note::BrakeStop(stop) => {
+            let BrakeStop { angle, time, energy, permitted } = &**stop;
             let (angle, time) =
                 (with_unit(angle.si(), &DEGREE, 3, language), with_unit(time.si(), &SECOND, 2, language));
             let energy = with_unit(energy.si(), &JOULE, 3, language);
@@ -319,7 +320,8 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
                 format!("bei Spitzendrehzahl sind {count} Kollisionen dieser Dauer zulässig"),
             )
         }
-        Note::ResonanceSpeeds { blocked, free } => {
+        Note::ResonanceSpeeds(speeds) => {
+            let ResonanceSpeeds { blocked, free } = &**speeds;
             let shown = |speeds: &[(AngularVelocity, AngularVelocity); 3]| {
                 let number =
                     |speed: AngularVelocity| format_significant(REVOLUTION_PER_MINUTE.from_si(speed.si()), 3, language);
@@ -378,7 +380,8 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
                 ),
             )
         }
-        Note::Budget { root_sum_square, deviation, missing } => {
+        Note::Budget(budget) => {
+            let Budget { root_sum_square, deviation, missing } = &**budget;
             let root = with_unit(root_sum_square.si(), &ARCMINUTE, 3, language);
             let at_lever = deviation.map_or_else(String::new, |deviation| {
                 let deviation = with_unit(deviation.si(), &MILLIMETRE, 3, language);

@@ -287,7 +287,7 @@ pub fn note_text(note: &Note, language: Language) -> String {
         | Note::RiseAbove(_)) => super::notes::estimate(note, language),
         note @ (Note::HangingLoad
         | Note::Sag(_)
-        | Note::BrakeStop { .. }
+        | Note::BrakeStop(_)
         | Note::BrakeDoesNotStop
         | Note::NoBrake
         | Note::NothingHolds
@@ -299,11 +299,11 @@ pub fn note_text(note: &Note, language: Language) -> String {
         | Note::NeedsReferencing
         | Note::BatteryExchange { .. }
         | Note::ApprovalNeeded
-        | Note::ResonanceSpeeds { .. }
+        | Note::ResonanceSpeeds(_)
         | Note::FreeRotor(_)
         | Note::Ratcheting { .. }
         | Note::CollisionsPermitted(_)
-        | Note::Budget { .. }) => super::notes::rest(note, language),
+        | Note::Budget(_)) => super::notes::rest(note, language),
         Note::Erratum(id) => {
             let evidence = evidence_text(id, language);
             either(language, format!("erratum {id}: {evidence}"), format!("Druckfehler {id}: {evidence}"))

@@ -10,7 +10,7 @@ use provenance::{Grade, Source};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND};
 use quantities::{Dimension, Language, Measure, QuantityError};
 use recording::{Damage, Limit, Place};
-use sizing::{CheckId, Figure, Note, TooManyInstants, Verdict};
+use sizing::{BrakeStop, Budget, CheckId, Figure, Note, ResonanceSpeeds, TooManyInstants, Verdict};
 use std::io::ErrorKind;
 
 /// Both are there, and German is not English.
@@ -110,6 +110,9 @@ fn rules_requirements_and_codes() {
 fn notes() {
     let figure = Figure { si: 1.0, unit: &NEWTON_METRE };
     let speeds = [(q(1.0), q(2.0)); 3];
+    let stop = |permitted| {
+        Note::BrakeStop(Box::new(BrakeStop { angle: q(1.0), time: q(1.0), energy: q(1.0), permitted }))
+    };
     let all = [
         Note::FrictionTemperatures { cold: q(293.0), settled: Some(q(333.0)) },
         Note::FrictionTemperatures { cold: q(293.0), settled: None },
@@ -129,8 +132,8 @@ fn notes() {
         Note::Housing(q(330.0)),
         Note::HangingLoad,
         Note::Sag(q(0.01)),
-        Note::BrakeStop { angle: q(1.0), time: q(1.0), energy: q(1.0), permitted: Some(10.0) },
-        Note::BrakeStop { angle: q(1.0), time: q(1.0), energy: q(1.0), permitted: None },
+        stop(Some(10.0)),
+        stop(None),
         Note::BrakeDoesNotStop,
         Note::NothingHolds,
         Note::NothingHoldsWithoutPower,
@@ -148,9 +151,9 @@ fn notes() {
         Note::NeedsReferencing,
         Note::BatteryExchange { recommended: q(1e8), latest: q(2e8) },
         Note::ApprovalNeeded,
-        Note::ResonanceSpeeds { blocked: speeds, free: Some(speeds) },
+        Note::ResonanceSpeeds(Box::new(ResonanceSpeeds { blocked: speeds, free: Some(speeds) })),
         Note::FreeRotor(q(10.0)),
-        Note::Budget { root_sum_square: q(1e-4), deviation: Some(q(1e-4)), missing: 1 },
+        Note::Budget(Box::new(Budget { root_sum_square: q(1e-4), deviation: Some(q(1e-4)), missing: 1 })),
         Note::Erratum(catalogue::errata().first().map_or("", |erratum| erratum.id)),
     ];
     for note in &all {

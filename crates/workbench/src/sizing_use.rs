@@ -447,7 +447,7 @@ fn candidate<'p>(judging: &mut Judging<'p>, code: OrderCode, parameters: &'p Par
     let project = judging.project;
     let judgement = judging.judge(parameters);
     let mut objections: Vec<Objection> =
-        project.requirements.unmet(&code, parameters).into_iter().map(Objection::Unmet).collect();
+        project.requirements.unmet(&code, parameters).map(Objection::Unmet).collect();
     // Without options the code stands in the catalogue because it is available; only options can change that.
     let optional = code.option_1.is_some() || code.option_2.is_some() || code.special;
     let on_request = match optional.then(|| availability(&code)) {
@@ -466,7 +466,7 @@ fn candidate<'p>(judging: &mut Judging<'p>, code: OrderCode, parameters: &'p Par
 fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p> {
     let judgement = Judging::of(project, Depth::Full).judge(&own.parameters);
     let objections: Vec<Objection> =
-        project.requirements.unmet_by_data(&own.parameters).into_iter().map(Objection::Unmet).collect();
+        project.requirements.unmet_by_data(&own.parameters).map(Objection::Unmet).collect();
     let mass = own.parameters.mass.known().map(|mass| mass.value.si());
     // Of a user's actuator little may be known: an unknown datum leaves a requirement open, it does not break it.
     let met = objections.iter().all(|objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. })));

@@ -286,8 +286,8 @@ impl<'c> Judged<'c> {
         }
         let requirements = variant.requirements.as_ref().unwrap_or(&project.requirements);
         match &self.candidate.id {
-            CandidateId::Code(code) => requirements.unmet(code, parameters).is_empty(),
-            CandidateId::Own(_) => requirements.unmet_by_data(parameters).iter().all(|unmet| !speaks(true, unmet)),
+            CandidateId::Code(code) => requirements.unmet(code, parameters).next().is_none(),
+            CandidateId::Own(_) => requirements.unmet_by_data(parameters).all(|unmet| !speaks(true, &unmet)),
         }
     }
 }
