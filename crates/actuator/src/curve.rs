@@ -71,6 +71,23 @@ impl Curve {
         Torque::from_si(low.torque.si() + share * (high.torque.si() - low.torque.si()))
     }
 
+    /// Whether the limit nowhere rises with the speed.
+    #[must_use]
+    pub fn is_falling(&self) -> bool {
+        self.points.iter().zip(self.points.iter().skip(1)).all(|(a, b)| b.torque.si() <= a.torque.si())
+    }
+
+    /// A limit that falls with the speed and is nowhere above this one: through the least torque up to each corner.
+    #[must_use]
+    pub fn falling(&self) -> Self {
+        let mut least = f64::INFINITY;
+        let points = self.points.iter().map(|point| {
+            least = least.min(point.torque.si());
+            CurvePoint { torque: Torque::from_si(least), ..*point }
+        });
+        Self { points: points.collect() }
+    }
+
     /// The limit at a speed; beyond the last speed that of the last one.
     #[must_use]
     pub fn at_most_to_its_end(&self, speed: AngularVelocity) -> Torque {
@@ -97,6 +114,27 @@ mod tests {
         assert_eq!(at(-70.0), 20.0);
         assert_eq!(at(70.1), 0.0);
         assert_eq!(curve.at_most_to_its_end(AngularVelocity::from_si(70.1)).si(), 20.0);
+    }
+
+    #[test]
+    fn what_falls_lies_below_all_slower_speeds() {
+        let curve = Curve::new(vec![
+            point(0.0, 30.0),
+            point(10.0, 12.0),
+            point(20.0, 25.0),
+            point(30.0, 5.0),
+            point(40.0, 9.0),
+        ]);
+        let curve = curve.unwrap();
+        let falling = curve.falling();
+        assert!(!curve.is_falling() && falling.is_falling());
+        for step in 0..=400_u32 {
+            let speed = f64::from(step) / 10.0;
+            let least = (0..=step).map(|k| curve.at(AngularVelocity::from_si(f64::from(k) / 10.0)).si());
+            let least = least.fold(f64::INFINITY, f64::min);
+            assert!(falling.at(AngularVelocity::from_si(speed)).si() <= least, "{speed}");
+        }
+        assert_eq!(falling.at(AngularVelocity::from_si(5.0)).si(), 21.0);
     }
 
     #[test]

@@ -46,9 +46,7 @@ pub use output_bearing::{
 };
 pub use overload::{overload_course, overload_slope};
 pub use parameters::{Drivetrain, Parameters};
-pub use plane::{
-    CurveKind, PerformanceCurve, intermittent_torque, performance_curves, short_time_torque, short_time_torque_with,
-};
+pub use plane::{CurveKind, PerformanceCurve, ShortTime, intermittent_torque, performance_curves};
 pub use screw_joint::{
     JointLoad, LoadedJoint, ScrewJoint, clamp_force, joint_friction_force, joint_utilisation, loaded_joint,
 };

@@ -9,7 +9,10 @@ use crate::voltage::MotorVoltage;
 use derivation::Workings;
 use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{AMPERE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, REVOLUTION_PER_MINUTE, VOLT};
-use quantities::{AngularVelocity, ElectricPotential, Measure, Ratio, ThermodynamicTemperature, Time, Torque};
+use quantities::{
+    AngularVelocity, ElectricCurrent, ElectricPotential, Measure, Ratio, ThermodynamicTemperature, Time, Torque,
+    TorqueConstant,
+};
 
 /// The cycle of intermittent duty in the manual's curves: 1 min, in seconds.
 const S3_CYCLE: f64 = 60.0;
@@ -80,7 +83,7 @@ pub fn performance_curves(
     }
 }
 
-/// Largest torque that the actuator can give at a speed for a short time, driving, at a terminal voltage if one is given.
+/// The largest torque that an actuator can give for a short time, driving, at a terminal voltage if one is given.
 ///
 /// T = min(T_max, k_Tout (min(I_max, I_U) − I_f)) for |n| ≤ n_mot,max/i, never negative; zero beyond. The upper edge leaves
 /// out I_max, which has a check of its own, and the friction that grows with speed.
@@ -89,84 +92,178 @@ pub fn performance_curves(
 /// # Source   docs/theory/short-time-torque.md; where a short-time curve is published and the voltage is not below the
 ///   printed U_M, that curve
 /// # Valid    driving, i_d = 0; braking allows more
-/// # Errors
-/// [`Missing`] with the first datum that is not known.
-pub fn short_time_torque(
-    actuator: &Drivetrain,
-    speed: AngularVelocity,
-    terminal_voltage: Option<ElectricPotential>,
-    friction: &FrictionAt,
-) -> Result<ContinuousLimit, Missing> {
-    short_time_torque_with(actuator, speed, terminal_voltage, friction, &mut Workings::off())
+#[derive(Clone, Debug)]
+pub struct ShortTime<'a>(Law<'a>);
+
+#[derive(Clone, Debug)]
+enum Law<'a> {
+    Published {
+        curve: &'a Sourced<Curve>,
+        torque_max: &'a Datum<Torque>,
+        /// What falls with the speed and is nowhere above the curve, if that itself rises somewhere.
+        falling: Option<Curve>,
+    },
+    Model(Model<'a>),
 }
 
-/// [`short_time_torque`] with its workings; the caller has noted the speed `n`, the result is `T_short`.
-///
-/// # Errors
-/// As [`short_time_torque`].
-pub fn short_time_torque_with(
-    actuator: &Drivetrain,
-    speed: AngularVelocity,
-    terminal_voltage: Option<ElectricPotential>,
-    friction: &FrictionAt,
-    work: &mut Workings,
-) -> Result<ContinuousLimit, Missing> {
-    if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, terminal_voltage) {
-        let upper = at_most(curve.value.at(within(&curve.value, speed)), &actuator.torque_max);
-        let limit = Sourced { value: upper, source: curve.source.clone(), grade: curve.grade, errata: curve.errata };
-        if let Some(torque_max) = actuator.torque_max.known() {
-            work.given("T_max", &NEWTON_METRE, torque_max);
+#[derive(Clone, Debug)]
+struct Model<'a> {
+    torque_max: &'a Sourced<Torque>,
+    /// Where it ends.
+    end: Sourced<AngularVelocity>,
+    current_max: &'a Sourced<ElectricCurrent>,
+    torque_constant: &'a Sourced<TorqueConstant>,
+    friction: FrictionAt,
+    /// What the voltage permits, where one is given.
+    motor: Option<(MotorVoltage, ElectricPotential)>,
+}
+
+impl<'a> ShortTime<'a> {
+    /// That of an actuator with its friction.
+    ///
+    /// # Errors
+    /// [`Missing`] with the first datum that is not known.
+    pub fn of(
+        actuator: &'a Drivetrain,
+        terminal_voltage: Option<ElectricPotential>,
+        friction: &FrictionAt,
+    ) -> Result<Self, Missing> {
+        if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, terminal_voltage) {
+            let falling = (!curve.value.is_falling()).then(|| curve.value.falling());
+            return Ok(Self(Law::Published { curve, torque_max: &actuator.torque_max, falling }));
         }
-        let text = "short-time curve at n, at most T_max";
-        work.found("T_short", &NEWTON_METRE, upper.si(), text, &curve.source, curve.grade);
-        return Ok(ContinuousLimit { limit, upper });
+        Ok(Self(Law::Model(Model {
+            torque_max: actuator.torque_max.require("T_max")?,
+            end: speed_max(actuator)?,
+            current_max: actuator.current_max.require("I_max")?,
+            torque_constant: actuator.torque_constant_out.require("k_Tout")?,
+            friction: *friction,
+            motor: match terminal_voltage {
+                Some(voltage) => Some((MotorVoltage::of(actuator)?, voltage)),
+                None => None,
+            },
+        })))
     }
-    let torque_max = actuator.torque_max.require("T_max")?;
-    let end = speed_max(actuator)?;
-    let current_max = actuator.current_max.require("I_max")?;
-    let torque_constant = actuator.torque_constant_out.require("k_Tout")?;
-    let mut grade =
-        [torque_max.grade, current_max.grade, torque_constant.grade].into_iter().fold(Grade::Estimated, Grade::worst);
-    let current_voltage = match terminal_voltage {
-        Some(voltage) => {
-            let motor = MotorVoltage::of(actuator)?;
-            grade = grade.worst(motor.grade);
-            motor.current_max(speed, voltage).map_or(0.0, Measure::si)
+
+    /// Speeds [rad/s] at which the limit may have a corner that points downwards, or drops, rising.
+    #[must_use]
+    pub fn corners(&self) -> Vec<f64> {
+        match &self.0 {
+            Law::Published { curve, .. } => {
+                let points = curve.value.points();
+                let drop = points.last().map(|end| (end.speed.si() * (1.0 + AT_THE_END)).next_up());
+                points.iter().map(|point| point.speed.si()).chain(drop).collect()
+            }
+            // The least of what falls ever steeper.
+            Law::Model(_) => Vec::new(),
         }
-        None => f64::INFINITY,
-    };
-    let inside = speed.si().abs() <= end.value.si() * (1.0 + 1e-9);
-    let torque = |current: f64| {
-        let torque = (torque_constant.value.si() * current).clamp(0.0, torque_max.value.si());
-        Torque::from_si(if inside { torque } else { 0.0 })
-    };
-    let running = friction.current(speed).si();
-    let limit = torque(current_voltage.min(current_max.value.si()) - running);
-    let source = Source::Model { name: "short-time-torque" };
-    if work.is_on() && inside {
-        work.given("I_max", &AMPERE, current_max);
-        work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, torque_constant);
-        work.given("T_max", &NEWTON_METRE, torque_max);
+    }
+
+    /// What is not above the limit at any speed up to this one, and the same of the upper edge.
+    #[must_use]
+    pub fn up_to(&self, speed: AngularVelocity) -> [Torque; 2] {
+        match &self.0 {
+            Law::Published { falling: Some(falling), torque_max, .. } => {
+                [at_most(falling.at(within(falling, speed)), torque_max); 2]
+            }
+            _ => self.at(speed),
+        }
+    }
+
+    /// The limit at a speed, and the upper edge of its band.
+    #[must_use]
+    pub fn at(&self, speed: AngularVelocity) -> [Torque; 2] {
+        match &self.0 {
+            Law::Published { curve, torque_max, .. } => {
+                [at_most(curve.value.at(within(&curve.value, speed)), torque_max); 2]
+            }
+            Law::Model(model) => model.at(speed),
+        }
+    }
+
+    /// The same with the source of the limit.
+    #[must_use]
+    pub fn limit(&self, speed: AngularVelocity) -> ContinuousLimit {
+        let [value, upper] = self.at(speed);
+        let (source, grade, errata) = match &self.0 {
+            Law::Published { curve, .. } => (curve.source.clone(), curve.grade, curve.errata),
+            Law::Model(model) => (SHORT_TIME, model.grade(), model.torque_max.errata),
+        };
+        ContinuousLimit { limit: Sourced { value, source, grade, errata }, upper }
+    }
+
+    /// The workings of the limit at a speed; the caller has noted the speed `n`, the result is `T_short`.
+    pub fn explain(&self, speed: AngularVelocity, work: &mut Workings) {
+        let [limit, _] = self.at(speed);
+        match &self.0 {
+            Law::Published { curve, torque_max, .. } => {
+                if let Some(torque_max) = torque_max.known() {
+                    work.given("T_max", &NEWTON_METRE, torque_max);
+                }
+                let text = "short-time curve at n, at most T_max";
+                work.found("T_short", &NEWTON_METRE, limit.si(), text, &curve.source, curve.grade);
+            }
+            Law::Model(model) if work.is_on() => model.explain(speed, limit, work),
+            Law::Model(_) => {}
+        }
+    }
+}
+
+const SHORT_TIME: Source = Source::Model { name: "short-time-torque" };
+
+impl Model<'_> {
+    fn is_inside(&self, speed: AngularVelocity) -> bool {
+        speed.si().abs() <= self.end.value.si() * (1.0 + AT_THE_END)
+    }
+
+    /// I_U \[A\]
+    fn current_of_voltage(&self, speed: AngularVelocity) -> f64 {
+        let of = |(motor, voltage): &(MotorVoltage, _)| motor.current_max(speed, *voltage).map_or(0.0, Measure::si);
+        self.motor.as_ref().map_or(f64::INFINITY, of)
+    }
+
+    fn at(&self, speed: AngularVelocity) -> [Torque; 2] {
+        if !self.is_inside(speed) {
+            return [Torque::from_si(0.0); 2];
+        }
+        let voltage = self.current_of_voltage(speed);
+        let lower = voltage.min(self.current_max.value.si()) - self.friction.current(speed).si();
+        [lower, voltage - self.friction.counted.si()].map(|current| {
+            let torque = self.torque_constant.value.si() * current;
+            Torque::from_si(torque.clamp(0.0, self.torque_max.value.si()))
+        })
+    }
+
+    fn grade(&self) -> Grade {
+        let of_the_motor = self.motor.as_ref().map_or(Grade::Estimated, |(motor, _)| motor.grade);
+        [self.torque_max.grade, self.current_max.grade, self.torque_constant.grade, of_the_motor]
+            .into_iter()
+            .fold(Grade::Estimated, Grade::worst)
+    }
+
+    fn explain(&self, speed: AngularVelocity, limit: Torque, work: &mut Workings) {
+        if !self.is_inside(speed) {
+            work.given("n_end", &REVOLUTION_PER_MINUTE, &self.end);
+            work.found("T_short", &NEWTON_METRE, limit.si(), "n is above n_end", &SHORT_TIME, self.grade());
+            return;
+        }
+        work.given("I_max", &AMPERE, self.current_max);
+        work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, self.torque_constant);
+        work.given("T_max", &NEWTON_METRE, self.torque_max);
         let text = "I_s + K |n|, the gear as cold as the ambient air";
+        let running = self.friction.current(speed).si();
         work.found("I_f", &AMPERE, running, text, &Source::Model { name: "current" }, Grade::Estimated);
-        let text = if let Some(voltage) = terminal_voltage {
+        let text = if let Some((_, voltage)) = &self.motor {
             let supply = Source::Project { key: "requirements.supply".into() };
             work.figure("U_M", &VOLT, voltage.si(), &supply, Grade::Computed);
             let text = "largest current at n within U_M";
-            work.found("I_U", &AMPERE, current_voltage, text, &source, Grade::Estimated);
+            work.found("I_U", &AMPERE, self.current_of_voltage(speed), text, &SHORT_TIME, Grade::Estimated);
             "min(max(k_Tout*(min(I_max, I_U) - I_f), 0), T_max)"
         } else {
             "min(max(k_Tout*(I_max - I_f), 0), T_max)"
         };
-        work.estimate("T_short", &NEWTON_METRE, limit.si(), text, &source);
-    } else if work.is_on() {
-        work.given("n_end", &REVOLUTION_PER_MINUTE, &end);
-        work.found("T_short", &NEWTON_METRE, limit.si(), "n is above n_end", &source, grade);
+        work.estimate("T_short", &NEWTON_METRE, limit.si(), text, &SHORT_TIME);
     }
-    Ok(ContinuousLimit {
-        limit: Sourced { value: limit, source, grade, errata: torque_max.errata },
-        upper: torque(current_voltage - friction.counted.si()),
-    })
 }
 
 /// A published curve, if it holds at this voltage: from the printed U_M on.
@@ -183,11 +280,14 @@ fn at_voltage<'a>(
     enough.then_some(curve)
 }
 
+/// So much beyond the end of a curve is still at it.
+const AT_THE_END: f64 = 1e-9;
+
 /// A speed that exceeds the end of a curve by rounding only, taken back to the end.
 fn within(curve: &Curve, speed: AngularVelocity) -> AngularVelocity {
     let end = curve.points().last().map_or(0.0, |point| point.speed.si());
     let speed = speed.si().abs();
-    AngularVelocity::from_si(if speed <= end * (1.0 + 1e-9) { speed.min(end) } else { speed })
+    AngularVelocity::from_si(if speed <= end * (1.0 + AT_THE_END) { speed.min(end) } else { speed })
 }
 
 fn at_most(torque: Torque, limit: &Datum<Torque>) -> Torque {
@@ -317,7 +417,7 @@ pub fn intermittent_torque(
     let high = actuator.heat.intermittent_band_high.known().map_or(high, |edge| edge.value.max(high));
     let gear_band = actuator.heat.gear_band.require("s3_gear_band")?.value;
     let thermal = |edge: f64| model.torque(speed, duty.si(), Time::from_si(S3_CYCLE), edge).0.si();
-    let short_time = short_time_torque(actuator, speed, terminal_voltage, &cold_friction(actuator)?)?;
+    let short_time = ShortTime::of(actuator, terminal_voltage, &cold_friction(actuator)?)?.limit(speed);
     let stall = actuator.stall_torque.require("T_0")?;
     let rated = speed_rated_out(actuator)?.value.si();
     let inside = duty.si() * speed.si().abs() <= rated * (1.0 + 1e-9);
@@ -345,8 +445,8 @@ fn short_time_curve(actuator: &Drivetrain, voltage: Option<ElectricPotential>) -
     }
     let end = speed_max(actuator)?.value;
     let kind = CurveKind::ShortTime;
-    let friction = cold_friction(actuator)?;
-    let mut curve = estimated(kind, voltage, end, |speed| short_time_torque(actuator, speed, voltage, &friction))?;
+    let short_time = ShortTime::of(actuator, voltage, &cold_friction(actuator)?)?;
+    let mut curve = estimated(kind, voltage, end, |speed| Ok(short_time.limit(speed)))?;
     let points = &mut curve.points;
     // The corner where another limit begins, between the last flat point and the next one.
     let corner = points.iter().zip(points.iter().skip(1)).position(|(a, b)| b.torque.si() < a.torque.si());
@@ -356,8 +456,7 @@ fn short_time_curve(actuator: &Drivetrain, voltage: Option<ElectricPotential>) -
         let (mut low, mut high) = (flat.speed.si(), fallen.speed.si());
         for _ in 0..60 {
             let middle = f64::midpoint(low, high);
-            let at = AngularVelocity::from_si(middle);
-            let torque = short_time_torque(actuator, at, voltage, &friction)?.limit.value;
+            let [torque, _] = short_time.at(AngularVelocity::from_si(middle));
             if torque.si() < flat.torque.si() { high = middle } else { low = middle }
         }
         if low > flat.speed.si() {

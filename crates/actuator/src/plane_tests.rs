@@ -57,7 +57,8 @@ fn actuator() -> Parameters {
 /// With a gear at 30 °C.
 fn limit(actuator: &Parameters, speed: AngularVelocity, voltage: Option<ElectricPotential>) -> f64 {
     let friction = cold_friction(&self::actuator()).unwrap();
-    short_time_torque(actuator, speed, voltage, &friction).unwrap().limit.value.si()
+    let [limit, _] = ShortTime::of(actuator, voltage, &friction).unwrap().at(speed);
+    limit.si()
 }
 
 fn torque(n: f64, volts: Option<f64>) -> f64 {
@@ -178,7 +179,7 @@ fn published_curves_win_and_are_cut_at_the_printed_torque() {
 fn an_actuator_without_data_has_no_curves() {
     assert_eq!(performance_curves(&Parameters::unknown(), None).unwrap_err().symbol, "n_N");
     let friction = cold_friction(&actuator()).unwrap();
-    assert_eq!(short_time_torque(&Parameters::unknown(), rpm(1.0), None, &friction).unwrap_err().symbol, "T_max");
+    assert_eq!(ShortTime::of(&Parameters::unknown(), None, &friction).unwrap_err().symbol, "T_max");
     let published =
         Parameters::from(Drivetrain { continuous_curve: curve(&[(0.0, 1.0), (1.0, 1.0)]), ..Drivetrain::unknown() });
     assert_eq!(performance_curves(&published, None).unwrap().len(), 1);

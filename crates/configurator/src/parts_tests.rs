@@ -206,11 +206,11 @@ fn the_short_time_model_stays_below_the_published_curve() {
         for point in with.short_time_curve.known().expect("published").value.points() {
             let cold = quantities::ThermodynamicTemperature::from_si(actuator::COLD_START);
             let friction = actuator::NoLoadFriction::of(&with).unwrap().at(cold);
-            let model = actuator::short_time_torque(&without, point.speed, voltage, &friction).unwrap();
-            let model = model.limit.value.si();
-            let share = model / point.torque.si();
+            let [model, _] = actuator::ShortTime::of(&without, voltage, &friction).unwrap().at(point.speed);
+            let share = model.si() / point.torque.si();
             assert!((0.84..=1.001).contains(&share), "{ratio}: {share}");
-            let same = actuator::short_time_torque(&with, point.speed, voltage, &friction).unwrap().limit;
+            let published = actuator::ShortTime::of(&with, voltage, &friction).unwrap();
+            let same = published.limit(point.speed).limit;
             assert!((same.value.si() - point.torque.si()).abs() < 1e-9);
             assert_eq!(same.grade, Grade::Published);
         }

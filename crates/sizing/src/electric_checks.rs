@@ -6,12 +6,13 @@ use crate::comparison::{Comparison, Edges, not_checked};
 use crate::currents::Currents;
 use crate::notes::Note;
 use crate::workings;
-use actuator::{Drivetrain, Parameters};
+use actuator::{ContinuousLimit, Drivetrain, Parameters, ShortTime};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
-use quantities::{AngularVelocity, ElectricPotential, Measure, Time};
-use trace::{Any, Extent, Node};
+use quantities::{AngularVelocity, ElectricPotential, Measure, Time, Torque};
+use std::cell::Cell;
+use trace::{Extent, Node, Sought};
 
 /// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
 /// braking (glossary of the manual), nobody says how far and how long: with the rise that the project permits above
@@ -52,38 +53,122 @@ pub(crate) fn dc_link(
     check
 }
 
-/// A function of the speed on so many equal steps, each found when it is asked for.
-struct Steps {
-    width: f64,
-    known: [std::cell::Cell<Option<(f64, f64)>>; STEPS],
+/// The share of the short-time torque at its speed that an instant asks for; while braking, that of T_max.
+struct Share<'a> {
+    inertia: f64,
+    /// T_max \[Nm\]
+    most: f64,
+    short_time: &'a ShortTime<'a>,
+    /// Which edge of its band.
+    edge: fn([Torque; 2]) -> Torque,
+    /// The last speed, with the limit there: neighbouring instants often share theirs.
+    last: Cell<(f64, f64)>,
+    corners: Vec<f64>,
+    /// The limits at a few equal steps of the speed, where many extents are looked at.
+    steps: Option<Steps>,
+    speed_peak: f64,
 }
 
-/// Speeds that differ by so little of the largest lie between two samples.
-const CLOSE: f64 = 1e-4;
+/// The limits at the ends of equal steps of the speed, each found when it is asked for.
+struct Steps {
+    width: f64,
+    known: [Cell<Option<f64>>; STEPS],
+}
 
 /// Steps between standstill and the largest speed.
 const STEPS: usize = 64;
 
-impl Steps {
-    fn of(most: f64) -> Self {
+/// Speeds that differ by so little of the largest lie between two samples.
+const CLOSE: f64 = 1e-4;
+
+impl<'a> Share<'a> {
+    fn of(axis: &Axis, inertia: f64, most: f64, short_time: &'a ShortTime<'a>) -> Self {
+        let speed_peak = axis.moments.speed_peak.si();
+        let edge = |[lower, _]: [Torque; 2]| lower;
         #[allow(clippy::cast_precision_loss, reason = "a small count")]
-        let width = most / STEPS as f64;
-        Self { width, known: [const { std::cell::Cell::new(None) }; STEPS] }
+        let width = speed_peak / STEPS as f64;
+        let steps = (!axis.trace.is_short()).then(|| Steps { width, known: [const { Cell::new(None) }; STEPS] });
+        let (last, corners) = (Cell::new((f64::NAN, 0.0)), short_time.corners());
+        Self { inertia, most, short_time, edge, last, corners, steps, speed_peak }
     }
 
-    /// The values at the end of the step that holds a speed.
-    fn at(&self, speed: f64, of: impl Fn(f64) -> (f64, f64)) -> (f64, f64) {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped by the count of steps")]
-        let index = (speed / self.width) as usize;
-        match self.known.get(index) {
-            Some(known) => known.get().unwrap_or_else(|| {
-                #[allow(clippy::cast_precision_loss, reason = "a small count")]
-                let found = of((index + 1) as f64 * self.width);
-                known.set(Some(found));
-                found
-            }),
-            None => of(speed),
+    /// The same of the upper edge.
+    fn of_the_upper_edge(self) -> Self {
+        let steps = self.steps.map(|Steps { width, .. }| Steps { width, known: [const { Cell::new(None) }; STEPS] });
+        Self { edge: |[_, upper]| upper, last: Cell::new((f64::NAN, 0.0)), steps, ..self }
+    }
+
+    /// T \[Nm\]
+    fn torque(&self, node: &Node) -> f64 {
+        self.inertia * node.acceleration_rad_s2 + node.load_nm
+    }
+
+    fn is_braking(&self, node: &Node) -> bool {
+        self.torque(node) * node.direction < 0.0
+    }
+
+    /// The limit at a speed \[Nm\].
+    fn limit(&self, speed: f64) -> f64 {
+        let (known, limit) = self.last.get();
+        if known == speed {
+            return limit;
         }
+        let found = (self.edge)(self.short_time.at(AngularVelocity::from_si(speed))).si();
+        self.last.set((speed, found));
+        found
+    }
+
+    /// What is not above the limit at any speed up to this one \[Nm\].
+    fn up_to(&self, speed: f64) -> f64 {
+        (self.edge)(self.short_time.up_to(AngularVelocity::from_si(speed))).si()
+    }
+
+    /// The same at the end of the step that holds a speed.
+    fn up_to_the_step(&self, speed: f64) -> f64 {
+        let Some(Steps { width, known }) = &self.steps else { return self.up_to(speed) };
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "beyond the last step there is none"
+        )]
+        let index = (speed / width) as usize;
+        let Some(known) = known.get(index) else { return self.up_to(speed) };
+        known.get().unwrap_or_else(|| {
+            #[allow(clippy::cast_precision_loss, reason = "a small count")]
+            let found = self.up_to((index + 1) as f64 * width);
+            known.set(Some(found));
+            found
+        })
+    }
+}
+
+/// |T| over a limit.
+fn share(torque: f64, limit: f64) -> f64 {
+    if torque == 0.0 {
+        0.0
+    } else if limit > 0.0 {
+        torque.abs() / limit
+    } else {
+        f64::MAX
+    }
+}
+
+impl Sought for Share<'_> {
+    fn bound(&self, extent: &Extent) -> f64 {
+        // Between two instants the exact limit decides sooner.
+        let (low, high) = extent.speeds_rad_s;
+        let is_close = high - low <= CLOSE * self.speed_peak;
+        let limit = if is_close { self.up_to(extent.speed_rad_s) } else { self.up_to_the_step(extent.speed_rad_s) };
+        share(extent.torque(self.inertia), limit)
+    }
+
+    fn value(&self, node: &Node) -> f64 {
+        let limit = if self.is_braking(node) { self.most } else { self.limit(node.speed_rad_s.abs()) };
+        share(self.torque(node), limit)
+    }
+
+    fn corners(&self) -> &[f64] {
+        &self.corners
     }
 }
 
@@ -102,99 +187,40 @@ pub(crate) fn torque_speed_trace(
     let found = (|| {
         let currents = currents.map_err(|missing| *missing)?;
         let highest = actuator.torque_max.require("T_max")?;
-        let standstill = AngularVelocity::from_si(0.0);
-        let first = actuator::short_time_torque(actuator, standstill, terminal, currents.cold())?;
-        Ok((currents, highest, first))
+        let short_time = ShortTime::of(actuator, terminal, currents.cold())?;
+        Ok((currents, highest, short_time))
     })();
-    let (currents, highest, first) = match found {
+    let (currents, highest, short_time) = match found {
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let (inertia, most) = (currents.inertia, highest.value.si());
-    let limits = |speed: f64| {
-        let speed = AngularVelocity::from_si(speed);
-        actuator::short_time_torque(actuator, speed, terminal, currents.cold())
-            .map_or((0.0, 0.0), |limit| (limit.limit.value.si(), limit.upper.si()))
-    };
-    let torque = |node: &Node| inertia * node.acceleration_rad_s2 + node.load_nm;
-    // Neighbouring instants often share their speed.
-    let last = std::cell::Cell::new((0.0, (first.limit.value.si(), first.upper.si())));
-    let at_speed = |speed: f64| {
-        let (known, limits_there) = last.get();
-        if known == speed.abs() {
-            return limits_there;
-        }
-        let found = limits(speed);
-        last.set((speed.abs(), found));
-        found
-    };
-    let share = |torque: f64, limit: f64| {
-        if torque == 0.0 {
-            0.0
-        } else if limit > 0.0 {
-            torque.abs() / limit
-        } else {
-            f64::MAX
-        }
-    };
-    let braking = |node: &Node| torque(node) * node.direction < 0.0;
-    // The limits fall with the speed: those at the next higher of a few speeds are below them, and cost less.
-    let steps = (!axis.trace.is_short()).then(|| Steps::of(axis.moments.speed_peak.si()));
-    let below = |speed: f64| steps.as_ref().map_or_else(|| at_speed(speed), |steps| steps.at(speed, at_speed));
-    let largest_share = |edge: fn((f64, f64)) -> f64| {
-        let highest = std::cell::Cell::new(0.0_f64);
-        let seen = |share: f64| {
-            highest.set(highest.get().max(share));
-            share
-        };
-        axis.trace.largest(&Any(
-            |extent: &Extent| {
-                // Between two instants the exact limit decides sooner.
-                let (low, high) = extent.speeds_rad_s;
-                let close = high - low <= CLOSE * axis.moments.speed_peak.si();
-                let limits = if close { at_speed(extent.speed_rad_s) } else { below(extent.speed_rad_s) };
-                share(extent.torque(inertia), edge(limits))
-            },
-            |node: &Node| {
-                let torque = torque(node);
-                if braking(node) {
-                    return seen(share(torque, most));
-                }
-                let above = share(torque, edge(below(node.speed_rad_s.abs())));
-                // What is not the largest even so need not be exact.
-                if above < highest.get() { above } else { seen(share(torque, edge(at_speed(node.speed_rad_s)))) }
-            },
-        ))
-    };
-    let (found, worst) = largest_share(|(lower, _)| lower);
-    let by_upper = || largest_share(|(_, upper)| upper);
+    let lower = Share::of(axis, currents.inertia, highest.value.si(), &short_time);
+    let (found, worst) = axis.trace.largest(&lower);
+    let (torque, is_braking) = (lower.torque(&worst).abs(), lower.is_braking(&worst));
     if work.is_on() {
         workings::torque_at(&worst, actuator, work);
-        work.formula("T_at", &NEWTON_METRE, torque(&worst).abs(), "abs(T)", &workings::DEMAND);
+        work.formula("T_at", &NEWTON_METRE, torque, "abs(T)", &workings::DEMAND);
         work.value("T_at");
     }
     let speed = AngularVelocity::from_si(worst.speed_rad_s);
-    let curve = if braking(&worst) {
+    let curve = if is_braking {
         work.given("T_max", &NEWTON_METRE, highest);
-        Ok(actuator::ContinuousLimit { limit: highest.clone(), upper: highest.value })
+        ContinuousLimit { limit: highest.clone(), upper: highest.value }
     } else {
         let source = &workings::DEMAND;
         work.found("n", &REVOLUTION_PER_MINUTE, worst.speed_rad_s, "speed at t", source, Grade::Computed);
-        actuator::short_time_torque_with(actuator, speed, terminal, currents.cold(), work)
+        short_time.explain(speed, work);
+        short_time.limit(speed)
     };
-    let curve = match curve {
-        Ok(curve) => curve,
-        Err(missing) => return not_checked(id, missing),
-    };
-    work.limit(if braking(&worst) { "T_max" } else { "T_short" });
+    work.limit(if is_braking { "T_max" } else { "T_short" });
     // Where the lower edge is exceeded the instant that counts may be another one for the upper edge.
-    let beyond = found > 1.0 && by_upper().0 > 1.0;
-    let (value, limit) = (torque(&worst).abs(), curve.limit.value.si());
-    let upper = if beyond { limit } else { curve.upper.si().max(value) };
+    let beyond = found > 1.0 && axis.trace.largest(&lower.of_the_upper_edge()).0 > 1.0;
+    let limit = curve.limit.value.si();
+    let upper = if beyond { limit } else { curve.upper.si().max(torque) };
     let edges = Edges { limit, upper, unit: &NEWTON_METRE };
     Comparison {
         at: Some(Time::from_si(worst.time_s)),
-        ..Comparison::with(id, &NEWTON_METRE, value, Source::Model { name: "demand" }, &curve.limit)
+        ..Comparison::with(id, &NEWTON_METRE, torque, Source::Model { name: "demand" }, &curve.limit)
     }
     .between(edges)
 }

@@ -187,7 +187,7 @@ struct Passed {
 impl Passed {
     /// Goes through a panel, or finds what was found in one like it; the larger of `peak` and its largest power given back.
     fn panel(&mut self, panel: &Panel<'_>, power: &CyclePower<'_>, peak: f64) -> f64 {
-        let first = panel.like.filter(|like| like.has_others).map(|like| like.first);
+        let first = panel.like().filter(|like| like.has_others).map(|like| like.first);
         if let Some(known) = first.and_then(|first| self.kept.get(&first)) {
             // Its largest power was counted with the first of them.
             self.latest = known.clone();

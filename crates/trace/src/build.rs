@@ -4,7 +4,7 @@ use super::alike;
 use super::recording::Strip;
 use super::rule::rule;
 use super::short::Straight;
-use super::{BLOCK, Block, Carried, Extent, GROUP, Gram, Group, Kept, Like, Node, Panel, Place, Run, Share, Trace};
+use super::{BLOCK, Block, Carried, Extent, GROUP, Gram, Group, Kept, Node, Place, Run, Share, Trace};
 use mechanism::{Endless, Extra, Load, Loading, Mechanism, Output};
 use motion::{Motion, Piece, Placed, Runs, State, lobatto};
 use quantities::{Angle, Measure};
@@ -144,14 +144,7 @@ impl<'a> Builder<'a> {
         block.times = self.times;
         block.from_s = self.nodes.get(nodes).map_or(0.0, |node| node.time_s);
         for kept in self.panels.get(panels..).unwrap_or_default() {
-            let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
-            block.add(&Panel {
-                nodes,
-                duration_s: kept.duration,
-                bow: kept.bow,
-                extent: Some(&kept.extent),
-                like: None,
-            });
+            block.add(&kept.panel(&self.nodes));
         }
         self.blocks.push(block);
     }
@@ -250,14 +243,7 @@ impl<'a> Builder<'a> {
                     load_nm: load,
                 });
             }
-            let extent = Extent::of(self.nodes.get(first..).unwrap_or_default(), &[0.0; 4]);
-            self.panels.push(Kept {
-                nodes: first..self.nodes.len(),
-                duration: to - from,
-                bow: [0.0; 4],
-                extent,
-                like: Like::default(),
-            });
+            self.panels.push(Kept::of(&self.nodes, first, to - from, [0.0; 4]));
         }
         self.see(&output, &load);
     }
@@ -366,14 +352,7 @@ impl<'a> Builder<'a> {
             self.see(&output, &load);
         }
         let bow = bow(self.nodes.get(first..).unwrap_or_default());
-        let extent = Extent::of(self.nodes.get(first..).unwrap_or_default(), &bow);
-        self.panels.push(Kept {
-            nodes: first..self.nodes.len(),
-            duration: to - from,
-            bow,
-            extent,
-            like: Like::default(),
-        });
+        self.panels.push(Kept::of(&self.nodes, first, to - from, bow));
         if let Some(share) = self.shares.get_mut(piece.segment) {
             share.travelled += Angle::from_si(travelled);
         }

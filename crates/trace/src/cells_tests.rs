@@ -306,7 +306,7 @@ fn moments_of_straight_intervals_by_two_ways() {
             ..Node::default()
         };
         let nodes = [node(w0), node(0.5 * (w0 + w1)), node(w1)];
-        let panel = Panel { nodes: &nodes, duration_s: interval.duration_s, bow: [0.0; 4], extent: None, like: None };
+        let panel = Panel::passing(&nodes, interval.duration_s, [0.0; 4]);
         let (mut by_nodes, mut closed) = ([0.0; 20], [0.0; 20]);
         cubes::add(&mut by_nodes, &panel);
         cubes::add_interval(&mut closed, plain.constant_nm + 2.5, &interval);

@@ -274,7 +274,7 @@ impl Search<'_> {
     /// Whether a panel with the same signals was looked into, and no lag is higher now where it starts: then none of them
     /// gets higher within it either, since what is left of the start only ever adds.
     fn was_seen(&mut self, panel: &Panel<'_>) -> bool {
-        let Some(like) = panel.like.filter(|like| like.has_others) else { return false };
+        let Some(like) = panel.like().filter(|like| like.has_others) else { return false };
         if let Some(seen) = self.seen.get(&like.first)
             && self.states.iter().zip(seen).all(|(now, then)| now - then <= NEGLIGIBLE * then.abs())
         {
@@ -477,9 +477,9 @@ const LAGS: usize = 4;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Like;
     use crate::lag_tests::under;
     use crate::tests::{arm, law, motion};
+    use crate::{Kept, Like};
     use motion::Law;
 
     /// Only a panel that has others like it is known again, and only while no lag is higher.
@@ -487,9 +487,9 @@ mod tests {
     fn only_what_has_others_is_known_again() {
         let trace = under(&arm(), &motion(&[law(Law::ModifiedSine, 1.0, 0.6), law(Law::ModifiedSine, -1.0, 0.6)]));
         let kept = trace.panels.first().unwrap();
-        let of = |like| Panel { like: Some(like), ..trace.panel(kept) };
-        let alone = of(Like { first: 0, is_copy: false, has_others: false });
-        let one_of_many = of(Like { first: 0, is_copy: false, has_others: true });
+        let [alone, one_of_many] = [false, true]
+            .map(|has_others| Kept { like: Like { first: 0, is_copy: false, has_others }, ..kept.clone() });
+        let (alone, one_of_many) = (trace.panel(&alone), trace.panel(&one_of_many));
         let best = Peak { value: 0.0, at_s: 0.0 };
         let mut search =
             Search { trace: &trace, lags: &[], flows: &[], states: vec![2.0, 3.0], best, seen: BTreeMap::new() };

@@ -12,6 +12,7 @@ mod cubes;
 mod form;
 mod gains;
 mod lags;
+mod panel;
 mod recording;
 mod rule;
 mod search;
@@ -22,12 +23,14 @@ pub use carried::Carried;
 pub use crossing::crossing;
 pub use form::Form;
 pub use lags::{Lag, Peak};
+pub use panel::{Like, Panel};
 pub use recording::{Cell, Inside, Ramps, Strip, Swept};
 pub use search::{Any, Convex, Sought, TorqueWith};
 
 use lags::LagCache;
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
+use panel::Kept;
 use quantities::{Angle, Measure, MomentOfInertia, Torque};
 use short::Straight;
 use std::ops::Range;
@@ -252,62 +255,6 @@ pub struct Share {
     pub travelled: Angle,
 }
 
-/// Which panels of the cycle a panel is like: those that show the same signals over the same time.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Like {
-    /// Index of the first of them among the panels that are kept.
-    pub first: usize,
-    /// Whether it is not the first itself.
-    pub is_copy: bool,
-    /// Whether there are others.
-    pub has_others: bool,
-}
-
-/// A smooth part of the cycle: between its nodes every signal is the polynomial through them.
-#[derive(Clone, Copy, Debug)]
-pub struct Panel<'a> {
-    /// The nodes of a Gauss-Lobatto rule, two to sixteen.
-    pub nodes: &'a [Node],
-    /// Duration \[s\].
-    pub duration_s: f64,
-    /// Between two neighbouring nodes no signal leaves the straight line by more than this.
-    pub bow: [f64; 4],
-    /// Of a panel that is kept: bounds of its nodes and of what lies between them.
-    pub extent: Option<&'a Extent>,
-    /// Of a panel that is kept: which panels of the cycle it is like.
-    pub like: Option<Like>,
-}
-
-impl Panel<'_> {
-    /// The instant at a share of the panel.
-    #[inline]
-    pub fn at(&self, share: f64) -> Node {
-        rule::between(self.nodes, share)
-    }
-
-    /// The instants half-way between neighbouring nodes.
-    #[inline]
-    pub fn middles(&self) -> impl Iterator<Item = Node> {
-        rule::middles(self.nodes)
-    }
-
-    /// Whether every signal is straight.
-    #[inline]
-    pub fn is_straight(&self) -> bool {
-        self.bow == [0.0; 4]
-    }
-}
-
-/// A panel whose nodes are kept.
-#[derive(Clone, Debug, PartialEq)]
-struct Kept {
-    nodes: Range<usize>,
-    duration: f64,
-    bow: [f64; 4],
-    extent: Extent,
-    like: Like,
-}
-
 /// Where the panels of a block are.
 #[derive(Clone, Debug, PartialEq)]
 enum Place {
@@ -385,7 +332,7 @@ impl Block {
     fn add(&mut self, panel: &Panel<'_>) {
         self.duration_s += self.times * panel.duration_s;
         panel.nodes.iter().for_each(|node| self.gram.add(node));
-        self.extent.join(&panel.extent.copied().unwrap_or_else(|| Extent::of(panel.nodes, &panel.bow)));
+        self.extent.join(&panel.extent().copied().unwrap_or_else(|| Extent::of(panel.nodes, &panel.bow)));
     }
 }
 
@@ -522,8 +469,7 @@ impl Trace {
 
     #[inline]
     fn panel<'a>(&'a self, kept: &'a Kept) -> Panel<'a> {
-        let nodes = self.nodes.get(kept.nodes.clone()).unwrap_or_default();
-        Panel { nodes, duration_s: kept.duration, bow: kept.bow, extent: Some(&kept.extent), like: Some(kept.like) }
+        kept.panel(&self.nodes)
     }
 
     /// The nodes of a block in the order of time.
@@ -572,6 +518,10 @@ impl Trace {
 #[cfg(test)]
 #[path = "trace_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "search_tests.rs"]
+mod search_tests;
 
 #[cfg(test)]
 #[path = "lag_tests.rs"]

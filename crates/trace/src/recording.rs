@@ -16,7 +16,7 @@ pub use sweep::{Ramps, Swept};
 
 use super::cubes::Moments;
 use super::gains::{GainTables, LagBlock, Products};
-use super::{Block, Extent, Kept, Like, Node, Panel, Place};
+use super::{Block, Extent, Kept, Node, Panel, Place};
 use cells::Cells;
 use lagging::LagPart;
 use loads::Known;
@@ -185,13 +185,8 @@ impl Strip {
         self.raw_interval(index, &mut |panel| {
             let mut nodes = [Node::default(); NODES];
             nodes.iter_mut().zip(panel.nodes).for_each(|(node, raw)| *node = self.view.node(raw));
-            look(Panel {
-                nodes: nodes.get(..panel.nodes.len()).unwrap_or_default(),
-                duration_s: panel.duration_s * self.view.stretch,
-                bow: self.view.bow(panel.bow),
-                extent: None,
-                like: None,
-            });
+            let nodes = nodes.get(..panel.nodes.len()).unwrap_or_default();
+            look(Panel::passing(nodes, panel.duration_s * self.view.stretch, self.view.bow(panel.bow)));
         });
     }
 
@@ -222,7 +217,7 @@ impl Strip {
                     load_nm: torque + plain.constant_nm,
                 }
             });
-            look(Panel { nodes: &nodes, duration_s: duration, bow: [0.0; 4], extent: None, like: None });
+            look(Panel::passing(&nodes, duration, [0.0; 4]));
         }
     }
 
@@ -240,14 +235,7 @@ impl Strip {
                 self.interval(index, &mut |panel| {
                     let first = nodes.len();
                     nodes.extend_from_slice(panel.nodes);
-                    let extent = Extent::of(panel.nodes, &panel.bow);
-                    panels.push(Kept {
-                        nodes: first..nodes.len(),
-                        duration: panel.duration_s,
-                        bow: panel.bow,
-                        extent,
-                        like: Like::default(),
-                    });
+                    panels.push(Kept::of(nodes, first, panel.duration_s, panel.bow));
                 });
             }
             block.place = Place::Kept(from..panels.len());

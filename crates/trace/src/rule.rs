@@ -2,7 +2,8 @@
 
 use super::Node;
 use motion::lobatto;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
+use wide::f64x4;
 
 /// Most nodes of a panel.
 pub(super) const MOST: usize = 16;
@@ -17,6 +18,8 @@ pub(super) struct Rule {
     barycentric: Vec<f64>,
     /// Row j gives the factor of the shifted Legendre polynomial P̃_j from the values at the nodes.
     legendre: Vec<Vec<f64>>,
+    /// Row j gives the factor of the Chebyshev polynomial T_j from the values at the nodes.
+    chebyshev: Vec<Values>,
     /// Row k gives the integral from the beginning of the panel to its node k from the values at the nodes.
     integrals: Vec<Values>,
     /// Row m gives the value at the share m/[`PARTS`] from those at the nodes.
@@ -36,6 +39,7 @@ pub(super) fn rule(n: usize) -> &'static Rule {
         nodes: Vec::new(),
         barycentric: Vec::new(),
         legendre: Vec::new(),
+        chebyshev: Vec::new(),
         integrals: Vec::new(),
         parts: Vec::new(),
         middles: Vec::new(),
@@ -62,10 +66,12 @@ impl Rule {
                 .map(|j| (j, if j + 1 == n { real(n - 1) } else { real(2 * j + 1) }))
                 .map(row)
                 .collect(),
+            chebyshev: Vec::new(),
             integrals: Vec::new(),
             parts: Vec::new(),
             middles: Vec::new(),
         };
+        made.chebyshev = (0..rule.len()).map(|j| made.chebyshev_factor(j)).collect();
         made.integrals = made.nodes.iter().map(|s| made.integral_until(*s)).collect();
         made.parts = (0..=PARTS).map(|part| made.shares(f64::from(part) / f64::from(PARTS))).collect();
         made.middles =
@@ -82,6 +88,21 @@ impl Rule {
             let before = if j == 0 { -1.0 } else { legendre(j - 1, s) };
             let integral = 0.5 * (legendre(j + 1, s) - before) / real(2 * j + 1);
             weights.iter_mut().zip(row).for_each(|(weight, l)| *weight += integral * l);
+        }
+        weights
+    }
+
+    /// The weights of the values at the nodes in the factor of T_j.
+    ///
+    /// c_j = (2 − δ_j0)/n Σ_m u(cos θ_m) cos(j θ_m), θ_m = π (m + ½)/n, m = 0…n−1
+    fn chebyshev_factor(&self, j: usize) -> Values {
+        let n = self.nodes.len();
+        let mut weights = [0.0; MOST];
+        for m in 0..n {
+            let angle = std::f64::consts::PI * (real(m) + 0.5) / real(n);
+            let share = (if j == 0 { 1.0 } else { 2.0 }) / real(n) * (real(j) * angle).cos();
+            let shares = self.shares(0.5 * (1.0 + angle.cos()));
+            weights.iter_mut().zip(shares).for_each(|(weight, u)| *weight += share * u);
         }
         weights
     }
@@ -288,6 +309,31 @@ pub(super) fn between(nodes: &[Node], s: f64) -> Node {
     weighted(nodes, &rule(nodes.len()).shares(s), s)
 }
 
+/// The polynomials through the nodes of a panel as series of Chebyshev polynomials, made when they are first asked for: at
+/// many instants they cost a fraction of what the nodes do.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Series(OnceLock<Box<[f64x4]>>);
+
+impl Series {
+    /// The same as [`between`] says, by Clenshaw's recurrence.
+    #[inline]
+    pub(super) fn at(&self, nodes: &[Node], s: f64) -> Node {
+        let factors = self.0.get_or_init(|| {
+            let signals = |node: &Node| f64x4::from([node.acceleration_rad_s2, node.load_nm, node.speed_rad_s, 0.0]);
+            let sum = |row: &Values| row.iter().zip(nodes).map(|(c, node)| f64x4::splat(*c) * signals(node)).sum();
+            rule(nodes.len()).chebyshev.iter().map(sum).collect()
+        });
+        let x = f64x4::splat(2.0 * s - 1.0);
+        let (twice, mut above, mut here) = (x + x, f64x4::ZERO, f64x4::ZERO);
+        let Some((first, further)) = factors.split_first() else { return Node::default() };
+        for factor in further.iter().rev() {
+            (above, here) = (here, twice * here + (*factor - above));
+        }
+        let [acceleration, load, speed, _] = (x * here + (*first - above)).to_array();
+        Node { acceleration_rad_s2: acceleration, load_nm: load, speed_rad_s: speed, ..placed(nodes, s) }
+    }
+}
+
 /// The instants half-way between neighbouring nodes.
 pub(super) fn middles(nodes: &[Node]) -> impl Iterator<Item = Node> {
     let rule = rule(nodes.len());
@@ -297,17 +343,21 @@ pub(super) fn middles(nodes: &[Node]) -> impl Iterator<Item = Node> {
 
 #[inline]
 fn weighted(nodes: &[Node], shares: &[f64], s: f64) -> Node {
-    let mut at = Node::default();
+    let mut at = placed(nodes, s);
     for (node, share) in nodes.iter().zip(shares) {
         at.acceleration_rad_s2 += share * node.acceleration_rad_s2;
         at.speed_rad_s += share * node.speed_rad_s;
         at.load_nm += share * node.load_nm;
     }
-    if let (Some(first), Some(last)) = (nodes.first(), nodes.last()) {
-        at.direction = first.direction;
-        at.time_s = first.time_s + s * (last.time_s - first.time_s);
-    }
     at
+}
+
+/// The instant at a share of a panel, with the direction that all of it has.
+#[inline]
+fn placed(nodes: &[Node], s: f64) -> Node {
+    let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else { return Node::default() };
+    let time_s = first.time_s + s * (last.time_s - first.time_s);
+    Node { time_s, direction: first.direction, ..Node::default() }
 }
 
 #[cfg(test)]

@@ -1,8 +1,7 @@
 //! The largest value of a signal over the cycle: bounds of blocks first, then nodes, then what lies between them.
 
 use super::recording::{Cell, Inside, Strip};
-use super::rule::between;
-use super::{Block, Extent, Group, Node, Panel, Trace};
+use super::{Block, Extent, Group, Node, Panel, Trace, crossing};
 
 /// What is not higher by more than this share of the highest is not looked for: rounding makes as much.
 const ROUNDING: f64 = 1e-12;
@@ -18,6 +17,9 @@ const AGREEMENT: f64 = 1e-13;
 
 /// A vertex is told as one of so many places between two nodes: its value knows it no better.
 const PLACES: f64 = (1 << 24) as f64;
+
+/// Of more corners than these it is first asked whether what lies between them counts.
+const FEW: usize = 4;
 
 /// A parabola serves where it is off at its vertex by at most this share of its bend.
 const GOOD: f64 = 0.05;
@@ -38,7 +40,8 @@ pub trait Sought {
         self.bound(&Extent::between(a, b, &[0.0; 4]))
     }
 
-    /// Values of |ω| at which the value may have a corner, rising.
+    /// Values of |ω| at which the value may have a corner that points upwards, rising: only between them do values at a few
+    /// instants tell what lies between these.
     fn corners(&self) -> &[f64] {
         &[]
     }
@@ -126,7 +129,7 @@ impl Trace {
             };
             in_order(blocks, bound, best, |block, best| {
                 // What a copy shows the first of its kind has shown, or will: both lie below the bounds of either block.
-                let is_new = |panel: &Panel<'_>| !panel.like.is_some_and(|like| like.is_copy);
+                let is_new = |panel: &Panel<'_>| !panel.like().is_some_and(|like| like.is_copy);
                 self.panels(block, &mut |panel| {
                     if is_new(&panel) {
                         best.look(&panel, sought);
@@ -222,7 +225,7 @@ impl Best {
         }
         // Of a kept panel the bounds are known, and most panels of a block lie below what is found.
         let from = panel.nodes.first().map_or(0.0, |node| node.time_s);
-        if panel.extent.is_some_and(|extent| !self.may_be_within(sought.bound(extent), from)) {
+        if panel.extent().is_some_and(|extent| !self.may_be_within(sought.bound(extent), from)) {
             return;
         }
         for node in panel.nodes {
@@ -231,11 +234,7 @@ impl Best {
         let shares = super::rule::rule(panel.nodes.len()).nodes();
         let pairs = panel.nodes.iter().zip(panel.nodes.iter().skip(1)).zip(shares.iter().zip(shares.iter().skip(1)));
         for ((a, b), (from, to)) in pairs {
-            let extent = Extent::between(a, b, &panel.bow);
-            if self.is_exceeded_by(sought.bound(&extent)) {
-                let highest_end = sought.value(a).max(sought.value(b));
-                self.narrow((*from, *to), highest_end, sought, |s| between(panel.nodes, s));
-            }
+            self.cut([(*from, a), (*to, b)], sought, &panel.bow, &|s| panel.at(s));
         }
     }
 
@@ -250,24 +249,37 @@ impl Best {
 
     /// What lies between two instants on a straight line.
     fn along<S: Sought>(&mut self, a: &Node, b: &Node, sought: &S) {
-        let (from, to) = (a.speed_rad_s.abs(), b.speed_rad_s.abs());
-        let mut start = *a;
-        let mut passed = from;
-        // In the order in which the line passes them.
-        while let Some(corner) = next_corner(sought.corners(), passed, to) {
-            let node = a.towards(b, (corner - from) / (to - from));
-            self.see(&node, sought.value(&node));
-            self.piece(&start, &node, sought);
-            (start, passed) = (node, corner);
-        }
-        self.piece(&start, b, sought);
+        self.cut([(0.0, a), (1.0, b)], sought, &[0.0; 4], &|s| a.towards(b, s));
     }
 
-    fn piece(&mut self, a: &Node, b: &Node, sought: &impl Sought) {
-        if self.is_exceeded_by(sought.on_line(a, b)) {
-            let highest_end = sought.value(a).max(sought.value(b));
-            self.narrow((0.0, 1.0), highest_end, sought, |s| a.towards(b, s));
+    /// What lies between two shares of a way, between whose instants no signal leaves the straight line by more than `bow`:
+    /// cut at the corners of the value that it passes.
+    fn cut<S: Sought>(
+        &mut self,
+        [(from, a), (to, b)]: [(f64, &Node); 2],
+        sought: &S,
+        bow: &[f64; 4],
+        place: &impl Fn(f64) -> Node,
+    ) {
+        let (first, last) = (a.speed_rad_s.abs(), b.speed_rad_s.abs());
+        let corners = within(sought.corners(), first.min(last), first.max(last));
+        let Some(corner) = corners.get(corners.len() / 2) else {
+            let above = if *bow == [0.0; 4] { sought.on_line(a, b) } else { sought.bound(&Extent::between(a, b, bow)) };
+            if self.is_exceeded_by(above) {
+                self.narrow([(from, sought.value(a)), (to, sought.value(b))], sought, place);
+            }
+            return;
+        };
+        if corners.len() > FEW && !self.is_exceeded_by(sought.bound(&Extent::between(a, b, bow))) {
+            return;
         }
+        let ahead = |s: f64| place(s).speed_rad_s.abs() - corner;
+        let s = crossing(ahead, (from, first - corner), (to, last - corner), AGREEMENT * (to - from));
+        let at = place(s);
+        let node = Node { speed_rad_s: corner.copysign(at.speed_rad_s), ..at };
+        self.see(&node, sought.value(&node));
+        self.cut([(from, a), (s, &node)], sought, bow, place);
+        self.cut([(s, &node), (to, b)], sought, bow, place);
     }
 
     #[inline]
@@ -279,9 +291,9 @@ impl Best {
     /// time, and by a quarter where the parabola through them tells what is found at its vertex. It ends where two vertices
     /// that follow upon each other agree with their parabolas. What bends by less between the three than the best of them and
     /// both ends lie below the highest is left alone.
-    fn narrow(&mut self, (from, to): (f64, f64), highest_end: f64, sought: &impl Sought, place: impl Fn(f64) -> Node) {
+    fn narrow(&mut self, ends: [(f64, f64); 2], sought: &impl Sought, place: impl Fn(f64) -> Node) {
         let mut own = Self { value: f64::NEG_INFINITY, node: Node::default() };
-        self.narrow_alone(&mut own, (from, to), highest_end, sought, place);
+        self.narrow_alone(&mut own, ends, sought, place);
         // Of what is as high but for rounding the first counts.
         let room = ROUNDING * self.value.abs();
         if own.value > self.value + room {
@@ -294,8 +306,7 @@ impl Best {
     fn narrow_alone(
         &self,
         own: &mut Self,
-        (from, to): (f64, f64),
-        highest_end: f64,
+        [(from, mut low_end), (to, mut high_end)]: [(f64, f64); 2],
         sought: &impl Sought,
         place: impl Fn(f64) -> Node,
     ) {
@@ -305,6 +316,7 @@ impl Best {
             own.see(&node, found);
             ((s, found), self.value.max(own.value))
         };
+        let highest_end = low_end.max(high_end);
         let mut quarter = 0.25 * (to - from);
         let (mut middle, _) = at(from + 2.0 * quarter);
         let mut agreed = f64::NAN;
@@ -318,6 +330,18 @@ impl Best {
                 return;
             }
             if !is_between {
+                let five = [low_end, before.1, middle.1, after.1, high_end];
+                if is_highest_at_an_end(five, highest) {
+                    return;
+                }
+                // The ends of what is looked at next are neighbours of the best of the five instants.
+                (low_end, high_end) = if best.0 < middle.0 {
+                    (low_end, middle.1)
+                } else if best.0 > middle.0 {
+                    (middle.1, high_end)
+                } else {
+                    (before.1, after.1)
+                };
                 (middle, quarter, agreed) = (best, 0.5 * quarter, f64::NAN);
                 continue;
             }
@@ -335,6 +359,7 @@ impl Best {
             }
             agreed = if off <= close { vertex.1 } else { f64::NAN };
             quarter *= if off <= -GOOD * bend { 0.25 } else { 0.5 };
+            (low_end, high_end) = (f64::NAN, f64::NAN);
             if vertex.1 > middle.1 {
                 middle = vertex;
             }
@@ -342,15 +367,30 @@ impl Best {
     }
 }
 
-/// The corner that a line passes next on its way from one speed to another.
-#[inline]
-fn next_corner(corners: &[f64], passed: f64, to: f64) -> Option<f64> {
-    if to > passed {
-        corners.get(corners.partition_point(|corner| *corner <= passed)).copied().filter(|corner| *corner < to)
-    } else {
-        let below = corners.partition_point(|corner| *corner < passed).checked_sub(1)?;
-        corners.get(below).copied().filter(|corner| *corner > to)
+/// Whether of five values at equal steps one at an end is the largest, and nothing before it is above the highest known
+/// value by more than rounding: there the values rise towards that end or fall by so little that the vertex of the parabola with
+/// their bend is no higher.
+///
+/// Slope and bend per step are those of the polynomial through all five, the slope less by what the fifth of them changes.
+fn is_highest_at_an_end(five: [f64; 5], highest: f64) -> bool {
+    let [first, .., last] = five;
+    let [a, b, c, d, e] = if first > last { [five[4], five[3], five[2], five[1], five[0]] } else { five };
+    if !(a <= e && b <= e && c <= e && d <= e) {
+        return false;
     }
+    let changed = 0.25 * (a - 4.0 * b + 6.0 * c - 4.0 * d + e).abs();
+    let slope = (3.0 * a - 16.0 * b + 36.0 * c - 48.0 * d + 25.0 * e) / 12.0 - changed;
+    let bend = ((11.0 * a - 56.0 * b + 114.0 * c - 104.0 * d + 35.0 * e) / 12.0).abs();
+    let counts = ROUNDING * highest.abs();
+    slope >= -counts || slope * slope <= 2.0 * bend * counts
+}
+
+/// The corners that lie between two speeds.
+#[inline]
+fn within(corners: &[f64], low: f64, high: f64) -> &[f64] {
+    let from = corners.partition_point(|corner| *corner <= low);
+    let to = corners.partition_point(|corner| *corner < high);
+    corners.get(from..to).unwrap_or_default()
 }
 
 /// Visits what may hold something better than the best: the one with the largest bound, then the others in their order.

@@ -110,9 +110,8 @@ fn rules_requirements_and_codes() {
 fn notes() {
     let figure = Figure { si: 1.0, unit: &NEWTON_METRE };
     let speeds = [(q(1.0), q(2.0)); 3];
-    let stop = |permitted| {
-        Note::BrakeStop(Box::new(BrakeStop { angle: q(1.0), time: q(1.0), energy: q(1.0), permitted }))
-    };
+    let stop =
+        |permitted| Note::BrakeStop(Box::new(BrakeStop { angle: q(1.0), time: q(1.0), energy: q(1.0), permitted }));
     let all = [
         Note::FrictionTemperatures { cold: q(293.0), settled: Some(q(333.0)) },
         Note::FrictionTemperatures { cold: q(293.0), settled: None },

@@ -446,8 +446,7 @@ impl<'p> Judging<'p> {
 fn candidate<'p>(judging: &mut Judging<'p>, code: OrderCode, parameters: &'p Parameters) -> Candidate<'p> {
     let project = judging.project;
     let judgement = judging.judge(parameters);
-    let mut objections: Vec<Objection> =
-        project.requirements.unmet(&code, parameters).map(Objection::Unmet).collect();
+    let mut objections: Vec<Objection> = project.requirements.unmet(&code, parameters).map(Objection::Unmet).collect();
     // Without options the code stands in the catalogue because it is available; only options can change that.
     let optional = code.option_1.is_some() || code.option_2.is_some() || code.special;
     let on_request = match optional.then(|| availability(&code)) {

@@ -7,6 +7,9 @@ use trace::{Node, Panel, Sought, crossing};
 /// Nodes of the rule for a part of a panel: exact for the power of signals of the sixth degree, and of those of the second.
 const NODES: [usize; 2] = [8, 4];
 
+/// Most nodes of a rule.
+const MOST: usize = 16;
+
 /// A share of a panel up to which the place of a cut is sought: energy beside it is of second order in what is left.
 const CLOSE: f64 = 1e-8;
 
@@ -34,12 +37,8 @@ impl<'a, 'p> Walk<'a, 'p> {
         let plain = panel.nodes.iter().all(|node| !driven(node))
             || panel.nodes.iter().all(|node| driven(node) && power.with(node, true) < 0.0);
         if plain {
-            let taken: f64 = rule.iter().zip(panel.nodes).map(|((_, w), node)| w * power.with(node, walk.driven)).sum();
-            let duration = walk.duration();
-            walk.parts.push(taken * duration);
-            if walk.driven {
-                walk.look(|| rule.iter().map(|(s, _)| *s));
-            }
+            let driven = walk.driven;
+            walk.part((0.0, 1.0), rule, panel.nodes.iter().map(|node| power.with(node, driven)));
         } else {
             let gaps = panel.nodes.iter().zip(panel.nodes.iter().skip(1)).zip(rule.iter().zip(rule.iter().skip(1)));
             for (((a, b), ((from, _), (to, _))), middle) in gaps.zip(panel.middles()) {
@@ -112,32 +111,40 @@ impl<'a, 'p> Walk<'a, 'p> {
 
     /// The part up to an instant.
     fn close(&mut self, to: f64) {
-        let length = to - self.from;
+        let (from, length) = (self.from, to - self.from);
         if length > 0.0 {
-            let at = |s: f64| self.power.with(&self.panel.at(self.from + s * length), self.driven);
+            let (panel, power, driven) = (self.panel, self.power, self.driven);
             let [many, few] = NODES;
-            let rule = lobatto(if self.panel.nodes.len() <= 3 { few } else { many });
-            let taken: f64 = rule.iter().map(|(s, w)| w * at(*s)).sum();
-            let duration = self.duration();
-            self.parts.push(taken * length * duration);
-            if taken < 0.0 {
-                let from = self.from;
-                self.look(|| rule.iter().map(move |(s, _)| from + s * length));
-            }
+            let rule = lobatto(if panel.nodes.len() <= 3 { few } else { many });
+            self.part((from, length), rule, rule.iter().map(|(s, _)| power.with(&panel.at(from + s * length), driven)));
         }
         self.from = to;
     }
 
-    /// The largest power given back in a part: at one of the instants named, or where a parabola through it and its
+    /// A part of some length by the power at the nodes of a rule.
+    fn part(&mut self, (from, length): (f64, f64), rule: &[(f64, f64)], powers: impl Iterator<Item = f64>) {
+        let mut back = [(0.0, 0.0); MOST];
+        let mut taken = 0.0;
+        for ((point, (s, w)), power) in back.iter_mut().zip(rule).zip(powers) {
+            *point = (from + s * length, -power);
+            taken += w * power;
+        }
+        self.parts.push(taken * length * self.duration());
+        if taken < 0.0 {
+            self.look(back.get(..rule.len()).unwrap_or_default());
+        }
+    }
+
+    /// The largest power given back in a part: at one of the instants that are known, or where a parabola through it and its
     /// neighbours is highest, found anew from the instants that are there.
-    fn look<I: Iterator<Item = f64>>(&mut self, shares: impl Fn() -> I) {
-        if self.panel.extent.is_some_and(|extent| Returned(self.power).bound(extent) <= self.peak) {
+    fn look(&mut self, points: &[(f64, f64)]) {
+        if self.panel.extent().is_some_and(|extent| Returned(self.power).bound(extent) <= self.peak) {
             return;
         }
         let back = |s: f64| -self.power.with(&self.panel.at(s), self.driven);
-        let points = || shares().map(|s| (s, back(s)));
-        let mut peak = points().fold(self.peak, |peak, (_, value)| peak.max(value));
-        for ((mut a, mut b), mut c) in points().zip(points().skip(1)).zip(points().skip(2)) {
+        let mut peak = points.iter().fold(self.peak, |peak, (_, value)| peak.max(*value));
+        for three in points.windows(3) {
+            let [mut a, mut b, mut c] = *three else { continue };
             for _ in 0..4 {
                 let Some((s, height)) = vertex(a, b, c).filter(|(_, height)| *height > peak) else { break };
                 let found = (s, back(s));

@@ -116,7 +116,7 @@ impl Strip {
             };
         }
         let nodes = nodes.get(..count).unwrap_or_default();
-        look(Panel { nodes, duration_s: duration, bow: [0.0, bow(nodes), 0.0, 0.0], extent: None, like: None });
+        look(Panel::passing(nodes, duration, [0.0, bow(nodes), 0.0, 0.0]));
     }
 }
 

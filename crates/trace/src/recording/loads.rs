@@ -111,7 +111,7 @@ impl Piece {
         }
         // A parabola rises above either half of its chord by a quarter of its bend.
         let bow = [0.0, 0.25 * self.bend().abs(), 0.0, 0.0];
-        look(Panel { nodes: &nodes, duration_s: duration, bow, extent: None, like: None });
+        look(Panel::passing(&nodes, duration, bow));
     }
 }
 
