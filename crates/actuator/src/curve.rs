@@ -15,7 +15,12 @@ pub struct CurvePoint {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     points: Vec<CurvePoint>,
+    /// The least torque of each run of points \[Nm\]: a measured curve may have thousands of them.
+    least: Vec<f64>,
 }
+
+/// So many points make a run.
+const RUN: usize = 64;
 
 /// Why a list of points is no limit curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,7 +53,9 @@ impl Curve {
         if !points.iter().all(|point| point.torque.si().is_finite() && point.torque.si() >= 0.0) {
             return Err(CurveFault::TorqueOutOfRange);
         }
-        Ok(Self { points })
+        let least = |run: &[CurvePoint]| run.iter().fold(f64::INFINITY, |least, point| least.min(point.torque.si()));
+        let least = points.chunks(RUN).map(least).collect();
+        Ok(Self { points, least })
     }
 
     /// The corner points, by ascending speed.
@@ -61,7 +68,6 @@ impl Curve {
     #[must_use]
     pub fn at(&self, speed: AngularVelocity) -> Torque {
         let speed = speed.si().abs();
-        // A measured curve may have thousands of points.
         let high = self.points.partition_point(|point| point.speed.si() < speed).max(1);
         let (Some(low), Some(high)) = (self.points.get(high - 1), self.points.get(high)) else {
             return Torque::from_si(0.0);
@@ -71,21 +77,26 @@ impl Curve {
         Torque::from_si(low.torque.si() + share * (high.torque.si() - low.torque.si()))
     }
 
-    /// Whether the limit nowhere rises with the speed.
+    /// The least limit between two speeds, the slower first; zero beyond the last speed.
     #[must_use]
-    pub fn is_falling(&self) -> bool {
-        self.points.iter().zip(self.points.iter().skip(1)).all(|(a, b)| b.torque.si() <= a.torque.si())
-    }
-
-    /// A limit that falls with the speed and is nowhere above this one: through the least torque up to each corner.
-    #[must_use]
-    pub fn falling(&self) -> Self {
-        let mut least = f64::INFINITY;
-        let points = self.points.iter().map(|point| {
-            least = least.min(point.torque.si());
-            CurvePoint { torque: Torque::from_si(least), ..*point }
-        });
-        Self { points: points.collect() }
+    pub fn least_between(&self, slower: AngularVelocity, faster: AngularVelocity) -> Torque {
+        let ends = self.at(slower).si().min(self.at(faster).si());
+        let place = |speed: AngularVelocity| self.points.partition_point(|point| point.speed.si() < speed.si());
+        let (from, to) = (place(slower), place(faster));
+        // Whole runs by their least, the points before and behind them one by one.
+        let (first, last) = (from.div_ceil(RUN), to / RUN);
+        let torques = |from: usize, to: usize| {
+            let points = self.points.get(from..to).unwrap_or_default();
+            points.iter().fold(f64::INFINITY, |least, point| least.min(point.torque.si()))
+        };
+        let inside = if first < last {
+            let runs = self.least.get(first..last).unwrap_or_default();
+            let runs = runs.iter().fold(f64::INFINITY, |least, torque| least.min(*torque));
+            runs.min(torques(from, first * RUN)).min(torques(last * RUN, to))
+        } else {
+            torques(from, to)
+        };
+        Torque::from_si(ends.min(inside))
     }
 
     /// The limit at a speed; beyond the last speed that of the last one.
@@ -117,24 +128,20 @@ mod tests {
     }
 
     #[test]
-    fn what_falls_lies_below_all_slower_speeds() {
-        let curve = Curve::new(vec![
-            point(0.0, 30.0),
-            point(10.0, 12.0),
-            point(20.0, 25.0),
-            point(30.0, 5.0),
-            point(40.0, 9.0),
-        ]);
-        let curve = curve.unwrap();
-        let falling = curve.falling();
-        assert!(!curve.is_falling() && falling.is_falling());
-        for step in 0..=400_u32 {
-            let speed = f64::from(step) / 10.0;
-            let least = (0..=step).map(|k| curve.at(AngularVelocity::from_si(f64::from(k) / 10.0)).si());
-            let least = least.fold(f64::INFINITY, f64::min);
-            assert!(falling.at(AngularVelocity::from_si(speed)).si() <= least, "{speed}");
+    fn the_least_between_two_speeds_is_that_of_a_plain_look() {
+        for count in [2, 5, 63, 64, 65, 128, 200, 1000_u32] {
+            let torque = |k: u32| f64::from(20 + (k * 7919) % 1013);
+            let curve = Curve::new((0..count).map(|k| point(f64::from(k), torque(k))).collect()).unwrap();
+            let at = |speed: f64| curve.at(AngularVelocity::from_si(speed)).si();
+            for (slower, faster) in
+                [(0.0, 0.4), (0.3, 1.0), (0.0, 64.0), (0.5, 63.5), (63.0, 129.2), (0.7, 900.1), (64.0, 64.0)]
+            {
+                let inside = (0..count).filter(|k| (slower..=faster).contains(&f64::from(*k))).map(torque);
+                let plain = inside.fold(at(slower).min(at(faster)), f64::min);
+                let [slower, faster] = [slower, faster].map(AngularVelocity::from_si);
+                assert_eq!(curve.least_between(slower, faster).si(), plain, "{count}");
+            }
         }
-        assert_eq!(falling.at(AngularVelocity::from_si(5.0)).si(), 21.0);
     }
 
     #[test]

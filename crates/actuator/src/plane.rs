@@ -97,12 +97,7 @@ pub struct ShortTime<'a>(Law<'a>);
 
 #[derive(Clone, Debug)]
 enum Law<'a> {
-    Published {
-        curve: &'a Sourced<Curve>,
-        torque_max: &'a Datum<Torque>,
-        /// What falls with the speed and is nowhere above the curve, if that itself rises somewhere.
-        falling: Option<Curve>,
-    },
+    Published { curve: &'a Sourced<Curve>, torque_max: &'a Datum<Torque> },
     Model(Model<'a>),
 }
 
@@ -129,8 +124,7 @@ impl<'a> ShortTime<'a> {
         friction: &FrictionAt,
     ) -> Result<Self, Missing> {
         if let Some(curve) = at_voltage(actuator, &actuator.short_time_curve, terminal_voltage) {
-            let falling = (!curve.value.is_falling()).then(|| curve.value.falling());
-            return Ok(Self(Law::Published { curve, torque_max: &actuator.torque_max, falling }));
+            return Ok(Self(Law::Published { curve, torque_max: &actuator.torque_max }));
         }
         Ok(Self(Law::Model(Model {
             torque_max: actuator.torque_max.require("T_max")?,
@@ -159,14 +153,16 @@ impl<'a> ShortTime<'a> {
         }
     }
 
-    /// What is not above the limit at any speed up to this one, and the same of the upper edge.
+    /// The least limit between two speeds, the slower first, and that of the upper edge.
     #[must_use]
-    pub fn up_to(&self, speed: AngularVelocity) -> [Torque; 2] {
+    pub fn least_between(&self, slower: AngularVelocity, faster: AngularVelocity) -> [Torque; 2] {
         match &self.0 {
-            Law::Published { falling: Some(falling), torque_max, .. } => {
-                [at_most(falling.at(within(falling, speed)), torque_max); 2]
+            Law::Published { curve, torque_max } => {
+                let [slower, faster] = [slower, faster].map(|speed| within(&curve.value, speed));
+                [at_most(curve.value.least_between(slower, faster), torque_max); 2]
             }
-            _ => self.at(speed),
+            // It falls with the speed.
+            Law::Model(model) => model.at(faster),
         }
     }
 
@@ -174,7 +170,7 @@ impl<'a> ShortTime<'a> {
     #[must_use]
     pub fn at(&self, speed: AngularVelocity) -> [Torque; 2] {
         match &self.0 {
-            Law::Published { curve, torque_max, .. } => {
+            Law::Published { curve, torque_max } => {
                 [at_most(curve.value.at(within(&curve.value, speed)), torque_max); 2]
             }
             Law::Model(model) => model.at(speed),
@@ -196,7 +192,7 @@ impl<'a> ShortTime<'a> {
     pub fn explain(&self, speed: AngularVelocity, work: &mut Workings) {
         let [limit, _] = self.at(speed);
         match &self.0 {
-            Law::Published { curve, torque_max, .. } => {
+            Law::Published { curve, torque_max } => {
                 if let Some(torque_max) = torque_max.known() {
                     work.given("T_max", &NEWTON_METRE, torque_max);
                 }

@@ -255,6 +255,9 @@ impl Sought for Terminal<'_> {
     }
 }
 
+/// Of more corners than these a bound looks at the least that is permitted alone.
+const FEW: usize = 8;
+
 /// |I| over what is permitted at an instant: the printed limit or, where a curve is published, the current of its torque at
 /// that speed if that is larger.
 ///
@@ -308,6 +311,15 @@ impl<'a> Overcurrent<'a> {
         self.printed.max(self.currents.motor.of_torque(curve.at(speed).si()) + friction.current(speed).si())
     }
 
+    /// What is permitted at any speed between two, in either state \[A\].
+    fn least(&self, curve: &actuator::Curve, slower: f64, faster: f64) -> f64 {
+        let [slower, faster] = [slower, faster].map(AngularVelocity::from_si);
+        let torque = curve.least_between(slower, faster).si();
+        let running = |friction: &&FrictionAt| friction.current(slower).si().min(friction.current(faster).si());
+        let running = self.states.iter().map(running).fold(f64::INFINITY, f64::min);
+        self.printed.max(self.currents.motor.of_torque(torque) + running)
+    }
+
     /// Of the states the one that asks for more at an instant.
     fn state(&self, node: &Node) -> &'a FrictionAt {
         match *self.states {
@@ -327,9 +339,16 @@ impl Sought for Overcurrent<'_> {
     fn bound(&self, extent: &Extent) -> f64 {
         let (back, forth) = extent.speeds_rad_s;
         let slowest = back.max(-forth).max(0.0);
+        let fastest = extent.speed_rad_s;
         let first = self.corners.partition_point(|corner| *corner <= slowest);
-        let within = self.corners.iter().copied().skip(first).take_while(|corner| *corner < extent.speed_rad_s);
-        let speeds = || within.clone().chain([slowest, extent.speed_rad_s]);
+        let end = self.corners.partition_point(|corner| *corner < fastest).max(first);
+        let within = self.corners.get(first..end).unwrap_or_default();
+        // Of many corners the least that is permitted at any of them serves.
+        let (within, least) = match self.curve {
+            Some(curve) if within.len() > FEW => (&[][..], Some(self.least(curve, slowest, fastest))),
+            _ => (within, None),
+        };
+        let speeds = || within.iter().copied().chain([slowest, fastest]);
         let of = |friction: &&FrictionAt| {
             let [acceleration, load, direction, speed] = self.currents.weights(friction);
             let (low, high) = extent.range([acceleration, load, direction, 0.0]);
@@ -337,7 +356,7 @@ impl Sought for Overcurrent<'_> {
                 let forwards = if forth > 0.0 { (high + speed * n).max(-low - speed * n) } else { 0.0 };
                 let backwards = if back < 0.0 { (high - speed * n).max(speed * n - low) } else { 0.0 };
                 let still = if slowest == 0.0 { high.max(-low) } else { 0.0 };
-                forwards.max(backwards).max(still) / self.permitted_at(n, friction)
+                forwards.max(backwards).max(still) / least.unwrap_or_else(|| self.permitted_at(n, friction))
             };
             speeds().map(ratio).fold(0.0, f64::max)
         };

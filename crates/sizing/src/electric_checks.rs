@@ -11,7 +11,6 @@ use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
 use quantities::{AngularVelocity, ElectricPotential, Measure, Time, Torque};
-use std::cell::Cell;
 use trace::{Extent, Node, Sought};
 
 /// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
@@ -61,41 +60,18 @@ struct Share<'a> {
     short_time: &'a ShortTime<'a>,
     /// Which edge of its band.
     edge: fn([Torque; 2]) -> Torque,
-    /// The last speed, with the limit there: neighbouring instants often share theirs.
-    last: Cell<(f64, f64)>,
     corners: Vec<f64>,
-    /// The limits at a few equal steps of the speed, where many extents are looked at.
-    steps: Option<Steps>,
-    speed_peak: f64,
 }
-
-/// The limits at the ends of equal steps of the speed, each found when it is asked for.
-struct Steps {
-    width: f64,
-    known: [Cell<Option<f64>>; STEPS],
-}
-
-/// Steps between standstill and the largest speed.
-const STEPS: usize = 64;
-
-/// Speeds that differ by so little of the largest lie between two samples.
-const CLOSE: f64 = 1e-4;
 
 impl<'a> Share<'a> {
-    fn of(axis: &Axis, inertia: f64, most: f64, short_time: &'a ShortTime<'a>) -> Self {
-        let speed_peak = axis.moments.speed_peak.si();
+    fn of(inertia: f64, most: f64, short_time: &'a ShortTime<'a>) -> Self {
         let edge = |[lower, _]: [Torque; 2]| lower;
-        #[allow(clippy::cast_precision_loss, reason = "a small count")]
-        let width = speed_peak / STEPS as f64;
-        let steps = (!axis.trace.is_short()).then(|| Steps { width, known: [const { Cell::new(None) }; STEPS] });
-        let (last, corners) = (Cell::new((f64::NAN, 0.0)), short_time.corners());
-        Self { inertia, most, short_time, edge, last, corners, steps, speed_peak }
+        Self { inertia, most, short_time, edge, corners: short_time.corners() }
     }
 
     /// The same of the upper edge.
     fn of_the_upper_edge(self) -> Self {
-        let steps = self.steps.map(|Steps { width, .. }| Steps { width, known: [const { Cell::new(None) }; STEPS] });
-        Self { edge: |[_, upper]| upper, last: Cell::new((f64::NAN, 0.0)), steps, ..self }
+        Self { edge: |[_, upper]| upper, ..self }
     }
 
     /// T \[Nm\]
@@ -107,38 +83,9 @@ impl<'a> Share<'a> {
         self.torque(node) * node.direction < 0.0
     }
 
-    /// The limit at a speed \[Nm\].
-    fn limit(&self, speed: f64) -> f64 {
-        let (known, limit) = self.last.get();
-        if known == speed {
-            return limit;
-        }
-        let found = (self.edge)(self.short_time.at(AngularVelocity::from_si(speed))).si();
-        self.last.set((speed, found));
-        found
-    }
-
-    /// What is not above the limit at any speed up to this one \[Nm\].
-    fn up_to(&self, speed: f64) -> f64 {
-        (self.edge)(self.short_time.up_to(AngularVelocity::from_si(speed))).si()
-    }
-
-    /// The same at the end of the step that holds a speed.
-    fn up_to_the_step(&self, speed: f64) -> f64 {
-        let Some(Steps { width, known }) = &self.steps else { return self.up_to(speed) };
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "beyond the last step there is none"
-        )]
-        let index = (speed / width) as usize;
-        let Some(known) = known.get(index) else { return self.up_to(speed) };
-        known.get().unwrap_or_else(|| {
-            #[allow(clippy::cast_precision_loss, reason = "a small count")]
-            let found = self.up_to((index + 1) as f64 * width);
-            known.set(Some(found));
-            found
-        })
+    /// The limit at a speed.
+    fn limit(&self, speed_rad_s: f64) -> Torque {
+        (self.edge)(self.short_time.at(AngularVelocity::from_si(speed_rad_s)))
     }
 }
 
@@ -155,15 +102,13 @@ fn share(torque: f64, limit: f64) -> f64 {
 
 impl Sought for Share<'_> {
     fn bound(&self, extent: &Extent) -> f64 {
-        // Between two instants the exact limit decides sooner.
-        let (low, high) = extent.speeds_rad_s;
-        let is_close = high - low <= CLOSE * self.speed_peak;
-        let limit = if is_close { self.up_to(extent.speed_rad_s) } else { self.up_to_the_step(extent.speed_rad_s) };
-        share(extent.torque(self.inertia), limit)
+        let (back, forth) = extent.speeds_rad_s;
+        let [slower, faster] = [back.max(-forth).max(0.0), extent.speed_rad_s].map(AngularVelocity::from_si);
+        share(extent.torque(self.inertia), (self.edge)(self.short_time.least_between(slower, faster)).si())
     }
 
     fn value(&self, node: &Node) -> f64 {
-        let limit = if self.is_braking(node) { self.most } else { self.limit(node.speed_rad_s.abs()) };
+        let limit = if self.is_braking(node) { self.most } else { self.limit(node.speed_rad_s).si() };
         share(self.torque(node), limit)
     }
 
@@ -194,7 +139,7 @@ pub(crate) fn torque_speed_trace(
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
-    let lower = Share::of(axis, currents.inertia, highest.value.si(), &short_time);
+    let lower = Share::of(currents.inertia, highest.value.si(), &short_time);
     let (found, worst) = axis.trace.largest(&lower);
     let (torque, is_braking) = (lower.torque(&worst).abs(), lower.is_braking(&worst));
     if work.is_on() {
