@@ -17,6 +17,14 @@ fn with_moves(count: usize) -> String {
     format!("{head}{}[bearing]{rest}", format!("[[motion]]{one}").repeat(count))
 }
 
+/// The same station by a law that bends all the way, with the rest of the cycle as a dwell.
+fn with_a_smooth_move() -> String {
+    let (head, tail) = PROJECT.split_once("[[motion]]").expect("the example has a move");
+    let (_, rest) = tail.split_once("[bearing]").expect("the example has bearing loads");
+    let smooth = "law = \"modified_sine\"\ndistance = \"48 deg\"\ntime = \"0.3 s\"\n";
+    format!("{head}[[motion]]\n{smooth}[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[bearing]{rest}")
+}
+
 /// An arm that swings a thousand times under its weight, each time otherwise: nothing stands for anything else.
 fn swings() -> String {
     let moves: String = (0..1000)
@@ -64,6 +72,14 @@ fn main() -> ExitCode {
         );
     }
     println!("  per actuator: {:.0} ns", whole.measured.median.as_secs_f64() * 1e9 / judged as f64);
+    let smooth = workbench::read(&with_a_smooth_move()).expect("the example with a smooth law is valid");
+    let one = || {
+        black_box(size(black_box(&project)));
+    };
+    let found = against(100, one, || {
+        black_box(size(black_box(&smooth)));
+    });
+    gates.at_most("one move of a smooth law", &found, ("one move of three ramps", 20.0));
     for (count, promise) in [(10, 6.0), (100, 15.0), (1000, 60.0)] {
         let many = workbench::read(&with_moves(count)).expect("the repeated example is valid");
         let one = || {

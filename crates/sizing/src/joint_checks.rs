@@ -10,7 +10,7 @@ use derivation::Workings;
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{NEWTON_METRE, ONE, RADIAN_PER_SECOND_SQUARED, SECOND};
 use quantities::{Measure, Time, Torque};
-use trace::TorqueWith;
+use trace::{Convex, Extent, Node};
 
 /// Both joints, and the field of application where a special one is stated.
 pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool, checks: &mut Vec<Check>) {
@@ -77,9 +77,9 @@ fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Re
     // Of an own actuator the ratio may not be known: without a gear the whole of J_out acts on the housing, the most.
     let ratio = actuator.ratio.known();
     let inertia = own / ratio.map_or(1.0, |ratio| ratio.value);
-    let worst = |inertia: f64| axis.trace.largest(&TorqueWith { inertia_kgm2: inertia });
-    let (forward, backward) = (worst(inertia), worst(-inertia));
-    let (torque, node) = if backward.0 > forward.0 { backward } else { forward };
+    let bound = |extent: &Extent| extent.torque(inertia).max(extent.torque(-inertia));
+    let value = |node: &Node| node.load_nm.abs() + inertia * node.acceleration_rad_s2.abs();
+    let (torque, node) = axis.trace.largest(&Convex(bound, value));
     if let Some(collision) = collision(axis, torque, work) {
         return Ok(collision);
     }

@@ -399,19 +399,18 @@ fn in_order<T>(items: &[T], bound: impl Fn(&T) -> (f64, f64), best: &mut Best, m
         visit(only, best);
         return;
     }
+    let bounds: Vec<(f64, f64)> = items.iter().map(bound).collect();
     let mut first: Option<(usize, f64)> = None;
-    for (index, item) in items.iter().enumerate() {
-        let here = bound(item).0;
-        if first.is_none_or(|(_, largest)| here > largest) {
-            first = Some((index, here));
+    for (index, (above, _)) in bounds.iter().enumerate() {
+        if first.is_none_or(|(_, largest)| *above > largest) {
+            first = Some((index, *above));
         }
     }
     let Some((first, _)) = first else { return };
     if let Some(item) = items.get(first) {
         visit(item, best);
     }
-    for (index, item) in items.iter().enumerate() {
-        let (above, from) = bound(item);
+    for (index, (item, (above, from))) in items.iter().zip(bounds).enumerate() {
         if index != first && best.may_be_within(above, from) {
             visit(item, best);
         }

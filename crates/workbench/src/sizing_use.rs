@@ -292,20 +292,12 @@ fn by_two<'t, T: Sync, R: Send, S: Send, F: FnMut(&'t T) -> Result<R, S>>(
     Ok(done.into_iter().map(|(_, found)| found).collect())
 }
 
-/// Candidates, best first, in the memory in which they lie.
-fn ranked(mut candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
+/// Candidates, best first.
+fn ranked(candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
     let mut order: Vec<(Standing, usize)> = candidates.iter().map(|c| c.standing).zip(0..).collect();
     order.sort_by(|(a, _), (b, _)| rank(a, b));
-    // Each swap brings one to its place; who stood there has gone where its own place leads.
-    for place in 0..order.len() {
-        let was = |place: usize| order.get(place).map_or(place, |(_, was)| *was);
-        let mut from = was(place);
-        while from < place {
-            from = was(from);
-        }
-        candidates.swap(place, from);
-    }
-    candidates
+    let mut open: Vec<Option<Candidate<'_>>> = candidates.into_iter().map(Some).collect();
+    order.into_iter().filter_map(|(_, was)| open.get_mut(was)?.take()).collect()
 }
 
 /// A part has at least so many actuators.
