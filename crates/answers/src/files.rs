@@ -44,6 +44,8 @@ pub struct ExportWritten {
     pub verdict: Fit,
     /// The tables in it.
     pub tables: Vec<TableWritten>,
+    /// Tables that it does not have, because they are too long for a sheet of a workbook.
+    pub left_out: Vec<TableWritten>,
 }
 
 /// A table in a file.

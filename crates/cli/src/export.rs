@@ -7,8 +7,9 @@ use crate::save::{ready, save};
 use crate::subject::{in_reach, picked, refuse};
 use crate::waiting::patience;
 use clap::ArgMatches;
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use tables::{Format, Front, NAMES, Subject, Table};
+use tables::{Format, Front, NAMES, SHEET_ROWS_MOST, Subject, Table};
 use workbench::answers::{ExportWritten, TableWritten};
 use workbench::text::{hint_text, standing_text, terminal};
 use workbench::{Candidate, Hint, Language, Project, Question, Sizing, answer};
@@ -74,7 +75,12 @@ fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Ans
         return Ok(Answer { data: String::from_utf8_lossy(&bytes).into_owned(), talk, code, ..Answer::none() });
     };
     save(&[(file, &bytes)], &inputs, wish.force).map_err(|fault| fault.answer(as_json, language))?;
-    let data = if as_json { told_json(file, &tables, &chosen) } else { told(file, &tables, &chosen, language) };
+    let (there, left_out): (Vec<&Table>, Vec<&Table>) = tables.iter().partition(|table| wish.format.holds(table));
+    let data = if as_json {
+        told_json(file, (&there, &left_out), &chosen)
+    } else {
+        told(file, (&there, &left_out), &chosen, language)
+    };
     Ok(Answer { data, talk, code, ..Answer::none() })
 }
 
@@ -139,19 +145,34 @@ fn bytes(wish: &Wish<'_>, tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>
     })
 }
 
-fn told(file: &Path, tables: &[Table], chosen: &Candidate<'_>, language: Language) -> String {
+/// The tables in a file, and those that are too long for it.
+type Told<'t> = (&'t [&'t Table], &'t [&'t Table]);
+
+fn told(file: &Path, (there, left_out): Told<'_>, chosen: &Candidate<'_>, language: Language) -> String {
     let verdict = standing_text(chosen, language);
-    let parts: Vec<String> = tables.iter().map(|table| format!("{} {}", table.name, table.rows.len())).collect();
+    let listed = |tables: &[&Table]| {
+        let each = tables.iter().map(|table| format!("{} {}", table.name, table.rows.len()));
+        each.collect::<Vec<_>>().join(", ")
+    };
     let rows = terminal::rows(language);
-    format!("{}: {}: {verdict}; {rows}: {}\n", path_text(file), chosen.id, parts.join(", "))
+    let mut told = format!("{}: {}: {verdict}; {rows}: {}", path_text(file), chosen.id, listed(there));
+    if !left_out.is_empty() {
+        let _ = write!(told, "; {}: {}", terminal::on_no_sheet(&SHEET_ROWS_MOST, language), listed(left_out));
+    }
+    told.push('\n');
+    told
 }
 
-fn told_json(file: &Path, tables: &[Table], chosen: &Candidate<'_>) -> String {
-    let tables = tables.iter().map(|table| TableWritten { name: table.name.to_owned(), rows: table.rows.len() });
+fn told_json(file: &Path, (there, left_out): Told<'_>, chosen: &Candidate<'_>) -> String {
+    let listed = |tables: &[&Table]| {
+        let each = tables.iter().map(|table| TableWritten { name: table.name.to_owned(), rows: table.rows.len() });
+        each.collect()
+    };
     written(&ExportWritten {
         file: path_text(file),
         code: chosen.id.to_string(),
         verdict: answer::fit(chosen),
-        tables: tables.collect(),
+        tables: listed(there),
+        left_out: listed(left_out),
     })
 }

@@ -9,7 +9,8 @@ use workbench::quantities::unit::{KILOGRAM, WATT};
 use workbench::quantities::{Measure, format_number};
 use workbench::text::{capitalised, check_title, page, standing_text, terms};
 use workbench::{
-    Candidate, Patience, Project, Verdict, demand_figures, percent, power_over_cycle, reason, sized, sum_of_known,
+    Candidate, Patience, Project, Refusal, Verdict, demand_figures, percent, power_over_cycle, reason, sized,
+    sum_of_known,
 };
 
 /// What is told of an axis.
@@ -25,12 +26,15 @@ struct Row {
     returned_w: Option<f64>,
 }
 
-/// The summary; `None` where the work ended before it was done.
-pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Option<Markup> {
+/// The summary.
+///
+/// # Errors
+/// Where the work ended before it was done.
+pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Result<Markup, Refusal> {
     let l = state.language;
     let mut rows: Vec<(&Project, Option<Row>)> = Vec::new();
     for project in &held.projects {
-        let sizing = sized(project, 0, patience).ok()?;
+        let sizing = sized(project, 0, patience)?;
         let found = chosen(project, sizing.candidates.first());
         rows.push((project, found.map(|candidate| row(state, project, &candidate))));
     }
@@ -49,7 +53,7 @@ pub(crate) fn together(state: &State, held: &Held, patience: &Patience) -> Optio
             @if known < rows.len() { br; span.small { (page::sum_of_known(&known, &rows.len(), l)) } }
         }
     };
-    Some(html! {
+    Ok(html! {
         section id="together" aria-labelledby="together-title" class=[held.is_old.then_some("old")] {
             h2 id="together-title" { (page::axes_together(l)) }
             (crate::demand::stopped(&html! {}))

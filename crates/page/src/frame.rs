@@ -15,8 +15,8 @@ use figures::Theme;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use workbench::text::{capitalised, check_title, page, terms};
 use workbench::{
-    Candidate, CandidateId, CheckId, Language, Patience, Project, Template, check, check_own, compare, explain,
-    explain_own, sized, template, template_kinds,
+    Candidate, CandidateId, CheckId, Language, Patience, Project, Refusal, Template, check, check_own, compare,
+    explain, explain_own, sized, template, template_kinds,
 };
 
 /// The sign of the page in a browser.
@@ -53,7 +53,7 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
                 a.skip href="#standing" { (page::skip_to_result(l)) }
                 @match work(&mut state, shell, patience) {
                     Ok(page) => { (page) }
-                    Err(held) => { (unfinished(&state, &held, shell, &waiting::stopped(false, Some("/work"), shell, patience, l))) }
+                    Err((held, why)) => { (unfinished(&state, &held, shell, &waiting::stopped(&why, false, Some("/work"), shell, patience, l))) }
                 }
                 (waiting::place(l))
                 aside id="detail" aria-live="polite" { @if call.field("tool").is_some() { (tools::pane(call, shell, patience)) } }
@@ -68,16 +68,16 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
 pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let mut state = State::of(call);
     let l = state.language;
-    let held = match work(&mut state, shell, patience) {
+    let (held, why) = match work(&mut state, shell, patience) {
         Ok(page) => return Reply::of(200, crate::HTML, page.into_string()),
-        Err(held) => held,
+        Err(unfinished) => unfinished,
     };
     let part = |target: &str, inside: Markup| html! { template hx type="partial" hx-target=(target) hx-swap="outerMorph" { (inside) } };
     let parts = html! {
         (part("#state", state_of(&state)))
         (part("#moves", form::column(&state, &held, shell)))
         (part("#text-pane", text(&state)))
-        (part("#stopped", demand::stopped(&waiting::stopped(true, Some("/work"), shell, patience, l))))
+        (part("#stopped", demand::stopped(&waiting::stopped(&why, true, Some("/work"), shell, patience, l))))
     };
     let mut reply = Reply::of(200, crate::HTML, parts.into_string());
     reply.headers.push(("hx-reswap", String::from("none")));
@@ -87,25 +87,25 @@ pub(crate) fn worked(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
 /// All of the page that a change of the project may touch.
 ///
 /// # Errors
-/// What could be read of the project, where the work ended before it was done.
-fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Markup, Box<Held>> {
+/// What could be read of the project, where the work ended before it was done or was not begun, and why.
+fn work(state: &mut State, shell: &dyn Shell, patience: &Patience) -> Result<Markup, (Box<Held>, Refusal)> {
     if state.text.is_empty() && state.good.is_empty() {
         return Ok(start(state, shell));
     }
     let held = state.hold(shell.files(), patience);
-    if held.is_stopped {
-        return Err(Box::new(held));
+    if let Some(refusal) = held.refused.clone() {
+        return Err((Box::new(held), refusal));
     }
     if state.all_axes && held.projects.len() > 1 {
-        let summary = axes::together(state, &held, patience);
-        return summary
-            .map(|summary| page_of(state, &held, shell, &html! { main.together { (summary) } }))
-            .ok_or_else(|| Box::new(held));
+        return match axes::together(state, &held, patience) {
+            Ok(summary) => Ok(page_of(state, &held, shell, &html! { main.together { (summary) } })),
+            Err(refusal) => Err((Box::new(held), refusal)),
+        };
     }
     let project = held.projects.get(state.axis);
     let sizing = match project.map(|project| sized(project, 0, patience)).transpose() {
         Ok(sizing) => sizing,
-        Err(_) => return Err(Box::new(held)),
+        Err(refusal) => return Err((Box::new(held), refusal)),
     };
     if let Some(sizing) = &sizing {
         state.choose_nearest(sizing);
@@ -311,8 +311,9 @@ pub(crate) fn explained(call: &Call<'_>, shell: &dyn Shell, patience: &Patience)
     let mut state = State::of(call);
     let wanted = call.field("check").unwrap_or_default();
     let held = state.hold(shell.files(), patience);
-    if held.is_stopped {
-        return html! { p.advice role="status" { (waiting::stopped(false, None, shell, patience, state.language)) } };
+    if let Some(refusal) = &held.refused {
+        let why = waiting::stopped(refusal, false, None, shell, patience, state.language);
+        return html! { p.advice role="status" { (why) } };
     }
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
     let is_sought = state.code.is_none() && project.actuator.is_none();

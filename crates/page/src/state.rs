@@ -7,8 +7,8 @@ use crate::form::tolerance_of;
 use figures::{By, Place, Theme, nearest};
 use workbench::text::{Told, told};
 use workbench::{
-    CandidateId, Diagnostic, Draw, Edit, Files, Key, Language, OrderCode, Patience, Project, SAMPLES_MOST, Sizing,
-    Unread, Written, edit, read_all_watched, read_code, stretch, written,
+    CandidateId, Diagnostic, Draw, Edit, Files, Key, Language, OrderCode, Patience, Project, Refusal, SAMPLES_MOST,
+    Sizing, Unread, Written, edit, read_all_watched, read_code, stretch, written,
 };
 
 /// The state as a request carries it, with what was changed by it.
@@ -67,8 +67,8 @@ pub(crate) struct Held {
     pub(crate) written: Vec<Written>,
     /// Whether the text is TOML, so that something in it has a place.
     pub(crate) has_places: bool,
-    /// Whether the work ended before it was done.
-    pub(crate) is_stopped: bool,
+    /// Why the work ended before it was done, or was not begun.
+    pub(crate) refused: Option<Refusal>,
 }
 
 impl State {
@@ -177,25 +177,26 @@ impl State {
             Ok(projects) => {
                 self.good.clone_from(&self.text);
                 let written = keys.unwrap_or_default();
-                Held { projects, faults: Vec::new(), is_old: false, written, has_places, is_stopped: false }
+                Held { projects, faults: Vec::new(), is_old: false, written, has_places, refused: None }
             }
-            Err(Unread::Refused(_)) => Held {
+            Err(Unread::Refused(refusal)) => Held {
                 projects: Vec::new(),
                 faults: Vec::new(),
                 is_old: true,
                 written: keys.unwrap_or_default(),
                 has_places,
-                is_stopped: true,
+                refused: Some(refusal),
             },
             Err(Unread::Faults(found)) => {
                 let keys_there = keys.as_deref().unwrap_or_default();
                 let faults = placed(&found, (&self.text, keys_there), workbench::key_at, self.language);
                 let written = keys.or_else(|| written(&self.good)).unwrap_or_default();
-                let (projects, is_stopped) = match read_all_watched(&self.good, files, patience) {
-                    Ok(projects) => (projects, false),
-                    Err(unread) => (Vec::new(), matches!(unread, Unread::Refused(_))),
+                let (projects, refused) = match read_all_watched(&self.good, files, patience) {
+                    Ok(projects) => (projects, None),
+                    Err(Unread::Refused(refusal)) => (Vec::new(), Some(refusal)),
+                    Err(Unread::Faults(_)) => (Vec::new(), None),
                 };
-                Held { projects, faults, is_old: true, written, has_places, is_stopped }
+                Held { projects, faults, is_old: true, written, has_places, refused }
             }
         }
     }

@@ -42,10 +42,11 @@ pub(crate) fn place(state: &State, project: &Project, candidate: &Candidate<'_>,
 pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
     let mut state = State::of(call);
     let l = state.language;
-    let stopped = || html! { p.advice { (waiting::stopped(false, None, shell, patience, l)) } };
+    let stopped =
+        |refusal: &Refusal| html! { p.advice { (waiting::stopped(refusal, false, None, shell, patience, l)) } };
     let held = state.hold(shell.files(), patience);
-    if held.is_stopped {
-        return stopped();
+    if let Some(refusal) = &held.refused {
+        return stopped(refusal);
     }
     let Some(project) = held.projects.get(state.axis) else { return html! {} };
     let sizing =
@@ -55,7 +56,7 @@ pub(crate) fn judged(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
     match scatter(project, &candidate, state.draw(), patience) {
         Ok(Some(assessment)) => found(project, &assessment, l),
         Ok(None) => html! {},
-        Err(Refusal::Stopped) => stopped(),
+        Err(Refusal::Stopped) => stopped(&Refusal::Stopped),
         Err(refusal) => html! { p.fault { (refusal_text(&refusal, None, l)) } },
     }
 }

@@ -3,9 +3,10 @@
 use crate::call::{Call, Reply, Shell};
 use crate::form::vals;
 use maud::{Markup, html};
+use workbench::answer::refusal_text;
 use workbench::quantities::format_number;
 use workbench::text::{capitalised, page, requests, terminal};
-use workbench::{Language, Patience};
+use workbench::{Language, Patience, Refusal};
 
 /// Where a page shows that a work takes longer, with a way to cancel it.
 pub(crate) fn place(language: Language) -> Markup {
@@ -39,21 +40,25 @@ pub(crate) fn cancelled(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     Reply::text(status, "")
 }
 
-/// Why there is no result of the last change, and how to ask for it again; `before` says that an older one is shown.
+/// Why there is no result of the last change, and how to ask for it again where that may help; `before` says that an older
+/// one is shown.
 pub(crate) fn stopped(
+    refusal: &Refusal,
     before: bool,
     again: Option<&str>,
     shell: &dyn Shell,
     patience: &Patience,
     language: Language,
 ) -> Markup {
+    let is_stopped = *refusal == Refusal::Stopped;
     let why = match shell.time_limit().filter(|_| patience.is_late()) {
+        _ if !is_stopped => refusal_text(refusal, None, language),
         Some(limit) => requests::not_in_time(&limit.as_secs(), language),
         None => page::was_cancelled(language).to_owned(),
     };
     html! {
         (capitalised(&why)) ". " @if before { (page::result_before(language)) " " }
-        @if let Some(path) = again {
+        @if let Some(path) = again.filter(|_| is_stopped) {
             button.small type="button" id="again" hx-post=(path) hx-vals=(vals(&[])) { (page::compute_again(language)) }
         }
     }

@@ -95,3 +95,16 @@ fn what_is_not_there_is_told() {
     assert_eq!(get("/assets/page.js", "").status, 200);
     assert_eq!(post("/save", &[("text", "format = 1\n"), ("file", "a.toml")]).status, 404, "no folder to save in");
 }
+
+#[test]
+fn what_is_refused_unasked_is_told_as_that_and_not_as_stopped() {
+    let moves = "[[motion]]\nlaw = \"modified_sine\"\ndistance = \"40 deg\"\ntime = \"0.7 s\"\n".repeat(300);
+    let ratios = (2..18).map(|ratio| format!("{ratio}.0")).collect::<Vec<_>>().join(", ");
+    let text = format!(
+        "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[stage]\nkind = \"belt\"\nratios = [{ratios}]\nefficiency = 0.95\n\
+         {moves}[requirements]\nsupply = \"560 V\"\nambient = \"30 degC\"\n"
+    );
+    let html = page(&post("/work", &[("text", &text)]));
+    assert!(html.contains("16 ratios") && !html.contains("was cancelled"), "{}", &html[..2000.min(html.len())]);
+    assert!(!html.contains("id=\"again\""), "the same question would be refused again");
+}

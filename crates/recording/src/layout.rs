@@ -67,7 +67,7 @@ impl Role {
     pub const fn names(self) -> &'static [&'static str] {
         match self {
             Self::Time => &["time", "t", "zeit", "timestamp"],
-            Self::Position => &["position", "pos", "angle", "q", "phi", "winkel", "weg", "x"],
+            Self::Position => &["position", "pos", "angle", "q", "phi", "winkel", "lage", "stellung", "weg", "x"],
             Self::Speed => &["speed", "velocity", "vel", "n", "v", "omega", "qd", "dq", "drehzahl", "geschwindigkeit"],
             Self::Torque => &["torque", "tau", "m", "moment", "drehmoment", "force", "f", "kraft", "effort"],
         }

@@ -1,5 +1,6 @@
 //! The formats, and what a long course may take in each.
 
+use crate::table::Table;
 use crate::xlsx::SHEET_ROWS_MOST;
 use workbench::{Project, Refusal, course_rows};
 
@@ -58,6 +59,12 @@ impl Format {
         let rows = course_rows(project);
         let needed = self.row_bytes().saturating_mul(rows as u64);
         if needed > memory { Err(Refusal::TooManyRows { rows, needed, most: memory }) } else { Ok(()) }
+    }
+
+    /// Whether a file of this format has a table: a workbook has none that is too long for a sheet.
+    #[must_use]
+    pub fn holds(self, table: &Table) -> bool {
+        self != Self::Workbook || table.rows.len() <= SHEET_ROWS_MOST
     }
 
     /// How many instants a course has that is not made, because for certain a sheet does not take it: of two neighbours at

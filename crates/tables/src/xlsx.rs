@@ -6,6 +6,7 @@ mod sheet;
 mod style;
 
 use crate::error::WriteError;
+use crate::format;
 use crate::table::Table;
 
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Workbook, Worksheet};
@@ -49,7 +50,7 @@ pub fn xlsx(tables: &[Table], front: &Front<'_>) -> Result<Vec<u8>, WriteError> 
     workbook.set_properties(&properties(front)?);
     let cover = cover::sheet(tables, front, &styles)?;
     workbook.push_worksheet(cover);
-    for table in tables.iter().filter(|table| table.rows.len() <= SHEET_ROWS_MOST) {
+    for table in tables.iter().filter(|table| format::Format::Workbook.holds(table)) {
         workbook.push_worksheet(sheet::sheet(table, &links, &styles, language)?);
     }
     if let Some(charts) = charts::sheet(tables, &front.chosen.id.to_string(), language)? {

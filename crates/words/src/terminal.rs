@@ -147,6 +147,8 @@ texts! {
     not_in_time(most) =
         "not answered within {most} s; allow more with --deadline, or ask for less: fewer samples, a shorter cycle, one axis with --axis"
         | "in {most} s keine Antwort; mit --deadline mehr erlauben oder weniger fragen: weniger Stichproben, ein kürzerer Zyklus, mit --axis eine einzelne Achse";
+    on_no_sheet(most) =
+        "on no sheet, for it has more than {most} rows" | "auf keinem Blatt, weil länger als {most} Zeilen";
     calculating_share(share) = "calculating {share} %" | "rechnet {share} %";
     no_axis_possible = "no axis possible" | "keine Achse möglich";
     inside_the_band = "inside the band" | "im Innern des Bands";

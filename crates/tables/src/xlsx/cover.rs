@@ -2,8 +2,9 @@
 
 use super::sheet::FIRST;
 use super::style::{Styles, decimals};
-use super::{Front, Paper, SHEET_ROWS_MOST, height, lines};
+use super::{Front, Paper, height, lines};
 use crate::error::WriteError;
+use crate::format;
 use crate::table::Table;
 use rust_xlsxwriter::utility::row_col_to_cell;
 use rust_xlsxwriter::{ExcelDateTime, Format, Formula, Url, Worksheet};
@@ -136,7 +137,7 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
 /// T_rms once more from the course, beside the exact integral.
 fn effective_torque(page: &mut Page<'_>, tables: &[Table], front: &Front<'_>) -> Result<(), WriteError> {
     let l = front.language;
-    let course = tables.iter().find(|table| table.name == "course" && table.rows.len() <= SHEET_ROWS_MOST);
+    let course = tables.iter().find(|table| table.name == "course" && format::Format::Workbook.holds(table));
     let (Some(course), Some(demand)) = (course, front.chosen.judgement.demand.as_ref()) else { return Ok(()) };
     let (Some(time), Some(torque)) = (course.column("time"), course.column("torque")) else { return Ok(()) };
     let (Ok(time_at), Ok(torque_at)) = (u16::try_from(time), u16::try_from(torque)) else { return Ok(()) };
@@ -192,7 +193,7 @@ fn contents(page: &mut Page<'_>, tables: &[Table]) -> Result<(), WriteError> {
     for table in tables {
         let rows = table.rows.len();
         let count = tables::rows(rows, l);
-        if rows <= SHEET_ROWS_MOST {
+        if format::Format::Workbook.holds(table) {
             let link = Url::new(format!("internal:'{}'!A1", table.title)).set_text(table.title.as_str());
             page.sheet.write_url_with_format(page.row, 0, link, &page.styles.link)?;
             page.sheet.write_string_with_format(page.row, 1, count, &page.styles.plain)?;
