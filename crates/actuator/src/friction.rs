@@ -75,10 +75,15 @@ impl NoLoadFriction {
     #[must_use]
     pub fn at(&self, temperature: ThermodynamicTemperature) -> FrictionAt {
         let (starting, constant, _) = self.state(temperature.si());
+        self.with(temperature, starting, constant)
+    }
+
+    /// The friction of an I_NLS \[A\] and a K [A/(rad/s)] that were found for a temperature.
+    pub(crate) fn with(&self, temperature: ThermodynamicTemperature, starting: f64, constant: f64) -> FrictionAt {
         FrictionAt {
             temperature,
             starting: ElectricCurrent::from_si(starting),
-            counted: ElectricCurrent::from_si(starting * self.counted),
+            counted: ElectricCurrent::from_si(self.counted(starting)),
             constant: NoLoadCurrentConstant::from_si(constant),
         }
     }

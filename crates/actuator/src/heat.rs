@@ -262,7 +262,7 @@ impl HeatModel {
         let housing = ThermodynamicTemperature::from_si(housing);
         Settled {
             housing,
-            friction: self.friction.at(housing),
+            friction: self.friction.with(housing, starting, constant),
             losses: Losses { friction_w: losses.friction_w + further.si(), ..losses },
         }
     }

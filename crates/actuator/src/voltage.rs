@@ -72,6 +72,7 @@ impl MotorVoltage {
     /// u_d and u_q \[V\], peak values of one phase, with i_d = 0.
     ///
     /// u_d = −ω_e L i_q, u_q = R i_q + ω_e ψ, ω_e = p i ω_out, i_q = √2 I
+    #[inline]
     fn components(&self, speed_out: AngularVelocity, current: ElectricCurrent) -> (f64, f64) {
         let omega_e = self.pole_pairs * self.ratio * speed_out.si();
         let i_q = std::f64::consts::SQRT_2 * current.si();
@@ -172,7 +173,7 @@ impl MotorVoltage {
     #[must_use]
     pub fn bound_on_line(&self, ends: [(AngularVelocity, ElectricCurrent); 2]) -> ElectricPotential {
         let [(n0, i0), (n1, i1)] = ends;
-        let [(d0, q0), (d2, q1)] = ends.map(|(n, i)| self.components(n, i));
+        let ((d0, q0), (d2, q1)) = (self.components(n0, i0), self.components(n1, i1));
         let d1 = 0.5 * (self.components(n0, i1).0 + self.components(n1, i0).0);
         let square = [
             d0 * d0 + q0 * q0,

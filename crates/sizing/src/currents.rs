@@ -222,8 +222,10 @@ impl Terminal<'_> {
         self.motor.at(AngularVelocity::from_si(node.speed_rad_s), current).si()
     }
 
-    fn states(&self) -> [&FrictionAt; 2] {
-        [self.currents.cold, &self.currents.warm]
+    /// Of both states the larger one.
+    #[inline]
+    fn larger(&self, of: impl Fn(&FrictionAt) -> f64) -> f64 {
+        of(self.currents.cold).max(of(&self.currents.warm))
     }
 }
 
@@ -238,20 +240,17 @@ impl Sought for Terminal<'_> {
     }
 
     fn value(&self, node: &Node) -> f64 {
-        let [cold, warm] = self.states().map(|friction| self.at(node, friction));
-        cold.max(warm)
+        self.larger(|friction| self.at(node, friction))
     }
 
     fn on_line(&self, a: &Node, b: &Node) -> f64 {
-        let bound = |friction: &FrictionAt| {
+        self.larger(|friction| {
             let end = |node: &Node| {
                 let current = ElectricCurrent::from_si(self.currents.in_state(node, friction));
                 (AngularVelocity::from_si(node.speed_rad_s), current)
             };
             self.motor.bound_on_line([end(a), end(b)]).si()
-        };
-        let [cold, warm] = self.states().map(bound);
-        cold.max(warm)
+        })
     }
 }
 
