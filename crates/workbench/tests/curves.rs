@@ -1,4 +1,5 @@
 //! Every instant of a cycle against a short-time curve that rises again: what it asks at a speed between two instants counts.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may fail")]
 
 use sizing::{CheckId, Verdict};
 
