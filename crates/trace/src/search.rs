@@ -332,6 +332,8 @@ impl Best {
             if !is_between {
                 let five = [low_end, before.1, middle.1, after.1, high_end];
                 if is_highest_at_an_end(five, highest) {
+                    // That end was seen; of what is as high but for rounding its instant is the one that is told.
+                    own.value = f64::NEG_INFINITY;
                     return;
                 }
                 // The ends of what is looked at next are neighbours of the best of the five instants.
