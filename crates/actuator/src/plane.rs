@@ -148,7 +148,7 @@ impl<'a> ShortTime<'a> {
                 let drop = points.last().map(|end| (end.speed.si() * (1.0 + AT_THE_END)).next_up());
                 points.iter().map(|point| point.speed.si()).chain(drop).collect()
             }
-            // The least of what falls ever steeper.
+            // Where one of several laws takes over as the least of them the corner points upwards.
             Law::Model(_) => Vec::new(),
         }
     }

@@ -110,16 +110,3 @@ fn the_series_of_a_panel_are_the_polynomials_through_its_nodes() {
         }
     }
 }
-
-/// α of a modified sine is largest where its first piece ends, an eighth of the time after the start: that instant is told,
-/// not one beside it whose value is as high but for rounding.
-#[test]
-fn a_flat_peak_at_an_end_is_told_at_that_end() {
-    for time in [0.45, 0.7, 0.3, 1.1] {
-        let trace = under(&direct(), &motion(&[law(Law::ModifiedSine, 1.0, time), law(Law::ModifiedSine, -1.0, time)]));
-        for inertia in [0.0, 0.01, 0.3, 7.0] {
-            let (_, node) = trace.largest(&TorqueWith { inertia_kgm2: inertia });
-            assert_eq!(node.time_s, 0.125 * time, "{inertia}, {time}");
-        }
-    }
-}
