@@ -43,7 +43,7 @@ pub use derivation;
 pub use flange::{DerivedLoads, FlangeSample};
 pub use judge::{Checks, Depth, InOrder, Judge, Judgement, Naming, energies, judge};
 pub use notes::{BrakeStop, Budget, Note, Notes, ResonanceSpeeds};
-pub use rank::{Standing, rank};
+pub use rank::{Place, Standing, rank};
 pub use reserve::{Reserve, SAMPLES_ANEW, Unsought, reserve, reserve_watched};
 pub use trace::INSTANTS_MOST;
 pub use watch::{Unwatched, Watch, finished};

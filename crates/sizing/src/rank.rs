@@ -37,20 +37,46 @@ impl Standing {
 /// Equal standings keep the order in which they came, the order of the catalogue.
 #[must_use]
 pub fn rank(a: &Standing, b: &Standing) -> Ordering {
-    let by_margin = || a.utilisation.total_cmp(&b.utilisation);
-    let by_miss = || a.utilisation.max(1.0).total_cmp(&b.utilisation.max(1.0));
-    let by_size = || a.size.cmp(&b.size);
-    let by_band = || (a.utilisation > 1.0).cmp(&(b.utilisation > 1.0));
-    b.fits
-        .cmp(&a.fits)
-        .then_with(|| {
-            if a.fits {
-                by_band().then_with(by_size).then_with(by_margin)
-            } else {
-                by_miss().then_with(by_size).then_with(by_margin)
-            }
-        })
-        .then_with(|| a.mass_kg.total_cmp(&b.mass_kg))
+    Place::of(a).cmp(&Place::of(b))
+}
+
+/// The rule as what is compared one after the other: made once for each of many that are put in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    class: Class,
+    /// By how much it misses; nothing of what fits.
+    miss: u64,
+    size: u16,
+    utilisation: u64,
+    mass: u64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Class {
+    WithinLimits,
+    InsideBand,
+    Unfit,
+}
+
+impl Place {
+    /// That of a candidate.
+    #[must_use]
+    pub fn of(standing: &Standing) -> Self {
+        let Standing { fits, size, utilisation, mass_kg } = *standing;
+        let (class, miss) = match fits {
+            true if utilisation > 1.0 => (Class::InsideBand, 0),
+            true => (Class::WithinLimits, 0),
+            false => (Class::Unfit, in_order(utilisation.max(1.0))),
+        };
+        Self { class, miss, size, utilisation: in_order(utilisation), mass: in_order(mass_kg) }
+    }
+}
+
+/// A number in the order of [`f64::total_cmp`] as one that is compared at once.
+const fn in_order(value: f64) -> u64 {
+    let bits = value.to_bits();
+    let negative = bits >> 63 == 1;
+    if negative { !bits } else { bits | 1 << 63 }
 }
 
 #[cfg(test)]
@@ -87,5 +113,11 @@ mod tests {
                 (false, 14, 3.0, 1.0),
             ]
         );
+    }
+    #[test]
+    fn numbers_keep_their_order() {
+        let rising =
+            [f64::NEG_INFINITY, -1.0, -0.0, 0.0, 5e-324, 0.7, 1.0, 1.0 + f64::EPSILON, f64::INFINITY, f64::NAN];
+        assert!(rising.is_sorted_by(|a, b| a.total_cmp(b).is_lt() && in_order(*a) < in_order(*b)));
     }
 }

@@ -375,7 +375,7 @@ fn bow(nodes: &[Node]) -> [f64; 4] {
     let shares = rule.nodes();
     let gap = shares.iter().zip(shares.iter().skip(1)).map(|(a, b)| 2.0 * (b - a)).fold(0.0, f64::max);
     let mut j = 0.0;
-    for factors in rule.coefficients_of(nodes) {
+    for factors in rule.coefficients_of(nodes.iter().map(Node::signals)) {
         for (bow, a) in bow.iter_mut().zip(factors) {
             *bow += a.abs() * (j - 1.0) * j * (j + 1.0) * (j + 2.0) / 8.0;
         }

@@ -96,6 +96,41 @@ pub(super) fn swing(panel: &Panel<'_>) -> Products {
     swing
 }
 
+/// The largest |∫(p_m − p̄_m) dt| on a way: what is gathered until the end of each part of it, and how far that swings
+/// within the part.
+fn most_away<'a>(
+    course: impl Iterator<Item = (f64, &'a Products, &'a Products)>,
+    whole: &Products,
+    duration: f64,
+) -> Products {
+    let (mut most, mut before) = ([0.0_f64; 10], [0.0_f64; 10]);
+    for (until, sums, swings) in course {
+        for ((((most, before), whole), sum), swing) in most.iter_mut().zip(&mut before).zip(whole).zip(sums).zip(swings)
+        {
+            let away = (sum - whole * until / duration).abs();
+            *most = most.max(away.max(*before) + swing);
+            *before = away;
+        }
+    }
+    most
+}
+
+/// The same through neighbouring blocks.
+pub(super) fn most_on_the_way(blocks: &[LagBlock], duration: f64) -> Products {
+    if let [one] = blocks {
+        return one.swing;
+    }
+    let mut course = Vec::with_capacity(blocks.len());
+    let (mut elapsed, mut gathered) = (0.0, [0.0; 10]);
+    for block in blocks {
+        let [whole, ..] = &block.moments;
+        elapsed += block.duration;
+        gathered.iter_mut().zip(whole).for_each(|(sum, further)| *sum += further);
+        course.push((elapsed, gathered, &block.swing));
+    }
+    most_away(course.iter().map(|(until, sums, swing)| (*until, sums, *swing)), &gathered, duration)
+}
+
 /// Legendre moments kept of each block.
 const MOMENTS: usize = 4;
 
@@ -139,18 +174,24 @@ impl LagBlock {
             }
             course.push((elapsed, gathered, swing(&panel)));
         });
-        let mut most = [0.0_f64; 10];
-        let mut before = [0.0_f64; 10];
-        for (until, sums, swings) in &course {
-            for ((((most, before), whole), sum), swing) in
-                most.iter_mut().zip(&mut before).zip(gathered).zip(sums).zip(swings)
-            {
-                let away = (sum - whole * until / duration).abs();
-                *most = most.max(away.max(*before) + swing);
-                *before = away;
-            }
+        let course = course.iter().map(|(until, sums, swing)| (*until, sums, swing));
+        let swing = most_away(course, &gathered, duration);
+        Self { duration, moments, swing }
+    }
+
+    /// Of a kept panel, once: by the polynomials through the products at its nodes, whose factors are (2k + 1)/h times the
+    /// moments.
+    pub(super) fn of_panel(panel: &Panel<'_>) -> Self {
+        let (duration, mut moments) = (panel.duration_s, [[0.0; 10]; MOMENTS]);
+        let mut found = [[0.0; 10]; rule::MOST];
+        found.iter_mut().zip(panel.nodes).for_each(|(found, node)| *found = products(node));
+        let values = found.into_iter().take(panel.nodes.len());
+        let mut odd = 1.0;
+        for (moment, factors) in moments.iter_mut().zip(rule(panel.nodes.len()).coefficients_of(values)) {
+            *moment = factors.map(|factor| factor * duration / odd);
+            odd += 2.0;
         }
-        Self { duration, moments, swing: most }
+        Self { duration, moments, swing: swing(panel) }
     }
 
     /// The same of straight intervals under a constant torque and in one direction: of the ten products five change, and

@@ -1,12 +1,14 @@
 //! First-order lags of quadratic forms over a cycle that repeats for ever.
 
 mod course;
+mod lots;
 
-use super::gains::{Gain, GainTables, Gains, Products, largest, rounded, sum, sum_of_magnitudes, swing};
+use super::gains::{Gain, GainTables, Gains, Products, rounded, sum, sum_of_magnitudes};
 use super::recording::Strip;
 use super::rule::{SHORT, short};
 use super::{Form, Node, Panel, Run, Trace};
 use course::{Course, slopes, turn, turns};
+use lots::{Lot, Lots};
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
@@ -31,7 +33,7 @@ pub struct Peak {
 /// What lags need of the panels that are kept.
 #[derive(Debug, Default)]
 pub(super) struct LagCache {
-    swings: OnceLock<Vec<Products>>,
+    lots: OnceLock<Lots>,
     gains: GainTables,
 }
 
@@ -46,9 +48,8 @@ struct Period {
 }
 
 impl Period {
-    fn of(gains: &[Gain], factors: &Products, tau_s: f64, duration: f64) -> Self {
-        let gain = gains.iter().fold(0.0, |state, gain| state * gain.decay + sum(factors, &gain.gain));
-        Self { lambda: duration / tau_s, gain }
+    fn of(once: &Gain, factors: &Products, tau_s: f64, duration: f64) -> Self {
+        Self { lambda: duration / tau_s, gain: sum(factors, &once.gain) }
     }
 
     /// The state that each period brings back.
@@ -125,11 +126,11 @@ impl Trace {
         Search { trace: self, lags, flows: &flows, states: starts, best, seen: BTreeMap::new() }.search()
     }
 
-    /// The lag through all stretches: panels that are kept, blocks of recordings.
+    /// The lag through all stretches: lots of panels that are kept, blocks of recordings.
     fn flow(&self, lag: &Lag) -> Flow {
         let mut stretches = Vec::with_capacity(self.panels.len());
         let (mut factors, mut gains) = (Vec::with_capacity(self.runs.len()), Vec::with_capacity(self.runs.len()));
-        for run in &self.runs {
+        for (number, run) in self.runs.iter().enumerate() {
             let (q, found) = match run {
                 Run::Recorded(strip) => {
                     let Some(strip) = self.strips.get(*strip) else { continue };
@@ -137,17 +138,18 @@ impl Trace {
                     (q, strip.survey().gains.of(tau_s, |tau_s| strip.gains(tau_s)))
                 }
                 Run::Kept(_) | Run::Repeated(..) => {
-                    (lag.form.factors(), self.lags.gains.of(lag.tau_s, |tau_s| self.kept_gains(tau_s)))
+                    (lag.form.factors(), self.lags.gains.of(lag.tau_s, |tau_s| self.lots().gains(self, tau_s)))
                 }
             };
-            let within = |range: &std::ops::Range<usize>| found.stretches().get(range.clone()).unwrap_or_default();
             let through = |gain: &Gain| (gain.decay, sum(&q, &gain.gain));
+            let (places, lots) = self.lots().of_run(number);
+            let within = found.stretches().get(places).unwrap_or_default();
             match run {
-                Run::Kept(range) => stretches.extend(within(range).iter().map(through)),
-                Run::Repeated(range, times) => {
-                    let period = Period::of(within(range), &q, lag.tau_s, self.duration_of(range));
-                    stretches.push((period.decay(*times), period.added(*times)));
-                }
+                Run::Kept(_) => stretches.extend(within.iter().map(through)),
+                Run::Repeated(_, times) => stretches.extend(within.iter().zip(lots).map(|(once, lot)| {
+                    let period = Period::of(once, &q, lag.tau_s, lot.duration);
+                    (period.decay(*times), period.added(*times))
+                })),
                 Run::Recorded(_) => stretches.extend(found.stretches().iter().map(through)),
             }
             factors.push(q);
@@ -157,44 +159,35 @@ impl Trace {
         Flow { tau_s: lag.tau_s, stretches, factors, gains, start: gathered / -(-self.duration / lag.tau_s).exp_m1() }
     }
 
-    /// Duration of some kept panels, once \[s\].
-    fn duration_of(&self, range: &std::ops::Range<usize>) -> f64 {
-        self.panels.get(range.clone()).unwrap_or_default().iter().map(|kept| kept.duration).sum()
+    fn lots(&self) -> &Lots {
+        self.lags.lots.get_or_init(|| Lots::of(self))
     }
 
-    fn kept_gains(&self, tau_s: f64) -> Vec<Gain> {
-        let gain = |kept| {
-            let mut gain = Gain::NONE;
-            gain.pass(&self.panel(kept), tau_s);
-            gain
-        };
-        self.panels.iter().map(gain).collect()
-    }
-
-    fn kept_swings(&self) -> &[Products] {
-        self.lags.swings.get_or_init(|| self.panels.iter().map(|kept| swing(&self.panel(kept))).collect())
+    /// The instant at which a kept panel ends \[s\].
+    fn end_of_panel(&self, panel: usize) -> f64 {
+        let nodes = self.panels.get(panel).and_then(|kept| self.nodes.get(kept.nodes.clone()));
+        nodes.and_then(<[Node]>::last).map_or(0.0, |node| node.time_s)
     }
 
     /// Instant at which a stretch of the lags ends \[s\].
     fn end_of_stretch(&self, index: usize) -> f64 {
         let mut before = 0;
-        for run in &self.runs {
+        for (number, run) in self.runs.iter().enumerate() {
             let within = index - before;
+            let (_, lots) = self.lots().of_run(number);
             match run {
-                Run::Kept(range) => {
-                    if within < range.len() {
-                        return self.panels.get(range.start + within).map_or(0.0, |kept| {
-                            self.nodes.get(kept.nodes.clone()).and_then(<[Node]>::last).map_or(0.0, |node| node.time_s)
-                        });
+                Run::Kept(_) => {
+                    if let Some(lot) = lots.get(within) {
+                        return self.end_of_panel(lot.panels.end - 1);
                     }
-                    before += range.len();
+                    before += lots.len();
                 }
                 Run::Repeated(range, times) => {
-                    if within == 0 {
+                    if let Some(lot) = lots.get(within) {
                         let first = self.panels.get(range.start).and_then(|kept| self.nodes.get(kept.nodes.start));
-                        return first.map_or(0.0, |node| node.time_s) + times * self.duration_of(range);
+                        return first.map_or(0.0, |node| node.time_s) + times * lot.duration;
                     }
-                    before += 1;
+                    before += lots.len();
                 }
                 Run::Recorded(strip) => {
                     let blocks = self.strips.get(*strip).map_or(&[][..], |strip| strip.raw_blocks());
@@ -230,17 +223,17 @@ impl Search<'_> {
         let mut index = 0;
         for (number, run) in self.trace.runs.iter().enumerate() {
             match run {
-                Run::Kept(range) => {
-                    let swings = self.trace.kept_swings().get(range.clone()).unwrap_or_default();
-                    let kept = self.trace.panels.get(range.clone()).unwrap_or_default();
-                    let most = self.rise(number, &largest(swings.iter()), 1.0);
-                    for (kept, swing) in kept.iter().zip(swings) {
-                        let (through, own) = (|flow: &Flow| flow.stretch(index), || self.rise(number, swing, 1.0));
-                        if self.may_rise(&self.states, through, kept.duration, most, own) {
-                            let panel = self.trace.panel(kept);
-                            if !self.was_seen(&panel) && self.may_turn(&panel, index) {
-                                let mut states = self.states.clone();
-                                self.inside(&panel, &mut states);
+                Run::Kept(_) => {
+                    let (places, lots) = self.trace.lots().of_run(number);
+                    let most = self.rise(number, &self.trace.lots().largest_swings(number), 1.0);
+                    for (place, lot) in places.zip(lots) {
+                        let (through, own) = (|flow: &Flow| flow.stretch(index), || self.rise(number, &lot.swing, 1.0));
+                        if self.may_rise(&self.states, through, lot.duration, most, own) {
+                            if lot.panels.len() == 1 {
+                                let steps: Vec<(f64, f64)> = self.flows.iter().map(through).collect();
+                                self.inside_kept(lot.panels.start, &self.states.clone(), &steps);
+                            } else {
+                                self.inside_lot((number, place), lot);
                             }
                         }
                         self.step(index);
@@ -248,9 +241,12 @@ impl Search<'_> {
                     }
                 }
                 Run::Repeated(range, times) => {
-                    self.inside_repeated(number, range, *times);
-                    self.step(index);
-                    index += 1;
+                    let (places, lots) = self.trace.lots().of_run(number);
+                    for (place, lot) in places.zip(lots) {
+                        self.inside_repeated((number, place), range, (*times, lot.duration));
+                        self.step(index);
+                        index += 1;
+                    }
                 }
                 Run::Recorded(strip) => {
                     let Some(strip) = self.trace.strips.get(*strip) else { continue };
@@ -271,16 +267,57 @@ impl Search<'_> {
         self.best
     }
 
+    /// Through the panels of a lot: first their ends, then what lies between them.
+    fn inside_lot(&mut self, (run, place): (usize, usize), lot: &Lot) {
+        let (trace, flows) = (self.trace, self.flows);
+        let count = flows.len();
+        let mut steps = vec![(1.0, 0.0); lot.panels.len() * count];
+        for (number, flow) in flows.iter().enumerate() {
+            let (Some(q), Some(gains)) = (flow.factors.get(run), flow.gains.get(run)) else { return };
+            let parts = gains.parts(place, || trace.lots().part_gains(trace, place, rounded(flow.tau_s)));
+            for (step, gain) in steps.iter_mut().skip(number).step_by(count).zip(parts) {
+                *step = (gain.decay, sum(q, &gain.gain));
+            }
+        }
+        let mut states = self.states.clone();
+        for (panel, steps) in lot.panels.clone().zip(steps.chunks(count)) {
+            pass(&mut states, steps);
+            let value = states.iter().sum();
+            if value > self.enough() {
+                self.best = Peak { value, at_s: trace.end_of_panel(panel) };
+            }
+        }
+        states.clone_from(&self.states);
+        for (panel, steps) in lot.panels.clone().zip(steps.chunks(count)) {
+            let rise = self.rise(run, trace.lots().swing(panel), 1.0);
+            let duration = trace.panels.get(panel).map_or(0.0, |kept| kept.duration);
+            let mut through = steps.iter();
+            if self.may_rise(&states, |_| through.next().copied().unwrap_or((1.0, 0.0)), duration, rise, || rise) {
+                self.inside_kept(panel, &states, steps);
+            }
+            pass(&mut states, steps);
+        }
+    }
+
+    /// Within a kept panel, from the states at its start, with what it does to each lag.
+    fn inside_kept(&mut self, panel: usize, states: &[f64], steps: &[(f64, f64)]) {
+        let trace = self.trace;
+        let Some(panel) = trace.panels.get(panel).map(|kept| trace.panel(kept)) else { return };
+        if !self.was_seen(&panel, states) && self.may_turn(&panel, states, steps) {
+            self.inside(&panel, &mut states.to_vec());
+        }
+    }
+
     /// Whether a panel with the same signals was looked into, and no lag is higher now where it starts: then none of them
     /// gets higher within it either, since what is left of the start only ever adds.
-    fn was_seen(&mut self, panel: &Panel<'_>) -> bool {
+    fn was_seen(&mut self, panel: &Panel<'_>, states: &[f64]) -> bool {
         let Some(like) = panel.like().filter(|like| like.has_others) else { return false };
         if let Some(seen) = self.seen.get(&like.first)
-            && self.states.iter().zip(seen).all(|(now, then)| now - then <= NEGLIGIBLE * then.abs())
+            && states.iter().zip(seen).all(|(now, then)| now - then <= NEGLIGIBLE * then.abs())
         {
             return true;
         }
-        self.seen.insert(like.first, self.states.clone());
+        self.seen.insert(like.first, states.to_vec());
         false
     }
 
@@ -326,7 +363,7 @@ impl Search<'_> {
     fn may_rise(
         &self,
         states: &[f64],
-        through: impl Fn(&Flow) -> (f64, f64),
+        mut through: impl FnMut(&Flow) -> (f64, f64),
         duration: f64,
         most: f64,
         own: impl FnOnce() -> f64,
@@ -350,10 +387,9 @@ impl Search<'_> {
 
     /// Whether the slope of the sum of the lags may change from rising to falling within a kept panel so that it is higher
     /// there than what is found; its ends are known.
-    fn may_turn(&self, panel: &Panel<'_>, index: usize) -> bool {
+    fn may_turn(&self, panel: &Panel<'_>, states: &[f64], steps: &[(f64, f64)]) -> bool {
         let (mut lowest, mut highest, mut start, mut end) = (0.0, 0.0, 0.0, 0.0);
-        for ((state, flow), lag) in self.states.iter().zip(self.flows).zip(self.lags) {
-            let (decay, gain) = flow.stretch(index);
+        for ((state, (decay, gain)), lag) in states.iter().zip(steps).zip(self.lags) {
             let next = state * decay + gain;
             let inputs = panel.nodes.iter().map(|node| lag.form.at(node));
             let (low, high) = slopes(inputs, (*state, next), panel.duration_s / lag.tau_s, lag.tau_s);
@@ -413,14 +449,18 @@ impl Search<'_> {
     /// Through the periods in which the sum of the lags may be largest. From one period to the next each lag comes nearer to
     /// the state that repeats itself, y = y_∞ + (y_0 − y_∞) e^(−jT/τ): the sum of two has its largest value in the first or the
     /// last period or about the one where its derivative to j is zero.
-    fn inside_repeated(&mut self, run: usize, range: &std::ops::Range<usize>, times: f64) {
+    fn inside_repeated(
+        &mut self,
+        (run, place): (usize, usize),
+        range: &std::ops::Range<usize>,
+        (times, once): (f64, f64),
+    ) {
         let trace = self.trace;
-        let once = trace.duration_of(range);
         let mut periods = Vec::with_capacity(self.lags.len());
         for (flow, lag) in self.flows.iter().zip(self.lags) {
             let (Some(factors), Some(gains)) = (flow.factors.get(run), flow.gains.get(run)) else { return };
-            let gains = gains.stretches().get(range.clone()).unwrap_or_default();
-            periods.push(Period::of(gains, factors, lag.tau_s, once));
+            let Some(gain) = gains.stretches().get(place) else { return };
+            periods.push(Period::of(gain, factors, lag.tau_s, once));
         }
         let last = times - 1.0;
         let mut looked = vec![0.0, 1.0, last];
@@ -471,6 +511,11 @@ impl Search<'_> {
     }
 }
 
+/// The states behind a stretch, by what it does to each lag.
+fn pass(states: &mut [f64], steps: &[(f64, f64)]) {
+    states.iter_mut().zip(steps).for_each(|(state, (decay, gain))| *state = *state * decay + gain);
+}
+
 /// Most lags in one sum; further ones are looked at like any panel.
 const LAGS: usize = 4;
 
@@ -493,11 +538,9 @@ mod tests {
         let best = Peak { value: 0.0, at_s: 0.0 };
         let mut search =
             Search { trace: &trace, lags: &[], flows: &[], states: vec![2.0, 3.0], best, seen: BTreeMap::new() };
-        assert!(!search.was_seen(&alone) && !search.was_seen(&alone));
-        assert!(!search.was_seen(&one_of_many) && search.was_seen(&one_of_many));
-        search.states = vec![1.0, 3.0];
-        assert!(search.was_seen(&one_of_many), "lower");
-        search.states = vec![1.0, 3.1];
-        assert!(!search.was_seen(&one_of_many), "higher");
+        assert!(!search.was_seen(&alone, &[2.0, 3.0]) && !search.was_seen(&alone, &[2.0, 3.0]));
+        assert!(!search.was_seen(&one_of_many, &[2.0, 3.0]) && search.was_seen(&one_of_many, &[2.0, 3.0]));
+        assert!(search.was_seen(&one_of_many, &[1.0, 3.0]), "lower");
+        assert!(!search.was_seen(&one_of_many, &[1.0, 3.1]), "higher");
     }
 }

@@ -163,12 +163,15 @@ impl Rule {
         coefficients
     }
 
-    /// The same of every signal of a panel, in the order of the polynomials.
-    pub(super) fn coefficients_of(&self, nodes: &[Node]) -> impl Iterator<Item = [f64; 4]> {
+    /// The same of several values at each node, in the order of the polynomials.
+    pub(super) fn coefficients_of<const N: usize>(
+        &self,
+        values: impl Iterator<Item = [f64; N]> + Clone,
+    ) -> impl Iterator<Item = [f64; N]> {
         self.legendre.iter().map(move |row| {
-            let mut sums = [0.0; 4];
-            for (l, node) in row.iter().zip(nodes) {
-                sums.iter_mut().zip(node.signals()).for_each(|(sum, signal)| *sum += l * signal);
+            let mut sums = [0.0; N];
+            for (l, values) in row.iter().zip(values.clone()) {
+                sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += l * value);
             }
             sums
         })

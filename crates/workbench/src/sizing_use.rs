@@ -7,8 +7,8 @@ use order_code::{Field, Option1, OrderCode};
 use project::{Assumption, OwnActuator, Project};
 use quantities::Measure;
 use sizing::{
-    Check, CheckId, Course, Depth, Judge, Judgement, Reserve, SAMPLES_ANEW, Standing, Unwatched, Verdict, Watch,
-    energies, finished, rank, reserve_watched,
+    Check, CheckId, Course, Depth, Judge, Judgement, Place, Reserve, SAMPLES_ANEW, Standing, Unwatched, Verdict, Watch,
+    energies, finished, reserve_watched,
 };
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -294,8 +294,8 @@ fn by_two<'t, T: Sync, R: Send, S: Send, F: FnMut(&'t T) -> Result<R, S>>(
 
 /// Candidates, best first.
 fn ranked(candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
-    let mut order: Vec<(Standing, usize)> = candidates.iter().map(|c| c.standing).zip(0..).collect();
-    order.sort_by(|(a, _), (b, _)| rank(a, b));
+    let mut order: Vec<(Place, usize)> = candidates.iter().map(|c| Place::of(&c.standing)).zip(0..).collect();
+    order.sort_unstable();
     let mut open: Vec<Option<Candidate<'_>>> = candidates.into_iter().map(Some).collect();
     order.into_iter().filter_map(|(_, was)| open.get_mut(was)?.take()).collect()
 }
