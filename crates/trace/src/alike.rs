@@ -1,6 +1,6 @@
 //! Panels of a cycle that are like one another: a move that is made again and again need be looked into once.
 
-use super::{Block, Kept, Like, Node, Place};
+use super::{Kept, Like, Node};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
@@ -11,13 +11,13 @@ const WORTH_IT: usize = 32;
 /// cycle rounds no worse, and a peak is found no more closely.
 const SAME: f64 = 1e-12;
 
-/// Marks each panel that is like an earlier one, and each block that holds nothing else.
+/// Marks each panel that is like an earlier one.
 ///
 /// Signals are compared as whole numbers of [`SAME`]; of two that are equal but for rounding some fall to either side of a
 /// step, and their panels are then taken for different ones, which costs time only.
 ///
 /// Cost: O(n log n) over the nodes.
-pub(super) fn find(nodes: &[Node], panels: &mut [Kept], blocks: &mut [Block]) {
+pub(super) fn find(nodes: &[Node], panels: &mut [Kept]) {
     let worth_it = panels.len() >= WORTH_IT;
     let steps = if worth_it { steps(nodes) } else { [0.0; 4] };
     let mut known: BTreeMap<Vec<i64>, usize> = BTreeMap::new();
@@ -40,11 +40,6 @@ pub(super) fn find(nodes: &[Node], panels: &mut [Kept], blocks: &mut [Block]) {
     }
     for (kept, repeated) in panels.iter_mut().zip(repeated) {
         kept.like.has_others |= repeated;
-    }
-    for block in blocks {
-        if let Place::Kept(range) = &block.place {
-            block.is_copy = panels.get(range.clone()).is_some_and(|panels| panels.iter().all(|kept| kept.like.is_copy));
-        }
     }
 }
 
@@ -90,7 +85,6 @@ mod tests {
         for (index, kept) in plain.panels.iter_mut().enumerate() {
             kept.like = Like { first: index, is_copy: false, has_others: false };
         }
-        plain.blocks.iter_mut().for_each(|block| block.is_copy = false);
         plain
     }
 

@@ -107,12 +107,13 @@ impl<'a> Builder<'a> {
         }
         self.close_block();
         if self.seeks_alike {
-            alike::find(&self.nodes, &mut self.panels, &mut self.blocks);
+            alike::find(&self.nodes, &mut self.panels);
         }
         let mut gram = Gram::default();
         self.blocks.iter().for_each(|block| gram.join(&block.gram));
         let mut trace = Trace {
             groups: groups(&self.blocks),
+            near: OnceLock::new(),
             straight: None,
             is_changed: false,
             lags: Arc::default(),
@@ -467,19 +468,20 @@ fn runs(blocks: &[Block]) -> Vec<Run> {
     runs
 }
 
-/// The blocks in groups, those of recordings by themselves.
+/// The blocks of recordings in groups.
 fn groups(blocks: &[Block]) -> Vec<Group> {
-    let mut groups = Vec::with_capacity(blocks.len() / GROUP + 1);
+    let mut groups = Vec::new();
     let mut from = 0;
     for alike in blocks.chunk_by(|a, b| a.is_recorded() == b.is_recorded()) {
-        for part in alike.chunks(GROUP) {
-            let mut extent = Extent::NONE;
-            part.iter().for_each(|block| extent.join(&block.extent));
-            let blocks = from..from + part.len();
-            from = blocks.end;
-            let (start, recorded) = part.first().map_or((0.0, false), |block| (block.from_s, block.is_recorded()));
-            groups.push(Group { blocks, extent, from: start, recorded });
+        if alike.first().is_some_and(Block::is_recorded) {
+            for (part, first) in alike.chunks(GROUP).zip((from..).step_by(GROUP)) {
+                let mut extent = Extent::NONE;
+                part.iter().for_each(|block| extent.join(&block.extent));
+                let start = part.first().map_or(0.0, |block| block.from_s);
+                groups.push(Group { blocks: first..first + part.len(), extent, from: start });
+            }
         }
+        from += alike.len();
     }
     groups
 }

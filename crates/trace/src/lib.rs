@@ -11,7 +11,9 @@ mod crossing;
 mod cubes;
 mod form;
 mod gains;
+mod halves;
 mod lags;
+mod near;
 mod panel;
 mod recording;
 mod rule;
@@ -30,6 +32,7 @@ pub use search::{Any, Convex, Sought, TorqueWith};
 use lags::LagCache;
 use mechanism::{Extra, Mechanism};
 use motion::Motion;
+use near::Near;
 use panel::Kept;
 use quantities::{Angle, Measure, MomentOfInertia, Torque};
 use short::Straight;
@@ -289,21 +292,11 @@ pub struct Block {
     pub extent: Extent,
     /// Sums of the products of the signals.
     pub gram: Gram,
-    /// Whether each of its panels is like one of an earlier block.
-    is_copy: bool,
 }
 
 impl Block {
     const fn empty(place: Place) -> Self {
-        Self {
-            place,
-            from_s: 0.0,
-            duration_s: 0.0,
-            times: 1.0,
-            extent: Extent::NONE,
-            gram: Gram([[0.0; 4]; 4]),
-            is_copy: false,
-        }
+        Self { place, from_s: 0.0, duration_s: 0.0, times: 1.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
     }
 
     /// Whether its nodes are made from a recording whenever they are looked at.
@@ -342,15 +335,13 @@ const BLOCK: usize = 128;
 /// So many blocks share one extent.
 const GROUP: usize = 64;
 
-/// Neighbouring blocks with what bounds them all.
+/// Neighbouring blocks of recordings with what bounds them all.
 #[derive(Clone, Debug)]
 struct Group {
     blocks: Range<usize>,
     extent: Extent,
     /// Instant at which it begins \[s\].
     from: f64,
-    /// Whether its blocks are those of a recording.
-    recorded: bool,
 }
 
 /// The motion under its load.
@@ -361,6 +352,8 @@ pub struct Trace {
     strips: Vec<Strip>,
     blocks: Vec<Block>,
     groups: Vec<Group>,
+    /// The kept panels by their bounds, found when something is sought among them.
+    near: OnceLock<Near>,
     /// Whether it is made from another one of the same recordings, whose cells serve it.
     is_changed: bool,
     runs: Vec<Run>,

@@ -319,7 +319,6 @@ impl Strip {
                 duration_s: raw.duration_s * self.view.stretch,
                 extent: self.view.extent(&raw.extent),
                 gram: self.view.gram(&raw.gram),
-                is_copy: false,
             }
         };
         let (inertia, holding) = self.survey.by_position.unwrap_or_else(|| {

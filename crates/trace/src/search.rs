@@ -1,5 +1,7 @@
-//! The largest value of a signal over the cycle: bounds of blocks first, then nodes, then what lies between them.
+//! The largest value of a signal over the cycle: bounds of panels with close signals first, then nodes, then what lies between
+//! them.
 
+use super::near::{Branch, Near};
 use super::recording::{Cell, Inside, Strip};
 use super::{Block, Extent, Group, Node, Panel, Trace, crossing};
 
@@ -20,6 +22,9 @@ const PLACES: f64 = (1 << 24) as f64;
 
 /// Of more corners than these it is first asked whether what lies between them counts.
 const FEW: usize = 4;
+
+/// A panel is looked at in stretches of so many parts between neighbouring nodes.
+const STRETCH: usize = 4;
 
 /// A parabola serves where it is off at its vertex by at most this share of its bend.
 const GOOD: f64 = 0.05;
@@ -97,15 +102,16 @@ impl Trace {
     /// The largest value over the cycle and the first instant that has it. What has a bound not above what is found already
     /// is left out.
     pub fn largest(&self, sought: &impl Sought) -> (f64, Node) {
+        self.search(sought, false)
+    }
+
+    /// The same of a trace just made: for one look neither the tree of the kept panels nor the cells of a recording are worth
+    /// their while, unless these are there.
+    pub fn largest_once(&self, sought: &impl Sought) -> (f64, Node) {
         self.search(sought, true)
     }
 
-    /// The same of a trace just made: for one look the cells of a recording are not worth their while, unless they are there.
-    pub fn largest_once(&self, sought: &impl Sought) -> (f64, Node) {
-        self.search(sought, self.is_changed)
-    }
-
-    fn search<S: Sought>(&self, sought: &S, by_cells: bool) -> (f64, Node) {
+    fn search<S: Sought>(&self, sought: &S, is_once: bool) -> (f64, Node) {
         let mut best = Best { value: f64::NEG_INFINITY, node: Node::default() };
         if let Some(straight) = &self.straight {
             for node in &straight.ends {
@@ -116,35 +122,85 @@ impl Trace {
             }
             return (best.value, best.node);
         }
-        let in_cells = |group: &Group| by_cells && group.recorded;
-        let group_bound = |group: &Group| {
-            let above = if in_cells(group) { f64::NEG_INFINITY } else { sought.bound(&group.extent) };
-            (above, group.from)
-        };
-        in_order(&self.groups, group_bound, &mut best, |group, best| {
-            let blocks = self.blocks.get(group.blocks.clone()).filter(|_| !in_cells(group)).unwrap_or_default();
-            let bound = |block: &Block| {
-                let above = if block.is_copy { f64::NEG_INFINITY } else { sought.bound(&block.extent) };
-                (above, block.from_s)
-            };
-            in_order(blocks, bound, best, |block, best| {
-                // What a copy shows the first of its kind has shown, or will: both lie below the bounds of either block.
-                let is_new = |panel: &Panel<'_>| !panel.like().is_some_and(|like| like.is_copy);
-                self.panels(block, &mut |panel| {
-                    if is_new(&panel) {
-                        best.look(&panel, sought);
-                    }
+        // What a copy shows the first of its kind has shown, or will.
+        if is_once {
+            let new = self.panels.iter().filter(|kept| !kept.like.is_copy);
+            new.for_each(|kept| best.look(&self.panel(kept), sought));
+        } else {
+            let near = self.near.get_or_init(|| Near::of(&self.panels, &self.nodes));
+            best.descend(&(self, near), near.root(), sought);
+        }
+        if is_once && !self.is_changed {
+            let group_bound = |group: &Group| (sought.bound(&group.extent), group.from);
+            in_order(&self.groups, group_bound, &mut best, |group, best| {
+                let blocks = self.blocks.get(group.blocks.clone()).unwrap_or_default();
+                let bound = |block: &Block| (sought.bound(&block.extent), block.from_s);
+                in_order(blocks, bound, best, |block, best| {
+                    self.panels(block, &mut |panel| best.look(&panel, sought));
                 });
             });
-        });
-        if by_cells {
-            self.search_cells(sought, &mut best);
+        } else {
+            self.strips.iter().for_each(|strip| best.descend(strip, strip.root(), sought));
         }
         (best.value, best.node)
     }
+}
 
-    fn search_cells(&self, sought: &impl Sought, best: &mut Best) {
-        self.strips.iter().for_each(|strip| best.search(strip, sought));
+/// Panels in parts with close bounds, each of two others or not split.
+trait Parted {
+    type Part;
+
+    /// Above every value within a part, and when its first panel begins.
+    fn bound(&self, part: &Self::Part, sought: &impl Sought) -> (f64, f64);
+
+    /// The halves of a part; of one that is not split the panels, one after the other.
+    fn open<'a>(
+        &'a self,
+        part: &'a Self::Part,
+        look: &mut impl FnMut(Panel<'_>),
+    ) -> Option<[Option<&'a Self::Part>; 2]>;
+}
+
+impl Parted for Strip {
+    type Part = Cell;
+
+    #[inline]
+    fn bound(&self, cell: &Cell, sought: &impl Sought) -> (f64, f64) {
+        let (extent, from) = self.seen(cell);
+        (sought.bound(&extent), from)
+    }
+
+    #[inline]
+    fn open<'a>(&'a self, cell: &'a Cell, look: &mut impl FnMut(Panel<'_>)) -> Option<[Option<&'a Cell>; 2]> {
+        match cell.inside {
+            Inside::Halves(halves) => Some(self.halves(halves)),
+            Inside::Intervals(from, to) => {
+                self.panels_within((from, to), look);
+                None
+            }
+        }
+    }
+}
+
+impl Parted for (&Trace, &Near) {
+    type Part = Branch;
+
+    #[inline]
+    fn bound(&self, branch: &Branch, sought: &impl Sought) -> (f64, f64) {
+        (sought.bound(&branch.extent), branch.from)
+    }
+
+    #[inline]
+    fn open<'a>(&'a self, branch: &'a Branch, look: &mut impl FnMut(Panel<'_>)) -> Option<[Option<&'a Branch>; 2]> {
+        let (trace, near) = self;
+        match near.inside(branch) {
+            Ok(halves) => Some(halves),
+            Err(panels) => {
+                let kept = panels.iter().filter_map(|panel| trace.panels.get(*panel));
+                kept.for_each(|kept| look(trace.panel(kept)));
+                None
+            }
+        }
     }
 }
 
@@ -152,7 +208,7 @@ impl Strip {
     /// The largest value over a recording whose nodes are not kept, if it is above the least that counts; else that.
     pub fn largest(&self, sought: &impl Sought, least: f64) -> f64 {
         let mut best = Best { value: least, node: Node { time_s: f64::NEG_INFINITY, ..Node::default() } };
-        best.search(self, sought);
+        best.descend(self, self.root(), sought);
         best.value
     }
 }
@@ -180,38 +236,32 @@ impl Best {
         }
     }
 
-    /// Looks into the cells of a recording.
-    fn search(&mut self, strip: &Strip, sought: &impl Sought) {
-        if let Some(cell) = strip.root() {
-            let (extent, from) = strip.seen(cell);
-            if self.may_be_within(sought.bound(&extent), from) {
-                self.within(strip, cell, sought);
+    /// Looks into a part, if it may hold something better.
+    fn descend<T: Parted>(&mut self, tree: &T, part: Option<&T::Part>, sought: &impl Sought) {
+        if let Some(part) = part {
+            let (bound, from) = tree.bound(part, sought);
+            if self.may_be_within(bound, from) {
+                self.within(tree, part, sought);
             }
         }
     }
 
-    /// Looks into a cell of a recording, first into the half that may hold more.
-    fn within(&mut self, strip: &Strip, cell: &Cell, sought: &impl Sought) {
-        match cell.inside {
-            Inside::Intervals(from, to) => {
-                strip.panels_within((from, to), &mut |panel| self.look(&panel, sought));
-            }
-            Inside::Halves(halves) => {
-                let mut halves = strip.halves(halves).map(|cell| {
-                    let cell = cell?;
-                    let (extent, from) = strip.seen(cell);
-                    Some((cell, sought.bound(&extent), from))
-                });
-                if let [Some((_, low, first)), Some((_, high, second))] = &halves
-                    && (high > low || (high == low && second < first))
-                {
-                    halves.swap(0, 1);
-                }
-                for (cell, bound, from) in halves.into_iter().flatten() {
-                    if self.may_be_within(bound, from) {
-                        self.within(strip, cell, sought);
-                    }
-                }
+    /// Looks into a part, first into the half that may hold more.
+    fn within<T: Parted>(&mut self, tree: &T, part: &T::Part, sought: &impl Sought) {
+        let Some(halves) = tree.open(part, &mut |panel| self.look(&panel, sought)) else { return };
+        let mut halves = halves.map(|half| {
+            let half = half?;
+            let (bound, from) = tree.bound(half, sought);
+            Some((half, bound, from))
+        });
+        if let [Some((_, low, first)), Some((_, high, second))] = &halves
+            && (high > low || (high == low && second < first))
+        {
+            halves.swap(0, 1);
+        }
+        for (half, bound, from) in halves.into_iter().flatten() {
+            if self.may_be_within(bound, from) {
+                self.within(tree, half, sought);
             }
         }
     }
@@ -228,13 +278,27 @@ impl Best {
         if panel.extent().is_some_and(|extent| !self.may_be_within(sought.bound(extent), from)) {
             return;
         }
-        for node in panel.nodes {
-            self.see(node, sought.value(node));
-        }
         let shares = super::rule::rule(panel.nodes.len()).nodes();
-        let pairs = panel.nodes.iter().zip(panel.nodes.iter().skip(1)).zip(shares.iter().zip(shares.iter().skip(1)));
-        for ((a, b), (from, to)) in pairs {
-            self.cut([(*from, a), (*to, b)], sought, &panel.bow, &|s| panel.at(s));
+        let mut first = 0;
+        while first + 1 < panel.nodes.len() {
+            let (nodes, shares) = (panel.nodes.get(first..), shares.get(first..));
+            let (nodes, shares) = (nodes.unwrap_or_default(), shares.unwrap_or_default());
+            let nodes = nodes.get(..=STRETCH).unwrap_or(nodes);
+            first += STRETCH;
+            // The bounds of a stretch are closer than those of the panel, and cost less than its values.
+            let from = nodes.first().map_or(0.0, |node| node.time_s);
+            if panel.nodes.len() > STRETCH + 1
+                && !self.may_be_within(sought.bound(&Extent::of(nodes, &panel.bow)), from)
+            {
+                continue;
+            }
+            for node in nodes {
+                self.see(node, sought.value(node));
+            }
+            let pairs = nodes.iter().zip(nodes.iter().skip(1)).zip(shares.iter().zip(shares.iter().skip(1)));
+            for ((a, b), (from, to)) in pairs {
+                self.cut([(*from, a), (*to, b)], sought, &panel.bow, &|s| panel.at(s));
+            }
         }
     }
 

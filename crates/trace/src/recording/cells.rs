@@ -5,6 +5,7 @@
 use super::straight::{Sums, bounds};
 use super::{SHARED_FROM, Strip, in_two};
 use crate::cubes::{self, Moments};
+use crate::halves::{Point, halve, scale};
 use crate::{Extent, Gram, Panel};
 use mechanism::Plain;
 
@@ -42,14 +43,6 @@ pub(super) struct Cells {
     order: Vec<u32>,
 }
 
-/// An interval by α, ω in its middle and T. A torque that the load makes of them changes little within an interval and counts
-/// in its middle; a recorded one may be noise and counts at both ends.
-#[derive(Clone, Copy)]
-struct Point<const N: usize> {
-    signals: [f32; N],
-    index: u32,
-}
-
 /// Directions: backwards, at rest, forwards, turning round.
 const DIRECTIONS: usize = 4;
 
@@ -84,13 +77,13 @@ impl Cells {
     /// Adds the cells of intervals of one direction; which is the one of all of them.
     fn group<const N: usize>(&mut self, strip: &Strip, side: Option<f64>, points: &mut [Point<N>]) -> u32 {
         let of = (strip, side);
-        let scale = spread(points).map(|spread| if spread > 0.0 { 1.0 / spread } else { 0.0 });
+        let scale = scale(points);
         let first = count(self.order.len());
         let own = if points.len() < SHARED_FROM {
             split(of, points, first, &scale, &mut self.cells)
         } else {
             // Two halves, each by its own thread; the cells of the second follow upon those of the first.
-            let middle = part(points, &scale);
+            let middle = halve(points, &scale);
             let (low, high) = points.split_at_mut(middle);
             let mut others = Vec::with_capacity(cells_of(high.len()));
             let from = first + count(middle);
@@ -178,9 +171,12 @@ const fn cells_of(points: usize) -> usize {
     2 * points.div_ceil(LEAF).next_power_of_two()
 }
 
+// An interval by α, ω in its middle and T. A torque that the load makes of them changes little within an interval and counts
+// in its middle; a recorded one may be noise and counts at both ends.
+
 #[allow(clippy::cast_possible_truncation, reason = "only neighbourhood counts")]
 impl Point<3> {
-    /// Of an interval without a torque of its own; exactness is of no matter here.
+    /// Of an interval without a torque of its own.
     fn of(strip: &Strip, index: usize) -> Option<Self> {
         let interval = strip.surveyed.interval(index)?;
         let [from, to] = interval.speed_rad_s;
@@ -230,35 +226,6 @@ fn direction(from: f64, to: f64) -> usize {
     }
 }
 
-/// Largest less smallest of each signal.
-fn spread<const N: usize>(points: &[Point<N>]) -> [f32; N] {
-    let (mut low, mut high) = ([f32::INFINITY; N], [f32::NEG_INFINITY; N]);
-    for point in points {
-        for ((low, high), value) in low.iter_mut().zip(&mut high).zip(point.signals) {
-            *low = if value < *low { value } else { *low };
-            *high = if value > *high { value } else { *high };
-        }
-    }
-    let mut spread = [0.0; N];
-    spread.iter_mut().zip(low).zip(high).for_each(|((spread, low), high)| *spread = high - low);
-    spread
-}
-
-/// Sorts points into two halves by the signal that differs most among them; the place between.
-fn part<const N: usize>(points: &mut [Point<N>], scale: &[f32; N]) -> usize {
-    let spread = spread(points);
-    let mut widest = (0, 0.0);
-    for (signal, (spread, scale)) in spread.iter().zip(scale).enumerate() {
-        if spread * scale > widest.1 {
-            widest = (signal, spread * scale);
-        }
-    }
-    let middle = points.len() / 2;
-    let key = |point: &Point<N>| point.signals.get(widest.0).copied().unwrap_or(0.0);
-    points.select_nth_unstable_by(middle, |a, b| key(a).total_cmp(&key(b)));
-    middle
-}
-
 /// Adds the cells of some points, of which the first has that place in the order; which is the one of all of them.
 fn split<const N: usize>(
     of: (&Strip, Option<f64>),
@@ -285,7 +252,7 @@ fn split<const N: usize>(
         cells.push(cell);
         return count(cells.len() - 1);
     }
-    let middle = part(points, scale);
+    let middle = halve(points, scale);
     let (low, high) = points.split_at_mut(middle);
     let halves = [split(of, low, first, scale, cells), split(of, high, first + count(middle), scale, cells)];
     join(cells, halves)

@@ -123,7 +123,6 @@ impl Strip {
             duration_s: duration,
             extent: bounds(plain, direction, (a_low, a_high), (l_low, l_high), (slowest, fastest)),
             gram: sums.gram(plain, direction),
-            is_copy: false,
         })
     }
 }
