@@ -19,6 +19,7 @@ mod recording;
 mod rule;
 mod search;
 mod short;
+mod smooth;
 
 pub use build::{INSTANTS_MOST, instants};
 pub use carried::Carried;
@@ -28,6 +29,7 @@ pub use lags::{Lag, Peak};
 pub use panel::{Like, Panel};
 pub use recording::{Cell, Inside, Ramps, Strip, Swept};
 pub use search::{Any, Convex, Sought, TorqueWith};
+pub use smooth::Smooth;
 
 use lags::LagCache;
 use mechanism::{Extra, Mechanism};

@@ -2,6 +2,7 @@
 
 use super::{Extent, Node, rule};
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Which panels of the cycle a panel is like: those that show the same signals over the same time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -47,6 +48,17 @@ impl<'a> Panel<'a> {
         self.kept.map(|kept| kept.like)
     }
 
+    /// Of a panel that is kept and has many nodes: bounds of its stretches, each of so many parts between neighbouring nodes.
+    #[inline]
+    pub(super) fn stretches(&self, parts: usize) -> &'a [Extent] {
+        let Some(kept) = self.kept.filter(|_| self.nodes.len() > parts + 1) else { return &[] };
+        kept.stretches.get_or_init(|| {
+            let firsts = (0..self.nodes.len() - 1).step_by(parts);
+            let nodes = firsts.map(|first| self.nodes.get(first..).unwrap_or_default());
+            nodes.map(|nodes| Extent::of(nodes.get(..=parts).unwrap_or(nodes), &self.bow)).collect()
+        })
+    }
+
     /// The instant at a share of the panel.
     #[inline]
     pub fn at(&self, share: f64) -> Node {
@@ -56,10 +68,11 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// The instants half-way between neighbouring nodes.
+    /// The instant half-way between a node and the next.
     #[inline]
-    pub fn middles(&self) -> impl Iterator<Item = Node> {
-        rule::middles(self.nodes)
+    #[must_use]
+    pub fn middle(&self, node: usize) -> Node {
+        rule::middle(self.nodes, node)
     }
 
     /// Whether every signal is straight.
@@ -82,14 +95,16 @@ pub(super) struct Kept {
     pub(super) like: Like,
     /// Its polynomials.
     pub(super) series: rule::Series,
+    /// Bounds of its stretches, found when it is first looked into.
+    pub(super) stretches: OnceLock<Box<[Extent]>>,
 }
 
 impl Kept {
     /// The last nodes of those that are kept.
     pub(super) fn of(nodes: &[Node], first: usize, duration: f64, bow: [f64; 4]) -> Self {
         let extent = Extent::of(nodes.get(first..).unwrap_or_default(), &bow);
-        let (like, series) = (Like::default(), rule::Series::default());
-        Self { nodes: first..nodes.len(), duration, bow, extent, like, series }
+        let (like, series, stretches) = (Like::default(), rule::Series::default(), OnceLock::new());
+        Self { nodes: first..nodes.len(), duration, bow, extent, like, series, stretches }
     }
 
     #[inline]

@@ -17,7 +17,7 @@ pub(super) struct Rule {
     nodes: Vec<f64>,
     barycentric: Vec<f64>,
     /// Row j gives the factor of the shifted Legendre polynomial P̃_j from the values at the nodes.
-    legendre: Vec<Vec<f64>>,
+    legendre: Vec<Values>,
     /// Row j gives the factor of the Chebyshev polynomial T_j from the values at the nodes.
     chebyshev: Vec<Values>,
     /// Row k gives the integral from the beginning of the panel to its node k from the values at the nodes.
@@ -58,7 +58,11 @@ impl Rule {
     fn new(n: usize) -> Self {
         let rule = if n < 2 { &[] } else { lobatto(n) };
         let signs = [1.0, -1.0].into_iter().cycle();
-        let row = |(j, norm): (usize, f64)| rule.iter().map(|(s, w)| norm * w * legendre(j, *s)).collect();
+        let row = |(j, norm): (usize, f64)| {
+            let mut row = [0.0; MOST];
+            row.iter_mut().zip(rule).for_each(|(factor, (s, w))| *factor = norm * w * legendre(j, *s));
+            row
+        };
         let mut made = Self {
             nodes: rule.iter().map(|(s, _)| *s).collect(),
             barycentric: rule.iter().zip(signs).map(|((_, w), sign)| sign * w.sqrt()).collect(),
@@ -158,7 +162,7 @@ impl Rule {
     pub(super) fn coefficients(&self, values: &Values) -> Values {
         let mut coefficients = [0.0; MOST];
         for (coefficient, row) in coefficients.iter_mut().zip(&self.legendre) {
-            *coefficient = row.iter().zip(values).map(|(l, u)| l * u).sum();
+            *coefficient = dot(row, values);
         }
         coefficients
     }
@@ -201,11 +205,23 @@ impl Rule {
     pub(super) fn nodes(&self) -> &[f64] {
         &self.nodes
     }
+
+    /// The weights of the values at the nodes in those half-way between neighbouring nodes.
+    #[inline]
+    pub(super) fn middles(&self) -> &[Values] {
+        &self.middles
+    }
 }
 
 /// Σ a_k b_k
+#[inline]
 pub(super) fn dot(a: &Values, b: &Values) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+    let fours = |values: &Values| -> [f64x4; MOST / 4] {
+        let [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = *values;
+        [[a, b, c, d], [e, f, g, h], [i, j, k, l], [m, n, o, p]].map(f64x4::from)
+    };
+    let ([a, b, c, d], [e, f, g, h]) = (fours(a), fours(b));
+    ((a * e + b * f) + (c * g + d * h)).reduce_add()
 }
 
 #[allow(clippy::cast_precision_loss, reason = "at most a few dozen")]
@@ -337,11 +353,13 @@ impl Series {
     }
 }
 
-/// The instants half-way between neighbouring nodes.
-pub(super) fn middles(nodes: &[Node]) -> impl Iterator<Item = Node> {
+/// The instant half-way between a node and the next.
+pub(super) fn middle(nodes: &[Node], place: usize) -> Node {
     let rule = rule(nodes.len());
-    let places = rule.nodes.iter().zip(rule.nodes.iter().skip(1)).map(|(a, b)| 0.5 * (a + b));
-    rule.middles.iter().zip(places).map(|(shares, s)| weighted(nodes, shares, s))
+    let (Some(shares), Some([a, b])) = (rule.middles.get(place), rule.nodes.get(place..place + 2)) else {
+        return Node::default();
+    };
+    weighted(nodes, shares, 0.5 * (a + b))
 }
 
 #[inline]

@@ -278,6 +278,8 @@ impl Best {
         if panel.extent().is_some_and(|extent| !self.may_be_within(sought.bound(extent), from)) {
             return;
         }
+        // The bounds of a stretch are closer than those of the panel, and cost less than its values.
+        let mut bounds = panel.stretches(STRETCH).iter();
         let shares = super::rule::rule(panel.nodes.len()).nodes();
         let mut first = 0;
         while first + 1 < panel.nodes.len() {
@@ -285,11 +287,8 @@ impl Best {
             let (nodes, shares) = (nodes.unwrap_or_default(), shares.unwrap_or_default());
             let nodes = nodes.get(..=STRETCH).unwrap_or(nodes);
             first += STRETCH;
-            // The bounds of a stretch are closer than those of the panel, and cost less than its values.
             let from = nodes.first().map_or(0.0, |node| node.time_s);
-            if panel.nodes.len() > STRETCH + 1
-                && !self.may_be_within(sought.bound(&Extent::of(nodes, &panel.bow)), from)
-            {
+            if bounds.next().is_some_and(|extent| !self.may_be_within(sought.bound(extent), from)) {
                 continue;
             }
             for node in nodes {

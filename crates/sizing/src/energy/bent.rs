@@ -2,7 +2,8 @@
 
 use super::{CyclePower, Returned};
 use motion::lobatto;
-use trace::{Node, Panel, Sought, crossing};
+use std::cell::OnceCell;
+use trace::{Node, Panel, Smooth, Sought, crossing};
 
 /// Nodes of the rule for a part of a panel: exact for the power of signals of the sixth degree, and of those of the second.
 const NODES: [usize; 2] = [8, 4];
@@ -15,8 +16,7 @@ const CLOSE: f64 = 1e-8;
 
 /// A way through one panel.
 pub(super) struct Walk<'a, 'p> {
-    panel: &'a Panel<'p>,
-    power: &'a CyclePower<'a>,
+    course: Course<'a, 'p>,
     /// Energy of each part in which the power has one sign, in order \[J\].
     parts: &'a mut Vec<f64>,
     /// The largest power given back so far \[W\].
@@ -27,22 +27,65 @@ pub(super) struct Walk<'a, 'p> {
     driven: bool,
 }
 
+/// Torque and power at any share of a panel: of one that has enough nodes as polynomials through what they are there.
+struct Course<'a, 'p> {
+    panel: &'a Panel<'p>,
+    power: &'a CyclePower<'a>,
+    torque: OnceCell<Option<Smooth>>,
+    /// Where the load does not drive, and where it does.
+    powers: [OnceCell<Option<Smooth>>; 2],
+}
+
+impl Course<'_, '_> {
+    /// The torque in the direction of the motion \[Nm\].
+    fn along(&self, node: &Node) -> f64 {
+        self.power.torque(node) * node.direction
+    }
+
+    fn along_at(&self, share: f64) -> f64 {
+        let smooth = self.torque.get_or_init(|| self.panel.smooth(|node| self.along(node)));
+        smooth.as_ref().map_or_else(|| self.along(&self.panel.at(share)), |smooth| smooth.at(share))
+    }
+
+    fn smooth(&self, driven: bool) -> Option<&Smooth> {
+        let [no, yes] = &self.powers;
+        let cell = if driven { yes } else { no };
+        cell.get_or_init(|| self.panel.smooth(|node| self.power.with(node, driven))).as_ref()
+    }
+
+    fn at(&self, share: f64, driven: bool) -> f64 {
+        let node = || self.power.with(&self.panel.at(share), driven);
+        self.smooth(driven).map_or_else(node, |smooth| smooth.at(share))
+    }
+
+    /// Half-way between a node and the next.
+    fn middle(&self, place: usize, driven: bool) -> f64 {
+        let node = || self.power.with(&self.panel.middle(place), driven);
+        self.smooth(driven).map_or_else(node, |smooth| smooth.middle(place))
+    }
+}
+
 impl<'a, 'p> Walk<'a, 'p> {
     /// Adds the energies of the parts to those that are there; the larger of `peak` and the largest power given back.
     pub(super) fn through(panel: &'a Panel<'p>, power: &'a CyclePower<'a>, peak: f64, parts: &'a mut Vec<f64>) -> f64 {
-        let driven = |node: &Node| power.torque(node) * node.direction < 0.0;
+        let course = Course { panel, power, torque: OnceCell::new(), powers: [OnceCell::new(), OnceCell::new()] };
         let rule = lobatto(panel.nodes.len());
-        let mut walk = Walk { panel, power, parts, peak, from: 0.0, driven: panel.nodes.first().is_some_and(driven) };
+        let mut along = [0.0; MOST];
+        along.iter_mut().zip(panel.nodes).for_each(|(along, node)| *along = course.along(node));
+        let along = along.get(..panel.nodes.len()).unwrap_or_default();
+        let driven = along.first().is_some_and(|along| *along < 0.0);
         // Where nothing turns its sign the nodes of the panel themselves make its energy.
-        let plain = panel.nodes.iter().all(|node| !driven(node))
-            || panel.nodes.iter().all(|node| driven(node) && power.with(node, true) < 0.0);
+        let plain = along.iter().all(|along| *along >= 0.0)
+            || (along.iter().all(|along| *along < 0.0) && panel.nodes.iter().all(|node| power.with(node, true) < 0.0));
+        let mut walk = Walk { course, parts, peak, from: 0.0, driven };
         if plain {
-            let driven = walk.driven;
             walk.part((0.0, 1.0), rule, panel.nodes.iter().map(|node| power.with(node, driven)));
         } else {
-            let gaps = panel.nodes.iter().zip(panel.nodes.iter().skip(1)).zip(rule.iter().zip(rule.iter().skip(1)));
-            for (((a, b), ((from, _), (to, _))), middle) in gaps.zip(panel.middles()) {
-                walk.gap((*from, a), (*to, b), &middle);
+            let gaps = panel.nodes.windows(2).zip(along.windows(2)).zip(rule.windows(2)).enumerate();
+            for (place, ((nodes, along), rule)) in gaps {
+                if let ([first, last], [a, b], [(from, _), (to, _)]) = (nodes, along, rule) {
+                    walk.gap(place, (*from, first, *a), (*to, last, *b));
+                }
             }
             walk.close(1.0);
         }
@@ -50,35 +93,31 @@ impl<'a, 'p> Walk<'a, 'p> {
     }
 
     fn duration(&self) -> f64 {
-        match self.panel.nodes {
+        match self.course.panel.nodes {
             [first, .., last] => last.time_s - first.time_s,
             _ => 0.0,
         }
     }
 
-    /// From one node to the next, with the instant half-way.
-    fn gap(&mut self, (from, first): (f64, &Node), (to, last): (f64, &Node), middle: &Node) {
-        let (power, panel) = (self.power, self.panel);
-        let along = |node: &Node| power.torque(node) * node.direction;
-        let (a, b) = (along(first), along(last));
+    /// From one node to the next: share, instant and torque in the direction of the motion of either.
+    fn gap(&mut self, place: usize, (from, first, a): (f64, &Node, f64), (to, last, b): (f64, &Node, f64)) {
+        let power = |node: &Node| self.course.power.with(node, true);
         if a * b < 0.0 {
-            let zero = crossing(|s| along(&panel.at(s)), (from, a), (to, b), CLOSE * (to - from));
-            let at = panel.at(zero);
-            self.stretch((from, first), (zero, &at), None, a < 0.0);
-            self.stretch((zero, &at), (to, last), None, b < 0.0);
+            let zero = crossing(|s| self.course.along_at(s), (from, a), (to, b), CLOSE * (to - from));
+            let (first, at, last) = (power(first), self.course.at(zero, true), power(last));
+            self.stretch((from, first), (zero, at), None, a < 0.0);
+            self.stretch((zero, at), (to, last), None, b < 0.0);
+        } else if a + b < 0.0 {
+            let (first, last) = (power(first), power(last));
+            self.stretch((from, first), (to, last), Some(place), true);
         } else {
-            self.stretch((from, first), (to, last), Some(middle), a + b < 0.0);
+            self.stretch((from, 0.0), (to, 0.0), None, false);
         }
     }
 
-    /// From one instant to another with one sign of the torque; the instant half-way if it is known.
-    fn stretch(
-        &mut self,
-        (from, first): (f64, &Node),
-        (to, last): (f64, &Node),
-        half_way: Option<&Node>,
-        driven: bool,
-    ) {
+    /// From one instant to another with one sign of the torque, with the power if the load drives; the number of the gap if
+    /// it is a whole one.
+    fn stretch(&mut self, (from, a): (f64, f64), (to, b): (f64, f64), gap: Option<usize>, driven: bool) {
         if driven != self.driven {
             self.close(from);
             self.driven = driven;
@@ -87,24 +126,24 @@ impl<'a, 'p> Walk<'a, 'p> {
         if !driven {
             return;
         }
-        let (power, panel) = (self.power, self.panel);
-        let at = |s: f64| power.with(&panel.at(s), true);
-        let ((a, b), middle) = ((power.with(first, true), power.with(last, true)), 0.5 * (from + to));
+        let middle = 0.5 * (from + to);
         let close = CLOSE * (to - from);
+        let at = |s: f64| self.course.at(s, true);
         if a * b < 0.0 {
-            self.close(crossing(at, (from, a), (to, b), close));
+            let zero = crossing(at, (from, a), (to, b), close);
+            self.close(zero);
         } else {
             // Between two ends of one sign the power may have the other one: looked for half-way, else at the vertex of the
             // parabola through the three.
-            let low = half_way.map_or_else(|| at(middle), |node| power.with(node, true));
+            let low = gap.map_or_else(|| at(middle), |place| self.course.middle(place, true));
             let towards = |s: f64, value: f64| (s, -a.signum() * value);
             let turned = Some((middle, low)).filter(|(_, value)| a * value < 0.0).or_else(|| {
                 let (s, _) = vertex(towards(from, a), towards(middle, low), towards(to, b))?;
                 Some((s, at(s))).filter(|(_, value)| a * value < 0.0)
             });
             if let Some(turned) = turned {
-                self.close(crossing(at, (from, a), turned, close));
-                self.close(crossing(at, turned, (to, b), close));
+                let zeros = [crossing(at, (from, a), turned, close), crossing(at, turned, (to, b), close)];
+                zeros.into_iter().for_each(|zero| self.close(zero));
             }
         }
     }
@@ -112,13 +151,28 @@ impl<'a, 'p> Walk<'a, 'p> {
     /// The part up to an instant.
     fn close(&mut self, to: f64) {
         let (from, length) = (self.from, to - self.from);
-        if length > 0.0 {
-            let (panel, power, driven) = (self.panel, self.power, self.driven);
-            let [many, few] = NODES;
-            let rule = lobatto(if panel.nodes.len() <= 3 { few } else { many });
-            self.part((from, length), rule, rule.iter().map(|(s, _)| power.with(&panel.at(from + s * length), driven)));
-        }
         self.from = to;
+        if length <= 0.0 {
+            return;
+        }
+        let (panel, power, driven) = (self.course.panel, self.course.power, self.driven);
+        let [many, few] = NODES;
+        let rule = lobatto(if panel.nodes.len() <= 3 { few } else { many });
+        let powers = |s: &f64| power.with(&panel.at(from + s * length), driven);
+        let Some(smooth) = self.course.smooth(driven) else {
+            self.part((from, length), rule, rule.iter().map(|(s, _)| powers(s)));
+            return;
+        };
+        let taken = (smooth.until(to) - smooth.until(from)) * self.duration();
+        self.parts.push(taken);
+        if taken < 0.0 && self.may_be_higher() {
+            let mut points = [(0.0, 0.0); MOST];
+            for (point, (s, _)) in points.iter_mut().zip(rule) {
+                let share = from + s * length;
+                *point = (share, -smooth.at(share));
+            }
+            self.look(points.get(..rule.len()).unwrap_or_default());
+        }
     }
 
     /// A part of some length by the power at the nodes of a rule.
@@ -130,18 +184,22 @@ impl<'a, 'p> Walk<'a, 'p> {
             taken += w * power;
         }
         self.parts.push(taken * length * self.duration());
-        if taken < 0.0 {
+        if taken < 0.0 && self.may_be_higher() {
             self.look(back.get(..rule.len()).unwrap_or_default());
         }
+    }
+
+    /// Whether the bounds of the panel leave room for more than the largest power given back so far.
+    fn may_be_higher(&self) -> bool {
+        let Course { panel, power, .. } = self.course;
+        panel.extent().is_none_or(|extent| Returned(power).bound(extent) > self.peak)
     }
 
     /// The largest power given back in a part: at one of the instants that are known, or where a parabola through it and its
     /// neighbours is highest, found anew from the instants that are there.
     fn look(&mut self, points: &[(f64, f64)]) {
-        if self.panel.extent().is_some_and(|extent| Returned(self.power).bound(extent) <= self.peak) {
-            return;
-        }
-        let back = |s: f64| -self.power.with(&self.panel.at(s), self.driven);
+        let Course { panel, power, .. } = self.course;
+        let back = |s: f64| -power.with(&panel.at(s), self.driven);
         let mut peak = points.iter().fold(self.peak, |peak, (_, value)| peak.max(*value));
         for three in points.windows(3) {
             let [mut a, mut b, mut c] = *three else { continue };
