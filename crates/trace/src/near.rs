@@ -5,7 +5,7 @@ use crate::halves::{Point, halve, scale};
 use crate::{Extent, Kept, Node};
 
 /// A branch of at most so many panels is not split.
-const LEAF: usize = 4;
+const LEAF: usize = 2;
 
 /// Panels with close bounds.
 #[derive(Clone, Debug)]

@@ -122,8 +122,8 @@ impl Trace {
             }
             return (best.value, best.node);
         }
-        // What a copy shows the first of its kind has shown, or will.
-        if is_once {
+        // What a copy shows the first of its kind has shown, or will. A trace that is changed is looked at but a few times.
+        if is_once || self.is_changed {
             let new = self.panels.iter().filter(|kept| !kept.like.is_copy);
             new.for_each(|kept| best.look(&self.panel(kept), sought));
         } else {
