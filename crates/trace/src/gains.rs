@@ -180,14 +180,15 @@ impl LagBlock {
     }
 
     /// Of a kept panel, once: by the polynomials through the products at its nodes, whose factors are (2k + 1)/h times the
-    /// moments.
-    pub(super) fn of_panel(panel: &Panel<'_>) -> Self {
+    /// moments. With all of them, or with the first alone where no gains are made of it.
+    pub(super) fn of_panel(panel: &Panel<'_>, all: bool) -> Self {
         let (duration, mut moments) = (panel.duration_s, [[0.0; 10]; MOMENTS]);
         let mut found = [[0.0; 10]; rule::MOST];
         found.iter_mut().zip(panel.nodes).for_each(|(found, node)| *found = products(node));
         let values = found.into_iter().take(panel.nodes.len());
         let mut odd = 1.0;
-        for (moment, factors) in moments.iter_mut().zip(rule(panel.nodes.len()).coefficients_of(values)) {
+        let factors = rule(panel.nodes.len()).coefficients_of(values);
+        for (moment, factors) in moments.iter_mut().zip(factors).take(if all { MOMENTS } else { 1 }) {
             *moment = factors.map(|factor| factor * duration / odd);
             odd += 2.0;
         }

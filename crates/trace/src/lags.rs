@@ -3,7 +3,7 @@
 mod course;
 mod lots;
 
-use super::gains::{Gain, GainTables, Gains, Products, rounded, sum, sum_of_magnitudes};
+use super::gains::{Gain, GainTables, Gains, Products, rounded, sum, sum_of_magnitudes, swing};
 use super::recording::Strip;
 use super::rule::{SHORT, short};
 use super::{Form, Node, Panel, Run, Trace};
@@ -289,10 +289,10 @@ impl Search<'_> {
         }
         states.clone_from(&self.states);
         for (panel, steps) in lot.panels.clone().zip(steps.chunks(count)) {
-            let rise = self.rise(run, trace.lots().swing(panel), 1.0);
-            let duration = trace.panels.get(panel).map_or(0.0, |kept| kept.duration);
+            let Some(kept) = trace.panels.get(panel) else { return };
+            let rise = self.rise(run, &swing(&trace.panel(kept)), 1.0);
             let mut through = steps.iter();
-            if self.may_rise(&states, |_| through.next().copied().unwrap_or((1.0, 0.0)), duration, rise, || rise) {
+            if self.may_rise(&states, |_| through.next().copied().unwrap_or((1.0, 0.0)), kept.duration, rise, || rise) {
                 self.inside_kept(panel, &states, steps);
             }
             pass(&mut states, steps);

@@ -3,7 +3,7 @@
 
 use super::near::{Branch, Near};
 use super::recording::{Cell, Inside, Strip};
-use super::{Block, Extent, Group, Node, Panel, Trace, crossing};
+use super::{Block, Extent, Group, Kept, Node, Panel, Trace, crossing};
 
 /// What is not higher by more than this share of the highest is not looked for: rounding makes as much.
 const ROUNDING: f64 = 1e-12;
@@ -124,8 +124,12 @@ impl Trace {
         }
         // What a copy shows the first of its kind has shown, or will. A trace that is changed is looked at but a few times.
         if is_once || self.is_changed {
-            let new = self.panels.iter().filter(|kept| !kept.like.is_copy);
-            new.for_each(|kept| best.look(&self.panel(kept), sought));
+            let from = |kept: &Kept| self.nodes.get(kept.nodes.start).map_or(0.0, |node| node.time_s);
+            let bound = |kept: &Kept| {
+                let above = if kept.like.is_copy { f64::NEG_INFINITY } else { sought.bound(&kept.extent) };
+                (above, from(kept))
+            };
+            in_order(&self.panels, bound, &mut best, |kept, best| best.look(&self.panel(kept), sought));
         } else {
             let near = self.near.get_or_init(|| Near::of(&self.panels, &self.nodes));
             best.descend(&(self, near), near.root(), sought);

@@ -23,6 +23,8 @@ pub(super) struct Lot {
 /// All panels of a trace, and the lots that they make.
 #[derive(Debug)]
 pub(super) struct Lots {
+    /// None where the trace is changed: it is asked for the lags of one actuator, and what its panels are passed by costs less
+    /// than to keep this.
     panels: Vec<LagBlock>,
     lots: Vec<Lot>,
     /// The lots of each run, and the largest of their swings; none of a recording.
@@ -31,7 +33,9 @@ pub(super) struct Lots {
 
 impl Lots {
     pub(super) fn of(trace: &Trace) -> Self {
-        let panels: Vec<LagBlock> = trace.panels.iter().map(|kept| LagBlock::of_panel(&trace.panel(kept))).collect();
+        let is_kept = !trace.is_changed;
+        let mut panels = Vec::with_capacity(if is_kept { trace.panels.len() } else { 0 });
+        let mut blocks = Vec::with_capacity(LOT);
         let mut lots = Vec::with_capacity(trace.panels.len().min(FEW) + trace.panels.len() / LOT);
         let mut of_run = Vec::with_capacity(trace.runs.len());
         for run in &trace.runs {
@@ -44,9 +48,14 @@ impl Lots {
             };
             for first in range.clone().step_by(at_once) {
                 let within = first..(first + at_once).min(range.end);
-                let blocks = panels.get(within.clone()).unwrap_or_default();
-                let duration = blocks.iter().map(|block| block.duration).sum();
-                lots.push(Lot { panels: within, duration, swing: most_on_the_way(blocks, duration) });
+                let kept = trace.panels.get(within.clone()).unwrap_or_default();
+                blocks.extend(kept.iter().map(|kept| LagBlock::of_panel(&trace.panel(kept), is_kept)));
+                let duration = kept.iter().map(|kept| kept.duration).sum();
+                lots.push(Lot { panels: within, duration, swing: most_on_the_way(&blocks, duration) });
+                if is_kept {
+                    panels.append(&mut blocks);
+                }
+                blocks.clear();
             }
             let own = lots.get(from..).unwrap_or_default();
             of_run.push((from..lots.len(), largest(own.iter().map(|lot| &lot.swing))));
@@ -65,18 +74,19 @@ impl Lots {
         self.of_run.get(run).map_or([0.0; 10], |(_, swings)| *swings)
     }
 
-    /// How far ∫(p − p̄) dt may lie from zero on the way through a panel.
-    pub(super) fn swing(&self, panel: usize) -> &Products {
-        self.panels.get(panel).map_or(&[0.0; 10], |block| &block.swing)
-    }
-
     /// What each panel of a lot does to a lag.
     fn gains_within<'a>(&'a self, trace: &'a Trace, lot: &Lot, tau_s: f64) -> impl Iterator<Item = Gain> + 'a {
         let mut lagging = Lagging::of(tau_s);
-        let kept = trace.panels.get(lot.panels.clone()).unwrap_or_default();
-        let blocks = self.panels.get(lot.panels.clone()).unwrap_or_default();
-        kept.iter().zip(blocks).map(move |(kept, block)| {
-            block.gain(&mut lagging, |look: &mut dyn FnMut(Panel<'_>)| look(trace.panel(kept)))
+        lot.panels.clone().map(move |index| {
+            let panel = |look: &mut dyn FnMut(Panel<'_>)| {
+                trace.panels.get(index).into_iter().for_each(|kept| look(trace.panel(kept)));
+            };
+            if let Some(block) = self.panels.get(index) {
+                return block.gain(&mut lagging, panel);
+            }
+            let mut gain = Gain::NONE;
+            panel(&mut |panel| gain.pass(&panel, tau_s));
+            gain
         })
     }
 
