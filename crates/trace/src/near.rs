@@ -100,3 +100,74 @@ const fn signals(extent: &Extent) -> [f32; 6] {
     let (a, t, w) = (extent.acceleration_rad_s2, extent.load_nm, extent.speeds_rad_s);
     [a.0 as f32, a.1 as f32, t.0 as f32, t.1 as f32, w.0 as f32, w.1 as f32]
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may fail")]
+
+    use super::*;
+    use crate::lag_tests::under;
+    use crate::tests::{arm, law, motion};
+    use crate::{Any, Sought, TorqueWith, Trace};
+    use motion::{Law, SegmentSpec};
+
+    fn swings() -> Trace {
+        let swings: Vec<SegmentSpec> = (0..60)
+            .map(|k| {
+                let angle = (0.5 + 0.01 * f64::from(k / 2)) * if k % 2 == 0 { 1.0 } else { -1.0 };
+                law(Law::ModifiedSine, angle, 0.5 + 0.002 * f64::from(k / 2 % 7))
+            })
+            .collect();
+        under(&arm(), &motion(&swings))
+    }
+
+    #[test]
+    fn every_panel_lies_in_one_leaf_and_within_the_bounds_of_all_above() {
+        let trace = swings();
+        let near = Near::of(&trace.panels, &trace.nodes);
+        let mut all: Vec<usize> = near.order.clone();
+        all.sort_unstable();
+        assert!(all.len() > 100 && all.iter().copied().eq(0..trace.panels.len()));
+        let mut seen = 0;
+        let mut open = vec![(near.root().unwrap(), vec![near.root().unwrap()])];
+        while let Some((branch, above)) = open.pop() {
+            match near.inside(branch) {
+                Ok(halves) => {
+                    for half in halves.into_iter().flatten() {
+                        open.push((half, above.iter().copied().chain([half]).collect()));
+                    }
+                }
+                Err(panels) => {
+                    seen += panels.len();
+                    assert!(!panels.is_empty() && panels.len() <= LEAF);
+                    for kept in panels.iter().map(|panel| &trace.panels[*panel]) {
+                        for branch in &above {
+                            let mut both = branch.extent;
+                            both.join(&kept.extent);
+                            assert_eq!(both, branch.extent);
+                            assert!(branch.from <= trace.nodes[kept.nodes.start].time_s);
+                        }
+                    }
+                }
+            }
+        }
+        assert_eq!(seen, trace.panels.len());
+    }
+
+    /// What is sought by the tree is what is found panel by panel.
+    #[test]
+    fn the_tree_finds_what_the_panels_show() {
+        fn same(trace: &Trace, sought: &impl Sought) {
+            let ((a, at), (b, of)) = (trace.largest(sought), trace.largest_once(sought));
+            assert!((a - b).abs() <= 1e-12 * b.abs() && (at.time_s - of.time_s).abs() < 1e-6, "{a} {b}: {at:?} {of:?}");
+        }
+        let trace = swings();
+        for inertia_kgm2 in [0.0, 0.3, 2.0] {
+            same(&trace, &TorqueWith { inertia_kgm2 });
+            let bound = |extent: &Extent| extent.torque(inertia_kgm2) * extent.speed_rad_s;
+            let value =
+                |node: &Node| (inertia_kgm2 * node.acceleration_rad_s2 + node.load_nm).abs() * node.speed_rad_s.abs();
+            same(&trace, &Any(bound, value));
+        }
+    }
+}

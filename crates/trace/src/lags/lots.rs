@@ -105,3 +105,131 @@ impl Lots {
         self.lots.iter().map(through).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may fail")]
+
+    use super::*;
+    use crate::gains::products;
+    use crate::lag_tests::under;
+    use crate::rule::rule;
+    use crate::tests::{arm, law, motion};
+    use crate::{Form, Lag};
+    use motion::{Law, SegmentSpec};
+    use std::sync::Arc;
+
+    /// Swings of an arm, each farther than the one before, with a rest now and then.
+    fn trace() -> Trace {
+        let swings: Vec<SegmentSpec> = (0..40)
+            .map(|k| {
+                let angle = (0.6 + 0.02 * f64::from(k / 2)) * if k % 2 == 0 { 1.0 } else { -1.0 };
+                law(if k % 3 == 0 { Law::ModifiedSine } else { Law::Trapezoid }, angle, 0.5 + 0.003 * f64::from(k / 2))
+            })
+            .collect();
+        let trace = under(&arm(), &motion(&swings));
+        assert!(trace.panels.len() > 4 * FEW, "{} panels", trace.panels.len());
+        trace
+    }
+
+    /// As it was made from another one: its panels are passed by their nodes.
+    fn changed(trace: &Trace) -> Trace {
+        Trace { is_changed: true, lags: Arc::default(), ..trace.clone() }
+    }
+
+    #[test]
+    fn a_lot_does_what_its_panels_do_one_after_the_other() {
+        let trace = trace();
+        for trace in [&trace, &changed(&trace)] {
+            let lots = trace.lots();
+            let (_, first) = lots.of_run(0);
+            assert!(first.iter().any(|lot| lot.panels.len() == LOT), "lots of several panels");
+            for tau_s in [0.4, 30.0, 2400.0] {
+                for (place, (lot, gain)) in lots.lots.iter().zip(lots.gains(trace, tau_s)).enumerate() {
+                    let mut plain = Gain::NONE;
+                    for kept in trace.panels.get(lot.panels.clone()).unwrap() {
+                        plain.pass(&trace.panel(kept), tau_s);
+                    }
+                    let mut parts = Gain::NONE;
+                    lots.part_gains(trace, place, tau_s).iter().for_each(|part| parts.then(part));
+                    for found in [&gain, &parts] {
+                        assert!((found.decay - plain.decay).abs() < 1e-13, "{tau_s}");
+                        for (a, b) in found.gain.iter().zip(plain.gain) {
+                            assert!((a - b).abs() <= 1e-10 * b.abs().max(1e-6), "{tau_s}: {a} {b}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// No product is farther from its mean over the lot than the swing says, at any instant between the nodes either.
+    #[test]
+    fn no_course_within_a_lot_swings_farther() {
+        let trace = trace();
+        for lot in &trace.lots().lots {
+            let panels: Vec<Panel<'_>> =
+                trace.panels.get(lot.panels.clone()).unwrap().iter().map(|kept| trace.panel(kept)).collect();
+            let fine = 200;
+            let mut course: Vec<(f64, Products)> = vec![(0.0, [0.0; 10])];
+            for panel in &panels {
+                let h = panel.duration_s / f64::from(fine);
+                for k in 0..fine {
+                    let middle = products(&panel.at((f64::from(k) + 0.5) / f64::from(fine)));
+                    let (at, mut sums) = *course.last().unwrap();
+                    sums.iter_mut().zip(middle).for_each(|(sum, p)| *sum += p * h);
+                    course.push((at + h, sums));
+                }
+            }
+            let whole = course.last().unwrap().1;
+            for (at, sums) in &course {
+                for ((sum, whole), swing) in sums.iter().zip(whole).zip(lot.swing) {
+                    let away = (sum - whole * at / lot.duration).abs();
+                    // What the sum of middles is off by.
+                    assert!(away <= swing + 1e-4 * (whole.abs() + swing), "{away} {swing}");
+                }
+            }
+        }
+    }
+
+    /// Against a walk in small steps through two rounds of the cycle.
+    #[test]
+    fn peaks_are_those_of_a_plain_walk() {
+        let trace = trace();
+        let form = Form([[2.0, 0.1, 0.0, 0.3], [0.1, 0.5, 0.2, 0.0], [0.0, 0.2, 3.0, 0.1], [0.3, 0.0, 0.1, 0.4]]);
+        for taus in [[0.4, 6.0], [30.0, 900.0]] {
+            let lags = taus.map(|tau_s| Lag { tau_s, form });
+            let mut states = [0.0; 2];
+            let walk = |states: &mut [f64; 2]| {
+                let mut best = f64::NEG_INFINITY;
+                for kept in &trace.panels {
+                    let panel = trace.panel(kept);
+                    let (rule, steps) = (rule(panel.nodes.len()), 64);
+                    let h = panel.duration_s / f64::from(steps);
+                    for k in 0..steps {
+                        let from = f64::from(k) / f64::from(steps);
+                        for (state, lag) in states.iter_mut().zip(&lags) {
+                            let inputs =
+                                rule.nodes().iter().map(|s| lag.form.at(&panel.at(from + s / f64::from(steps))));
+                            let gain: f64 = rule.weights(h / lag.tau_s).iter().zip(inputs).map(|(w, u)| w * u).sum();
+                            *state = *state * (-h / lag.tau_s).exp() + gain;
+                        }
+                        best = best.max(states.iter().sum());
+                    }
+                }
+                best
+            };
+            walk(&mut states);
+            for (state, tau_s) in states.iter_mut().zip(taus) {
+                *state /= -(-trace.duration / tau_s).exp_m1();
+            }
+            let expected = walk(&mut states);
+            for trace in [&trace, &changed(&trace)] {
+                let found = trace.peak_of_lags(&lags).value;
+                let above = found / expected - 1.0;
+                // The walk sees its steps alone.
+                assert!((-1e-10..1e-5).contains(&above), "{taus:?}: {found} {expected}");
+            }
+        }
+    }
+}
