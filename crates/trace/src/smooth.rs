@@ -6,19 +6,19 @@ use crate::rule::{MOST, Rule, Values, dot, rule};
 /// j P̃_j = (2j − 1) x P̃_(j−1) − (j − 1) P̃_(j−2): the factors of x P̃_(j−1) and of P̃_(j−2) for j = 2…16.
 const STEPS: [(f64, f64); MOST - 1] = {
     let mut steps = [(0.0, 0.0); MOST - 1];
-    let (mut j, mut degree) = (0, 2.0);
-    while j < steps.len() {
-        steps[j] = ((2.0 * degree - 1.0) / degree, (degree - 1.0) / degree);
-        j += 1;
+    let (mut open, mut degree): (&mut [(f64, f64)], f64) = (&mut steps, 2.0);
+    while let [first, further @ ..] = open {
+        *first = ((2.0 * degree - 1.0) / degree, (degree - 1.0) / degree);
         degree += 1.0;
+        open = further;
     }
     steps
 };
 
 /// The polynomial through the values of something at the nodes of a panel.
 ///
-/// Where the panel has all [`MOST`] nodes its signals are resolved to the last digits by half of them, and their products by
-/// all (docs/theory/moments.md).
+/// Of a panel of sixteen nodes the signals are resolved to the last digits by half of them, and their products by all
+/// (docs/theory/moments.md).
 #[derive(Clone, Copy, Debug)]
 pub struct Smooth {
     rule: &'static Rule,
