@@ -1,8 +1,8 @@
 //! Where within a panel the sum of several lags turns from rising to falling.
 
 use super::Lag;
-use crate::Panel;
 use crate::rule::{MOST, PARTS, Values, dot, lagged, rule};
+use crate::{Panel, crossing};
 
 /// A lag over one panel.
 pub(super) struct Course {
@@ -71,6 +71,9 @@ pub(super) fn turns(lowest: f64, highest: f64) -> bool {
     lowest < 0.0 && highest > 0.0
 }
 
+/// A share of a panel up to which the instant of a largest value is sought.
+const CLOSE: f64 = 1e-12;
+
 /// Up to this λ, and from so many nodes on, a lag is the polynomial through its values at the nodes.
 const SMOOTH: (f64, usize) = (0.5, 8);
 
@@ -101,15 +104,11 @@ pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64
         let s = f64::from(part) / f64::from(PARTS);
         let here = (s, slope(s));
         if last.1 > 0.0 && here.1 < 0.0 {
-            let (mut low, mut high) = (last.0, s);
-            for _ in 0..50 {
-                let middle = 0.5 * (low + high);
-                if slope(middle) > 0.0 { low = middle } else { high = middle }
-            }
-            let value = sum(&|course, start| course.at(start, low));
+            let at = crossing(slope, last, here, CLOSE);
+            let value = sum(&|course, start| course.at(start, at));
             if value > most {
                 most = value;
-                best = Some((low, value));
+                best = Some((at, value));
             }
         }
         last = here;
@@ -133,7 +132,7 @@ fn turn_by_nodes(courses: &[Course], states: &[f64], least: f64) -> Option<(f64,
     for (part, here) in (0..=PARTS).zip(rule.at_parts(&slopes)).skip(1) {
         let here = (f64::from(part) / f64::from(PARTS), here);
         if last.1 > 0.0 && here.1 < 0.0 {
-            let s = falls_through_zero(last, here, |s| dot(&rule.shares(s), &slopes));
+            let s = crossing(|s| dot(&rule.shares(s), &slopes), last, here, CLOSE);
             // What lies clearly below is not worth the closed form.
             if dot(&rule.shares(s), &sums) > most - 1e-6 * most.abs() {
                 let value = courses.iter().zip(states).map(|(course, state)| course.at(*state, s)).sum();
@@ -146,33 +145,4 @@ fn turn_by_nodes(courses: &[Course], states: &[f64], least: f64) -> Option<(f64,
         last = here;
     }
     best
-}
-
-/// Where a smooth function that falls from above zero to below passes it: false position, the end that stays halved
-/// (Illinois), to 10⁻¹² of the panel.
-fn falls_through_zero(from: (f64, f64), to: (f64, f64), f: impl Fn(f64) -> f64) -> f64 {
-    let ((mut low, mut above), (mut high, mut below)) = (from, to);
-    let mut side = 0;
-    let mut at = low;
-    for _ in 0..40 {
-        at = (low * below - high * above) / (below - above);
-        let here = f(at);
-        if here == 0.0 || high - low < 1e-12 {
-            break;
-        }
-        if here > 0.0 {
-            (low, above) = (at, here);
-            if side == 1 {
-                below *= 0.5;
-            }
-            side = 1;
-        } else {
-            (high, below) = (at, here);
-            if side == -1 {
-                above *= 0.5;
-            }
-            side = -1;
-        }
-    }
-    at
 }
