@@ -106,7 +106,7 @@ impl Trace {
     }
 
     /// The same of a trace just made: for one look neither the tree of the kept panels nor the cells of a recording are worth
-    /// their while, unless these are there.
+    /// their while, unless these serve from the trace that it was changed from.
     pub fn largest_once(&self, sought: &impl Sought) -> (f64, Node) {
         self.search(sought, true)
     }

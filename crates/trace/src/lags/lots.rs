@@ -119,7 +119,7 @@ mod tests {
     use motion::{Law, SegmentSpec};
     use std::sync::Arc;
 
-    /// Swings of an arm, each farther than the one before, with a rest now and then.
+    /// Swings of an arm, there and back, each time farther and slower, by two laws in turn.
     fn trace() -> Trace {
         let swings: Vec<SegmentSpec> = (0..40)
             .map(|k| {
