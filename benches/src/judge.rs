@@ -4,9 +4,9 @@
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
 use benches::{Gates, against, numpy, size, sort};
+use questions::{check, reserve_of};
 use std::hint::black_box;
 use std::process::ExitCode;
-use workbench::{check, reserve_of};
 
 const PROJECT: &str = include_str!("../../examples/indexing-table.toml");
 
@@ -58,7 +58,7 @@ fn swings() -> String {
 
 fn main() -> ExitCode {
     let mut gates = Gates::default();
-    let project = workbench::read(PROJECT).expect("the example is valid");
+    let project = questions::read(PROJECT).expect("the example is valid");
     let judged = size(&project).candidates.len();
     let whole = against(
         400,
@@ -70,7 +70,7 @@ fn main() -> ExitCode {
     let baseline = "sorting ten thousand numbers";
     gates.at_most(&format!("judge the catalogue ({judged} actuators)"), &whole, (baseline, 12.0));
     // The baseline knows limits only, no band of an estimate and no gear to warm up.
-    let passes = |candidate: &&workbench::Candidate| candidate.fits() && candidate.standing.utilisation <= 1.0;
+    let passes = |candidate: &&questions::Candidate| candidate.fits() && candidate.standing.utilisation <= 1.0;
     let fitting = size(&project).candidates.iter().filter(passes).count();
     // As an engineer writes it: the cycle sampled every millisecond, vectors over time, one actuator after the other.
     match numpy(&["--sampled", "1e-3"]) {
@@ -81,7 +81,7 @@ fn main() -> ExitCode {
         None => println!("  no Python with NumPy here: the ratio to it is not measured"),
     }
     if let Some((time, _)) = numpy(&[]) {
-        // Without instants, trace, heat and energy; told for comparison, not promised.
+        // Without instants, trace, heat and energy; for comparison only, without a gate.
         let ratio = time.as_secs_f64() / whole.measured.median.as_secs_f64();
         println!(
             "  fewer checks in NumPy, vectors over the catalogue: {:.3} ms, {ratio:.2} × slower",
@@ -89,7 +89,7 @@ fn main() -> ExitCode {
         );
     }
     println!("  per actuator: {:.0} ns", whole.measured.median.as_secs_f64() * 1e9 / judged as f64);
-    let smooth = workbench::read(&with_a_smooth_move()).expect("the example with a smooth law is valid");
+    let smooth = questions::read(&with_a_smooth_move()).expect("the example with a smooth law is valid");
     let one = || {
         black_box(size(black_box(&project)));
     };
@@ -98,7 +98,7 @@ fn main() -> ExitCode {
     });
     gates.at_most("one move of a smooth law", &found, ("one move of three ramps", 10.0));
     for (count, promise) in [(10, 6.0), (100, 15.0), (1000, 40.0)] {
-        let many = workbench::read(&with_moves(count)).expect("the repeated example is valid");
+        let many = questions::read(&with_moves(count)).expect("the repeated example is valid");
         let one = || {
             black_box(size(black_box(&project)));
         };
@@ -107,13 +107,13 @@ fn main() -> ExitCode {
         });
         gates.at_most(&format!("cycle of {count} moves, all different"), &found, ("one move", promise));
     }
-    let many = workbench::read(&with_smooth_moves(1000)).expect("a thousand smooth moves are valid");
+    let many = questions::read(&with_smooth_moves(1000)).expect("a thousand smooth moves are valid");
     let found = against(10, one, || {
         black_box(size(black_box(&many)));
     });
     gates.at_most("cycle of 1000 smooth moves, all different", &found, ("one move", 220.0));
-    let hard = workbench::read(&swings()).expect("a thousand swings are valid");
-    let code = workbench::read_code("CHA-25A-100-H-C1024", workbench::Language::En).expect("a code").parsed.code;
+    let hard = questions::read(&swings()).expect("a thousand swings are valid");
+    let code = questions::read_code("CHA-25A-100-H-C1024", quantities::Language::En).expect("a code").parsed.code;
     let numbers = || sort(2_000_000);
     let ranked = against(3, numbers, || {
         black_box(size(black_box(&hard)));

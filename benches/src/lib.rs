@@ -1,11 +1,13 @@
-//! What the benches share: calls timed in turn with a baseline, and gates on their ratio. Times are told and never judged: a
-//! machine may be slow, or somebody else at work on it.
+//! What the benches share: calls timed in turn with a baseline, and gates on their ratio. Times are reported, never judged: a
+//! machine may be slow or shared.
 #![allow(clippy::print_stdout, reason = "a bench prints what it measured")]
 
+use project::Project;
+use questions::list::size::sized;
+use questions::{Patience, Sizing};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
-use workbench::{Patience, Project, Sizing, sized};
 
 /// The top of the tree.
 #[must_use]

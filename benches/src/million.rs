@@ -12,6 +12,8 @@
 )]
 
 use benches::{Against, Gates, binary, run, size, timed};
+use project::Files;
+use questions::{CandidateId, check, reserve_of};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -19,7 +21,6 @@ use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::Arc;
 use std::time::Duration;
-use workbench::{CandidateId, Files, check, reserve_of};
 
 const SAMPLES: usize = 1_000_000;
 
@@ -102,7 +103,7 @@ fn main() -> ExitCode {
     let mut gates = Gates::default();
     let text = Arc::new(recording());
     let files = Given(Arc::clone(&text));
-    let read = || workbench::read_all(PROJECT, &files).expect("the project is valid");
+    let read = || questions::read_all(PROJECT, &files).expect("the project is valid");
     // Each time anew, since what is known of a recording serves every later question.
     let mut reserves = Vec::new();
     let sized: Vec<_> = (0..ROUNDS)
@@ -147,7 +148,7 @@ fn noisy(gates: &mut Gates) {
     let mut found = Vec::new();
     for _ in 0..2 {
         let mut projects = Vec::new();
-        let reading = timed(|| projects = workbench::read_all(NOISE, &files).expect("the project is valid"));
+        let reading = timed(|| projects = questions::read_all(NOISE, &files).expect("the project is valid"));
         let project = projects.first().expect("one axis");
         let mut fitting = 0;
         let sizing = timed(|| fitting = size(project).candidates.iter().filter(|candidate| candidate.fits()).count());
@@ -196,7 +197,7 @@ fn loadtxt(file: &str) -> Option<Duration> {
     Some(Duration::from_secs_f64(seconds))
 }
 
-/// The most memory that a process held, where the system tells it while the process runs.
+/// Peak memory of a process, if the system reports it while the process runs.
 fn memory(binary: &Path, arguments: &[&str]) -> Option<usize> {
     let mut child = Command::new(binary).args(arguments).stdout(Stdio::null()).spawn().ok()?;
     let status = format!("/proc/{}/status", child.id());

@@ -31,7 +31,7 @@ fn main() -> ExitCode {
     let recorded = Arc::new(Recorded::new(samples(), Treatment::default()).expect("the samples are a motion"));
     let motion = Motion::new(&[SegmentSpec::Recorded(Arc::clone(&recorded))], None, Closing::SingleMove)
         .expect("one recording is a motion");
-    let joint = Kind::Joint(Joint { inertia: MomentOfInertia::from_si(0.0), holding_torque: None });
+    let joint = Kind::Joint(Joint { inertia: None, holding_torque: None });
     let joint = Mechanism { kind: joint, ..Mechanism::direct(MomentOfInertia::from_si(0.0), Torque::from_si(0.0)) };
     let direct = Mechanism::direct(MomentOfInertia::from_si(0.4), Torque::from_si(2.0));
     let sum = |values: &[f64]| values.iter().sum::<f64>();

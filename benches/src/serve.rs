@@ -5,6 +5,9 @@
 
 use benches::{Gates, against, milliseconds, timed};
 use page::{Call, Entry, Folder, Method, SaveFault, Shell};
+use project::{Files, NoFiles};
+use quantities::Language;
+use questions::Patience;
 use server::{Limits, Options, Server};
 use std::hint::black_box;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -12,7 +15,6 @@ use std::net::{SocketAddr, TcpStream};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
-use workbench::{Files, Language, NoFiles, Patience};
 
 const PROJECT: &str = include_str!("../../examples/indexing-table.toml");
 const ROUNDS: usize = 300;

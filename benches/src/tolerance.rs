@@ -4,9 +4,10 @@
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a bench prints what it measured")]
 
 use benches::{Gates, against};
+use project::Project;
+use questions::{Candidate, CandidateId, SAMPLES_USUAL, Sampling, assess, check, size};
 use std::hint::black_box;
 use std::process::ExitCode;
-use workbench::{Candidate, CandidateId, Project, SAMPLES_USUAL, Sampling, assess, check, size};
 
 /// The worked example with three toleranced quantities.
 fn project() -> Project {
@@ -14,7 +15,7 @@ fn project() -> Project {
     for (exact, half) in [("1.3 kg m^2", "10 %"), ("5 N m", "20 %"), ("40 1/min", "1 1/min")] {
         text = text.replacen(&format!("\"{exact}\""), &format!("\"{exact} ± {half}\""), 1);
     }
-    workbench::read(&text).expect("the example is valid")
+    questions::read(&text).expect("the example is valid")
 }
 
 fn main() -> ExitCode {

@@ -11,7 +11,7 @@ use std::process::{Child, Command, Stdio};
 use std::rc::Rc;
 use tokio::runtime::Runtime;
 
-/// What a browser of tests needs to be: without a window, at peace with a small machine, asking nobody for anything.
+/// Options of a test browser: headless, for a small machine, without network requests of its own.
 const ARGUMENTS: [&str; 10] = [
     "--headless=new",
     "--no-sandbox",

@@ -21,27 +21,29 @@ use std::time::Instant;
 /// What the command line says.
 struct Options {
     program: PathBuf,
-    site: PathBuf,
     axe: PathBuf,
     chromium: PathBuf,
     driver: PathBuf,
+    /// The page without a server; where it is not given, the ways with a server alone are gone.
+    site: Option<PathBuf>,
     names: Vec<String>,
 }
 
 impl Options {
-    /// `browser PROGRAM SITE AXE CHROMIUM CHROMEDRIVER [NAME…]`
     fn read() -> Option<Self> {
-        let mut words = std::env::args_os().skip(1).map(PathBuf::from);
-        let mut path = || words.next();
-        let (program, site, axe, chromium, driver) = (path()?, path()?, path()?, path()?, path()?);
+        let mut words = std::env::args_os().skip(1).map(PathBuf::from).peekable();
+        let (program, axe, chromium, driver) = (words.next()?, words.next()?, words.next()?, words.next()?);
+        let site = words.next_if(|word| word.as_os_str() == "--site").and_then(|_| words.next());
         let names = words.map(|word| word.to_string_lossy().into_owned()).collect();
-        Some(Self { program, site, axe, chromium, driver, names })
+        Some(Self { program, axe, chromium, driver, site, names })
     }
 }
 
+const USAGE: &str = "usage: browser PROGRAM AXE CHROMIUM CHROMEDRIVER [--site FOLDER] [NAME…]";
+
 fn main() -> ExitCode {
     let Some(options) = Options::read() else {
-        eprintln!("usage: browser PROGRAM SITE AXE CHROMIUM CHROMEDRIVER [NAME…]");
+        eprintln!("{USAGE}");
         return ExitCode::from(2);
     };
     match all(&options) {
@@ -57,12 +59,13 @@ fn main() -> ExitCode {
     }
 }
 
-/// Goes every way against both shells; gives the number of those that failed.
+/// Goes every way against the shells that are there; returns the number of those that failed.
 fn all(options: &Options) -> Result<usize, String> {
     let axe = std::fs::read_to_string(&options.axe).map_err(|error| format!("{}: {error}", options.axe.display()))?;
     let driver = Driver::start(&options.driver)?;
     let (mut failed, mut gone) = (0, 0);
-    for shell in [Shell::server(&options.program)?, Shell::site(&options.site)?] {
+    let site = options.site.as_deref().map(Shell::site).transpose()?;
+    for shell in std::iter::once(Shell::server(&options.program)?).chain(site) {
         let downloads = tempfile::tempdir().map_err(|error| error.to_string())?;
         for way in ways::ALL.iter().filter(|way| way.concerns(&shell)) {
             if !options.names.is_empty() && !options.names.iter().any(|name| way.name.contains(name.as_str())) {
@@ -70,7 +73,7 @@ fn all(options: &Options) -> Result<usize, String> {
             }
             // Each begins in a browser that keeps nothing of the others.
             let tab = driver.browser(&options.chromium, downloads.path())?;
-            let stage = Stage { tab, shell: &shell, downloads: downloads.path(), axe: &axe, site: &options.site };
+            let stage = Stage { tab, shell: &shell, downloads: downloads.path(), axe: &axe };
             let begin = Instant::now();
             let outcome = (way.go)(&stage).and_then(|()| stage.no_fault_in_the_console());
             let seconds = begin.elapsed().as_secs_f64();

@@ -13,7 +13,7 @@ pub(crate) enum Shell {
     /// By `antrieb serve`, with a folder of the disk.
     Server { process: Child, address: String, folder: tempfile::TempDir },
     /// As a static folder, by a host that knows nothing but files.
-    Site { address: String, is_up: Arc<AtomicBool> },
+    Site { address: String, folder: PathBuf, is_up: Arc<AtomicBool> },
 }
 
 /// The folder does not lie at the top of its host.
@@ -42,11 +42,11 @@ impl Shell {
         drop(std::thread::spawn(move || {
             for stream in listener.incoming().flatten().take_while(|_| up.load(Ordering::Relaxed)) {
                 let root = root.clone();
-                // Whoever goes away before the end is no fault of the host.
+                // A client that disconnects early is not an error of the host.
                 drop(std::thread::spawn(move || drop(sent(&stream, &root))));
             }
         }));
-        Ok(Self::Site { address: format!("http://127.0.0.1:{port}{BELOW}"), is_up })
+        Ok(Self::Site { address: format!("http://127.0.0.1:{port}{BELOW}"), folder: folder.to_owned(), is_up })
     }
 
     pub(crate) fn name(&self) -> &'static str {

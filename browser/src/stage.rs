@@ -12,7 +12,6 @@ pub(crate) struct Stage<'s> {
     pub(crate) shell: &'s Shell,
     pub(crate) downloads: &'s Path,
     pub(crate) axe: &'s str,
-    pub(crate) site: &'s Path,
 }
 
 /// The rules of WCAG 2.2, levels A and AA, as axe-core names them.
@@ -36,7 +35,7 @@ impl Stage<'_> {
     pub(crate) fn ready(&self) -> Told {
         self.tab.there("#standing")?;
         self.listens()?;
-        // The script has been there: it tells the values at the instant.
+        // The script has run: it shows the values at the instant.
         self.tab.until("document.querySelector('#instant-values')?.textContent !== ''")
     }
 
@@ -97,10 +96,10 @@ impl Stage<'_> {
         Err(format!("{button} gave no file with the ending {ending}: {}", self.tab.text("#told").unwrap_or_default()))
     }
 
-    /// The console has told of no fault, and nothing was kept from being loaded.
+    /// The console has no error, and no resource was blocked.
     pub(crate) fn no_fault_in_the_console(&self) -> Told {
         let mut faults = self.tab.faults()?;
-        // A reply that says no is told there too; the ways look at what the page says of it.
+        // Error responses are listed there too; the scenarios check the page's message.
         faults.retain(|fault| !fault.contains("the server responded with a status of 4"));
         expect(faults.is_empty(), || faults.join("; "))
     }

@@ -256,7 +256,7 @@ impl Tab {
         self.command("Network.emulateNetworkConditions", network)
     }
 
-    /// What the console has had to say since it was asked, faults only.
+    /// New errors in the console since the last call.
     pub(crate) fn faults(&self) -> Told<Vec<String>> {
         let log = Log;
         let answer = self.runtime.block_on(self.client.issue_cmd(log)).map_err(told)?;
@@ -293,7 +293,7 @@ impl WebDriverCompatibleCommand for OfTheBrowser {
     }
 }
 
-/// Asks for what stands in the console.
+/// Reads the console.
 #[derive(Debug)]
 struct Log;
 

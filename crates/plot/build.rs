@@ -1,4 +1,4 @@
-//! Takes the widths of characters out of the faces: whoever only lays out text carries no outlines.
+//! Extracts the widths of characters from the fonts, so that layout alone needs no outlines.
 #![allow(clippy::print_stdout, reason = "cargo listens")]
 #![allow(clippy::disallowed_methods, reason = "a build script runs before the program and has the disk from cargo")]
 

@@ -6,14 +6,15 @@ pub(crate) mod verdict;
 
 use crate::text::{any_edits, mutate, tells};
 use crate::{draft, project};
+use ::project::Project;
 use arbitrary::{Result, Unstructured};
+use order_code::OrderCode;
+use quantities::Language;
+use questions::list::diff::difference;
+use questions::{Candidate, CandidateId, CheckId, Draw, Patience, Sizing, answer, check, list, size};
 use serde::Serialize;
 use serde_json::Value;
 use std::sync::LazyLock;
-use workbench::{
-    Candidate, CandidateId, CheckId, Draw, Language, OrderCode, Patience, Project, Request, Response, Sizing, answer,
-    answers, ask, check, difference, size,
-};
 
 /// Enough samples to go through everything.
 const FEW: Draw = Draw { samples: Some(5), seed: 1 };
@@ -72,16 +73,15 @@ fn hold(case: &Case<'_>, question: u8) {
     }
 }
 
-fn asked(case: &Case<'_>, request: &Request) -> Option<Response> {
-    ask(case.project, request, case.language, &Patience::endless()).ok()
-}
-
 fn ranking(case: &Case<'_>) {
-    let Some(Response::Sizing(found)) = asked(case, &Request::Size { top: 2, draw: FEW }) else { return };
+    let patience = Patience::endless();
+    let Ok(found) = questions::list::size::ranking(case.project, 2, FEW, &patience) else { return };
+    let found = found.record(case.language);
     assert_eq!(found.answer.is_some(), found.fitting > 0);
     keeps_to_schema("size", &found);
-    let Some(Response::Bearings(found)) = asked(case, &Request::Bearing) else { return };
-    keeps_to_schema("bearing", &found);
+    if let Ok(found) = list::bearing::sizes(case.project, case.language) {
+        keeps_to_schema("bearing", &answer::bearings(&found, case.language));
+    }
 }
 
 /// The ranking judges in stages, and a candidate alone in full: what fits there must fit here.
@@ -90,7 +90,7 @@ fn agree(case: &Case<'_>, sizing: &Sizing<'_>) {
     let rejected = sizing.candidates.iter().filter(|each| !each.fits()).step_by(40);
     for each in fitting.chain(rejected) {
         let CandidateId::Code(code) = each.id else { continue };
-        // Options that the project asks for may break a rule; then the ranking alone judges it.
+        // Options required by the project may break a rule; then only the ranking judges it.
         let Ok(alone) = check(case.project, &code) else { continue };
         verdict::candidate(&alone);
         assert_eq!(alone.fits(), each.fits(), "{code}: {:?}", alone.worst_failure());
@@ -103,26 +103,25 @@ fn agree(case: &Case<'_>, sizing: &Sizing<'_>) {
 }
 
 fn one(case: &Case<'_>, code: &OrderCode) {
-    let request = Request::Check { code: Some(*code), draw: FEW };
-    if let Some(Response::Judgement(found)) = asked(case, &request) {
-        keeps_to_schema("check", &found);
+    for code in [Some(code), None] {
+        if let Ok(found) = questions::list::check::verification(case.project, code, FEW, &Patience::endless()) {
+            keeps_to_schema("check", &found.record(case.language));
+        }
     }
     if let Ok(judged) = check(case.project, code) {
         verdict::reserve(case, code, &judged);
     }
-    if let Some(Response::Judgement(found)) = asked(case, &Request::Check { code: None, draw: FEW }) {
-        keeps_to_schema("check", &found);
-    }
 }
 
 fn workings(case: &Case<'_>, code: &OrderCode) {
-    let request = Request::Explain { code: Some(*code), check: None };
-    let Some(Response::Explanations(found)) = asked(case, &request) else { return };
+    let explained =
+        |check| questions::list::explain::explanation(case.project, Some(code), check, &Patience::endless());
+    let Ok(found) = explained(None) else { return };
+    let found = found.record(case.language);
     assert!(!found.checks.is_empty());
     keeps_to_schema("explain", &found);
-    let one = Request::Explain { code: Some(*code), check: Some(CheckId::PeakTorque) };
-    if let Some(Response::Explanations(found)) = asked(case, &one) {
-        assert_eq!(found.checks.len(), 1);
+    if let Ok(found) = explained(Some(CheckId::PeakTorque)) {
+        assert_eq!(found.checks().len(), 1);
     }
 }
 
@@ -133,22 +132,26 @@ fn beside(case: &Case<'_>, sizing: &Sizing<'_>) {
         CandidateId::Own(_) => None,
     };
     let codes: Vec<OrderCode> = sizing.candidates.iter().filter_map(of).take(2).collect();
-    let Ok(found) = workbench::compare(case.project, &codes, &Patience::endless()) else { return };
+    let Ok(found) = questions::list::compare::compare(case.project, &codes, &Patience::endless()) else { return };
     keeps_to_schema("compare", &answer::comparison(&found, &case.project.name, case.language));
     assert!(found.checks.iter().all(|row| row.checks.len() == codes.len()));
     let twice: Vec<OrderCode> = codes.iter().take(1).chain(codes.iter().take(1)).copied().collect();
-    let Ok(found) = workbench::compare(case.project, &twice, &Patience::endless()) else { return };
-    assert!(found.demand.iter().chain(&found.data).all(workbench::DatumRow::is_same), "{:?}", found.demand);
+    let Ok(found) = questions::list::compare::compare(case.project, &twice, &Patience::endless()) else { return };
+    assert!(
+        found.demand.iter().chain(&found.data).all(questions::list::compare::DatumRow::is_same),
+        "{:?}",
+        found.demand
+    );
     assert!(found.checks.iter().all(|row| row.better.is_none()), "nothing is better than itself");
 }
 
 /// A revision that changes nothing changes nothing.
 fn revisions(case: &Case<'_>, code: &OrderCode) {
     let Ok(found) = difference(case.project, case.project, Some(code), &Patience::endless()) else { return };
-    assert!(found.demand.iter().all(workbench::DatumRow::is_same), "{:?}", found.demand);
-    assert!(found.checks.iter().all(workbench::CheckChange::is_same), "{code}");
+    assert!(found.demand.iter().all(questions::list::compare::DatumRow::is_same), "{:?}", found.demand);
+    assert!(found.checks.iter().all(questions::list::diff::CheckChange::is_same), "{code}");
     assert_eq!(found.best_before, found.best_after);
-    let inputs = workbench::input_changes((case.text, case.place), (case.text, case.place));
+    let inputs = ::project::input_changes((case.text, case.place), (case.text, case.place));
     assert!(inputs.is_empty(), "{inputs:?}");
     keeps_to_schema("diff", &answer::difference(&found, &inputs, &case.project.name, case.language));
 }

@@ -3,8 +3,12 @@
 use crate::text::{any_edits, mutate, one_in, rest, tells};
 use arbitrary::{Result, Unstructured};
 use order_code::{Field, OrderCode, Pattern, parse};
+use quantities::Language;
+use questions::list::code_complete::completion;
+use questions::list::code_list::{list_codes, read_pattern};
+use questions::list::code_parse::explain_code;
+use questions::{CodeRefusal, answer, read_code};
 use std::sync::LazyLock;
-use workbench::{CodeRefusal, Language, answer, completion, explain_code, list_codes, read_code, read_pattern};
 
 static CODES: LazyLock<Vec<OrderCode>> =
     LazyLock::new(|| list_codes(None).into_iter().map(|(code, _)| *code).collect());

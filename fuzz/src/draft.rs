@@ -78,10 +78,10 @@ const PULLED: &[&str] = &["overhang", "flange_share", "wheel_mass", "belt_tensio
 const MESHED: &[&str] = &["overhang", "flange_share", "wheel_mass", "pressure_angle"];
 
 fn load(page: &mut Page<'_, '_>) -> Result<Load> {
-    let kind = page.u.int_in_range(0..=7)?;
+    let kind = page.u.int_in_range(0..=11)?;
     page.effective = match kind {
         1 | 2 => TURNING,
-        3 | 6 => COUPLED,
+        3 | 6 | 8..=11 => COUPLED,
         4 => *page.u.choose(&[PULLED, MESHED])?,
         5 => PULLED,
         _ => &[],
@@ -136,7 +136,11 @@ fn load(page: &mut Page<'_, '_>) -> Result<Load> {
             page.may("inertia", 1e-3, 1.0, INERTIA)?;
             Load::Free
         }
-        _ => table(page)?,
+        7 => table(page)?,
+        8 => hoist(page)?,
+        9 => winder(page)?,
+        10 => scissor_lift(page)?,
+        _ => four_bar(page)?,
     };
     // The bodies of a turntable are tables of their own, behind what all have.
     if kind != 1 {
@@ -164,6 +168,84 @@ fn line(page: &mut Page<'_, '_>) -> Result<()> {
     page.may_number("friction_coefficient", 0.0, 0.3)?;
     page.may("process_force", -300.0, 300.0, FORCE)?;
     page.may("inertia", 1e-4, 0.5, INERTIA)
+}
+
+fn hoist(page: &mut Page<'_, '_>) -> Result<Load> {
+    page.table("mechanism.hoist");
+    page.key("drum_diameter", 60.0, 400.0, LENGTH)?;
+    if page.often()? {
+        let falls = page.u.int_in_range(1..=8)?;
+        page.plain("falls", falls);
+    }
+    page.key("mass", 5.0, 200.0, MASS)?;
+    page.may("counterweight", 1.0, 100.0, MASS)?;
+    page.may("inertia", 1e-3, 1.0, INERTIA)?;
+    if page.u.ratio(1, 2)? {
+        page.key("rope_mass", 0.1, 10.0, MASS)?;
+        page.key("hanging", 1e3, 1e4, LENGTH)?;
+    }
+    page.may_number("sheave_efficiency", 0.9, 1.0)?;
+    page.may("friction_force", 1.0, 80.0, FORCE)?;
+    page.may("process_force", -300.0, 300.0, FORCE)?;
+    Ok(Load::Line)
+}
+
+fn winder(page: &mut Page<'_, '_>) -> Result<Load> {
+    page.table("mechanism.winder");
+    let winding = *page.u.choose(&["up", "off"])?;
+    page.word("winding", winding);
+    let core = page.between(40.0, 200.0)?;
+    let full = core * page.between(1.5, 6.0)?;
+    let start = page.between(core, full)?;
+    for (key, diameter) in [("core_diameter", core), ("full_diameter", full), ("start_diameter", start)] {
+        page.exactly(key, diameter, LENGTH)?;
+    }
+    page.key("thickness", 0.02, 10.0, LENGTH)?;
+    page.key("width", 50.0, 1000.0, LENGTH)?;
+    page.key("density", 500.0, 2700.0, &[("kg/m^3", 1.0)])?;
+    page.key("tension", 5.0, 400.0, FORCE)?;
+    page.may("inertia", 1e-3, 1.0, INERTIA)?;
+    Ok(Load::Bound)
+}
+
+fn scissor_lift(page: &mut Page<'_, '_>) -> Result<Load> {
+    page.table("mechanism.scissor_lift");
+    let stages = page.u.int_in_range(1..=5)?;
+    page.plain("stages", stages);
+    page.key("arm_length", 200.0, 2000.0, LENGTH)?;
+    page.key("lead", 2.0, 40.0, LENGTH)?;
+    page.key("arm_angle", 5.0, 80.0, ANGLE)?;
+    page.key("mass", 5.0, 200.0, MASS)?;
+    page.may("arm_mass", 1.0, 80.0, MASS)?;
+    page.may("inertia", 1e-4, 0.1, INERTIA)?;
+    page.may("process_force", -300.0, 300.0, FORCE)?;
+    Ok(Load::Bound)
+}
+
+fn four_bar(page: &mut Page<'_, '_>) -> Result<Load> {
+    page.table("mechanism.four_bar");
+    let crank = page.between(20.0, 150.0)?;
+    // The crank is the shortest; with the ground it stays shorter than coupler and rocker together.
+    let [ground, coupler, rocker] = [(3.0, 5.0), (3.0, 4.0), (2.5, 3.5)];
+    page.exactly("crank", crank, LENGTH)?;
+    for (key, (low, high)) in [("ground", ground), ("coupler", coupler), ("rocker", rocker)] {
+        let length = crank * page.between(low, high)?;
+        page.exactly(key, length, LENGTH)?;
+    }
+    if page.u.ratio(1, 4)? {
+        page.plain("crossed", true);
+    }
+    page.may("inertia", 1e-3, 1.0, INERTIA)?;
+    for part in ["coupler", "rocker"] {
+        page.may(&format!("{part}_mass"), 0.2, 10.0, MASS)?;
+        page.may(&format!("{part}_centre"), 10.0, 300.0, LENGTH)?;
+        page.may(&format!("{part}_inertia"), 1e-3, 1.0, INERTIA)?;
+    }
+    page.may("rocker_torque", -20.0, 20.0, TORQUE)?;
+    page.key("axis_tilt", 0.0, 90.0, ANGLE)?;
+    page.may("inclination", -90.0, 90.0, ANGLE)?;
+    page.may("start_angle", -180.0, 180.0, ANGLE)?;
+    Ok(Load::Free)
 }
 
 fn turntable(page: &mut Page<'_, '_>) -> Result<Load> {

@@ -7,17 +7,17 @@ use std::io::Write as _;
 use std::sync::OnceLock;
 use std::sync::atomic::Ordering;
 
-/// Cases past the gate from one time that they are told to the next.
+/// Cases past the gate between two reports.
 const STEP: u64 = 1000;
 
 /// Counts what is allocated, and refuses what goes beyond the limit of the target: libFuzzer sees such a case as a crash,
-/// also where the memory is asked for and never touched.
+/// even if the memory is allocated and never touched.
 #[global_allocator]
 static ALLOCATOR: cap::Cap<System> = cap::Cap::new(System, usize::MAX);
 
 static TARGET: OnceLock<fuzz::Target> = OnceLock::new();
 
-/// Whether each case is told: where one is repeated.
+/// Whether each case is printed: when one is repeated.
 static SHOWN: OnceLock<bool> = OnceLock::new();
 
 fn prepare() {
@@ -41,7 +41,7 @@ libfuzzer_sys::fuzz_target!(init: prepare(), |data: &[u8]| {
         let before = PAST_THE_GATE.load(Ordering::Relaxed);
         (target.run)(data);
         let past = PAST_THE_GATE.load(Ordering::Relaxed);
-        // The engine tells nobody when it ends, so this is told in steps. `xtask/src/fuzz/engine.rs` listens.
+        // The engine does not report its end, so the number is printed in steps. `xtask/src/fuzz/engine.rs` reads it.
         if past / STEP > before / STEP {
             let _ = writeln!(std::io::stderr(), "stat::past_the_gate: {past}");
         }

@@ -3,10 +3,11 @@
 use crate::draft;
 use crate::text::{any_edits, mutate, one_in, rest, tells};
 use arbitrary::{Result, Unstructured};
+use project::{Diagnostic, Project, inputs, place};
+use quantities::{Language, is_unseen, seen};
+use questions::{answer, project_fingerprint};
 use std::ops::Range;
-use workbench::quantities::{is_unseen, seen};
-use workbench::text::{Told, told};
-use workbench::{Diagnostic, Language, Project, answer, inputs, place, project_fingerprint};
+use words::{Told, told};
 
 /// A project that is mostly valid, with edits in a share of the cases; or any text.
 pub fn run(data: &[u8]) {
@@ -32,13 +33,13 @@ fn text(u: &mut Unstructured<'_>) -> Result<String> {
 
 /// Holds the faults of a text to their promises in both languages, and gives the projects if there are none.
 pub fn hold(text: &str) -> Option<Vec<Project>> {
-    read(text, || workbench::read_all(text, &workbench::NoFiles))
+    read(text, || questions::read_all(text, &project::NoFiles))
 }
 
 /// The same with another way to read it.
 pub fn read(
     text: &str,
-    with: impl FnOnce() -> std::result::Result<Vec<Project>, Vec<workbench::Diagnostic>>,
+    with: impl FnOnce() -> std::result::Result<Vec<Project>, Vec<project::Diagnostic>>,
 ) -> Option<Vec<Project>> {
     let faults = match with() {
         Ok(projects) => {

@@ -45,8 +45,8 @@ fn hold(text: &str, dimension: Dimension) {
         Err(error) => {
             assert!(text.get(error.span()).is_some(), "{text:?}: {error:?}");
             for language in [Language::En, Language::De] {
-                tells(&workbench::text::quantity_fault(&error, language));
-                workbench::text::quantity_hint(&error, language).iter().for_each(|hint| tells(hint));
+                tells(&words::quantity_fault(&error, language));
+                words::quantity_hint(&error, language).iter().for_each(|hint| tells(hint));
             }
         }
     }

@@ -8,10 +8,11 @@ use crate::project::read;
 use crate::text::{any_edits, mutate, one_in, rest};
 use arbitrary::{Result, Unstructured};
 use columns::{Columns, edit_bytes};
+use project::{Diagnostic, Fault, Files, Project};
+use questions::{answer, check, course, moves};
 use recording::{Damage, Fault as RecordingFault};
 use std::io::Read;
 use std::sync::atomic::Ordering;
-use workbench::{Diagnostic, Fault, Files, Project, answer, check, course, moves};
 
 const LOAD: &str = "[load]\ninertia = \"0.5 kg m^2\"\nfriction_torque = \"1 N m\"\n";
 const ARM: &str = "[mechanism.arm]\ninertia = \"0.5 kg m^2\"\nmass = \"6 kg\"\ncentre_distance = \"0.3 m\"\n\
@@ -134,7 +135,7 @@ fn is_past_the_footer(faults: &[Diagnostic]) -> bool {
 /// Counts the cases with which `past` says that they got past the gate.
 fn hold(text: &str, file: &[u8], past: fn(&[Diagnostic]) -> bool) {
     let read_it = || {
-        let read = workbench::read_all(text, &Only(file));
+        let read = questions::read_all(text, &Only(file));
         // For CSV there is no gate, and what is read is not counted either.
         if past(read.as_ref().err().map_or(&[], Vec::as_slice)) {
             PAST_THE_GATE.fetch_add(1, Ordering::Relaxed);
@@ -148,7 +149,7 @@ fn hold(text: &str, file: &[u8], past: fn(&[Diagnostic]) -> bool) {
 }
 
 fn told(project: &Project) {
-    for language in [workbench::Language::En, workbench::Language::De] {
+    for language in [quantities::Language::En, quantities::Language::De] {
         let _ = answer::motion(&moves(project), language);
     }
     let Ok(parsed) = order_code::parse("CHA-25A-100-H-C1024") else { return };

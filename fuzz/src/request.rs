@@ -4,6 +4,9 @@ use crate::draft;
 use crate::text::{any_edits, mutate};
 use arbitrary::{Result, Unstructured};
 use page::{Call, Entry, Folder, Method, Reply, SaveFault, Shell, respond};
+use project::Files;
+use quantities::Language;
+use questions::Patience;
 use serde_json::Value;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -12,7 +15,6 @@ use std::io;
 use std::sync::LazyLock;
 use std::time::Duration;
 use testkit::html::whole;
-use workbench::{Files, Language, Patience};
 
 /// A path of the page, and the names that its fields may have besides those of its state.
 const PAGES: [(Method, &str, &[&str]); 16] = [

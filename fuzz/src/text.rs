@@ -69,7 +69,7 @@ pub fn rest(u: &mut Unstructured<'_>) -> String {
     String::from_utf8_lossy(u.bytes(length).unwrap_or_default()).into_owned()
 }
 
-/// Whether a case is of the share of one in `many`, told by its text or bytes (FNV-1a): for what costs more than it finds in every
+/// Whether a case belongs to the share of one in `many`, by a hash of its text or bytes (FNV-1a): for checks too expensive for every
 /// case. Shares with no common divisor are independent.
 #[must_use]
 pub fn one_in(many: u64, case: impl AsRef<[u8]>) -> bool {
@@ -88,8 +88,8 @@ pub fn any_edits(u: &mut Unstructured<'_>, most: usize) -> Result<Vec<(u16, u8)>
     (0..u.int_in_range(1..=most)?).map(|_| u.arbitrary()).collect()
 }
 
-/// What is told to a person is not empty. What it quotes stands as it was written: the faces make signs that nobody sees
-/// harmless, each in its way.
+/// A text for a person is not empty. Quotations are unchanged: each face makes invisible characters
+/// harmless in its own way.
 pub fn tells(text: &str) {
     assert!(!text.trim().is_empty(), "{text:?}");
 }

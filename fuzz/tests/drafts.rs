@@ -25,13 +25,13 @@ fn most_drafts_are_valid_and_all_kinds_are_among_them() {
     for case in 0..CASES {
         let bytes = bytes(case);
         let text = draft::project(&mut Unstructured::new(&bytes), true).unwrap();
-        match workbench::read_all(&text, &workbench::NoFiles) {
+        match questions::read_all(&text, &::project::NoFiles) {
             Ok(_) => {
                 valid += 1;
                 read.push_str(&text);
             }
             Err(faults) => {
-                let told = workbench::text::told(&faults, workbench::Language::En);
+                let told = words::told(&faults, quantities::Language::En);
                 refusals.extend(told.into_iter().map(|fault| fault.message));
             }
         }

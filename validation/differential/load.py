@@ -5,6 +5,7 @@ from math import cos, hypot, pi, sin, sqrt
 
 import numpy as np
 
+from linkages import LINKAGES
 from quantity import si
 
 G = 9.80665
@@ -58,9 +59,10 @@ class Load:
         self.external = self.get("external_torque")
         self.eta = self.key.get("efficiency", 1.0)
         self.eta_back = self.key.get("efficiency_back", 1.0)
-        self.turns_with_position = self.kind in ("turntable", "arm", "slider_crank")
+        self.turns_with_position = self.kind in ("turntable", "arm", "slider_crank", "four_bar")
         self.arm, self.mass, self.phase = 0.0, 0.0, 0.0
         getattr(self, f"prepare_{self.kind}", lambda: None)()
+        self.linkage = LINKAGES[self.kind](self) if self.kind in LINKAGES else None
         stage = project.get("stage", {})
         self.ratio = stage.get("ratio", 1.0)
         self.stage_eta, self.stage_back = stage.get("efficiency", 1.0), stage.get("efficiency_back", 1.0)
@@ -82,6 +84,12 @@ class Load:
 
     def prepare_conveyor(self):
         self.travel = self.get("roller_diameter") / 2
+
+    def prepare_hoist(self):
+        falls, sheave = self.key.get("falls", 1), self.key.get("sheave_efficiency", 1.0)
+        self.travel = self.get("drum_diameter") / 2 / falls
+        # The pull of each fall is that of the one before, less the loss of a sheave.
+        self.eta *= sum(sheave**k for k in range(falls)) / falls
 
     def prepare_turntable(self):
         found = [sum(values) for values in zip(*[body(text) for text in self.key["bodies"]])]
@@ -119,6 +127,8 @@ class Load:
         force = self.get("process_force") + self.extra(segment, "process_force")
         if self.kind == "load":
             torque = torque + self.get("inertia") * a
+        elif self.linkage is not None:
+            torque = torque + self.linkage.torque(q, w, a, payload, force)
         elif self.kind in ("arm", "turntable"):
             r = self.get("payload_distance", None)
             reach = payload * r if r is not None else 0.0

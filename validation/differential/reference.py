@@ -164,10 +164,10 @@ def main():
         print(case["name"], file=sys.stderr)
         case["expect"] = digits(case["expect"])
         cases.append(case)
-    for name, code, text, rotations in specials():
+    for name, code, text, rotations, mirror in specials():
         print(name, file=sys.stderr)
         found = digits(full(text, {}, code))
-        more = {"name": name, "code": code, "project": text, "files": {}, "rotations": rotations, "mirror": True}
+        more = {"name": name, "code": code, "project": text, "files": {}, "rotations": rotations, "mirror": mirror}
         cases.append(more | {"expect": found})
     versions = {"python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__}
     head = {"made_by": "validation/differential/reference.py", "versions": versions, "seed": SEED, "actuators": actuators}

@@ -1,4 +1,4 @@
-"""What schemathesis is told about the interface: how bodies that are text go out."""
+"""Hints about the interface for schemathesis: how text bodies are sent."""
 
 import schemathesis
 

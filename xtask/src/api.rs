@@ -1,5 +1,5 @@
-//! The interface over HTTP tried by an outside tool: schemathesis reads the OpenAPI document and asks what nobody here has
-//! thought of. No answer may be a failure of the server, of another form than the document says, or accept what it forbids.
+//! The interface over HTTP tried by an outside tool: schemathesis reads the OpenAPI document and sends unexpected
+//! requests. No answer may be a failure of the server, of another form than the document says, or accept what it forbids.
 
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -12,7 +12,7 @@ use crate::{Error, samples};
 /// The tool with all that it needs, each with its sums.
 const PINNED: &str = include_str!("../schemathesis/requirements.txt");
 
-/// Its settings, and what it is told about the interface.
+/// Its settings, and hints about the interface.
 const SETTINGS: [(&str, &str); 2] = [
     ("schemathesis.toml", include_str!("../schemathesis/schemathesis.toml")),
     ("hooks.py", include_str!("../schemathesis/hooks.py")),
@@ -21,8 +21,8 @@ const SETTINGS: [(&str, &str); 2] = [
 /// So long it asks at the most, in seconds.
 const TIME: &str = "90";
 
-/// The question is a text, and what of it is understood is told with status 422: that a text of the right type is refused is
-/// no fault.
+/// The question is a text whose errors are reported with status 422: rejecting a text of the right type is
+/// not a failure.
 const NOT_ASKED: &str = "positive_data_acceptance";
 
 /// Tries the interface.
@@ -50,7 +50,7 @@ pub(crate) fn run(root: &Path) -> Result<(), Error> {
     let mut command = Command::new(tool);
     command.args(["run", &document, "--no-color", "--workers", "1", "--seed", "1", "--max-time", TIME]);
     command.args(["--phases", "coverage,fuzzing", "--exclude-checks", NOT_ASKED, "--generation-database", "none"]);
-    // Beside its settings, which name what it is told about text bodies; what it leaves there does not lie in the tree.
+    // Next to its settings, which refer to the hints about text bodies; its files stay out of the tree.
     for (name, text) in SETTINGS {
         let path = desk.join(name);
         fs::write(&path, text).map_err(|source| Error::File { path, source })?;

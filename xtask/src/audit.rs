@@ -1,6 +1,6 @@
 //! Cross-checks of the data: every value against its neighbours, every deviation against the errata.
 //!
-//! A check recomputes a printed value from others, with half a printed digit of room for each. What deviates has to be
+//! A check recomputes a printed value from others, with half a printed digit of room for each. A deviation must be
 //! explained by an erratum at the cell, or by a rule in code with its reason. Each check runs three times: on the print,
 //! on the values after errata, and on the values that checks of a drive use. The other way round, an erratum that says the
 //! print is wrong at a cell some check covers must show up there as a deviation, or it is an orphan.

@@ -16,7 +16,7 @@ use crate::tools::{LYCHEE, MDBOOK};
 
 /// The order of the pages.
 pub(crate) const SUMMARY: &str = "docs/SUMMARY.md";
-/// What mdBook is told, and how wide a page is.
+/// The settings of mdBook, and the width of a page.
 const SETTINGS: [&str; 2] = ["docs/book.toml", "docs/book.css"];
 
 /// Builds the book and tries every link in it.

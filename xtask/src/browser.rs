@@ -1,10 +1,11 @@
 //! The page in a real browser, with and without a server: package `browser`.
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use crate::Error;
-use crate::cargo::{Workspace, cargo, must_succeed};
-use crate::{site, tools};
+use crate::cargo::{Workspace, must_succeed, program};
+use crate::{lint, site, tools};
 
 /// The browser under the names that it has, and the program that drives it.
 const CHROMIUM: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
@@ -15,23 +16,48 @@ const DRIVER: [&str; 2] = ["chromedriver", "chromium.chromedriver"];
 /// # Errors
 /// When there is no Chromium or no driver for it, something does not build, or a way fails.
 pub fn run(root: &Path, names: &[String]) -> Result<(), Error> {
-    let chromium = found(&CHROMIUM).ok_or(Error::NoBrowser { program: CHROMIUM[0] })?;
-    let driver = found(&DRIVER).ok_or(Error::NoBrowser { program: DRIVER[0] })?;
-    let axe = tools::axe(root)?;
+    let browser = Browser::find(root)?;
     let folder = site::folder(root)?;
     if !folder.join("sw.js").is_file() {
         site::run(root)?;
     }
-    must_succeed(&mut cargo(root, &["build", "--release", "--package", "antrieb"]))?;
-    let program = format!("antrieb{}", std::env::consts::EXE_SUFFIX);
-    let program = Workspace::ask(root)?.target.join("release").join(program);
-    let mut command = cargo(root, &["run", "--quiet", "--package", "browser", "--"]);
-    must_succeed(command.arg(program).arg(folder).arg(axe).arg(chromium).arg(driver).args(names))
+    lint::release(root)?;
+    let antrieb = Workspace::ask(root)?.target.join("release").join(format!("antrieb{}", std::env::consts::EXE_SUFFIX));
+    must_succeed(browser.command(root, &antrieb)?.arg("--site").arg(folder).args(names))
 }
 
-/// The step of CI: the folder was built by the step before it.
-pub(crate) fn step(root: &Path) -> Result<(), Error> {
+/// The step of a night: every way, with a server and without one.
+pub(crate) fn both(root: &Path) -> Result<(), Error> {
     run(root, &[])
+}
+
+/// The step of a push: every way with a server, the one that the tests have built.
+pub(crate) fn served(root: &Path) -> Result<(), Error> {
+    let browser = Browser::find(root)?;
+    must_succeed(&mut browser.command(root, &program(root, "antrieb")?)?)
+}
+
+/// What the tests of the page need beside the workspace.
+struct Browser {
+    chromium: PathBuf,
+    driver: PathBuf,
+    axe: PathBuf,
+}
+
+impl Browser {
+    fn find(root: &Path) -> Result<Self, Error> {
+        Ok(Self {
+            chromium: found(&CHROMIUM).ok_or(Error::NoBrowser { program: CHROMIUM[0] })?,
+            driver: found(&DRIVER).ok_or(Error::NoBrowser { program: DRIVER[0] })?,
+            axe: tools::axe(root)?,
+        })
+    }
+
+    fn command(&self, root: &Path, antrieb: &Path) -> Result<Command, Error> {
+        let mut command = Command::new(program(root, "browser")?);
+        command.arg(antrieb).args([&self.axe, &self.chromium, &self.driver]);
+        Ok(command)
+    }
 }
 
 /// The first of these programs that is on the `PATH`.

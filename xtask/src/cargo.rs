@@ -16,6 +16,16 @@ pub(crate) fn cargo(root: &Path, args: &[&str]) -> Command {
     command
 }
 
+/// A program of the workspace, built together with the tests.
+///
+/// cargo unifies the features of the packages that it builds at once: to build one package alone would compile most dependencies
+/// a second time.
+pub(crate) fn program(root: &Path, name: &str) -> Result<PathBuf, Error> {
+    must_succeed(&mut cargo(root, &["test", "--quiet", "--workspace", "--no-run"]))?;
+    let file = format!("{name}{}", std::env::consts::EXE_SUFFIX);
+    Ok(Workspace::ask(root)?.target.join("debug").join(file))
+}
+
 /// Runs a command to its end, its output passed on.
 pub(crate) fn must_succeed(command: &mut Command) -> Result<(), Error> {
     let status = command.status().map_err(|source| Error::NotStarted { command: spelled(command), source })?;

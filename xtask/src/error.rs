@@ -60,7 +60,7 @@ pub enum Error {
         /// The package that holds it.
         package: &'static str,
     },
-    /// German documents have words that nobody knows; they have been printed.
+    /// German documents contain unknown words; they have been printed.
     UnknownWords {
         /// How many.
         count: usize,
@@ -74,7 +74,7 @@ pub enum Error {
         /// The program.
         program: &'static str,
     },
-    /// A fuzz target has found what breaks a promise or a limit; it has been told.
+    /// A fuzz target has found a failing case; it has been printed.
     Finds {
         /// The target.
         target: &'static str,

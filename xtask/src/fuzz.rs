@@ -1,4 +1,4 @@
-//! Fuzzing: the step of `ci`, campaigns, and how far the corpora reach. `fuzz/README.md` tells how to use it.
+//! Fuzzing: the steps of a night, campaigns, and how far the corpora reach. see `fuzz/README.md` for its use.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,6 +9,7 @@ use arguments::{Arguments, Work};
 use engine::{Engine, Run, Stop};
 
 mod arguments;
+mod corpus;
 mod coverage;
 mod engine;
 pub mod instrument;
@@ -18,7 +19,7 @@ pub mod instrument;
 pub(crate) struct Target {
     /// Its name in `fuzz/src/lib.rs`, and that of its folders.
     name: &'static str,
-    /// How long it runs in CI.
+    /// How long it runs in a night of CI.
     ci_seconds: u32,
     /// Longest time for a case, many times what one takes on a machine with nothing else to do.
     case_seconds: u32,
@@ -30,6 +31,13 @@ pub(crate) struct Target {
     cases: u64,
     /// The gate behind which cases are counted; none for most.
     gate: Option<&'static str>,
+}
+
+impl Target {
+    /// Its packed cases.
+    fn corpus(&self, root: &Path) -> PathBuf {
+        root.join("fuzz").join("corpus").join(format!("{}.txt", self.name))
+    }
 }
 
 const TARGETS: [Target; 7] = [
@@ -80,7 +88,7 @@ const FINDS_MOST: usize = 10;
 /// The variable that repeats a run.
 const SEED: &str = "ANTRIEB_FUZZ_SEED";
 
-/// The step of `ci`: all of the corpora and of what was once a crash, then new cases from another seed each time.
+/// The step of a night: all of the corpora and of what was once a crash, then new cases from another seed each time.
 pub(crate) fn step(root: &Path) -> Result<(), Error> {
     let engine = Engine::build(root)?;
     let seed = seed();
@@ -93,10 +101,15 @@ pub(crate) fn step(root: &Path) -> Result<(), Error> {
     failed
 }
 
+/// The step of a night that reports which share of the lines the corpora reach.
+pub(crate) fn coverage(root: &Path) -> Result<(), Error> {
+    coverage::tell(root, &TARGETS.iter().collect::<Vec<_>>())
+}
+
 /// `cargo xtask fuzz` with its words.
 ///
 /// # Errors
-/// A word that is not understood, a build that fails, or finds; they have been told then.
+/// An unknown argument, a failed build, or failing cases, which have been printed.
 pub fn run(root: &Path, words: &[String]) -> Result<(), Error> {
     let arguments = Arguments::read(words, &TARGETS.map(|target| target.name))?;
     let chosen = || TARGETS.iter().filter(|target| arguments.target.as_deref().is_none_or(|name| name == target.name));
@@ -129,6 +142,7 @@ pub fn run(root: &Path, words: &[String]) -> Result<(), Error> {
 fn explored(engine: &Engine, target: &Target, stop: Stop, jobs: u32, seed: u32) -> Result<Run, Error> {
     let begin = Instant::now();
     let finds = engine.finds(target)?;
+    engine.unpack(target)?;
     let shares: Vec<Run> = std::thread::scope(|scope| {
         let one = |job: u32| scope.spawn(move || job_of(engine, target, stop.shared(jobs), seed.wrapping_add(job)));
         let started: Vec<_> = (0..jobs).map(one).collect();
@@ -197,7 +211,7 @@ impl Stop {
     }
 }
 
-/// Another seed each time, unless one is asked for.
+/// A new seed each time, unless one is given.
 fn seed() -> u32 {
     let asked = std::env::var(SEED).ok().and_then(|text| text.parse().ok());
     asked.unwrap_or_else(|| {

@@ -1,6 +1,6 @@
 //! The chores of the project, each one a module with a `run`.
 //!
-//! [`ci`] is exactly what CI runs. [`tidy`] holds the rules of the house that no compiler holds.
+//! [`ci`] is exactly what CI runs, [`mod@test`] the tests alone. [`tidy`] holds the rules of the house that no compiler holds.
 //! [`data`] prints the cross-checks of the data in [`audit`], [`snapshots`] rewrites the snapshots, [`samples`] the
 //! answers that the documents show, [`notices`] the list of third parties, [`mod@book`] makes the book, [`german`] reads its German, [`picture`] composes that of the README, [`site`] the folder of the page without a server, [`mod@browser`] tries both in a browser, [`mod@bench`] runs the bench gates, [`fuzz`] the targets. A Rust toolchain is enough to start: [`tools`] gets the rest.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who started it")]
@@ -25,10 +25,9 @@ pub mod picture;
 mod readme;
 pub mod samples;
 pub mod site;
-mod slim;
 pub mod snapshots;
 mod standard;
-mod test;
+pub mod test;
 pub mod tidy;
 pub mod tools;
 mod yanked;

@@ -40,7 +40,7 @@ pub(crate) fn doc(root: &Path) -> Result<(), Error> {
 }
 
 pub(crate) fn release(root: &Path) -> Result<(), Error> {
-    must_succeed(&mut cargo(root, &["build", "--release"]))
+    must_succeed(&mut cargo(root, &["build", "--release", "--package", "antrieb"]))
 }
 
 #[cfg(test)]

@@ -4,11 +4,13 @@
 use std::process::ExitCode;
 
 use xtask::{
-    Error, bench, book, browser, ci, data, fuzz, notices, picture, root, samples, site, snapshots, tidy, tools,
+    Error, bench, book, browser, ci, data, fuzz, notices, picture, root, samples, site, snapshots, test, tidy, tools,
 };
 
-const COMMANDS: [(&str, &str); 14] = [
-    ("ci", "everything CI runs, in its order, or the steps named after it; stops at the first failure"),
+const COMMANDS: [(&str, &str); 16] = [
+    ("test", "every test of the workspace, documentation examples and the fuzz corpora among them"),
+    ("ci", "everything CI runs for a push, in its order, or the steps named after it; stops at the first failure"),
+    ("nightly", "what CI runs once a day: optimised builds, the page without a server, benches, fuzz campaigns"),
     ("tools", "installs the tools that ci needs beside Rust, under target/tools"),
     ("tidy", "the house rules: layers, lengths, marks, the map of the house, data files"),
     ("data", "cross-checks of the data"),
@@ -43,14 +45,16 @@ fn main() -> ExitCode {
             Ok(())
         }
         "bench" => bench::run(&root(), &rest),
-        "tools" | "tidy" | "data" | "snapshots" | "samples" | "book" | "picture" | "site" | "notices"
+        "test" | "tools" | "tidy" | "data" | "snapshots" | "samples" | "book" | "picture" | "site" | "notices"
             if !rest.is_empty() =>
         {
             eprintln!("error: `{command}` takes no further words, got `{}`", rest.join(" "));
             return ExitCode::from(2);
         }
         "fuzz" => fuzz::run(&root(), &rest),
-        "ci" => ci::run(&root(), &rest),
+        "ci" => ci::push(&root(), &rest),
+        "nightly" => ci::nightly(&root(), &rest),
+        "test" => test::run(&root()),
         "tools" => tools::install(&root()),
         "tidy" => tidy::run(&root()),
         "data" => data::run(),

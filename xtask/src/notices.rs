@@ -20,7 +20,7 @@ const ROOT_PACKAGE: &str = "antrieb";
 const SYSTEMS: [&str; 4] =
     ["x86_64-unknown-linux-gnu", "aarch64-unknown-linux-gnu", "aarch64-apple-darwin", "x86_64-pc-windows-msvc"];
 
-/// The first of these that a crate offers is taken: the one that asks for one text and the notices first.
+/// The first of these that a crate offers is taken: the one that requires one text and the notices first.
 const TAKEN: [&str; 7] = ["Apache-2.0", "MIT", "Unicode-3.0", "BSD-3-Clause", "BSD-2-Clause", "Zlib", "CC0-1.0"];
 
 /// Licences of what crates embed or link besides their own source: package, file in it, what it is.

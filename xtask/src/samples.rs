@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::Error;
-use crate::cargo::{Workspace, cargo, must_succeed};
+use crate::cargo::program;
 use crate::readme::{desk, split};
 use crate::tidy::tree::Tree;
 
@@ -80,11 +80,9 @@ fn every(root: &Path, rewrite: bool) -> Result<(), Error> {
     if tried == 0 { Err(Error::NoReadmeCommand) } else { Ok(()) }
 }
 
-/// The program as `cargo run` builds it.
+/// The program that answers.
 pub(crate) fn built(root: &Path) -> Result<std::path::PathBuf, Error> {
-    must_succeed(&mut cargo(root, &["build", "--quiet", "--package", "antrieb"]))?;
-    let program = format!("antrieb{}", std::env::consts::EXE_SUFFIX);
-    Ok(Workspace::ask(root)?.target.join("debug").join(program))
+    program(root, "antrieb")
 }
 
 struct Sample {

@@ -18,7 +18,7 @@ pub(crate) fn folder(root: &Path) -> Result<PathBuf, Error> {
     Ok(Workspace::ask(root)?.target.join("site"))
 }
 
-/// Builds the folder and tells what it weighs.
+/// Builds the folder and prints its size.
 ///
 /// # Errors
 /// When the target of the compiler is not to be had, something does not build, or the engine is heavier than it may be.

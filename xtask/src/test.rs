@@ -1,4 +1,4 @@
-//! The test step of `ci`: every test of the workspace, the runners' closing lines on stdout.
+//! `cargo xtask test`, a step of `ci` too: every test of the workspace, the runners' closing lines on stdout.
 //!
 //! cargo-nextest runs the tests, each in a process of its own with a limit in time; documentation examples it cannot run.
 
@@ -11,8 +11,13 @@ use crate::cargo::{cargo, spelled};
 use crate::ci::is_ci;
 use crate::tools::NEXTEST;
 
-pub(crate) fn run(root: &Path) -> Result<(), Error> {
+/// Runs every test; cargo-nextest is installed where it is missing.
+///
+/// # Errors
+/// A test that fails or is skipped, a runner that does not start.
+pub fn run(root: &Path) -> Result<(), Error> {
     let mut closing = Closing::default();
+    NEXTEST.ready(root).ok();
     match NEXTEST.command(root) {
         Ok(nextest) => {
             closing.nextest(nextest, root)?;
@@ -46,7 +51,7 @@ struct Closing {
 }
 
 impl Closing {
-    /// nextest talks on stderr: told as it is, its summary on stdout too.
+    /// nextest writes to stderr, which is passed on; its summary also goes to stdout.
     fn nextest(&mut self, mut command: Command, root: &Path) -> Result<(), Error> {
         command.args(["nextest", "run", "--workspace", "--no-fail-fast", "--cargo-quiet", "--color", "never"]);
         command.args(["--show-progress", "none"]).stderr(Stdio::piped());
@@ -63,7 +68,7 @@ impl Closing {
         )
     }
 
-    /// `cargo test` talks on stdout, a line for each test: of these only the failures are told, when all is over.
+    /// `cargo test` writes to stdout, a line for each test: only the failures are printed, at the end.
     fn cargo_test(&mut self, mut command: Command, root: &Path) -> Result<(), Error> {
         command.stdout(Stdio::piped());
         set(&mut command, root);

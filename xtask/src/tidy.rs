@@ -1,6 +1,6 @@
-//! The rules of the house that no compiler and no standard tool holds, all findings told at once.
+//! The rules of the house that no compiler and no standard tool checks; all findings are reported together.
 //!
-//! A rule is a function from the root of a tree to its findings, so each is tried on small trees that break it.
+//! A rule is a function from the root of a tree to its findings, so each is tested on small trees that break it.
 
 use std::fmt;
 use std::path::Path;
@@ -15,6 +15,7 @@ pub(crate) mod layers;
 mod machine_paths;
 mod manifest;
 mod one_voice;
+mod plain_words;
 mod source;
 pub(crate) mod tree;
 
@@ -42,7 +43,7 @@ impl fmt::Display for Finding {
 
 type Rule = fn(&Path) -> Vec<Finding>;
 
-const RULES: [Rule; 12] = [
+const RULES: [Rule; 13] = [
     tree::not_empty,
     layers::rule,
     architecture::rule,
@@ -54,7 +55,8 @@ const RULES: [Rule; 12] = [
     manifest::lints,
     machine_paths::rule,
     one_voice::choices,
-    one_voice::unasked,
+    one_voice::unused,
+    plain_words::rule,
 ];
 
 /// Applies every rule to the tree at `root` and prints the findings on stdout.

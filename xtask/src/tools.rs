@@ -113,7 +113,8 @@ impl Tool {
         Ok(command)
     }
 
-    fn ready(&self, root: &Path) -> Result<PathBuf, Error> {
+    /// The program, installed where it is missing.
+    pub(crate) fn ready(&self, root: &Path) -> Result<PathBuf, Error> {
         let target = Workspace::ask(root)?.target;
         if let Some(program) = self.find(&target)? {
             return Ok(program);
@@ -124,7 +125,7 @@ impl Tool {
         if ready_made(self.program, &pin, &folder).is_err() {
             eprintln!("tools: no ready-made {} to be had; cargo builds it, which takes minutes …", self.program);
             let from_source = ["install", "--quiet", "--locked", "--version", &pin.version, "--root"];
-            // A build that fails is told by cargo; here counts whether the program is there.
+            // Cargo reports a failed build; here only the presence of the program counts.
             must_succeed(cargo(root, &from_source).arg(&folder).arg(self.from_crate)).ok();
         }
         self.find(&target)?.ok_or_else(|| self.missing())

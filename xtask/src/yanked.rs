@@ -2,7 +2,7 @@
 //!
 //! `cargo deny` knows them from cargo's own copy of the registry's index, and looks for them together with security
 //! advisories, whose database we do not ask (`deny.toml` says why). It does not start without a database, so it gets one
-//! that is made here and tells of a crate that nobody has.
+//! that is made here and lists a crate that does not exist.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -110,7 +110,7 @@ impl Base {
         Err(Error::BlindToYanked { name: PROOF.0, version: PROOF.1 })
     }
 
-    /// What cargo tells of a package that uses the crate of [`PROOF`], with its yanked version in place of the one at hand. No
+    /// The output of cargo for a package that uses the crate of [`PROOF`], with its yanked version in place of the one at hand. No
     /// crate is fetched for it.
     fn drafted(&self) -> Result<PathBuf, Error> {
         let (name, version) = PROOF;

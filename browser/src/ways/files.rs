@@ -128,7 +128,8 @@ pub(crate) fn no_network(stage: &Stage<'_>) -> Told {
 
 pub(crate) fn opened_as_a_file(stage: &Stage<'_>) -> Told {
     let tab = &stage.tab;
-    let index = stage.site.join("index.html").canonicalize().map_err(|error| error.to_string())?;
+    let Shell::Site { folder, .. } = stage.shell else { return Err("a page that is served is not a file".to_owned()) };
+    let index = folder.join("index.html").canonicalize().map_err(|error| error.to_string())?;
     tab.open(&format!("file://{}?new=belt&lang=en", index.display()))?;
     stage.ready()?;
     stage.change("#f-mechanism-belt-mass", "53 kg")?;

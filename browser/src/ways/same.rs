@@ -2,10 +2,13 @@
 
 use crate::stage::Stage;
 use crate::tab::{Told, expect};
-use page::{Call, Entry, Folder, Method, Place, SaveFault, Shell, respond};
+use page::{Call, Entry, Folder, Method, SaveFault, Shell, Storage, respond};
+use project::{Files, NoFiles};
+use quantities::Language;
+use questions::Patience;
+use questions::list::new::{template, template_kinds};
 use serde_json::json;
 use std::io::ErrorKind;
-use workbench::{Files, Language, NoFiles, Patience, template, template_kinds};
 
 /// As the engine in a browser that keeps nothing yet.
 struct Empty;
@@ -25,8 +28,8 @@ impl Shell for Empty {
 }
 
 impl Folder for Empty {
-    fn place(&self) -> Place {
-        Place::Browser
+    fn place(&self) -> Storage {
+        Storage::Browser
     }
 
     fn list(&self) -> std::io::Result<Vec<Entry>> {
@@ -76,7 +79,7 @@ pub(crate) fn same_answers(stage: &Stage<'_>) -> Told {
     let mut asked = 0;
     for language in Language::ALL {
         let lang = language.id();
-        let examples = template_kinds().filter(|kind| *kind != "recording");
+        let examples = template_kinds().filter(|kind| !matches!(*kind, "recording" | "joint"));
         for kind in examples {
             let text = template(kind, "axis.toml", language).map(|found| found.text).unwrap_or_default();
             same(stage, "/", &format!("new={kind}&lang={lang}"), None)?;

@@ -1,4 +1,4 @@
-//! How long it takes and how much is fetched; told, and held to what is promised.
+//! Times and transferred sizes; printed, and compared with their limits.
 
 use crate::shell::Shell;
 use crate::stage::Stage;
@@ -18,7 +18,7 @@ pub(crate) fn times(stage: &Stage<'_>) -> Told {
     let address = stage.shell.at("new=table&lang=en");
     tab.open(&address)?;
     stage.ready()?;
-    // Once more with nothing cold: what is told is the page, not the first use of a disk.
+    // Once more with warm caches: the result is the page, not the first disk access.
     let mut opened = Vec::new();
     let mut painted = Vec::new();
     for _ in 0..3 {
@@ -26,7 +26,7 @@ pub(crate) fn times(stage: &Stage<'_>) -> Told {
         tab.open(&address)?;
         stage.ready()?;
         painted.push(number(&tab.eval("performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? -1")?));
-        // The verdict is there when the script has told the values under it.
+        // The verdict is there when the script has filled in the values below it.
         opened.push(number(&tab.eval("performance.getEntriesByName('antrieb-answered')[0]?.startTime ?? performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd")?));
     }
     tab.open(&stage.shell.at("new=manual&lang=en"))?;
@@ -80,7 +80,7 @@ fn median(values: &mut [f64]) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// The page, its style and its scripts, packed; of the site without the engine, which `cargo xtask site` tells of.
+/// The page, its style and its scripts, packed; of the site without the engine, which `cargo xtask site` reports.
 fn weight(stage: &Stage<'_>) -> Told<usize> {
     let own: &[&str] = if matches!(stage.shell, Shell::Site { .. }) { &["site.js"] } else { &[] };
     let mut whole = 0;
@@ -93,7 +93,9 @@ fn weight(stage: &Stage<'_>) -> Told<usize> {
     let page = stage.tab.run("return await (await fetch('/?new=table&lang=en')).text();", Vec::new())?;
     add(page.as_str().unwrap_or_default().as_bytes())?;
     for name in own.iter().map(|name| (*name).to_owned()).chain(page::ASSETS.map(|name| format!("assets/{name}"))) {
-        add(&std::fs::read(stage.site.join(&name)).map_err(|error| format!("{name}: {error}"))?)?;
+        let script = "const answer = await fetch(arguments_[0]); return answer.ok ? await answer.text() : null;";
+        let text = stage.tab.run(script, vec![serde_json::json!(name)])?;
+        add(text.as_str().ok_or_else(|| format!("{name} is not there"))?.as_bytes())?;
     }
     Ok(whole)
 }

@@ -123,9 +123,12 @@ impl ErrorBudget {
 ///
 /// s = φ r
 ///
-/// # Symbols  φ angle \[rad\], r lever arm \[m\]
-/// # Source   definition of the radian
-/// # Valid    small angles
+/// # Symbols
+/// φ angle \[rad\], r lever arm \[m\]
+/// # Source
+/// definition of the radian
+/// # Valid
+/// small angles
 #[must_use]
 pub fn deviation_at(angle: Angle, lever_arm: Length) -> Length {
     Length::from_si(angle.si() * lever_arm.si())
@@ -136,8 +139,10 @@ pub fn deviation_at(angle: Angle, lever_arm: Length) -> Length {
 /// Gear figures count whole as printed; the feedback on the motor counts divided by i; torsion and tilt are those of the
 /// given torque and moment. A loop closed at the output leaves feedback and tilt only.
 ///
-/// # Source   docs/theory/error-budget.md; eqs. 73.1 to 73.3 for the torsion, eq. 76.4 for the tilt
-/// # Valid    static; no thermal growth, no error of the load, of the mount or of the controller
+/// # Source
+/// docs/theory/error-budget.md; eqs. 73.1 to 73.3 for the torsion, eq. 76.4 for the tilt
+/// # Valid
+/// static; no thermal growth, no error of the load, of the mount or of the controller
 #[must_use]
 pub fn error_budget(actuator: &Parameters, case: &BudgetCase) -> ErrorBudget {
     let gear = &actuator.accuracy;

@@ -4,10 +4,7 @@ use crate::curve::Curve;
 use crate::heat::HeatModel;
 use crate::parameters::Drivetrain;
 use provenance::{Datum, Sourced};
-use quantities::{AngularVelocity, Measure, Ratio, Time, Torque};
-
-/// Cycle of the published intermittent duty: 1 min, in seconds.
-const CYCLE: f64 = 60.0;
+use quantities::{AngularVelocity, Measure, Ratio, Torque};
 
 /// What the heat model says of the published duty next to a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,8 +22,10 @@ pub struct PublishedDuty {
 /// duty factor. Where a curve stays at T_0, or is one of S3, the gear may limit it instead of the heat: there it can only
 /// relax the estimate.
 ///
-/// # Symbols  duty factor ED, mean speed n_av over the whole cycle
-/// # Source   docs/theory/thermal.md; curves of [`crate::Drivetrain`]
+/// # Symbols
+/// duty factor ED, mean speed n_av over the whole cycle
+/// # Source
+/// docs/theory/thermal.md; curves of [`crate::Drivetrain`]
 #[must_use]
 pub fn published_duty(
     actuator: &Drivetrain,
@@ -73,7 +72,7 @@ pub fn published_duty(
     }
 }
 
-/// What the model says of a torque at a speed, on for a share of a minute and at rest for the remainder.
+/// What the model says of a torque at a speed, on for a share of the cycle of S3 and at rest for the remainder.
 fn said(
     actuator: &Drivetrain,
     model: &HeatModel,
@@ -82,9 +81,10 @@ fn said(
     duty: f64,
 ) -> Option<PublishedDuty> {
     let stall = actuator.stall_current.known()?.value.si();
-    let (rise_share, settled) = model.rise_share(torque, speed, duty, Time::from_si(CYCLE));
+    let cycle = actuator.heat.intermittent_cycle.known()?.value;
+    let (rise_share, settled) = model.rise_share(torque, speed, duty, cycle);
     let current = model.current(torque, speed, &settled.friction).si() / stall;
     let tau = model.winding_time_constant().si();
-    let filter = if duty < 1.0 { (-duty * CYCLE / tau).exp_m1() / (-CYCLE / tau).exp_m1() } else { 1.0 };
+    let filter = if duty < 1.0 { (-duty * cycle.si() / tau).exp_m1() / (-cycle.si() / tau).exp_m1() } else { 1.0 };
     Some(PublishedDuty { rise_share, overload: Ratio::from_si(current * current * filter).si() })
 }

@@ -1,4 +1,4 @@
-//! The battery that buffers the turns of the encoder M128S.
+//! The battery that buffers the turns of an encoder.
 
 use provenance::{Grade, Source, Sourced};
 use quantities::unit::{HOUR, YEAR};
@@ -69,10 +69,13 @@ impl Battery {
     ///
     /// L = (C − c s)/((24 − h)/24 + d), s + L ≤ L_max
     ///
-    /// # Symbols  L life \[a\], h operation per day \[h\], s storage before use \[a\], C capacity \[a\], c load of storage,
-    ///   d self-discharge, L_max latest replacement \[a\]
-    /// # Source   docs/theory/battery.md; calibrated on the printed 10 a at 10 h/d
-    /// # Valid    0 ≤ h ≤ 24, s up to the longest storage covered, battery at 25 °C, self-discharge 1 % per year
+    /// # Symbols
+    /// L life \[a\], h operation per day \[h\], s storage before use \[a\], C capacity \[a\], c load of storage,
+    /// d self-discharge, L_max latest replacement \[a\]
+    /// # Source
+    /// docs/theory/battery.md; calibrated on the printed 10 a at 10 h/d
+    /// # Valid
+    /// 0 ≤ h ≤ 24, s up to the longest storage covered, battery at 25 °C, self-discharge 1 % per year
     /// # Errors
     /// [`BatteryFault`] outside these ranges.
     pub fn life(&self, operation_per_day: Time, storage: Time) -> Result<BatteryLife, BatteryFault> {

@@ -65,9 +65,12 @@ impl Brake {
 ///
 /// P = U_Br I_HBr s
 ///
-/// # Symbols  U_Br nominal voltage \[V\], I_HBr current that keeps open \[A\], s share of the cycle in which the brake is open
-/// # Source   docs/theory/brake.md
-/// # Valid    what the supply gives at full voltage; a drive that lowers the voltage to hold leaves less in the coil
+/// # Symbols
+/// U_Br nominal voltage \[V\], I_HBr current that keeps open \[A\], s share of the cycle in which the brake is open
+/// # Source
+/// docs/theory/brake.md
+/// # Valid
+/// what the supply gives at full voltage; a drive that lowers the voltage to hold leaves less in the coil
 #[must_use]
 pub fn coil_power(voltage: ElectricPotential, holding_current: ElectricCurrent, share_open: Ratio) -> Power {
     Power::from_si(voltage.si() * holding_current.si().abs() * share_open.si())
@@ -77,9 +80,12 @@ pub fn coil_power(voltage: ElectricPotential, holding_current: ElectricCurrent, 
 ///
 /// φ = ½ (T / J) t_c²
 ///
-/// # Symbols  T unbalanced torque at the output \[Nm\], J load and actuator at the output \[kgm²\], t_c closing time \[s\]
-/// # Source   docs/theory/brake.md, uniform acceleration from rest
-/// # Valid    J > 0; no friction, brake without effect before t_c: an upper bound
+/// # Symbols
+/// T unbalanced torque at the output \[Nm\], J load and actuator at the output \[kgm²\], t_c closing time \[s\]
+/// # Source
+/// docs/theory/brake.md, uniform acceleration from rest
+/// # Valid
+/// J > 0; no friction, brake without effect before t_c: an upper bound
 #[must_use]
 pub fn sag_angle(inertia_total: MomentOfInertia, torque_unbalanced: Torque, closing_time: Time) -> Angle {
     Angle::from_si(0.5 * torque_unbalanced.si() / inertia_total.si() * closing_time.si().powi(2))
@@ -89,9 +95,12 @@ pub fn sag_angle(inertia_total: MomentOfInertia, torque_unbalanced: Torque, clos
 ///
 /// ω = (T / J) t_c
 ///
-/// # Symbols  as in [`sag_angle`]
-/// # Source   docs/theory/brake.md
-/// # Valid    J > 0
+/// # Symbols
+/// as in [`sag_angle`]
+/// # Source
+/// docs/theory/brake.md
+/// # Valid
+/// J > 0
 #[must_use]
 pub fn sag_speed(inertia_total: MomentOfInertia, torque_unbalanced: Torque, closing_time: Time) -> AngularVelocity {
     AngularVelocity::from_si(torque_unbalanced.si() / inertia_total.si() * closing_time.si())
@@ -124,10 +133,13 @@ pub struct EmergencyStop {
 /// ω_1 = ω_0 + (T_d/J) t_c, then |α| = (T_Br − T_d sgn ω_1)/J:
 /// t = t_c + |ω_1|/|α|, φ = φ(t_c) + ω_1²/(2 |α|), W = T_Br ω_1²/(2 |α|)
 ///
-/// # Symbols  ω_0 speed at the failure [rad/s], T_d torque of the load \[Nm\], positive where it drives the motion on,
-///   J load and actuator at the output \[kgm²\], T_Br holding torque at the output \[Nm\], t_c closing time \[s\]
-/// # Source   docs/theory/brake.md, uniform acceleration in two parts
-/// # Valid    J > 0; full torque from t_c on and none before, sliding torque equal to the holding torque, no friction
+/// # Symbols
+/// ω_0 speed at the failure [rad/s], T_d torque of the load \[Nm\], positive where it drives the motion on,
+/// J load and actuator at the output \[kgm²\], T_Br holding torque at the output \[Nm\], t_c closing time \[s\]
+/// # Source
+/// docs/theory/brake.md, uniform acceleration in two parts
+/// # Valid
+/// J > 0; full torque from t_c on and none before, sliding torque equal to the holding torque, no friction
 #[must_use]
 pub fn emergency_stop(
     inertia_total: MomentOfInertia,

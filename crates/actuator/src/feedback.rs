@@ -1,4 +1,4 @@
-//! What the position feedback tells: resolution, accuracy, absolute range.
+//! Position feedback: resolution, accuracy, absolute range.
 
 use crate::battery::Battery;
 use provenance::{Datum, Grade, Sourced};
@@ -93,7 +93,8 @@ impl Feedback {
     ///
     /// φ_out = φ / i for a feedback on the motor
     ///
-    /// # Source   docs/theory/feedback.md; agrees with the printed rows within their rounding
+    /// # Source
+    /// docs/theory/feedback.md; agrees with the printed rows within their rounding
     #[must_use]
     pub fn resolution_out(&self, ratio: &Datum<f64>) -> Datum<Angle> {
         self.at_output(&self.resolution, ratio)
@@ -110,7 +111,8 @@ impl Feedback {
     /// N_out = N / i for a feedback on the motor that counts N turns, 1/i for one that counts none but codes its turn;
     /// N or 1 for one on the output; `None` where nothing is absolute or the ratio is not known
     ///
-    /// # Source   docs/theory/feedback.md; cha-manual prints the whole turns of it
+    /// # Source
+    /// docs/theory/feedback.md; cha-manual prints the whole turns of it
     #[must_use]
     pub fn absolute_turns_out(&self, ratio: &Datum<f64>) -> Option<f64> {
         let turns = match self.turns_absolute.known() {
@@ -129,7 +131,8 @@ impl Feedback {
     ///
     /// N mod i ≠ 0 on the motor
     ///
-    /// # Source   docs/theory/feedback.md
+    /// # Source
+    /// docs/theory/feedback.md
     #[must_use]
     pub fn endless_axis_loses_reference(&self, ratio: &Datum<f64>) -> Option<bool> {
         let turns = match self.turns_absolute.known() {

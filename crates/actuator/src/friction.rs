@@ -5,28 +5,22 @@ use provenance::Missing;
 use quantities::unit::DEGREE_CELSIUS;
 use quantities::{ElectricCurrent, Measure, NoLoadCurrentConstant, ThermodynamicTemperature};
 
-/// Temperatures at which K_INL is printed, 30 °C and 80 °C, in kelvin.
-const PRINTED_K: (f64, f64) = (303.15, 353.15);
-
-/// Temperature of a cold gear, 30 °C in kelvin: the colder one of those for which friction is printed. It holds where no
-/// ambient temperature is stated or a higher one; in colder air the gear is as cold as the air.
-pub const COLD_START: f64 = PRINTED_K.0;
-
-/// Below this temperature, 20 °C in kelvin, the law is an extrapolation: nothing is printed for the 680 V windings.
-const EXTRAPOLATED_BELOW_K: f64 = 293.15;
-
 /// The law of the no-load friction of one actuator.
 ///
-/// I_f = I_NLS + K(ϑ) |n|, K(ϑ) = K_30 (K_80/K_30)^((ϑ − 30 °C)/50 K)
+/// I_f = I_NLS + K(ϑ) |n|, K(ϑ) = K_c (K_w/K_c)^((ϑ − ϑ_c)/(ϑ_w − ϑ_c))
 ///
 /// The viscosity of grease falls exponentially with the temperature over such a span, so the printed pair is joined by an
-/// exponential, not by a straight line. Above 80 °C K stays K_80. Below 20 °C the same factor holds for I_NLS too: the
+/// exponential, not by a straight line. Above ϑ_w K stays K_w. Below ϑ_p the same factor holds for I_NLS too: the
 /// extrapolation *cold friction*, with the band of [`NoLoadFriction::cold_band`].
 ///
-/// # Symbols  I_NLS no-load starting current \[A\], K no-load current constant [A/(1/min)] per output speed, n output speed
-///   [1/min], ϑ temperature of the gear, taken as that of the housing
-/// # Source   cha-manual section 6, rows I_NLS and K_INL; docs/theory/current.md
-/// # Valid    −20 °C to 80 °C; from 20 °C to 80 °C within the print, below by extrapolation
+/// # Symbols
+/// I_NLS no-load starting current \[A\], K no-load current constant [A/(1/min)] per output speed, K_c and K_w that at the
+/// temperatures ϑ_c and ϑ_w of the print, ϑ_p the temperature from which friction is printed, n output speed [1/min],
+/// ϑ temperature of the gear, taken as that of the housing
+/// # Source
+/// rows I_NLS and K_INL of the maker's tables; docs/theory/current.md
+/// # Valid
+/// from ϑ_p to ϑ_w within the print, below by extrapolation
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoLoadFriction {
     /// I_NLS \[A\]
@@ -34,10 +28,14 @@ pub struct NoLoadFriction {
     /// The part of it that adds to the current of a torque: all of it, or none in the 48 V windings, whose k_Tout is
     /// T_0/I_0 and so holds it already.
     counted: f64,
-    /// K_30 [A/(rad/s)]
-    constant_30: f64,
-    /// ln(K_30/K_80)/50 K [1/K]
+    /// K_c [A/(rad/s)]
+    constant_cold: f64,
+    /// ln(K_c/K_w)/(ϑ_w − ϑ_c) [1/K]
     decay_per_k: f64,
+    /// ϑ_c and ϑ_w \[K\]
+    printed_k: [f64; 2],
+    /// ϑ_p \[K\]
+    printed_from_k: f64,
     /// Between these growths per kelvin friction may lie where it is extrapolated into the cold.
     cold_growth_per_k: Option<(f64, f64)>,
 }
@@ -56,19 +54,43 @@ pub struct FrictionAt {
 }
 
 impl NoLoadFriction {
-    /// The law of an actuator; if K_INL is known at 30 °C only, it does not change with the temperature.
+    /// The law of an actuator; if K_INL is known at the colder temperature only, it does not change with the temperature.
     ///
     /// # Errors
     /// [`Missing`] with the first datum that is not known.
     pub fn of(actuator: &Drivetrain) -> Result<Self, Missing> {
         let starting = actuator.no_load_starting_current.require("I_NLS")?.value.si();
-        let cold = actuator.no_load_current_constant_30.require("K_INL")?.value.si();
-        let warm = actuator.no_load_current_constant_80.known().map_or(cold, |warm| warm.value.si());
+        let cold = actuator.no_load_current_constant_cold.require("K_INL")?.value.si();
+        let warm = actuator.no_load_current_constant_warm.known().map_or(cold, |warm| warm.value.si());
+        let printed_k = actuator.no_load_temperatures.require("K_INL")?.value.map(Measure::si);
+        let printed_from_k = actuator.friction_printed_from.require("friction_printed_from")?.value.si();
         let both = cold > 0.0 && warm > 0.0;
-        let decay_per_k = if both { (cold / warm).ln() / (PRINTED_K.1 - PRINTED_K.0) } else { 0.0 };
+        let decay_per_k = if both { (cold / warm).ln() / (printed_k[1] - printed_k[0]) } else { 0.0 };
         let counted = if actuator.stall_current_includes_friction { 1.0 } else { 0.0 };
         let cold_growth_per_k = actuator.friction_cold_growth.known().map(|growth| growth.value);
-        Ok(Self { starting_a: starting, counted, constant_30: cold, decay_per_k, cold_growth_per_k })
+        let constant_cold = cold;
+        Ok(Self {
+            starting_a: starting,
+            counted,
+            constant_cold,
+            decay_per_k,
+            printed_k,
+            printed_from_k,
+            cold_growth_per_k,
+        })
+    }
+
+    /// ϑ_c: temperature of a cold gear, the colder one of those for which friction is printed. It holds where no ambient
+    /// temperature is stated or a higher one; in colder air the gear is as cold as the air.
+    #[must_use]
+    pub fn cold_start(&self) -> ThermodynamicTemperature {
+        ThermodynamicTemperature::from_si(self.printed_k[0])
+    }
+
+    /// ϑ_w: the warmest temperature for which friction is printed.
+    #[must_use]
+    pub fn warmest(&self) -> ThermodynamicTemperature {
+        ThermodynamicTemperature::from_si(self.printed_k[1])
     }
 
     /// The friction at a temperature of the gear.
@@ -95,25 +117,26 @@ impl NoLoadFriction {
 
     /// I_NLS \[A\], K [A/(rad/s)] and −dK/dϑ at a temperature \[K\].
     pub(crate) fn state(&self, temperature_k: f64) -> (f64, f64, f64) {
-        if temperature_k >= PRINTED_K.1 {
-            let warm = self.constant_30 * (-self.decay_per_k * (PRINTED_K.1 - PRINTED_K.0)).exp();
+        let [cold_k, warm_k] = self.printed_k;
+        if temperature_k >= warm_k {
+            let warm = self.constant_cold * (-self.decay_per_k * (warm_k - cold_k)).exp();
             return (self.starting_a, warm, 0.0);
         }
-        let constant = self.constant_30 * (-self.decay_per_k * (temperature_k - PRINTED_K.0)).exp();
-        let cold = (EXTRAPOLATED_BELOW_K - temperature_k).max(0.0);
+        let constant = self.constant_cold * (-self.decay_per_k * (temperature_k - cold_k)).exp();
+        let cold = (self.printed_from_k - temperature_k).max(0.0);
         let starting = if cold > 0.0 { self.starting_a * (self.decay_per_k * cold).exp() } else { self.starting_a };
         (starting, constant, self.decay_per_k * constant)
     }
 
-    /// By which factors friction may lie beside the extrapolation below 20 °C; `None` from 20 °C on.
+    /// By which factors friction may lie beside the extrapolation below ϑ_p; `None` from there on.
     ///
     /// Towards the cold starting currents grow between two rates per kelvin, see [`crate::Drivetrain::friction_cold_growth`], the
-    /// extrapolation by ln(K_30/K_80)/50 K: the quotient over the span below 20 °C.
+    /// extrapolation by ln(K_c/K_w)/(ϑ_w − ϑ_c): the quotient over the span below ϑ_p.
     ///
     /// # Errors
     /// [`Missing`] where the law is extrapolated and its band is not known.
     pub fn cold_band(&self, temperature: ThermodynamicTemperature) -> Result<Option<(f64, f64)>, Missing> {
-        let cold = EXTRAPOLATED_BELOW_K - temperature.si();
+        let cold = self.printed_from_k - temperature.si();
         // A difference of a nanokelvin is the rounding of a unit.
         if cold <= 1e-9 {
             return Ok(None);
@@ -145,8 +168,10 @@ mod tests {
     const LAW: NoLoadFriction = NoLoadFriction {
         starting_a: 0.2,
         counted: 1.0,
-        constant_30: 0.04,
+        constant_cold: 0.04,
         decay_per_k: 0.020_794_415_416_798_36,
+        printed_k: [303.15, 353.15],
+        printed_from_k: 293.15,
         cold_growth_per_k: Some((0.019, 0.052)),
     };
 

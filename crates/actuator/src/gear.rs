@@ -88,8 +88,10 @@ impl Torsion {
     ///
     /// φ = T/K_1 up to T_1, then φ_1 + (T − T_1)/K_2 up to T_2, then φ_2 + (T − T_2)/K_3; odd in T
     ///
-    /// # Source   cha-manual eq. 73.1, 73.2, 73.3
-    /// # Valid    mean values of many gears, blocked wave generator
+    /// # Source
+    /// cha-manual eq. 73.1, 73.2, 73.3
+    /// # Valid
+    /// mean values of many gears, blocked wave generator
     #[must_use]
     pub fn angle(&self, torque: Torque) -> Angle {
         let [k1, k2, k3] = self.stiffness.map(Measure::si);
@@ -113,9 +115,12 @@ impl Torsion {
 ///
 /// f = (1/2π) √(K / J_L)
 ///
-/// # Symbols  K torsional stiffness of a region [Nm/rad], J_L inertia of the load \[kgm²\]
-/// # Source   docs/theory/gear.md, the oscillator of one mass and one spring
-/// # Valid    J_L > 0; no damping
+/// # Symbols
+/// K torsional stiffness of a region [Nm/rad], J_L inertia of the load \[kgm²\]
+/// # Source
+/// docs/theory/gear.md, the oscillator of one mass and one spring
+/// # Valid
+/// J_L > 0; no damping
 #[must_use]
 pub fn natural_frequency(stiffness: TorsionalStiffness, inertia: MomentOfInertia) -> Frequency {
     Frequency::from_si((stiffness.si() / inertia.si()).sqrt() / std::f64::consts::TAU)
@@ -125,10 +130,13 @@ pub fn natural_frequency(stiffness: TorsionalStiffness, inertia: MomentOfInertia
 ///
 /// f = (1/2π) √(K (J_L + J_R)/(J_L J_R))
 ///
-/// # Symbols  K torsional stiffness of a region [Nm/rad], J_L inertia of the load, J_R inertia of the rotor at the output,
+/// # Symbols
+/// K torsional stiffness of a region [Nm/rad], J_L inertia of the load, J_R inertia of the rotor at the output,
 /// J_out of the tables \[kgm²\]
-/// # Source   docs/theory/gear.md, the oscillator of two masses and one spring
-/// # Valid    J_L > 0, J_R > 0; no damping; J_R → ∞ is the blocked rotor of [`natural_frequency`]
+/// # Source
+/// docs/theory/gear.md, the oscillator of two masses and one spring
+/// # Valid
+/// J_L > 0, J_R > 0; no damping; J_R → ∞ is the blocked rotor of [`natural_frequency`]
 #[must_use]
 pub fn natural_frequency_free(
     stiffness: TorsionalStiffness,
@@ -141,8 +149,10 @@ pub fn natural_frequency_free(
 
 /// Cubic mean torque of a cycle: (Σ |T_j|³ |n_j| t_j / Σ |n_j| t_j)^(1/3), from the angle travelled under each torque.
 ///
-/// # Source   csd-2a-engineering-data, selection of the gear; T_av ≤ T_A
-/// # Valid    torque constant over each part of the motion; zero where nothing moves
+/// # Source
+/// csd-2a-engineering-data, selection of the gear; T_av ≤ T_A
+/// # Valid
+/// torque constant over each part of the motion; zero where nothing moves
 #[must_use]
 pub fn cubic_mean_torque(parts: impl Iterator<Item = (Torque, Angle)>) -> Torque {
     let (mut cubes, mut travelled) = (0.0, 0.0);
@@ -157,9 +167,12 @@ pub fn cubic_mean_torque(parts: impl Iterator<Item = (Torque, Angle)>) -> Torque
 ///
 /// L_50 = L_n (n_N / n_in,av) (T_N / T_av)³, L_10 = L_50 / r
 ///
-/// # Symbols  n_in,av mean input speed, T_N rated torque, T_av cubic mean torque, L_n, n_N and r see [`Gear`]
-/// # Source   csd-2a-engineering-data
-/// # Valid    n_in,av > 0 and T_av > 0
+/// # Symbols
+/// n_in,av mean input speed, T_N rated torque, T_av cubic mean torque, L_n, n_N and r see [`Gear`]
+/// # Source
+/// csd-2a-engineering-data
+/// # Valid
+/// n_in,av > 0 and T_av > 0
 #[derive(Clone, Debug, PartialEq)]
 pub struct LifeLaw {
     nominal: Sourced<Time>,
@@ -216,9 +229,12 @@ impl LifeLaw {
 ///
 /// N = N_0 / (2 n i t / 60), at most N_0
 ///
-/// # Symbols  N_0 load cycles of a tooth under such a torque, see [`Gear::collision_cycles`], n output speed during the collision [1/min], i ratio, t duration of one collision \[s\]
-/// # Source   csd-2a-engineering-data, momentary peak torque
-/// # Valid    T ≤ T_M; N_0 also for a collision without motion
+/// # Symbols
+/// N_0 load cycles of a tooth under such a torque, see [`Gear::collision_cycles`], n output speed during the collision [1/min], i ratio, t duration of one collision \[s\]
+/// # Source
+/// csd-2a-engineering-data, momentary peak torque
+/// # Valid
+/// T ≤ T_M; N_0 also for a collision without motion
 #[must_use]
 pub fn collision_count_max(cycles: f64, speed_out: AngularVelocity, ratio: f64, duration: Time) -> f64 {
     let turns_in = speed_out.si().abs() * ratio * duration.si() / std::f64::consts::TAU;
@@ -230,9 +246,12 @@ pub fn collision_count_max(cycles: f64, speed_out: AngularVelocity, ratio: f64, 
 ///
 /// 2 i n / 60 = f
 ///
-/// # Symbols  n output speed [1/min], i ratio, f natural frequency \[Hz\]
-/// # Source   docs/theory/gear.md; the two lobes of the wave generator push twice a turn
-/// # Valid    i > 0
+/// # Symbols
+/// n output speed [1/min], i ratio, f natural frequency \[Hz\]
+/// # Source
+/// docs/theory/gear.md; the two lobes of the wave generator push twice a turn
+/// # Valid
+/// i > 0
 #[must_use]
 pub fn resonance_speed(frequency: Frequency, ratio: f64) -> AngularVelocity {
     AngularVelocity::from_si(std::f64::consts::PI * frequency.si() / ratio)

@@ -19,7 +19,9 @@ pub struct Heat {
     pub stall_loss_factor: Datum<f64>,
     /// Edges of the band of the loss that is borne, as multiples of it.
     pub loss_band: Datum<(f64, f64)>,
-    /// Upper edge of that band in intermittent duty of one minute.
+    /// Cycle of the intermittent duty that the curves S3 hold for.
+    pub intermittent_cycle: Datum<Time>,
+    /// Upper edge of that band in intermittent duty.
     pub intermittent_band_high: Datum<f64>,
     /// Half width of the band about the gear's limit of intermittent duty, as a share of it.
     pub gear_band: Datum<f64>,
@@ -43,6 +45,7 @@ impl Heat {
             housing_share: Datum::NotPrinted,
             stall_loss_factor: Datum::NotPrinted,
             loss_band: Datum::NotPrinted,
+            intermittent_cycle: Datum::NotPrinted,
             intermittent_band_high: Datum::NotPrinted,
             gear_band: Datum::NotPrinted,
             ambient_reference: Datum::NotPrinted,
@@ -58,7 +61,8 @@ impl Heat {
 ///
 /// With I = I_T + I_s σ + K ω: the copper loss needs the six means of the products of I_T, σ and ω.
 ///
-/// # Symbols  I_T = T/k_Tout current of the torque \[A\], σ direction, ω output speed [rad/s]
+/// # Symbols
+/// I_T = T/k_Tout current of the torque \[A\], σ direction, ω output speed [rad/s]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LossMeans {
     /// Mean of I_T² \[A²\].
@@ -105,11 +109,14 @@ pub struct Settled {
 ///
 /// P_cu = 1.5 R I², P_f = (I_NLS + K(ϑ_h)|n|) k_TM ω_mot; R_wh + R_ha = Δϑ/P_0, P_0 = F · 1.5 R I_0², R_ha = w (R_wh + R_ha)
 ///
-/// # Symbols  R = R_LL at the temperature of continuous duty \[Ω\] (1.5 R_LL I² is the copper loss of a star winding),
-///   Δϑ from the reference ambient to that temperature \[K\], I_0 largest stall current of the drive over its ratios \[A\],
-///   F and w see [`Heat`], ϑ_h temperature of the housing
-/// # Source   docs/theory/thermal.md
-/// # Valid    on the plate of table 13.3; resistance of continuous duty, the safe side as long as the winding is cooler
+/// # Symbols
+/// R = R_LL at the temperature of continuous duty \[Ω\] (1.5 R_LL I² is the copper loss of a star winding),
+/// Δϑ from the reference ambient to that temperature \[K\], I_0 largest stall current of the drive over its ratios \[A\],
+/// F and w see [`Heat`], ϑ_h temperature of the housing
+/// # Source
+/// docs/theory/thermal.md
+/// # Valid
+/// on the plate of table 13.3; resistance of continuous duty, the safe side as long as the winding is cooler
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeatModel {
     friction: NoLoadFriction,
@@ -241,9 +248,12 @@ impl HeatModel {
     ///
     /// ϑ_h = ϑ_a + R_ha (P_cu(K) + P_f(K) + P_x) with K = K(ϑ_h): one equation for ϑ_h, whose right side falls with ϑ_h
     ///
-    /// # Symbols  P_x further loss in the housing, such as the coil of an open brake
-    /// # Source   docs/theory/thermal.md
-    /// # Valid    cycles short against τ_h; of longer ones the mean is meant
+    /// # Symbols
+    /// P_x further loss in the housing, such as the coil of an open brake
+    /// # Source
+    /// docs/theory/thermal.md
+    /// # Valid
+    /// cycles short against τ_h; of longer ones the mean is meant
     #[must_use]
     pub fn settle(&self, means: &LossMeans, further: Power, ambient: ThermodynamicTemperature) -> Settled {
         let [_, r_ha] = self.network.resistances_k_per_w();
@@ -267,7 +277,7 @@ impl HeatModel {
         }
     }
 
-    /// The root of ϑ = ϑ_a + rise(ϑ), by Newton's method kept within a bracket; `rise` gives the rise and its slope for
+    /// The root of ϑ = ϑ_a + rise(ϑ); `rise` gives the rise and its slope for
     /// I_NLS, K and −dK/dϑ at ϑ.
     fn balance(&self, ambient_k: f64, rise: impl Fn(f64, f64, f64) -> (f64, f64)) -> f64 {
         let at = |temperature_k: f64| {
@@ -277,23 +287,8 @@ impl HeatModel {
         };
         // Friction is largest at ambient temperature: the rise there is above the root, and its tangent below.
         let (excess, slope) = at(ambient_k);
-        let (mut low, mut high) = (ambient_k, ambient_k - excess.min(0.0));
-        let mut here = (ambient_k - excess / slope).clamp(low, high);
-        for _ in 0..64 {
-            let (excess, slope) = at(here);
-            if excess > 0.0 {
-                high = here
-            } else {
-                low = here
-            }
-            let newton = here - excess / slope;
-            // So near, the next step would be the square of this one.
-            if (newton - here).abs() <= 1e-10 * here {
-                return newton;
-            }
-            here = if newton > low && newton < high { newton } else { f64::midpoint(low, high) };
-        }
-        here
+        let (low, high) = (ambient_k, ambient_k - excess.min(0.0));
+        numeric::root_by_slope(at, (ambient_k - excess / slope).clamp(low, high), (low, high), 1e-10)
     }
 
     /// Torque at a constant speed at which the winding reaches a multiple of its permitted rise, at the reference ambient
@@ -301,8 +296,10 @@ impl HeatModel {
     ///
     /// A P_cu + B P_f = b Δϑ with A, B of [`Network::intermittent`]; T = k_Tout (√(P_cu/1.5R) − I_s − K n)
     ///
-    /// # Symbols  b edge of the band; friction at the housing's mean temperature ϑ_a + R_ha ED (P_cu + P_f)
-    /// # Source   docs/theory/continuous-torque.md, docs/theory/short-time-torque.md
+    /// # Symbols
+    /// b edge of the band; friction at the housing's mean temperature ϑ_a + R_ha ED (P_cu + P_f)
+    /// # Source
+    /// docs/theory/continuous-torque.md, docs/theory/short-time-torque.md
     #[must_use]
     pub fn torque(&self, speed: AngularVelocity, duty: f64, cycle: Time, edge: f64) -> (Torque, Settled) {
         let n = speed.si().abs();
@@ -333,7 +330,8 @@ impl HeatModel {
     /// reference ambient temperature, as a share of the permitted one, and what the duty settles to; duty one is
     /// continuous duty.
     ///
-    /// # Source   docs/theory/thermal.md
+    /// # Source
+    /// docs/theory/thermal.md
     #[must_use]
     pub fn rise_share(&self, torque: Torque, speed: AngularVelocity, duty: f64, cycle: Time) -> (f64, Settled) {
         let (a, b) = self.network.intermittent(duty, cycle);

@@ -23,8 +23,10 @@ fn actuator() -> Parameters {
         stall_torque: known(Torque::from_si(32.0)),
         stall_current: known(ElectricCurrent::from_si(2.1)),
         no_load_starting_current: known(ElectricCurrent::from_si(0.17)),
-        no_load_current_constant_30: constant(4.0),
-        no_load_current_constant_80: constant(2.0),
+        no_load_current_constant_cold: constant(4.0),
+        no_load_current_constant_warm: constant(2.0),
+        no_load_temperatures: known([303.15, 353.15].map(ThermodynamicTemperature::from_si)),
+        friction_printed_from: known(ThermodynamicTemperature::from_si(293.15)),
         torque_constant_out: known(TorqueConstant::from_si(16.5)),
         torque_constant_motor: known(TorqueConstant::from_si(0.36)),
         resistance_ll: known(ElectricalResistance::from_si(5.9)),
@@ -32,6 +34,7 @@ fn actuator() -> Parameters {
             housing_share: known(0.45),
             stall_loss_factor: known(1.0),
             loss_band: known((0.85, 1.15)),
+            intermittent_cycle: known(Time::from_si(60.0)),
             intermittent_band_high: Datum::NotPrinted,
             gear_band: known(0.02),
             ambient_reference: known(ThermodynamicTemperature::from_si(313.15)),
@@ -114,8 +117,8 @@ fn speed_and_heat_only_take_and_rest_only_gives() {
 fn an_ideal_gear_and_an_ideal_plate() {
     let mut ideal = actuator();
     ideal.no_load_starting_current = known(ElectricCurrent::from_si(0.0));
-    ideal.no_load_current_constant_30 = constant(0.0);
-    ideal.no_load_current_constant_80 = constant(0.0);
+    ideal.no_load_current_constant_cold = constant(0.0);
+    ideal.no_load_current_constant_warm = constant(0.0);
     let ideal = HeatModel::of(&ideal).unwrap();
     let at = |n| ideal.torque(rpm(n), 1.0, Time::from_si(MINUTE), 1.0).0.si();
     assert!((at(0.0) - 16.5 * 2.1).abs() < 1e-9 && (at(70.0) - at(0.0)).abs() < 1e-9);

@@ -1,7 +1,7 @@
 //! The physics of one instant: current, losses and power of the motor from the state of the output.
 //!
-//! Plain numbers in, plain numbers out, without memory: whoever integrates over a cycle and whoever steps through time ask the
-//! same functions. What changes with time, temperatures and the state of the overload supervision, is in
+//! Plain numbers in, plain numbers out, without memory: integration over a cycle and stepping through time use the
+//! same functions. State that changes with time, temperatures and the state of the overload supervision, is in
 //! [`Network`](crate::Network) and [`overload_slope`](crate::overload_slope); the voltage is [`MotorVoltage`](crate::MotorVoltage).
 
 use crate::friction::FrictionAt;
@@ -35,9 +35,12 @@ impl OperatingPoint {
 ///
 /// I = T/k_Tout + σ (I_s + K |n|)
 ///
-/// # Symbols  T torque at the output \[Nm\], σ direction, I_s and K friction at the temperature of the gear, n output speed
-/// # Source   docs/theory/current.md
-/// # Valid    magnets of rated temperature, i_d = 0; signed like the torque, rms
+/// # Symbols
+/// T torque at the output \[Nm\], σ direction, I_s and K friction at the temperature of the gear, n output speed
+/// # Source
+/// docs/theory/current.md
+/// # Valid
+/// magnets of rated temperature, i_d = 0; signed like the torque, rms
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorCurrent {
     /// k_Tout \[Nm/A\]
@@ -81,9 +84,12 @@ impl MotorCurrent {
 ///
 /// P_cu = 1.5 R I², P_f = (I_NLS + K |n|) k_TM ω_mot
 ///
-/// # Symbols  R = R_LL at the temperature of the winding: 1.5 R_LL I² is the copper loss of a star winding; I rms
-/// # Source   docs/theory/thermal.md
-/// # Valid    losses of a slow motor: iron losses are part of the no-load current
+/// # Symbols
+/// R = R_LL at the temperature of the winding: 1.5 R_LL I² is the copper loss of a star winding; I rms
+/// # Source
+/// docs/theory/thermal.md
+/// # Valid
+/// losses of a slow motor: iron losses are part of the no-load current
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LossLaw {
     copper_ohm: f64,
@@ -132,8 +138,10 @@ impl LossLaw {
 /// Driven by the load the gear passes on 2 − 1/η of its torque, driving it takes 1/η: its loss is the same share of the
 /// torque either way, η = k_Tout/(i k_TM), see [`driven_share`].
 ///
-/// # Source   docs/theory/energy.md
-/// # Valid    steady current, i_d = 0; what the inductance stores is not looked at
+/// # Source
+/// docs/theory/energy.md
+/// # Valid
+/// steady current, i_d = 0; what the inductance stores is not looked at
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TerminalPower {
     copper_ohm: f64,

@@ -28,7 +28,7 @@ pub use battery::{Battery, BatteryFault, BatteryLife};
 pub use brake::{Brake, EmergencyStop, StopOutcome, coil_power, emergency_stop, sag_angle, sag_speed};
 pub use curve::{Curve, CurveFault, CurvePoint};
 pub use feedback::{Feedback, FeedbackSide};
-pub use friction::{COLD_START, FrictionAt, NoLoadFriction};
+pub use friction::{FrictionAt, NoLoadFriction};
 pub use gear::{
     Gear, LifeLaw, Torsion, collision_count_max, cubic_mean_torque, natural_frequency, natural_frequency_free,
     resonance_speed,

@@ -2,7 +2,7 @@
 
 use crate::heat::{HeatModel, Settled};
 use crate::parameters::Drivetrain;
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{
     AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, OHM, ONE,
@@ -19,7 +19,8 @@ const COPPER_TEMPERATURE_COEFFICIENT: f64 = 3.93e-3;
 ///
 /// R = R_20 (1 + 3.93e-3 (ϑ − 20 °C))
 ///
-/// # Valid    −40 °C to 200 °C, linear law of copper
+/// # Valid
+/// −40 °C to 200 °C, linear law of copper
 #[must_use]
 pub fn copper_resistance(
     resistance_20: ElectricalResistance,
@@ -33,9 +34,12 @@ pub fn copper_resistance(
 ///
 /// The gear loses the same share of the torque in either direction: driving T_mot i = T/η, driven T_mot i = T (2 − 1/η).
 ///
-/// # Symbols  η = k_Tout/(i k_TM), at most one: a rounded k_TM may give more
-/// # Source   docs/theory/energy.md; loss proportional to the torque
-/// # Valid    η ≥ ½; below the gear locks itself and nothing comes back
+/// # Symbols
+/// η = k_Tout/(i k_TM), at most one: a rounded k_TM may give more
+/// # Source
+/// docs/theory/energy.md; loss proportional to the torque
+/// # Valid
+/// η ≥ ½; below the gear locks itself and nothing comes back
 #[must_use]
 pub fn driven_share(out: TorqueConstant, motor: TorqueConstant, ratio: f64) -> f64 {
     let efficiency = (out.si() / (ratio * motor.si())).min(1.0);
@@ -80,7 +84,8 @@ pub fn speed_max_with(actuator: &Drivetrain, work: &mut Workings) -> Result<Sour
 
 /// Largest mean speed at the output: n_N / i.
 ///
-/// # Source   published corner points of CHA-20A: every continuous curve ends at n_N / i
+/// # Source
+/// published corner points of CHA-20A: every continuous curve ends at n_N / i
 /// # Errors
 /// [`Missing`] if rated motor speed or ratio are not known.
 pub fn speed_rated_out(actuator: &Drivetrain) -> Result<Sourced<AngularVelocity>, Missing> {
@@ -142,7 +147,7 @@ pub fn continuous_torque_with(
         };
     };
     let mut torque = curve.value.at_most_to_its_end(speed);
-    work.found("T_curve", &NEWTON_METRE, torque.si(), "continuous curve at n_av", &curve.source, curve.grade);
+    work.found("T_curve", &NEWTON_METRE, torque.si(), Finding::ContinuousCurve, &curve.source, curve.grade);
     if let Some(stall) = actuator.stall_torque.known() {
         torque = Torque::from_si(torque.si().min(stall.value.si()));
         work.given("T_0", &NEWTON_METRE, stall);
@@ -160,9 +165,12 @@ pub fn continuous_torque_with(
 ///
 /// T at which P_cu + w P_f = b P_0, T ≤ T_0; b the edges of the band, see [`HeatModel::band`] and [`HeatModel::torque`]
 ///
-/// # Symbols  P_cu copper loss, P_f friction loss, P_0 loss borne at standstill \[W\], w share of the housing
-/// # Source   docs/theory/continuous-torque.md; calibrated on curves-20A, held against fha-orientation
-/// # Valid    |n| ≤ n_N/i, 40 °C, on the plate of table 13.3; beyond n_N/i the value at n_N/i
+/// # Symbols
+/// P_cu copper loss, P_f friction loss, P_0 loss borne at standstill \[W\], w share of the housing
+/// # Source
+/// docs/theory/continuous-torque.md; calibrated on curves-20A, held against fha-orientation
+/// # Valid
+/// |n| ≤ n_N/i, in the warmest permitted air, on the printed plate; beyond n_N/i the value at n_N/i
 /// # Errors
 /// [`Missing`] with the first datum that is not known.
 pub fn estimated_continuous_torque(actuator: &Drivetrain, speed: AngularVelocity) -> Result<ContinuousLimit, Missing> {
@@ -224,9 +232,9 @@ fn explain_continuous(
     if let Some(ratio) = actuator.ratio.known() {
         work.given_number("i", ratio);
     }
-    let text = "edge of the band at n";
-    work.found("b", &ONE, edge, text, &source, Grade::Estimated);
-    work.found("n", &REVOLUTION_PER_MINUTE, speed.si(), "n_av, at most n_N_out", &source, Grade::Computed);
+    let what = Finding::EdgeOfBand;
+    work.found("b", &ONE, edge, what, &source, Grade::Estimated);
+    work.found("n", &REVOLUTION_PER_MINUTE, speed.si(), Finding::MeanSpeedUpToRated, &source, Grade::Computed);
     explain_friction(actuator, settled, work);
     let friction = settled.friction.current(speed).si();
     let text = if actuator.stall_current_includes_friction { "I_NLS + K*abs(n)" } else { "K*abs(n)" };
@@ -252,7 +260,8 @@ pub fn explain_stall_loss(actuator: &Drivetrain, work: &mut Workings) {
     work.given("I_0", &AMPERE, current);
     work.given("R_LL", &OHM, resistance);
     work.given_number("F", factor);
-    work.formula("R_hot", &OHM, hot.si(), "R_LL*(1 + 3.93e-3*(80 - 20))", &source);
+    work.given("theta_warn", &DEGREE_CELSIUS, limit);
+    work.formula("R_hot", &OHM, hot.si(), "R_LL*(1 + 3.93e-3*(theta_warn - 20))", &source);
     let loss = factor.value * 1.5 * hot.si() * current.value.si().powi(2);
     work.formula("P_0", &WATT, loss, "F*1.5*R_hot*I_0^2", &source);
 }
@@ -260,26 +269,34 @@ pub fn explain_stall_loss(actuator: &Drivetrain, work: &mut Workings) {
 /// The workings of the friction at the temperature of the housing, `K`.
 pub fn explain_friction(actuator: &Drivetrain, settled: &Settled, work: &mut Workings) {
     let source = Source::Model { name: "current" };
-    let data = (actuator.no_load_starting_current.known(), actuator.no_load_current_constant_30.known());
-    let (Some(starting), Some(cold), true) = (data.0, data.1, work.is_on()) else { return };
-    let friction = &settled.friction;
-    let text = "temperature of the gear, that of the housing";
-    work.found("theta_h", &DEGREE_CELSIUS, friction.temperature.si(), text, &source, Grade::Estimated);
-    let warm = actuator.no_load_current_constant_80.known();
-    match warm.filter(|_| friction.celsius() < 20.0) {
-        Some(_) => work.given("I_20", &AMPERE, starting),
-        None => work.given("I_NLS", &AMPERE, starting),
+    let (starting, cold) = (actuator.no_load_starting_current.known(), actuator.no_load_current_constant_cold.known());
+    let (temperatures, from) = (actuator.no_load_temperatures.known(), actuator.friction_printed_from.known());
+    let (Some(starting), Some(cold), Some(temperatures), Some(from)) = (starting, cold, temperatures, from) else {
+        return;
+    };
+    if !work.is_on() {
+        return;
     }
-    work.given("K_30", &AMPERE_PER_REVOLUTION_PER_MINUTE, cold);
+    let friction = &settled.friction;
+    let what = Finding::GearAsHousing;
+    work.found("theta_h", &DEGREE_CELSIUS, friction.temperature.si(), what, &source, Grade::Estimated);
+    let warm = actuator.no_load_current_constant_warm.known();
+    let is_extrapolated = friction.temperature.si() < from.value.si();
+    let symbol = if warm.is_some() && is_extrapolated { "I_p" } else { "I_NLS" };
+    work.given(symbol, &AMPERE, starting);
+    work.given("K_cold", &AMPERE_PER_REVOLUTION_PER_MINUTE, cold);
     let constant = friction.constant.si();
     let Some(warm) = warm else {
-        return work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, "K_30", &source);
+        return work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, "K_cold", &source);
     };
-    work.given("K_80", &AMPERE_PER_REVOLUTION_PER_MINUTE, warm);
-    let text = "K_30*(K_80/K_30)^((min(theta_h, 80) - 30)/50)";
+    work.given("K_warm", &AMPERE_PER_REVOLUTION_PER_MINUTE, warm);
+    work.given("theta_cold", &DEGREE_CELSIUS, &temperatures.clone().map(|[cold, _]| cold));
+    work.given("theta_warm", &DEGREE_CELSIUS, &temperatures.clone().map(|[_, warm]| warm));
+    let text = "K_cold*(K_warm/K_cold)^((min(theta_h, theta_warm) - theta_cold)/(theta_warm - theta_cold))";
     work.formula("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, text, &source);
-    if friction.celsius() < 20.0 {
-        let text = "I_20*(K_30/K_80)^((20 - theta_h)/50)";
+    if is_extrapolated {
+        work.given("theta_p", &DEGREE_CELSIUS, from);
+        let text = "I_p*(K_cold/K_warm)^((theta_p - theta_h)/(theta_warm - theta_cold))";
         work.formula("I_NLS", &AMPERE, friction.starting.si(), text, &source);
     }
 }

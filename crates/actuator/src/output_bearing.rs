@@ -15,7 +15,8 @@ pub enum BearingType {
 impl BearingType {
     /// B: life exponent, 10/3 for rollers and 3 for balls.
     ///
-    /// # Source   cha-manual table 74.5
+    /// # Source
+    /// cha-manual table 74.5
     #[must_use]
     pub fn life_exponent(self) -> f64 {
         match self {
@@ -46,6 +47,8 @@ pub struct OutputBearing {
     pub radial_max: Datum<Force>,
     /// K_B: tilting stiffness, mean value.
     pub tilting_stiffness: Datum<TiltingStiffness>,
+    /// Below this swing the bearing may fret for want of lubrication.
+    pub swing_min: Datum<Angle>,
 }
 
 impl OutputBearing {
@@ -62,6 +65,7 @@ impl OutputBearing {
             axial_max: Datum::NotPrinted,
             radial_max: Datum::NotPrinted,
             tilting_stiffness: Datum::NotPrinted,
+            swing_min: Datum::NotPrinted,
         }
     }
 }
@@ -83,9 +87,12 @@ pub struct FlangeLoad {
 ///
 /// M = F_r (L_r + R) + F_a L_a
 ///
-/// # Symbols  R offset of the bearing centre from the flange face \[m\] (table 55.1); the other symbols as in [`FlangeLoad`]
-/// # Source   the sister manual FHA, selection of the output bearing; R of cha-manual table 55.1
-/// # Valid    both moments taken in the same direction, the worst case
+/// # Symbols
+/// R offset of the bearing centre from the flange face \[m\] (table 55.1); the other symbols as in [`FlangeLoad`]
+/// # Source
+/// the sister manual FHA, selection of the output bearing; R of cha-manual table 55.1
+/// # Valid
+/// both moments taken in the same direction, the worst case
 #[must_use]
 pub fn tilting_moment(load: &FlangeLoad, offset: Length) -> Torque {
     let radial = load.radial_force.si() * (load.radial_distance.si() + offset.si());
@@ -96,9 +103,12 @@ pub fn tilting_moment(load: &FlangeLoad, offset: Length) -> Torque {
 ///
 /// F_av = (Σ |n_k| t_k F_k^B / Σ |n_k| t_k)^(1/B)
 ///
-/// # Symbols  n_k speed [1/min], t_k duration \[s\], F_k force \[N\] or moment \[Nm\], B life exponent
-/// # Source   cha-manual eq. 75.2 (erratum text-7.3.1-n_av for the weight) and 75.3
-/// # Valid    some travel; zero without any
+/// # Symbols
+/// n_k speed [1/min], t_k duration \[s\], F_k force \[N\] or moment \[Nm\], B life exponent
+/// # Source
+/// cha-manual eq. 75.2 (erratum text-7.3.1-n_av for the weight) and 75.3
+/// # Valid
+/// some travel; zero without any
 #[must_use]
 pub fn mean_load(parts: impl Iterator<Item = (f64, Angle)>, exponent: f64) -> f64 {
     let (mut powers, mut travelled, mut largest) = (0.0, 0.0, 0.0_f64);
@@ -126,7 +136,8 @@ pub fn mean_load(parts: impl Iterator<Item = (f64, Angle)>, exponent: f64) -> f6
 ///
 /// P_c = x (F_r + 2M/d_p) + y F_a; x = 1, y = 0.45 if F_a / (F_r + 2M/d_p) ≤ 1.5, else x = y = 0.67
 ///
-/// # Source   cha-manual eq. 75.1, table 75.4
+/// # Source
+/// cha-manual eq. 75.1, table 75.4
 #[must_use]
 pub fn dynamic_equivalent_load(load: &FlangeLoad, moment: Torque, pitch_diameter: Length) -> Force {
     let (x, y, _) = dynamic_load_factors(load, moment, pitch_diameter);
@@ -135,7 +146,8 @@ pub fn dynamic_equivalent_load(load: &FlangeLoad, moment: Torque, pitch_diameter
 
 /// x and y of the dynamic equivalent load, and whether F_a / (F_r + 2M/d_p) ≤ 1.5.
 ///
-/// # Source   cha-manual table 75.4
+/// # Source
+/// cha-manual table 75.4
 #[must_use]
 pub fn dynamic_load_factors(load: &FlangeLoad, moment: Torque, pitch_diameter: Length) -> (f64, f64, bool) {
     if load.axial_force.si() <= 1.5 * radial_load(load, moment, pitch_diameter) {
@@ -157,9 +169,12 @@ fn radial_load(load: &FlangeLoad, moment: Torque, pitch_diameter: Length) -> f64
 /// A pure swing of angle φ, n_1 times a minute there and back, travels n_1 φ/180° revolutions a minute; with this
 /// mean speed eq. 74.3 is the same equation, so one formula serves both.
 ///
-/// # Symbols  n_av mean speed [1/min], C dynamic load rating \[N\], P_c equivalent load \[N\], f_w load factor (table 74.2), B life exponent
-/// # Source   cha-manual eq. 74.1 and 74.3
-/// # Valid    n_av > 0 and P_c > 0; swings below 5° may fret and are outside
+/// # Symbols
+/// n_av mean speed [1/min], C dynamic load rating \[N\], P_c equivalent load \[N\], f_w load factor (table 74.2), B life exponent
+/// # Source
+/// cha-manual eq. 74.1 and 74.3
+/// # Valid
+/// n_av > 0 and P_c > 0; swings below [`OutputBearing::swing_min`] may fret and are outside
 #[must_use]
 pub fn bearing_life(
     dynamic_rating: Force,
@@ -177,8 +192,10 @@ pub fn bearing_life(
 ///
 /// f_s = C_0 / P_0, P_0 = F_r + 2M/d_p + 0.44 F_a
 ///
-/// # Source   cha-manual eq. 76.1 with x_0 = 1, y_0 = 0.44
-/// # Valid    P_0 > 0
+/// # Source
+/// cha-manual eq. 76.1 with x_0 = 1, y_0 = 0.44
+/// # Valid
+/// P_0 > 0
 #[must_use]
 pub fn static_safety(static_rating: Force, load: &FlangeLoad, moment: Torque, pitch_diameter: Length) -> f64 {
     static_rating.si() / (radial_load(load, moment, pitch_diameter) + 0.44 * load.axial_force.si())
@@ -188,7 +205,8 @@ pub fn static_safety(static_rating: Force, load: &FlangeLoad, moment: Torque, pi
 ///
 /// γ = M / K_B
 ///
-/// # Source   cha-manual eq. 76.4
+/// # Source
+/// cha-manual eq. 76.4
 #[must_use]
 pub fn tilt_angle(moment: Torque, stiffness: TiltingStiffness) -> Angle {
     Angle::from_si(moment.si() / stiffness.si())

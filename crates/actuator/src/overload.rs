@@ -30,9 +30,12 @@ pub(crate) fn periodic_lag(pieces: &[(f64, f64)], tau_s: f64) -> Vec<f64> {
 ///
 /// y' = ((I/I_0)² − y)/τ
 ///
-/// # Symbols  y state, I motor current, I_0 stall current, τ time constant of the winding \[s\]
-/// # Source   docs/theory/overload.md
-/// # Valid    I_0 > 0, τ > 0
+/// # Symbols
+/// y state, I motor current, I_0 stall current, τ time constant of the winding \[s\]
+/// # Source
+/// docs/theory/overload.md
+/// # Valid
+/// I_0 > 0, τ > 0
 #[must_use]
 pub fn overload_slope(state: Ratio, current: ElectricCurrent, stall: ElectricCurrent, time_constant: Time) -> f64 {
     let share = current.si() / stall.si();
@@ -44,9 +47,12 @@ pub fn overload_slope(state: Ratio, current: ElectricCurrent, stall: ElectricCur
 /// y' = ((I/I_0)² − y)/τ; above one the overload protection trips. Every piece is monotonic and the cycle closes, so the
 /// starts hold every extreme.
 ///
-/// # Symbols  pieces: duration and (I/I_0)², constant on each piece; τ time constant of the winding \[s\]
-/// # Source   docs/theory/overload.md; steady periodic state in closed form
-/// # Valid    durations ≥ 0, τ > 0
+/// # Symbols
+/// pieces: duration and (I/I_0)², constant on each piece; τ time constant of the winding \[s\]
+/// # Source
+/// docs/theory/overload.md; steady periodic state in closed form
+/// # Valid
+/// durations ≥ 0, τ > 0
 #[must_use]
 pub fn overload_course(pieces: &[(Time, Ratio)], time_constant: Time) -> Vec<Ratio> {
     let plain: Vec<(f64, f64)> = pieces.iter().map(|(duration, square)| (duration.si(), square.si())).collect();
@@ -57,7 +63,7 @@ pub fn overload_course(pieces: &[(Time, Ratio)], time_constant: Time) -> Vec<Rat
 mod tests {
     use super::*;
 
-    /// Largest value of the lag, and when in the cycle; a peak at the start is told at the end of the last piece.
+    /// Largest value of the lag, and when in the cycle; a peak at the start is reported at the end of the last piece.
     fn peak(pieces: &[(f64, f64)]) -> (f64, f64) {
         let typed: Vec<_> = pieces.iter().map(|&(t, u)| (Time::from_si(t), Ratio::from_si(u))).collect();
         let (mut largest, mut at, mut clock) = (0.0, 0.0, 0.0);

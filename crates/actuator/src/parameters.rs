@@ -18,8 +18,8 @@ use std::sync::Arc;
 
 /// The data of one actuator, in SI, each value with its source or with the reason of its absence.
 ///
-/// Most actuators that differ in feedback and brake alone have one drivetrain, and share it: whoever looks at one after
-/// the other sees by [`Parameters::shares_drivetrain`] what need not be looked at again. Its data are read as if they stood
+/// Most actuators that differ in feedback and brake alone have one drivetrain, and share it: callers that evaluate one after
+/// the other use [`Parameters::shares_drivetrain`] to reuse results. Its data are read as if they stood
 /// here; to write one takes a drivetrain of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
@@ -58,6 +58,8 @@ pub struct Drivetrain {
     pub current_demagnetisation: Datum<ElectricCurrent>,
     /// T_0: continuous torque at standstill.
     pub stall_torque: Datum<Torque>,
+    /// Largest J_L as a multiple of J_out that is recommended for highly dynamic duty.
+    pub inertia_ratio_recommended: Datum<f64>,
     /// I_0: current at T_0, rms.
     pub stall_current: Datum<ElectricCurrent>,
     /// The largest I_0 that the same motor shows at any ratio: its thermal limit where the gear limits T_0.
@@ -66,12 +68,15 @@ pub struct Drivetrain {
     pub stall_current_includes_friction: bool,
     /// I_NLS: no-load starting current, rms.
     pub no_load_starting_current: Datum<ElectricCurrent>,
-    /// K_INL at 30 °C: no-load running current per output speed.
-    pub no_load_current_constant_30: Datum<NoLoadCurrentConstant>,
-    /// K_INL at 80 °C.
-    pub no_load_current_constant_80: Datum<NoLoadCurrentConstant>,
-    /// Least and largest growth of friction per kelvin below +20 °C, where nothing is printed at 680 V: the band of its
-    /// extrapolation.
+    /// K_INL at the colder temperature of the print: no-load running current per output speed.
+    pub no_load_current_constant_cold: Datum<NoLoadCurrentConstant>,
+    /// K_INL at the warmer one.
+    pub no_load_current_constant_warm: Datum<NoLoadCurrentConstant>,
+    /// The temperatures for which K_INL is printed, the colder one first.
+    pub no_load_temperatures: Datum<[ThermodynamicTemperature; 2]>,
+    /// From this temperature on friction is printed; below it is extrapolated.
+    pub friction_printed_from: Datum<ThermodynamicTemperature>,
+    /// Least and largest growth of friction per kelvin below that temperature: the band of its extrapolation.
     pub friction_cold_growth: Datum<(f64, f64)>,
     /// k_Tout: torque constant at the output, gear losses included.
     pub torque_constant_out: Datum<TorqueConstant>,
@@ -169,12 +174,15 @@ impl Drivetrain {
             current_max: Datum::NotPrinted,
             current_demagnetisation: Datum::NotPrinted,
             stall_torque: Datum::NotPrinted,
+            inertia_ratio_recommended: Datum::NotPrinted,
             stall_current: Datum::NotPrinted,
             stall_current_motor: Datum::NotPrinted,
             stall_current_includes_friction: true,
             no_load_starting_current: Datum::NotPrinted,
-            no_load_current_constant_30: Datum::NotPrinted,
-            no_load_current_constant_80: Datum::NotPrinted,
+            no_load_current_constant_cold: Datum::NotPrinted,
+            no_load_current_constant_warm: Datum::NotPrinted,
+            no_load_temperatures: Datum::NotPrinted,
+            friction_printed_from: Datum::NotPrinted,
             friction_cold_growth: Datum::NotPrinted,
             torque_constant_out: Datum::NotPrinted,
             torque_constant_motor: Datum::NotPrinted,

@@ -1,21 +1,15 @@
 //! The curves of the torque-speed plane: continuous duty, intermittent duty S3, short time.
 
 use crate::curve::{Curve, CurvePoint};
-use crate::friction::{COLD_START, FrictionAt, NoLoadFriction};
+use crate::friction::{FrictionAt, NoLoadFriction};
 use crate::heat::HeatModel;
 use crate::motor::{ContinuousLimit, continuous_torque_with, speed_max, speed_rated_out};
 use crate::parameters::Drivetrain;
 use crate::voltage::MotorVoltage;
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{AMPERE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, REVOLUTION_PER_MINUTE, VOLT};
-use quantities::{
-    AngularVelocity, ElectricCurrent, ElectricPotential, Measure, Ratio, ThermodynamicTemperature, Time, Torque,
-    TorqueConstant,
-};
-
-/// The cycle of intermittent duty in the manual's curves: 1 min, in seconds.
-const S3_CYCLE: f64 = 60.0;
+use quantities::{AngularVelocity, ElectricCurrent, ElectricPotential, Measure, Ratio, Time, Torque, TorqueConstant};
 
 /// Parts into which an estimated curve is cut.
 const PARTS: u32 = 32;
@@ -25,10 +19,12 @@ const PARTS: u32 = 32;
 pub enum CurveKind {
     /// Continuous duty.
     Continuous,
-    /// Intermittent duty, cycle of one minute.
+    /// Intermittent duty.
     S3 {
         /// Duty factor.
         duty: Ratio,
+        /// Duration of one cycle.
+        cycle: Time,
     },
     /// Acceleration and braking.
     ShortTime,
@@ -55,8 +51,10 @@ pub struct PerformanceCurve {
 ///
 /// Published curves come first and are cut at T_0 or T_max; what is not published is estimated, with its band.
 ///
-/// # Source   docs/theory/continuous-torque.md, docs/theory/short-time-torque.md
-/// # Valid    on the plate of table 13.3 at 40 °C; S3 for a cycle of 1 min
+/// # Source
+/// docs/theory/continuous-torque.md, docs/theory/short-time-torque.md
+/// # Valid
+/// on the printed plate in the warmest permitted air; S3 for the cycle of the published curves
 /// # Errors
 /// [`Missing`] with the first datum of the first curve, if not one curve can be drawn.
 pub fn performance_curves(
@@ -88,10 +86,13 @@ pub fn performance_curves(
 /// T = min(T_max, k_Tout (min(I_max, I_U) − I_f)) for |n| ≤ n_mot,max/i, never negative; zero beyond. The upper edge leaves
 /// out I_max, which has a check of its own, and the friction that grows with speed.
 ///
-/// # Symbols  I_U largest current of the voltage limit \[A\], see [`MotorVoltage::current_max`], I_f friction current \[A\]
-/// # Source   docs/theory/short-time-torque.md; where a short-time curve is published and the voltage is not below the
-///   printed U_M, that curve
-/// # Valid    driving, i_d = 0; braking allows more
+/// # Symbols
+/// I_U largest current of the voltage limit \[A\], see [`MotorVoltage::current_max`], I_f friction current \[A\]
+/// # Source
+/// docs/theory/short-time-torque.md; where a short-time curve is published and the voltage is not below the
+/// printed U_M, that curve
+/// # Valid
+/// driving, i_d = 0; braking allows more
 #[derive(Clone, Debug)]
 pub struct ShortTime<'a>(Law<'a>);
 
@@ -196,8 +197,8 @@ impl<'a> ShortTime<'a> {
                 if let Some(torque_max) = torque_max.known() {
                     work.given("T_max", &NEWTON_METRE, torque_max);
                 }
-                let text = "short-time curve at n, at most T_max";
-                work.found("T_short", &NEWTON_METRE, limit.si(), text, &curve.source, curve.grade);
+                let what = Finding::ShortTimeCurve;
+                work.found("T_short", &NEWTON_METRE, limit.si(), what, &curve.source, curve.grade);
             }
             Law::Model(model) if work.is_on() => model.explain(speed, limit, work),
             Law::Model(_) => {}
@@ -240,20 +241,20 @@ impl Model<'_> {
     fn explain(&self, speed: AngularVelocity, limit: Torque, work: &mut Workings) {
         if !self.is_inside(speed) {
             work.given("n_end", &REVOLUTION_PER_MINUTE, &self.end);
-            work.found("T_short", &NEWTON_METRE, limit.si(), "n is above n_end", &SHORT_TIME, self.grade());
+            work.found("T_short", &NEWTON_METRE, limit.si(), Finding::SpeedBeyondCurve, &SHORT_TIME, self.grade());
             return;
         }
         work.given("I_max", &AMPERE, self.current_max);
         work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, self.torque_constant);
         work.given("T_max", &NEWTON_METRE, self.torque_max);
-        let text = "I_s + K |n|, the gear as cold as the ambient air";
+        let what = Finding::FrictionOfColdGear;
         let running = self.friction.current(speed).si();
-        work.found("I_f", &AMPERE, running, text, &Source::Model { name: "current" }, Grade::Estimated);
+        work.found("I_f", &AMPERE, running, what, &Source::Model { name: "current" }, Grade::Estimated);
         let text = if let Some((_, voltage)) = &self.motor {
             let supply = Source::Project { key: "requirements.supply".into() };
             work.figure("U_M", &VOLT, voltage.si(), &supply, Grade::Computed);
-            let text = "largest current at n within U_M";
-            work.found("I_U", &AMPERE, self.current_of_voltage(speed), text, &SHORT_TIME, Grade::Estimated);
+            let what = Finding::CurrentWithinVoltage;
+            work.found("I_U", &AMPERE, self.current_of_voltage(speed), what, &SHORT_TIME, Grade::Estimated);
             "min(max(k_Tout*(min(I_max, I_U) - I_f), 0), T_max)"
         } else {
             "min(max(k_Tout*(I_max - I_f), 0), T_max)"
@@ -372,7 +373,8 @@ fn continuous_curve(actuator: &Drivetrain) -> Result<PerformanceCurve, Missing> 
 
 /// Friction of a cold gear.
 fn cold_friction(actuator: &Drivetrain) -> Result<FrictionAt, Missing> {
-    Ok(NoLoadFriction::of(actuator)?.at(ThermodynamicTemperature::from_si(COLD_START)))
+    let law = NoLoadFriction::of(actuator)?;
+    Ok(law.at(law.cold_start()))
 }
 
 fn s3_curve(
@@ -381,7 +383,8 @@ fn s3_curve(
     duty: f64,
     voltage: Option<ElectricPotential>,
 ) -> Result<PerformanceCurve, Missing> {
-    let kind = CurveKind::S3 { duty: Ratio::from_si(duty) };
+    let cycle = actuator.heat.intermittent_cycle.require("s3_cycle")?.value;
+    let kind = CurveKind::S3 { duty: Ratio::from_si(duty), cycle };
     if let Some(curve) = at_voltage(actuator, datum, voltage) {
         return Ok(PerformanceCurve { voltage, ..published(curve, &actuator.torque_max, kind) });
     }
@@ -392,14 +395,17 @@ fn s3_curve(
     })
 }
 
-/// Torque of intermittent duty S3 with a cycle of 1 min at a speed, with its band.
+/// Torque of intermittent duty S3 at a speed, with its band, for the cycle of the published curves.
 ///
 /// T of [`HeatModel::torque`] with the duty factor; T ≤ T_A ED^(−1/3) (T_0 in place of T_A where that is not known),
 /// T ≤ the short-time torque
 ///
-/// # Symbols  ED duty factor, T_A average torque of the gear \[Nm\]
-/// # Source   docs/theory/short-time-torque.md; estimate, held against curves-20A
-/// # Valid    |n| ≤ n_mot,max/i and ED |n| ≤ n_N/i, 0 < ED ≤ 1; rest without loss
+/// # Symbols
+/// ED duty factor, T_A average torque of the gear \[Nm\]
+/// # Source
+/// docs/theory/short-time-torque.md; estimate, held against curves-20A
+/// # Valid
+/// |n| ≤ n_mot,max/i and ED |n| ≤ n_N/i, 0 < ED ≤ 1; rest without loss
 /// # Errors
 /// [`Missing`] with the first datum that is not known.
 pub fn intermittent_torque(
@@ -412,7 +418,8 @@ pub fn intermittent_torque(
     let (low, high) = model.band(AngularVelocity::from_si(duty.si() * speed.si()));
     let high = actuator.heat.intermittent_band_high.known().map_or(high, |edge| edge.value.max(high));
     let gear_band = actuator.heat.gear_band.require("s3_gear_band")?.value;
-    let thermal = |edge: f64| model.torque(speed, duty.si(), Time::from_si(S3_CYCLE), edge).0.si();
+    let cycle = actuator.heat.intermittent_cycle.require("s3_cycle")?.value;
+    let thermal = |edge: f64| model.torque(speed, duty.si(), cycle, edge).0.si();
     let short_time = ShortTime::of(actuator, terminal_voltage, &cold_friction(actuator)?)?.limit(speed);
     let stall = actuator.stall_torque.require("T_0")?;
     let rated = speed_rated_out(actuator)?.value.si();
@@ -449,14 +456,13 @@ fn short_time_curve(actuator: &Drivetrain, voltage: Option<ElectricPotential>) -
     if let Some(index) = corner
         && let (Some(flat), Some(fallen)) = (points.get(index).copied(), points.get(index + 1).copied())
     {
-        let (mut low, mut high) = (flat.speed.si(), fallen.speed.si());
-        for _ in 0..60 {
-            let middle = f64::midpoint(low, high);
-            let [torque, _] = short_time.at(AngularVelocity::from_si(middle));
-            if torque.si() < flat.torque.si() { high = middle } else { low = middle }
-        }
-        if low > flat.speed.si() {
-            points.insert(index + 1, CurvePoint { speed: AngularVelocity::from_si(low), torque: flat.torque });
+        let falls = |speed: f64| {
+            let [torque, _] = short_time.at(AngularVelocity::from_si(speed));
+            if torque.si() < flat.torque.si() { 1.0 } else { -1.0 }
+        };
+        let corner = numeric::root(falls, (flat.speed.si(), -1.0), (fallen.speed.si(), 1.0), 0.0);
+        if corner > flat.speed.si() {
+            points.insert(index + 1, CurvePoint { speed: AngularVelocity::from_si(corner), torque: flat.torque });
         }
     }
     Ok(curve)

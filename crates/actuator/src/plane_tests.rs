@@ -7,7 +7,7 @@ use quantities::unit::{
     AMPERE_PER_REVOLUTION_PER_MINUTE, MILLIHENRY, REVOLUTION_PER_MINUTE, VOLT_PER_THOUSAND_REVOLUTIONS,
 };
 use quantities::{
-    ElectricCurrent, ElectricalResistance, Inductance, NoLoadCurrentConstant, TorqueConstant, VoltageConstant,
+    ElectricCurrent, ElectricalResistance, Inductance, NoLoadCurrentConstant, Time, TorqueConstant, VoltageConstant,
 };
 
 fn known<T>(value: T) -> Datum<T> {
@@ -30,8 +30,10 @@ fn actuator() -> Parameters {
         speed_motor_rated: known(rpm(3500.0)),
         current_max: known(ElectricCurrent::from_si(4.0)),
         no_load_starting_current: known(ElectricCurrent::from_si(0.2)),
-        no_load_current_constant_30: known(NoLoadCurrentConstant::new_in(0.004, &AMPERE_PER_REVOLUTION_PER_MINUTE)),
-        no_load_current_constant_80: known(NoLoadCurrentConstant::new_in(0.002, &AMPERE_PER_REVOLUTION_PER_MINUTE)),
+        no_load_current_constant_cold: known(NoLoadCurrentConstant::new_in(0.004, &AMPERE_PER_REVOLUTION_PER_MINUTE)),
+        no_load_current_constant_warm: known(NoLoadCurrentConstant::new_in(0.002, &AMPERE_PER_REVOLUTION_PER_MINUTE)),
+        no_load_temperatures: known([303.15, 353.15].map(quantities::ThermodynamicTemperature::from_si)),
+        friction_printed_from: known(quantities::ThermodynamicTemperature::from_si(293.15)),
         torque_constant_out: known(TorqueConstant::from_si(16.0)),
         torque_constant_motor: known(TorqueConstant::from_si(0.36)),
         voltage_constant_motor: known(VoltageConstant::new_in(23.0, &VOLT_PER_THOUSAND_REVOLUTIONS)),
@@ -42,11 +44,12 @@ fn actuator() -> Parameters {
             housing_share: known(0.45),
             stall_loss_factor: known(1.0),
             loss_band: known((0.85, 1.15)),
+            intermittent_cycle: known(Time::from_si(60.0)),
             intermittent_band_high: Datum::NotPrinted,
             gear_band: known(0.02),
-            ambient_reference: known(ThermodynamicTemperature::from_si(313.15)),
-            winding_warning: known(ThermodynamicTemperature::from_si(353.15)),
-            winding_shutdown: known(ThermodynamicTemperature::from_si(363.15)),
+            ambient_reference: known(quantities::ThermodynamicTemperature::from_si(313.15)),
+            winding_warning: known(quantities::ThermodynamicTemperature::from_si(353.15)),
+            winding_shutdown: known(quantities::ThermodynamicTemperature::from_si(363.15)),
             winding_time_constant: known(Time::from_si(60.0)),
             housing_time_constant: known(Time::from_si(2400.0)),
         },
@@ -97,7 +100,7 @@ fn the_four_curves_are_drawn_in_order_and_nested() {
     let voltage = Some(ElectricPotential::from_si(160.0));
     let curves = performance_curves(&actuator(), voltage).unwrap();
     let kinds: Vec<_> = curves.iter().map(|curve| curve.kind).collect();
-    let s3 = |duty| CurveKind::S3 { duty: Ratio::from_si(duty) };
+    let s3 = |duty| CurveKind::S3 { duty: Ratio::from_si(duty), cycle: Time::from_si(60.0) };
     assert_eq!(kinds, [CurveKind::Continuous, s3(0.5), s3(0.25), CurveKind::ShortTime]);
     for curve in &curves {
         assert!(curve.points.len() >= 17);

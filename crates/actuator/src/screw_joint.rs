@@ -40,9 +40,12 @@ impl ScrewJoint {
 ///
 /// u = |T_peak| / T_transmissible
 ///
-/// # Symbols  T_peak largest torque through the joint \[Nm\], T_transmissible torque at which it slips \[Nm\]
-/// # Source   cha-manual table 79.1
-/// # Valid    T_transmissible > 0; screws tightened as printed, faces completely degreased
+/// # Symbols
+/// T_peak largest torque through the joint \[Nm\], T_transmissible torque at which it slips \[Nm\]
+/// # Source
+/// cha-manual table 79.1
+/// # Valid
+/// T_transmissible > 0; screws tightened as printed, faces completely degreased
 #[must_use]
 pub fn joint_utilisation(torque_peak: Torque, torque_transmissible: Torque) -> Ratio {
     Ratio::from_si(torque_peak.si().abs() / torque_transmissible.si())
@@ -52,9 +55,12 @@ pub fn joint_utilisation(torque_peak: Torque, torque_transmissible: Torque) -> R
 ///
 /// F = 2 T / d
 ///
-/// # Symbols  T transmissible torque \[Nm\], d bolt circle \[m\]
-/// # Source   moment of a force on a circle
-/// # Valid    d > 0
+/// # Symbols
+/// T transmissible torque \[Nm\], d bolt circle \[m\]
+/// # Source
+/// moment of a force on a circle
+/// # Valid
+/// d > 0
 #[must_use]
 pub fn joint_friction_force(torque_transmissible: Torque, bolt_circle: Length) -> Force {
     Force::from_si(2.0 * torque_transmissible.si() / bolt_circle.si())
@@ -86,9 +92,12 @@ pub struct LoadedJoint {
 ///
 /// F_V = 2 T_trans/(µ n d)
 ///
-/// # Symbols  T_trans transmissible torque \[Nm\], µ coefficient of friction, n number of screws, d bolt circle \[m\]
-/// # Source   cha-manual table 79.1 read backwards; docs/theory/screw-joint.md
-/// # Valid    friction alone transmits the torque, on the bolt circle; µ, n, d > 0
+/// # Symbols
+/// T_trans transmissible torque \[Nm\], µ coefficient of friction, n number of screws, d bolt circle \[m\]
+/// # Source
+/// cha-manual table 79.1 read backwards; docs/theory/screw-joint.md
+/// # Valid
+/// friction alone transmits the torque, on the bolt circle; µ, n, d > 0
 #[must_use]
 pub fn clamp_force(torque_transmissible: Torque, friction: Ratio, count: f64, bolt_circle: Length) -> Force {
     Force::from_si(2.0 * torque_transmissible.si() / (friction.si() * count * bolt_circle.si()))
@@ -102,10 +111,13 @@ pub fn clamp_force(torque_transmissible: Torque, friction: Ratio, count: f64, bo
 /// one that is relieved most, and the radial force as if it acted along the torque everywhere: the safe side of a joint whose
 /// clamping, friction and pilot are not known better. With torque alone u is [`joint_utilisation`].
 ///
-/// # Symbols  M tilting moment \[Nm\], T torque \[Nm\], F_A, F_R axial and radial force \[N\], F_V clamp force of one screw \[N\],
-///   F_B what the load takes from it \[N\], n number of screws, d bolt circle \[m\], µ coefficient of friction
-/// # Source   docs/theory/screw-joint.md
-/// # Valid    n ≥ 3, all screws tightened alike; u only while no screw is relieved wholly
+/// # Symbols
+/// M tilting moment \[Nm\], T torque \[Nm\], F_A, F_R axial and radial force \[N\], F_V clamp force of one screw \[N\],
+/// F_B what the load takes from it \[N\], n number of screws, d bolt circle \[m\], µ coefficient of friction
+/// # Source
+/// docs/theory/screw-joint.md
+/// # Valid
+/// n ≥ 3, all screws tightened alike; u only while no screw is relieved wholly
 #[must_use]
 pub fn loaded_joint(
     load: &JointLoad,

@@ -46,10 +46,13 @@ pub struct HeatFlows {
 ///
 /// C_w ϑ_w' = P_cu − (ϑ_w − ϑ_h)/R_wh, C_h ϑ_h' = P_f + (ϑ_w − ϑ_h)/R_wh − (ϑ_h − ϑ_a)/R_ha
 ///
-/// # Symbols  ϑ_w, ϑ_h, ϑ_a temperatures of winding, housing and ambient air, P_cu copper loss, P_f friction \[W\],
-///   R_wh, R_ha thermal resistances \[K/W\], C_w = τ_w/R_wh, C_h = τ_h/R_ha heat capacities \[J/K\]
-/// # Source   docs/theory/thermal.md
-/// # Valid    on the plate of table 13.3; constant resistances
+/// # Symbols
+/// ϑ_w, ϑ_h, ϑ_a temperatures of winding, housing and ambient air, P_cu copper loss, P_f friction \[W\],
+/// R_wh, R_ha thermal resistances \[K/W\], C_w = τ_w/R_wh, C_h = τ_h/R_ha heat capacities \[J/K\]
+/// # Source
+/// docs/theory/thermal.md
+/// # Valid
+/// on the plate of table 13.3; constant resistances
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Network {
     /// R_wh, R_ha \[K/W\]
@@ -103,7 +106,8 @@ impl Network {
 
     /// The flows of heat at an instant, and what they change.
     ///
-    /// # Source   docs/theory/thermal.md; the equations of [`Network`]
+    /// # Source
+    /// docs/theory/thermal.md; the equations of [`Network`]
     #[must_use]
     pub fn flows(&self, state: &Temperatures, losses: Losses, ambient: ThermodynamicTemperature) -> HeatFlows {
         let ([r_wh, r_ha], [c_w, c_h]) = (self.resistance_k_per_w, self.capacity_j_per_k);
@@ -140,7 +144,8 @@ impl Network {
     ///
     /// ϑ_h = ϑ_a + (P_cu + P_f) R_ha, ϑ_w = ϑ_h + P_cu R_wh
     ///
-    /// # Source   docs/theory/thermal.md
+    /// # Source
+    /// docs/theory/thermal.md
     #[must_use]
     pub fn steady(&self, losses: Losses, ambient: ThermodynamicTemperature) -> Temperatures {
         let [r_wh, r_ha] = self.resistance_k_per_w;
@@ -156,9 +161,12 @@ impl Network {
     ///
     /// Σ_k G_k (1 − e^(−ED T_c/τ_k))/(1 − e^(−T_c/τ_k)); for ED = 1 the resistances R_wh + R_ha and R_ha
     ///
-    /// # Symbols  ED duty factor, T_c cycle \[s\]
-    /// # Source   docs/theory/thermal.md
-    /// # Valid    0 < ED ≤ 1, T_c > 0; rest without loss
+    /// # Symbols
+    /// ED duty factor, T_c cycle \[s\]
+    /// # Source
+    /// docs/theory/thermal.md
+    /// # Valid
+    /// 0 < ED ≤ 1, T_c > 0; rest without loss
     #[must_use]
     pub fn intermittent(&self, duty: f64, cycle: Time) -> (f64, f64) {
         let share = self.tau_s.map(|tau| (-duty * cycle.si() / tau).exp_m1() / (-cycle.si() / tau).exp_m1());
@@ -169,9 +177,10 @@ impl Network {
     /// Time from cold (ambient temperature) until the winding reaches a threshold under constant losses;
     /// `None` if it never does.
     ///
-    /// ϑ_w(t) = ϑ_a + Σ_k (G_cu,k P_cu + G_f,k P_f)(1 − e^(−t/τ_k)), rising; the root by bisection
+    /// ϑ_w(t) = ϑ_a + Σ_k (G_cu,k P_cu + G_f,k P_f)(1 − e^(−t/τ_k)), rising
     ///
-    /// # Source   docs/theory/thermal.md
+    /// # Source
+    /// docs/theory/thermal.md
     #[must_use]
     pub fn warm_up_time(
         &self,
@@ -201,20 +210,18 @@ impl Network {
                 return None;
             }
         }
-        let mut low = 0.0;
-        for _ in 0..200 {
-            let middle = f64::midpoint(low, high);
-            if left(middle) > left_at_end { low = middle } else { high = middle }
-        }
-        Some(Time::from_si(high))
+        let above = |t: f64| left(t) - left_at_end;
+        Some(Time::from_si(numeric::root(above, (0.0, above(0.0)), (high, above(high)), 0.0)))
     }
 
     /// Temperatures at the start of every piece of a cycle of constant losses that repeats for ever.
     ///
     /// Each mode is a first-order lag whose steady periodic state is a closed form.
     ///
-    /// # Symbols  pieces: duration and losses, constant on each piece
-    /// # Source   docs/theory/thermal.md
+    /// # Symbols
+    /// pieces: duration and losses, constant on each piece
+    /// # Source
+    /// docs/theory/thermal.md
     #[must_use]
     pub fn course(&self, pieces: &[(Time, Losses)], ambient: ThermodynamicTemperature) -> Vec<Temperatures> {
         let lags = |pick: fn(&Losses) -> f64| {

@@ -9,9 +9,6 @@ use quantities::unit::{
 };
 use quantities::{AngularVelocity, ElectricCurrent, ElectricPotential, Measure, ThermodynamicTemperature};
 
-/// The temperature that the workings of the resistance write as a number, 90 °C in kelvin: that of the printed actuators.
-const PRINTED_HOT: f64 = 363.15;
-
 /// The electrical constants of a motor, per phase of the star.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorVoltage {
@@ -19,8 +16,6 @@ pub struct MotorVoltage {
     ratio: f64,
     /// p: pole pairs.
     pole_pairs: f64,
-    /// Temperature of the winding \[K\].
-    winding_k: f64,
     /// R = R_LL/2 at the temperature of the winding \[Ω\]
     resistance_ohm: f64,
     /// L = L_LL/2 \[H\]
@@ -59,7 +54,6 @@ impl MotorVoltage {
         Ok(Self {
             ratio: ratio.value,
             pole_pairs: pole_pairs.value,
-            winding_k: winding.si(),
             resistance_ohm: resistance_ll.si() / 2.0,
             inductance_h: inductance.value.si() / 2.0,
             flux_vs: constant.value.si() * (2.0_f64 / 3.0).sqrt() / pole_pairs.value,
@@ -83,9 +77,12 @@ impl MotorVoltage {
     ///
     /// U = √(3/2) √(u_d² + u_q²)
     ///
-    /// # Symbols  I motor current, rms, signed like the torque; ω_out output speed, signed
-    /// # Source   docs/theory/voltage.md; model of the synchronous machine with surface magnets
-    /// # Valid    sinusoidal quantities, no saturation, i_d = 0
+    /// # Symbols
+    /// I motor current, rms, signed like the torque; ω_out output speed, signed
+    /// # Source
+    /// docs/theory/voltage.md; model of the synchronous machine with surface magnets
+    /// # Valid
+    /// sinusoidal quantities, no saturation, i_d = 0
     #[must_use]
     pub fn at(&self, speed_out: AngularVelocity, current: ElectricCurrent) -> ElectricPotential {
         let (u_d, u_q) = self.components(speed_out, current);
@@ -122,15 +119,10 @@ impl MotorVoltage {
         let omega_e = self.pole_pairs * self.ratio * speed_out.si();
         let i_q = std::f64::consts::SQRT_2 * current.si();
         let (u_d, u_q) = self.components(speed_out, current);
-        let stated = actuator.heat.winding_shutdown.known().filter(|_| (self.winding_k - PRINTED_HOT).abs() > 1e-9);
-        let text = match stated {
-            Some(hot) => {
-                work.given("theta_max", &DEGREE_CELSIUS, hot);
-                "R_LL*(1 + 3.93e-3*(theta_max - 20))/2"
-            }
-            None => "R_LL*(1 + 3.93e-3*(90 - 20))/2",
-        };
-        work.formula("R", &OHM, self.resistance_ohm, text, &source);
+        if let Some(hot) = actuator.heat.winding_shutdown.known() {
+            work.given("theta_max", &DEGREE_CELSIUS, hot);
+        }
+        work.formula("R", &OHM, self.resistance_ohm, "R_LL*(1 + 3.93e-3*(theta_max - 20))/2", &source);
         work.formula("L", &HENRY, self.inductance_h, "L_LL/2", &source);
         work.formula("psi", &VOLT_SECOND_PER_RADIAN, self.flux_vs, "k_EM*sqrt(2/3)/(p*2*pi*1000/60)", &source);
         work.formula("omega_e", &RADIAN_PER_SECOND, omega_e, "p*i*n*2*pi/60", &source);
@@ -145,9 +137,12 @@ impl MotorVoltage {
     ///
     /// (ω_e² L² + R²) i_q² + 2 R ω_e ψ i_q + ω_e² ψ² − ⅔ U² = 0, I = i_q/√2
     ///
-    /// # Symbols  as in [`MotorVoltage::at`]; U terminal voltage, fundamental, line to line, rms \[V\]
-    /// # Source   docs/theory/short-time-torque.md
-    /// # Valid    as in [`MotorVoltage::at`]; field weakening (i_d < 0) would give more
+    /// # Symbols
+    /// as in [`MotorVoltage::at`]; U terminal voltage, fundamental, line to line, rms \[V\]
+    /// # Source
+    /// docs/theory/short-time-torque.md
+    /// # Valid
+    /// as in [`MotorVoltage::at`]; field weakening (i_d < 0) would give more
     #[must_use]
     pub fn current_max(&self, speed_out: AngularVelocity, voltage: ElectricPotential) -> Option<ElectricCurrent> {
         let omega_e = self.pole_pairs * self.ratio * speed_out.si().abs();
@@ -169,7 +164,8 @@ impl MotorVoltage {
     /// U² is a polynomial of the fourth degree there, nowhere above the largest of its coefficients in Bernstein's basis:
     /// u_d has (d_0, d_1, d_2) with d_1 = −ω_e L i_q of crosswise ends, u_q has (q_0, q_1).
     ///
-    /// # Source   docs/theory/voltage.md
+    /// # Source
+    /// docs/theory/voltage.md
     #[must_use]
     pub fn bound_on_line(&self, ends: [(AngularVelocity, ElectricCurrent); 2]) -> ElectricPotential {
         let [(n0, i0), (n1, i1)] = ends;

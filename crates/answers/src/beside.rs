@@ -51,11 +51,11 @@ pub struct CheckRow {
 pub struct Comparison {
     /// Name of the axis.
     pub axis: String,
-    /// The actuators, as asked for.
+    /// The actuators, in the requested order.
     pub candidates: Vec<Head>,
     /// Index of the actuator that ranks best, from 0.
     pub better: Option<usize>,
-    /// What each has to do.
+    /// The demand on each.
     pub demand: Vec<DatumRow>,
     /// What each is.
     pub data: Vec<DatumRow>,

@@ -124,7 +124,7 @@ pub struct Explanations {
     pub axis: String,
     /// Ordering code, or name of the project's own actuator.
     pub code: String,
-    /// The checks asked for.
+    /// The requested checks.
     pub checks: Vec<Explained>,
     /// What was assumed, in words.
     pub assumptions: Vec<String>,

@@ -48,14 +48,14 @@ pub struct DriveObject {
 pub struct Commissioning {
     /// The code.
     pub code: String,
-    /// What is meant to be told to a drive: `sinamics`, `plain`.
+    /// Format of the values for the drive: `sinamics`, `plain`.
     #[serde(rename = "for")]
     pub form: &'static str,
     /// Hazards and conditions, gravest first.
     pub hazards: Vec<Fact>,
     /// Every value that is known.
     pub parameters: Vec<CommissionParameter>,
-    /// What a drive asks for and nobody states, with what to do.
+    /// Values that a drive requires and no source states, with advice.
     pub gaps: Vec<CommissionGap>,
     /// The parameters of a SINAMICS drive; empty for another form.
     pub sinamics: Vec<DriveParameter>,
@@ -71,7 +71,7 @@ pub struct Commissioning {
     pub lists: Vec<CommissionList>,
 }
 
-/// A value that a drive may be told.
+/// A value to enter in a drive.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CommissionParameter {
     /// Identifier.
@@ -96,7 +96,7 @@ pub struct CommissionParameter {
     pub errata: Vec<&'static str>,
 }
 
-/// What a drive asks for and nobody states.
+/// A value that a drive requires and no source states.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct CommissionGap {
     /// Identifier.
@@ -133,7 +133,7 @@ pub struct EncoderValue {
     pub symbol: &'static str,
     /// What it is.
     pub name: String,
-    /// What else tells the row apart.
+    /// Further distinction of the row.
     pub condition: String,
     /// The value after errata: a number or a text.
     pub value: TableCell,
@@ -252,7 +252,7 @@ pub struct RecordedValue {
     pub name: String,
     /// Which of several, from 1.
     pub number: Option<usize>,
-    /// What comes out; `advice` is outside a band that nobody guarantees.
+    /// What comes out; `advice` is outside an estimated band.
     pub verdict: Id<Verdict>,
     /// The measured value.
     pub value: Option<Number>,

@@ -72,33 +72,39 @@ pub struct Input {
     pub tolerance: Option<String>,
 }
 
-/// What kind of mechanism hangs on the flange.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-#[allow(missing_docs, reason = "the names are those of the project file")]
-pub enum MechanismKind {
-    Load,
-    Turntable,
-    Arm,
-    Screw,
-    Belt,
-    Conveyor,
-    SliderCrank,
-    Joint,
-    Table,
-}
-
 /// What hangs on the flange.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Mechanism {
-    /// Its kind.
-    pub kind: MechanismKind,
-    /// How far the positive direction of its line points above the horizontal, in degrees; `null` without a line.
-    pub inclination_deg: Option<Number>,
+    /// Its key in the project file: `load`, `screw`.
+    pub kind: String,
+    /// What it is called.
+    pub title: String,
+    /// Its principle drawing, which calls out the keys that are stated.
+    pub sketch: Sketch,
     /// The way along its line that one turn of the actuator makes, in mm; `null` without a line.
     pub travel_mm_per_rev: Option<Number>,
     /// The bodies with their masses and inertias; only of a turntable.
     pub bodies: Option<Inertia>,
+}
+
+/// A principle drawing.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Sketch {
+    /// SVG, its text in the family Inter.
+    pub svg: String,
+    /// Whether it is higher than wide.
+    pub is_upright: bool,
+    /// The symbols that it calls out, by the name of the key.
+    pub symbols: Vec<SketchSymbol>,
+}
+
+/// A symbol of a drawing.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct SketchSymbol {
+    /// The name of the key.
+    pub key: String,
+    /// The symbol; what follows `_` is its index.
+    pub symbol: String,
 }
 
 /// What a check lacks.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// `errata`: the errata asked for.
+/// `errata`: the requested errata.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Errata {
     /// What was asked about: a code, a table, an id; `null`: all.
@@ -53,7 +53,7 @@ pub struct ErratumCell {
     pub feedback: &'static str,
     /// Reduction ratio; empty: all.
     pub ratio: &'static str,
-    /// What else tells the row apart.
+    /// Further distinction of the row.
     pub condition: &'static str,
 }
 

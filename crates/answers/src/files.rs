@@ -1,4 +1,4 @@
-//! What a command tells of the files that it wrote.
+//! The answer of a command that writes files.
 
 use crate::{Fit, Number, Units};
 use schemars::JsonSchema;
@@ -83,7 +83,7 @@ pub struct PlotWritten {
     pub title: String,
     /// The line below it.
     pub caption: String,
-    /// What it shows, for whoever does not see it.
+    /// Description of the picture, for screen readers.
     pub description: String,
 }
 

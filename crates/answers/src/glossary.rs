@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Words and symbols, all of them or those that were asked for.
+/// Words and symbols, all or the requested ones.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Glossary {
     /// Words of the product: one for one thing.
@@ -31,7 +31,7 @@ pub struct GlossaryWord {
     pub en: String,
     /// German word.
     pub de: String,
-    /// What it means, in the language asked for.
+    /// Meaning, in the requested language.
     pub meaning: String,
 }
 
@@ -48,7 +48,7 @@ pub struct GlossaryTerm {
     pub en: String,
     /// German term.
     pub de: String,
-    /// Remark in the language asked for; may be empty.
+    /// Remark in the requested language; may be empty.
     pub remark: String,
 }
 

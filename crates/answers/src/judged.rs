@@ -24,7 +24,7 @@ pub struct Candidate {
     pub mass_kg: Option<Number>,
     /// Names of the fields of the code that are on request only.
     pub on_request: Vec<String>,
-    /// What it has to do; `null` without J_out.
+    /// Demand on the actuator; `null` without J_out.
     pub demand: Option<Demand>,
     /// Every check, in a fixed order.
     pub checks: Vec<Check>,
@@ -122,7 +122,7 @@ pub struct Sizing {
     pub fitting: usize,
     /// What the ranking goes by, in words.
     pub rule: String,
-    /// The best that fit, as many as asked for.
+    /// The best that fit, in the requested number.
     pub ranking: Vec<Ranked>,
     /// Those that do not fit, the nearest first.
     pub rejected: Vec<Rejection>,

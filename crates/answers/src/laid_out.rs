@@ -93,7 +93,7 @@ pub struct Picture {
     pub svg: String,
     /// The line below it.
     pub caption: String,
-    /// What it shows, for whoever does not see it.
+    /// Description of the picture, for screen readers.
     pub alternative_text: String,
 }
 

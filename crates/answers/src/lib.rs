@@ -2,7 +2,7 @@
 //!
 //! `--json` is the serialisation of these records, their [JSON Schema](schema()) is generated from them, and report, tables
 //! and figures take them as they are. A word of a fixed set is an [`Id`], a number a [`Number`]; a `String` whose name is
-//! `title`, `name`, `meaning`, `message`, `hint`, `notes`, `source` … is a text in the language asked for. Nothing here
+//! `title`, `name`, `meaning`, `message`, `hint`, `notes`, `source` … is a text in the requested language. Nothing here
 //! computes, and no record is made from JSON.
 
 mod beside;
@@ -42,8 +42,8 @@ pub use commission::{
 };
 pub use demand::{Demand, DemandFigures, DemandMode, IntegralDemand, MoveTorques};
 pub use dossier::{
-    Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, MechanismKind, Missing,
-    RejectionGroup, ScrewJoint,
+    Document, Dossier, ErratumUsed, Fingerprints, Input, InputTable, Item, Mechanism, Missing, RejectionGroup,
+    ScrewJoint, Sketch, SketchSymbol,
 };
 pub use errata::{Errata, Erratum, ErratumCell, ErratumKind, ErratumStatus};
 pub use facts::{Fact, FactValue};

@@ -80,7 +80,7 @@ pub struct RecordedColumn {
     pub name: String,
     /// Its unit.
     pub unit: &'static str,
-    /// Who told the unit.
+    /// Source of the unit.
     pub unit_by: UnitBy,
 }
 
@@ -95,7 +95,7 @@ pub enum ColumnRole {
     Torque,
 }
 
-/// Who told the unit of a column.
+/// Source of the unit of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum UnitBy {

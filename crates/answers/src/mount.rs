@@ -25,11 +25,11 @@ pub struct Mount {
     pub tolerances: Vec<MountValue>,
     /// Dimensions, mass, mounting plate, degree of protection.
     pub dimensions: Vec<MountValue>,
-    /// Whether the mass asks for lifting gear; `null` where no mass is printed for the code.
+    /// Whether the mass requires lifting gear; `null` if no mass is printed for the code.
     pub lifting_gear: Option<bool>,
     /// The screw joints, load first.
     pub joints: Vec<Joint>,
-    /// What the manual asks for, in the order of a machine's life.
+    /// Requirements of the manual, in the order of a machine's life.
     pub facts: Vec<Fact>,
     /// Errata of what stands above.
     pub errata: Vec<CitedErratum>,

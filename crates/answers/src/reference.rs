@@ -11,7 +11,7 @@ pub fn reference() -> String {
     let mut page = format!(
         "# Answers\n\n\
          What `--json` writes, field by field, version {VERSION}. This page is made from the records of the program, as is the\n\
-         JSON Schema that `antrieb schema --answers` writes; [json.md](json.md) tells how they are to be read.\n\n\
+         JSON Schema that `antrieb schema --answers` writes; [json.md](json.md) explains how to read them.\n\n\
          | command | answer |\n|---|---|\n"
     );
     for (command, answer) in schema.get("properties").and_then(Value::as_object).into_iter().flatten() {
@@ -19,7 +19,7 @@ pub fn reference() -> String {
     }
     page.push_str("\nA command that cannot answer writes the record of `faults` instead and exits with 2.\n");
     for (name, record) in schema.get("$defs").and_then(Value::as_object).into_iter().flatten() {
-        // What one axis or several answer is told by the table of the commands.
+        // The table of the commands lists the answers for one axis and for several.
         if name.starts_with("Answered_") || name.starts_with("Axes_") {
             continue;
         }

@@ -3,8 +3,8 @@
 use crate::{
     Battery, Bearings, CatalogueCell, CodeFaults, CodeReading, CommissionAnswer, CommissionWritten, Comparison,
     Completion, Curves, Difference, Errata, Explanations, ExportWritten, Faults, FilesWritten, Fit, Glossary, Inertia,
-    Judgement, Licences, ListedCode, Mount, PlotWritten, Recorded, ReportWritten, Sheet, Sizing, Table, Torsion,
-    Upkeep, Wiring, WiringCheck,
+    Judgement, Licences, ListedCode, Motion, Mount, PlotWritten, Recorded, ReportWritten, Sheet, Sizing, Table,
+    Torsion, Upkeep, Wiring, WiringCheck,
 };
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
@@ -49,23 +49,24 @@ impl<T> Answered<T> {
 }
 
 /// A command and the record that it answers with.
-struct Entry {
+struct CommandRecord {
     command: &'static str,
     schema: fn(&mut SchemaGenerator) -> schemars::Schema,
 }
 
-const fn one<T: JsonSchema>(command: &'static str) -> Entry {
-    Entry { command, schema: SchemaGenerator::subschema_for::<T> }
+const fn one<T: JsonSchema>(command: &'static str) -> CommandRecord {
+    CommandRecord { command, schema: SchemaGenerator::subschema_for::<T> }
 }
 
 /// Every command with an answer, in the order of the reference page.
-const ENTRIES: &[Entry] = &[
+const ENTRIES: &[CommandRecord] = &[
     one::<Answered<Sizing>>("size"),
     one::<Answered<Judgement>>("check"),
     one::<Answered<Explanations>>("explain"),
     one::<Answered<Comparison>>("compare"),
     one::<Answered<Difference>>("diff"),
     one::<Answered<Bearings>>("bearing"),
+    one::<Motion>("moves"),
     one::<Curves>("curve"),
     one::<Torsion>("torsion"),
     one::<Battery>("battery"),

@@ -38,7 +38,7 @@ pub struct SheetValue {
     pub symbol: &'static str,
     /// The field's word for it.
     pub name: String,
-    /// What else tells the row apart.
+    /// Further distinction of the row.
     pub condition: &'static str,
     /// The text of the cell as printed.
     pub printed: &'static str,
@@ -77,7 +77,7 @@ pub struct SheetNote {
 pub enum NoteBy {
     /// The manual.
     Manual,
-    /// Nobody but us: concluded from what is printed.
+    /// Our own conclusion from the print.
     Antrieb,
 }
 
@@ -92,7 +92,7 @@ pub struct CatalogueCell {
     pub ratio: &'static str,
     /// Symbol in ASCII.
     pub symbol: &'static str,
-    /// What else tells the row apart.
+    /// Further distinction of the row.
     pub condition: &'static str,
     /// The text of the cell as printed.
     pub printed: &'static str,

@@ -81,7 +81,7 @@ pub struct ConnectorPin {
     pub connected: bool,
     /// Of which kind the signal is; `null` where nothing is connected.
     pub group: Option<Id<Group>>,
-    /// Colour of the wire, in the language asked for; `null` where none is printed.
+    /// Colour of the wire, in the requested language; `null` if none is printed.
     pub colour: Option<&'static str>,
     /// What the signal is.
     pub meaning: String,
@@ -182,7 +182,7 @@ pub struct VoltageDrop {
     pub loss_20_degc_v: Option<Number>,
     /// Loss at 70 °C; `null` without a cross-section.
     pub loss_70_degc_v: Option<Number>,
-    /// What the source has to supply for the least voltage at the load on a warm wire; `null` where not known.
+    /// Source voltage required for the least voltage at the load on a warm wire; `null` if not known.
     pub needed_v: Option<Number>,
     /// Smallest cross-section at 70 °C; `null` where no limit is printed.
     pub cross_section_min_mm2: Option<Number>,
@@ -224,7 +224,7 @@ pub struct WiringFinding {
     pub line: Option<usize>,
     /// The pin; `null` where it is about the connector.
     pub pin: Option<String>,
-    /// What the print has there; `null` where it is about the connector or a pin that does not exist.
+    /// The printed value; `null` if the finding is about the connector or a pin that does not exist.
     pub expected: Option<&'static str>,
     /// What is different.
     pub message: String,

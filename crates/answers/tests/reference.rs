@@ -15,7 +15,7 @@ fn the_page_is_that_of_the_records() {
     assert!(stored == page, "docs/reference/answers.md is out of date: cargo xtask snapshots writes it anew");
 }
 
-/// Whoever reads an answer finds what every field means.
+/// Every field has a meaning.
 #[test]
 fn every_field_of_every_record_has_a_meaning() {
     let schema = answers::schema();

@@ -4,10 +4,10 @@
 #![allow(clippy::disallowed_methods, reason = "a build script reads what it embeds, and writes it")]
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a build script speaks to cargo over stdout")]
 
-mod embed;
-mod facts;
-mod read;
+mod series;
 
+use series_files::{Cells, Data, Erratum, KEYS, value_of};
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -15,9 +15,12 @@ fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
     println!("cargo::rerun-if-changed={}", root.display());
     let mut faults = Vec::new();
-    let data = read::read_all(&root, &mut faults);
-    let mut text = embed::embed(&data, &mut faults);
-    facts::embed(&data.facts, &data.sources, &mut text, &mut faults);
+    let data = series_files::read_all(&root, &mut faults);
+    let cells = series_files::cells(&data, &mut faults);
+    let mut text = String::from("// Generated from data/ by the build script; do not edit.\n");
+    records(&mut text, &data, &cells);
+    text.push_str(&series_files::facts(&data, &mut faults));
+    text.push_str(&series::records(&data.codes));
     if !faults.is_empty() {
         for fault in &faults {
             println!("cargo::error={fault}");
@@ -33,4 +36,142 @@ fn main() -> ExitCode {
         return ExitCode::FAILURE;
     }
     ExitCode::SUCCESS
+}
+
+fn records(out: &mut String, data: &Data, Cells { cells, ranges }: &Cells<'_>) {
+    let opt = |text: &Option<String>| text.as_deref().unwrap_or("").to_owned();
+    let _ = writeln!(out, "pub(crate) static CELLS: &[Cell] = &[");
+    for cell in cells {
+        let [drive, feedback, ratio, symbol, condition] = &cell.keys;
+        let (document, table) = data.tables.get(cell.table).map_or(("", ""), |t| (t.source.as_str(), t.table.as_str()));
+        let errata: Vec<&str> =
+            cell.errata.iter().filter_map(|n| data.errata.get(*n)).map(|erratum| erratum.id.as_str()).collect();
+        let limit = cell.checks_use.map_or("None".into(), |text| format!("Some(Value::{:?})", value_of(text)));
+        let _ = writeln!(
+            out,
+            "Cell {{ place: CellRef {{ document: {document:?}, table: {table:?}, symbol: {symbol:?}, \
+             condition: {condition:?}, drive: {drive:?}, ratio: {ratio:?} }}, row: {}, column: {}, \
+             feedback: {feedback:?}, unit: {:?}, printed: {:?}, corrected: {:?}, value: Value::{:?}, \
+             checks_use: {limit}, errata: &{errata:?} }},",
+            cell.row,
+            cell.column,
+            cell.unit,
+            cell.printed,
+            cell.corrected,
+            value_of(cell.corrected),
+        );
+    }
+    let _ = writeln!(out, "];\npub(crate) static TABLES: &[Table] = &[");
+    for (table, (first, end)) in data.tables.iter().zip(ranges) {
+        let notes: Vec<String> = table
+            .footnotes
+            .iter()
+            .map(|note| {
+                format!(
+                    "Footnote {{ mark: {:?}, symbol: {:?}, ours: {}, en: {:?}, de: {:?} }}",
+                    opt(&note.mark),
+                    opt(&note.symbol),
+                    note.by.is_some(),
+                    note.en,
+                    note.de
+                )
+            })
+            .collect();
+        let row_notes: Vec<String> = table
+            .rows
+            .iter()
+            .enumerate()
+            .filter_map(|(index, row)| row.note.as_ref().map(|note| format!("({index}, {note:?})")))
+            .collect();
+        let _ = writeln!(
+            out,
+            "Table {{ id: {:?}, section: {:?}, page: {}, title_en: {:?}, title_de: {:?}, source: {:?}, footnotes: &[{}], \
+             row_notes: &[{}], first: {first}, end: {end} }},",
+            table.table,
+            opt(&table.section),
+            table.page.unwrap_or(0),
+            table.title.en,
+            table.title.de,
+            table.source,
+            notes.join(", "),
+            row_notes.join(", "),
+        );
+    }
+    let _ = writeln!(out, "];\npub(crate) static ERRATA: &[Erratum] = &[");
+    for erratum in &data.errata {
+        let kind = match erratum.kind.as_str() {
+            "recovery" => "Recovery",
+            "print_error" => "PrintError",
+            "rounding" => "Rounding",
+            "edition" => "Edition",
+            _ => "Contradiction",
+        };
+        let _ = writeln!(
+            out,
+            "Erratum {{ id: {:?}, table: {:?}, place: {:?}, place_de: {:?}, recovered: {:?}, recovered_de: {:?}, printed: {:?}, \
+             printed_de: {:?}, corrected: {:?}, corrected_de: {:?}, checks_use: {:?}, \
+             kind: ErratumKind::{kind}, corrected_here: {}, evidence: {:?}, evidence_de: {:?} }},",
+            erratum.id,
+            opt(&erratum.table),
+            erratum.place.clone().unwrap_or_else(|| place_of(erratum)),
+            erratum.place_de.clone().unwrap_or_else(|| place_of(erratum)),
+            erratum.recovered,
+            erratum.recovered_de.as_ref().or(erratum.recovered.as_ref()),
+            erratum.printed,
+            erratum.printed_de.as_ref().unwrap_or(&erratum.printed),
+            erratum.corrected,
+            erratum.corrected_de.as_ref().unwrap_or(&erratum.corrected),
+            erratum.checks_use,
+            erratum.status == "corrected",
+            erratum.evidence,
+            erratum.evidence_de,
+        );
+    }
+    let _ = writeln!(out, "];\npub(crate) static SOURCES: &[Document] = &[");
+    for source in &data.sources {
+        let _ = writeln!(
+            out,
+            "Document {{ id: {:?}, title: {:?}, edition: {:?}, language: {:?}, publisher: {:?}, kind: {:?}, place: {:?}, note: {:?} }},",
+            source.id,
+            source.title,
+            opt(&source.edition),
+            opt(&source.language),
+            opt(&source.publisher),
+            opt(&source.kind),
+            opt(&source.place),
+            opt(&source.note),
+        );
+    }
+    let _ = writeln!(out, "];\npub(crate) static GLOSSARY: &[Term] = &[");
+    for term in &data.glossary {
+        let _ = writeln!(
+            out,
+            "Term {{ symbol: {:?}, identifier: {:?}, unit: {:?}, en: {:?}, de: {:?}, note_en: {:?}, note_de: {:?} }},",
+            term.symbol,
+            term.identifier,
+            opt(&term.unit),
+            term.en,
+            term.de,
+            opt(&term.note_en),
+            opt(&term.note_de),
+        );
+    }
+    let _ = writeln!(out, "];\npub(crate) static TEXTS: &[(&str, &str)] = &[");
+    for text in &data.texts {
+        let _ = writeln!(out, "({:?}, {:?}),", text.printed, text.en);
+    }
+    let _ = writeln!(out, "];\npub(crate) static WORDS: &[Word] = &[");
+    for word in &data.words {
+        let _ = writeln!(
+            out,
+            "Word {{ id: {:?}, en: {:?}, de: {:?}, about_en: {:?}, about_de: {:?}, not_en: &{:?}, not_de: &{:?} }},",
+            word.id, word.en, word.de, word.about_en, word.about_de, word.not_en, word.not_de,
+        );
+    }
+    let _ = writeln!(out, "];");
+}
+
+/// The place of an erratum in words, from the keys of its cell.
+fn place_of(erratum: &Erratum) -> String {
+    KEYS.iter().filter_map(|key| erratum.cell.get(*key)).cloned().collect::<Vec<_>>().join(", ")
 }

@@ -1,13 +1,14 @@
-//! The sixteen drives of sections 6.2 to 6.17, and typed access to what is printed about them.
+//! The drives that tables are headed by, and typed access to what is printed about them.
 
 use crate::record::{Cell, Table};
+use crate::series::{SeriesData, winding_data};
 use order_code::{Feedback, Ratio, Size, Winding};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Measure, Unit};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// One drive of the catalogue: a motor with its windings and feedback systems in all its ratios, as headed in 6.2-6.17.
+/// One drive of the catalogue: a motor with its windings and feedback systems in all its ratios, as its tables are headed.
 pub struct Drive {
     /// Head of its section: `CHA-14A-H/N`, `CHA-20A-C1024`.
     pub name: &'static str,
@@ -22,46 +23,21 @@ pub struct Drive {
     by_symbol: BTreeMap<&'static str, Vec<&'static Cell>>,
 }
 
-/// Heads of the sections with size, windings and feedback systems (tables 14.1 to 48.3).
-const HEADS: [(&str, Size, &[Winding], &[Feedback]); 16] = {
-    use Feedback::{C1024, D2048, M128S, M512P, RES};
-    use Size::{S14A, S17A, S20A, S25A, S32A, S40A, S50A, S58A};
-    use Winding::{E, H, N};
-    [
-        ("CHA-14A-E", S14A, &[E], &[RES, D2048, M128S]),
-        ("CHA-14A-H/N", S14A, &[H, N], &[RES, D2048, M128S]),
-        ("CHA-17A-E", S17A, &[E], &[RES, D2048, M128S]),
-        ("CHA-17A-H/N", S17A, &[H, N], &[RES, D2048, M128S]),
-        ("CHA-20A-C1024", S20A, &[H], &[C1024]),
-        ("CHA-25A-C1024", S25A, &[H], &[C1024]),
-        ("CHA-32A-C1024", S32A, &[H], &[C1024]),
-        ("CHA-40A-C1024", S40A, &[H], &[C1024]),
-        ("CHA-50A-C1024", S50A, &[H], &[C1024]),
-        ("CHA-58A-C1024", S58A, &[H], &[C1024]),
-        ("CHA-20A-M512P", S20A, &[H], &[M512P]),
-        ("CHA-25A-M512P", S25A, &[H], &[M512P]),
-        ("CHA-32A-M512P", S32A, &[H], &[M512P]),
-        ("CHA-40A-M512P", S40A, &[H], &[M512P]),
-        ("CHA-50A-M512P", S50A, &[H], &[M512P]),
-        ("CHA-58A-M512P", S58A, &[H], &[M512P]),
-    ]
-};
-
 static DRIVES: LazyLock<Vec<Drive>> = LazyLock::new(|| {
-    HEADS
+    crate::series()
         .iter()
-        .map(|&(name, size, windings, feedbacks)| {
+        .flat_map(|series| series.drives)
+        .map(|head| {
+            let name = head.name;
             let mut by_symbol: BTreeMap<&'static str, Vec<&'static Cell>> = BTreeMap::new();
             for cell in crate::cells().iter().filter(|cell| cell.place.drive == name) {
                 by_symbol.entry(cell.place.symbol).or_default().push(cell);
             }
             let printed = by_symbol.get("T_max").map(Vec::as_slice).unwrap_or_default();
-            let ratios = Ratio::ALL
-                .iter()
-                .copied()
-                .filter(|ratio| printed.iter().any(|cell| cell.place.ratio == ratio.to_string()))
+            let ratios = Ratio::all(head.size.series())
+                .filter(|ratio| printed.iter().any(|cell| cell.place.ratio == ratio.as_str()))
                 .collect();
-            Drive { name, size, windings, feedbacks, ratios, by_symbol }
+            Drive { name, size: head.size, windings: head.windings, feedbacks: head.feedbacks, ratios, by_symbol }
         })
         .collect()
 });
@@ -106,11 +82,13 @@ impl Drive {
     /// The cell of a symbol for this feedback and ratio. `condition` must match exactly.
     #[must_use]
     pub fn cell(&self, symbol: &str, condition: &str, feedback: Feedback, ratio: Ratio) -> Option<&'static Cell> {
-        self.by_symbol.get(symbol)?.iter().copied().find(|cell| {
-            cell.place.condition == condition
-                && covers(cell.feedback, feedback)
-                && covers_ratio(cell.place.ratio, ratio)
-        })
+        self.cells_of(symbol, feedback, ratio).find(|cell| cell.place.condition == condition)
+    }
+
+    /// The cells of a symbol for this feedback and ratio, whatever their condition.
+    pub fn cells_of(&self, symbol: &str, feedback: Feedback, ratio: Ratio) -> impl Iterator<Item = &'static Cell> {
+        let cells = self.by_symbol.get(symbol).map(Vec::as_slice).unwrap_or_default().iter().copied();
+        cells.filter(move |cell| covers(cell.feedback, feedback) && covers_ratio(cell.place.ratio, ratio))
     }
 
     /// The value that checks use, in SI, with its source, grade and errata.
@@ -126,34 +104,25 @@ impl Drive {
 /// The cell of a symbol in the tables that are headed by size only (accuracy, stiffness, output bearing, fits, screws).
 #[must_use]
 pub fn size_cell(size: Size, ratio: Ratio, symbol: &str) -> Option<&'static Cell> {
-    let head = SIZE_HEADS.iter().find(|(known, _)| *known == size).map_or("", |(_, head)| head);
-    SIZE_CELLS
-        .get(symbol)?
-        .iter()
-        .copied()
-        .find(|cell| cell.place.drive.split(" / ").any(|drive| drive == head) && covers_ratio(cell.place.ratio, ratio))
+    let names = [size.series().as_str(), size.as_str()];
+    let is_headed = |cell: &Cell| cell.place.drive.split(" / ").any(|head| is_head_of(head, names));
+    SIZE_CELLS.get(symbol)?.iter().copied().find(|cell| is_headed(cell) && covers_ratio(cell.place.ratio, ratio))
 }
 
-/// How the tables head a size.
-const SIZE_HEADS: [(Size, &str); 8] = [
-    (Size::S14A, "CHA-14A"),
-    (Size::S17A, "CHA-17A"),
-    (Size::S20A, "CHA-20A"),
-    (Size::S25A, "CHA-25A"),
-    (Size::S32A, "CHA-32A"),
-    (Size::S40A, "CHA-40A"),
-    (Size::S50A, "CHA-50A"),
-    (Size::S58A, "CHA-58A"),
-];
+/// Whether a table heads a size of a series like this: `CHA-20A`.
+fn is_head_of(head: &str, [series, size]: [&str; 2]) -> bool {
+    head.strip_prefix(series).and_then(|rest| rest.strip_prefix('-')) == Some(size)
+}
 
-/// The cells of the tables of sections 6.19 to 6.21, 8.1 and 9.3, by symbol.
+/// The cells of the tables that are headed by the size, by symbol.
 static SIZE_CELLS: LazyLock<BTreeMap<&'static str, Vec<&'static Cell>>> = LazyLock::new(|| {
     let mut by_symbol: BTreeMap<&'static str, Vec<&'static Cell>> = BTreeMap::new();
-    let sections = ["6.19", "6.20", "6.21", "8.1", "9.3"];
-    let tables =
-        crate::tables().iter().filter(|table| sections.iter().any(|section| table.section.starts_with(section)));
-    for cell in tables.flat_map(Table::cells) {
-        by_symbol.entry(cell.place.symbol).or_default().push(cell);
+    for series in crate::series() {
+        let of_series =
+            |table: &&Table| table.source == series.manual && SeriesData::begins(series.by_size, table.section);
+        for cell in crate::tables().iter().filter(of_series).flat_map(Table::cells) {
+            by_symbol.entry(cell.place.symbol).or_default().push(cell);
+        }
     }
     by_symbol
 });
@@ -179,37 +148,31 @@ pub fn datum_of<Q: Measure>(cell: &'static Cell) -> Datum<Q> {
 #[must_use]
 pub fn cells_about(size: Size, winding: Winding, feedback: Feedback, ratio: Ratio) -> Vec<&'static Cell> {
     let Some(drive) = drive(size, winding, feedback) else { return Vec::new() };
-    let size_head = format!("CHA-{size}");
-    // Heads of tables 13.1 and 13.2.
-    let general_head = if winding == Winding::E { "CHA-xxA-E" } else { "CHA-xxA-H/N" };
+    let series = SeriesData::of(size.series());
+    let names = [size.series().as_str(), size.as_str()];
+    let general_head = winding_data(winding).map_or("", |data| data.general_head);
     crate::tables()
         .iter()
-        .filter(|table| table.is_of_the_manual() && !is_ordering_or_wiring(table))
-        .flat_map(crate::Table::cells)
-        .filter(|cell| {
-            let by_drive =
-                cell.place.drive.split(" / ").any(|head| [drive.name, &size_head, general_head].contains(&head));
-            let by_feedback = cell.place.drive.is_empty() && !cell.feedback.is_empty() && is_feedback_table(cell);
-            let of_all = cell.place.drive.is_empty() && cell.feedback.is_empty() && is_of_every_actuator(cell);
+        .filter(|table| table.source == series.manual && !is_ordering_or_wiring(table, series))
+        .flat_map(|table| table.cells().iter().map(move |cell| (table.section, cell)))
+        .filter(|(section, cell)| {
+            let is_head = |head: &str| head == drive.name || head == general_head || is_head_of(head, names);
+            let by_drive = cell.place.drive.split(" / ").any(is_head);
+            let of_none = cell.place.drive.is_empty();
+            let by_feedback = of_none && !cell.feedback.is_empty() && SeriesData::begins(series.feedback, section);
+            let of_all = of_none && cell.feedback.is_empty() && SeriesData::begins(series.of_all, section);
             (by_drive || by_feedback || of_all)
                 && covers(cell.feedback, feedback)
                 && covers_ratio(cell.place.ratio, ratio)
         })
+        .map(|(_, cell)| cell)
         .collect()
 }
 
-/// Chapters 4 and 5 say what can be ordered, section 6.24 how it is wired.
-fn is_ordering_or_wiring(table: &Table) -> bool {
-    table.section == "4" || table.section == "5" || table.section.starts_with("6.24")
-}
-
-/// The tables of section 6.22 hold for a feedback on every drive.
-fn is_feedback_table(cell: &Cell) -> bool {
-    crate::table(cell.place.table).is_some_and(|table| table.section.starts_with("6.22"))
-}
-
-/// A cell without a drive in the tables of temperature sensors (6.23), fits (8) and installation (9) holds for all.
-fn is_of_every_actuator(cell: &Cell) -> bool {
-    let of = |section: &str| ["6.23", "8.", "9."].iter().any(|chapter| section.starts_with(chapter));
-    crate::table(cell.place.table).is_some_and(|table| of(table.section))
+/// Sections of ordering are named in full, those of wiring by their beginning: a chapter's number begins others.
+fn is_ordering_or_wiring(table: &Table, series: &SeriesData) -> bool {
+    series.ordering.iter().any(|section| match section.contains('.') {
+        true => table.section.starts_with(section),
+        false => table.section == *section,
+    })
 }

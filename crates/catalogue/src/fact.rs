@@ -1,6 +1,6 @@
 //! Facts that the manual, or another source, states in prose and not in a table.
 
-use order_code::{Brake, Feedback, Option1, OrderCode, Size, Winding};
+use order_code::{Brake, Feedback, OrderCode, Series, Size, Winding};
 use provenance::Grade;
 
 /// One statement of a source in our own words, with the figures in it.
@@ -41,6 +41,8 @@ impl Fact {
 /// The codes that a fact holds for. An empty list and `None` leave the field open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HoldsFor {
+    /// Series.
+    pub series: Series,
     /// Sizes.
     pub sizes: &'static [Size],
     /// Windings.
@@ -57,11 +59,12 @@ impl HoldsFor {
     /// Whether a code is among them.
     #[must_use]
     pub fn covers(&self, code: &OrderCode) -> bool {
-        (self.sizes.is_empty() || self.sizes.contains(&code.size))
+        self.series == code.series()
+            && (self.sizes.is_empty() || self.sizes.contains(&code.size))
             && (self.windings.is_empty() || self.windings.contains(&code.winding))
             && (self.feedbacks.is_empty() || self.feedbacks.contains(&code.feedback))
             && self.brake.is_none_or(|brake| brake == (code.brake == Brake::With))
-            && self.output_encoder.is_none_or(|encoder| encoder == (code.option_1 == Some(Option1::EC)))
+            && self.output_encoder.is_none_or(|encoder| encoder == code.has_output_encoder())
     }
 }
 

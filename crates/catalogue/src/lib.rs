@@ -4,37 +4,81 @@
 //! This crate knows what is printed and where; it knows no physics. Physics takes parameter structs that
 //! other crates fill from here.
 
+use std::sync::OnceLock;
+
 mod drive;
 mod fact;
 mod record;
+mod series;
 
 pub use drive::{Drive, cells_about, datum_of, drive, drives, size_cell};
 pub use fact::{Bound, Fact, FactValue, HoldsFor, Signal, Step, Topic};
 pub use record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value, Word};
+pub use series::{Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables, winding_data};
 
 mod embedded {
     use crate::fact::{Bound, Fact, FactValue, HoldsFor, Signal, Step, Topic};
     use crate::record::{Cell, Document, Erratum, ErratumKind, Footnote, Table, Term, Value, Word};
+    use crate::series::{Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables};
     use provenance::CellRef;
     include!(concat!(env!("OUT_DIR"), "/data.rs"));
+}
+
+/// The embedded data joined with those of further series.
+static EXTENDED: OnceLock<Further> = OnceLock::new();
+
+/// Series that are not embedded: their cells, tables, documents and what they state of them.
+#[derive(Clone, Debug, Default)]
+pub struct Further {
+    /// Cells of the tables.
+    pub cells: Vec<Cell>,
+    /// Tables, whose `first` and `end` count these cells.
+    pub tables: Vec<Table>,
+    /// Documents that the tables come from.
+    pub documents: Vec<Document>,
+    /// A record for each series, in the order of their grammars.
+    pub series: Vec<SeriesData>,
+}
+
+/// Adds series to the embedded ones, for the whole program; once, before any data are read, and after
+/// [`order_code::extend`] with their grammars.
+///
+/// # Errors
+/// The series, if some were added before.
+pub fn extend(further: Further) -> Result<(), Box<Further>> {
+    let offset = embedded::CELLS.len();
+    let moved = |table: &Table| Table { first: table.first + offset, end: table.end + offset, ..*table };
+    let joined = Further {
+        cells: [embedded::CELLS, &further.cells].concat(),
+        tables: embedded::TABLES.iter().copied().chain(further.tables.iter().map(moved)).collect(),
+        documents: [embedded::SOURCES, &further.documents].concat(),
+        series: [embedded::SERIES, &further.series].concat(),
+    };
+    EXTENDED.set(joined).map_err(|_| Box::new(further))
+}
+
+/// What each series states of its tables, in the order of [`order_code::Series::all`].
+#[must_use]
+pub fn series() -> &'static [SeriesData] {
+    EXTENDED.get().map_or(embedded::SERIES, |all| &all.series)
 }
 
 /// Every printed cell of every table, in the order of the tables, rows and columns.
 #[must_use]
 pub fn cells() -> &'static [Cell] {
-    embedded::CELLS
+    EXTENDED.get().map_or(embedded::CELLS, |all| &all.cells)
 }
 
 /// Every table, the manual's first, in the order of their numbers.
 #[must_use]
 pub fn tables() -> &'static [Table] {
-    embedded::TABLES
+    EXTENDED.get().map_or(embedded::TABLES, |all| &all.tables)
 }
 
 /// The table with this number, e.g. `26.1`.
 #[must_use]
 pub fn table(id: &str) -> Option<&'static Table> {
-    embedded::TABLES.iter().find(|table| table.id == id)
+    tables().iter().find(|table| table.id == id)
 }
 
 /// Every known departure from the recovered text and every known error of the print.
@@ -70,13 +114,13 @@ pub fn words() -> &'static [Word] {
 /// Every document that a number comes from.
 #[must_use]
 pub fn documents() -> &'static [Document] {
-    embedded::SOURCES
+    EXTENDED.get().map_or(embedded::SOURCES, |all| &all.documents)
 }
 
 /// The document with this identifier.
 #[must_use]
 pub fn document(id: &str) -> Option<&'static Document> {
-    embedded::SOURCES.iter().find(|document| document.id == id)
+    documents().iter().find(|document| document.id == id)
 }
 
 /// Every fact that a source states in prose, file by file.

@@ -68,7 +68,7 @@ pub struct Cell {
     pub corrected: &'static str,
     /// Meaning of `corrected`.
     pub value: Value,
-    /// The value that checks must use where an open contradiction asks for the safe side.
+    /// The value that checks must use for an open contradiction, on the safe side.
     pub checks_use: Option<Value>,
     /// Identifiers of the errata that concern this cell.
     pub errata: &'static [&'static str],
@@ -140,8 +140,10 @@ pub struct Table {
     pub footnotes: &'static [Footnote],
     /// Rows that carry footnote marks, several joined by `, `.
     pub row_notes: &'static [(u16, &'static str)],
-    pub(crate) first: usize,
-    pub(crate) end: usize,
+    /// First of its cells among all.
+    pub first: usize,
+    /// The cell behind its last.
+    pub end: usize,
 }
 
 impl Table {
@@ -165,10 +167,10 @@ impl Table {
         self.footnotes.iter().filter(|note| note.mark.is_empty() && note.symbol.is_empty())
     }
 
-    /// Whether the CHA manual prints this table.
+    /// Whether the manual of a series prints this table.
     #[must_use]
     pub fn is_of_the_manual(&self) -> bool {
-        self.source == "cha-manual"
+        crate::series().iter().any(|series| series.manual == self.source)
     }
 }
 
@@ -214,17 +216,17 @@ pub struct Erratum {
     pub place_de: &'static str,
     /// What the recovered text has, for kind recovery.
     pub recovered: Option<&'static str>,
-    /// The same where it is told in German.
+    /// The same in German.
     pub recovered_de: Option<&'static str>,
     /// What is printed.
     pub printed: &'static str,
-    /// The same where it is told in German.
+    /// The same in German.
     pub printed_de: &'static str,
     /// What is right; equal to `printed` where the matter is open.
     pub corrected: &'static str,
-    /// The same where it is told in German.
+    /// The same in German.
     pub corrected_de: &'static str,
-    /// What checks use where safety asks for the other value.
+    /// The value used by checks if the other one is safer.
     pub checks_use: Option<&'static str>,
     /// Kind.
     pub kind: ErratumKind,

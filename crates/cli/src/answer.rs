@@ -1,14 +1,12 @@
 //! What a command answers: data for stdout, talk for stderr, an exit code.
 
+use quantities::{Language, is_unseen, seen};
+pub(crate) use questions::answer::written;
 use serde::Serialize;
 use std::borrow::Cow;
 use std::io::Write;
 use std::process::ExitCode;
-use workbench::Language;
-pub(crate) use workbench::answer::written;
-use workbench::answers::{Fault, Faults};
-use workbench::quantities::{is_unseen, seen};
-use workbench::text::file_trouble;
+use words::file_trouble;
 
 /// The answer of a command.
 #[derive(Debug, Default)]
@@ -19,8 +17,6 @@ pub(crate) struct Answer {
     pub(crate) talk: String,
     /// Exit code: 0 fits or answered, 1 does not fit, 2 not answered.
     pub(crate) code: u8,
-    /// What kept the question from being answered.
-    pub(crate) faults: Vec<Fault>,
 }
 
 /// A text for a terminal: no sign in it that is not seen, but ends of lines, tabs and our own colours. What a user wrote
@@ -75,10 +71,11 @@ impl Answer {
         Self::data(written(record))
     }
 
-    /// The question could not be answered; whoever asked for JSON gets the faults as a record.
-    pub(crate) fn refused(talk: String, faults: Faults, as_json: bool) -> Self {
-        let data = if as_json { written(&faults) } else { String::new() };
-        Self { data, talk, code: 2, faults: faults.errors }
+    /// The answers about all axes as one: texts under each other; one that does not fit decides.
+    pub(crate) fn of_axes(found: Vec<(String, bool)>) -> Self {
+        let fits = found.iter().all(|(_, fits)| *fits);
+        let texts: Vec<String> = found.into_iter().map(|(text, _)| text).collect();
+        Self::data(texts.join("\n")).fits(fits)
     }
 
     /// The same answer with a verdict.

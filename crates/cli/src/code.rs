@@ -1,75 +1,17 @@
 //! `code parse|list|complete`.
 
-use crate::answer::{Answer, written};
-use crate::fault::report;
+use crate::answer::Answer;
+use crate::call::Call;
 use crate::table::{Align, Table, paragraph};
-use clap::ArgMatches;
+use questions::list::code_parse::uncovered;
+use questions::list::{Asked, Unanswered, code_complete, code_list, code_parse};
 use std::fmt::Write as _;
-use workbench::answer::{code_faults, code_reading, code_told, completion, listed};
-use workbench::text::{describe_field, describe_uncovered, terminal, terms};
-use workbench::{CodeReading, CodeRefusal, Language, uncovered};
+use words::{describe_field, describe_uncovered, terminal, terms};
 
-pub(crate) fn dispatch(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    match matches.subcommand() {
-        Some(("parse", found)) => parse(&read_argument(found), as_json, language),
-        Some(("list", found)) => list(found, as_json, language),
-        Some(("complete", found)) => complete(&read_argument(found), as_json, language),
-        _ => Answer::none(),
-    }
-}
-
-/// The words of a code argument joined: `code parse cha 20a 100 h c1024` needs no quotes.
-pub(crate) fn read_argument(matches: &ArgMatches) -> String {
-    matches.get_many::<String>("code").into_iter().flatten().cloned().collect::<Vec<_>>().join(" ")
-}
-
-/// Reads a code that a command is about, with a remark if it was not written canonically.
-pub(crate) fn parse_for_use(text: &str, as_json: bool, language: Language) -> Result<(CodeReading, String), Answer> {
-    match workbench::read_code(text, language) {
-        Ok(reading) => {
-            let note = understood(&reading, language);
-            Ok((reading, note))
-        }
-        Err(refusal) => Err(refused(text, &refusal, as_json, language)),
-    }
-}
-
-fn understood(reading: &CodeReading, language: Language) -> String {
-    if reading.parsed.is_canonical() {
-        return String::new();
-    }
-    format!("{}\n", terminal::understood_as(&reading.parsed.code, language))
-}
-
-/// Why a text is no code, with the nearest that are.
-pub(crate) fn refused(text: &str, refusal: &CodeRefusal, as_json: bool, language: Language) -> Answer {
-    let faults = code_told(text, refusal);
-    let name = terminal::code(language);
-    let mut answer = report(name, text, &faults, false, language);
-    if !refusal.nearest.is_empty() {
-        let asked = terms::on_request(language);
-        let names: Vec<String> = refusal
-            .nearest
-            .iter()
-            .map(|(code, found)| if found.is_available() { code.to_string() } else { format!("{code} ({asked})") })
-            .collect();
-        let word = terminal::nearest_valid_codes(language);
-        let _ = writeln!(answer.talk, "{word}: {}", names.join(", "));
-    }
-    if as_json {
-        answer.data = written(&code_faults(text, refusal, language));
-    }
-    answer
-}
-
-fn parse(text: &str, as_json: bool, language: Language) -> Answer {
-    let (reading, talk) = match parse_for_use(text, as_json, language) {
-        Ok(found) => found,
-        Err(answer) => return answer,
-    };
-    if as_json {
-        return Answer { talk, ..Answer::record(&code_reading(&reading, language)) };
-    }
+/// `antrieb code parse CODE`
+pub(crate) fn parse(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let reading = code_parse::reading(asked)?;
     let mut data = format!("{}\n", reading.parsed.code);
     let state = if reading.availability.is_available() {
         terminal::available(language).to_owned()
@@ -81,7 +23,7 @@ fn parse(text: &str, as_json: bool, language: Language) -> Answer {
     let _ = writeln!(data, "{state}\n");
     let (field, token, meaning) = (terminal::field(language), terminal::token(language), terminal::meaning(language));
     let mut table = Table::new([(field, Align::Left), (token, Align::Left), (meaning, Align::Left)]);
-    for (each, token, meaning) in workbench::explain_code(&reading.parsed.code, language) {
+    for (each, token, meaning) in questions::list::code_parse::explain_code(&reading.parsed.code, language) {
         let token = if token.is_empty() { "–".to_owned() } else { token };
         table.row([describe_field(each, language).to_owned(), token, meaning]);
     }
@@ -90,25 +32,15 @@ fn parse(text: &str, as_json: bool, language: Language) -> Answer {
         if index == 0 {
             data.push('\n');
         }
-        data.push_str(&paragraph("", describe_uncovered(what, language)));
+        data.push_str(&paragraph("", &describe_uncovered(what, language)));
     }
-    Answer { talk, ..Answer::data(data) }
+    Ok(Answer::data(data))
 }
 
-fn list(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let text = matches.get_one::<String>("pattern");
-    let pattern = match text.map(|text| workbench::read_pattern(text, language)).transpose() {
-        Ok(pattern) => pattern,
-        Err(refusal) => return refused(text.map_or("", String::as_str), &refusal, as_json, language),
-    };
-    let only_available = matches.get_flag("available");
-    let codes: Vec<_> = workbench::list_codes(pattern.as_ref())
-        .into_iter()
-        .filter(|(_, found)| !only_available || found.is_available())
-        .collect();
-    if as_json {
-        return Answer::record(&listed(&codes, language)).fits(!codes.is_empty());
-    }
+/// `antrieb code list [PATTERN]`
+pub(crate) fn list(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let codes = code_list::Args::read(&asked.given)?.codes();
     let mut data = String::new();
     for (code, found) in &codes {
         let state = if found.is_available() { String::new() } else { format!("	{}", terms::on_request(language)) };
@@ -118,19 +50,15 @@ fn list(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
     let talk = terminal::codes_counted(&codes.len(), &available, &(codes.len() - available), language)
         + "
 ";
-    Answer { talk, ..Answer::data(data) }.fits(!codes.is_empty())
+    Ok(Answer { talk, ..Answer::data(data) }.fits(!codes.is_empty()))
 }
 
-fn complete(text: &str, as_json: bool, language: Language) -> Answer {
-    let pattern = match workbench::read_pattern(text, language) {
-        Ok(pattern) => pattern,
-        Err(refusal) => return refused(text, &refusal, as_json, language),
-    };
-    let codes = workbench::list_codes(Some(&pattern));
-    if as_json {
-        return Answer::record(&completion(&pattern, &codes, language));
-    }
-    let choices = workbench::completion(&pattern, language);
+/// `antrieb code complete CODE`
+pub(crate) fn complete(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let pattern = code_complete::pattern_of(&asked.given)?;
+    let codes = questions::list::code_list::list_codes(Some(&pattern));
+    let choices = questions::list::code_complete::completion(&pattern, language);
     let (field, may) = (terminal::field(language), terminal::may_be(language));
     let (none, request) = (terminal::nothing(language), terms::on_request(language));
     let mut table = Table::new([(field, Align::Left), (may, Align::Left)]);
@@ -153,5 +81,5 @@ fn complete(text: &str, as_json: bool, language: Language) -> Answer {
     let talk = terminal::codes(codes.len(), language)
         + "
 ";
-    Answer { talk, ..Answer::data(data) }.fits(!codes.is_empty())
+    Ok(Answer { talk, ..Answer::data(data) }.fits(!codes.is_empty()))
 }

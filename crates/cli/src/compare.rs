@@ -1,22 +1,16 @@
 //! `compare`: several actuators side by side.
 
 use crate::answer::Answer;
-use crate::code::parse_for_use;
-use crate::fault::simple;
-use crate::subject::{Part, axes_of, refuse, together};
+use crate::call::Call;
 use crate::table::{Align, Table, paragraph};
-use crate::waiting::patience;
-use clap::ArgMatches;
+use project::Project;
+use quantities::{Language, format_significant};
+use questions::list::compare::{Comparison, DatumRow};
+use questions::list::{Asked, Unanswered, compare};
+use questions::texts::{figure_text, percent};
+use questions::{Candidate, Check, Verdict, answer};
 use std::fmt::Write as _;
-use workbench::quantities::format_significant;
-use workbench::text::{check_title, figure_term, symbol_shown, terminal, terms, verdict_word};
-use workbench::{
-    Candidate, Check, Comparison, DatumRow, Language, OrderCode, Project, Question, Refusal, Verdict, answer, answers,
-};
-use workbench::{figure_text, percent};
-
-/// How many are compared.
-const COUNT: std::ops::RangeInclusive<usize> = 2..=5;
+use words::{check_title, figure_term, symbol_shown, terminal, terms, verdict_word};
 
 /// So many stand in one table; further ones in the next.
 const BESIDE: usize = 3;
@@ -24,47 +18,14 @@ const BESIDE: usize = 3;
 const LETTERS: [char; 5] = ['A', 'B', 'C', 'D', 'E'];
 
 /// `antrieb compare PROJECT --code A --code B`
-pub(crate) fn compare(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    answer(matches, as_json, language).unwrap_or_else(|fault| fault)
-}
-
-fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Answer, Answer> {
-    let written: Vec<&String> = matches.get_many::<String>("code").into_iter().flatten().collect();
-    if !COUNT.contains(&written.len()) {
-        let count = written.len();
-        let what = terminal::two_to_five_codes(&count, language);
-        return Err(simple(&what, as_json, language));
-    }
-    let mut talk = String::new();
-    let mut codes: Vec<OrderCode> = Vec::new();
-    for text in written {
-        let (reading, note) = parse_for_use(text, as_json, language)?;
-        talk.push_str(&note);
-        codes.push(reading.parsed.code);
-    }
-    let projects = axes_of(Question::Other, matches, as_json, language)?;
-    let parts = projects.iter().map(|project| axis(project, &codes, as_json, language));
-    let mut answer = together(parts.collect(), as_json);
-    answer.talk = talk + &answer.talk;
-    Ok(answer)
-}
-
-fn axis(
-    project: &Project,
-    codes: &[OrderCode],
-    as_json: bool,
-    language: Language,
-) -> Result<Part<answers::Comparison>, Answer> {
-    let found = workbench::compare(project, codes, patience()).map_err(|(index, refusal)| {
-        let mut fault = refuse(&refusal, as_json, language);
-        if let Some(code) = codes.get(index).filter(|_| refusal != Refusal::Stopped) {
-            let _ = writeln!(fault.talk, "{code}");
-        }
-        fault
+pub(crate) fn compare(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let (args, axes) = compare::put(asked)?;
+    let found = asked.each(&axes, |project| {
+        let found = args.comparison(project, asked)?;
+        Ok((text(&found, project, language), found.candidates.iter().any(Candidate::fits)))
     })?;
-    let fits = found.candidates.iter().any(Candidate::fits);
-    let record = || answer::comparison(&found, &project.name, language);
-    Ok(Part::of(as_json, fits, record, || text(&found, project, language)))
+    Ok(Answer::of_axes(found))
 }
 
 fn text(found: &Comparison<'_>, project: &Project, language: Language) -> String {

@@ -1,38 +1,27 @@
 //! `data` and `catalogue export`.
 
 use crate::answer::Answer;
-use crate::code::{parse_for_use, read_argument};
-use crate::fault::option_fault;
-use crate::subject::refuse;
+use crate::call::Call;
 use crate::table::{Align, Table, labelled, paragraph};
-use clap::ArgMatches;
+use quantities::{Language, Unit};
+use questions::answer::sheet_note_text;
+use questions::list::data::{Sheet, SheetMarks, SheetNote, SheetSection};
+use questions::list::{Asked, Unanswered, data, torsion};
 use std::fmt::Write as _;
-use workbench::answer::sheet_note_text;
-use workbench::quantities::Unit;
-use workbench::text::{condition_text, describe_uncovered, evidence_text, symbol_term, table_title, terminal, terms};
-use workbench::{Language, Sheet, SheetNote, SheetSection};
+use words::{condition_text, describe_uncovered, evidence_text, symbol_term, table_title, terminal, terms};
 
 /// `antrieb data CODE`
-pub(crate) fn sheet(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let (reading, talk) = match parse_for_use(&read_argument(matches), as_json, language) {
-        Ok(found) => found,
-        Err(answer) => return answer,
-    };
-    let Some(sheet) = workbench::sheet(&reading.parsed.code) else {
-        return refuse(&workbench::Refusal::NoData, as_json, language);
-    };
-    if as_json {
-        return Answer { talk, ..Answer::record(&workbench::answer::sheet(&sheet, language)) };
-    }
-    Answer { talk, ..Answer::data(sheet_text(&sheet, language)) }
+pub(crate) fn sheet(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    Ok(Answer::data(sheet_text(&data::found(asked)?, language)))
 }
 
 fn sheet_text(sheet: &Sheet, language: Language) -> String {
     let mut out = format!("{}\n", sheet.code);
     for what in &sheet.uncovered {
         out.push_str(&paragraph(
-            &format!("[{}] antrieb: ", workbench::uncovered_mark(*what)),
-            describe_uncovered(*what, language),
+            &format!("[{}] antrieb: ", questions::texts::uncovered_mark(*what)),
+            &describe_uncovered(*what, language),
         ));
     }
     let mut errata: Vec<&'static str> = Vec::new();
@@ -54,14 +43,14 @@ fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'sta
     let _ = writeln!(out, "\n{title} ({} {})", terminal::table(language), section.table.id);
     let heads = [terminal::symbol(language), terms::value(language), terms::unit(language), terminal::name(language)];
     let mut table = Table::new(heads.map(|head| (head, Align::Left)));
-    let mut notes = workbench::SheetMarks::default();
+    let mut notes = SheetMarks::default();
     for row in &section.rows {
         let cell = row.cell;
         let mut name = symbol_term(cell.place.symbol, language);
         if !cell.place.condition.is_empty() {
             let _ = write!(name, " ({})", condition_text(cell.place.condition, language));
         }
-        let mut value = workbench::sheet_value_text(row, language);
+        let mut value = questions::texts::sheet_value_text(row, language);
         for note in &row.notes {
             let _ = write!(value, " [{}]", notes.of(*note));
         }
@@ -74,11 +63,11 @@ fn section_text(out: &mut String, section: &SheetSection, errata: &mut Vec<&'sta
     }
     out.push_str(&table.render());
     for (mark, note) in notes.sorted() {
-        out.push_str(&paragraph(&format!("[{mark}] {}", by(&note)), sheet_note_text(&note, language)));
+        out.push_str(&paragraph(&format!("[{mark}] {}", by(&note)), &sheet_note_text(&note, language)));
     }
     for note in &section.notices {
         let head = if note.is_ours() { by(note) } else { format!("{}: ", terminal::note(language)) };
-        out.push_str(&paragraph(&head, sheet_note_text(note, language)));
+        out.push_str(&paragraph(&head, &sheet_note_text(note, language)));
     }
     if !section.errata.is_empty() {
         let head = terminal::errata_of_this_table(language);
@@ -94,32 +83,17 @@ fn by(note: &SheetNote) -> String {
 }
 
 /// `antrieb torsion CODE --torque "60 N m"`
-pub(crate) fn torsion(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let (reading, talk) = match parse_for_use(&read_argument(matches), as_json, language) {
-        Ok(found) => found,
-        Err(answer) => return answer,
-    };
-    let given = |name: &str| matches.get_one::<String>(name).map(String::as_str);
-    let twist = match workbench::read_twist(given("torque"), given("angle"), language) {
-        Ok(twist) => twist,
-        Err((option, fault)) => return option_fault(option, fault, as_json, language),
-    };
-    let Some(answer) = workbench::torsion(&reading.parsed.code, twist) else {
-        return refuse(&workbench::Refusal::NoData, as_json, language);
-    };
-    if as_json {
-        return Answer { talk, ..Answer::record(&workbench::answer::torsion(&reading.parsed.code, &answer)) };
-    }
-    let lines = workbench::torsion_lines(&reading.parsed.code, &answer, language);
-    Answer { talk, ..Answer::data(lines.into_iter().flat_map(|line| [line, String::from("\n")]).collect()) }
+pub(crate) fn torsion(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let (code, found) = torsion::found(asked)?;
+    let lines = questions::texts::torsion_lines(&code, &found, language);
+    Ok(Answer::data(lines.into_iter().flat_map(|line| [line, String::from("\n")]).collect()))
 }
 
 /// `antrieb catalogue export`
-pub(crate) fn catalogue(matches: &ArgMatches, as_json: bool) -> Answer {
-    let Some(("export", found)) = matches.subcommand() else { return Answer::none() };
-    let json_wanted = as_json || found.get_one::<String>("format").is_some_and(|format| format == "json");
-    if json_wanted {
-        return Answer::record(&workbench::answer::catalogue_cells());
+pub(crate) fn catalogue(call: &Call<'_>, _: &Asked<'_>) -> Result<Answer, Unanswered> {
+    if call.text("format") == Some("json") {
+        return Ok(Answer::record(&questions::answer::catalogue_cells()));
     }
-    Answer::data(workbench::export_csv())
+    Ok(Answer::data(questions::list::catalogue::export_csv()))
 }

@@ -1,88 +1,32 @@
 //! `diff`: what another revision of a project does to an actuator.
 
 use crate::answer::Answer;
-use crate::code::parse_for_use;
+use crate::call::Call;
 use crate::compare::{names, shown, verdict};
-use crate::fault::{Source, simple};
-use crate::subject::{Part, in_reach, picked, refuse, together};
 use crate::table::{Align, Table, labelled};
-use crate::waiting::patience;
-use clap::ArgMatches;
+use project::InputChange;
+use quantities::{Language, format_number};
+use questions::list::diff::{CheckChange, Difference, revisions};
+use questions::list::{Asked, Unanswered};
+use questions::texts::{figure_text, percent};
+use questions::{CandidateId, Check, answer};
 use std::fmt::Write as _;
-use std::path::PathBuf;
-use workbench::quantities::format_number;
-use workbench::text::{check_title, terminal, terms, verdict_word};
-use workbench::{
-    CandidateId, Check, CheckChange, Difference, InputChange, Language, OrderCode, Project, Question, answer, answers,
-};
-use workbench::{figure_text, percent};
-
-/// An axis with its place in its file.
-type Axis = (usize, Project);
+use words::{check_title, terminal, terms, verdict_word};
 
 /// `antrieb diff OLD NEW`
-pub(crate) fn diff(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    answer(matches, as_json, language).unwrap_or_else(|fault| fault)
-}
-
-fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Answer, Answer> {
-    let mut talk = String::new();
-    let code = match matches.get_one::<String>("code") {
-        None => None,
-        Some(text) => {
-            let (reading, note) = parse_for_use(text, as_json, language)?;
-            talk = note;
-            Some(reading.parsed.code)
+pub(crate) fn diff(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let found = revisions(asked)?;
+    let talk = found.unpaired(asked);
+    let (mut texts, mut faults) = (Vec::new(), Vec::new());
+    for (before, after) in found.pairs()? {
+        let inputs = project::input_changes((found.old_text, before.0), (found.new_text, after.0));
+        match questions::list::diff::difference(&before.1, &after.1, found.code.as_ref(), asked.patience) {
+            Ok(changed) => texts.push((text(&changed, &after.1.name, &inputs, language), changed.after.fits())),
+            Err(refusal) => faults.push(refusal.into()),
         }
-    };
-    let read = |which: &str| -> Result<(Source, Vec<Axis>), Answer> {
-        let path = matches.get_one::<PathBuf>(which).cloned().unwrap_or_default();
-        let source = Source::read(&path, matches, as_json, language)?;
-        let axes = picked(source.projects(as_json, language)?, matches, as_json, language)?;
-        Ok((source, axes))
-    };
-    let ((old_file, old), (new_file, new)) = (read("old")?, read("new")?);
-    in_reach(Question::Other, old.iter().chain(&new).map(|(_, project)| project), as_json, language)?;
-    let pairs = workbench::paired(&old, &new);
-    let told = |axis: &Axis, file: &Source, paired: bool| {
-        let (name, file) = (&axis.1.name, &file.name);
-        (!paired).then(|| format!("{}\n", terminal::axis_is_only_in(&name, &file, language)))
-    };
-    for (index, axis) in old.iter().enumerate() {
-        talk.extend(told(axis, &old_file, pairs.iter().any(|pair| pair.0 == index)));
     }
-    for (index, axis) in new.iter().enumerate() {
-        talk.extend(told(axis, &new_file, pairs.iter().any(|pair| pair.1 == index)));
-    }
-    if pairs.is_empty() {
-        let what = terminal::no_common_axis(language);
-        let mut fault = simple(what, as_json, language);
-        fault.talk = talk + &fault.talk;
-        return Err(fault);
-    }
-    let mut answers = Vec::new();
-    for (before, after) in pairs {
-        let (Some(before), Some(after)) = (old.get(before), new.get(after)) else { continue };
-        let inputs = workbench::input_changes((&old_file.text, before.0), (&new_file.text, after.0));
-        answers.push(axis(&before.1, &after.1, &inputs, code.as_ref(), as_json, language));
-    }
-    let mut answer = together(answers, as_json);
-    answer.talk = talk + &answer.talk;
-    Ok(answer)
-}
-
-fn axis(
-    old: &Project,
-    new: &Project,
-    inputs: &[InputChange],
-    code: Option<&OrderCode>,
-    as_json: bool,
-    language: Language,
-) -> Result<Part<answers::Difference>, Answer> {
-    let found =
-        workbench::difference(old, new, code, patience()).map_err(|refusal| refuse(&refusal, as_json, language))?;
-    let record = || answer::difference(&found, inputs, &new.name, language);
-    Ok(Part::of(as_json, found.after.fits(), record, || text(&found, &new.name, inputs, language)))
+    if faults.is_empty() { Ok(Answer { talk, ..Answer::of_axes(texts) }) } else { Err(Unanswered::together(faults)) }
 }
 
 fn text(found: &Difference<'_>, name: &str, inputs: &[InputChange], language: Language) -> String {

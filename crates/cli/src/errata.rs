@@ -1,34 +1,19 @@
 //! `errata`: what is wrong or in doubt in the print, and what is used.
 
 use crate::answer::Answer;
-use crate::code::refused;
-use crate::fault::simple;
-use crate::subject::refuse;
+use crate::call::Call;
 use crate::table::paragraph;
-use clap::ArgMatches;
+use answers::{Erratum, ErratumStatus};
+use quantities::{Language, Unit};
+use questions::list::{Asked, Unanswered, errata};
 use std::fmt::Write as _;
-use workbench::answers::{Erratum, ErratumStatus};
-use workbench::quantities::Unit;
-use workbench::text::{decimal, erratum_kind, erratum_status, terminal};
-use workbench::{ErrataRefusal, Language, errata_about};
+use words::{decimal, erratum_kind, erratum_status, terminal};
 
 /// `antrieb errata [CODE | TABLE | ID]`
-pub(crate) fn errata(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let words: Vec<&str> = matches.get_many::<String>("about").into_iter().flatten().map(String::as_str).collect();
-    let text = words.join(" ");
-    let found = match errata_about(Some(&text), language) {
-        Ok(found) => found,
-        Err(ErrataRefusal::Code(refusal)) => return refused(&text, &refusal, as_json, language),
-        Err(ErrataRefusal::NoData) => return refuse(&workbench::Refusal::NoData, as_json, language),
-        Err(ErrataRefusal::Unknown { message, hint }) => {
-            let message = hint.map_or(message.clone(), |hint| format!("{message}; {hint}"));
-            return simple(&message, as_json, language);
-        }
-    };
-    let record = workbench::answer::errata(&found, language);
-    if as_json {
-        return Answer::record(&record);
-    }
+pub(crate) fn errata(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let found = errata::found(asked)?;
+    let record = questions::answer::errata(&found, language);
     let mut data = String::new();
     for (erratum, of) in record.errata.iter().zip(&found.errata) {
         if !data.is_empty() {
@@ -47,7 +32,7 @@ pub(crate) fn errata(matches: &ArgMatches, as_json: bool, language: Language) ->
     let talk = talk
         + "
 ";
-    Answer { talk, ..Answer::data(data) }
+    Ok(Answer { talk, ..Answer::data(data) })
 }
 
 /// Where it stands, what is printed, what is used, and why.

@@ -1,46 +1,29 @@
 //! `explain`: how value and limit of a check came about.
 
 use crate::answer::Answer;
-use crate::code::parse_for_use;
-use crate::subject::{Part, axes_of, refuse, together};
+use crate::call::Call;
 use crate::table::{hanging, labelled, paragraph};
 use crate::waiting::patience;
-use clap::ArgMatches;
+use answers::Node;
+use project::Project;
+use quantities::Language;
+use questions::list::explain::derivation;
+use questions::list::{Asked, Cost, Unanswered, explain};
+use questions::texts::{node_amount, trust};
+use questions::{Candidate, Check};
 use std::fmt::Write as _;
-use workbench::answers::Explanations;
-use workbench::text::{
-    assumption_text, check_missing, check_title, note_text, symbol_shown, terminal, terms, verdict_word,
-};
-use workbench::{Candidate, Check, CheckId, Language, Node, Project, Question, derivation, node_amount, trust};
+use words::{assumption_text, check_missing, check_title, note_text, symbol_shown, terminal, terms, verdict_word};
 
 /// `antrieb explain PROJECT --code CODE [--check ID]`
-pub(crate) fn explain(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let projects = match axes_of(Question::Other, matches, as_json, language) {
-        Ok(projects) => projects,
-        Err(answer) => return answer,
-    };
-    let answers = projects.iter().map(|project| axis(project, matches, as_json, language));
-    together(answers.collect(), as_json)
-}
-
-fn axis(
-    project: &Project,
-    matches: &ArgMatches,
-    as_json: bool,
-    language: Language,
-) -> Result<Part<Explanations>, Answer> {
-    let (code, talk) = match matches.get_one::<String>("code") {
-        None => (None, String::new()),
-        Some(text) => {
-            let (reading, note) = parse_for_use(text, as_json, language)?;
-            (Some(reading.parsed.code), note)
-        }
-    };
-    let wanted = matches.get_one::<String>("check").and_then(|id| CheckId::ALL.iter().find(|each| each.id() == id));
-    let found = workbench::explanation(project, code.as_ref(), wanted.copied(), patience())
-        .map_err(|refusal| refuse(&refusal, as_json, language))?;
-    let text = || derivations(project, &found.candidate, &found.checks(), language);
-    Ok(Part::of(as_json, found.candidate.fits(), || found.record(language), text).with_talk(talk))
+pub(crate) fn explain(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let args = explain::Args::read(&asked.given)?;
+    let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
+    let found = asked.each(&axes, |project| {
+        let found = args.explanation(project, patience())?;
+        Ok((derivations(project, &found.candidate, &found.checks(), language), found.candidate.fits()))
+    })?;
+    Ok(Answer::of_axes(found))
 }
 
 fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], language: Language) -> String {
@@ -60,7 +43,7 @@ fn derivations(project: &Project, candidate: &Candidate<'_>, checks: &[&Check], 
 fn heading(check: &Check, language: Language) -> String {
     let mut line = format!("{}, {}", check_title(check.id, language), verdict_word(check.verdict, language));
     if let Some(share) = check.utilisation {
-        let share = workbench::quantities::format_number(share * 100.0, 1, language);
+        let share = quantities::format_number(share * 100.0, 1, language);
         let _ = write!(line, ", {share} %");
     }
     line
@@ -80,10 +63,7 @@ fn text(check: &Check, language: Language) -> String {
         out.push_str(&paragraph("  ", &check_missing(missing, language)));
     }
     for note in check.notes.iter() {
-        let note = note_text(note, language);
-        if !note.is_empty() {
-            out.push_str(&paragraph("  ", &note));
-        }
+        out.push_str(&paragraph("  ", &note_text(note, language)));
     }
     out
 }

@@ -1,22 +1,15 @@
 //! `glossary`: words and symbols with their meaning.
 
 use crate::answer::Answer;
-use crate::fault::error_word;
+use crate::call::Call;
 use crate::table::{Align, Table, paragraph};
-use clap::ArgMatches;
-use workbench::Language;
-use workbench::text::{own_and_foreign, symbol_shown, terminal, terms};
+use questions::list::{Asked, Unanswered, glossary};
+use words::{own_and_foreign, symbol_shown, terminal, terms};
 
 /// `antrieb glossary [TERM]`
-pub(crate) fn glossary(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let wanted = matches.get_one::<String>("term").map(String::as_str);
-    let found = match workbench::glossary(wanted, language) {
-        Ok(found) => found,
-        Err(nearest) => return not_found(wanted.unwrap_or_default(), &nearest, as_json, language),
-    };
-    if as_json {
-        return Answer::record(&found);
-    }
+pub(crate) fn glossary(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let found = glossary::found(asked)?;
     let both = |en: &str, de: &str| own_and_foreign(en, de, language).map(str::to_owned);
     let (word, foreign) = (terminal::word(language), terminal::other_language(language));
     let (meaning, symbol) = (terminal::meaning(language), terminal::sign(language));
@@ -57,13 +50,5 @@ pub(crate) fn glossary(matches: &ArgMatches, as_json: bool, language: Language) 
         }
         parts.push(table.render());
     }
-    Answer::data(parts.join("\n"))
-}
-
-fn not_found(wanted: &str, nearest: &[String], as_json: bool, language: Language) -> Answer {
-    let faults = workbench::answer::not_in_glossary(wanted, nearest, language);
-    let (what, hint) = faults.errors.first().map_or(("", None), |fault| (fault.message.as_str(), fault.hint.as_ref()));
-    let shown = hint.map_or_else(String::new, |hint| format!("  {hint}\n"));
-    let talk = format!("{}: {what}\n{shown}", error_word(language));
-    Answer::refused(talk, faults, as_json)
+    Ok(Answer::data(parts.join("\n")))
 }

@@ -1,37 +1,25 @@
 //! `inertia BODY…`.
 
 use crate::answer::Answer;
-use crate::fault::report;
+use crate::call::Call;
 use crate::table::{Align, Table};
-use clap::ArgMatches;
-use workbench::quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE};
-use workbench::quantities::{Measure, format_significant};
-use workbench::text::{shape_title, terminal, terms, told};
-use workbench::{InertiaAnswer, Language};
+use project::InertiaAnswer;
+use quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE};
+use quantities::{Language, Measure, format_significant};
+use questions::list::{Asked, Unanswered, inertia};
+use words::{shape_title, terminal, terms};
 
 /// `antrieb inertia "disc diameter=200mm length=20mm density=7850kg/m^3" …`
-pub(crate) fn inertia(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let bodies: Vec<String> = matches.get_many("body").into_iter().flatten().cloned().collect();
-    // One body a line: the line of a fault is the number of its argument.
-    let text = bodies.join("\n");
-    // In data it has one name in both languages.
-    let name = if as_json { "body" } else { body_word(language) };
-    match workbench::inertia(&text) {
-        Ok(answer) if as_json => Answer::record(&workbench::answer::inertia(&answer)),
-        Ok(answer) => Answer::data(shown(&answer, language)),
-        Err(faults) => report(name, &text, &told(&faults, language), as_json, language),
-    }
-}
-
-const fn body_word(language: Language) -> &'static str {
-    terms::body(language)
+pub(crate) fn inertia(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    Ok(Answer::data(shown(&inertia::found(asked)?, language)))
 }
 
 fn shown(answer: &InertiaAnswer, language: Language) -> String {
     let number = |value: f64| format_significant(value, 4, language);
     let mut table = Table::new([
         ("#", Align::Right),
-        (body_word(language), Align::Left),
+        (terms::body(language), Align::Left),
         ("z", Align::Right),
         ("m [kg]", Align::Right),
         ("r [mm]", Align::Right),

@@ -1,28 +1,25 @@
 //! `size` and `check`: the axis against the catalogue, and against one actuator.
 
 use crate::answer::Answer;
-use crate::code::parse_for_use;
-use crate::moves;
-use crate::report;
+use crate::call::{Call, record};
 use crate::reserve::{assumptions_text, reserve_text};
-use crate::subject::{Part, axes_of, refuse, together};
 use crate::table::{Align, Table, labelled, paragraph, width};
-use crate::tolerance;
 use crate::waiting::patience;
+use crate::{moves, report, tolerance};
 use anstyle::{AnsiColor, Style};
-use clap::ArgMatches;
-use std::fmt::Write as _;
-use std::path::PathBuf;
-use workbench::answers::Faults;
-use workbench::quantities::unit::{KILOGRAM, NEWTON_METRE};
-use workbench::quantities::{Measure, format_number, format_significant};
-use workbench::text::{
-    check_missing, check_title, grade_word, note_text, ranking_rule, ratios_text, requirement_title, source_text,
-    standing_text, terminal, terms, verdict_word,
+use quantities::unit::{KILOGRAM, NEWTON_METRE};
+use quantities::{Language, Measure, format_number, format_significant};
+use questions::list::check::Verification;
+use questions::list::size::Ranking;
+use questions::list::{Asked, Unanswered, check, size};
+use questions::texts::{
+    by_importance, demand_figures, figure_text, objection_text, percent, reason, shown, standing_text, unit_text,
 };
-use workbench::{
-    Candidate, Check, Demand, Language, Objection, Project, Question, Ranking, Reserve, Sizing, Verdict, answers,
-    by_importance, demand_figures, figure_text, objection_text, percent, reason, shown, unit_text,
+use questions::{Candidate, Check, Demand, Objection, Reserve, Sizing, Verdict};
+use std::fmt::Write as _;
+use words::{
+    check_missing, check_title, grade_word, note_text, ranking_rule, ratios_text, requirement_title, source_text,
+    terminal, terms, verdict_word,
 };
 
 fn paint(text: &str, verdict: Verdict) -> String {
@@ -37,34 +34,28 @@ fn paint(text: &str, verdict: Verdict) -> String {
 }
 
 /// `antrieb size PROJECT`
-pub(crate) fn size(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let all = matches.get_flag("all");
-    let top = if all { usize::MAX } else { usize::from(matches.get_one::<u16>("top").copied().unwrap_or(10)) };
-    let question = Question::Ranking { told: top, draw: tolerance::draw(matches) };
-    let projects = match axes_of(question, matches, as_json, language) {
-        Ok(projects) => projects,
-        Err(answer) => return answer,
-    };
+pub(crate) fn size(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
     // The file first: a report that cannot be written leaves nothing half said.
-    let talk = match matches.get_one::<PathBuf>("report") {
-        Some(out) => match report::write(matches, out, false, language) {
-            Ok(written) => written.data,
-            Err(refused) => return Answer::refused(refused.talk, Faults { errors: refused.faults }, as_json),
-        },
+    let talk = match call.path("report") {
+        Some(out) => report::write(call, asked, out, false)?.data,
         None => String::new(),
     };
-    let parts = projects.iter().map(|project| {
-        let found = workbench::ranking(project, top, tolerance::draw(matches), patience())
-            .map_err(|refusal| refuse(&refusal, as_json, language))?;
-        // What would have to change for the nearest miss, which neither the record nor the long list tells.
-        let nearest = found.sizing.nearest_miss().filter(|_| !as_json && !all);
-        let reserve = nearest.map(|near| workbench::reserve_within(project, near, patience())).transpose();
-        let reserve = reserve.map_err(|refusal| refuse(&refusal, as_json, language))?;
-        let (record, text) = (|| found.record(language), || sizing_text(&found, reserve.as_ref(), all, language));
-        Ok(Part::of(as_json, found.sizing.fits(), record, text))
-    });
-    let answer = together(parts.collect(), as_json);
-    Answer { talk: answer.talk.clone() + &talk, ..answer }
+    if call.as_json {
+        let answer = size::ENTRY.answer.map(|answer| answer(asked)).transpose()?;
+        return Ok(Answer { talk, ..answer.as_ref().map_or_else(Answer::none, record) });
+    }
+    let args = size::Args::read(&asked.given)?;
+    let axes = asked.axes(args.axis.as_deref(), args.cost())?;
+    let found = asked.each(&axes, |project| {
+        let found = args.ranking(project, patience())?;
+        // What would have to change for the nearest miss, which the long list does not tell.
+        let nearest = found.sizing.nearest_miss().filter(|_| !args.all);
+        let reserve =
+            nearest.map(|near| questions::list::check::reserve_within(project, near, patience())).transpose()?;
+        Ok((sizing_text(&found, reserve.as_ref(), args.all, language), found.sizing.fits()))
+    })?;
+    Ok(Answer { talk, ..Answer::of_axes(found) })
 }
 
 fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, language: Language) -> String {
@@ -85,7 +76,7 @@ fn sizing_text(found: &Ranking<'_>, of_nearest: Option<&Reserve>, all: bool, lan
         out.push_str(&labelled(head, &ratios_text(&project.ratios, language)));
         out.push('\n');
     }
-    out.push_str(&moves::text(&workbench::moves(project), language));
+    out.push_str(&moves::text(&questions::moves(project), language));
     out.push('\n');
     if let Some(best) = sizing.answer() {
         out.push_str(&demand_text(best, language));
@@ -204,7 +195,7 @@ fn rejected_text(sizing: &Sizing<'_>, of_nearest: Option<&Reserve>, all: bool, l
         out.push_str(&told(terminal::nearest_miss(language), nearest));
     }
     // What would have to change: for the nearest, or for one that nothing but limits of the project keep out.
-    let by_limits = rejected.iter().copied().find(|candidate| workbench::limits_needed(candidate).is_some());
+    let by_limits = rejected.iter().copied().find(|candidate| questions::limits_needed(candidate).is_some());
     if let Some(limited) = by_limits.filter(|limited| nearest.is_none_or(|nearest| nearest.id != limited.id)) {
         let head = terminal::kept_out_by_limits(language);
         out.push_str(&told(head, limited));
@@ -265,14 +256,14 @@ fn remarks(candidate: &Candidate<'_>, indent: &str, language: Language) -> Strin
     let mut out = String::new();
     let mut seen: Vec<String> = Vec::new();
     for check in &candidate.judgement.checks {
-        // The erratum of a limit that is far away is told by --json; here it would drown the rest.
+        // The erratum of a distant limit is in --json; here it would obscure the rest.
         let far = check.verdict == Verdict::Pass && check.utilisation.is_some_and(|share| share < 0.5);
         for note in check.notes.iter() {
             if far && note.is_erratum() {
                 continue;
             }
             let text = note_text(note, language);
-            if !text.is_empty() && !seen.contains(&text) {
+            if !seen.contains(&text) {
                 out.push_str(&paragraph(&format!("{indent}{}: ", check_title(check.id, language)), &text));
                 seen.push(text);
             }
@@ -329,7 +320,7 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
     out.push_str(&table.render());
     for objection in &candidate.objections {
         let head = match objection {
-            Objection::Unmet(workbench::Unmet::NotKnown { .. }) => terminal::requirement_not_checked(language),
+            Objection::Unmet(questions::Unmet::NotKnown { .. }) => terminal::requirement_not_checked(language),
             _ => terms::requirement_not_met(language),
         };
         out.push_str(&labelled(head, &objection_text(candidate, objection, language)));
@@ -339,46 +330,29 @@ fn candidate_text(candidate: &Candidate<'_>, language: Language) -> String {
 }
 
 /// `antrieb check PROJECT --code CODE`
-pub(crate) fn check(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let question = Question::Check { draw: tolerance::draw(matches) };
-    let projects = match axes_of(question, matches, as_json, language) {
-        Ok(projects) => projects,
-        Err(answer) => return answer,
-    };
-    let answers = projects.iter().map(|project| check_axis(project, matches, as_json, language));
-    together(answers.collect(), as_json)
+pub(crate) fn check(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let args = check::Args::read(&asked.given)?;
+    let axes = asked.axes(args.axis.as_deref(), args.cost())?;
+    let found = asked.each(&axes, |project| {
+        let found = args.verification(project, patience())?;
+        Ok((verification_text(&found, language), found.candidate.fits()))
+    })?;
+    Ok(Answer::of_axes(found))
 }
 
-fn check_axis(
-    project: &Project,
-    matches: &ArgMatches,
-    as_json: bool,
-    language: Language,
-) -> Result<Part<answers::Judgement>, Answer> {
-    let (code, talk) = match matches.get_one::<String>("code") {
-        None => (None, String::new()),
-        Some(text) => {
-            let (reading, note) = parse_for_use(text, as_json, language)?;
-            (Some(reading.parsed.code), note)
-        }
+fn verification_text(found: &Verification<'_>, language: Language) -> String {
+    let (project, candidate) = (found.project, &found.candidate);
+    let reserve = reserve_text(&found.reserve, candidate, language);
+    let assumed = assumptions_text(&project.assumptions, language);
+    let one_line = format!("{} · {}: {}", project.name, candidate.id, standing_text(candidate, language));
+    let head = match (project.name.is_empty(), one_line.chars().count() > width()) {
+        (true, _) => String::new(),
+        (false, true) => paragraph("", &project.name),
+        (false, false) => format!("{} · ", project.name),
     };
-    let found = workbench::verification(project, code.as_ref(), tolerance::draw(matches), patience())
-        .map_err(|refusal| refuse(&refusal, as_json, language))?;
-    let candidate = &found.candidate;
-    let record = || found.record(language);
-    let text = || {
-        let reserve = reserve_text(&found.reserve, candidate, language);
-        let assumed = assumptions_text(&project.assumptions, language);
-        let one_line = format!("{} · {}: {}", project.name, candidate.id, standing_text(candidate, language));
-        let head = match (project.name.is_empty(), one_line.chars().count() > width()) {
-            (true, _) => String::new(),
-            (false, true) => paragraph("", &project.name),
-            (false, false) => format!("{} · ", project.name),
-        };
-        let tolerances = found.assessment.as_ref();
-        let tolerances = tolerances.map(|found| tolerance::detail(project, found, language)).unwrap_or_default();
-        let moves = moves::text(&workbench::moves(project), language);
-        format!("{head}{}{reserve}{moves}{tolerances}{assumed}", candidate_text(candidate, language))
-    };
-    Ok(Part::of(as_json, candidate.fits(), record, text).with_talk(talk))
+    let tolerances = found.assessment.as_ref();
+    let tolerances = tolerances.map(|found| tolerance::detail(project, found, language)).unwrap_or_default();
+    let moves = moves::text(&questions::moves(project), language);
+    format!("{head}{}{reserve}{moves}{tolerances}{assumed}", candidate_text(candidate, language))
 }

@@ -1,11 +1,11 @@
 //! A chapter on the terminal.
 
 use crate::table::{Align, Table, paragraph};
-use workbench::Language;
-use workbench::answers::{Block, Chapter, Grid, Hazard, Task};
-use workbench::text::commission;
+use answers::{Block, Chapter, Grid, Hazard, Task};
+use quantities::Language;
+use words::commission;
 
-/// The chapter as text, no line wider than the terminal; pictures are left to those who ask for them.
+/// The chapter as text, no line wider than the terminal; pictures are written only on request.
 pub(crate) fn shown(chapter: &Chapter, language: Language) -> String {
     let mut out = paragraph("", &chapter.title);
     let mut before = None;

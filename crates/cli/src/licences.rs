@@ -1,13 +1,12 @@
 //! `licences`: whose work the program is, and under which terms.
 
 use crate::answer::Answer;
+use crate::call::Call;
+use questions::list::{Asked, Unanswered};
 
 /// `antrieb licences`
-pub(crate) fn licences(as_json: bool) -> Answer {
-    let found = workbench::licences();
-    if as_json {
-        return Answer::record(&found);
-    }
+pub(crate) fn licences(_: &Call<'_>, _: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let found = questions::list::licences::licences();
     let texts: Vec<String> = found.texts.iter().map(|each| each.text.trim_end().to_owned() + "\n").collect();
-    Answer::data(texts.join("\n"))
+    Ok(Answer::data(texts.join("\n")))
 }

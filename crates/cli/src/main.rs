@@ -4,6 +4,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "this face speaks to the terminal")]
 
 mod answer;
+mod call;
 mod chapter;
 mod code;
 mod command;
@@ -19,6 +20,7 @@ mod glossary;
 mod inertia;
 mod judge;
 mod laid_out;
+mod layout;
 mod licences;
 mod mount;
 mod moves;
@@ -30,7 +32,6 @@ mod report;
 mod reserve;
 mod save;
 mod serve;
-mod subject;
 mod table;
 mod tolerance;
 mod upkeep;
@@ -39,10 +40,10 @@ mod wiring;
 
 use answer::Answer;
 use clap::ArgMatches;
+use quantities::{Language, Measure, Time};
+use questions::list::Unanswered;
 use std::process::ExitCode;
 use std::time::Duration;
-use workbench::Language;
-use workbench::quantities::{Measure, Time};
 
 fn main() -> ExitCode {
     let language = command::language_of(std::env::args_os());
@@ -58,24 +59,27 @@ fn main() -> ExitCode {
         }
     };
     let json = matches.get_flag("json");
-    let most = match deadline(&matches, json, language) {
+    let most = match deadline(&matches, language) {
         Ok(most) => most,
-        Err(answer) => return answer.write(language),
+        Err(why) => return fault::unanswered(&why, json, language).write(language),
     };
-    // Who serves waits for others, and nobody for him.
+    #[cfg(not(feature = "report"))]
+    if let Some(outcome) = report::by_cargo(&matches, language) {
+        return outcome;
+    }
+    // A server waits for requests; its work has no progress.
     let waiting = (matches.subcommand_name() != Some("serve")).then(|| waiting::Waiting::begin(language, most));
     let answer = dispatch(&matches, language);
     drop(waiting);
     answer.write(language)
 }
 
-/// How long the answer may take, where a command can be told so.
-fn deadline(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Option<Duration>, Answer> {
+/// How long the answer may take, where a command has the option.
+fn deadline(matches: &ArgMatches, language: Language) -> Result<Option<Duration>, Unanswered> {
     let Some((_, found)) = matches.subcommand() else { return Ok(None) };
-    if found.try_contains_id("deadline").is_err() {
-        return Ok(None);
-    }
-    let time: Option<Time> = fault::quantity(found, "deadline", as_json, language)?;
+    let text = found.try_get_one::<String>("deadline").ok().flatten();
+    let time = text.map(|text| questions::read_quantity::<Time>(text, language)).transpose();
+    let time = time.map_err(|fault| Unanswered::option("deadline", fault))?;
     // A day is as good as for ever.
     Ok(time.map(|time| Duration::from_secs_f64(time.si().clamp(0.0, 86_400.0))))
 }
@@ -83,35 +87,9 @@ fn deadline(matches: &ArgMatches, as_json: bool, language: Language) -> Result<O
 fn dispatch(matches: &ArgMatches, language: Language) -> Answer {
     let json = matches.get_flag("json");
     match matches.subcommand() {
-        Some(("size", found)) => judge::size(found, json, language),
-        Some(("check", found)) => judge::check(found, json, language),
-        Some(("report", found)) => report::report(found, json, language),
-        Some(("explain", found)) => explain::explain(found, json, language),
-        Some(("compare", found)) => compare::compare(found, json, language),
-        Some(("diff", found)) => diff::diff(found, json, language),
-        Some(("export", found)) => export::export(found, json, language),
-        Some(("code", found)) => code::dispatch(found, json, language),
-        Some(("data", found)) => data::sheet(found, json, language),
-        Some(("wiring", found)) => wiring::wiring(found, json, language),
-        Some(("errata", found)) => errata::errata(found, json, language),
-        Some(("catalogue", found)) => data::catalogue(found, json),
-        Some(("curve", found)) => chapter::curve(found, json, language),
-        Some(("plot", found)) => plot::plot(found, json, language),
-        Some(("bearing", found)) => chapter::bearing(found, json, language),
-        Some(("battery", found)) => chapter::battery(found, json, language),
-        Some(("mount", found)) => mount::mount(found, json, language),
-        Some(("upkeep", found)) => upkeep::upkeep(found, json, language),
-        Some(("new", found)) => chapter::template(found, json, language),
-        Some(("commission", found)) => commission::commission(found, json, language),
-        Some(("torsion", found)) => data::torsion(found, json, language),
-        Some(("inertia", found)) => inertia::inertia(found, json, language),
-        Some(("glossary", found)) => glossary::glossary(found, json, language),
         Some(("serve", found)) => serve::serve(found, json, language),
-        Some(("licences", _)) => licences::licences(json),
-        Some(("schema", found)) if found.get_flag("answers") => Answer::record(&workbench::answers::schema()),
-        Some(("schema", _)) => Answer::record(&workbench::schema(language)),
         Some(("completions", found)) => command::completions(found, language),
         Some(("man", found)) => command::man(found, json, language),
-        _ => Answer::none(),
+        _ => call::answer(matches, json, language).unwrap_or_else(Answer::none),
     }
 }

@@ -1,13 +1,25 @@
 //! The motion as it came out, as text.
 
+use crate::answer::Answer;
+use crate::call::Call;
 use crate::table::{Align, Table, labelled};
-use workbench::quantities::unit::SECOND;
-use workbench::quantities::{Measure, format_significant};
-use workbench::text::{law_text, terminal, terms};
-use workbench::{Language, Moves, recording_text};
+use quantities::unit::SECOND;
+use quantities::{Language, Measure, format_significant};
+use questions::Moves;
+use questions::list::{Asked, Cost, Unanswered, moves};
+use questions::texts::recording_text;
+use words::{law_text, terminal, terms};
 
 /// So many segments are shown; --json has them all.
 const SEGMENTS_MOST: usize = 12;
+
+/// `antrieb moves PROJECT`
+pub(crate) fn moves(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let args = moves::Args::read(&asked.given)?;
+    let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
+    Ok(Answer::data(text(&questions::moves(&project), language)))
+}
 
 /// Every segment with what was given and what followed from it.
 pub(crate) fn text(moves: &Moves<'_>, language: Language) -> String {

@@ -1,32 +1,54 @@
-//! `report` in a program that was built without the typesetting engine: it says so, and how to get it.
+//! `report` in a program that was built without the typesetting engine: it says so, and how to get it. Where cargo has started
+//! the program, cargo builds the one with the engine, and that one answers.
 
 use crate::answer::Answer;
-use crate::fault::simple;
+use crate::call::Call;
+use answers::Commissioning;
 use clap::ArgMatches;
+use quantities::Language;
+use questions::list::{Asked, LIST, Unanswered};
 use std::path::Path;
-use workbench::Language;
-use workbench::answers::Commissioning;
-use workbench::text::terminal;
+use std::process::{Command, ExitCode};
+use words::terminal;
 
 /// Reports and forms over HTTP.
 pub(crate) const PRESS: Option<page::Press> = None;
 
+/// Lets cargo build and run the program with the engine, where this one was started by `cargo run` and the command needs it.
+///
+/// Returns the exit code of that program, or nothing where the command is for this one.
+pub(crate) fn by_cargo(matches: &ArgMatches, language: Language) -> Option<ExitCode> {
+    let (command, found) = matches.subcommand()?;
+    let entry = LIST.iter().find(|entry| entry.command() == command)?;
+    let needs_engine = entry.files().any(|file| file.is_pdf() && found.contains_id(file.option));
+    let cargo = std::env::var_os("CARGO").filter(|_| needs_engine)?;
+    eprintln!("{}", terminal::cargo_builds_the_report(language));
+    let mut command = Command::new(cargo);
+    command.args(["run", "--package", "antrieb", "--manifest-path"]);
+    command.arg(concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml"));
+    if !cfg!(debug_assertions) {
+        command.arg("--release");
+    }
+    // If cargo cannot be started, the refusal says how to get the report.
+    let status = command.arg("--").args(std::env::args_os().skip(1)).status().ok()?;
+    Some(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(2)))
+}
+
 /// `antrieb report PROJECT --out FILE`
-pub(crate) fn report(_: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    refusal(as_json, language)
+pub(crate) fn report(call: &Call<'_>, _: &Asked<'_>) -> Result<Answer, Unanswered> {
+    Err(refusal(call.language))
 }
 
 /// `antrieb size PROJECT --report FILE`
-pub(crate) fn write(_: &ArgMatches, _: &Path, as_json: bool, language: Language) -> Result<Answer, Answer> {
-    Err(refusal(as_json, language))
+pub(crate) fn write(call: &Call<'_>, _: &Asked<'_>, _: &Path, _: bool) -> Result<Answer, Unanswered> {
+    Err(refusal(call.language))
 }
 
 /// `antrieb commission CODE --checklist FILE`
-pub(crate) fn checklist(_: &Commissioning, as_json: bool, language: Language) -> Result<Vec<u8>, Answer> {
-    Err(refusal(as_json, language))
+pub(crate) fn checklist(_: &Commissioning, language: Language) -> Result<Vec<u8>, Unanswered> {
+    Err(refusal(language))
 }
 
-fn refusal(as_json: bool, language: Language) -> Answer {
-    let what = terminal::built_without_report(language);
-    simple(what, as_json, language)
+fn refusal(language: Language) -> Unanswered {
+    Unanswered::message(terminal::built_without_report(language))
 }

@@ -1,9 +1,9 @@
-//! The reference page of the commands, in Markdown, from the definitions that read the command line. Only its test asks for it.
+//! The reference page of the commands, in Markdown, from the definitions that read the command line. Only its test uses it.
 
 use crate::command::build;
 use clap::{Arg, Command};
-use workbench::Language;
-use workbench::text::pages;
+use quantities::Language;
+use words::pages;
 
 /// The page in a language.
 fn page(language: Language) -> String {
@@ -40,7 +40,7 @@ fn told(page: &mut String, before: &str, command: &Command, language: Language) 
     }
 }
 
-/// What every command takes is told once.
+/// Options of every command are listed once.
 fn told_once(argument: &Arg) -> bool {
     argument.is_global_set() || ["help", "version"].contains(&argument.get_id().as_str())
 }
@@ -62,8 +62,12 @@ fn row(argument: &Arg, language: Language) -> String {
         _ => value.clone(),
     };
     let spelled = if takes && argument.get_long().is_some() { format!("{spelled} {value}") } else { spelled };
-    let mut parts = vec![argument.get_help().map(ToString::to_string).unwrap_or_default()];
+    let help = argument.get_help().map(ToString::to_string).unwrap_or_default();
     let words = argument.get_possible_values();
+    let listed = words.iter().map(|word| word.get_name()).collect::<Vec<_>>().join(", ");
+    // The page lists the words as code, once.
+    let help = help.strip_suffix(&listed).and_then(|help| help.strip_suffix(": ")).unwrap_or(&help);
+    let mut parts = vec![help.to_owned()];
     if takes && !words.is_empty() {
         let words: Vec<String> = words.iter().map(|word| format!("`{}`", word.get_name())).collect();
         parts.push(pages::one_of(&words.join(" "), language));
@@ -124,6 +128,32 @@ mod tests {
                     assert!(page.contains(&format!("--{long}")), "{long}");
                 }
             }
+        }
+    }
+
+    /// Every question of the list is a command with all its arguments, is described on the page, and is shown.
+    #[test]
+    fn every_question_of_the_list_is_a_command() {
+        use questions::list::{LIST, Reads};
+        for entry in LIST {
+            let mut whole = build(Language::En);
+            whole.build();
+            let words = entry.command().split(' ');
+            let command = words.fold(&whole, |above, word| above.find_subcommand(word).unwrap());
+            assert!(command.get_about().is_some(), "{}", entry.command);
+            let has = |name: &str| command.get_arguments().any(|argument| argument.get_id() == name);
+            for argument in entry.arguments {
+                // The format of a table is said by the ending of its file.
+                assert!(has(argument.name) || argument.name == "format", "{} {}", entry.command, argument.name);
+            }
+            assert!(entry.option().is_none_or(has), "{}", entry.command);
+            assert!(page(Language::En).contains(&format!("## `antrieb {}`\n", entry.command())), "{}", entry.command);
+            let writes = entry.option().is_some() && entry.reads == Reads::Nothing;
+            assert!(
+                crate::layout::Layout::of(entry).is_some() || writes || entry.answer.is_some(),
+                "{} is not shown",
+                entry.command
+            );
         }
     }
 }

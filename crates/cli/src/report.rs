@@ -1,79 +1,65 @@
 //! `report`: the results as the PDF that an engineer signs.
 
 use crate::answer::{Answer, written};
-use crate::fault::{Source, option_fault, path_text, simple, text_option};
-use crate::save::{Unwritten, ready, save};
-use crate::subject::candidate;
-use crate::subject::{in_reach, picked, refuse};
+use crate::call::Call;
+use crate::fault::path_text;
+use crate::save::Desk;
 use crate::waiting::patience;
-use clap::ArgMatches;
+use answers::{AxisWritten, Chapter, Commissioning, Fit, Picture, ReportWritten};
 use figures::{By, Drawing, Figure, Style, Theme};
+use order_code::OrderCode;
 use page::{Press, ReportAsked};
-use report::{AxisContent, Content, Place, Settings};
-use std::path::{Path, PathBuf};
-use workbench::answers::{AxisWritten, Chapter, Commissioning, Fit, Picture, ReportWritten};
-use workbench::text::{standing_text, terminal};
-use workbench::{
-    Candidate, CandidateId, Draw, DriveForm, Language, MountAsked, OrderCode, Patience, Project, Question, Refusal,
-    Sizing, UpkeepAsked, answer, chapter, usual_ambient,
-};
+use project::Project;
+use quantities::Language;
+use questions::list::commission::{DriveForm, usual_ambient};
+use questions::list::mount::MountAsked;
+use questions::list::upkeep::UpkeepAsked;
+use questions::list::{Asked, Unanswered, report as args};
+use questions::texts::standing_text;
+use questions::{Candidate, CandidateId, Draw, Patience, Refusal, Sizing, answer, chapter};
+use report::{AxisContent, Content, DiagramPlace, Settings};
+use std::path::Path;
+use words::terminal;
 
 /// The figures of the report beside the map of the candidates, each with its place there.
-const FIGURES: [(Place, &str, Figure); 4] = [
-    (Place::Motion, "motion", Figure::Cycle),
-    (Place::TorqueSpeed, "torque_speed", Figure::TorqueSpeed),
-    (Place::OutputBearing, "output_bearing", Figure::BearingLoad),
-    (Place::Gear, "gear", Figure::Torsion),
+const FIGURES: [(DiagramPlace, &str, Figure); 4] = [
+    (DiagramPlace::Motion, "motion", Figure::Cycle),
+    (DiagramPlace::TorqueSpeed, "torque_speed", Figure::TorqueSpeed),
+    (DiagramPlace::OutputBearing, "output_bearing", Figure::BearingLoad),
+    (DiagramPlace::Gear, "gear", Figure::Torsion),
 ];
 
 /// `antrieb report PROJECT --out FILE`
-pub(crate) fn report(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let out = matches.get_one::<PathBuf>("out").cloned().unwrap_or_default();
-    write(matches, &out, as_json, language).unwrap_or_else(|answer| answer)
+pub(crate) fn report(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    write(call, asked, call.path("out").unwrap_or(Path::new("")), call.as_json)
 }
 
-/// Writes the report of the axes and the actuator that are asked for.
-pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: Language) -> Result<Answer, Answer> {
-    if out.as_os_str() == "-" {
-        return Err(Unwritten::to_stdout(out).answer(as_json, language));
-    }
+/// Writes the report of the axes and the actuator that are requested.
+pub(crate) fn write(call: &Call<'_>, asked: &Asked<'_>, out: &Path, as_json: bool) -> Result<Answer, Unanswered> {
+    let language = call.language;
     if !out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
-        let what = terminal::report_is_a_pdf(&path_text(out), language);
-        return Err(simple(&what, as_json, language));
+        return Err(Unanswered::message(terminal::report_is_a_pdf(&path_text(out), language)));
     }
-    let settings = settings(matches, as_json, language)?;
-    let path = matches.get_one::<PathBuf>("project").cloned().unwrap_or_default();
-    let source = Source::read(&path, matches, as_json, language)?;
-    let projects = source.projects(as_json, language)?;
-    let inputs = source.inputs(&projects);
-    let force = matches.get_flag("force");
-    ready(&[out], &inputs, force).map_err(|fault| fault.answer(as_json, language))?;
-    let projects = picked(projects, matches, as_json, language)?;
-    in_reach(Question::Report, projects.iter().map(|(_, project)| project), as_json, language)?;
-    if projects.len() > 1 && matches!(matches.try_get_one::<String>("code"), Ok(Some(_))) {
-        let names: Vec<&str> = projects.iter().map(|(_, project)| project.name.as_str()).collect();
-        let names = names.join(", ");
-        let what = terminal::code_is_for_one_axis(&names, language);
-        return Err(simple(&what, as_json, language));
-    }
-    let flag = |name: &str| matches.try_get_one::<bool>(name).ok().flatten().copied().unwrap_or(false);
-    let with_installation = flag("installation");
-    let delivered = matches.try_get_one::<String>("delivered").ok().flatten();
-    let delivered = delivered
-        .map(|text| workbench::read_date(text, language))
-        .transpose()
-        .map_err(|fault| option_fault("delivered", fault, as_json, language))?;
-    let (mut axes, mut told, mut talk, mut standings) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let settings = settings(call)?;
+    let source = asked.source()?;
+    let inputs = call.inputs(&source.projects(asked.patience, language)?);
+    let desk = Desk { inputs: &inputs, force: call.flag("force"), language };
+    desk.ready(&[out])?;
+    let args = args::Args::read(&asked.given)?;
+    let projects = args.axes(asked)?;
+    let with_installation = args.installation;
+    let delivered = call.text("delivered").map(|text| questions::list::upkeep::read_date(text, language)).transpose();
+    let delivered = delivered.map_err(|fault| Unanswered::option("delivered", fault))?;
+    let text = source.text(language)?;
+    let (mut axes, mut told, mut standings) = (Vec::new(), Vec::new(), Vec::new());
     for (place, project) in &projects {
-        let sizing =
-            workbench::sized(project, usize::MAX, patience()).map_err(|refusal| refuse(&refusal, as_json, language))?;
+        let sizing = questions::list::size::sized(project, usize::MAX, patience())?;
         let best = || sizing.candidates.first().map(|best| best.id.clone());
-        let (candidate, said) = candidate(project, best, matches, as_json, language)?;
-        let mut content = content((*place, project), &sizing, &candidate, &source.text, patience(), language)
-            .map_err(|refusal| refuse(&refusal, as_json, language))?;
+        let candidate = questions::candidate_for(project, args.code.as_ref(), best)?;
+        let mut content = content((*place, project), &sizing, &candidate, text, patience(), language)?;
         if let (true, CandidateId::Code(code)) = (with_installation, &candidate.id) {
             content.chapters = installation(code, project, delivered, language)
-                .map_err(|(what, hint)| option_fault("delivered", (what, hint), as_json, language))?;
+                .map_err(|fault| Unanswered::option("delivered", fault))?;
             let cited = chapter::documents(&content.chapters, language);
             content.dossier.documents.extend(cited);
         }
@@ -84,12 +70,10 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
             verdict: answer::fit(&candidate),
         });
         standings.push(standing_text(&candidate, language));
-        talk.push(said);
     }
     let content = Content { language, axes };
-    let bytes =
-        report::pdf(&content, &settings).map_err(|fault| simple(&fault.message(language), as_json, language))?;
-    save(&[(out, &bytes)], &inputs, force).map_err(|fault| fault.answer(as_json, language))?;
+    let bytes = report::pdf(&content, &settings).map_err(|fault| Unanswered::message(fault.message(language)))?;
+    desk.save(&[(out, &bytes)])?;
     let file = path_text(out);
     let fits = told.iter().all(|each| each.verdict == Fit::Fits);
     let data = match (as_json, told.as_slice()) {
@@ -115,7 +99,7 @@ pub(crate) fn write(matches: &ArgMatches, out: &Path, as_json: bool, language: L
             })
         }
     };
-    Ok(Answer { talk: talk.concat(), ..Answer::data(data) }.fits(fits))
+    Ok(Answer::data(data).fits(fits))
 }
 
 /// Reports and forms over HTTP.
@@ -129,9 +113,9 @@ fn served(asked: &ReportAsked<'_>) -> Result<Vec<u8>, String> {
     let said = |refusal: Refusal| answer::refusal_text(&refusal, None, l);
     let mut axes = Vec::new();
     for (place, project) in asked.axes {
-        let sizing = workbench::sized(project, usize::MAX, asked.patience).map_err(said)?;
+        let sizing = questions::list::size::sized(project, usize::MAX, asked.patience).map_err(said)?;
         let best = || sizing.candidates.first().map(|best| best.id.clone());
-        let candidate = workbench::candidate_for(project, asked.code.as_ref(), best).map_err(said)?;
+        let candidate = questions::candidate_for(project, asked.code.as_ref(), best).map_err(said)?;
         let mut content =
             content((*place, project), &sizing, &candidate, asked.text, asked.patience, l).map_err(said)?;
         if let (true, CandidateId::Code(code)) = (asked.installation, &candidate.id) {
@@ -144,13 +128,12 @@ fn served(asked: &ReportAsked<'_>) -> Result<Vec<u8>, String> {
 }
 
 /// The check-lists of a commissioning as PDF.
-pub(crate) fn checklist(sheet: &Commissioning, as_json: bool, language: Language) -> Result<Vec<u8>, Answer> {
-    report::checklist_pdf(sheet, language).map_err(|fault| simple(&fault.message(language), as_json, language))
+pub(crate) fn checklist(sheet: &Commissioning, language: Language) -> Result<Vec<u8>, Unanswered> {
+    report::checklist_pdf(sheet, language).map_err(|fault| Unanswered::message(fault.message(language)))
 }
 
-fn settings(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Settings, Answer> {
-    let text = |name: &str| text_option(matches, name, as_json, language).map(Option::unwrap_or_default);
-    let flag = |name: &str| matches.try_get_one::<bool>(name).ok().flatten().copied().unwrap_or(false);
+fn settings(call: &Call<'_>) -> Result<Settings, Unanswered> {
+    let text = |name: &'static str| call.label(name).map(Option::unwrap_or_default);
     Ok(Settings {
         date: Some(text("date")?).filter(|date| !date.is_empty()),
         revision: text("revision")?,
@@ -158,8 +141,8 @@ fn settings(matches: &ArgMatches, as_json: bool, language: Language) -> Result<S
         number: text("number")?,
         author: text("author")?,
         company: text("company")?,
-        pdf_a: flag("archive"),
-        full: flag("full"),
+        pdf_a: call.flag("archive"),
+        full: call.flag("full"),
     })
 }
 
@@ -178,7 +161,7 @@ fn content(
             report::prepare();
             figures()
         });
-        let (reserve, assessment) = workbench::margins(project, candidate, Draw::default(), patience)?;
+        let (reserve, assessment) = questions::list::check::margins(project, candidate, Draw::default(), patience)?;
         let dossier = answer::dossier(
             project,
             sizing,
@@ -195,11 +178,11 @@ fn content(
 fn installation(
     code: &OrderCode,
     project: &Project,
-    delivered: Option<workbench::Date>,
+    delivered: Option<questions::list::upkeep::Date>,
     language: Language,
 ) -> Result<Vec<Chapter>, (String, Option<String>)> {
     let mut chapters = Vec::new();
-    if let Some(found) = workbench::wiring(code) {
+    if let Some(found) = questions::list::wiring::wiring(code) {
         let faces = found.connectors.iter().filter(|connector| !connector.pins.is_empty());
         let drawings = faces.map(|connector| {
             let drawing = figures::mating_face_beside_pins(code, connector, language);
@@ -208,17 +191,20 @@ fn installation(
         });
         chapters.push(chapter::wiring(&answer::wiring(&found, None, language), drawings.collect(), language));
     }
-    let asked = MountAsked { axis: workbench::joint_loads(project, code).unwrap_or_default(), ..MountAsked::default() };
-    if let Some(found) = workbench::mount(code, &asked) {
+    let asked = MountAsked {
+        axis: questions::list::mount::joint_loads(project, code).unwrap_or_default(),
+        ..MountAsked::default()
+    };
+    if let Some(found) = questions::list::mount::mount(code, &asked) {
         chapters.push(chapter::mount(&answer::mount(&found, &asked, Some(&project.name), language), language));
     }
-    if let Some(about) = workbench::commission(code) {
+    if let Some(about) = questions::list::commission::commission(code) {
         let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), language);
         chapters.push(chapter::commission(&sheet, &[], language));
     }
     if let Some(delivered) = delivered {
         let asked = UpkeepAsked { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
-        let plan = workbench::upkeep(code, &asked, language).map_err(|(_, what, hint)| (what, hint))?;
+        let plan = questions::list::upkeep::upkeep(code, &asked, language).map_err(|(_, what, hint)| (what, hint))?;
         chapters.push(chapter::upkeep(&answer::upkeep(&plan, language), language));
     }
     Ok(chapters)
@@ -229,18 +215,18 @@ fn drawn_figures(
     sizing: &Sizing<'_>,
     candidate: &Candidate<'_>,
     language: Language,
-) -> Vec<report::Figure> {
+) -> Vec<report::Diagram> {
     let figures = FIGURES.iter().filter_map(|(place, id, figure)| {
         let drawing = figures::draw(*figure, project, candidate, By::Mass, patience(), language).ok()?;
         Some(drawn((*place, id), &drawing, language))
     });
     let map = figures::candidate_map(sizing, By::Mass, Some(&candidate.id), language);
-    figures.chain([drawn((Place::Alternatives, "alternatives"), &map, language)]).collect()
+    figures.chain([drawn((DiagramPlace::Alternatives, "alternatives"), &map, language)]).collect()
 }
 
-fn drawn((place, id): (Place, &str), drawing: &Drawing, language: Language) -> report::Figure {
+fn drawn((place, id): (DiagramPlace, &str), drawing: &Drawing, language: Language) -> report::Diagram {
     let (svg, alternative_text) = as_svg(id, drawing, language);
-    report::Figure { place, svg, caption: drawing.caption.clone(), alternative_text }
+    report::Diagram { place, svg, caption: drawing.caption.clone(), alternative_text }
 }
 
 /// A drawing on paper, and what it shows.

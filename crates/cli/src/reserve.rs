@@ -1,11 +1,13 @@
 //! What a candidate leaves in reserve or lacks, and what was assumed, as text.
 
 use crate::table::labelled;
-use workbench::text::{assumption_text, terms};
-use workbench::{Candidate, Language, Reserve, reserve_lines};
+use quantities::Language;
+use questions::texts::reserve_lines;
+use questions::{Candidate, Reserve};
+use words::{assumption_text, terms};
 
-/// What was taken because nobody stated it.
-pub(crate) fn assumptions_text(assumptions: &[workbench::Assumption], language: Language) -> String {
+/// The assumptions.
+pub(crate) fn assumptions_text(assumptions: &[project::Assumption], language: Language) -> String {
     let head = terms::assumed(language);
     assumptions.iter().map(|assumption| labelled(head, &assumption_text(*assumption, language))).collect()
 }

@@ -1,33 +1,40 @@
-//! Files that commands write, with what is in their way as an answer.
+//! Files that commands write, with what is in their way.
 
-use crate::answer::Answer;
-use crate::fault::{path_text, unreadable};
+use crate::fault::path_text;
+use quantities::Language;
+use questions::list::Unanswered;
 use std::path::{Path, PathBuf};
-use workbench::Language;
-use workbench::text::{SaveTrouble, save_trouble};
+use words::{SaveTrouble, save_trouble};
 
 /// A file that could not be written.
-pub(crate) struct Unwritten(disk::Unwritten);
-
-impl Unwritten {
-    /// A file whose format does not go to standard output.
-    pub(crate) fn to_stdout(path: &Path) -> Self {
-        Self(disk::Unwritten { path: path.to_owned(), trouble: SaveTrouble::NotToStdout })
-    }
-
-    /// The finished answer.
-    pub(crate) fn answer(&self, as_json: bool, language: Language) -> Answer {
-        unreadable(&path_text(&self.0.path), &save_trouble(&self.0.trouble, language), as_json, language)
-    }
+fn unwritten(unwritten: &disk::Unwritten, language: Language) -> Unanswered {
+    let message = save_trouble(&unwritten.trouble, language);
+    Unanswered::File { name: path_text(&unwritten.path), message, is_too_large: false }
 }
 
-/// Writes files, all or none; a signal takes what is unfinished with it.
-pub(crate) fn save(files: &[(&Path, &[u8])], inputs: &[PathBuf], force: bool) -> Result<(), Unwritten> {
-    disk::end_on_signals();
-    disk::save(files, inputs, force).map_err(Unwritten)
+/// A file whose format does not go to standard output.
+pub(crate) fn not_to_stdout(path: &Path, language: Language) -> Unanswered {
+    unwritten(&disk::Unwritten { path: path.to_owned(), trouble: SaveTrouble::NotToStdout }, language)
 }
 
-/// Whether files could be written there, asked before the work for them begins.
-pub(crate) fn ready(files: &[&Path], inputs: &[PathBuf], force: bool) -> Result<(), Unwritten> {
-    disk::ready(files, inputs, force).map_err(Unwritten)
+/// What a call writes, and where not.
+pub(crate) struct Desk<'c> {
+    /// The files that are read: none of them is written.
+    pub(crate) inputs: &'c [PathBuf],
+    /// Whether a file that exists is replaced.
+    pub(crate) force: bool,
+    pub(crate) language: Language,
+}
+
+impl Desk<'_> {
+    /// Writes files, all or none; a signal takes what is unfinished with it.
+    pub(crate) fn save(&self, files: &[(&Path, &[u8])]) -> Result<(), Unanswered> {
+        disk::end_on_signals();
+        disk::save(files, self.inputs, self.force).map_err(|why| unwritten(&why, self.language))
+    }
+
+    /// Whether files could be written there, before the work for them begins.
+    pub(crate) fn ready(&self, files: &[&Path]) -> Result<(), Unanswered> {
+        disk::ready(files, self.inputs, self.force).map_err(|why| unwritten(&why, self.language))
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::io::IsTerminal;
 use std::sync::OnceLock;
-use workbench::text::{is_vowel, stands_before_a_number};
+use words::{is_vowel, stands_before_a_number};
 
 /// The width where there is no terminal to ask.
 const USUAL: usize = 100;
@@ -14,7 +14,7 @@ const WIDEST_TERMINAL: usize = 200;
 /// A column is not wrapped to less than this.
 const NARROWEST: usize = 14;
 
-/// The last of several columns tells in words what the others count: narrower than this it stands below its row.
+/// The last of several columns is a text: if narrower than this it is placed below its row.
 const NARROWEST_WORDS: usize = 30;
 
 /// A blank that a line is not broken at; it is printed as a blank.
@@ -93,7 +93,7 @@ impl Table {
         let heads: Vec<String> = self.columns.iter().take(widths.len()).map(|(head, _)| head.clone()).collect();
         let mut out = String::new();
         self.line(&mut out, &heads, &widths);
-        // A single column that stands below its rows has its head below theirs; of several each tells its own.
+        // A single column below its rows has its head below theirs; of several each has its own.
         let single = self.columns.len() == widths.len() + 1;
         if let Some((head, _)) = self.columns.last().filter(|_| single) {
             out.push_str(&paragraph_to("    ", head, most));

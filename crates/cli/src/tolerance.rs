@@ -1,20 +1,14 @@
-//! The part of `size` and `check` that tells what the tolerances of a project mean.
+//! The part of `size` and `check` about the effect of tolerances.
 
 use crate::table::{Align, Table, paragraph};
-use clap::ArgMatches;
-use workbench::text::{terminal, terms};
-use workbench::{
-    Assessment, Draw, Language, Project, Ranking, SEED_USUAL, dominating, passing_text, sampling_text, share_text,
-    tolerance_heads, tolerance_lines, tolerance_rows, worst_text,
+use project::Project;
+use quantities::Language;
+use questions::Assessment;
+use questions::list::size::Ranking;
+use questions::texts::{
+    dominating, passing_text, sampling_text, share_text, tolerance_heads, tolerance_lines, tolerance_rows, worst_text,
 };
-
-/// How many samples and which seed are asked for.
-pub(crate) fn draw(matches: &ArgMatches) -> Draw {
-    Draw {
-        samples: matches.get_one::<u32>("samples").and_then(|samples| usize::try_from(*samples).ok()),
-        seed: matches.get_one::<u64>("seed").copied().unwrap_or(SEED_USUAL),
-    }
-}
+use words::{terminal, terms};
 
 /// The table behind a ranking; empty without tolerances.
 pub(crate) fn table(ranking: &Ranking<'_>, language: Language) -> String {

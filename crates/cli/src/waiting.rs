@@ -1,14 +1,14 @@
-//! Somebody waits for the answer: how long, and a sign of life on the terminal when it takes longer than a second.
+//! Deadline of an answer, and progress on the terminal when it takes longer than a second.
 
 use indicatif::{ProgressBar, ProgressStyle};
+use quantities::{Language, format_number};
+use questions::Patience;
 use std::io::IsTerminal;
 use std::sync::OnceLock;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
-use workbench::quantities::format_number;
-use workbench::text::terminal;
-use workbench::{Language, Patience};
+use words::terminal;
 
 /// Shown after this time.
 const QUIET: Duration = Duration::from_secs(1);
@@ -22,12 +22,12 @@ fn caller() -> &'static (Patience, Option<Duration>) {
     PATIENCE.get_or_init(|| (Patience::endless(), None))
 }
 
-/// That of whoever has called this process.
+/// That of the caller of this process.
 pub(crate) fn patience() -> &'static Patience {
     &caller().0
 }
 
-/// How long whoever has called waits at most.
+/// The deadline of the caller.
 pub(crate) fn time_limit() -> Option<Duration> {
     caller().1
 }

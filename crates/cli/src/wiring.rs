@@ -1,96 +1,52 @@
 //! `wiring`: connectors, pins and cables, and a list of pins compared with them.
 
 use crate::answer::Answer;
-use crate::code::{parse_for_use, read_argument};
-use crate::fault::{option_fault, path_text, read_bytes_within, report, simple, unreadable};
+use crate::call::Call;
 use crate::laid_out::shown;
 use crate::plot;
-use crate::subject::refuse;
 use crate::table::{Align, Table};
-use clap::ArgMatches;
+use answers::WiringCheck;
+use quantities::Language;
+use questions::chapter;
+use questions::list::wiring::Role;
+use questions::list::{Asked, Unanswered, wiring_check};
 use std::fmt::Write as _;
-use std::path::PathBuf;
-use workbench::answers::WiringCheck;
-use workbench::quantities::{Area, Length};
-use workbench::text::{file_trouble, wiring};
-use workbench::{LISTED_BYTES_MAX, Language, Role, answer, chapter};
+use words::wiring;
 
 /// `antrieb wiring CODE`
-pub(crate) fn wiring(matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let (reading, talk) = match parse_for_use(&read_argument(matches), as_json, language) {
-        Ok(found) => found,
-        Err(answer) => return answer,
-    };
-    let Some(found) = workbench::wiring(&reading.parsed.code) else {
-        return refuse(&workbench::Refusal::NoData, as_json, language);
-    };
-    let cable = match cable(matches, as_json, language) {
-        Ok(cable) => cable,
-        Err(answer) => return answer,
-    };
-    let answer = match matches.get_one::<PathBuf>("check") {
-        Some(_) if plot::is_asked(matches) => return simple(wiring::check_or_draw(language), as_json, language),
-        Some(path) => check(&found, path, as_json, language),
-        None if plot::is_asked(matches) => draw(&found, matches, as_json, language),
-        None => {
-            let record = answer::wiring(&found, cable, language);
-            if as_json {
-                Answer::record(&record)
-            } else {
-                Answer::data(shown(&chapter::wiring(&record, Vec::new(), language), language))
-            }
-        }
-    };
-    Answer { talk: talk + &answer.talk, ..answer }
+pub(crate) fn wiring(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let (found, record) = questions::list::wiring::found(asked)?;
+    if plot::is_asked(call) {
+        return draw(&found, call);
+    }
+    Ok(Answer::data(shown(&chapter::wiring(&record, Vec::new(), language), language)))
 }
 
-/// Length and cross-section of a cable, where they are given.
-fn cable(matches: &ArgMatches, as_json: bool, language: Language) -> Result<Option<(Length, Option<Area>)>, Answer> {
-    let text = |option: &str| matches.get_one::<String>(option).map(String::as_str);
-    let fault = |option: &'static str| move |fault| option_fault(option, fault, as_json, language);
-    let Some(length) = text("length") else { return Ok(None) };
-    let length = workbench::cable_length(length, language).map_err(fault("length"))?;
-    let section = text("cross-section").map(|text| workbench::cross_section(text, language)).transpose();
-    Ok(Some((length, section.map_err(fault("cross-section"))?)))
-}
-
-fn draw(wiring: &workbench::Wiring, matches: &ArgMatches, as_json: bool, language: Language) -> Answer {
-    let wanted = matches.get_one::<String>("connector").map_or(Role::Feedback.id(), String::as_str);
-    let Some(connector) = wiring.connectors.iter().find(|connector| connector.role.id() == wanted) else {
-        let roles: Vec<&str> = wiring.connectors.iter().map(|connector| connector.role.id()).collect();
-        let what = wiring::no_such_connector(&wiring.code, &roles.join(", "), language);
-        return option_fault("connector", (what, None), as_json, language);
+fn draw(found: &questions::list::wiring::Wiring, call: &Call<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    let wanted = call.text("connector").unwrap_or(Role::Feedback.id());
+    let Some(connector) = found.connectors.iter().find(|connector| connector.role.id() == wanted) else {
+        let roles: Vec<&str> = found.connectors.iter().map(|connector| connector.role.id()).collect();
+        let what = wiring::no_such_connector(&found.code, &roles.join(", "), language);
+        return Err(Unanswered::option("connector", (what, None)));
     };
     if connector.pins.is_empty() {
-        return simple(wiring::no_pins_to_draw(language), as_json, language);
+        return Err(Unanswered::message(wiring::no_pins_to_draw(language)));
     }
-    if let Err(answer) = plot::destination(matches, &[], as_json, language) {
-        return answer;
-    }
-    plot::put(&figures::mating_face(&wiring.code, connector, language), matches, &[], as_json, language)
+    plot::destination(call, &[])?;
+    plot::put(&figures::mating_face(&found.code, connector, language), call, &[])
 }
 
-fn check(wiring: &workbench::Wiring, path: &std::path::Path, as_json: bool, language: Language) -> Answer {
-    let name = if path.as_os_str() == "-" { "stdin".to_owned() } else { path_text(path) };
-    let bytes = match read_bytes_within(path, LISTED_BYTES_MAX) {
-        Ok(bytes) if bytes.len() > LISTED_BYTES_MAX => {
-            let what = wiring::pin_list_too_large(&LISTED_BYTES_MAX, language);
-            return unreadable(&name, &what, as_json, language);
-        }
-        Ok(bytes) => bytes,
-        Err(error) => return unreadable(&name, &file_trouble(&error, language), as_json, language),
-    };
-    let read = match workbench::read_list(wiring, &bytes) {
-        Ok(read) => read,
-        Err(error) => return unreadable(&name, &file_trouble(&error, language), as_json, language),
-    };
-    let Ok(comparison) = &read.outcome else {
-        return report(&name, &read.text, &read.told(language), as_json, language);
-    };
-    let record = answer::wiring_check(wiring, comparison, language);
-    let agrees = record.agrees;
-    let answer = if as_json { Answer::record(&record) } else { Answer::data(check_text(&record, &name, language)) };
-    answer.fits(agrees)
+/// `antrieb wiring CODE --check FILE`
+pub(crate) fn check(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let language = call.language;
+    if plot::is_asked(call) {
+        return Err(Unanswered::message(wiring::check_or_draw(language)));
+    }
+    let record = wiring_check::found(asked)?;
+    let name = asked.source()?.name.as_str();
+    Ok(Answer::data(check_text(&record, name, language)).fits(record.agrees))
 }
 
 fn check_text(record: &WiringCheck, name: &str, language: Language) -> String {

@@ -4,9 +4,11 @@
 mod run;
 
 use page::{Call, Method, Reply, Shell};
+use project::Files;
+use quantities::Language;
+use questions::Patience;
 use run::{root, run_with};
 use std::io::Read;
-use workbench::{Files, Language, Patience};
 
 /// The files beside the examples.
 struct Examples;

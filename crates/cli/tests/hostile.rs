@@ -4,12 +4,12 @@
 
 mod run;
 
+use quantities::is_unseen;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 use testkit::parquet::{Column, claimed_children, file, nested_groups, page, ramp_of_deltas};
-use workbench::quantities::is_unseen;
 
 /// Address space that a refusal may take, in KiB, and the time: a fraction of what the files claim.
 const SPACE_KIB: u32 = 400_000;
@@ -33,7 +33,7 @@ fn antrieb(folder: &Path, arguments: &[&str]) -> Output {
     output
 }
 
-/// What is told, in JSON; never beside a verdict.
+/// The reported faults, in JSON; never together with a verdict.
 fn faults(folder: &Path, arguments: &[&str]) -> serde_json::Value {
     let output = antrieb(folder, &[arguments, &["--json"]].concat());
     let out = String::from_utf8_lossy(&output.stdout);
@@ -237,7 +237,7 @@ fn whoever_asks_for_json_gets_every_fault_as_json() {
     assert_eq!(fs::read_dir(here).unwrap().count(), 1, "nothing was written");
 }
 
-/// What would take long is not begun unasked, and said in each form of the answer.
+/// Long work is not started without a deadline, which every form of the answer reports.
 #[test]
 fn reserves_of_a_long_recording_under_losses_are_not_sought_unasked() {
     let rows: String = (0..=50_001_u32)
@@ -324,7 +324,7 @@ fn longer_recordings_than_are_judged_unasked_are_refused_by_their_number() {
     assert!(run(&check).0 < 2);
 }
 
-/// Tolerances and ratios of a stage that would make a long recording anew again and again are not begun unasked.
+/// Tolerances and stage ratios that would recompute a long recording many times are not started without a deadline.
 #[test]
 fn what_makes_a_long_recording_anew_is_counted_before() {
     let count = 100_000_u32;

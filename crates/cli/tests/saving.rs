@@ -1,4 +1,4 @@
-//! What is written: whole or not at all, only where it was asked for, whatever is in the way.
+//! Files are written completely or not at all, and only at the given path.
 #![cfg(unix)]
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, reason = "a test fails loudly")]
 
@@ -97,7 +97,7 @@ fn a_link_is_followed_within_its_folder_only() {
     assert_eq!(names(here), ["far.svg", "near.svg", "nowhere.svg", "target.svg"]);
 }
 
-/// A picture that cannot be written is not drawn: its place is told before what only drawing would tell.
+/// A picture that cannot be written is not drawn: faults of its path are reported before those of drawing.
 #[test]
 fn the_place_of_a_picture_is_asked_for_first() {
     let folder = tempfile::tempdir().unwrap();
@@ -152,7 +152,7 @@ fn what_is_read_is_not_written() {
     assert!(fs::read_to_string(here.join("robot-joint.toml")).unwrap().starts_with("#"));
 }
 
-/// The kernel makes no files for anybody in this folder, the superuser included.
+/// The kernel creates no files in this folder, not even for the superuser.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_folder_that_takes_no_files_is_told() {

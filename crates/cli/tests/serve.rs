@@ -65,7 +65,7 @@ fn the_answers_of_a_server_are_those_of_the_commands() {
         let file = format!("examples/{name}.toml");
         let text = std::fs::read(root().join(&file)).unwrap();
         let line = format!("POST /api/v1/size?file={file}&{query}");
-        // What a browser prefers is no matter of the interface.
+        // The interface ignores the language preference of the browser.
         let (head, body) = server.ask(&line, "content-type: application/toml\r\naccept-language: de\r\n", &text);
         let options: Vec<String> = query.split('&').map(|pair| format!("--{pair}")).collect();
         let mut arguments = vec!["size", &file, "--json"];

@@ -1,30 +1,34 @@
 //! Enumerating, completing and correcting ordering codes.
 
 use crate::rules::{Availability, BrokenRule, availability, looked_up};
-use order_code::{Brake, Feedback, Field, Option1, Option2, OrderCode, Pattern, Ratio, Size, Slot, Winding};
+use order_code::{Brake, Feedback, Field, Option1, Option2, OrderCode, Pattern, Ratio, Series, Size, Slot, Winding};
 use std::sync::LazyLock;
 
 /// Every code that can be written, whether it exists or not, without the special design.
-static WRITABLE: LazyLock<Vec<OrderCode>> = LazyLock::new(|| {
+static WRITABLE: LazyLock<Vec<OrderCode>> = LazyLock::new(|| Series::all().flat_map(writable).collect());
+
+fn writable(series: Series) -> Vec<OrderCode> {
+    let brakes = if series.words(Field::Brake).is_empty() { &[Brake::Without] } else { Brake::ALL };
+    let options_1 = || std::iter::once(None).chain(Option1::all(series).map(Some));
+    let options_2 = || std::iter::once(None).chain(Option2::all(series).map(Some));
     let mut codes = Vec::new();
-    for &size in Size::ALL {
-        for &ratio in Ratio::ALL {
-            for &winding in Winding::ALL {
-                for &feedback in Feedback::ALL {
-                    for brake in [Brake::Without, Brake::With] {
-                        for option_1 in [None, Some(Option1::EC)] {
-                            for option_2 in [None, Some(Option2::K), Some(Option2::R), Some(Option2::S)] {
-                                codes.push(OrderCode {
-                                    size,
-                                    ratio,
-                                    winding,
-                                    feedback,
-                                    brake,
-                                    option_1,
-                                    option_2,
-                                    special: false,
-                                });
-                            }
+    for size in Size::all(series) {
+        for ratio in Ratio::all(series) {
+            for winding in Winding::all(series) {
+                for feedback in Feedback::all(series) {
+                    for &brake in brakes {
+                        for option_1 in options_1() {
+                            let code = |option_2| OrderCode {
+                                size,
+                                ratio,
+                                winding,
+                                feedback,
+                                brake,
+                                option_1,
+                                option_2,
+                                special: false,
+                            };
+                            codes.extend(options_2().map(code));
                         }
                     }
                 }
@@ -32,7 +36,7 @@ static WRITABLE: LazyLock<Vec<OrderCode>> = LazyLock::new(|| {
         }
     }
     codes
-});
+}
 
 static ALL: LazyLock<Vec<(OrderCode, Availability)>> =
     LazyLock::new(|| WRITABLE.iter().filter_map(|code| Some((*code, availability(code).ok()?))).collect());
@@ -45,13 +49,13 @@ static SPECIAL: LazyLock<Vec<(OrderCode, Availability)>> = LazyLock::new(|| {
 
 /// Every valid code with its availability, in the order of the fields.
 ///
-/// The suffix SP is left out: it stands for any design to the customer's wish and could follow every code.
+/// The special design is left out: it stands for any design to the customer's wish and could follow every code.
 #[must_use]
 pub fn all() -> &'static [(OrderCode, Availability)] {
     &ALL
 }
 
-/// The valid codes that a partial code allows; special designs only where it names `SP`.
+/// The valid codes that a partial code allows; special designs only where it names the special design.
 pub fn complete(pattern: &Pattern) -> impl Iterator<Item = &'static (OrderCode, Availability)> + '_ {
     let codes = if pattern.special == Slot::Exactly(true) { &SPECIAL } else { &ALL };
     codes.iter().filter(move |(code, _)| pattern.matches(code))
@@ -77,7 +81,7 @@ pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
         return common;
     }
     let best = |size: &Size| found.iter().filter(|(code, _)| code.size == *size).min_by_key(|(_, broken)| broken.len());
-    let each = Size::ALL.iter().filter_map(best);
+    let each = sizes().filter_map(|size| best(&size));
     each.flat_map(|(code, broken)| broken.iter().map(|rule| (*code, *rule))).collect()
 }
 
@@ -85,16 +89,20 @@ pub fn broken_by_all(pattern: &Pattern) -> Vec<(OrderCode, BrokenRule)> {
 static TOKENS: LazyLock<Vec<(Field, Size, Vec<&'static str>)>> = LazyLock::new(|| {
     let of_size = |field: Field, size: Size| {
         let stands = |token: &&str| ALL.iter().any(|(code, _)| code.size == size && code.token(field) == Some(token));
-        (field, size, field.tokens().iter().copied().filter(stands).collect())
+        (field, size, size.series().words(field).iter().copied().filter(stands).collect())
     };
-    Field::ALL.iter().flat_map(|field| Size::ALL.iter().map(move |size| of_size(*field, *size))).collect()
+    Field::ALL.iter().flat_map(|field| sizes().map(move |size| of_size(*field, size))).collect()
 });
+
+fn sizes() -> impl Iterator<Item = Size> {
+    Series::all().flat_map(Size::all)
+}
 
 /// The words of a field that some valid code of a size has.
 #[must_use]
 pub fn tokens_of_size(field: Field, size: Size) -> &'static [&'static str] {
     if field == Field::Special {
-        return field.tokens();
+        return size.series().words(field);
     }
     let found = TOKENS.iter().find(|(of, known, _)| (*of, *known) == (field, size));
     found.map(|(_, _, tokens)| tokens.as_slice()).unwrap_or_default()

@@ -2,16 +2,26 @@
 
 use crate::parts;
 use actuator::Battery;
-use catalogue::{Cell, Table};
+use catalogue::{Cell, SeriesData, Table};
+use order_code::{Feedback, FeedbackKind, Series};
 use provenance::{CellRef, Datum, Grade, Source, Sourced};
-use quantities::{Measure, Ratio, ThermodynamicTemperature, Time};
+use quantities::unit::DEGREE;
+use quantities::{Angle, Measure, Ratio, ThermodynamicTemperature, Time};
+use std::sync::LazyLock;
 
-/// Where the thresholds of the winding temperature stand.
-const THRESHOLDS: CellRef = CellRef::of_the_manual("62.3", "T_KTY", "");
+/// Where the thresholds of the winding temperature of each series stand.
+static THRESHOLDS: LazyLock<Vec<CellRef>> = LazyLock::new(|| places("T_KTY", |data| data.thresholds));
+
+/// A row of a table of each series, cited without its column.
+pub(crate) fn places(symbol: &'static str, table: impl Fn(&SeriesData) -> &'static str) -> Vec<CellRef> {
+    let place =
+        |data: &SeriesData| CellRef { document: data.manual, ..CellRef::of_the_manual(table(data), symbol, "") };
+    catalogue::series().iter().map(place).collect()
+}
 
 /// A calibration headed by a drive, by its size without the feedback, or once for all.
-fn cell(drive: &str, symbol: &str) -> Option<&'static Cell> {
-    let cells = catalogue::table("family").map(Table::cells).unwrap_or_default();
+fn cell(series: Series, drive: &str, symbol: &str) -> Option<&'static Cell> {
+    let cells = catalogue::table(SeriesData::of(series).family).map(Table::cells).unwrap_or_default();
     let of = |drive: &str| cells.iter().find(|cell| cell.place.symbol == symbol && cell.place.drive == drive);
     let size = drive.rsplit_once('-').map_or(drive, |(size, _)| size);
     of(drive).or_else(|| of(size)).or_else(|| of(""))
@@ -32,18 +42,18 @@ fn estimated<T>(datum: Datum<T>) -> Datum<T> {
 }
 
 /// A pure number of a drive.
-pub(crate) fn number(drive: &str, symbol: &str) -> Datum<f64> {
-    estimated(parts::number_of(cell(drive, symbol)))
+pub(crate) fn number(series: Series, drive: &str, symbol: &str) -> Datum<f64> {
+    estimated(parts::number_of(cell(series, drive, symbol)))
 }
 
 /// A quantity of a drive.
-pub(crate) fn quantity<Q: Measure>(drive: &str, symbol: &str) -> Datum<Q> {
-    estimated(cell(drive, symbol).map_or(Datum::NotPrinted, catalogue::datum_of))
+pub(crate) fn quantity<Q: Measure>(series: Series, drive: &str, symbol: &str) -> Datum<Q> {
+    estimated(cell(series, drive, symbol).map_or(Datum::NotPrinted, catalogue::datum_of))
 }
 
 /// A band of a drive by its two edges.
-pub(crate) fn band(drive: &str, low: &str, high: &str) -> Datum<(f64, f64)> {
-    match (number(drive, low), number(drive, high)) {
+pub(crate) fn band(series: Series, drive: &str, low: &str, high: &str) -> Datum<(f64, f64)> {
+    match (number(series, drive, low), number(series, drive, high)) {
         (Datum::Known(low), Datum::Known(high)) => {
             let high = high.value;
             Datum::Known(low.map(|low| (low, high)))
@@ -53,15 +63,46 @@ pub(crate) fn band(drive: &str, low: &str, high: &str) -> Datum<(f64, f64)> {
 }
 
 /// Growth of friction below +20 °C per kelvin, least and largest.
-pub(crate) fn cold_growth() -> Datum<(f64, f64)> {
-    band("", "cold_growth_low", "cold_growth_high")
+pub(crate) fn cold_growth(series: Series) -> Datum<(f64, f64)> {
+    band(series, "", "cold_growth_low", "cold_growth_high")
+}
+
+/// Largest J_L/J_out that is recommended for highly dynamic duty, from a cell such as `≤ 3J_out`.
+pub(crate) fn inertia_ratio_recommended(series: Series) -> Datum<f64> {
+    let cells = catalogue::table(SeriesData::of(series).preselection).map(Table::cells).unwrap_or_default();
+    let factor = |cell: &'static Cell| {
+        let (factor, _) = cell.corrected.strip_prefix('≤')?.split_once("J_out")?;
+        Some((cell, quantities::parse_german(factor.trim())?))
+    };
+    cells.iter().filter(|cell| cell.place.symbol == "J_L").find_map(factor).map_or(
+        Datum::NotPrinted,
+        |(cell, value)| {
+            Datum::Known(Sourced {
+                value,
+                source: Source::Cell(&cell.place),
+                grade: Grade::Printed,
+                errata: cell.errata,
+            })
+        },
+    )
+}
+
+/// Below this swing the output bearing may fret: the figure of a fact of the series.
+pub(crate) fn swing_min(series: Series) -> Datum<Angle> {
+    let is_it = |fact: &&catalogue::Fact| fact.id == "fretting_below_5_deg" && fact.holds_for.series == series;
+    let fact = catalogue::facts().iter().find(is_it);
+    fact.and_then(|fact| Some((fact, fact.values.first()?))).map_or(Datum::NotPrinted, |(fact, swing)| {
+        let source = Source::Model { name: "output-bearing" };
+        Datum::Known(Sourced { value: Angle::new_in(swing.number, &DEGREE), source, grade: fact.grade, errata: &[] })
+    })
 }
 
 /// A threshold of the winding temperature: `warning` or `shutdown`.
-pub(crate) fn winding_threshold(which: &str) -> Datum<ThermodynamicTemperature> {
-    let cells = catalogue::table("62.3").map(Table::cells).unwrap_or_default();
-    match cells.iter().find(|cell| cell.place.condition == which).map(catalogue::datum_of) {
-        Some(Datum::Known(known)) => Datum::Known(Sourced { source: Source::Cell(&THRESHOLDS), ..known }),
+pub(crate) fn winding_threshold(series: Series, which: &str) -> Datum<ThermodynamicTemperature> {
+    let cells = catalogue::table(SeriesData::of(series).thresholds).map(Table::cells).unwrap_or_default();
+    let found = cells.iter().find(|cell| cell.place.condition == which).map(catalogue::datum_of);
+    match (found, THRESHOLDS.get(series.place())) {
+        (Some(Datum::Known(known)), Some(place)) => Datum::Known(Sourced { source: Source::Cell(place), ..known }),
         _ => Datum::NotPrinted,
     }
 }
@@ -71,8 +112,14 @@ pub(crate) fn winding_threshold(which: &str) -> Datum<ThermodynamicTemperature> 
 pub struct Assumed {
     /// Growth of friction in the cold, a property of the grease of such gears.
     pub friction_cold_growth: Datum<(f64, f64)>,
+    /// Temperature below which friction grows so.
+    pub friction_printed_from: Datum<ThermodynamicTemperature>,
+    /// Largest J_L/J_out for highly dynamic duty.
+    pub inertia_ratio_recommended: Datum<f64>,
     /// Winding temperature at which the voltage is checked.
     pub winding_shutdown: Datum<ThermodynamicTemperature>,
+    /// Swing below which the output bearing may fret.
+    pub swing_min: Datum<Angle>,
 }
 
 /// What of the family holds for any strain wave actuator, with no more trust than an assumption deserves.
@@ -84,26 +131,42 @@ pub fn assumed() -> Assumed {
             unknown => unknown,
         }
     }
-    Assumed { friction_cold_growth: assume(cold_growth()), winding_shutdown: assume(winding_threshold("shutdown")) }
+    let series = Series::default();
+    Assumed {
+        friction_cold_growth: assume(cold_growth(series)),
+        friction_printed_from: assume(quantity(series, "", "friction_printed_from")),
+        inertia_ratio_recommended: assume(inertia_ratio_recommended(series)),
+        winding_shutdown: assume(winding_threshold(series, "shutdown")),
+        swing_min: assume(swing_min(series)),
+    }
 }
 
-/// t_c and t_o, the same for every brake that they are printed for.
+/// t_c and t_o, the longest printed of all brakes: the demand is computed once for all candidates, and none closes or opens
+/// later.
 #[must_use]
 pub fn brake_times() -> Option<(Time, Time)> {
     let printed = |symbol: &str| {
         let cells = catalogue::tables().iter().filter(|table| table.is_of_the_manual()).flat_map(Table::cells);
         let times = cells.filter(|cell| cell.place.symbol == symbol).map(catalogue::datum_of::<Time>);
-        times.filter_map(|time| Some(time.known()?.value)).next()
+        times.filter_map(|time| Some(time.known()?.value)).max_by(|a, b| a.si().total_cmp(&b.si()))
     };
     Some((printed("t_c")?, printed("t_o")?))
 }
 
-/// The battery of the encoder M128S.
+/// The battery of the first series' encoder that has one.
 #[must_use]
 pub fn battery() -> Datum<Battery> {
-    let time = |symbol| quantity::<Time>("", symbol);
-    let share = |symbol| number("", symbol);
-    let recommended = parts::feedback_cell("M128S", "encoder_exchange_interval").map(catalogue::datum_of::<Time>);
+    let buffered = Feedback::all(Series::default()).find(|each| each.kind() == Some(FeedbackKind::SsiMultiturn));
+    buffered.map_or(Datum::NotPrinted, battery_of)
+}
+
+/// The battery of an encoder.
+pub(crate) fn battery_of(feedback: Feedback) -> Datum<Battery> {
+    let series = feedback.series();
+    let time = |symbol| quantity::<Time>(series, "", symbol);
+    let share = |symbol| number(series, "", symbol);
+    let recommended =
+        parts::feedback_cell(series, feedback.as_str(), "encoder_exchange_interval").map(catalogue::datum_of::<Time>);
     let found = (|| {
         let capacity = time("battery_capacity");
         let capacity = capacity.known()?;
@@ -127,7 +190,8 @@ mod tests {
 
     #[test]
     fn thresholds_times_and_battery_are_read() {
-        let celsius = |which| winding_threshold(which).known().unwrap().value.in_unit(&DEGREE_CELSIUS);
+        let celsius =
+            |which| winding_threshold(Series::default(), which).known().unwrap().value.in_unit(&DEGREE_CELSIUS);
         assert!((celsius("warning") - 80.0).abs() < 1e-9 && (celsius("shutdown") - 90.0).abs() < 1e-9);
         let (closing, opening) = brake_times().unwrap();
         assert!((closing.si() - 0.07).abs() < 1e-12 && (opening.si() - 0.11).abs() < 1e-12);
@@ -143,7 +207,7 @@ mod tests {
     /// The growth is that of the printed starting currents of the 48 V windings: ln(I_cold/I_20)/ΔT over all ratios.
     #[test]
     fn the_growth_in_the_cold_is_that_of_the_print() {
-        let growth = cold_growth().known().unwrap().value;
+        let growth = cold_growth(Series::default()).known().unwrap().value;
         let mut found = Vec::new();
         for table in ["14.1", "20.1"] {
             let cells = catalogue::table(table).unwrap().cells();

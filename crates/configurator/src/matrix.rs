@@ -1,156 +1,91 @@
-//! The combination matrix (table 12.1) and the pairs of winding and feedback (table 11.3), read from the cells.
+//! The matrix of a series and its pairs of winding and feedback, read from the cells.
 
-use catalogue::Cell;
-use order_code::{Brake, Feedback, Option1, Option2, Ratio, Size, Winding};
+use catalogue::{Cell, Mark, MarkEntry, SeriesData};
+use order_code::{Feedback, Field, Series, Size, Winding};
 use std::sync::LazyLock;
 
-/// One entry of table 12.1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Entry {
-    /// `●`
-    Available,
-    /// `○`
-    OnRequest,
-    /// `○` with footnote 1: resolver only, with a longer housing.
-    OnRequestForResolver,
-    /// Only together with M512P.
-    OnlyWithM512P,
-    /// `-`
-    NotAvailable,
-}
+/// The fields that the matrix has rows for, in the order of its entries.
+const FIELDS: [Field; 6] =
+    [Field::Ratio, Field::Winding, Field::Feedback, Field::Brake, Field::Option1, Field::Option2];
 
-/// Table 12.1 and 11.3 in a form that answers at once.
+/// What is not in the matrix does not exist.
+const NOT_AVAILABLE: Mark = Mark { begins: "", entry: MarkEntry::NotAvailable, feedback: None, longer: "" };
+
+/// Matrix and pairs in a form that answers at once.
 pub(crate) struct Matrix {
-    /// For each size in turn, one for each of [`CONDITIONS`].
-    entries: Vec<Entry>,
+    /// What the series states of its tables.
+    pub(crate) data: &'static SeriesData,
+    /// For each size in turn, one for each word of each of [`FIELDS`].
+    entries: Vec<Mark>,
+    /// Where the words of each field begin among those of a size, and how many words there are.
+    begins: [usize; FIELDS.len()],
+    width: usize,
     pairs: Vec<(Winding, Feedback)>,
-    windings_ordered: Vec<Winding>,
 }
 
-fn entry_of(cell: &Cell) -> Option<Entry> {
-    let text = cell.corrected;
-    if text.starts_with('●') {
-        Some(Entry::Available)
-    } else if text.starts_with('○') && text.contains('1') {
-        Some(Entry::OnRequestForResolver)
-    } else if text.starts_with('○') {
-        Some(Entry::OnRequest)
-    } else if text.contains("M512P") {
-        Some(Entry::OnlyWithM512P)
-    } else if text == "-" {
-        Some(Entry::NotAvailable)
-    } else {
-        None
-    }
+fn cells(table: &str) -> &'static [Cell] {
+    catalogue::table(table).map(catalogue::Table::cells).unwrap_or_default()
 }
 
-/// The conditions of table 12.1, each field's in the order of its values: whoever asks counts on it.
-const CONDITIONS: [&str; 20] = [
-    "ratio=30",
-    "ratio=50",
-    "ratio=80",
-    "ratio=100",
-    "ratio=120",
-    "ratio=160",
-    "winding=E",
-    "winding=H",
-    "winding=L",
-    "winding=N",
-    "feedback=C1024",
-    "feedback=M512P",
-    "feedback=RES",
-    "feedback=D2048",
-    "feedback=M128S",
-    "brake=B",
-    "option_1=EC",
-    "option_2=K",
-    "option_2=R",
-    "option_2=S",
-];
-const RATIOS: usize = 0;
-const WINDINGS: usize = 6;
-const FEEDBACKS: usize = 10;
-const BRAKE: usize = 15;
-const OPTION_1: usize = 16;
-const OPTIONS_2: usize = 17;
-
-fn table(id: &str) -> &'static [Cell] {
-    catalogue::table(id).map(catalogue::Table::cells).unwrap_or_default()
+fn mark_of(cell: &Cell, data: &SeriesData) -> Option<Mark> {
+    data.marks.iter().find(|mark| cell.corrected.starts_with(mark.begins)).copied()
 }
 
-static MATRIX: LazyLock<Matrix> = LazyLock::new(|| {
-    let mut entries = Vec::new();
-    for &size in Size::ALL {
-        let head = format!("CHA-{size}");
-        for condition in CONDITIONS {
-            // A cell merged over several sizes names all of them.
-            let covers = |cell: &&Cell| {
-                cell.place.condition == condition && cell.place.drive.split(" / ").any(|each| each == head)
-            };
-            entries.push(table("12.1").iter().find(covers).and_then(entry_of).unwrap_or(Entry::NotAvailable));
-        }
-    }
-    let mut pairs = Vec::new();
-    for &winding in Winding::ALL {
-        for &feedback in Feedback::ALL {
-            let named = |cell: &&Cell| {
-                cell.place.condition == format!("winding={winding}") && cell.feedback == feedback.as_str()
-            };
-            if table("11.3").iter().any(|cell| named(&cell)) {
-                pairs.push((winding, feedback));
-            }
-        }
-    }
-    let windings_ordered =
-        Winding::ALL.iter().copied().filter(|w| pairs.iter().any(|(winding, _)| winding == w)).collect();
-    Matrix { entries, pairs, windings_ordered }
-});
+static MATRICES: LazyLock<Vec<Matrix>> = LazyLock::new(|| Series::all().map(Matrix::of).collect());
 
-/// The matrix, read once.
-pub(crate) fn matrix() -> &'static Matrix {
-    &MATRIX
+/// The matrix of a series, read once.
+pub(crate) fn matrix(series: Series) -> Option<&'static Matrix> {
+    MATRICES.get(series.place())
 }
 
 impl Matrix {
-    fn entry(&self, size: Size, condition: usize) -> Entry {
-        self.entries.get(size as usize * CONDITIONS.len() + condition).copied().unwrap_or(Entry::NotAvailable)
-    }
-
-    pub(crate) fn ratio(&self, size: Size, ratio: Ratio) -> Entry {
-        self.entry(size, RATIOS + ratio as usize)
-    }
-
-    pub(crate) fn winding(&self, size: Size, winding: Winding) -> Entry {
-        self.entry(size, WINDINGS + winding as usize)
-    }
-
-    pub(crate) fn feedback(&self, size: Size, feedback: Feedback) -> Entry {
-        self.entry(size, FEEDBACKS + feedback as usize)
-    }
-
-    pub(crate) fn brake(&self, size: Size, brake: Brake) -> Entry {
-        match brake {
-            Brake::Without => Entry::Available,
-            Brake::With => self.entry(size, BRAKE),
+    fn of(series: Series) -> Self {
+        let data = SeriesData::of(series);
+        let mut begins = [0; FIELDS.len()];
+        let mut conditions: Vec<String> = Vec::new();
+        for (begin, field) in begins.iter_mut().zip(FIELDS) {
+            *begin = conditions.len();
+            conditions.extend(series.words(field).iter().map(|word| format!("{}={word}", field.id())));
         }
+        let mut entries = Vec::new();
+        for size in Size::all(series) {
+            let head = format!("{}-{size}", series.as_str());
+            for condition in &conditions {
+                // A cell merged over several sizes names all of them.
+                let covers = |cell: &&Cell| {
+                    cell.place.condition == condition && cell.place.drive.split(" / ").any(|each| each == head)
+                };
+                let found = cells(data.matrix).iter().find(covers).and_then(|cell| mark_of(cell, data));
+                entries.push(found.unwrap_or(NOT_AVAILABLE));
+            }
+        }
+        let mut pairs = Vec::new();
+        for winding in Winding::all(series) {
+            let condition = format!("winding={winding}");
+            for feedback in Feedback::all(series) {
+                let named = |cell: &Cell| cell.place.condition == condition && cell.feedback == feedback.as_str();
+                if cells(data.pairs).iter().any(named) {
+                    pairs.push((winding, feedback));
+                }
+            }
+        }
+        Self { data, entries, begins, width: conditions.len(), pairs }
     }
 
-    pub(crate) fn option_1(&self, size: Size, option: Option<Option1>) -> Entry {
-        option.map_or(Entry::Available, |option| self.entry(size, OPTION_1 + option as usize))
+    /// What the matrix says of a word of a field at a size.
+    pub(crate) fn entry(&self, size: Size, field: Field, word: usize) -> Mark {
+        let begin = FIELDS.iter().zip(self.begins).find(|(known, _)| **known == field).map_or(self.width, |(_, b)| b);
+        self.entries.get(size.place() * self.width + begin + word).copied().unwrap_or(NOT_AVAILABLE)
     }
 
-    pub(crate) fn option_2(&self, size: Size, option: Option<Option2>) -> Entry {
-        option.map_or(Entry::Available, |option| self.entry(size, OPTIONS_2 + option as usize))
-    }
-
-    /// Whether table 11.3 lists this pair of winding and feedback.
+    /// Whether the ordering tables list this pair of winding and feedback.
     pub(crate) fn pair(&self, winding: Winding, feedback: Feedback) -> bool {
         self.pairs.contains(&(winding, feedback))
     }
 
-    /// Whether the ordering tables know this winding at all (L stands in table 12.1 only).
+    /// Whether the ordering tables know this winding at all.
     pub(crate) fn ordered(&self, winding: Winding) -> bool {
-        self.windings_ordered.contains(&winding)
+        self.pairs.iter().any(|(known, _)| *known == winding)
     }
 }
 
@@ -160,42 +95,41 @@ mod tests {
 
     #[test]
     fn the_matrix_is_read_from_the_tables() {
-        let m = matrix();
-        assert_eq!(m.ratio(Size::S14A, Ratio::R120), Entry::NotAvailable);
-        assert_eq!(m.ratio(Size::S17A, Ratio::R120), Entry::Available);
-        assert_eq!(m.ratio(Size::S40A, Ratio::R30), Entry::NotAvailable);
-        assert_eq!(m.feedback(Size::S32A, Feedback::RES), Entry::OnRequest);
-        assert_eq!(m.option_2(Size::S14A, Some(Option2::K)), Entry::OnRequestForResolver);
-        assert_eq!(m.option_2(Size::S14A, Some(Option2::R)), Entry::NotAvailable);
-        assert_eq!(m.option_2(Size::S58A, Some(Option2::S)), Entry::OnlyWithM512P);
-        assert_eq!(m.winding(Size::S20A, Winding::N), Entry::NotAvailable);
+        let series = Series::default();
+        let m = matrix(series).unwrap();
+        let entry = |size: &str, field: Field, word: &str| {
+            let place = series.words(field).iter().position(|known| *known == word).unwrap();
+            let mark = m.entry(Size::of(series, size).unwrap(), field, place);
+            (mark.entry, mark.feedback.map(Feedback::as_str), mark.longer)
+        };
+        assert_eq!(entry("14A", Field::Ratio, "120"), (MarkEntry::NotAvailable, None, ""));
+        assert_eq!(entry("17A", Field::Ratio, "120"), (MarkEntry::Available, None, ""));
+        assert_eq!(entry("40A", Field::Ratio, "30"), (MarkEntry::NotAvailable, None, ""));
+        assert_eq!(entry("32A", Field::Feedback, "RES"), (MarkEntry::OnRequest, None, ""));
+        assert_eq!(entry("14A", Field::Option2, "K"), (MarkEntry::OnRequest, Some("RES"), "1"));
+        assert_eq!(entry("14A", Field::Option2, "R"), (MarkEntry::NotAvailable, None, ""));
+        assert_eq!(entry("58A", Field::Option2, "S"), (MarkEntry::Available, Some("M512P"), ""));
+        assert_eq!(entry("20A", Field::Winding, "N"), (MarkEntry::NotAvailable, None, ""));
         assert_eq!(m.pairs.len(), 10, "table 11.3 has ten rows");
-        assert!(!m.ordered(Winding::L));
+        assert!(!m.ordered(Winding::of(series, "L").unwrap()));
     }
 
     #[test]
     fn every_entry_of_the_matrix_is_understood() {
-        for cell in table("12.1") {
-            assert!(entry_of(cell).is_some(), "{cell:?}");
-            assert!(CONDITIONS.contains(&cell.place.condition), "{cell:?}");
+        let series = Series::default();
+        let data = SeriesData::of(series);
+        let conditions: Vec<String> = FIELDS
+            .iter()
+            .flat_map(|field| series.words(*field).iter().map(move |word| format!("{}={word}", field.id())))
+            .collect();
+        for cell in cells(data.matrix) {
+            assert!(mark_of(cell, data).is_some(), "{cell:?}");
+            assert!(conditions.iter().any(|known| known == cell.place.condition), "{cell:?}");
         }
-        for (size, condition) in Size::ALL.iter().flat_map(|size| CONDITIONS.map(|condition| (size, condition))) {
+        for (size, condition) in Size::all(series).flat_map(|size| conditions.iter().map(move |each| (size, each))) {
             let head = format!("CHA-{size}");
             let stands = |cell: &Cell| cell.place.condition == condition && cell.place.drive.contains(&head);
-            assert!(table("12.1").iter().any(stands), "{size} {condition}");
+            assert!(cells(data.matrix).iter().any(stands), "{size} {condition}");
         }
-    }
-
-    #[test]
-    fn each_value_has_its_condition() {
-        let holds = |first: usize, place: usize, text: String| assert_eq!(CONDITIONS[first + place], text);
-        Ratio::ALL.iter().for_each(|each| holds(RATIOS, *each as usize, format!("ratio={each}")));
-        Winding::ALL.iter().for_each(|each| holds(WINDINGS, *each as usize, format!("winding={each}")));
-        Feedback::ALL.iter().for_each(|each| holds(FEEDBACKS, *each as usize, format!("feedback={each}")));
-        Option1::ALL.iter().for_each(|each| holds(OPTION_1, *each as usize, format!("option_1={each}")));
-        Option2::ALL.iter().for_each(|each| holds(OPTIONS_2, *each as usize, format!("option_2={each}")));
-        assert_eq!((CONDITIONS[BRAKE], CONDITIONS.len()), ("brake=B", OPTIONS_2 + Option2::ALL.len()));
-        let places = Size::ALL.iter().map(|size| *size as usize);
-        assert!(places.eq(0..Size::ALL.len()), "the sizes are declared in their order");
     }
 }

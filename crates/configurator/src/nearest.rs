@@ -2,17 +2,14 @@
 
 use crate::codes::all;
 use crate::rules::Availability;
-use order_code::{Brake, Distances, Field, OrderCode, Pattern, Size, Texts, Winding};
+use order_code::{Brake, Distances, Field, OrderCode, Pattern, Texts};
 use std::sync::LazyLock;
-
-/// No code is shorter: `CHA-14A-30-H-RES`.
-const LETTERS_LEAST: usize = 16;
 
 /// A valid code with data, and its availability.
 type Known = (OrderCode, Availability);
 
 /// What a search must know of a code, worked out once.
-struct Entry {
+struct Indexed {
     known: &'static Known,
     letters: Letters,
 }
@@ -20,7 +17,9 @@ struct Entry {
 /// What a search must know of all codes.
 struct Index {
     /// The valid codes that the manual prints data for, in the order of the fields.
-    entries: Vec<Entry>,
+    entries: Vec<Indexed>,
+    /// Length of the shortest.
+    letters_least: usize,
     /// As they are written.
     written: Texts,
     /// With their words in alphabetical order.
@@ -33,11 +32,12 @@ static WITH_DATA: LazyLock<Index> = LazyLock::new(|| {
     let has_data = |(code, _): &&Known| catalogue::drive(code.size, code.winding, code.feedback).is_some();
     let known: Vec<&'static Known> = all().iter().filter(has_data).collect();
     let texts: Vec<String> = known.iter().map(|(code, _)| code.to_string()).collect();
-    let entry = |(known, text): (&&'static Known, &String)| Entry { known, letters: Letters::of(text) };
+    let entry = |(known, text): (&&'static Known, &String)| Indexed { known, letters: Letters::of(text) };
     let mut sorted: Vec<(String, usize)> = texts.iter().map(|text| sorted_words(text)).zip(0..).collect();
     sorted.sort_unstable();
     Index {
         entries: known.iter().zip(&texts).map(entry).collect(),
+        letters_least: texts.iter().map(String::len).min().unwrap_or_default(),
         written: Texts::new(texts.iter().map(String::as_str)),
         reordered: Texts::new(sorted.iter().map(|(text, _)| text.as_str())),
         of: sorted.into_iter().map(|(_, entry)| entry).collect(),
@@ -93,12 +93,12 @@ impl Letters {
 #[must_use]
 pub fn nearest(text: &str, most: usize) -> Vec<&'static (OrderCode, Availability)> {
     let wanted: String = text.trim().to_uppercase().chars().take(40).collect();
-    let Index { entries, written, reordered, of } = &*WITH_DATA;
+    let Index { entries, letters_least, written, reordered, of } = &*WITH_DATA;
     let pattern = kept(text);
     // A code that shares less than half of its letters is no help; those that a text cut off lacks are not wrong.
-    let half = wanted.chars().count().max(LETTERS_LEAST) / 2;
+    let half = wanted.chars().count().max(*letters_least) / 2;
     let letters = Letters::of(&wanted);
-    let at_least = |entry: &Entry| {
+    let at_least = |entry: &Indexed| {
         let kept = pattern.matches(&entry.known.0);
         if kept { entry.letters.distance_at_least(&letters) } else { usize::MAX }
     };
@@ -131,7 +131,9 @@ pub fn nearest(text: &str, most: usize) -> Vec<&'static (OrderCode, Availability
 fn kept(text: &str) -> Pattern {
     let Err(faults) = order_code::parse(text) else { return Pattern::default() };
     let without = |left_out: Option<Field>| {
-        Pattern::of(|field| faults.understood(field).filter(|_| field != Field::Special && Some(field) != left_out))
+        Pattern::of(faults.series(), |field| {
+            faults.understood(field).filter(|_| field != Field::Special && Some(field) != left_out)
+        })
     };
     let is_known = |pattern: &Pattern| WITH_DATA.entries.iter().any(|entry| pattern.matches(&entry.known.0));
     std::iter::once(None)
@@ -158,8 +160,9 @@ fn ranked(found: Vec<(usize, usize)>, furthest: usize, most: usize) -> Vec<&'sta
 /// and which fields differ. Only codes with data; of several as near, those available without asking first.
 #[must_use]
 pub fn nearest_to(wanted: &OrderCode, most: usize) -> Vec<&'static (OrderCode, Availability)> {
+    let of_series = WITH_DATA.entries.iter().filter(|entry| entry.known.0.series() == wanted.series());
     let mut scored: Vec<(f64, &Known)> =
-        WITH_DATA.entries.iter().map(|entry| (distance(wanted, &entry.known.0), entry.known)).collect();
+        of_series.map(|entry| (distance(wanted, &entry.known.0), entry.known)).collect();
     let order = |(a, one): &(f64, &Known), (b, other): &(f64, &Known)| {
         let asked = |known: &Known| !known.1.is_available();
         a.total_cmp(b).then_with(|| (asked(one), one.0).cmp(&(asked(other), other.0)))
@@ -174,13 +177,13 @@ pub fn nearest_to(wanted: &OrderCode, most: usize) -> Vec<&'static (OrderCode, A
 }
 
 /// How unlike two actuators are. The weights are ours and order nothing but the proposals: another brake or supply voltage
-/// is another machine, a connector is not, and what nobody asked for is not proposed; a step in size weighs as much as a factor of 2.7 in the ratio.
+/// is another machine, a connector is not, and options that were not requested are not proposed; a step in size weighs as much as a factor of 2.7 in the ratio.
 fn distance(a: &OrderCode, b: &OrderCode) -> f64 {
     let one_if = |differs: bool, weight: f64| if differs { weight } else { 0.0 };
-    let place = |size: Size| Size::ALL.iter().position(|known| *known == size).unwrap_or(0);
-    let steps = place(a.size).abs_diff(place(b.size));
+    let steps = a.size.place().abs_diff(b.size.place());
     let ratio = (f64::from(a.ratio.value()) / f64::from(b.ratio.value())).ln().abs();
-    let same_voltage = (a.winding == Winding::E) == (b.winding == Winding::E);
+    let general = |code: &OrderCode| catalogue::winding_data(code.winding).map(|data| data.general);
+    let same_voltage = general(a) == general(b);
     one_if(steps > 0, 1.0)
         + 2.0 * f64::from(u8::try_from(steps).unwrap_or(u8::MAX))
         + one_if(a.ratio != b.ratio, 1.0)
@@ -223,8 +226,7 @@ mod tests {
         let of_20 = found("CHA-20A-100-H-C1024-EC-X");
         assert!(of_20.iter().all(|code| code.starts_with("CHA-20A-100-H-C1024")), "{of_20:?}");
         assert_eq!(found("CHA"), [""; 0], "too little to say anything");
-        let shortest = WITH_DATA.entries.iter().map(|entry| entry.known.0.to_string().len()).min();
-        assert_eq!(shortest, Some(LETTERS_LEAST));
+        assert_eq!(WITH_DATA.letters_least, "CHA-14A-30-H-RES".len());
     }
 
     #[test]

@@ -3,18 +3,17 @@
 use crate::family;
 use crate::parts;
 use actuator::{BearingType, Curve, CurvePoint, Drivetrain, Gear, Heat, OutputBearing, Parameters};
-use catalogue::Drive;
-use order_code::{Brake, OrderCode, Ratio, Size, Winding};
+use catalogue::{Cell, Drive, SeriesData, Table, winding_data};
+use order_code::{Brake, OrderCode, Winding};
 use provenance::{CellRef, Datum, Grade, Source, Sourced};
 use quantities::unit::{DEGREE_CELSIUS, NEWTON_METRE, REVOLUTION_PER_MINUTE};
 use quantities::{AngularVelocity, ElectricCurrent, Measure, ThermodynamicTemperature, Torque};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
-/// Where the ratios stand.
-const RATIOS: CellRef = CellRef::of_the_manual("12.1", "i", "");
+/// Where the ratios of each series stand.
+static RATIOS: LazyLock<Vec<CellRef>> = LazyLock::new(|| family::places("i", |data| data.matrix));
 
-/// What is printed about the actuator of a code; `None` where the manual prints no data for it
-/// (the resolver on 20A to 58A).
+/// What is printed about the actuator of a code; `None` where the manual prints no data for it.
 #[must_use]
 pub fn parameters(code: &OrderCode) -> Option<Parameters> {
     let drive = catalogue::drive(code.size, code.winding, code.feedback)?;
@@ -35,15 +34,19 @@ pub fn parameters(code: &OrderCode) -> Option<Parameters> {
 /// What is printed about the drivetrain of a code.
 fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
     let (feedback, ratio) = (code.feedback, code.ratio);
-    // The 14A and 17A tables of the 48 V winding give the starting current at two temperatures; inside the operating
-    // range lies the one at +20 °C.
-    let starting = if code.winding == Winding::E { "20 degC" } else { "" };
+    let winding = winding_data(code.winding);
+    let starting = winding.map_or("", |data| data.starting_current);
+    let curve = |which| published_curve(code, which);
+    let [cold, warm] = no_load_cells(drive, code);
+    let no_load = |cell: Option<&'static Cell>| cell.map_or(Datum::NotPrinted, catalogue::datum_of);
     Drivetrain {
-        ratio: Datum::Known(Sourced {
-            value: f64::from(ratio.value()),
-            source: Source::Cell(&RATIOS),
-            grade: Grade::Printed,
-            errata: &[],
+        ratio: RATIOS.get(code.series().place()).map_or(Datum::NotPrinted, |place| {
+            Datum::Known(Sourced {
+                value: f64::from(ratio.value()),
+                source: Source::Cell(place),
+                grade: Grade::Printed,
+                errata: &[],
+            })
         }),
         torque_max: drive.datum("T_max", "", feedback, ratio),
         speed_max: drive.datum("n_max", "", feedback, ratio),
@@ -52,13 +55,16 @@ fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
         current_max: drive.datum("I_max", "", feedback, ratio),
         current_demagnetisation: drive.datum("I_E", "", feedback, ratio),
         stall_torque: drive.datum("T_0", "", feedback, ratio),
+        inertia_ratio_recommended: family::inertia_ratio_recommended(code.series()),
         stall_current: drive.datum("I_0", "", feedback, ratio),
         stall_current_motor: largest_stall_current(drive, code),
-        stall_current_includes_friction: code.winding != Winding::E,
+        stall_current_includes_friction: winding.is_none_or(|data| data.stall_current_includes_friction),
         no_load_starting_current: drive.datum("I_NLS", starting, feedback, ratio),
-        no_load_current_constant_30: drive.datum("K_INL", "30 degC", feedback, ratio),
-        no_load_current_constant_80: drive.datum("K_INL", "80 degC", feedback, ratio),
-        friction_cold_growth: family::cold_growth(),
+        no_load_current_constant_cold: no_load(cold),
+        no_load_current_constant_warm: no_load(warm),
+        no_load_temperatures: temperatures(cold, warm),
+        friction_printed_from: family::quantity(code.series(), "", "friction_printed_from"),
+        friction_cold_growth: family::cold_growth(code.series()),
         torque_constant_out: drive.datum("k_Tout", "", feedback, ratio),
         torque_constant_motor: drive.datum("k_TM", "", feedback, ratio),
         voltage_constant_motor: drive.datum("k_EM", "20 degC", feedback, ratio),
@@ -69,16 +75,40 @@ fn drivetrain(drive: &Drive, code: &OrderCode) -> Drivetrain {
         dc_link_max: drive.datum("U_DCmax", "", feedback, ratio),
         terminal_voltage_min: terminal_voltage_min(drive, code),
         ambient_range: ambient_range(code.winding),
-        continuous_curve: published_curve(code.size, ratio, "continuous"),
+        continuous_curve: curve("continuous"),
         gear: gear(code),
         output_bearing: output_bearing(code),
-        s3_curves: [published_curve(code.size, ratio, "s3_50"), published_curve(code.size, ratio, "s3_25")],
-        short_time_curve: published_curve(code.size, ratio, "maximum"),
+        s3_curves: [curve("s3_50"), curve("s3_25")],
+        short_time_curve: curve("maximum"),
         heat: heat(drive, code),
         accuracy: parts::accuracy(code),
         screw_joint_load: parts::screw_joint_load(code),
         screw_joint_housing: parts::screw_joint_housing(code),
     }
+}
+
+/// K_INL of a code at the coldest and at the warmest temperature for which it is printed.
+fn no_load_cells(drive: &Drive, code: &OrderCode) -> [Option<&'static Cell>; 2] {
+    let mut cells: Vec<_> =
+        drive.cells_of("K_INL", code.feedback, code.ratio).filter(|cell| temperature_of(cell).is_some()).collect();
+    let celsius = |cell: &Cell| temperature_of(cell).map_or(0.0, Measure::si);
+    cells.sort_by(|a, b| celsius(a).total_cmp(&celsius(b)));
+    let cold = cells.first().copied();
+    [cold, cells.last().copied().filter(|_| cells.len() > 1)]
+}
+
+/// The temperature at which a cell holds: `30 degC`.
+fn temperature_of(cell: &Cell) -> Option<ThermodynamicTemperature> {
+    let celsius = cell.place.condition.strip_suffix(" degC")?.parse().ok()?;
+    Some(ThermodynamicTemperature::new_in(celsius, &DEGREE_CELSIUS))
+}
+
+/// The temperatures of two cells, cited by the first.
+fn temperatures(cold: Option<&'static Cell>, warm: Option<&'static Cell>) -> Datum<[ThermodynamicTemperature; 2]> {
+    let (Some(cell), Some(cold)) = (cold, cold.and_then(temperature_of)) else { return Datum::NotPrinted };
+    let warm = warm.and_then(temperature_of).unwrap_or(cold);
+    let source = Source::Cell(&cell.place);
+    Datum::Known(Sourced { value: [cold, warm], source, grade: Grade::Printed, errata: &[] })
 }
 
 /// The largest I_0 over the ratios of a drive: one motor, so its thermal limit is the same at every ratio, while the
@@ -98,9 +128,10 @@ fn largest_stall_current(drive: &Drive, code: &OrderCode) -> Datum<ElectricCurre
 
 /// The calibration of the heat model for a drive: that of its winding, or of its size where all windings share it.
 fn heat(drive: &Drive, code: &OrderCode) -> Heat {
-    let number = |symbol| family::number(drive.name, symbol);
-    let time = |symbol| family::quantity(drive.name, symbol);
-    let loss_band = family::band(drive.name, "loss_band_low", "loss_band_high");
+    let series = code.series();
+    let number = |symbol| family::number(series, drive.name, symbol);
+    let time = |symbol| family::quantity(series, drive.name, symbol);
+    let loss_band = family::band(series, drive.name, "loss_band_low", "loss_band_high");
     let ambient_reference = match ambient_range(code.winding) {
         Datum::Known(range) => Datum::Known(range.map(|(_, highest)| highest)),
         _ => Datum::NotPrinted,
@@ -108,11 +139,12 @@ fn heat(drive: &Drive, code: &OrderCode) -> Heat {
     Heat {
         gear_band: number("s3_gear_band"),
         ambient_reference,
-        winding_warning: family::winding_threshold("warning"),
-        winding_shutdown: family::winding_threshold("shutdown"),
+        winding_warning: family::winding_threshold(series, "warning"),
+        winding_shutdown: family::winding_threshold(series, "shutdown"),
         housing_share: number("housing_share"),
         stall_loss_factor: number("stall_loss_factor"),
         loss_band,
+        intermittent_cycle: time("s3_cycle"),
         intermittent_band_high: number("s3_band_high"),
         winding_time_constant: time("tau_w"),
         housing_time_constant: time("tau_h"),
@@ -132,10 +164,10 @@ fn terminal_voltage_min(drive: &Drive, code: &OrderCode) -> Datum<quantities::El
     }
 }
 
-/// The permitted ambient temperature in operation: table 13.1 for the 48 V winding, 13.2 for the others.
+/// The permitted ambient temperature in operation, from the table of general data of the winding.
 fn ambient_range(winding: Winding) -> Datum<(ThermodynamicTemperature, ThermodynamicTemperature)> {
-    let table = if winding == Winding::E { "13.1" } else { "13.2" };
-    let cells = catalogue::table(table).map(catalogue::Table::cells).unwrap_or_default();
+    let cells =
+        winding_data(winding).and_then(|data| catalogue::table(data.general)).map(Table::cells).unwrap_or_default();
     match cells.iter().find(|cell| cell.place.symbol == "ambient_temperature_operation").map(|cell| (cell, cell.value))
     {
         Some((cell, catalogue::Value::Range { low, high })) => {
@@ -170,6 +202,7 @@ pub(crate) fn by_size<Q: Measure>(code: &OrderCode, symbol: &str) -> Datum<Q> {
 
 /// What tables 54.3 and 54.4 print about the gear, and the published ratings where there are any.
 fn gear(code: &OrderCode) -> Gear {
+    let data = SeriesData::of(code.series());
     Gear {
         torque_1: by_size(code, "T_1"),
         torque_2: by_size(code, "T_2"),
@@ -177,10 +210,14 @@ fn gear(code: &OrderCode) -> Gear {
         rated_torque: published_rating(code, "T_N"),
         average_torque_max: published_rating(code, "T_A"),
         collision_torque_max: published_rating(code, "T_M"),
-        collision_cycles: of_the_life("collision_cycles", "", parts::number_of),
-        nominal_life: of_the_life("L_n", "CPU", |cell| cell.map_or(Datum::NotPrinted, catalogue::datum_of)),
-        life_reference_speed: of_the_life("n_N_gear", "", |cell| cell.map_or(Datum::NotPrinted, catalogue::datum_of)),
-        life_ratio: of_the_life("life_ratio_50_10", "", parts::number_of),
+        collision_cycles: of_the_life(code, "collision_cycles", None, parts::number_of),
+        nominal_life: of_the_life(code, "L_n", Some(data.gear_series), |cell| {
+            cell.map_or(Datum::NotPrinted, catalogue::datum_of)
+        }),
+        life_reference_speed: of_the_life(code, "n_N_gear", None, |cell| {
+            cell.map_or(Datum::NotPrinted, catalogue::datum_of)
+        }),
+        life_ratio: of_the_life(code, "life_ratio_50_10", None, parts::number_of),
         ratcheting_torque: published("ratcheting-torque", "T_ratchet", code, code.ratio.as_str()),
         buckling_torque: published("ratcheting-torque", "T_buckle", code, ""),
         input_speed_max: published_input_speed(code, "n_in_max"),
@@ -188,14 +225,17 @@ fn gear(code: &OrderCode) -> Gear {
     }
 }
 
-/// A constant of the life of the wave-generator bearing, which the CHA has of the CPU series, by another maker's catalogue.
+/// A constant of the life of the wave-generator bearing, for all gears or for the series that the actuators have, by another
+/// maker's catalogue.
 fn of_the_life<T>(
+    code: &OrderCode,
     symbol: &str,
-    series: &str,
-    value: impl Fn(Option<&'static catalogue::Cell>) -> Datum<T>,
+    series: Option<&str>,
+    value: impl Fn(Option<&'static Cell>) -> Datum<T>,
 ) -> Datum<T> {
-    let cells = catalogue::table("gear-life").map(catalogue::Table::cells).unwrap_or_default();
-    let found = cells.iter().find(|cell| cell.place.symbol == symbol && cell.place.condition.contains(series));
+    let cells = catalogue::table(SeriesData::of(code.series()).gear_life).map(Table::cells).unwrap_or_default();
+    let is_of = |condition: &str| series.is_none_or(|series| condition.contains(series));
+    let found = cells.iter().find(|cell| cell.place.symbol == symbol && is_of(cell.place.condition));
     published_as(value(found))
 }
 
@@ -212,7 +252,7 @@ fn published_input_speed(code: &OrderCode, symbol: &str) -> Datum<AngularVelocit
 /// A value of a table by another maker, headed by size.
 fn published<Q: Measure>(table: &str, symbol: &str, code: &OrderCode, ratio: &str) -> Datum<Q> {
     let Some(table) = catalogue::table(table) else { return Datum::NotPrinted };
-    let head = format!("CHA-{}", code.size);
+    let head = format!("{}-{}", code.series().as_str(), code.size);
     let cell = table
         .cells()
         .iter()
@@ -255,6 +295,7 @@ fn output_bearing(code: &OrderCode) -> OutputBearing {
         axial_max: by_size(code, "F_A_dyn_max"),
         radial_max: by_size(code, "F_R_dyn_max"),
         tilting_stiffness: by_size(code, "K_B"),
+        swing_min: family::swing_min(code.series()),
     }
 }
 
@@ -271,18 +312,18 @@ pub fn published_curve_points(text: &str) -> Option<Vec<(f64, f64)>> {
         .collect()
 }
 
-/// A published curve (`continuous`, `s3_50`, `s3_25`, `maximum`); they exist for CHA-20A only, and there not for every
-/// ratio.
-fn published_curve(size: Size, ratio: Ratio, which: &str) -> Datum<Curve> {
-    if size != Size::S20A {
+/// A published curve (`continuous`, `s3_50`, `s3_25`, `maximum`), for the sizes and ratios that have one.
+fn published_curve(code: &OrderCode, which: &str) -> Datum<Curve> {
+    let tables = SeriesData::of(code.series()).curves;
+    if tables.is_empty() {
         return Datum::NotPrinted;
     }
-    let wanted = ratio.to_string();
-    let cell = catalogue::table("curves-20A")
-        .map(catalogue::Table::cells)
-        .unwrap_or_default()
-        .iter()
-        .find(|cell| cell.place.condition == which && cell.place.ratio == wanted);
+    let head = format!("{}-{}", code.series().as_str(), code.size);
+    let is_it = |cell: &&Cell| {
+        let place = &cell.place;
+        place.condition == which && place.ratio == code.ratio.as_str() && place.drive == head
+    };
+    let cell = tables.iter().filter_map(|table| catalogue::table(table)).flat_map(Table::cells).find(is_it);
     let Some((cell, points)) = cell.and_then(|cell| Some((cell, published_curve_points(cell.corrected)?))) else {
         return Datum::NotPrinted;
     };

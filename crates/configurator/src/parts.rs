@@ -2,8 +2,8 @@
 
 use crate::parameters::by_size;
 use actuator::{Accuracy, Brake, Feedback, FeedbackSide, ScrewJoint};
-use catalogue::{Cell, Drive, Table};
-use order_code::{Brake as BrakeOrdered, Option1, OrderCode};
+use catalogue::{Cell, Drive, SeriesData, Table};
+use order_code::{Brake as BrakeOrdered, FeedbackKind, OrderCode, Series};
 use provenance::{Datum, Grade, Source, Sourced};
 use quantities::{Angle, Measure};
 use std::borrow::Cow;
@@ -40,11 +40,16 @@ pub(crate) fn brake(drive: &Drive, code: &OrderCode) -> Brake {
     }
 }
 
-/// A cell of the tables of a feedback (section 6.22, 6.25 for EC) that holds at every ratio.
-pub(crate) fn feedback_cell(name: &str, symbol: &str) -> Option<&'static Cell> {
+/// A cell of the tables of a feedback, or of the encoder at the output, that holds at every ratio.
+pub(crate) fn feedback_cell(series: Series, name: &str, symbol: &str) -> Option<&'static Cell> {
+    let data = SeriesData::of(series);
+    let is_of_feedback = |table: &&Table| {
+        table.id == data.output_encoder
+            || (table.source == data.manual && SeriesData::begins(data.feedback, table.section))
+    };
     catalogue::tables()
         .iter()
-        .filter(|table| table.section.starts_with("6.22") || table.section.starts_with("6.25"))
+        .filter(is_of_feedback)
         .flat_map(Table::cells)
         .find(|cell| cell.feedback == name && cell.place.symbol == symbol && cell.place.ratio.is_empty())
 }
@@ -70,18 +75,18 @@ fn if_printed<T>(datum: Datum<T>) -> Datum<T> {
     }
 }
 
-/// What section 6.22 prints about the feedback on the motor, looked up once for all codes.
+/// What is printed about the feedback on the motor, looked up once for all codes.
 pub(crate) fn feedback(code: &OrderCode) -> Feedback {
-    static ALL: LazyLock<Vec<Feedback>> =
-        LazyLock::new(|| order_code::Feedback::ALL.iter().map(|ordered| printed_feedback(*ordered)).collect());
-    let known = order_code::Feedback::ALL.iter().zip(ALL.iter()).find(|(ordered, _)| **ordered == code.feedback);
+    static ALL: LazyLock<Vec<(order_code::Feedback, Feedback)>> = LazyLock::new(|| {
+        let ordered = Series::all().flat_map(order_code::Feedback::all);
+        ordered.map(|ordered| (ordered, printed_feedback(ordered))).collect()
+    });
+    let known = ALL.iter().find(|(ordered, _)| *ordered == code.feedback);
     known.map_or_else(Feedback::unknown, |(_, feedback)| feedback.clone())
 }
 
 fn printed_feedback(ordered: order_code::Feedback) -> Feedback {
-    use order_code::Feedback::{M128S, M512P, RES};
-    let name = ordered.as_str();
-    let cell = |symbol| feedback_cell(name, symbol);
+    let cell = |symbol| feedback_cell(ordered.series(), ordered.as_str(), symbol);
     let value = |symbol| cell(symbol).map_or(Datum::NotPrinted, catalogue::datum_of);
     Feedback {
         side: FeedbackSide::Motor,
@@ -89,10 +94,13 @@ fn printed_feedback(ordered: order_code::Feedback) -> Feedback {
         resolution_absolute: if_printed(step_of(cell("positions_per_turn"))),
         accuracy: cell("accuracy").map_or(Datum::NotPrinted, catalogue::datum_of),
         turns_absolute: if_printed(number_of(cell("turns"))),
-        // The resolver has one pole pair (table 58.2), so its angle is one of a whole turn.
-        single_turn_absolute: matches!(ordered, M512P | M128S | RES),
+        // A resolver has one pole pair here (table 58.2), so its angle is one of a whole turn.
+        single_turn_absolute: match ordered.kind() {
+            Some(FeedbackKind::EndatMultiturn | FeedbackKind::SsiMultiturn | FeedbackKind::Resolver) => true,
+            Some(FeedbackKind::SineIncremental | FeedbackKind::SquareIncremental) | None => false,
+        },
         buffered_by_battery: cell("turns_memory").is_some(),
-        battery: if cell("turns_memory").is_some() { crate::family::battery() } else { Datum::NotApplicable },
+        battery: if cell("turns_memory").is_some() { crate::family::battery_of(ordered) } else { Datum::NotApplicable },
         battery_life_typical: if_printed(value("battery_life_typical")),
         exchange_interval: if_printed(value("encoder_exchange_interval")),
     }
@@ -101,10 +109,8 @@ fn printed_feedback(ordered: order_code::Feedback) -> Feedback {
 /// What table 68.1 prints about the encoder at the output, if the code has it.
 pub(crate) fn feedback_out(code: &OrderCode) -> Feedback {
     let absent = Feedback::absent(FeedbackSide::Output);
-    if code.option_1 != Some(Option1::EC) {
-        return absent;
-    }
-    let cell = |symbol| feedback_cell("EC", symbol);
+    let Some(option) = code.option_1 else { return absent };
+    let cell = |symbol| feedback_cell(code.series(), option.as_str(), symbol);
     Feedback {
         // The rows of the output are printed directly, rounded; this one has no row of its steps.
         resolution: cell("resolution_out").map_or(Datum::NotPrinted, catalogue::datum_of),

@@ -204,8 +204,8 @@ fn the_short_time_model_stays_below_the_published_curve() {
         without.short_time_curve = Datum::NotPrinted;
         let voltage = with.terminal_voltage_min.known().map(|known| known.value);
         for point in with.short_time_curve.known().expect("published").value.points() {
-            let cold = quantities::ThermodynamicTemperature::from_si(actuator::COLD_START);
-            let friction = actuator::NoLoadFriction::of(&with).unwrap().at(cold);
+            let law = actuator::NoLoadFriction::of(&with).unwrap();
+            let friction = law.at(law.cold_start());
             let [model, _] = actuator::ShortTime::of(&without, voltage, &friction).unwrap().at(point.speed);
             let share = model.si() / point.torque.si();
             assert!((0.84..=1.001).contains(&share), "{ratio}: {share}");

@@ -68,9 +68,10 @@ pub enum Unmet {
 impl Requirements {
     /// Every requirement that an actuator does not meet; a datum that is not known meets nothing.
     pub fn unmet(&self, code: &OrderCode, actuator: &Parameters) -> impl Iterator<Item = Unmet> {
-        let is_other_feedback = !self.feedback.is_empty() && !self.feedback.contains(&code.feedback);
+        let is_other_feedback =
+            !self.feedback.is_empty() && !self.feedback.iter().any(|each| each.as_str() == code.feedback.as_str());
         let is_other_brake = self.brake.is_some_and(|brake| brake != (code.brake == Brake::With));
-        // What the print has for the standard only is not known of this code.
+        // A value printed for the standard version only is unknown for this code.
         let unknown = |symbol| uncovered(code).iter().any(|each| each.not_printed().contains(&symbol));
         let length_unknown = self.length_max.is_some() && unknown("L");
         let mass_unknown = self.mass_max.is_some() && unknown("m");

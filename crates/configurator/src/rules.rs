@@ -1,7 +1,8 @@
 //! Whether an ordering code can be ordered.
 
-use crate::matrix::{Entry, matrix};
-use order_code::{Feedback, Field, Option1, Option2, OrderCode, Size};
+use crate::matrix::matrix;
+use catalogue::MarkEntry;
+use order_code::{Brake, Feedback, Field, Option1, Option2, OrderCode, Series};
 
 /// How an ordering code can be had.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,20 +39,22 @@ pub enum Rule {
     PairNotListed,
     /// The matrix lists this winding, but no ordering table does.
     NotInOrderingTables,
-    /// The option exists with feedback M512P only.
-    OnlyWithM512P,
-    /// At this size the option exists with the resolver only.
-    OnlyWithResolver,
+    /// At this size the word exists with this feedback only.
+    OnlyWith {
+        /// The feedback.
+        feedback: Feedback,
+        /// Mark of the footnote that says that the actuator becomes longer; empty: it does not.
+        longer: &'static str,
+    },
 }
 
 /// Whether a code can be ordered, and which of its fields only on request.
 ///
-/// # Source   cha-manual tables 11.3 (winding and feedback) and 12.1 (matrix, footnote 1)
 /// # Errors
 /// Every rule that the code breaks.
 pub fn availability(code: &OrderCode) -> Result<Availability, Vec<BrokenRule>> {
     let (on_request, broken) = looked_up(code);
-    // One rule per field, and of a winding or feedback that cannot be, nobody asks for the pair.
+    // One rule per field; for an invalid winding or feedback the pair is not checked.
     let mut first: Vec<BrokenRule> = Vec::new();
     for rule in broken {
         let of_pair = |field| rule.rule == Rule::PairNotListed && field == Field::Winding;
@@ -64,28 +67,35 @@ pub fn availability(code: &OrderCode) -> Result<Availability, Vec<BrokenRule>> {
 
 /// The fields on request, and every rule that a code breaks, several of one field too.
 pub(crate) fn looked_up(code: &OrderCode) -> (Vec<Field>, Vec<BrokenRule>) {
-    let m = matrix();
     let mut broken = Vec::new();
     let mut on_request = Vec::new();
-    let mut look = |field: Field, entry: Entry| match entry {
-        Entry::Available => {}
-        Entry::OnRequest => on_request.push(field),
-        Entry::OnRequestForResolver if code.feedback == Feedback::RES => on_request.push(field),
-        Entry::OnRequestForResolver => broken.push(BrokenRule { field, rule: Rule::OnlyWithResolver, table: "12.1" }),
-        Entry::OnlyWithM512P if code.feedback == Feedback::M512P => {}
-        Entry::OnlyWithM512P => broken.push(BrokenRule { field, rule: Rule::OnlyWithM512P, table: "12.1" }),
-        Entry::NotAvailable => broken.push(BrokenRule { field, rule: Rule::NotForSize, table: "12.1" }),
-    };
-    look(Field::Ratio, m.ratio(code.size, code.ratio));
-    look(Field::Winding, m.winding(code.size, code.winding));
-    look(Field::Feedback, m.feedback(code.size, code.feedback));
-    look(Field::Brake, m.brake(code.size, code.brake));
-    look(Field::Option1, m.option_1(code.size, code.option_1));
-    look(Field::Option2, m.option_2(code.size, code.option_2));
+    let Some(m) = matrix(code.series()) else { return (on_request, broken) };
+    let words = [
+        (Field::Ratio, Some(code.ratio.place())),
+        (Field::Winding, Some(code.winding.place())),
+        (Field::Feedback, Some(code.feedback.place())),
+        (Field::Brake, (code.brake == Brake::With).then_some(0)),
+        (Field::Option1, code.option_1.map(Option1::place)),
+        (Field::Option2, code.option_2.map(Option2::place)),
+    ];
+    for (field, word) in words {
+        let Some(word) = word else { continue };
+        let mark = m.entry(code.size, field, word);
+        let rule = match (mark.entry, mark.feedback) {
+            (_, Some(feedback)) if feedback != code.feedback => Rule::OnlyWith { feedback, longer: mark.longer },
+            (MarkEntry::Available, _) => continue,
+            (MarkEntry::OnRequest, _) => {
+                on_request.push(field);
+                continue;
+            }
+            (MarkEntry::NotAvailable, _) => Rule::NotForSize,
+        };
+        broken.push(BrokenRule { field, rule, table: m.data.matrix });
+    }
     if !m.ordered(code.winding) {
-        broken.push(BrokenRule { field: Field::Winding, rule: Rule::NotInOrderingTables, table: "11.3" });
+        broken.push(BrokenRule { field: Field::Winding, rule: Rule::NotInOrderingTables, table: m.data.pairs });
     } else if !m.pair(code.winding, code.feedback) {
-        broken.push(BrokenRule { field: Field::Feedback, rule: Rule::PairNotListed, table: "11.3" });
+        broken.push(BrokenRule { field: Field::Feedback, rule: Rule::PairNotListed, table: m.data.pairs });
     }
     if code.special {
         on_request.push(Field::Special);
@@ -96,12 +106,19 @@ pub(crate) fn looked_up(code: &OrderCode) -> (Vec<Field>, Vec<BrokenRule>) {
 /// Something of a code that the printed tables do not cover.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Uncovered {
-    /// Option K makes 14A and 17A longer; by how much is not printed.
-    LongerWithK,
+    /// An option makes the actuator longer; by how much is not printed.
+    LongerWith {
+        /// The option.
+        option: Option2,
+        /// Table of the matrix.
+        table: &'static str,
+        /// Mark of its footnote that says so.
+        footnote: &'static str,
+    },
     /// A special design: the tables hold for the standard.
-    SpecialDesign,
-    /// Option EC: the tables tell nothing of what its encoder and inner hollow shaft change.
-    OutputEncoder,
+    SpecialDesign(Series),
+    /// An encoder at the output: the tables do not say what it and its inner hollow shaft change.
+    OutputEncoder(Option1),
 }
 
 impl Uncovered {
@@ -109,9 +126,9 @@ impl Uncovered {
     #[must_use]
     pub const fn not_printed(self) -> &'static [&'static str] {
         match self {
-            Self::LongerWithK => &["L", "L_brake"],
-            Self::SpecialDesign => &["L", "L_brake", "m", "m_brake"],
-            Self::OutputEncoder => &[],
+            Self::LongerWith { .. } => &["L", "L_brake"],
+            Self::SpecialDesign(_) => &["L", "L_brake", "m", "m_brake"],
+            Self::OutputEncoder(_) => &[],
         }
     }
 
@@ -119,26 +136,24 @@ impl Uncovered {
     #[must_use]
     pub const fn concerns(self) -> &'static [&'static str] {
         match self {
-            Self::OutputEncoder => &["L", "L_brake", "m", "m_brake", "d_H"],
-            Self::LongerWithK | Self::SpecialDesign => self.not_printed(),
+            Self::OutputEncoder(_) => &["L", "L_brake", "m", "m_brake", "d_H"],
+            Self::LongerWith { .. } | Self::SpecialDesign(_) => self.not_printed(),
         }
     }
 }
 
 /// What the printed tables do not cover of a code.
 ///
-/// # Source   cha-manual tables 11.1 (special design) and 12.1 (footnote 1), section 6.25.1 (option EC)
+/// # Source
+/// The marks of the matrix; cha-manual table 11.1 (special design), section 6.25.1 (option EC)
 #[must_use]
 pub fn uncovered(code: &OrderCode) -> Vec<Uncovered> {
-    let longer = matches!(code.option_2, Some(Option2::K)) && matches!(code.size, Size::S14A | Size::S17A);
-    [
-        (longer, Uncovered::LongerWithK),
-        (code.special, Uncovered::SpecialDesign),
-        (code.option_1 == Some(Option1::EC), Uncovered::OutputEncoder),
-    ]
-    .into_iter()
-    .filter_map(|(is, what)| is.then_some(what))
-    .collect()
+    let longer = matrix(code.series()).zip(code.option_2).and_then(|(m, option)| {
+        let footnote = m.entry(code.size, Field::Option2, option.place()).longer;
+        (!footnote.is_empty()).then_some(Uncovered::LongerWith { option, table: m.data.matrix, footnote })
+    });
+    let special = code.special.then_some(Uncovered::SpecialDesign(code.series()));
+    [longer, special, code.option_1.map(Uncovered::OutputEncoder)].into_iter().flatten().collect()
 }
 
 #[cfg(test)]
@@ -159,12 +174,16 @@ mod tests {
     #[test]
     fn each_rule_is_named_with_its_table() {
         let rule = |text| ask(text).unwrap_err().iter().map(|b| (b.field, b.rule, b.table)).collect::<Vec<_>>();
+        let only_with = |word, longer| {
+            let feedback = Feedback::of(Series::default(), word).unwrap();
+            Rule::OnlyWith { feedback, longer }
+        };
         assert_eq!(rule("CHA-14A-120-E-RES"), vec![(Field::Ratio, Rule::NotForSize, "12.1")]);
         assert_eq!(rule("CHA-20A-100-N-C1024"), vec![(Field::Winding, Rule::NotForSize, "12.1")]);
         assert_eq!(rule("CHA-14A-100-H-D2048"), vec![(Field::Feedback, Rule::PairNotListed, "11.3")]);
         assert_eq!(rule("CHA-20A-100-L-C1024"), vec![(Field::Winding, Rule::NotInOrderingTables, "11.3")]);
-        assert_eq!(rule("CHA-20A-100-H-C1024-R"), vec![(Field::Option2, Rule::OnlyWithM512P, "12.1")]);
-        assert_eq!(rule("CHA-14A-100-H-M128S-K"), vec![(Field::Option2, Rule::OnlyWithResolver, "12.1")]);
+        assert_eq!(rule("CHA-20A-100-H-C1024-R"), vec![(Field::Option2, only_with("M512P", ""), "12.1")]);
+        assert_eq!(rule("CHA-14A-100-H-M128S-K"), vec![(Field::Option2, only_with("RES", "1"), "12.1")]);
         assert_eq!(rule("CHA-14A-120-H-C1024").len(), 2, "all broken rules at once");
     }
 

@@ -64,8 +64,8 @@ fn sister(cha: &str, ratio: f64, constant_out: f64, resistance_phase: f64) -> Pa
                 &own.no_load_starting_current,
                 quantities::ElectricCurrent::from_si(starting),
             ),
-            no_load_current_constant_30: constant(&own.no_load_current_constant_30),
-            no_load_current_constant_80: constant(&own.no_load_current_constant_80),
+            no_load_current_constant_cold: constant(&own.no_load_current_constant_cold),
+            no_load_current_constant_warm: constant(&own.no_load_current_constant_warm),
             stall_current_motor: with(&own.stall_current_motor, quantities::ElectricCurrent::from_si(stall)),
             ..Drivetrain::clone(&own)
         }),

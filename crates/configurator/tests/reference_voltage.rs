@@ -6,16 +6,16 @@
 #![allow(clippy::unwrap_used, reason = "a test fails loudly")]
 
 use actuator::MotorVoltage;
-use order_code::{Brake, Feedback, Ratio, Size, Winding};
+use order_code::{Brake, Feedback, Ratio, Series, Size, Winding};
 
 /// The terminal voltages at n_mot,max and I_max over the ratios of a size, in volts.
 fn volts(size: Size) -> Vec<f64> {
     use quantities::Measure;
-    let feedback = if size <= Size::S17A { Feedback::RES } else { Feedback::C1024 };
-    Ratio::ALL
-        .iter()
-        .filter_map(|&ratio| {
-            let (winding, brake) = (Winding::H, Brake::Without);
+    let series = Series::default();
+    let feedback = Feedback::of(series, if size.number() <= 17 { "RES" } else { "C1024" }).unwrap();
+    Ratio::all(series)
+        .filter_map(|ratio| {
+            let (winding, brake) = (Winding::of(series, "H").unwrap(), Brake::Without);
             let code = order_code::OrderCode {
                 size,
                 ratio,
@@ -37,11 +37,11 @@ fn volts(size: Size) -> Vec<f64> {
 
 #[test]
 fn the_voltage_model_agrees_with_the_legends_of_the_figures() {
-    for &size in Size::ALL {
+    for size in Size::all(Series::default()) {
         let volts = volts(size);
         assert!(volts.len() >= 4, "{size}");
         let largest = volts.iter().copied().fold(0.0, f64::max);
-        if size <= Size::S20A {
+        if size.number() <= 20 {
             assert!(largest <= 216.5, "{size}: {volts:?}");
         } else {
             assert!(largest > 220.0, "{size}: {volts:?}");

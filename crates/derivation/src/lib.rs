@@ -4,8 +4,10 @@
 //! on they hold the derivation of exactly the numbers that were computed. A [`Formula`] is written once: it is shown,
 //! shown with its figures put in, and can be evaluated to see that it gives the number beside it.
 
+mod finding;
 mod formula;
 
+pub use finding::Finding;
 pub use formula::{Formula, FormulaFault};
 
 use provenance::{Grade, Source, Sourced};
@@ -23,10 +25,10 @@ pub enum How {
         /// Indices of the steps of its symbols, each once, in the order of the text.
         operands: Vec<usize>,
     },
-    /// By a search or an integral over the cycle, a table or a curve: the text says of what, in the same symbols.
+    /// By a search or an integral over the cycle, a table or a curve.
     Found {
         /// What is searched or integrated.
-        text: &'static str,
+        what: Finding,
         /// Indices of the steps of its symbols.
         operands: Vec<usize>,
     },
@@ -185,25 +187,25 @@ impl Workings {
         source: &Source,
     ) {
         if self.is_on() {
-            let how = How::Formula { text, operands: self.operands(text) };
+            let how = How::Formula { text, operands: self.operands(&formula::symbols(text)) };
             self.push(symbol, unit, si, how, source, grade);
         }
     }
 
-    /// What was searched, integrated or read off, in SI: the text says of what; symbols of earlier steps in it are its
-    /// operands. The grade is the worst of those and of `grade`.
+    /// What was searched, integrated or read off, in SI: earlier steps with its symbols are its operands. The grade is the
+    /// worst of those and of `grade`.
     #[inline]
     pub fn found(
         &mut self,
         symbol: &'static str,
         unit: &'static Unit,
         si: f64,
-        text: &'static str,
+        what: Finding,
         source: &Source,
         grade: Grade,
     ) {
         if self.is_on() {
-            let how = How::Found { text, operands: self.operands(text) };
+            let how = How::Found { what, operands: self.operands(what.symbols()) };
             self.push(symbol, unit, si, how, source, grade);
         }
     }
@@ -231,11 +233,11 @@ impl Workings {
         }
     }
 
-    fn operands(&self, text: &str) -> Vec<usize> {
+    fn operands(&self, symbols: &[&str]) -> Vec<usize> {
         let steps = self.steps.as_deref().unwrap_or_default();
         let mut operands = Vec::new();
-        for name in formula::symbols(text) {
-            if let Some(index) = steps.iter().rposition(|step| step.symbol == name)
+        for name in symbols {
+            if let Some(index) = steps.iter().rposition(|step| step.symbol == *name)
                 && !operands.contains(&index)
             {
                 operands.push(index);

@@ -9,7 +9,7 @@ pub(crate) const PREFIX: &str = ".antrieb-";
 /// A save takes seconds: what is older belongs to no program that still runs, on this machine or another one.
 const AGE: Duration = Duration::from_secs(24 * 3600);
 
-/// Removes from a folder what was left there. Whatever is in the way of that is no matter of the save.
+/// Removes files left in a folder by an interrupted save. Errors here do not affect the save.
 pub(crate) fn clear(folder: &Path) {
     let now = SystemTime::now();
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {

@@ -1,7 +1,7 @@
 //! Files of this machine, for the faces: written whole or not at all, read within bounds.
 //!
-//! A file that is written stands beside its place first and is then renamed ([`save`]); what is in the way is told before
-//! anything is written ([`ready`]). The files that a project names are opened where they may lie ([`Beside`]).
+//! A file is written under a temporary name next to its path and then renamed ([`save`]); obstacles are reported before
+//! anything is written ([`ready`]). The files that a project names are opened only in permitted folders ([`Beside`]).
 
 mod left;
 mod read;
@@ -13,8 +13,8 @@ pub use save::{Unwritten, ready, save};
 #[cfg(unix)]
 pub use unfinished::end_on_signals;
 
+use quantities::seen;
 use std::path::Path;
-use workbench::quantities::seen;
 
 /// Without signals there is nothing to be done.
 #[cfg(not(unix))]

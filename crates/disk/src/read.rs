@@ -1,9 +1,9 @@
 //! Files that are read: so much of them, and of those that a project names only where they may lie.
 
+use project::{Files, Grant, NoRegularFile, Reach};
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read, Result};
 use std::path::{Path, PathBuf};
-use workbench::{Files, Grant, NoRegularFile, Reach};
 
 /// At most one byte more than `most`: a large file or an endless stream is not read to its end.
 ///

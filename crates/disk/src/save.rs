@@ -5,7 +5,7 @@ use crate::{left, path_text};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile, TempPath};
-use workbench::text::SaveTrouble;
+use words::SaveTrouble;
 
 /// A file that could not be written.
 #[derive(Debug)]
@@ -17,7 +17,7 @@ pub struct Unwritten {
 }
 
 /// Where a file goes once links are followed.
-struct Place<'p> {
+struct Destination<'p> {
     /// As the user named it.
     asked: &'p Path,
     target: PathBuf,
@@ -35,7 +35,7 @@ pub fn save(files: &[(&Path, &[u8])], inputs: &[PathBuf], force: bool) -> Result
     let places = places(files.iter().map(|(path, _)| *path), inputs, force)?;
     places.iter().filter_map(|place| place.target.parent()).for_each(left::clear);
     let unfinished = Unfinished;
-    let mut staged: Vec<(TempPath, &Place<'_>)> = Vec::new();
+    let mut staged: Vec<(TempPath, &Destination<'_>)> = Vec::new();
     for (place, (_, bytes)) in places.iter().zip(files) {
         let file = stage(place, bytes, &unfinished).map_err(|error| unwritten(place.asked, system(&error)))?;
         staged.push((file, place));
@@ -65,7 +65,7 @@ fn unwritten(path: &Path, trouble: SaveTrouble) -> Unwritten {
     Unwritten { path: path.to_owned(), trouble }
 }
 
-/// What the system says; its words may hold the name of the temporary file, so only their kind is told where it has words.
+/// The error of the system; its text may contain the name of the temporary file, so only the kind is reported if it has a text.
 fn system(error: &std::io::Error) -> SaveTrouble {
     match error.kind() {
         ErrorKind::NotFound | ErrorKind::NotADirectory => SaveTrouble::NoFolder,
@@ -78,8 +78,8 @@ fn places<'p>(
     paths: impl Iterator<Item = &'p Path>,
     inputs: &[PathBuf],
     force: bool,
-) -> Result<Vec<Place<'p>>, Unwritten> {
-    let mut places: Vec<Place<'p>> = Vec::new();
+) -> Result<Vec<Destination<'p>>, Unwritten> {
+    let mut places: Vec<Destination<'p>> = Vec::new();
     for asked in paths {
         let place = place(asked, force).map_err(|trouble| unwritten(asked, trouble))?;
         let is = |other: &Path| other == place.target || same_file::is_same_file(other, &place.target).unwrap_or(false);
@@ -97,7 +97,7 @@ fn places<'p>(
     Ok(places)
 }
 
-fn place(asked: &Path, force: bool) -> Result<Place<'_>, SaveTrouble> {
+fn place(asked: &Path, force: bool) -> Result<Destination<'_>, SaveTrouble> {
     if asked.as_os_str() == "-" {
         return Err(SaveTrouble::NotToStdout);
     }
@@ -108,7 +108,7 @@ fn place(asked: &Path, force: bool) -> Result<Place<'_>, SaveTrouble> {
     let folder = folder.canonicalize().map_err(|error| system(&error))?;
     let Some(name) = asked.file_name() else { return Err(system(&ErrorKind::IsADirectory.into())) };
     let plain = folder.join(name);
-    let Ok(own) = plain.symlink_metadata() else { return Ok(Place { asked, target: plain, exists: false }) };
+    let Ok(own) = plain.symlink_metadata() else { return Ok(Destination { asked, target: plain, exists: false }) };
     let target = if own.is_symlink() {
         let target = plain.canonicalize().map_err(|error| match error.kind() {
             ErrorKind::NotFound => SaveTrouble::LinkToNothing,
@@ -132,10 +132,10 @@ fn place(asked: &Path, force: bool) -> Result<Place<'_>, SaveTrouble> {
     if force && about.permissions().readonly() {
         return Err(SaveTrouble::WriteProtected);
     }
-    Ok(Place { asked, target, exists: true })
+    Ok(Destination { asked, target, exists: true })
 }
 
-fn stage(place: &Place<'_>, bytes: &[u8], unfinished: &Unfinished) -> std::io::Result<TempPath> {
+fn stage(place: &Destination<'_>, bytes: &[u8], unfinished: &Unfinished) -> std::io::Result<TempPath> {
     let folder = place.target.parent().unwrap_or(Path::new("."));
     let mut builder = Builder::new();
     builder.prefix(left::PREFIX);

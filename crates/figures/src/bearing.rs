@@ -3,13 +3,14 @@
 use crate::cycle::{inside, segments, time_axis};
 use crate::drawing::{Drawing, Figure};
 use crate::fault::NoFigure;
+use crate::labels::{amount, listed, percent, subject};
 use crate::utilisation::sign;
-use crate::words::{amount, listed, percent, subject};
 use plot::{Axis, Bar, BarChart, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
-use workbench::quantities::unit::{NEWTON, NEWTON_METRE};
-use workbench::quantities::{Language, Measure, Unit};
-use workbench::text::{capitalised, pictures};
-use workbench::{Candidate, Check, CheckId, FlangeSample, Project};
+use project::Project;
+use quantities::unit::{NEWTON, NEWTON_METRE};
+use quantities::{Language, Measure, Unit};
+use questions::{Candidate, Check, CheckId, FlangeSample};
+use words::{capitalised, pictures};
 
 type Load = fn(&FlangeSample) -> Option<f64>;
 
@@ -32,7 +33,7 @@ pub fn bearing_load_within(
     language: Language,
 ) -> Result<Drawing, NoFigure> {
     let window = window.and_then(|window| inside(window, project));
-    let course = workbench::flange_course(project, candidate).ok_or(NoFigure::NoFlangeLoads)?;
+    let course = questions::flange_course(project, candidate).ok_or(NoFigure::NoFlangeLoads)?;
     let kinds: [(Axis, &'static Unit, CheckId, &'static str, Load, &'static str); 3] = [
         (
             Axis::new("F_r", NEWTON.symbol).name(pictures::radial_force(language)),

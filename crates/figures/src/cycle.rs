@@ -1,16 +1,17 @@
 //! The cycle over time, one panel for each quantity.
 
 use crate::drawing::{Drawing, Figure};
+use crate::labels::{amount, listed, subject};
 use crate::thin::thinned;
-use crate::words::{amount, listed, subject};
 use plot::{Axis, Dash, Label, Line, Panel, Reference, StackedChart, Tone};
-use workbench::quantities::unit::{
+use project::Project;
+use quantities::unit::{
     AMPERE, DEGREE, DEGREE_CELSIUS, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, NEWTON_METRE, PERCENT,
     RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND, WATT,
 };
-use workbench::quantities::{Language, Measure, Unit};
-use workbench::text::{capitalised, law_text, pictures, terms};
-use workbench::{Candidate, CheckId, Course, Move, Project, Sample};
+use quantities::{Language, Measure, Unit};
+use questions::{Candidate, CheckId, Course, Move, Sample};
+use words::{capitalised, law_text, pictures, terms};
 
 const WIDTH_MM: f64 = 165.0;
 /// Height of title, segments and time axis.
@@ -50,12 +51,12 @@ fn cycle_with(
     language: Language,
 ) -> Drawing {
     let window = window.and_then(|window| inside(window, project));
-    let whole = workbench::course_seen(project, candidate, window);
+    let whole = questions::course_seen(project, candidate, window);
     let course = thinned(match window {
         Some(window) => cut(whole, window),
         None => whole,
     });
-    let moves = workbench::moves(project);
+    let moves = questions::moves(project);
     let along = (!moves.turns).then_some(moves.per_output);
     let signals = vec![
         match along {
@@ -219,14 +220,14 @@ fn extremes(course: &Course, of: impl Fn(&Sample) -> Option<f64>) -> Option<(f64
     found.map(|(low, high)| (clean(low), clean(high)))
 }
 
-fn limit_of(candidate: &Candidate<'_>, id: CheckId) -> Option<workbench::Figure> {
+fn limit_of(candidate: &Candidate<'_>, id: CheckId) -> Option<questions::Amount> {
     candidate.judgement.checks.iter().find(|check| check.id == id)?.limit
 }
 
 /// The limit on each side that the signal comes near to.
 fn limited(
     signal: Option<Signal>,
-    limit: Option<workbench::Figure>,
+    limit: Option<questions::Amount>,
     symbol: &str,
     language: Language,
 ) -> Option<Signal> {
@@ -284,7 +285,7 @@ pub(crate) fn segments(project: &Project, language: Language) -> Vec<(f64, f64, 
         let from = segment.start.si();
         (from, from + segment.duration.si(), format!("{} {what}", index + 1))
     };
-    workbench::moves(project).moves.iter().enumerate().map(named).collect()
+    questions::moves(project).moves.iter().enumerate().map(named).collect()
 }
 
 fn description(course: &Course, project: &Project, language: Language) -> String {
@@ -305,6 +306,6 @@ fn description(course: &Course, project: &Project, language: Language) -> String
     .into_iter()
     .flatten()
     .collect();
-    let (count, duration) = (workbench::moves(project).moves.len(), amount(course.duration_s, &SECOND, language));
+    let (count, duration) = (questions::moves(project).moves.len(), amount(course.duration_s, &SECOND, language));
     pictures::cycle_described(count, &duration, &listed(&parts, l), l)
 }

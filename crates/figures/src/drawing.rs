@@ -1,10 +1,9 @@
 //! The figures there are, and one that is laid out.
 
 use plot::{BarChart, FaceChart, MapChart, Picture, Size, StackedChart, Style, Theme, XyChart};
-use workbench::Language;
-use workbench::quantities::unit::MILLIMETRE;
-use workbench::quantities::{Length, Measure};
-use workbench::text::{capitalised, pictures, terminal, terms, wiring};
+use quantities::unit::MILLIMETRE;
+use quantities::{Language, Length, Measure};
+use words::{capitalised, pictures, terminal, terms, wiring};
 
 /// The figures there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,7 +65,7 @@ impl Figure {
     }
 }
 
-/// Sides of a picture that can be asked for \[mm\].
+/// Permitted sides of a picture \[mm\].
 const SIDE_MM: std::ops::RangeInclusive<f64> = 40.0..=2000.0;
 
 /// A side of a picture in millimetres.
@@ -90,7 +89,7 @@ pub struct Drawing {
     pub title: String,
     /// How to read the picture, for a line below it.
     pub caption: String,
-    /// What the picture tells, in sentences with numbers; it stands in the picture for screen readers.
+    /// Description of the picture in sentences with numbers; part of the picture, for screen readers.
     pub description: String,
     /// Width and height in millimetres that suit it.
     pub size_mm: (f64, f64),

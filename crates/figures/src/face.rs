@@ -1,10 +1,12 @@
 //! The mating face of a connector with its pins.
 
 use crate::drawing::{Drawing, Figure};
+use order_code::OrderCode;
 use plot::{FaceChart, FacePin, Tone};
+use quantities::Language;
+use questions::list::wiring::{Connector, SignalGroup};
 use std::f64::consts::TAU;
-use workbench::text::{capitalised, cell_text, wiring};
-use workbench::{Connector, Language, OrderCode, SignalGroup};
+use words::{capitalised, cell_text, wiring};
 
 /// How many pins stand on each ring, from the outside: a schematic arrangement, since the manual's figures are lost.
 const fn rings(poles: usize) -> &'static [usize] {
@@ -61,7 +63,7 @@ pub fn mating_face_beside_pins(code: &OrderCode, connector: &Connector, language
     drawn(code, connector, Legend::Signals, language)
 }
 
-/// What is told of a pin beside the face.
+/// The label of a pin next to the face.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Legend {
     /// Signal, the wire it shares, colour.

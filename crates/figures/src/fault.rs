@@ -1,8 +1,9 @@
 //! Why a figure cannot be drawn.
 
-use workbench::answer::refusal_text;
-use workbench::text::{pictures, terms, wiring};
-use workbench::{Language, Refusal};
+use quantities::Language;
+use questions::Refusal;
+use questions::answer::refusal_text;
+use words::{pictures, terms, wiring};
 
 /// Why a figure cannot be drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +19,7 @@ pub enum NoFigure {
 }
 
 impl NoFigure {
-    /// The reason in a sentence; `waited_s` is how long whoever asked was ready to wait.
+    /// The reason in a sentence; `waited_s` is the deadline of the caller.
     #[must_use]
     pub fn message(&self, waited_s: Option<f64>, language: Language) -> String {
         match self {

@@ -1,31 +1,33 @@
 //! Pictures of results: which there are, what belongs into each, and what it says in words.
 //!
-//! Lays out what `workbench` found; computes nothing and touches no file.
+//! Lays out what `questions` found; computes nothing and touches no file.
 
 mod bearing;
 mod cycle;
 mod drawing;
 mod face;
 mod fault;
+mod labels;
 mod map;
 mod plane;
 mod thin;
 mod torsion;
 mod utilisation;
-mod words;
 
 pub use bearing::{bearing_load, bearing_load_within};
 pub use cycle::{cycle, cycle_within};
 pub use drawing::{Drawing, Figure, side_mm};
 pub use face::{mating_face, mating_face_beside_pins};
 pub use fault::NoFigure;
-pub use map::{By, Place, candidate_map, nearest};
+pub use map::{By, MapPoint, candidate_map, nearest};
 pub use plane::{curves, torque_speed};
 pub use plot::{Picture, Size, Style, Theme};
 pub use torsion::{torsion, torsion_curve};
 pub use utilisation::utilisation;
 
-use workbench::{Candidate, Language, Patience, Project};
+use project::Project;
+use quantities::Language;
+use questions::{Candidate, Patience};
 
 /// One figure of a candidate, of those over time only what lies between two instants \[s\].
 ///
@@ -49,7 +51,7 @@ pub fn draw_within(
 /// One figure of a candidate; the map is that of all candidates, this one marked.
 ///
 /// # Errors
-/// [`NoFigure`] where the project or the actuator gives nothing to draw, or nobody waits any more for the map.
+/// [`NoFigure`] if the project or the actuator gives nothing to draw, or the map was cancelled.
 pub fn draw(
     figure: Figure,
     project: &Project,
@@ -66,7 +68,7 @@ pub fn draw(
         Figure::BearingLoad => bearing_load(project, candidate, language),
         Figure::MatingFace => Err(NoFigure::OfACode),
         Figure::CandidateMap => {
-            let sizing = workbench::sized(project, 0, patience).map_err(NoFigure::Refused)?;
+            let sizing = questions::list::size::sized(project, 0, patience).map_err(NoFigure::Refused)?;
             Ok(candidate_map(&sizing, by, Some(&candidate.id), language))
         }
     }

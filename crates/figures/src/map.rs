@@ -1,12 +1,12 @@
 //! All candidates in one picture: margin over mass or length.
 
 use crate::drawing::{Drawing, Figure};
-use crate::words::{amount, percent};
+use crate::labels::{amount, percent};
 use plot::{Axis, Dash, MapChart, Markers, Note, Reference, Shape, Tone};
-use workbench::quantities::unit::{KILOGRAM, MILLIMETRE};
-use workbench::quantities::{Language, Measure, Unit};
-use workbench::text::{capitalised, pictures, terms};
-use workbench::{Candidate, CandidateId, Sizing, Verdict};
+use quantities::unit::{KILOGRAM, MILLIMETRE};
+use quantities::{Language, Measure, Unit};
+use questions::{Candidate, CandidateId, Sizing, Verdict};
+use words::{capitalised, pictures, terms};
 
 /// What the candidates are laid out by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub enum By {
     Length,
 }
 
-/// Candidates with less margin than this are left out: they miss by so much that the others could not be told apart.
+/// Candidates with less margin than this are omitted, since they would compress the scale for the others.
 const MARGIN_MIN: f64 = -0.5;
 
 /// How many of the best are named besides the one marked.
@@ -41,12 +41,12 @@ impl By {
 
 /// A place in the map, in the units of its axes, and how far they reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct MapPoint {
     at: (f64, f64),
     reach: (f64, f64),
 }
 
-impl Place {
+impl MapPoint {
     /// From four numbers: both coordinates, then how far both axes reach.
     #[must_use]
     pub fn read(text: &str) -> Option<Self> {
@@ -62,7 +62,7 @@ const MEANT: f64 = 0.04;
 
 /// The candidate whose point in the map is nearest to a place, where one is near.
 #[must_use]
-pub fn nearest<'s>(sizing: &'s Sizing<'_>, by: By, place: Place) -> Option<&'s CandidateId> {
+pub fn nearest<'s>(sizing: &'s Sizing<'_>, by: By, place: MapPoint) -> Option<&'s CandidateId> {
     let distance = |candidate: &Candidate<'_>| {
         let (x, y) = point(by, candidate)?;
         let (dx, dy) = ((x - place.at.0) / place.reach.0, (y - place.at.1) / place.reach.1);

@@ -1,14 +1,14 @@
 //! The torque-speed plane: limits in four quadrants, the cycle, its mean and its peaks.
 
 use crate::drawing::{Drawing, Figure};
-use crate::words::{amount, listed, subject};
+use crate::labels::{amount, listed, subject};
+use order_code::OrderCode;
 use plot::{Area, Axis, Dash, Hatch, Label, Line, Markers, Note, Reference, Shape, Tone, Width, XyChart};
-use workbench::quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
-use workbench::quantities::{AngularVelocity, Language, Measure, Torque, format_number, format_significant};
-use workbench::text::{pictures, terms};
-use workbench::{
-    Candidate, CheckId, Course, CurveKind, CurvePoint, OrderCode, PerformanceCurve, Plane, Project, Sample,
-};
+use project::Project;
+use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
+use quantities::{AngularVelocity, Language, Measure, Torque, format_number, format_significant};
+use questions::{Candidate, CheckId, Course, CurveKind, CurvePoint, PerformanceCurve, Plane, Sample};
+use words::{minutes, pictures, terms};
 
 const SIZE_MM: (f64, f64) = (165.0, 125.0);
 
@@ -18,8 +18,8 @@ type Point = (f64, f64);
 /// Limits at the voltage of the project's supply, the cycle in them, its mean point and its peaks.
 #[must_use]
 pub fn torque_speed(project: &Project, candidate: &Candidate<'_>, language: Language) -> Drawing {
-    let plane = workbench::plane(project, candidate).ok();
-    let course = workbench::course_seen(project, candidate, None);
+    let plane = questions::plane(project, candidate).ok();
+    let course = questions::course_seen(project, candidate, None);
     let mut chart = empty(language);
     if let Some(plane) = &plane {
         chart = with_limits(chart, plane, language);
@@ -149,7 +149,7 @@ fn driving(limit: &[Point]) -> [Vec<Point>; 2] {
 fn curve_name(curve: &PerformanceCurve, language: Language) -> String {
     match curve.kind {
         CurveKind::Continuous => pictures::continuous_limit(language).to_owned(),
-        CurveKind::S3 { duty } => format!("S3 {} %", format_number(duty.si() * 100.0, 0, language)),
+        CurveKind::S3 { duty, .. } => format!("S3 {} %", format_number(duty.si() * 100.0, 0, language)),
         CurveKind::ShortTime => pictures::short_time_limit(language).to_owned(),
     }
 }
@@ -174,7 +174,7 @@ fn with_limits(mut chart: XyChart, plane: &Plane, language: Language) -> XyChart
                 let line = line(mirrored(&points)).closed().tone(Tone::Continuous).width(Width::Strong);
                 chart = chart.with(line.class("continuous"));
             }
-            CurveKind::S3 { duty } => {
+            CurveKind::S3 { duty, .. } => {
                 let dash = if duty.si() < 0.4 { Dash::Dotted } else { Dash::DashDotted };
                 let line = line(mirrored(&points)).closed().tone(Tone::Series(3)).dash(dash);
                 chart = chart.with(line.class("s3"));
@@ -214,7 +214,7 @@ fn voltage(curve: &PerformanceCurve, points: &[Point], language: Language) -> Op
 }
 
 /// The largest torque and the largest speed, each at its instant with its symbol; one point if they coincide.
-fn peaks(demand: &workbench::Demand, course: &Course) -> Vec<(Point, Label)> {
+fn peaks(demand: &questions::Demand, course: &Course) -> Vec<(Point, Label)> {
     let mut found: Vec<(Point, Label)> = Vec::new();
     let torque = |sample: &Sample| sample.torque_nm.abs();
     if let Some(sample) = sample_at(course, demand.torque_peak_at.si(), torque) {
@@ -249,7 +249,7 @@ fn say_cycle(course: &Course, language: Language) -> String {
     pictures::plane_described(&duration, language)
 }
 
-fn say_demand(demand: &workbench::Demand, language: Language) -> String {
+fn say_demand(demand: &questions::Demand, language: Language) -> String {
     let (peak, fast) = (torque(demand.torque_peak, language), speed(demand.speed_peak, language));
     let (rms, mean) = (torque(demand.torque_rms, language), speed(demand.speed_mean, language));
     let when = amount(demand.torque_peak_at.si(), &SECOND, language);
@@ -284,7 +284,7 @@ fn has_short_time(plane: &Plane) -> bool {
 
 /// Largest torque and largest speed of an actuator whose curves cannot be drawn, each where it is known.
 fn known(candidate: &Candidate<'_>) -> [Option<(f64, &'static str, String)>; 2] {
-    let of = |id: CheckId, unit: &'static workbench::quantities::Unit, symbol: &'static str| {
+    let of = |id: CheckId, unit: &'static quantities::Unit, symbol: &'static str| {
         let check = candidate.judgement.checks.iter().find(|check| check.id == id)?;
         let limit = check.limit.filter(|limit| limit.si > 0.0)?;
         Some((unit.from_si(limit.si), symbol, check.id.id().to_owned()))
@@ -340,9 +340,12 @@ fn caption_of_known(candidate: &Candidate<'_>, language: Language) -> String {
 
 fn caption(plane: &Plane, language: Language) -> String {
     let mut parts = vec![pictures::quadrants_and_colours(language)];
-    if plane.curves.iter().any(|curve| matches!(curve.kind, CurveKind::S3 { .. })) {
-        parts.push(pictures::s3_explained(language));
-    }
+    let cycle = plane.curves.iter().find_map(|curve| match curve.kind {
+        CurveKind::S3 { cycle, .. } => Some(cycle),
+        CurveKind::Continuous | CurveKind::ShortTime => None,
+    });
+    let intermittent = cycle.map(|cycle| pictures::s3_explained(&minutes(cycle, language), language));
+    parts.extend(intermittent.as_deref());
     if plane.curves.iter().any(|curve| curve.upper.is_some()) {
         parts.push(pictures::hatching_explained(language));
     }

@@ -1,6 +1,6 @@
 //! Long courses made short without losing an extreme.
 
-use workbench::{Course, Sample};
+use questions::{Course, Sample};
 
 /// Samples above which a course is thinned.
 const SAMPLES_MAX: usize = 200_000;

@@ -2,12 +2,13 @@
 
 use crate::drawing::{Drawing, Figure};
 use crate::fault::NoFigure;
-use crate::words::{amount, subject};
+use crate::labels::{amount, subject};
 use plot::{Axis, Dash, Label, Line, Markers, Reference, Tone, Width, XyChart};
-use workbench::quantities::unit::{ARCMINUTE, NEWTON_METRE};
-use workbench::quantities::{Language, Measure, Torque};
-use workbench::text::pictures;
-use workbench::{Candidate, Project, TorsionCurve};
+use project::Project;
+use quantities::unit::{ARCMINUTE, NEWTON_METRE};
+use quantities::{Language, Measure, Torque};
+use questions::{Candidate, TorsionCurve};
+use words::pictures;
 
 /// The curve reaches this far beyond the last thing to be seen.
 const ROOM: f64 = 1.15;
@@ -17,7 +18,7 @@ const ROOM: f64 = 1.15;
 /// # Errors
 /// [`NoFigure::NoStiffness`]
 pub fn torsion(project: &Project, candidate: &Candidate<'_>, language: Language) -> Result<Drawing, NoFigure> {
-    let found = workbench::torsion_of(project, candidate).ok_or(NoFigure::NoStiffness)?;
+    let found = questions::torsion_of(project, candidate).ok_or(NoFigure::NoStiffness)?;
     Ok(drawn(&subject(candidate, &project.name), &found, Point::OfTheLoad, language))
 }
 
@@ -32,7 +33,7 @@ pub fn torsion_curve(name: &str, found: &TorsionCurve, language: Language) -> Dr
 enum Point {
     /// The largest torque of a load.
     OfTheLoad,
-    /// One that is asked for.
+    /// A requested one.
     Asked,
 }
 

@@ -1,15 +1,14 @@
 //! Every check as a bar against its limit.
 
 use crate::drawing::{Drawing, Figure};
-use crate::words::{amount, listed, percent};
+use crate::labels::{amount, listed, percent};
 use plot::{Axis, Bar, BarChart};
-use workbench::text::{
-    capitalised, check_missing, check_title, pictures, terms, unmet_text, verdict_count, verdict_word,
-};
-use workbench::{Candidate, Check, Direction, Language, Objection, Unmet, Verdict};
+use quantities::Language;
+use questions::{Candidate, Check, Direction, Objection, Unmet, Verdict};
+use words::{capitalised, check_missing, check_title, pictures, terms, unmet_text, verdict_count, verdict_word};
 
-/// Every check of a candidate: those that fail first, then by utilisation, then those whose utilisation tells no margin, then
-/// what could not be checked.
+/// Every check of a candidate: failed ones first, then by utilisation, then those whose utilisation is no margin, then
+/// the checks not made.
 #[must_use]
 pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
     let mut checks: Vec<&Check> = candidate.judgement.checks.iter().collect();
@@ -17,7 +16,7 @@ pub fn utilisation(candidate: &Candidate<'_>, language: Language) -> Drawing {
         let open = |check: &Check| check.verdict == Verdict::NotChecked;
         let fails = |check: &Check| check.verdict == Verdict::Fail;
         let share = |check: &Check| check.utilisation.unwrap_or(0.0);
-        // What tells no margin is not the tightest, whatever its share.
+        // A utilisation that is no margin is never the tightest.
         let tells = |check: &Check| check.id.has_margin() || fails(check);
         (open(a).cmp(&open(b)))
             .then(fails(b).cmp(&fails(a)))
@@ -66,7 +65,7 @@ fn bar(check: &Check, language: Language) -> Bar {
         Bar::new(capitalised(&check_title(check.id, language)), sign(check.verdict)).data("check", check.id.id());
     let numbers = match (check.value, check.limit) {
         (Some(value), Some(limit)) => {
-            let value = workbench::quantities::format_significant(value.value(), 4, language);
+            let value = quantities::format_significant(value.value(), 4, language);
             let sign = if check.direction() == Direction::AtLeast { "≥ " } else { "" };
             format!("{value} / {sign}{}", amount(limit.si, limit.unit, language))
         }
@@ -75,7 +74,7 @@ fn bar(check: &Check, language: Language) -> Bar {
     };
     if check.verdict == Verdict::NotChecked {
         let missing = check.missing.unwrap_or_default();
-        // The datum by its bare name: where it belongs to is told by the tooltip.
+        // The datum by its bare name: the tooltip says what it belongs to.
         let short = missing.rsplit('.').next().unwrap_or(missing);
         let reason = check_missing(missing, language);
         return bar.text(format!("{}: {short}", terms::missing(language))).tooltip(&format!("{reason} {numbers}"));
@@ -96,8 +95,8 @@ fn objection_bar(candidate: &Candidate<'_>, objection: &Objection, language: Lan
         Objection::Rule(rule) => (
             plot::Verdict::Fail,
             match &candidate.id {
-                workbench::CandidateId::Code(code) => workbench::text::describe_rule(code, rule, language),
-                workbench::CandidateId::Own(_) => rule.table.to_owned(),
+                questions::CandidateId::Code(code) => words::describe_rule(code, rule, language),
+                questions::CandidateId::Own(_) => rule.table.to_owned(),
             },
         ),
     };

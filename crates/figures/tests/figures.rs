@@ -2,21 +2,22 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use figures::{By, Drawing, Figure, NoFigure, Picture, Size, Style, draw};
+use project::{Files, Project};
+use quantities::unit::{ARCMINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
+use quantities::{Language, Measure};
+use questions::{Candidate, CheckId, Patience};
 use roxmltree::{Document, Node};
 use std::path::PathBuf;
-use workbench::quantities::unit::{ARCMINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use workbench::quantities::{Language, Measure};
-use workbench::{Candidate, CheckId, Files, Patience, Project};
 
 const LANGUAGES: [Language; 2] = [Language::En, Language::De];
 
-struct Beside;
+struct ExampleFiles;
 
 fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples")
 }
 
-impl Files for Beside {
+impl Files for ExampleFiles {
     fn open(&self, name: &str) -> std::io::Result<Box<dyn std::io::Read>> {
         Ok(Box::new(std::fs::File::open(folder().join(name))?))
     }
@@ -27,16 +28,16 @@ fn examples() -> Vec<Project> {
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     paths.sort();
     assert!(paths.len() >= 10);
-    let read = |path: &PathBuf| workbench::read_all(&std::fs::read_to_string(path).unwrap(), &Beside).unwrap();
+    let read = |path: &PathBuf| questions::read_all(&std::fs::read_to_string(path).unwrap(), &ExampleFiles).unwrap();
     paths.iter().flat_map(read).collect()
 }
 
 /// The best of the catalogue, with every check, and the project's own.
 fn candidates(project: &Project) -> Vec<Candidate<'_>> {
-    let best = workbench::size(project).candidates.swap_remove(0);
-    let workbench::CandidateId::Code(code) = best.id else { panic!("a code") };
-    let best = workbench::check(project, &code).unwrap();
-    std::iter::once(best).chain(workbench::check_own(project).ok()).collect()
+    let best = questions::size(project).candidates.swap_remove(0);
+    let questions::CandidateId::Code(code) = best.id else { panic!("a code") };
+    let best = questions::check(project, &code).unwrap();
+    std::iter::once(best).chain(questions::check_own(project).ok()).collect()
 }
 
 fn picture(drawing: &Drawing, language: Language) -> Picture {
@@ -45,7 +46,7 @@ fn picture(drawing: &Drawing, language: Language) -> Picture {
 
 fn example(name: &str) -> Project {
     let text = std::fs::read_to_string(folder().join(name)).unwrap();
-    workbench::read_all(&text, &Beside).unwrap().swap_remove(0)
+    questions::read_all(&text, &ExampleFiles).unwrap().swap_remove(0)
 }
 
 /// The points of the markers of a class.
@@ -142,7 +143,7 @@ fn mean_and_peaks_stand_where_the_checks_say() {
             assert!(close(torque, NEWTON_METRE.from_si(value(CheckId::PeakTorque).unwrap())), "{what}: {torque}");
             assert!(close(speed, REVOLUTION_PER_MINUTE.from_si(value(CheckId::PeakSpeed).unwrap())), "{what}: {speed}");
             // The marked peaks lie on the trace, up to what lies between two of its samples.
-            let course = workbench::course(&project, &candidate);
+            let course = questions::course(&project, &candidate);
             for (n, t) in peaks {
                 let near = course.samples.iter().any(|sample| {
                     (REVOLUTION_PER_MINUTE.from_si(sample.speed_rad_s) - n).abs() <= 0.02 * speed
@@ -176,7 +177,7 @@ fn bars_have_the_utilisation_of_the_checks() {
     for check in &candidate.judgement.checks {
         let bar = bars.iter().find(|bar| bar.attribute("data-check") == Some(check.id.id())).unwrap();
         let shown: Option<f64> = bar.attribute("data-utilisation").and_then(|share| share.parse().ok());
-        let judged = check.verdict != workbench::Verdict::NotChecked;
+        let judged = check.verdict != questions::Verdict::NotChecked;
         assert_eq!(shown, check.utilisation.filter(|_| judged), "{}", check.id.id());
     }
 }
@@ -197,7 +198,7 @@ fn the_same_input_gives_the_same_bytes() {
 #[test]
 fn a_map_tells_every_candidate_or_counts_it() {
     let project = example("tilting-arm.toml");
-    let sizing = workbench::size(&project);
+    let sizing = questions::size(&project);
     for by in [By::Mass, By::Length] {
         let drawing = figures::candidate_map(&sizing, by, None, Language::En);
         let picture = picture(&drawing, Language::En);
@@ -212,8 +213,8 @@ fn a_map_tells_every_candidate_or_counts_it() {
 fn a_map_on_which_nothing_finds_a_place_says_so() {
     let text = std::fs::read_to_string(folder().join("indexing-table.toml")).unwrap();
     let text = text.replace("speed = \"40 1/min\"", "speed = \"40000 1/min\"");
-    let project = workbench::read_all(&text, &Beside).unwrap().swap_remove(0);
-    let sizing = workbench::size(&project);
+    let project = questions::read_all(&text, &ExampleFiles).unwrap().swap_remove(0);
+    let sizing = questions::size(&project);
     for (language, words) in [(Language::En, "No candidate"), (Language::De, "Kein Kandidat")] {
         let drawing = figures::candidate_map(&sizing, By::Mass, None, language);
         let picture = picture(&drawing, language);
@@ -225,7 +226,7 @@ fn a_map_on_which_nothing_finds_a_place_says_so() {
 #[test]
 fn what_is_known_of_an_own_actuator_is_drawn() {
     let project = example("manual-example.toml");
-    let own = workbench::check_own(&project).unwrap();
+    let own = questions::check_own(&project).unwrap();
     let picture = picture(&figures::torque_speed(&project, &own, Language::En), Language::En);
     let texts: Vec<&str> = picture.texts().iter().map(|text| text.text.as_str()).collect();
     assert!(texts.contains(&"T_max = 127.0 Nm") && texts.contains(&"n_max = 112.0 min⁻¹"), "{texts:?}");
@@ -251,10 +252,10 @@ fn loads_on_the_bearing_are_drawn_with_their_limits_or_told_as_constant() {
 
 #[test]
 fn the_limits_of_a_code_need_no_project() {
-    let code = workbench::read_code("CHA-20A-100-H-C1024", Language::En).unwrap().parsed.code;
-    let volts = workbench::read_quantity("120 V", Language::En).unwrap();
+    let code = questions::read_code("CHA-20A-100-H-C1024", Language::En).unwrap().parsed.code;
+    let volts = questions::read_quantity("120 V", Language::En).unwrap();
     for terminal in [None, Some(volts)] {
-        let plane = workbench::plane_of(&code, terminal).unwrap().unwrap();
+        let plane = questions::plane_of(&code, terminal).unwrap().unwrap();
         for language in LANGUAGES {
             let picture = picture(&figures::curves(&code, &plane, language), language);
             assert_eq!(picture.dropped(), 0);

@@ -1,4 +1,4 @@
-//! What a drive is told about the motor of an ordering code, and what is measured when it runs for the first time.
+//! Values of the motor of an ordering code for the drive, and measured values of the first run.
 //!
 //! One neutral list of [`Parameter`]s, each in SI with its sources; the forms of the drives ([`sinamics`], [`cia402`]) are tables
 //! that name a parameter, a unit and a rounding, and compute nothing else. What the manual leaves open is a [`Gap`].
@@ -14,7 +14,7 @@ pub mod sinamics;
 use crate::commission::encoder::EncoderRow;
 use actuator::Parameters;
 use catalogue::Drive;
-use order_code::{Brake, OrderCode, Winding};
+use order_code::{Brake, OrderCode};
 use provenance::{Datum, Grade, Source};
 use quantities::unit::{
     AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, HERTZ, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIHENRY,
@@ -25,7 +25,7 @@ use quantities::{Measure, MomentOfInertia, ThermodynamicTemperature, Unit};
 
 macro_rules! parameters {
     ($($(#[$doc:meta])* $name:ident => $id:literal, $symbol:literal, $unit:ident, $conversion:ident;)+) => {
-        /// What a drive may be told.
+        /// Values to enter in a drive.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         pub enum ParameterId { $($(#[$doc])* $name,)+ }
 
@@ -189,7 +189,7 @@ impl Conversion {
     }
 }
 
-/// One value that a drive may be told.
+/// One value to enter in a drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
     /// Which.
@@ -212,7 +212,7 @@ impl Parameter {
     }
 }
 
-/// A number with fifteen significant digits: what the print has stays, and what only a change of units has made goes.
+/// A number with fifteen significant digits: keeps the digits of the print and drops the noise of unit conversion.
 ///
 /// The relative error is at most 5e-16.
 #[must_use]
@@ -220,7 +220,7 @@ pub fn clean(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value)
 }
 
-/// What a drive may ask for and nobody states.
+/// A value that a drive may require and no source states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gap {
     /// Rated current, torque and power at rated speed: no table has them.
@@ -286,11 +286,10 @@ impl Commissioning {
         self.parameters.iter().find(|parameter| parameter.id == id)
     }
 
-    /// Whether the winding has a PTC: it sits in the 8-pin motor connector (cha-manual tables 66.3 and 67.3), which the
-    /// configurations E and N have; the 6-pin one of H has no contact for it (table 63.3).
+    /// Whether the winding has a PTC.
     #[must_use]
     pub fn has_ptc(&self) -> bool {
-        matches!(self.code.winding, Winding::E | Winding::N)
+        catalogue::winding_data(self.code.winding).is_some_and(|data| data.ptc)
     }
 
     /// Whether the code has a brake.
@@ -431,10 +430,10 @@ fn find(id: ParameterId, code: &OrderCode, drive: &'static Drive, actuator: &Par
         P::Mass => plain(id, &actuator.mass),
         P::DcLinkMax => plain(id, &actuator.dc_link_max),
         P::NoLoadStartingCurrent => plain(id, &actuator.no_load_starting_current),
-        P::NoLoadCurrentConstant30 => plain(id, &actuator.no_load_current_constant_30),
-        P::NoLoadCurrentConstant80 => plain(id, &actuator.no_load_current_constant_80),
-        P::WindingWarning => threshold(id, "warning"),
-        P::WindingShutdown => threshold(id, "shutdown"),
+        P::NoLoadCurrentConstant30 => plain(id, &actuator.no_load_current_constant_cold),
+        P::NoLoadCurrentConstant80 => plain(id, &actuator.no_load_current_constant_warm),
+        P::WindingWarning => threshold(id, code, "warning"),
+        P::WindingShutdown => threshold(id, code, "shutdown"),
         P::EncoderIncrements => {
             encoder::increments(code).map_or(Found::NotPrinted, |cell| match cell.limit().number() {
                 Some(steps) => Found::Known(Parameter {
@@ -456,7 +455,7 @@ fn find(id: ParameterId, code: &OrderCode, drive: &'static Drive, actuator: &Par
     }
 }
 
-/// I_max, or I_E where that is printed and smaller: a drive must not be told a current that weakens the magnets.
+/// I_max, or I_E if that is printed and smaller: a drive must not get a current that demagnetises the magnets.
 fn limit(id: ParameterId, actuator: &Parameters) -> Found {
     let largest = plain(id, &actuator.current_max);
     match plain(id, &actuator.current_demagnetisation) {
@@ -465,9 +464,10 @@ fn limit(id: ParameterId, actuator: &Parameters) -> Found {
     }
 }
 
-/// A threshold of table 62.3.
-fn threshold(id: ParameterId, which: &str) -> Found {
-    let cells = catalogue::table("62.3").map(catalogue::Table::cells).unwrap_or_default();
+/// A threshold of the winding temperature.
+fn threshold(id: ParameterId, code: &OrderCode, which: &str) -> Found {
+    let table = catalogue::SeriesData::of(code.series()).thresholds;
+    let cells = catalogue::table(table).map(catalogue::Table::cells).unwrap_or_default();
     let cell = cells.iter().find(|cell| cell.place.condition == which);
     cell.map_or(Found::NotPrinted, |cell| plain(id, &catalogue::datum_of::<ThermodynamicTemperature>(cell)))
 }

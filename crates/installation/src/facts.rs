@@ -1,4 +1,4 @@
-//! The facts in prose that concern an ordering code: which ones, and in which order they are told.
+//! The facts in prose that concern an ordering code, and their order.
 
 use actuator::Parameters;
 use catalogue::{Fact, Step, Topic};
@@ -11,7 +11,7 @@ use quantities::{Mass, Measure};
 /// The fact that names the mass from which lifting gear is needed.
 const HOIST: &str = "hoist_above_20_kg";
 
-/// The order in which facts are told; what stands alike keeps the order of the data.
+/// The order of the facts; equal ones keep the order of the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
     /// As the data have them.
@@ -43,7 +43,7 @@ pub fn facts_about(topic: Topic, code: &OrderCode, order: Order) -> Vec<&'static
     facts
 }
 
-/// Whether a mass asks for lifting gear; `None` where it is not printed.
+/// Whether a mass requires lifting gear; `None` if it is not printed.
 pub(crate) fn needs_hoist(mass: &Datum<Mass>) -> Option<bool> {
     let fact = catalogue::facts().iter().find(|fact| fact.id == HOIST)?;
     let limit = fact.values.first().map(|value| Mass::new_in(value.number, &KILOGRAM))?;

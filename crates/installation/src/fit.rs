@@ -38,7 +38,7 @@ pub struct Deviations {
     pub lower: Length,
 }
 
-/// The bore that goes over a pilot, as somebody asks for it.
+/// The requested bore over a pilot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bore {
     /// A tolerance zone of ISO 286: `H7`.
@@ -86,11 +86,11 @@ pub struct Fit {
     pub pilot: Sourced<Deviations>,
     /// Zone that the manual recommends for the bore.
     pub recommended: Sourced<&'static str>,
-    /// The bore, as asked for or as recommended.
+    /// The requested or recommended bore.
     pub bore: Bore,
     /// Limit deviations of the bore.
     pub bore_deviations: Deviations,
-    /// Where they are from; `None` where they were asked for.
+    /// Source of the deviations; `None` if they were given by the caller.
     pub bore_source: Option<Source>,
     /// Smallest clearance; interference is negative.
     pub clearance_min: Length,
@@ -100,7 +100,7 @@ pub struct Fit {
     pub kind: FitKind,
 }
 
-/// What is wrong with a bore that somebody asks for.
+/// Faults of a requested bore.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BoreFault {
     /// No tolerance zone that the table carries, and no limit deviations.
@@ -156,7 +156,7 @@ pub fn read_bore(text: &str) -> Result<Bore, BoreFault> {
     } else {
         let known = bore_zones();
         return match known.iter().find(|zone| zone.eq_ignore_ascii_case(text)) {
-            // h7 is a shaft: capitals and small letters are told apart.
+            // h7 is a shaft: upper and lower case differ.
             Some(zone) if text.starts_with(|letter: char| letter.is_ascii_uppercase()) => Ok(Bore::Zone(zone)),
             _ => Err(BoreFault::UnknownZone { written: text.to_owned(), known }),
         };
@@ -201,8 +201,10 @@ pub fn bore_zones() -> Vec<&'static str> {
 
 /// Limit deviations of a tolerance zone at a nominal size; not printed outside the table.
 ///
-/// # Source   ISO 286-2, data/published/iso286.toml
-/// # Valid    nominal sizes over 30 up to and including 315 mm
+/// # Source
+/// ISO 286-2, data/published/iso286.toml
+/// # Valid
+/// nominal sizes over 30 up to and including 315 mm
 #[must_use]
 pub fn deviations(zone: &str, nominal: Length) -> Datum<Deviations> {
     let size = nominal.in_unit(&MILLIMETRE);
@@ -232,9 +234,12 @@ pub fn deviations(zone: &str, nominal: Length) -> Datum<Deviations> {
 ///
 /// s_min = EI − es, s_max = ES − ei
 ///
-/// # Symbols  ES, EI upper and lower limit deviation of the bore, es, ei of the pilot
-/// # Source   ISO 286-1
-/// # Valid    parts within their limits, at 20 °C and round; interference is a negative clearance
+/// # Symbols
+/// ES, EI upper and lower limit deviation of the bore, es, ei of the pilot
+/// # Source
+/// ISO 286-1
+/// # Valid
+/// parts within their limits, at 20 °C and round; interference is a negative clearance
 #[must_use]
 pub fn clearance(bore: &Deviations, pilot: &Deviations) -> (Length, Length) {
     (bore.lower - pilot.upper, bore.upper - pilot.lower)
@@ -252,9 +257,10 @@ pub fn fit_kind(clearance_min: Length, clearance_max: Length) -> FitKind {
     }
 }
 
-/// The pilot of a side with the bore asked for, or with the one that the manual recommends.
+/// The pilot of a side with the requested bore, or with the one that the manual recommends.
 ///
-/// # Source   cha-manual table 77.1
+/// # Source
+/// cha-manual table 77.1
 #[must_use]
 pub fn fit(code: &OrderCode, side: Side, bore: Option<Bore>) -> Option<Fit> {
     let (symbol, zone_symbol) = match side {

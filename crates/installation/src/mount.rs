@@ -1,11 +1,11 @@
-//! How an actuator is mounted: fits, tolerances, dimensions, screws, and what the manual asks for in prose.
+//! Mounting of an actuator: fits, tolerances, dimensions, screws, and requirements of the manual.
 
 use crate::facts::{Order, facts_about, mass_of, needs_hoist};
 use crate::fit::{Bore, Fit, Side, fit};
 use crate::joint::{AxisLoads, Joint, joint};
 use catalogue::{Cell, Fact, Table, Topic};
 use configurator::{Uncovered, uncovered};
-use order_code::{OrderCode, Winding};
+use order_code::OrderCode;
 use provenance::Datum;
 use quantities::{Length, Mass};
 
@@ -37,7 +37,7 @@ pub struct Mount {
     pub hollow_shaft: Datum<Length>,
     /// Mass to lift.
     pub mass: Datum<Mass>,
-    /// Whether the mass asks for lifting gear; `None` where it is not printed.
+    /// Whether the mass requires lifting gear; `None` if it is not printed.
     pub hoist: Option<bool>,
     /// Aluminium plate that the continuous data hold on.
     pub plate: Option<&'static Cell>,
@@ -45,7 +45,7 @@ pub struct Mount {
     pub protection: Option<&'static Cell>,
     /// The screw joints, load first.
     pub joints: Vec<Joint>,
-    /// What the manual asks for, in the order of the steps.
+    /// Requirements of the manual, in the order of the steps.
     pub facts: Vec<&'static Fact>,
 }
 
@@ -67,7 +67,7 @@ pub fn mount(code: &OrderCode, asked: &MountAsked) -> Option<Mount> {
     let hoist = needs_hoist(&mass);
     let facts = facts_about(Topic::Mount, code, Order::Life);
     let joints = Side::ALL.iter().map(|side| joint(code, *side, &actuator, &asked.axis)).collect();
-    let head = format!("CHA-{}", code.size);
+    let head = format!("{}-{}", code.series().as_str(), code.size);
     Some(Mount {
         code: *code,
         uncovered,
@@ -77,8 +77,9 @@ pub fn mount(code: &OrderCode, asked: &MountAsked) -> Option<Mount> {
         hollow_shaft: actuator.hollow_shaft.clone(),
         mass,
         hoist,
-        plate: cell_of("13.3", "plate").find(|cell| cell.place.drive == head),
-        protection: cell_of(if code.winding == Winding::E { "13.1" } else { "13.2" }, "protection_class").next(),
+        plate: catalogue::cells().iter().find(|cell| cell.place.symbol == "plate" && cell.place.drive == head),
+        protection: catalogue::winding_data(code.winding)
+            .and_then(|data| cell_of(data.general, "protection_class").next()),
         joints,
         facts,
     })

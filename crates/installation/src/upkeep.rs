@@ -161,7 +161,7 @@ pub struct Planned {
     pub model: Option<Source>,
 }
 
-/// What nobody stated.
+/// An assumption.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlanNote {
     /// No storage was stated: service begins on the day of delivery.
@@ -201,7 +201,7 @@ pub struct Upkeep {
     pub plan: Vec<Planned>,
     /// Life of the battery of the encoder; not applicable without one, not printed where the hours are not stated.
     pub battery: Datum<BatteryLife>,
-    /// What nobody stated, and what follows from it.
+    /// The assumptions, with their consequences.
     pub notes: Vec<PlanNote>,
     /// Transport and storage.
     pub storage: Vec<&'static Fact>,
@@ -232,12 +232,13 @@ pub enum UpkeepFault {
 /// Before the step that parts the connections come the five safety rules.
 const ISOLATE: (&str, &str) = ("isolate_before_work", "shutdown_discharge");
 
-/// Interval of what is to be done regularly where nobody states one: that of the cleaning.
+/// Default interval of regular work: that of the cleaning.
 const INSPECT_ASSUMED: Interval = Interval::Months(12);
 
 /// The plan of an actuator.
 ///
-/// # Source   cha-manual sections 6.22.4, 9.1, 9.8 and chapter 10; docs/theory/battery.md
+/// # Source
+/// cha-manual sections 6.22.4, 9.1, 9.8 and chapter 10; docs/theory/battery.md
 /// # Errors
 /// [`UpkeepFault`] where there is none.
 pub fn upkeep(code: &OrderCode, asked: &UpkeepAsked) -> Result<Upkeep, UpkeepFault> {
@@ -346,7 +347,7 @@ impl Plan {
         if interval.shorter(yearly, self.in_service) != interval {
             self.notes.push(PlanNote::CleaningStaysShorter);
         }
-        // Nobody but the user, or an assumption, says how often; the manual alone says how often to clean at least.
+        // The interval comes from the user or is assumed; the manual states only that of the cleaning.
         let grade = stated.map_or(Some(Grade::Assumed), |_| None);
         let clean = if cleaning == yearly { (Rule::EveryAtMost, Some(Grade::Printed)) } else { (Rule::Every, grade) };
         let series = [

@@ -12,8 +12,9 @@ pub use drop::{Circuit, DropVerdict, HOT, VoltageDrop, WireHot, voltage_drops};
 pub use pin_list::{Column, LISTED_BYTES_MAX, ListFault, ListedPin, PinList, read_pin_list};
 pub use signal::{Form, Group, Meaning, Polarity, Protocol, Signal};
 
+use catalogue::SeriesData;
 use catalogue::{Cell, Table};
-use order_code::{Brake, Feedback, Option1, OrderCode, Winding};
+use order_code::{Brake, OrderCode};
 
 /// The wiring of one ordering code.
 #[derive(Clone, Debug)]
@@ -229,17 +230,6 @@ impl Absent {
     }
 }
 
-/// The tables of one group of section 6.24: connector and pins of the motor, then of the feedback.
-const fn tables_of(winding: Winding, feedback: Feedback) -> Option<[&'static str; 4]> {
-    match (winding, feedback) {
-        (Winding::H, Feedback::C1024 | Feedback::M512P | Feedback::M128S) => Some(["63.1", "63.3", "63.4", "63.6"]),
-        (Winding::H, Feedback::RES) => Some(["65.1", "65.3", "65.4", "65.6"]),
-        (Winding::N, Feedback::RES | Feedback::M128S | Feedback::D2048) => Some(["66.1", "66.3", "66.4", "66.6"]),
-        (Winding::E, Feedback::RES | Feedback::M128S | Feedback::D2048) => Some(["67.1", "67.3", "67.4", "67.6"]),
-        _ => None,
-    }
-}
-
 /// The wiring of a code; `None` where section 6.24 has none for its winding and feedback.
 ///
 /// # Source
@@ -248,12 +238,16 @@ const fn tables_of(winding: Winding, feedback: Feedback) -> Option<[&'static str
 /// For the standard actuator. A special design may be wired otherwise.
 #[must_use]
 pub fn wiring(code: &OrderCode) -> Option<Wiring> {
-    let [motor_kind, motor_pins, feedback_kind, feedback_pins] = tables_of(code.winding, code.feedback)?;
+    let mut tables = SeriesData::of(code.series()).wirings.iter();
+    let is_wired =
+        |windings: &[_], feedbacks: &[_]| windings.contains(&code.winding) && feedbacks.contains(&code.feedback);
+    let found = tables.find(|each| is_wired(each.windings, each.feedbacks))?;
+    let [motor_kind, motor_pins, feedback_kind, feedback_pins] = found.tables;
     let mut connectors = Vec::new();
     connectors.extend(connector(Role::Motor, motor_kind, motor_pins, code));
     connectors.extend(connector(Role::Feedback, feedback_kind, feedback_pins, code));
-    if code.option_1 == Some(Option1::EC) {
-        connectors.extend(connector(Role::OutputEncoder, "68.2", "68.4", code));
+    if let ([kind, pins], true) = (SeriesData::of(code.series()).output_wiring, code.has_output_encoder()) {
+        connectors.extend(connector(Role::OutputEncoder, kind, pins, code));
     }
     let cables = cables::cables(code);
     let absences = absences(code, &connectors, &cables);
@@ -262,7 +256,7 @@ pub fn wiring(code: &OrderCode) -> Option<Wiring> {
 
 /// Whether a cell holds for the size and feedback of a code.
 pub(crate) fn holds(cell: &Cell, role: Role, code: &OrderCode) -> bool {
-    let size = format!("CHA-{}", code.size);
+    let size = format!("{}-{}", code.series().as_str(), code.size);
     let feedback = if role == Role::OutputEncoder { "EC" } else { code.feedback.as_str() };
     let among = |entry: &str, name: &str| entry.is_empty() || entry.split(" / ").any(|each| each == name);
     among(cell.place.drive, &size) && among(cell.feedback, feedback)
@@ -298,7 +292,7 @@ fn exit_of(role: Role, code: &OrderCode) -> Option<Exit> {
     }
     let winding = format!("winding={}", code.winding);
     let marked = |symbol: &str| {
-        catalogue::table("11.3").into_iter().flat_map(Table::cells).any(|cell| {
+        catalogue::table(SeriesData::of(code.series()).pairs).into_iter().flat_map(Table::cells).any(|cell| {
             let of_code = cell.place.condition == winding && cell.feedback == code.feedback.as_str();
             cell.place.symbol == symbol && of_code && cell.corrected == "x"
         })

@@ -104,7 +104,7 @@ fn every_cable_fits_a_connector_of_its_code() {
             assert_eq!(section(cable.number.place.table), section(connector.table.id), "{code}: {cable:?}");
         }
         let power = wiring.cables.iter().filter(|cable| cable.role == CableRole::Motor).count();
-        assert_eq!(power, usize::from(code.winding == Winding::H), "{code}: one power cable, with or without brake");
+        assert_eq!(power, usize::from(code.winding.as_str() == "H"), "{code}: one power cable, with or without brake");
     }
 }
 

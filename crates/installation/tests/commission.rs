@@ -1,4 +1,4 @@
-//! What a drive is told is the motor that is printed, for every code; and what is measured wrongly is found.
+//! The values for a drive are those of the printed motor, for every code; wrong measurements are found.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
 use catalogue::{Step, Topic};
@@ -8,7 +8,7 @@ use installation::commission::expected::Measurand;
 use installation::commission::recorded::{Cause, Counting, Judged, Measured, NoLoad, Turn, Unjudged, Verdict, judge};
 use installation::commission::{Commissioning, Gap, ParameterId, commission, sinamics};
 use installation::facts::{Order, facts_about};
-use order_code::{Feedback, OrderCode};
+use order_code::OrderCode;
 use quantities::unit::{DEGREE_CELSIUS, REVOLUTION_PER_MINUTE};
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Frequency, Inductance, Measure,
@@ -92,7 +92,7 @@ fn objects_are_whole_numbers_off_by_no_more_than_their_rounding() {
     for about in &all() {
         let objects = cia402::objects(about);
         // The polarity where the manual says which way the position rises: not for the resolver.
-        let resolver = about.code.feedback == Feedback::RES;
+        let resolver = about.code.feedback.as_str() == "RES";
         assert_eq!(objects.len(), if resolver { 9 } else { 10 }, "{}", about.code);
         assert_eq!(about.gaps.contains(&Gap::Counting), resolver, "{}", about.code);
         let polarity = objects.iter().find(|object| object.index == 0x607E);
@@ -299,7 +299,7 @@ fn a_resistance_that_is_off_has_its_cause() {
     assert_eq!(times(0.75), fails("terminals_joined"));
     assert_eq!(times(0.01), fails("short"));
     assert_eq!(times(1e4), fails("open"));
-    // Measured hot, at 100 °C, and told as 31 °C: R is 26 % too large. 5.9 Ω, so no lead explains it.
+    // Measured hot, at 100 °C, and recorded as 31 °C: R is 26 % too large. 5.9 Ω, so no lead explains it.
     let hot = planted(&about, Measurand::ResistanceLl, |measured| {
         measured.resistance_ll = Some(q(5.9 * (1.0 + 3.93e-3 * 80.0)));
     });

@@ -1,4 +1,4 @@
-//! The facts in prose: each is told somewhere, and in the order that was asked for.
+//! The facts in prose: each appears in some answer, in the required order.
 #![allow(missing_docs, clippy::unwrap_used, reason = "a test fails loudly")]
 
 use catalogue::{Fact, Topic};

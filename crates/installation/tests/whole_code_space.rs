@@ -7,7 +7,7 @@ use installation::fit::{Bore, FitKind, Side, read_bore};
 use installation::joint::LoadCase;
 use installation::mount::{MountAsked, mount};
 use installation::upkeep::{Storage, Task, UpkeepAsked, upkeep};
-use order_code::{Brake, Feedback, OrderCode, Size};
+use order_code::{Brake, OrderCode};
 use quantities::unit::HOUR;
 use quantities::{Measure, Time};
 
@@ -72,7 +72,7 @@ fn every_joint_carries_the_peak_torque() {
                 if case.case == LoadCase::StaticMoment {
                     // By hand 2 µ M_0/T_trans = 0.3 · 603/177 = 1.02 at the housing of 20A, less than one everywhere else.
                     let opens = together.known().unwrap().value.relieved.si() >= 1.0;
-                    assert_eq!(opens, code.size == Size::S20A && joint.side == Side::Housing, "{code}");
+                    assert_eq!(opens, code.size.as_str() == "20A" && joint.side == Side::Housing, "{code}");
                     assert!(case.alone.known().is_none(), "{code}");
                     continue;
                 }
@@ -111,7 +111,7 @@ fn every_code_has_a_plan_by_date_and_encoders_with_a_battery_their_exchange() {
         for task in [Task::Cleaning, Task::Cables, Task::ProtectiveEarth, Task::Screws, Task::Seals] {
             assert_eq!(date(task).as_deref(), Some("2027-03-01"), "{code} {task:?}");
         }
-        let battery = code.feedback == Feedback::M128S;
+        let battery = code.feedback.as_str() == "M128S";
         assert_eq!(date(Task::EncoderRecommended).as_deref(), battery.then_some("2032-03-01"), "{code}");
         assert_eq!(date(Task::EncoderLatest).as_deref(), battery.then_some("2036-03-01"), "{code}");
         assert_eq!(found.battery.known().is_some(), battery, "{code}");

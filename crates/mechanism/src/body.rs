@@ -119,12 +119,16 @@ pub struct Inertia {
 ///
 /// J = Σ z (J_own + m r²), m = Σ z m, m r_c e^(jφ_c) = Σ z m r e^(jφ)
 ///
-/// # Symbols  z number of pieces, J_own inertia about the own parallel axis \[kgm²\], m mass \[kg\], r distance \[m\],
+/// # Symbols
+/// z number of pieces, J_own inertia about the own parallel axis \[kgm²\], m mass \[kg\], r distance \[m\],
 /// φ direction \[rad\]
-/// # Source   textbook mechanics: parallel axis theorem (Huygens-Steiner), centre of mass
-/// # Valid    rigid homogeneous bodies; bodies are added as they are, an overlap counts twice. Several evenly spaced
+/// # Source
+/// textbook mechanics: parallel axis theorem (Huygens-Steiner), centre of mass
+/// # Valid
+/// rigid homogeneous bodies; bodies are added as they are, an overlap counts twice. Several evenly spaced
 /// pieces have their common centre on the axis. A centre nearer than 10⁻¹² of Σ z m r / m counts as balanced
-/// # Errors   every fault of every body
+/// # Errors
+/// every fault of every body
 pub fn inertia(bodies: &[Body]) -> Result<Inertia, Vec<BodyFault>> {
     let mut faults = Vec::new();
     let (mut total, mut mass, mut moment, mut x, mut y) = (0.0, 0.0, 0.0, 0.0, 0.0);
@@ -166,9 +170,12 @@ impl Inertia {
     ///
     /// T_g = m g r_c
     ///
-    /// # Symbols  m mass \[kg\], g standard gravity [m/s²], r_c distance of the centre of mass \[m\]
-    /// # Source   textbook mechanics; g = 9.80665 m/s² (CGPM 1901)
-    /// # Valid    horizontal axis, centre of mass level with it; zero if balanced
+    /// # Symbols
+    /// m mass \[kg\], g standard gravity [m/s²], r_c distance of the centre of mass \[m\]
+    /// # Source
+    /// textbook mechanics; g = 9.80665 m/s² (CGPM 1901)
+    /// # Valid
+    /// horizontal axis, centre of mass level with it; zero if balanced
     #[must_use]
     pub fn gravity_torque_max(&self) -> Torque {
         (force_of(self.mass, Acceleration::new_in(1.0, &STANDARD_GRAVITY)) * self.centre_radius).into()
@@ -186,10 +193,14 @@ impl Body {
     ///
     /// J = z (J_own + m r²), m = ρ V if the density is given
     ///
-    /// # Symbols  as [`inertia()`]; ρ density [kg/m³], V volume \[m³\]
-    /// # Source   textbook mechanics: parallel axis theorem
-    /// # Valid    homogeneous bodies
-    /// # Errors   every fault of the body
+    /// # Symbols
+    /// as [`inertia()`]; ρ density [kg/m³], V volume \[m³\]
+    /// # Source
+    /// textbook mechanics: parallel axis theorem
+    /// # Valid
+    /// homogeneous bodies
+    /// # Errors
+    /// every fault of the body
     pub fn inertia(&self) -> Result<BodyInertia, Vec<BodyError>> {
         let faults = self.faults();
         if !faults.is_empty() {
@@ -277,7 +288,8 @@ impl Shape {
     ///
     /// cylinder π/4 d² L · tube π/4 (d_o² − d_i²) L · box a b h · cone π/12 d² h · sphere π/6 d³
     ///
-    /// # Source   textbook geometry
+    /// # Source
+    /// textbook geometry
     fn volume_m3(&self) -> Option<f64> {
         let square = |length: Length| length.si() * length.si();
         match *self {
@@ -298,8 +310,10 @@ impl Shape {
     /// cylinder d²/8, lying d²/16 + L²/12 · tube (d_o² + d_i²)/8, lying (d_o² + d_i²)/16 + L²/12 ·
     /// box (a² + b²)/12 · cone 3/40 d² · sphere d²/10 · point 0 · rod L²/12
     ///
-    /// # Source   textbook mechanics: moments of inertia of homogeneous bodies
-    /// # Valid    about the axis through the centre of mass, parallel to the axis of rotation
+    /// # Source
+    /// textbook mechanics: moments of inertia of homogeneous bodies
+    /// # Valid
+    /// about the axis through the centre of mass, parallel to the axis of rotation
     fn own_inertia_per_mass_m2(&self) -> f64 {
         let square = |length: Length| length.si() * length.si();
         let round = |squares: f64, length: Length, orientation: Orientation| match orientation {

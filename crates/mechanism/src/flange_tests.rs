@@ -1,7 +1,7 @@
 //! Loads on the flange against closed forms by hand, the path of the centre of mass, limits and balances.
 
 use super::*;
-use crate::LinearKind;
+use crate::{Kind, Linear, LinearKind, Rotor, RotorKind, SliderCrank};
 use quantities::unit::DEGREE;
 use quantities::{MomentOfInertia, Torque};
 
@@ -30,6 +30,7 @@ fn of(kind: Kind) -> Mechanism {
 
 fn arm(mass: f64, tilt: f64) -> Mechanism {
     of(Kind::Rotor(Rotor {
+        kind: RotorKind::Arm,
         inertia: MomentOfInertia::from_si(0.8),
         mass: Mass::from_si(mass),
         radius: metres_of(0.35),
@@ -96,6 +97,7 @@ fn forces_are_those_of_the_path_of_the_centre_of_mass() {
     for [q0, w, a, tilt, m, p] in draws(200) {
         let (q0, w, a, tilt) = (6.0 * q0, 16.0 * w - 8.0, 80.0 * a - 40.0, std::f64::consts::PI * tilt);
         let rotor = Rotor {
+            kind: RotorKind::Arm,
             tilt: Angle::from_si(tilt),
             ..match arm(1.0 + 9.0 * m, 0.0).kind {
                 Kind::Rotor(r) => r,
@@ -132,7 +134,7 @@ fn forces_are_those_of_the_path_of_the_centre_of_mass() {
         assert!((found.radial() - force[0].hypot(force[1])).abs() < 2e-6 * scale);
         assert!((found.axial() - force[2].abs()).abs() < 2e-6 * scale);
         assert!((found.moment(metres_of(0.0)) - moment[0].hypot(moment[1])).abs() < 2e-6 * scale);
-        // About the axis the same forces ask for the torque of the mechanism, less the inertia about the centres.
+        // About the axis the same forces give the torque of the mechanism, less the inertia about the centres.
         let own = rotor.inertia.si() - mass[0] * 0.35 * 0.35;
         let asked = of(Kind::Rotor(rotor)).torque(&out(q0, w, a), &extra);
         assert!((asked - own * a + moment[2]).abs() < 2e-6 * scale, "{asked} {}", moment[2]);

@@ -1,16 +1,85 @@
 //! A joint whose torque is recorded with its motion.
 
-use quantities::{MomentOfInertia, Torque};
+use crate::drawing::{Drawing, Look, Step};
+use crate::equations::{Effects, Equations, Reduced};
+use crate::flange::OnFlange;
+use crate::{Endless, Extra, MechanismId};
+use quantities::{Measure, MomentOfInertia, Torque};
 
 /// A joint of a robot: inverse dynamics or a measurement gave the torque at every instant, with inertia, gravity and the
 /// friction of the arm in it.
 ///
-/// # Valid    inertia and holding torque are only for the checks that look beyond the recorded torque: ratio of inertias,
+/// # Valid
+/// inertia and holding torque are only for the checks that look beyond the recorded torque: ratio of inertias,
 /// natural frequency and brake
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
-    /// Largest inertia that the joint feels; zero if it is not stated.
-    pub inertia: MomentOfInertia,
+    /// Largest inertia that the joint feels.
+    pub inertia: Option<MomentOfInertia>,
     /// Largest torque that holds the arm at rest.
     pub holding_torque: Option<Torque>,
+}
+
+impl Equations for Joint {
+    fn id(&self) -> MechanismId {
+        MechanismId::Joint
+    }
+
+    fn reduced(&self, _position_rad: f64, extra: &Extra) -> Reduced {
+        Reduced { inertia: 0.0, slope: 0.0, holding: extra.torque.si(), coulomb: 0.0 }
+    }
+
+    fn known_inertia(&self, _reduced: &Reduced) -> Option<f64> {
+        self.inertia.map(Measure::si)
+    }
+
+    fn holding(&self, _reduced: &Reduced, _external_nm: f64) -> f64 {
+        self.holding_torque.map_or(0.0, Measure::si)
+    }
+
+    /// Its torque is what was recorded.
+    fn with_masses(&self, _factor: f64) -> Self {
+        *self
+    }
+
+    fn smooth_over(&self, _from_rad: f64, _to_rad: f64) -> Option<f64> {
+        None
+    }
+
+    fn endless(&self) -> Endless {
+        Endless::Never
+    }
+
+    /// The recorded torque has the inertia of everything in it.
+    fn effects(&self) -> Effects {
+        Effects { payload: false, payload_inertia: false, process_force: false }
+    }
+
+    fn on_flange(&self) -> Option<OnFlange> {
+        None
+    }
+}
+
+pub(crate) fn drawing() -> Drawing {
+    Drawing::new()
+        .ground([50.0, 170.0], 110.0)
+        .outline(Look::Housing, &[[82.0, 170.0], [90.0, 126.0], [122.0, 126.0], [130.0, 170.0]])
+        .bar([106.0, 110.0], [229.0, 56.0], 15.0)
+        .bar([229.0, 56.0], [314.0, 92.0], 9.0)
+        .face([106.0, 110.0], 34.0)
+        .face([229.0, 56.0], 16.0)
+        .path(
+            Look::Line,
+            [
+                Step::Move([320.0, 95.0]),
+                Step::Line([330.0, 99.0]),
+                Step::Line([342.0, 90.0]),
+                Step::Move([330.0, 99.0]),
+                Step::Line([332.0, 114.0]),
+            ],
+        )
+        .arrow([336.0, 120.0], [336.0, 154.0])
+        .turning([66.0, 92.0], 44.0, true, [112.0, 66.0])
+        .calls("inertia", "J", [176.0, 78.0], [172.0, 30.0])
+        .calls("holding_torque", "T_H", [74.0, 80.0], [40.0, 50.0])
 }

@@ -6,28 +6,40 @@
 //! [`SliderCrank`] does so with a changing lever, a [`Table`] is given point by point, the torque of a [`Joint`] is recorded.
 //! Between actuator and mechanism there may be a [`Stage`]; states and torques are those at the actuator's output all the same.
 
+mod arm;
+mod belt;
 mod body;
+mod conveyor;
+pub mod drawing;
+mod equations;
 mod flange;
 mod friction;
 mod joint;
 mod linear;
+mod load;
 mod loading;
 mod rotor;
+mod screw;
 mod slider_crank;
 mod stage;
 mod table;
+mod turntable;
 
 pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Shape, inertia};
+pub use equations::Effects;
 pub use flange::{Aligned, Contact, FlangeForces, Mounting};
 pub use friction::Friction;
 pub use joint::Joint;
 pub use linear::{Linear, LinearKind};
 pub use loading::{Load, Loading};
-pub use rotor::Rotor;
+pub use rotor::{Rotor, RotorKind};
 pub use slider_crank::SliderCrank;
 pub use stage::{Stage, StageKind};
 pub use table::{Table, TableFault, TablePoint};
 
+use drawing::Drawing;
+use equations::{Equations, Reduced};
+use flange::{Instant, OnFlange};
 use quantities::unit::STANDARD_GRAVITY;
 use quantities::{Force, Mass, Measure, MomentOfInertia, Torque};
 
@@ -76,32 +88,194 @@ pub struct Output {
     pub direction: f64,
 }
 
-/// The inertia that the output feels at a position, its slope and the torque of the position alone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Reduced {
-    /// J(q) \[kgm²\]
-    pub(crate) inertia: f64,
-    /// dJ/dq [kgm²/rad]
-    pub(crate) slope: f64,
-    /// Torque that holds the load at rest without friction: gravity and process \[Nm\].
-    pub(crate) holding: f64,
-    /// Coulomb friction on the far side of the transmission, referred to the output \[Nm\].
-    pub(crate) coulomb: f64,
+/// One line per mechanism: its variant, its key in the project file, its module, its example.
+macro_rules! mechanisms {
+    ($($(#[$about:meta])* $variant:ident $id:literal $module:ident $example:literal;)*) => {
+        /// A mechanism as a project file names it.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum MechanismId {
+            $($(#[$about])* $variant,)*
+        }
+
+        impl MechanismId {
+            /// All of them, in the order of the reference.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
+
+            /// Its key: the table `[mechanism.<key>]`, and `[load]` for a load at the output.
+            #[must_use]
+            pub const fn key(self) -> &'static str {
+                match self { $(Self::$variant => $id,)* }
+            }
+
+            /// A project file with it, commented.
+            #[must_use]
+            pub const fn example(self) -> &'static str {
+                match self { $(Self::$variant => include_str!(concat!("../../../examples/", $example, ".toml")),)* }
+            }
+
+            /// Its drawing, with a call-out for each key that can be seen in it.
+            #[must_use]
+            pub fn drawing(self) -> Drawing {
+                match self { $(Self::$variant => crate::$module::drawing(),)* }
+            }
+        }
+    };
 }
 
-/// How the load hangs on the output.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Kind {
-    /// Turns with the output: direct load, turntable, unbalanced arm.
-    Rotor(Rotor),
-    /// Moves along a line in proportion to the angle: screw, belt, rack, conveyor.
-    Linear(Linear),
+mechanisms! {
+    /// A load at the output, given by its inertia.
+    Load "load" load "indexing-table";
+    /// Bodies on a turning plate.
+    Turntable "turntable" turntable "turntable";
+    /// An unbalanced arm.
+    Arm "arm" arm "tilting-arm";
+    /// A screw with its slide.
+    Screw "screw" screw "screw-axis";
+    /// A belt or a rack with a slide.
+    Belt "belt" belt "belt-axis";
+    /// A conveyor or a roller.
+    Conveyor "conveyor" conveyor "conveyor";
     /// Crank, rod and slider.
-    SliderCrank(SliderCrank),
+    SliderCrank "slider_crank" slider_crank "slider-crank";
+    /// A joint of a robot with recorded torque.
+    Joint "joint" joint "robot-joint";
     /// Inertia and torque over the position, point by point.
-    Table(Table),
+    Table "table" table "cam-table";
+}
+
+impl MechanismId {
+    /// The mechanism of a key.
+    #[must_use]
+    pub fn of(key: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|id| id.key() == key)
+    }
+}
+
+/// One line per fault: its variant, its identifier, the key that it is reported at.
+macro_rules! geometry {
+    ($($(#[$about:meta])* $fault:ident $id:literal at $key:literal;)*) => {
+        /// Why stated lengths and angles make no mechanism.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Geometry {
+            $($(#[$about])* $fault,)*
+        }
+
+        impl Geometry {
+            /// All of them.
+            pub const ALL: &'static [Self] = &[$(Self::$fault),*];
+
+            /// Its identifier.
+            #[must_use]
+            pub const fn id(self) -> &'static str {
+                match self { $(Self::$fault => $id,)* }
+            }
+
+            /// The key that it is reported at.
+            #[must_use]
+            pub const fn key(self) -> &'static str {
+                match self { $(Self::$fault => $key,)* }
+            }
+        }
+    };
+}
+
+geometry! {
+}
+
+impl Geometry {
+    /// Those that hold, in their order.
+    pub(crate) fn found<const N: usize>(all: [(bool, Self); N]) -> Vec<Self> {
+        all.into_iter().filter_map(|(wrong, fault)| wrong.then_some(fault)).collect()
+    }
+}
+
+/// The kinds of equations, each with its answers.
+macro_rules! kinds {
+    ($($(#[$about:meta])* $kind:ident;)*) => {
+        /// How the load hangs on the output.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Kind {
+            $($(#[$about])* $kind($kind),)*
+        }
+
+        impl Equations for Kind {
+            fn id(&self) -> MechanismId {
+                match self { $(Self::$kind(it) => it.id(),)* }
+            }
+
+            #[inline]
+            fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
+                match self { $(Self::$kind(it) => it.reduced(position_rad, extra),)* }
+            }
+
+            #[inline]
+            fn known_inertia(&self, reduced: &Reduced) -> Option<f64> {
+                match self { $(Self::$kind(it) => it.known_inertia(reduced),)* }
+            }
+
+            #[inline]
+            fn holding(&self, reduced: &Reduced, external_nm: f64) -> f64 {
+                match self { $(Self::$kind(it) => it.holding(reduced, external_nm),)* }
+            }
+
+            fn with_masses(&self, factor: f64) -> Self {
+                match self { $(Self::$kind(it) => Self::$kind(it.with_masses(factor)),)* }
+            }
+
+            fn smooth_over(&self, from_rad: f64, to_rad: f64) -> Option<f64> {
+                match self { $(Self::$kind(it) => it.smooth_over(from_rad, to_rad),)* }
+            }
+
+            fn endless(&self) -> Endless {
+                match self { $(Self::$kind(it) => it.endless(),)* }
+            }
+
+            fn range_rad(&self) -> Option<(f64, f64)> {
+                match self { $(Self::$kind(it) => it.range_rad(),)* }
+            }
+
+            fn travel_m_per_rad(&self) -> Option<f64> {
+                match self { $(Self::$kind(it) => it.travel_m_per_rad(),)* }
+            }
+
+            fn inclination_rad(&self) -> Option<f64> {
+                match self { $(Self::$kind(it) => it.inclination_rad(),)* }
+            }
+
+            fn kinks(&self) -> Vec<f64> {
+                match self { $(Self::$kind(it) => it.kinks(),)* }
+            }
+
+            fn effects(&self) -> Effects {
+                match self { $(Self::$kind(it) => it.effects(),)* }
+            }
+
+            fn on_flange(&self) -> Option<OnFlange> {
+                match self { $(Self::$kind(it) => it.on_flange(),)* }
+            }
+
+            fn forces(&self, at: &Instant<'_>) -> FlangeForces {
+                match self { $(Self::$kind(it) => it.forces(at),)* }
+            }
+
+            fn switches(&self, at: &Instant<'_>) -> [f64; 2] {
+                match self { $(Self::$kind(it) => it.switches(at),)* }
+            }
+        }
+    };
+}
+
+kinds! {
+    /// Turns with the output: direct load, turntable, unbalanced arm.
+    Rotor;
+    /// Moves along a line in proportion to the angle: screw, belt, rack, conveyor.
+    Linear;
+    /// Crank, rod and slider.
+    SliderCrank;
+    /// Inertia and torque over the position, point by point.
+    Table;
     /// A joint of a robot: its torque is recorded with the motion.
-    Joint(Joint),
+    Joint;
 }
 
 /// A load with its friction and the efficiency of what lies between.
@@ -163,45 +337,52 @@ impl Mechanism {
     /// The same load with all its masses and inertias times a factor; friction, process and geometry stay.
     #[must_use]
     pub fn with_masses(&self, factor: f64) -> Self {
-        let inertia = |inertia: MomentOfInertia| MomentOfInertia::from_si(inertia.si() * factor);
-        let mass = |mass: Mass| Mass::from_si(mass.si() * factor);
-        let kind = match &self.kind {
-            Kind::Rotor(rotor) => {
-                Kind::Rotor(Rotor { inertia: inertia(rotor.inertia), mass: mass(rotor.mass), ..*rotor })
-            }
-            Kind::Linear(linear) => Kind::Linear(Linear {
-                inertia: inertia(linear.inertia),
-                mass: mass(linear.mass),
-                counterweight: mass(linear.counterweight),
-                ..*linear
-            }),
-            Kind::SliderCrank(crank) => {
-                Kind::SliderCrank(SliderCrank { inertia: inertia(crank.inertia), mass: mass(crank.mass), ..*crank })
-            }
-            Kind::Table(table) => Kind::Table(table.scaled(factor)),
-            // Its torque is what was recorded.
-            Kind::Joint(joint) => Kind::Joint(*joint),
-        };
-        Self { kind, ..self.clone() }
+        Self { kind: self.kind.with_masses(factor), ..self.clone() }
     }
 
-    pub(crate) fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
-        match &self.kind {
-            Kind::Rotor(rotor) => rotor.laden(extra).reduced(position_rad),
-            Kind::Linear(linear) => linear.reduced(extra),
-            Kind::SliderCrank(crank) => crank.reduced(position_rad, extra),
-            Kind::Table(table) => table.reduced(position_rad, extra),
-            Kind::Joint(_) => Reduced { inertia: 0.0, slope: 0.0, holding: extra.torque.si(), coulomb: 0.0 },
-        }
+    /// Which mechanism it is.
+    #[must_use]
+    pub fn id(&self) -> MechanismId {
+        self.kind.id()
+    }
+
+    /// Inclination of the positive direction of its line above the horizontal \[rad\]; `None` without a line.
+    #[must_use]
+    pub fn inclination_rad(&self) -> Option<f64> {
+        self.kind.inclination_rad()
+    }
+
+    /// What a segment of the motion can add to it.
+    #[must_use]
+    pub fn effects(&self) -> Effects {
+        self.kind.effects()
+    }
+
+    /// Lowest and highest position of the actuator's output that the geometry allows \[rad\].
+    #[must_use]
+    pub fn range_rad(&self) -> Option<(f64, f64)> {
+        let (from, to) = self.kind.range_rad()?;
+        let (from, to) = (from * self.stage_ratio(), to * self.stage_ratio());
+        Some((from.min(to), from.max(to)))
+    }
+
+    /// The angle of the mechanism, behind a stage, that sixteen nodes cover between two positions of the actuator's output
+    /// \[rad\]; infinite where the load is a polynomial of the position, `None` where it does not depend on it.
+    #[must_use]
+    pub fn smooth_over(&self, from_rad: f64, to_rad: f64) -> Option<f64> {
+        let ratio = self.stage_ratio();
+        self.kind.smooth_over(from_rad / ratio, to_rad / ratio)
     }
 
     /// Torque that the load takes on the far side of the transmission, before its losses \[Nm\].
     ///
     /// T_u = J(q) α + ½ J'(q) ω² + T_h(q) + T_g σ
     ///
-    /// # Symbols  J' slope of the inertia over the position [kgm²/rad], T_h gravity, process and external torque \[Nm\],
+    /// # Symbols
+    /// J' slope of the inertia over the position [kgm²/rad], T_h gravity, process and external torque \[Nm\],
     /// T_g friction of guide and seals of a linear drive, referred to the output \[Nm\]
-    /// # Source   docs/theory/mechanisms.md, Lagrange's equation of one degree of freedom; cha-manual eq. 70.3, 70.5
+    /// # Source
+    /// docs/theory/mechanisms.md, Lagrange's equation of one degree of freedom; cha-manual eq. 70.3, 70.5
     #[must_use]
     pub fn useful_torque(&self, output: &Output, extra: &Extra) -> f64 {
         self.loading(extra).at(output).useful_nm
@@ -219,9 +400,12 @@ impl Mechanism {
     ///
     /// T = T_u/η_1 if T_u σ > 0, T_u η_2 if T_u σ < 0, plus T_c σ + b ω
     ///
-    /// # Symbols  η_1 efficiency while driving, η_2 while driven, T_c Coulomb friction at the output \[Nm\], b viscous friction [Nm s/rad]
-    /// # Source   docs/theory/mechanisms.md
-    /// # Valid    at rest (σ = 0) neither friction nor efficiency counts: the torque that holds without their help
+    /// # Symbols
+    /// η_1 efficiency while driving, η_2 while driven, T_c Coulomb friction at the output \[Nm\], b viscous friction [Nm s/rad]
+    /// # Source
+    /// docs/theory/mechanisms.md
+    /// # Valid
+    /// at rest (σ = 0) neither friction nor efficiency counts: the torque that holds without their help
     #[must_use]
     pub fn torque(&self, output: &Output, extra: &Extra) -> f64 {
         self.loading(extra).at(output).torque_nm
@@ -229,7 +413,7 @@ impl Mechanism {
 
     /// The torque that the mechanism takes, behind the stage \[Nm\].
     pub(crate) fn own_torque(&self, output: &Output, extra: &Extra) -> f64 {
-        let reduced = self.reduced(output.position_rad, extra);
+        let reduced = self.kind.reduced(output.position_rad, extra);
         self.passed(self.useful(&reduced, output), output)
     }
 
@@ -249,44 +433,33 @@ impl Mechanism {
     /// J_L at a position of the actuator's output, referred to it.
     #[must_use]
     pub fn inertia(&self, position_rad: f64, extra: &Extra) -> MomentOfInertia {
-        let reduced = self.reduced(position_rad / self.stage_ratio(), extra);
+        let reduced = self.kind.reduced(position_rad / self.stage_ratio(), extra);
         MomentOfInertia::from_si(self.inertia_of(&reduced))
     }
 
     /// J_L \[kgm²\]
     pub(crate) fn inertia_of(&self, reduced: &Reduced) -> f64 {
-        let inertia = match &self.kind {
-            // What is not stated does not become known by a stage.
-            Kind::Joint(joint) if joint.inertia.si() == 0.0 => return 0.0,
-            Kind::Joint(joint) => joint.inertia.si(),
-            _ => reduced.inertia,
-        };
+        // What is not stated does not become known by a stage.
+        let Some(inertia) = self.kind.known_inertia(reduced) else { return 0.0 };
         self.gearing().map_or(inertia, |stage| stage.inertia(inertia))
     }
 
     /// Torque that holds the load at rest at a position without the help of friction.
     #[must_use]
     pub fn holding_torque(&self, position_rad: f64, extra: &Extra) -> Torque {
-        let reduced = self.reduced(position_rad / self.stage_ratio(), extra);
+        let reduced = self.kind.reduced(position_rad / self.stage_ratio(), extra);
         Torque::from_si(self.holding_of(&reduced))
     }
 
     /// Torque that holds the load \[Nm\].
     pub(crate) fn holding_of(&self, reduced: &Reduced) -> f64 {
-        self.before_stage(match &self.kind {
-            Kind::Joint(joint) => joint.holding_torque.map_or(0.0, Measure::si),
-            _ => reduced.holding + self.friction.external.si(),
-        })
+        self.before_stage(self.kind.holding(reduced, self.friction.external.si()))
     }
 
     /// Whether torque or inertia depend on the position.
     #[must_use]
     pub fn depends_on_position(&self) -> bool {
-        match &self.kind {
-            Kind::Rotor(rotor) => rotor.is_unbalanced(),
-            Kind::Linear(_) | Kind::Joint(_) => false,
-            Kind::SliderCrank(_) | Kind::Table(_) => true,
-        }
+        self.kind.smooth_over(0.0, 0.0).is_some()
     }
 
     /// Whether the torque over a ramp of constant acceleration is constant: no viscous friction, no dependence on the
@@ -306,7 +479,8 @@ impl Mechanism {
     ///
     /// T = J α + T_h + W cos(q + q_0) + T_c σ + b ω
     ///
-    /// # Valid    constant inertia, no efficiency and no stage, so that nothing switches with the sign of a torque and
+    /// # Valid
+    /// constant inertia, no efficiency and no stage, so that nothing switches with the sign of a torque and
     /// recorded torque counts as it is
     #[must_use]
     pub fn plain(&self, extra: &Extra) -> Option<Plain> {
@@ -316,8 +490,8 @@ impl Mechanism {
         }
         let (reduced, weight_nm, angle_rad) = match &self.kind {
             Kind::Rotor(rotor) => rotor.laden(extra).apart(),
-            Kind::SliderCrank(_) | Kind::Table(_) => return None,
-            Kind::Linear(_) | Kind::Joint(_) => (self.reduced(0.0, extra), 0.0, 0.0),
+            kind if kind.smooth_over(0.0, 0.0).is_some() => return None,
+            kind => (kind.reduced(0.0, extra), 0.0, 0.0),
         };
         Some(Plain {
             inertia_kgm2: reduced.inertia,
@@ -332,33 +506,19 @@ impl Mechanism {
     /// What the cycle must come back to.
     #[must_use]
     pub fn endless(&self) -> Endless {
-        match &self.kind {
-            Kind::Rotor(rotor) if rotor.is_unbalanced() => Endless::EachRevolution,
-            Kind::Rotor(_) => Endless::Everywhere,
-            Kind::SliderCrank(_) => Endless::EachRevolution,
-            Kind::Linear(linear) if linear.kind == LinearKind::Conveyor => Endless::Everywhere,
-            Kind::Linear(_) => Endless::Never,
-            Kind::Table(table) if table.is_periodic() => Endless::EachRevolution,
-            Kind::Table(_) | Kind::Joint(_) => Endless::Never,
-        }
+        self.kind.endless()
     }
 
     /// Travel along the line per angle of the actuator's output [m/rad], where it is constant.
     #[must_use]
     pub fn travel_m_per_rad(&self) -> Option<f64> {
-        match &self.kind {
-            Kind::Linear(linear) => Some(linear.travel_m_per_rad / self.stage_ratio()),
-            _ => None,
-        }
+        Some(self.kind.travel_m_per_rad()? / self.stage_ratio())
     }
 
     /// Positions of the mechanism, behind a stage, within 0…2π (or the table's span) at which the reduced quantities have a kink.
     #[must_use]
     pub fn kinks(&self) -> Vec<f64> {
-        match &self.kind {
-            Kind::Table(table) => table.kinks(),
-            _ => Vec::new(),
-        }
+        self.kind.kinks()
     }
 }
 

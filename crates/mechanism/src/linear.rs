@@ -1,6 +1,8 @@
 //! A mass along a line, moved in proportion to the angle: screw, belt, rack, conveyor.
 
-use crate::{Extra, Reduced, gravity_m_s2};
+use crate::equations::{Effects, Equations, Reduced};
+use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang, wheel_forces};
+use crate::{Endless, Extra, MechanismId, gravity_m_s2};
 use quantities::{Angle, Force, Mass, Measure, MomentOfInertia};
 
 /// What makes the line out of the rotation.
@@ -18,11 +20,14 @@ pub enum LinearKind {
 ///
 /// k = dx/dq, J = J_r + (m + m_p) k², T_h = k ((m + m_p − m_c) g sin γ + F_p), T_g = k (F_f + μ (m + m_p) g cos γ)
 ///
-/// # Symbols  k travel per angle [m/rad], J_r rotating inertia (screw, pulleys), m moved mass, m_p payload of the segment,
+/// # Symbols
+/// k travel per angle [m/rad], J_r rotating inertia (screw, pulleys), m moved mass, m_p payload of the segment,
 /// m_c counterweight, γ inclination (90° is vertical, upwards positive), F_p process force against the positive
 /// direction, F_f friction force of seals and guides, μ friction coefficient of the guide
-/// # Source   cha-manual eq. 70.3 for the horizontal screw (k = P/2π); docs/theory/mechanisms.md for the rest
-/// # Valid    stiff transmission without play; the counterweight moves with the slide
+/// # Source
+/// cha-manual eq. 70.3 for the horizontal screw (k = P/2π); docs/theory/mechanisms.md for the rest
+/// # Valid
+/// stiff transmission without play; the counterweight moves with the slide
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Linear {
     /// What makes the line out of the rotation.
@@ -43,8 +48,16 @@ pub struct Linear {
     pub friction_coefficient: f64,
 }
 
-impl Linear {
-    pub(crate) fn reduced(&self, extra: &Extra) -> Reduced {
+impl Equations for Linear {
+    fn id(&self) -> MechanismId {
+        match self.kind {
+            LinearKind::Screw => MechanismId::Screw,
+            LinearKind::Belt => MechanismId::Belt,
+            LinearKind::Conveyor => MechanismId::Conveyor,
+        }
+    }
+
+    fn reduced(&self, _position_rad: f64, extra: &Extra) -> Reduced {
         let k = self.travel_m_per_rad;
         let carried = self.mass.si() + extra.mass.si();
         let (sine, cosine) = self.inclination.si().sin_cos();
@@ -57,5 +70,66 @@ impl Linear {
             holding: k * (weight + extra.force.si()) + extra.torque.si(),
             coulomb: k * (self.friction_force.si() + self.friction_coefficient * carried * gravity_m_s2() * normal),
         }
+    }
+
+    fn with_masses(&self, factor: f64) -> Self {
+        let (inertia, mass, counterweight) = (self.inertia * factor, self.mass * factor, self.counterweight * factor);
+        Self { inertia, mass, counterweight, ..*self }
+    }
+
+    fn smooth_over(&self, _from_rad: f64, _to_rad: f64) -> Option<f64> {
+        None
+    }
+
+    fn endless(&self) -> Endless {
+        match self.kind {
+            LinearKind::Screw | LinearKind::Belt => Endless::Never,
+            LinearKind::Conveyor => Endless::Everywhere,
+        }
+    }
+
+    fn travel_m_per_rad(&self) -> Option<f64> {
+        Some(self.travel_m_per_rad)
+    }
+
+    fn inclination_rad(&self) -> Option<f64> {
+        Some(self.inclination.si())
+    }
+
+    fn effects(&self) -> Effects {
+        Effects { payload: true, payload_inertia: true, process_force: true }
+    }
+
+    fn on_flange(&self) -> Option<OnFlange> {
+        let missing = match self.kind {
+            LinearKind::Screw => Missing::FlangeShare,
+            LinearKind::Belt | LinearKind::Conveyor => Missing::BeltTension,
+        };
+        // The thrust of a screw runs along the axis.
+        let overhang = Overhang { of_mechanism: self.kind != LinearKind::Screw, of_payload: false };
+        Some(OnFlange { missing: Some(missing), overhang })
+    }
+
+    fn forces(&self, at: &Instant<'_>) -> FlangeForces {
+        let [without, with] = self.switches(at);
+        if self.kind == LinearKind::Screw {
+            return FlangeForces { axial_n: without, ..FlangeForces::default() };
+        }
+        // How much of the turning inertia sits behind the belt is not known; the pull is largest at one of the ends.
+        let amount = |force: f64| at.before_losses(force, at.output.direction);
+        wheel_forces(amount(without).max(amount(with)), self.travel_m_per_rad, at.mounting)
+    }
+
+    /// Force that the wheel or the thread gives to what moves along the line \[N\], without and with the share of the
+    /// turning inertia that may sit behind it.
+    fn switches(&self, at: &Instant<'_>) -> [f64; 2] {
+        let (k, alpha) = (self.travel_m_per_rad, at.output.acceleration_rad_s2);
+        // What turns with the wheel, and couples about its axis, are no force along the line.
+        let line = Self { inertia: MomentOfInertia::from_si(0.0), ..*self };
+        let of_line = Extra { mass: at.extra.mass, force: at.extra.force, ..Extra::none() };
+        let reduced = line.reduced(0.0, &of_line);
+        let torque = reduced.inertia * alpha + reduced.holding + reduced.coulomb * at.output.direction + at.recorded_nm;
+        let without = torque / k;
+        [without, without + self.inertia.si() * alpha / k]
     }
 }

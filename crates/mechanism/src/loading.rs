@@ -1,9 +1,10 @@
-//! What the load asks for at many states, one after the other.
+//! Torque of the load at many states, one after the other.
 
+use crate::equations::{Equations, Reduced};
 use crate::rotor::Laden;
-use crate::{Extra, Kind, Mechanism, Output, Reduced};
+use crate::{Extra, Kind, Mechanism, Output};
 
-/// What a mechanism asks for at one state of the output.
+/// Torque of a mechanism at one state of the output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load {
     /// Torque that the load takes on the far side of the transmission, see [`Mechanism::useful_torque`] \[Nm\].
@@ -31,16 +32,13 @@ impl Mechanism {
     /// The mechanism in a segment that adds something to the load.
     #[must_use]
     pub fn loading<'m>(&'m self, extra: &'m Extra) -> Loading<'m> {
-        let laden = match &self.kind {
-            Kind::Rotor(rotor) => Some(rotor.laden(extra)),
-            _ => None,
-        };
+        let laden = if let Kind::Rotor(rotor) = &self.kind { Some(rotor.laden(extra)) } else { None };
         Loading { mechanism: self, extra, laden }
     }
 }
 
 impl Loading<'_> {
-    /// What it asks for at a state of the output.
+    /// The torque at a state of the output.
     #[must_use]
     pub fn at(&self, output: &Output) -> Load {
         let (mechanism, stage) = (self.mechanism, self.mechanism.gearing());
@@ -60,7 +58,7 @@ impl Loading<'_> {
     fn reduced(&self, position_rad: f64) -> Reduced {
         match &self.laden {
             Some(laden) => laden.reduced(position_rad),
-            None => self.mechanism.reduced(position_rad, self.extra),
+            None => self.mechanism.kind.reduced(position_rad, self.extra),
         }
     }
 }

@@ -24,6 +24,7 @@ fn friction_helps_braking_and_is_gone_at_rest() {
 
 fn arm(angle: f64, tilt: f64) -> Mechanism {
     let rotor = Rotor {
+        kind: RotorKind::Arm,
         inertia: MomentOfInertia::from_si(0.8),
         mass: Mass::from_si(6.0),
         radius: Length::from_si(0.35),

@@ -1,18 +1,36 @@
 //! A load that turns with the output: direct, turntable, unbalanced arm.
 
-use crate::{Extra, Reduced, gravity_m_s2};
+use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD};
+use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, cosine, metres, sine};
+use crate::{Endless, Extra, MechanismId, gravity_m_s2};
 use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
+
+/// How a rotor is described.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RotorKind {
+    /// By its inertia alone: its weight and its centre of mass are not known.
+    Load,
+    /// By its bodies.
+    Turntable,
+    /// By inertia, mass and centre of mass.
+    Arm,
+}
 
 /// A rigid body on the output flange.
 ///
 /// J = J_L + m_p r_p², T_h = g cos(q + q_0) sin β (m r + m_p r_p)
 ///
-/// # Symbols  q_0 angle of the centre of mass above the horizontal at q = 0, β tilt of the axis from the vertical, m r
+/// # Symbols
+/// q_0 angle of the centre of mass above the horizontal at q = 0, β tilt of the axis from the vertical, m r
 /// unbalance, m_p payload of the segment, r_p its distance from the axis
-/// # Source   docs/theory/mechanisms.md; cha-manual eq. 70.5 for the inertia
-/// # Valid    rigid body; the payload sits in the direction of the centre of mass
+/// # Source
+/// docs/theory/mechanisms.md; cha-manual eq. 70.5 for the inertia
+/// # Valid
+/// rigid body; the payload sits in the direction of the centre of mass
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotor {
+    /// How it is described.
+    pub kind: RotorKind,
     /// J_L: inertia about the axis, without payload.
     pub inertia: MomentOfInertia,
     /// m: mass whose weight makes the gravity torque.
@@ -33,6 +51,7 @@ impl Rotor {
     pub fn balanced(inertia: MomentOfInertia) -> Self {
         let none = Length::from_si(0.0);
         Self {
+            kind: RotorKind::Load,
             inertia,
             mass: Mass::from_si(0.0),
             radius: none,
@@ -58,6 +77,66 @@ impl Rotor {
     /// Whether gravity makes a torque that depends on the position.
     pub(crate) fn is_unbalanced(&self) -> bool {
         self.tilt.si().sin() != 0.0 && (self.mass.si() * self.radius.si() != 0.0 || self.payload_radius.si() != 0.0)
+    }
+}
+
+impl Equations for Rotor {
+    fn id(&self) -> MechanismId {
+        match self.kind {
+            RotorKind::Load => MechanismId::Load,
+            RotorKind::Turntable => MechanismId::Turntable,
+            RotorKind::Arm => MechanismId::Arm,
+        }
+    }
+
+    fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
+        self.laden(extra).reduced(position_rad)
+    }
+
+    fn with_masses(&self, factor: f64) -> Self {
+        Self { inertia: self.inertia * factor, mass: self.mass * factor, ..*self }
+    }
+
+    fn smooth_over(&self, _from_rad: f64, _to_rad: f64) -> Option<f64> {
+        self.is_unbalanced().then_some(TWELFTH_RAD)
+    }
+
+    fn endless(&self) -> Endless {
+        if self.is_unbalanced() { Endless::EachRevolution } else { Endless::Everywhere }
+    }
+
+    fn effects(&self) -> Effects {
+        Effects { payload: self.payload_radius.si() > 0.0, payload_inertia: true, process_force: false }
+    }
+
+    fn on_flange(&self) -> Option<OnFlange> {
+        let of_mass = Overhang { of_mechanism: self.mass.si() > 0.0, of_payload: true };
+        (self.kind != RotorKind::Load).then_some(OnFlange { missing: None, overhang: of_mass })
+    }
+
+    /// m (g − a) of the rotor and of its payload.
+    fn forces(&self, at: &Instant<'_>) -> FlangeForces {
+        let (output, extra, mounting) = (at.output, at.extra, at.mounting);
+        let (sin, cos) = (output.position_rad + self.angle.si()).sin_cos();
+        let (omega, alpha) = (output.speed_rad_s, output.acceleration_rad_s2);
+        let (across, along) = (gravity_m_s2() * sine(self.tilt), gravity_m_s2() * cosine(self.tilt));
+        let mut forces = FlangeForces::default();
+        for (mass, radius, overhang) in
+            [(self.mass, self.radius, mounting.overhang), (extra.mass, self.payload_radius, mounting.payload_overhang)]
+        {
+            let (m, r) = (mass.si(), radius.si());
+            if m == 0.0 {
+                continue;
+            }
+            let (centrifugal, tangential) = (omega * omega * r, alpha * r);
+            let force = [
+                m * (centrifugal * cos + tangential * sin),
+                m * (centrifugal * sin - tangential * cos - across),
+                -m * along,
+            ];
+            forces.act([r * cos, r * sin, metres(overhang)], force);
+        }
+        forces
     }
 }
 

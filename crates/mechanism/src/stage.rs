@@ -19,10 +19,13 @@ pub enum StageKind {
 ///
 /// q = i_s q_2, T = (T_2 + J_2 α_2)/(i_s η) + J_1 α
 ///
-/// # Symbols  index 2 at the mechanism; i_s ratio, J_1 and J_2 inertia on the side of the actuator and of the mechanism, η
+/// # Symbols
+/// index 2 at the mechanism; i_s ratio, J_1 and J_2 inertia on the side of the actuator and of the mechanism, η
 /// efficiency
-/// # Source   docs/theory/stage.md
-/// # Valid    both sides turn the same way as far as signs go; elasticity and backlash change no torque of the cycle
+/// # Source
+/// docs/theory/stage.md
+/// # Valid
+/// both sides turn the same way as far as signs go; elasticity and backlash change no torque of the cycle
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
     /// What it is.
@@ -120,9 +123,12 @@ impl Mechanism {
     ///
     /// 1/K' = 1/K + i_s²/K_s
     ///
-    /// # Symbols  K stiffness of the gear, K_s that of the stage on the side of the mechanism [Nm/rad], i_s ratio
-    /// # Source   docs/theory/stage.md
-    /// # Valid    K without a stage or with a rigid one
+    /// # Symbols
+    /// K stiffness of the gear, K_s that of the stage on the side of the mechanism [Nm/rad], i_s ratio
+    /// # Source
+    /// docs/theory/stage.md
+    /// # Valid
+    /// K without a stage or with a rigid one
     #[must_use]
     pub fn in_series(&self, gear: TorsionalStiffness) -> TorsionalStiffness {
         match self.stage.as_ref().and_then(|stage| Some((stage.ratio, stage.stiffness?.si()))) {

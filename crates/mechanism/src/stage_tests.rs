@@ -1,7 +1,7 @@
 //! The stage against the equations of both of its sides, its limits and the balance of power.
 
 use super::*;
-use crate::{Contact, Kind, Linear, LinearKind, Mounting, Rotor};
+use crate::{Contact, Kind, Linear, LinearKind, Mounting, Rotor, RotorKind};
 use quantities::unit::DEGREE;
 use quantities::{Force, Mass};
 
@@ -25,6 +25,7 @@ fn out(q: f64, w: f64, a: f64, direction: f64) -> Output {
 
 fn arm() -> Mechanism {
     let rotor = Rotor {
+        kind: RotorKind::Arm,
         inertia: MomentOfInertia::from_si(0.8),
         mass: Mass::from_si(6.0),
         radius: Length::from_si(0.35),

@@ -1,6 +1,9 @@
 //! Inertia and torque over the position, point by point.
 
-use crate::{Extra, Reduced};
+use crate::drawing::{Drawing, Look, Step};
+use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD};
+use crate::flange::OnFlange;
+use crate::{Endless, Extra, MechanismId};
 use quantities::{Angle, Measure, MomentOfInertia, Torque};
 
 /// One point of a table.
@@ -56,26 +59,14 @@ impl Table {
             && first.torque.si() == last.torque.si();
         Ok(Self { points, periodic })
     }
+}
 
-    /// Inertia and torque times a factor: a heavier load of the same kind.
-    pub(crate) fn scaled(&self, factor: f64) -> Self {
-        let points = self.points.iter().map(|point| TablePoint {
-            position: point.position,
-            inertia: MomentOfInertia::from_si(point.inertia.si() * factor),
-            torque: Torque::from_si(point.torque.si() * factor),
-        });
-        Self { points: points.collect(), periodic: self.periodic }
+impl Equations for Table {
+    fn id(&self) -> MechanismId {
+        MechanismId::Table
     }
 
-    pub(crate) const fn is_periodic(&self) -> bool {
-        self.periodic
-    }
-
-    pub(crate) fn kinks(&self) -> Vec<f64> {
-        self.points.iter().map(|point| point.position.si()).collect()
-    }
-
-    pub(crate) fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
+    fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
         let first = self.points.first().map_or(0.0, |point| point.position.si());
         let q =
             if self.periodic { first + (position_rad - first).rem_euclid(std::f64::consts::TAU) } else { position_rad };
@@ -94,4 +85,64 @@ impl Table {
             coulomb: 0.0,
         }
     }
+
+    fn with_masses(&self, factor: f64) -> Self {
+        let points = self.points.iter().map(|point| TablePoint {
+            inertia: point.inertia * factor,
+            torque: point.torque * factor,
+            ..*point
+        });
+        Self { points: points.collect(), periodic: self.periodic }
+    }
+
+    fn smooth_over(&self, _from_rad: f64, _to_rad: f64) -> Option<f64> {
+        Some(TWELFTH_RAD)
+    }
+
+    fn endless(&self) -> Endless {
+        if self.periodic { Endless::EachRevolution } else { Endless::Never }
+    }
+
+    fn kinks(&self) -> Vec<f64> {
+        self.points.iter().map(|point| point.position.si()).collect()
+    }
+
+    fn effects(&self) -> Effects {
+        Effects { payload: false, payload_inertia: true, process_force: false }
+    }
+
+    fn on_flange(&self) -> Option<OnFlange> {
+        None
+    }
+}
+
+pub(crate) fn drawing() -> Drawing {
+    let mut drawing = Drawing::new()
+        .arrow([40.0, 160.0], [350.0, 160.0])
+        .arrow([48.0, 170.0], [48.0, 20.0])
+        .path(
+            Look::Line,
+            [[104.0, 77.0], [158.0, 70.0], [212.0, 108.0], [270.0, 112.0], [330.0, 62.0]].into_iter().fold(
+                vec![Step::Move([56.0, 132.0])],
+                |mut steps, at| {
+                    steps.push(Step::Line(at));
+                    steps
+                },
+            ),
+        )
+        .path(
+            Look::Hidden,
+            [
+                Step::Move([56.0, 104.0]),
+                Step::Curve([110.0, 120.0], [160.0, 132.0], [210.0, 108.0]),
+                Step::Curve([260.0, 84.0], [290.0, 80.0], [330.0, 112.0]),
+            ],
+        );
+    for at in [[56.0, 132.0], [104.0, 77.0], [158.0, 70.0], [212.0, 108.0], [270.0, 112.0], [330.0, 62.0]] {
+        drawing = drawing.circle(Look::Hole, at, 4.0);
+    }
+    drawing
+        .calls("points", "J", [158.0, 70.0], [180.0, 34.0])
+        .calls("start_angle", "φ_0", [56.0, 160.0], [84.0, 180.0])
+        .calls("friction_torque", "T_L", [330.0, 112.0], [356.0, 134.0])
 }

@@ -3,6 +3,7 @@
 use crate::faults::{MotionFault, MoveFault};
 use crate::law::{Given, Law, Solved};
 use crate::piece::Piece;
+use crate::points::Points;
 use crate::recorded::{Placed, Recorded};
 use quantities::{Angle, AngularAcceleration, AngularVelocity, Measure, Time};
 use std::sync::Arc;
@@ -41,6 +42,8 @@ pub enum SegmentSpec {
     Manual(ManualMove),
     /// A move by a law, from the speed that the segment before ends with.
     Move(Law, Given),
+    /// A move through points, from where the axis stands.
+    Points(Arc<Points>),
     /// Rest.
     Dwell(Time, Hold),
     /// What was recorded.
@@ -69,8 +72,6 @@ pub struct Stretch {
     pub duration: Time,
     /// What holds at rest within it.
     pub hold: Hold,
-    /// The law, where one was given; `None` also for a move of the manual, which is a trapezoid with a pause.
-    pub law: Option<Law>,
     /// The move with everything solved; `None` for rest and for recordings.
     pub solved: Option<Solved>,
 }
@@ -87,7 +88,8 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Chains segments from a start position; without one from zero, or from where the first recording says it stands.
+    /// Chains segments from a start position; without one from where a first recording or table of points says it stands,
+    /// else from zero.
     ///
     /// # Errors
     /// Every [`MotionFault`] of the segments, or those of the closing.
@@ -102,6 +104,7 @@ impl Motion {
                 SegmentSpec::Manual(each) => chain.manual(each, index),
                 SegmentSpec::Dwell(time, _) => chain.rest(time.si(), index),
                 SegmentSpec::Recorded(recorded) => chain.recorded(recorded, index),
+                SegmentSpec::Points(points) => chain.points(points, index),
                 SegmentSpec::Move(law, given) => match law.pieces(given, chain.speed) {
                     Ok(mut pieces) => {
                         // The law says where the move ends; rounding must not add up over the segments.
@@ -119,12 +122,11 @@ impl Motion {
                 faults.push(MotionFault { segment: Some(index), fault });
                 chain.speed = 0.0;
             }
-            let moved = matches!(segment, SegmentSpec::Move(..) | SegmentSpec::Manual(_));
+            let moved = matches!(segment, SegmentSpec::Move(..) | SegmentSpec::Manual(_) | SegmentSpec::Points(_));
             stretches.push(Stretch {
                 start: Time::from_si(at),
                 duration: Time::from_si(chain.clock - at),
                 hold: if let SegmentSpec::Dwell(_, hold) = segment { *hold } else { Hold::Motor },
-                law: if let SegmentSpec::Move(law, _) = segment { Some(*law) } else { None },
                 solved: moved.then(|| solved(chain.pieces.get(from..).unwrap_or_default())),
             });
         }
@@ -176,7 +178,6 @@ impl Motion {
                     start: time(stretch.start),
                     duration: time(stretch.duration),
                     hold: stretch.hold,
-                    law: stretch.law,
                     solved: stretch.solved.map(|solved| Solved {
                         distance: solved.distance,
                         time: time(solved.time),
@@ -286,12 +287,13 @@ fn start_speed(segments: &[SegmentSpec]) -> f64 {
     match segments.first() {
         Some(SegmentSpec::Move(Law::Constant, given)) => given.speed.map_or(0.0, Measure::si),
         Some(SegmentSpec::Recorded(recorded)) => recorded.end_speeds_rad_s().0,
+        Some(SegmentSpec::Points(points)) => points.first_speed().si(),
         _ => 0.0,
     }
 }
 
 /// So much of the largest recorded speed or of the recorded travel may a recording miss where it joins or closes:
-/// nobody records an exact zero.
+/// a recording never contains an exact zero.
 const JOINT: f64 = 1e-3;
 
 /// Where the speed is a slope of positions its error at that end is allowed for too, but never more than this share of
@@ -302,6 +304,9 @@ const JOINT_MOST: f64 = 0.1;
 fn joint(fastest: f64, slope_error: f64) -> f64 {
     (JOINT * fastest + slope_error).min(JOINT_MOST * fastest)
 }
+
+/// So much of the largest speed two speeds may differ that are the same but for rounding.
+const SAME_SPEED: f64 = 1e-9;
 
 struct Chain {
     position: f64,
@@ -317,6 +322,7 @@ impl Chain {
     fn beginning(segments: &[SegmentSpec], start: Option<Angle>) -> Self {
         let recorded = match segments.first() {
             Some(SegmentSpec::Recorded(recorded)) if recorded.is_placed() => recorded.ends_rad().0,
+            Some(SegmentSpec::Points(points)) => points.first().si(),
             _ => 0.0,
         };
         Self {
@@ -361,6 +367,20 @@ impl Chain {
         (self.position, self.speed) = (last + offset_rad, if rests { 0.0 } else { end_speed });
         self.speed_error = last_error;
         self.clock += recorded.duration_s();
+        Ok(())
+    }
+
+    /// The points say how far it goes; their positions are met without the rounding of the pieces before.
+    fn points(&mut self, points: &Points, segment: usize) -> Result<(), MoveFault> {
+        let (from, first) = (self.position, points.first_speed());
+        let fastest = points.pieces().fold(first.si().abs(), |most, (_, (_, speed))| most.max(speed.abs()));
+        if (first.si() - self.speed).abs() > SAME_SPEED * fastest {
+            return Err(MoveFault::PointsSpeedJumps { first, before: AngularVelocity::from_si(self.speed) });
+        }
+        for (piece, (travelled, _)) in points.pieces() {
+            self.push(piece, segment);
+            self.position = from + travelled;
+        }
         Ok(())
     }
 
@@ -435,7 +455,7 @@ fn closing_fault(
     let fastest =
         chain.pieces.iter().map(|piece| &piece.speed_rad_s).chain(recorded).fold(0.0, |most: f64, w| most.max(w.abs()));
     let recorded = !chain.recordings.is_empty();
-    let permitted = if recorded { joint(fastest, chain.speed_error + first_error) } else { 1e-9 * fastest };
+    let permitted = if recorded { joint(fastest, chain.speed_error + first_error) } else { SAME_SPEED * fastest };
     if (chain.speed - initial).abs() > permitted {
         return whole(MoveFault::SpeedNotClosed {
             end: AngularVelocity::from_si(chain.speed),

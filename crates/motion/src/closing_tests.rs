@@ -63,7 +63,7 @@ fn exact_recordings_from_rest_to_rest_close() {
         let motion = there_and_back(&mut random, case);
         let whole = (0.0, motion.duration().si());
         // From fifty samples a cycle to five thousand, a move being at least twenty of them.
-        let shortest = motion.stretches().iter().filter(|each| each.law.is_some());
+        let shortest = motion.stretches().iter().filter(|each| each.solved.is_some());
         let shortest = shortest.map(|each| each.duration.si()).fold(f64::INFINITY, f64::min);
         // A window of seven samples leaves of a move of twenty what no longer begins at rest.
         let smooth = case % 5 == 0;

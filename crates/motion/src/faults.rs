@@ -64,6 +64,13 @@ pub enum MoveFault {
         /// Speed at that instant.
         speed: AngularVelocity,
     },
+    /// A table of points begins with another speed than the axis has.
+    PointsSpeedJumps {
+        /// Speed at its first point.
+        first: AngularVelocity,
+        /// Speed of the axis before it.
+        before: AngularVelocity,
+    },
     /// A recording begins at another speed than the axis has.
     RecordingSpeedJumps {
         /// Speed at its first sample.

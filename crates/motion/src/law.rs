@@ -91,7 +91,8 @@ impl Law {
 
     /// C_v = v_max T/s and C_a = a_max T²/s of the normalised law from rest to rest; the trapezoid with thirds.
     ///
-    /// # Source   VDI 2143-1, characteristic values; derived in docs/theory/motion-laws.md
+    /// # Source
+    /// VDI 2143-1, characteristic values; derived in docs/theory/motion-laws.md
     #[must_use]
     pub fn characteristics(self) -> (f64, f64) {
         match self {

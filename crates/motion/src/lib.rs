@@ -1,14 +1,14 @@
 //! What the output shaft is asked to do: laws of motion, the pieces they consist of, and the chain of a cycle.
 //!
 //! Everything is referred to the output of the actuator. A [`Motion`] is a chain of [`Piece`]s whose acceleration is a
-//! cubic polynomial of time plus one harmonic, so position, speed and acceleration are closed forms at every instant;
-//! [`lobatto`] gives the quadrature that integrates what is made of them. A [`Recorded`] segment consists of samples instead.
+//! cubic polynomial of time plus one harmonic, so position, speed and acceleration are closed forms at every instant.
+//! A [`Recorded`] segment consists of samples instead.
 
 mod chain;
 mod faults;
 mod law;
 mod piece;
-mod quadrature;
+mod points;
 mod recorded;
 mod seven_phase;
 mod solve;
@@ -16,6 +16,6 @@ mod solve;
 pub use chain::{Closing, Hold, ManualMove, Motion, SegmentSpec, Stretch};
 pub use faults::{MotionFault, MoveFault, Needed, RecordedFault};
 pub use law::{Given, Law, Solved};
-pub use piece::{Piece, Runs, State, root_steps, roots, roots_between};
-pub use quadrature::lobatto;
+pub use piece::{Piece, Runs, State};
+pub use points::{EndState, Ends, Points, PointsFault, Spline};
 pub use recorded::{Interval, Placed, Recorded, Samples, Treatment};

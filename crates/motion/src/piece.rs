@@ -1,5 +1,6 @@
 //! A piece of motion: acceleration as a polynomial and a harmonic of time, integrated in closed form.
 
+use numeric::{root, roots};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Position, speed and acceleration at one instant.
@@ -17,7 +18,8 @@ pub struct State {
 ///
 /// α(t) = c_0 + c_1 t + c_2 t² + c_3 t³ + A sin(Ω t + φ) for 0 ≤ t ≤ τ; ω and q by integration from the initial state.
 ///
-/// # Source   own derivation; every law of VDI 2143 built here is a chain of such pieces (docs/theory/motion-laws.md)
+/// # Source
+/// own derivation; every law of VDI 2143 built here is a chain of such pieces (docs/theory/motion-laws.md)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
     /// Instant of its beginning, from the start of the cycle \[s\].
@@ -202,7 +204,8 @@ impl Piece {
     /// reversal between two speeds of opposite sign, none else. The speeds at the ends are those that the law states;
     /// a speed in between that is not above what rounding may leave of zero counts as zero.
     ///
-    /// # Source   docs/theory/motion-laws.md
+    /// # Source
+    /// docs/theory/motion-laws.md
     #[must_use]
     pub fn runs(&self) -> Runs {
         let (end, last) = (self.duration_s, self.end().speed_rad_s);
@@ -242,7 +245,7 @@ impl Piece {
             return (-self.speed_rad_s / c0).clamp(from.0, to.0);
         }
         let state = self.states();
-        root_within(&|t| state(t).speed_rad_s, from, to)
+        root(|t| state(t).speed_rad_s, from, to, 0.0)
     }
 
     /// What rounding may leave of a speed that is zero: eight units in the last place of the sum of the magnitudes of its
@@ -275,9 +278,6 @@ impl Runs {
     }
 }
 
-/// Into so many steps a span is cut in the search for roots; two roots closer than one step are not told apart.
-const STEPS: u32 = 64;
-
 /// Where c_0 + c_1 t + c_2 t² passes zero, in order; where it only touches it there is none.
 fn quadratic(c0: f64, c1: f64, c2: f64) -> Vec<f64> {
     if c2 == 0.0 {
@@ -294,7 +294,7 @@ fn quadratic(c0: f64, c1: f64, c2: f64) -> Vec<f64> {
     found
 }
 
-/// A law of motion makes a few half turns; what makes more is no law, and nothing there can be told apart.
+/// A law of motion makes a few half turns; anything with more is no law, and its roots cannot be resolved.
 const HALF_TURNS_MOST: f64 = 1e4;
 
 /// The times up to an end at which sin(Ω t + φ) passes zero.
@@ -311,75 +311,6 @@ fn zeros_of_sine(frequency: f64, phase: f64, end: f64) -> Vec<f64> {
         half_turn += 1.0;
     }
     found.sort_by(f64::total_cmp);
-    found
-}
-
-/// The roots of a continuous function strictly inside 0…`end`, by sign changes over [`root_steps`], each found to the last
-/// bits. Roots at the ends are left out.
-pub fn roots(f: impl Fn(f64) -> f64, end: f64) -> Vec<f64> {
-    let values: Vec<f64> = root_steps(end).map(&f).collect();
-    roots_between(&values, f, end)
-}
-
-/// Where a search for roots looks: at 65 instants from 0 to `end`.
-pub fn root_steps(end: f64) -> impl Iterator<Item = f64> {
-    (0..=STEPS).map(move |step| end * f64::from(step) / f64::from(STEPS))
-}
-
-/// The roots of a function whose values at the [`root_steps`] are known already.
-pub fn roots_between(values: &[f64], f: impl Fn(f64) -> f64, end: f64) -> Vec<f64> {
-    let mut found = Vec::new();
-    // Rounding leaves traces of the size of an ulp where the exact value is zero: they are no change of sign.
-    let scale = values.iter().fold(0.0_f64, |scale, v| scale.max(v.abs()));
-    let mut last: Option<(f64, f64)> = None;
-    for (at, value) in root_steps(end).zip(values) {
-        if value.abs() <= 1e-13 * scale {
-            continue;
-        }
-        if let Some(before) = last
-            && before.1 * value < 0.0
-        {
-            let root = root_within(&f, before, (at, *value));
-            if root > 0.0 && root < end {
-                found.push(root);
-            }
-        }
-        last = Some((at, *value));
-    }
-    found
-}
-
-/// So many steps of false position before a bracket is halved: a smooth function needs no more.
-const FALSE_POSITION: u32 = 12;
-
-/// The root between two instants with values of opposite sign: false position, the end that stays behind counted half
-/// (Illinois); a jump is found by halving.
-fn root_within(f: &impl Fn(f64) -> f64, (mut low, mut at_low): (f64, f64), (mut high, mut at_high): (f64, f64)) -> f64 {
-    let mut kept = None;
-    let mut found = low;
-    for round in 0..FALSE_POSITION + 80 {
-        let before = found;
-        let halved = 0.5 * (low + high);
-        found = if round < FALSE_POSITION { high - at_high * (high - low) / (at_high - at_low) } else { halved };
-        if !(found > low && found < high) {
-            found = halved;
-        }
-        if !(found > low && found < high) || (round > 0 && (found - before).abs() <= f64::EPSILON * high.abs()) {
-            break;
-        }
-        let here = f(found);
-        if here == 0.0 {
-            break;
-        }
-        let keeps_low = (here < 0.0) == (at_high < 0.0);
-        let behind = if kept == Some(keeps_low) { 0.5 } else { 1.0 };
-        if keeps_low {
-            (high, at_high, at_low) = (found, here, behind * at_low);
-        } else {
-            (low, at_low, at_high) = (found, here, behind * at_high);
-        }
-        kept = Some(keeps_low);
-    }
     found
 }
 
@@ -448,12 +379,7 @@ mod tests {
     }
 
     #[test]
-    fn roots_are_found_inside_and_rounding_is_none() {
-        let found = roots(|t| (t - 0.25) * (t - 0.75), 1.0);
-        assert_eq!(found.len(), 2);
-        assert!((found[0] - 0.25).abs() < 1e-15 && (found[1] - 0.75).abs() < 1e-15);
-        assert!(roots(|t| t * (1.0 - t), 1.0).is_empty(), "roots at the ends are left out");
-        assert!(roots(|t| 1.0 + 1e-16 * (t * 1e3).sin(), 1.0).is_empty());
+    fn a_ramp_through_rest_turns_there() {
         let ramp = Piece { speed_rad_s: -1.0, ..Piece::ramp(3.0, 1.0) };
         assert_eq!(ramp.reversals(), vec![1.0]);
         let runs = ramp.runs();
@@ -494,12 +420,5 @@ mod tests {
             }
         }
         assert_eq!(Piece::harmonic(1.0, 1.0, f64::MAX, 0.0).acceleration_roots(), Vec::<f64>::new());
-    }
-
-    /// A jump is found as closely as a root.
-    #[test]
-    fn jumps_are_found_by_halving() {
-        let found = roots(|t| if t < 0.3 { -1.0 } else { 2.0 }, 1.0);
-        assert!(found.len() == 1 && (found[0] - 0.3).abs() < 1e-15, "{found:?}");
     }
 }

@@ -21,7 +21,7 @@ pub struct Samples {
     pub torque_nm: Option<Arc<Vec<f64>>>,
 }
 
-/// What is done to samples before they are a motion. Nothing is done unless it is asked for.
+/// Processing of samples before they are a motion. By default none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Treatment {
     /// Width of the window of a moving parabola, fitted by least squares.
@@ -34,8 +34,10 @@ pub struct Treatment {
 ///
 /// α = (ω_(k+1) − ω_k)/(t_(k+1) − t_k)
 ///
-/// # Source   docs/theory/recorded-motion.md
-/// # Valid    the position is the recorded one at the samples; recorded without a speed it is differentiated, recorded
+/// # Source
+/// docs/theory/recorded-motion.md
+/// # Valid
+/// the position is the recorded one at the samples; recorded without a speed it is differentiated, recorded
 /// without a position the speed is integrated
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recorded {

@@ -30,28 +30,20 @@ fn distance(first: f64, peak: f64, last: f64, limits: &Limits) -> f64 {
 /// The peak speed is the limit if the distance leaves room to run at it, else the root of the distance in the peak
 /// speed beyond the end speeds. There is one: the distance is convex in the peak there, and begins on the other side.
 ///
-/// # Source   own derivation, docs/theory/motion-laws.md; durations held against an independent generator
+/// # Source
+/// own derivation, docs/theory/motion-laws.md; durations held against an independent generator
 pub(crate) fn pieces(length: f64, first: f64, last: f64, limits: &Limits) -> Vec<Piece> {
     let (low, high) = (first.min(last), first.max(last));
     // What a plain change of speed travels; more needs a faster peak, less a slower or reversed one.
     let forward = length >= distance(first, high, last, limits);
-    let (mut near, mut far) = if forward { (high, limits.speed) } else { (low, -limits.speed) };
+    let (near, far) = if forward { (high, limits.speed) } else { (low, -limits.speed) };
     let reached = distance(first, far, last, limits);
     let (peak, run) = if (forward && reached <= length) || (!forward && reached >= length) {
         (far, (length - reached) / far)
     } else {
-        for _ in 0..200 {
-            let middle = 0.5 * (near + far);
-            if middle == near || middle == far {
-                break;
-            }
-            if (distance(first, middle, last, limits) < length) == forward {
-                near = middle;
-            } else {
-                far = middle;
-            }
-        }
-        (0.5 * (near + far), 0.0)
+        let beyond = |peak: f64| distance(first, peak, last, limits) - length;
+        let ends = [near.min(far), near.max(far)].map(|peak| (peak, beyond(peak)));
+        (numeric::root(beyond, ends[0], ends[1], 0.0), 0.0)
     };
     let mut pieces = change(first, peak, limits);
     pieces.push(Piece::ramp(run, 0.0));

@@ -14,8 +14,8 @@ pub fn edit_distance(a: &str, b: &str) -> usize {
 /// The distances of many texts from one.
 ///
 /// Damerau-Levenshtein distance over characters, where swapped letters may have been edited between (so that it keeps
-/// the triangle inequality). Cost: the product of both lengths in time and memory, less what a text has in common with
-/// the beginning of the one before: texts in alphabetical order are quick.
+/// the triangle inequality). Cost: the product of both lengths in time and memory, less the common
+/// beginning with the previous text: texts in alphabetical order are fast.
 ///
 /// # Source
 /// R. Lowrance, R. A. Wagner, "An extension of the string-to-string correction problem", J. ACM 22 (1975) 177-183

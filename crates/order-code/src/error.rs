@@ -1,7 +1,8 @@
 //! What can be wrong with the spelling of a code.
 
 use crate::field::Field;
-use std::ops::Range;
+use crate::grammar::Series;
+use std::ops::{Deref, Range};
 use thiserror::Error;
 
 /// One fault of a code.
@@ -26,7 +27,7 @@ pub enum CodeError {
         /// Place of the hyphen.
         span: Range<usize>,
         /// Fields that could stand behind the last hyphen; empty at any other hyphen, which is simply too much.
-        expected: Vec<Field>,
+        expected: Expected,
     },
     /// No word of the field that is expected here.
     #[error("{found:?} is no {field}")]
@@ -38,7 +39,7 @@ pub enum CodeError {
         /// What stands there, cut after 24 characters.
         found: String,
         /// Every field that could stand here, in their order; none behind a complete code.
-        expected: Vec<Field>,
+        expected: Expected,
     },
     /// A word of another field, and that field belongs to another place.
     #[error("{field} {found:?} stands in the wrong place")]
@@ -50,7 +51,7 @@ pub enum CodeError {
         /// What stands there.
         found: String,
         /// Every field that could stand here.
-        expected: Vec<Field>,
+        expected: Expected,
     },
     /// A field for the second time.
     #[error("{field} is given twice, here as {found:?}")]
@@ -62,7 +63,7 @@ pub enum CodeError {
         /// What stands there.
         found: String,
         /// Every field that could stand here.
-        expected: Vec<Field>,
+        expected: Expected,
     },
     /// A field that may not be left out.
     #[error("{field} is missing")]
@@ -71,6 +72,8 @@ pub enum CodeError {
         field: Field,
         /// Place where it should stand.
         at: usize,
+        /// Series of the code.
+        series: Series,
     },
     /// Words without hyphens that can be read in more than one way.
     ///
@@ -105,7 +108,20 @@ impl CodeError {
     /// The words that would be valid here.
     #[must_use]
     pub fn expected(&self) -> Vec<&'static str> {
-        self.expected_fields().iter().flat_map(|field| field.tokens()).copied().collect()
+        let series = match self {
+            Self::Empty | Self::TooLong { .. } | Self::Ambiguous { .. } => Series::default(),
+            Self::Missing { series, .. } => *series,
+            Self::EmptyPart { expected, .. }
+            | Self::UnknownToken { expected, .. }
+            | Self::OutOfOrder { expected, .. }
+            | Self::Repeated { expected, .. } => expected.series,
+        };
+        let fields = self.expected_fields();
+        // Which series it is shows with the first word only.
+        if fields == [Field::Series] {
+            return Series::all().map(Series::as_str).collect();
+        }
+        fields.iter().flat_map(|field| series.words(*field)).copied().collect()
     }
 
     /// The fields of which a word would be valid here.
@@ -117,7 +133,7 @@ impl CodeError {
             Self::EmptyPart { expected, .. }
             | Self::UnknownToken { expected, .. }
             | Self::OutOfOrder { expected, .. }
-            | Self::Repeated { expected, .. } => expected,
+            | Self::Repeated { expected, .. } => &expected.fields,
             Self::TooLong { .. } | Self::Ambiguous { .. } => &[],
         }
     }
@@ -126,20 +142,37 @@ impl CodeError {
     #[must_use]
     pub fn nearest(&self) -> Option<&'static str> {
         match self {
-            Self::UnknownToken { found, expected, .. } => nearest_token(found, expected).map(|(_, token)| token),
+            Self::UnknownToken { found, expected, .. } => {
+                nearest_token(found, expected.series, &expected.fields).map(|(_, token)| token)
+            }
             _ => None,
         }
     }
 }
 
+/// The fields of which a word could stand at a place, in their order, with the series that has the words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expected {
+    pub(crate) series: Series,
+    pub(crate) fields: Vec<Field>,
+}
+
+impl Deref for Expected {
+    type Target = [Field];
+
+    fn deref(&self) -> &[Field] {
+        &self.fields
+    }
+}
+
 /// Among the words of some fields the one that is nearest to a text, with its field. Of several as near, the one that
 /// begins most like the text, then the first in the order of the fields.
-pub(crate) fn nearest_token(found: &str, fields: &[Field]) -> Option<(Field, &'static str)> {
+pub(crate) fn nearest_token(found: &str, series: Series, fields: &[Field]) -> Option<(Field, &'static str)> {
     let found: String = found.chars().take(16).collect();
     let mut distances = crate::Distances::from(&found);
     fields
         .iter()
-        .flat_map(|field| field.tokens().iter().map(move |token| (*field, *token)))
+        .flat_map(|field| series.words(*field).iter().map(move |token| (*field, *token)))
         .map(|(field, token)| (distances.to(token), field, token))
         .filter(|(distance, _, token)| distance * 2 <= token.len())
         .min_by_key(|(distance, _, token)| (*distance, std::cmp::Reverse(common_beginning(&found, token))))
@@ -155,6 +188,7 @@ fn common_beginning(a: &str, b: &str) -> usize {
 #[error("{}", joined(.faults))]
 pub struct CodeErrors {
     faults: Vec<CodeError>,
+    series: Series,
     understood: Vec<(Field, &'static str)>,
 }
 
@@ -165,9 +199,15 @@ fn joined(faults: &[CodeError]) -> String {
 
 impl CodeErrors {
     /// Several faults, sorted by their place, and the words that were understood. The caller has at least one fault.
-    pub(crate) fn new(mut faults: Vec<CodeError>, understood: Vec<(Field, &'static str)>) -> Self {
+    pub(crate) fn new(mut faults: Vec<CodeError>, series: Series, understood: Vec<(Field, &'static str)>) -> Self {
         faults.sort_by_key(|fault| fault.span().start);
-        Self { faults, understood }
+        Self { faults, series, understood }
+    }
+
+    /// The series that the text was read as a code of.
+    #[must_use]
+    pub const fn series(&self) -> Series {
+        self.series
     }
 
     /// The word of a field that was understood in spite of the faults.
@@ -184,7 +224,7 @@ impl CodeErrors {
 
 impl From<CodeError> for CodeErrors {
     fn from(fault: CodeError) -> Self {
-        Self { faults: vec![fault], understood: Vec::new() }
+        Self { faults: vec![fault], series: Series::default(), understood: Vec::new() }
     }
 }
 

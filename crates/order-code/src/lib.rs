@@ -1,15 +1,15 @@
 //! The grammar of the ordering code: `CHA-20A-100-H-C1024-B-EC-K-SP`.
 //!
 //! This crate reads and prints codes and says where a text departs from the grammar. It knows the words and their order
-//! and nothing else: what may be combined is a matter of cha-manual table 12.1 and of another crate, so
-//! `CHA-14A-160-L-C1024` is a code here though nobody can order it.
+//! and nothing else: what may be combined stands in the tables of a manual and is read by another crate, so
+//! `CHA-14A-160-L-C1024` is a code here although it cannot be ordered.
 //!
 //! ```
-//! use order_code::{Feedback, Pattern, Size, parse};
+//! use order_code::{Pattern, parse};
 //!
 //! let parsed = parse("cha 20a-100-HC1024")?;
 //! assert_eq!(parsed.code.to_string(), "CHA-20A-100-H-C1024");
-//! assert_eq!(parsed.code.size, Size::S20A);
+//! assert_eq!(parsed.code.size.as_str(), "20A");
 //! assert!(!parsed.is_canonical());
 //!
 //! let faults = parse("CHA-21A-100-H-C1025").unwrap_err();
@@ -23,17 +23,8 @@
 //!
 //! # Grammar
 //!
-//! | field | words | source |
-//! |---|---|---|
-//! | series | `CHA` | cha-manual table 11.1 |
-//! | size and version | `14A` `17A` `20A` `25A` `32A` `40A` `50A` `58A` | table 11.1 |
-//! | ratio | `30` `50` `80` `100` `120` `160` | table 11.1 |
-//! | winding and connectors | `E` `H` `N` and `L` | tables 11.2, 11.3; `L` table 12.1 only |
-//! | feedback | `C1024` `M512P` `RES` `D2048` `M128S` | table 11.4 |
-//! | brake, may be absent | `B` | table 11.1 |
-//! | option 1, may be absent | `EC` | table 11.5 |
-//! | option 2, may be absent | `K` `R` `S` | table 11.6 |
-//! | special design, may be absent | `SP` | table 11.1 |
+//! The words of each series, their order and what they mean are data: `code.toml` in its folder of `data/`. A value such as a
+//! [`Size`] is a place among the words of its series, and a code is read in the grammar of the series whose word it begins with.
 //!
 //! Canonical are capitals with one `-` between the words. Understood, and reported as a [`Departure`], are small letters,
 //! other dashes, spaces around or instead of a hyphen, no hyphen at all, and white space around the whole. Everything
@@ -46,13 +37,15 @@
 mod distance;
 mod error;
 mod field;
+mod grammar;
 mod parse;
 mod pattern;
 mod scan;
 mod tokens;
 
 pub use distance::{Distances, Texts, edit_distance};
-pub use error::{CodeError, CodeErrors};
+pub use error::{CodeError, CodeErrors, Expected};
 pub use field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
+pub use grammar::{FEEDBACKS, FeedbackKind, FieldWords, Grammar, Meaning, OPTIONS_1, OPTIONS_2, Series, extend};
 pub use parse::{Departure, Parsed, Spans, parse};
 pub use pattern::{Pattern, Slot};

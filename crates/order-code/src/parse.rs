@@ -2,32 +2,36 @@
 
 use crate::error::{CodeError, CodeErrors};
 use crate::field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
+use crate::grammar::Series;
 use crate::scan::{Form, scan};
 use std::ops::Range;
 
-/// Reads an ordering code.
+/// Reads an ordering code, of the series whose word it begins with.
 ///
 /// Small letters, other dashes, spaces and missing hyphens are understood and reported as [`Departure`]s. The manual
 /// prints its example with spaces around the hyphens, so that departs too. White space other than spaces (tab, end of
 /// line) is understood around the code only.
 ///
-/// # Source
-/// cha-manual table 11.1
 /// # Errors
 /// Every fault with its place. A text without hyphens is read up to its first unknown word and on from the next word
 /// that fits, so there one fault may hide another.
 pub fn parse(text: &str) -> Result<Parsed, CodeErrors> {
-    let (tokens, departures) = scan(text, Form::Code)?;
+    let series = Series::of_text(text);
+    let (tokens, departures) = scan(text, series, Form::Code)?;
     let token = |field: Field| tokens.iter().find(|found| found.field == field).and_then(|found| found.token);
-    let missing = |field| CodeErrors::from(CodeError::Missing { field, at: text.len() });
+    let missing = |field| CodeErrors::from(CodeError::Missing { field, at: text.len(), series });
     let code = OrderCode {
-        size: token(Field::Size).and_then(Size::of).ok_or_else(|| missing(Field::Size))?,
-        ratio: token(Field::Ratio).and_then(Ratio::of).ok_or_else(|| missing(Field::Ratio))?,
-        winding: token(Field::Winding).and_then(Winding::of).ok_or_else(|| missing(Field::Winding))?,
-        feedback: token(Field::Feedback).and_then(Feedback::of).ok_or_else(|| missing(Field::Feedback))?,
+        size: token(Field::Size).and_then(|word| Size::of(series, word)).ok_or_else(|| missing(Field::Size))?,
+        ratio: token(Field::Ratio).and_then(|word| Ratio::of(series, word)).ok_or_else(|| missing(Field::Ratio))?,
+        winding: token(Field::Winding)
+            .and_then(|word| Winding::of(series, word))
+            .ok_or_else(|| missing(Field::Winding))?,
+        feedback: token(Field::Feedback)
+            .and_then(|word| Feedback::of(series, word))
+            .ok_or_else(|| missing(Field::Feedback))?,
         brake: if token(Field::Brake).is_some() { Brake::With } else { Brake::Without },
-        option_1: token(Field::Option1).and_then(Option1::of),
-        option_2: token(Field::Option2).and_then(Option2::of),
+        option_1: token(Field::Option1).and_then(|word| Option1::of(series, word)),
+        option_2: token(Field::Option2).and_then(|word| Option2::of(series, word)),
         special: token(Field::Special).is_some(),
     };
     let spans = tokens.into_iter().map(|found| (found.field, found.span)).collect();

@@ -2,6 +2,7 @@
 
 use crate::error::CodeErrors;
 use crate::field::{Brake, Feedback, Field, Option1, Option2, OrderCode, Ratio, Size, Winding};
+use crate::grammar::Series;
 use crate::parse::Spans;
 use crate::scan::{Form, scan};
 
@@ -42,6 +43,8 @@ impl<T: PartialEq> Slot<T> {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pattern {
+    /// Series.
+    pub series: Slot<Series>,
     /// Frame size.
     pub size: Slot<Size>,
     /// Reduction ratio.
@@ -76,23 +79,27 @@ impl Pattern {
     /// # Errors
     /// As [`Pattern::parse`].
     pub fn parse_with_spans(text: &str) -> Result<(Self, Spans), CodeErrors> {
-        let (tokens, _) = scan(text, Form::Pattern)?;
+        let series = Series::of_text(text);
+        let (tokens, _) = scan(text, series, Form::Pattern)?;
         let token = |field: Field| tokens.iter().find(|found| found.field == field).and_then(|found| found.token);
         let named = tokens.iter().filter(|found| found.token.is_some());
-        Ok((Self::of(token), named.map(|found| (found.field, found.span.clone())).collect()))
+        Ok((Self::of(series, token), named.map(|found| (found.field, found.span.clone())).collect()))
     }
 
-    /// The codes that have these words, each a token of its field; a field without one is open.
+    /// The codes of a series that have these words, each a word of its field; a field without one is open.
     #[must_use]
-    pub fn of<'w>(word: impl Fn(Field) -> Option<&'w str>) -> Self {
+    pub fn of<'w>(series: Series, word: impl Fn(Field) -> Option<&'w str>) -> Self {
         Self {
-            size: word(Field::Size).and_then(Size::of).map_or(Slot::Any, Slot::Exactly),
-            ratio: word(Field::Ratio).and_then(Ratio::of).map_or(Slot::Any, Slot::Exactly),
-            winding: word(Field::Winding).and_then(Winding::of).map_or(Slot::Any, Slot::Exactly),
-            feedback: word(Field::Feedback).and_then(Feedback::of).map_or(Slot::Any, Slot::Exactly),
+            series: word(Field::Series).map_or(Slot::Any, |_| Slot::Exactly(series)),
+            size: word(Field::Size).and_then(|word| Size::of(series, word)).map_or(Slot::Any, Slot::Exactly),
+            ratio: word(Field::Ratio).and_then(|word| Ratio::of(series, word)).map_or(Slot::Any, Slot::Exactly),
+            winding: word(Field::Winding).and_then(|word| Winding::of(series, word)).map_or(Slot::Any, Slot::Exactly),
+            feedback: word(Field::Feedback)
+                .and_then(|word| Feedback::of(series, word))
+                .map_or(Slot::Any, Slot::Exactly),
             brake: word(Field::Brake).map_or(Slot::Any, |_| Slot::Exactly(Brake::With)),
-            option_1: word(Field::Option1).map_or(Slot::Any, |word| Slot::Exactly(Option1::of(word))),
-            option_2: word(Field::Option2).map_or(Slot::Any, |word| Slot::Exactly(Option2::of(word))),
+            option_1: word(Field::Option1).map_or(Slot::Any, |word| Slot::Exactly(Option1::of(series, word))),
+            option_2: word(Field::Option2).map_or(Slot::Any, |word| Slot::Exactly(Option2::of(series, word))),
             special: word(Field::Special).map_or(Slot::Any, |_| Slot::Exactly(true)),
         }
     }
@@ -100,7 +107,8 @@ impl Pattern {
     /// Whether a code is among those that the pattern allows.
     #[must_use]
     pub fn matches(&self, code: &OrderCode) -> bool {
-        self.size.allows(&code.size)
+        self.series.allows(&code.series())
+            && self.size.allows(&code.size)
             && self.ratio.allows(&code.ratio)
             && self.winding.allows(&code.winding)
             && self.feedback.allows(&code.feedback)

@@ -1,7 +1,8 @@
 //! From text to words: separators, readings, and what is wrong where there is none.
 
-use crate::error::{CodeError, CodeErrors, nearest_token};
+use crate::error::{CodeError, CodeErrors, Expected, nearest_token};
 use crate::field::Field;
+use crate::grammar::{FieldWords, Series};
 use crate::parse::Departure;
 use crate::tokens::{Found, Step, complete_readings, in_any_order, readings};
 use std::cell::OnceCell;
@@ -10,7 +11,7 @@ use std::ops::Range;
 /// Longest text that is read as a code, in characters: the longest code has 29, and 45 with spaces around its hyphens.
 const LENGTH_MAX: usize = 64;
 
-/// An unknown text longer than this holds more than one word, and what is missing cannot be told from what is misspelt.
+/// An unknown text longer than this holds more than one word, and a missing word cannot be distinguished from a misspelt one.
 const LENGTH_WORD_MAX: usize = 7;
 
 /// What a text is read as.
@@ -23,17 +24,19 @@ pub(crate) enum Form {
 }
 
 /// The words of a text in the order of the fields with its departures, or every fault.
-pub(crate) fn scan(text: &str, form: Form) -> Result<(Vec<Found>, Vec<Departure>), CodeErrors> {
+pub(crate) fn scan(text: &str, series: Series, form: Form) -> Result<(Vec<Found>, Vec<Departure>), CodeErrors> {
     if let Some((at, _)) = text.char_indices().nth(LENGTH_MAX) {
         return Err(CodeError::TooLong { span: at..text.len(), most: LENGTH_MAX }.into());
     }
-    let Parts { parts, departures, faults, trailing } = split(text);
+    let Parts { parts, departures, faults, trailing } = split(text, series);
     if parts.is_empty() && form == Form::Code && faults.is_empty() {
         return Err(CodeError::Empty.into());
     }
     let only_hyphens = parts.is_empty() && !faults.is_empty();
     let mut reader = Reader {
         text,
+        series,
+        fields: series.words_of_fields(),
         form,
         next: 0,
         seen: Vec::new(),
@@ -46,7 +49,7 @@ pub(crate) fn scan(text: &str, form: Form) -> Result<(Vec<Found>, Vec<Departure>
         reader.read(part, parts.get(index + 1..).unwrap_or_default());
     }
     if let Some(span) = trailing {
-        let expected = reader.reachable();
+        let expected = reader.expected();
         reader.faults.push(CodeError::EmptyPart { span, expected });
     }
     reader.finish(parts.last().map_or(0, |part| part.span.end))
@@ -55,6 +58,7 @@ pub(crate) fn scan(text: &str, form: Form) -> Result<(Vec<Found>, Vec<Departure>
 /// A part of the text between separators.
 struct Part {
     capitals: String,
+    series: Series,
     span: Range<usize>,
     /// See [`Part::in_any_order`].
     any_order: OnceCell<Option<Vec<Step<Field>>>>,
@@ -63,7 +67,7 @@ struct Part {
 impl Part {
     /// All of it as known words in any order, sought once.
     fn in_any_order(&self) -> Option<&[Step<Field>]> {
-        self.any_order.get_or_init(|| in_any_order(&self.capitals)).as_deref()
+        self.any_order.get_or_init(|| in_any_order(&self.capitals, self.series)).as_deref()
     }
 }
 
@@ -89,7 +93,7 @@ fn is_space(c: char) -> bool {
     c.is_whitespace() && !c.is_control() && !matches!(c, '\u{2028}' | '\u{2029}')
 }
 
-fn split(text: &str) -> Parts {
+fn split(text: &str, series: Series) -> Parts {
     let mut found = Parts { parts: Vec::new(), departures: Vec::new(), faults: Vec::new(), trailing: None };
     let trimmed = text.trim();
     if trimmed.len() != text.len() {
@@ -107,13 +111,14 @@ fn split(text: &str) -> Parts {
         rest = next;
         if !part.is_empty() {
             // ASCII only: no other letter may turn into one of a word ("ſp" is not SP), and all places stay.
-            found.parts.push(Part { capitals: part.to_ascii_uppercase(), span, any_order: OnceCell::new() });
+            found.parts.push(Part { capitals: part.to_ascii_uppercase(), series, span, any_order: OnceCell::new() });
         }
         let dashes = gap.chars().filter(|c| is_dash(*c)).count();
         if dashes > 0 && next.is_empty() && !found.parts.is_empty() {
             found.trailing = Some(gap_span);
         } else if dashes > 1 || (dashes == 1 && (part.is_empty() || next.is_empty())) {
-            found.faults.push(CodeError::EmptyPart { span: gap_span, expected: Vec::new() });
+            let expected = Expected { series, fields: Vec::new() };
+            found.faults.push(CodeError::EmptyPart { span: gap_span, expected });
         } else {
             if gap.contains(is_space) {
                 found.departures.push(Departure::Spaces { span: gap_span.clone() });
@@ -127,10 +132,6 @@ fn split(text: &str) -> Parts {
     found
 }
 
-fn position(field: Field) -> usize {
-    Field::ALL.iter().position(|known| *known == field).unwrap_or(0)
-}
-
 /// What follows a word: the words behind it in its own part, and the parts behind that.
 struct Ahead<'a> {
     steps: &'a [Step<Field>],
@@ -138,7 +139,7 @@ struct Ahead<'a> {
 }
 
 impl Ahead<'_> {
-    /// Whether a word of this field is still to come, in whatever order. Asked for faulty codes only.
+    /// Whether a word of this field is still to come, in whatever order. Used for faulty codes only.
     fn names(&self, field: Field) -> bool {
         let named = |steps: &[Step<Field>]| steps.iter().any(|step| step.0 == field);
         named(self.steps) || self.parts.iter().any(|part| part.in_any_order().is_some_and(named))
@@ -148,6 +149,8 @@ impl Ahead<'_> {
 /// Reads part after part.
 struct Reader<'a> {
     text: &'a str,
+    series: Series,
+    fields: &'static [FieldWords],
     form: Form,
     /// Position of the first field that may come.
     next: usize,
@@ -165,9 +168,9 @@ impl Reader<'_> {
     fn read(&mut self, part: &Part, ahead: &[Part]) {
         if self.form == Form::Pattern
             && part.capitals == "*"
-            && let Some(field) = self.open().first()
+            && let Some(known) = self.open().first()
         {
-            self.tokens.push(Found { field: *field, token: None, span: part.span.clone() });
+            self.tokens.push(Found { field: known.field, token: None, span: part.span.clone() });
             self.next += 1;
             return;
         }
@@ -191,20 +194,34 @@ impl Reader<'_> {
     }
 
     /// The fields that may come, in their order.
-    fn open(&self) -> &'static [Field] {
-        Field::ALL.get(self.next..).unwrap_or_default()
+    fn open(&self) -> &'static [FieldWords] {
+        self.fields.get(self.next..).unwrap_or_default()
+    }
+
+    fn position(&self, field: Field) -> usize {
+        self.fields.iter().position(|known| known.field == field).unwrap_or(0)
+    }
+
+    fn expected(&self) -> Expected {
+        Expected { series: self.series, fields: self.reachable() }
     }
 
     /// The fields of which a word may stand here: up to the first that may not be absent.
     fn reachable(&self) -> Vec<Field> {
         let mut fields = Vec::new();
-        for field in self.open().iter().filter(|field| !self.seen.contains(field)) {
-            fields.push(*field);
-            if !field.is_optional() {
+        for known in self.open().iter().filter(|known| !self.seen.contains(&known.field)) {
+            fields.push(known.field);
+            if !known.is_optional {
                 break;
             }
         }
         fields
+    }
+
+    /// Those of some fields that may not be absent and were not named.
+    fn needed(&self, fields: &[FieldWords]) -> Vec<Field> {
+        let needed = fields.iter().filter(|known| !known.is_optional && !self.seen.contains(&known.field));
+        needed.map(|known| known.field).collect()
     }
 
     fn written(&self, span: &Range<usize>) -> String {
@@ -225,28 +242,23 @@ impl Reader<'_> {
 
     /// Takes a known word, or says why it may not stand here.
     fn place(&mut self, word: Found, ahead: &Ahead<'_>) {
-        let (field, span, place) = (word.field, word.span.clone(), position(word.field));
+        let (field, span, place) = (word.field, word.span.clone(), self.position(word.field));
         let found = self.written(&span);
         if self.seen.contains(&field) {
-            let expected = self.reachable();
+            let expected = self.expected();
             self.faults.push(CodeError::Repeated { field, span, found, expected });
             return;
         }
-        let skipped: Vec<Field> = Field::ALL
-            .get(self.next..place)
-            .unwrap_or_default()
-            .iter()
-            .copied()
-            .filter(|field| !field.is_optional() && !self.seen.contains(field))
-            .collect();
+        let skipped: Vec<Field> = self.needed(self.fields.get(self.next..place).unwrap_or_default());
         // Too late, or too early: what must stand before it is still to come.
         if place < self.next || skipped.iter().any(|field| ahead.names(*field)) {
-            let expected = self.reachable();
+            let expected = self.expected();
             self.faults.push(CodeError::OutOfOrder { field, span, found, expected });
             self.seen.push(field);
             return;
         }
-        self.faults.extend(skipped.into_iter().map(|field| CodeError::Missing { field, at: span.start }));
+        let series = self.series;
+        self.faults.extend(skipped.into_iter().map(|field| CodeError::Missing { field, at: span.start, series }));
         self.next = place + 1;
         self.seen.push(field);
         if word.token.is_some_and(|token| token != found) {
@@ -257,7 +269,7 @@ impl Reader<'_> {
 
     /// Says what is wrong with a part that is no run of known words.
     fn diagnose(&mut self, part: &Part, ahead: &[Part]) {
-        let whole_is_near = nearest_token(&part.capitals, &self.reachable()).is_some();
+        let whole_is_near = nearest_token(&part.capitals, self.series, &self.reachable()).is_some();
         let mut from = 0;
         if !whole_is_near && !part.capitals.contains('*') {
             // Known words without hyphens before the unknown one.
@@ -268,9 +280,11 @@ impl Reader<'_> {
         }
         let rest = part.capitals.get(from..).unwrap_or_default();
         // Known words behind it, if exactly one field is expected here.
-        let expected = self.reachable();
-        let behind = match expected.as_slice() {
-            [only] if !only.is_optional() && !whole_is_near => known_behind(rest, position(*only) + 1),
+        let expected = self.expected();
+        let behind = match &expected[..] {
+            [only] if !self.series.is_optional(*only) && !whole_is_near => {
+                known_behind(rest, self.fields.get(self.position(*only) + 1..).unwrap_or_default())
+            }
             _ => None,
         };
         let length = behind.as_ref().map_or(rest.len(), |(length, _)| *length);
@@ -284,36 +298,34 @@ impl Reader<'_> {
     }
 
     /// Records an unknown word.
-    fn unknown(&mut self, span: Range<usize>, expected: Vec<Field>, ahead: &Ahead<'_>) {
+    fn unknown(&mut self, span: Range<usize>, expected: Expected, ahead: &Ahead<'_>) {
         let found = self.written(&span);
-        let near = nearest_token(&found, &expected).map(|(field, _)| field);
+        let near = nearest_token(&found, self.series, &expected).map(|(field, _)| field);
         let field = near.or(expected.first().copied()).unwrap_or(Field::Special);
         self.swallowed |= found.chars().count() > LENGTH_WORD_MAX;
         // It stands for the field expected here, unless that is still to come.
-        if !field.is_optional() && !ahead.names(field) {
-            self.next = self.next.max(position(field) + 1);
+        if !self.series.is_optional(field) && !ahead.names(field) {
+            self.next = self.next.max(self.position(field) + 1);
         }
         self.faults.push(CodeError::UnknownToken { field, span, found, expected });
     }
 
     fn finish(mut self, end: usize) -> Result<(Vec<Found>, Vec<Departure>), CodeErrors> {
         if self.form == Form::Code && !self.swallowed {
-            let missing = self.open().iter().filter(|field| !field.is_optional() && !self.seen.contains(field));
-            let missing: Vec<Field> = missing.copied().collect();
-            self.faults.extend(missing.into_iter().map(|field| CodeError::Missing { field, at: end }));
+            let (missing, series) = (self.needed(self.open()), self.series);
+            self.faults.extend(missing.into_iter().map(|field| CodeError::Missing { field, at: end, series }));
         }
         if !self.faults.is_empty() {
             let understood = self.tokens.iter().filter_map(|found| Some((found.field, found.token?))).collect();
-            return Err(CodeErrors::new(self.faults, understood));
+            return Err(CodeErrors::new(self.faults, self.series, understood));
         }
         self.departures.sort_by_key(|departure| departure.span().map_or(0, |span| span.start));
         Ok((self.tokens, self.departures))
     }
 }
 
-/// The shortest beginning of `text` behind which all is known words of the fields from `next` on, with those words.
-fn known_behind(text: &str, next: usize) -> Option<(usize, Vec<Step<Field>>)> {
-    let fields = Field::ALL.get(next..)?;
+/// The shortest beginning of `text` behind which all is known words of the fields, with those words.
+fn known_behind(text: &str, fields: &[FieldWords]) -> Option<(usize, Vec<Step<Field>>)> {
     text.char_indices().skip(1).find_map(|(at, _)| {
         let steps = complete_readings(text.get(at..)?, fields).into_iter().next()?;
         Some((at, steps))

@@ -1,6 +1,7 @@
 //! Words without hyphens between them: every reading in the order of the fields, and one in any order.
 
 use crate::field::Field;
+use crate::grammar::{FieldWords, Series};
 use std::ops::Range;
 
 /// One word found in the text; the wildcard of a pattern has no token.
@@ -12,18 +13,28 @@ pub(crate) struct Found {
 }
 
 /// What the search must know of a field.
-pub(crate) trait Word: Copy {
-    fn words(self) -> &'static [&'static str];
-    fn may_be_absent(self) -> bool;
+pub(crate) trait Word {
+    /// What a reading calls it.
+    type Name: Copy;
+
+    fn name(&self) -> Self::Name;
+    fn words(&self) -> &'static [&'static str];
+    fn may_be_absent(&self) -> bool;
 }
 
-impl Word for Field {
-    fn words(self) -> &'static [&'static str] {
-        self.tokens()
+impl Word for FieldWords {
+    type Name = Field;
+
+    fn name(&self) -> Field {
+        self.field
     }
 
-    fn may_be_absent(self) -> bool {
-        self.is_optional()
+    fn words(&self) -> &'static [&'static str] {
+        self.words
+    }
+
+    fn may_be_absent(&self) -> bool {
+        self.is_optional
     }
 }
 
@@ -34,7 +45,7 @@ pub(crate) type Step<F> = (F, &'static str, usize);
 ///
 /// A field that may not be absent is never passed over. A reading has at most one word per field, so the search is small
 /// whatever the text.
-pub(crate) fn readings<F: Word>(text: &str, fields: &[F]) -> Vec<(usize, Vec<Step<F>>)> {
+pub(crate) fn readings<F: Word>(text: &str, fields: &[F]) -> Vec<(usize, Vec<Step<F::Name>>)> {
     let mut all = Vec::new();
     read_on(text, 0, fields, &mut Vec::new(), &mut all);
     all
@@ -44,8 +55,8 @@ fn read_on<F: Word>(
     text: &str,
     at: usize,
     fields: &[F],
-    so_far: &mut Vec<Step<F>>,
-    all: &mut Vec<(usize, Vec<Step<F>>)>,
+    so_far: &mut Vec<Step<F::Name>>,
+    all: &mut Vec<(usize, Vec<Step<F::Name>>)>,
 ) {
     if !so_far.is_empty() {
         all.push((at, so_far.clone()));
@@ -54,7 +65,7 @@ fn read_on<F: Word>(
     for (index, field) in fields.iter().enumerate() {
         for token in field.words() {
             if rest.starts_with(token) {
-                so_far.push((*field, token, at));
+                so_far.push((field.name(), token, at));
                 read_on(text, at + token.len(), fields.get(index + 1..).unwrap_or_default(), so_far, all);
                 so_far.pop();
             }
@@ -66,20 +77,21 @@ fn read_on<F: Word>(
 }
 
 /// Every way to read all of `text` as words of `fields` in their order.
-pub(crate) fn complete_readings<F: Word>(text: &str, fields: &[F]) -> Vec<Vec<Step<F>>> {
+pub(crate) fn complete_readings<F: Word>(text: &str, fields: &[F]) -> Vec<Vec<Step<F::Name>>> {
     readings(text, fields).into_iter().filter(|(end, _)| *end == text.len()).map(|(_, reading)| reading).collect()
 }
 
-/// All of `text` as words of any fields in any order, in as few words as can be: what somebody may have meant who got
-/// the order wrong. Several words of one letter each are rather a typing error, and no reading.
-pub(crate) fn in_any_order(text: &str) -> Option<Vec<Step<Field>>> {
+/// All of `text` as words of any fields in any order, in as few words as possible: the probable meaning of a code in
+/// the wrong order. Several words of one letter each are rather a typing error, and no reading.
+pub(crate) fn in_any_order(text: &str, series: Series) -> Option<Vec<Step<Field>>> {
     // From the end: how few words read the rest from each place, and the first of them.
     let mut fewest: Vec<Option<usize>> = vec![None; text.len()];
     fewest.push(Some(0));
     let mut first: Vec<Option<(Field, &'static str)>> = vec![None; text.len()];
     for (at, _) in text.char_indices().rev() {
         let rest = text.get(at..).unwrap_or_default();
-        let words = Field::ALL.iter().flat_map(|field| field.tokens().iter().map(move |token| (*field, *token)));
+        let fields = series.words_of_fields().iter();
+        let words = fields.flat_map(|known| known.words.iter().map(|token| (known.field, *token)));
         let (first_byte, of) = (rest.bytes().next(), |token: &str| token.bytes().next());
         for word in words.filter(|(_, token)| of(token) == first_byte && rest.starts_with(token)) {
             let Some(count) = fewest.get(at + word.1.len()).copied().flatten() else { continue };
@@ -113,7 +125,13 @@ mod tests {
     }
 
     impl Word for Invented {
-        fn words(self) -> &'static [&'static str] {
+        type Name = Self;
+
+        fn name(&self) -> Self {
+            *self
+        }
+
+        fn words(&self) -> &'static [&'static str] {
             match self {
                 Self::Letter => &["A", "AB"],
                 Self::Perhaps => &["B"],
@@ -121,7 +139,7 @@ mod tests {
             }
         }
 
-        fn may_be_absent(self) -> bool {
+        fn may_be_absent(&self) -> bool {
             matches!(self, Self::Perhaps)
         }
     }
@@ -138,23 +156,26 @@ mod tests {
     /// Whatever stands first and whichever fields follow, glued words have one reading only.
     #[test]
     fn no_run_of_words_has_two_readings() {
+        fn all() -> &'static [FieldWords] {
+            Series::default().words_of_fields()
+        }
         fn walk(text: &str, from: usize, next: usize, runs: &mut usize) {
             if !text.is_empty() {
-                let fields = Field::ALL.get(from..).unwrap();
+                let fields = all().get(from..).unwrap();
                 assert_eq!(complete_readings(text, fields).len(), 1, "{text} from field {from}");
                 *runs += 1;
             }
-            for (index, field) in Field::ALL.iter().enumerate().skip(next) {
-                for token in field.tokens() {
+            for (index, field) in all().iter().enumerate().skip(next) {
+                for token in field.words {
                     walk(&format!("{text}{token}"), from, index + 1, runs);
                 }
-                if !field.is_optional() {
+                if !field.is_optional {
                     return;
                 }
             }
         }
         let mut runs = 0;
-        for from in 0..Field::ALL.len() {
+        for from in 0..all().len() {
             walk("", from, from, &mut runs);
         }
         assert!(runs > 2 * 30_720, "{runs}");
@@ -162,7 +183,9 @@ mod tests {
 
     #[test]
     fn any_order_takes_the_fewest_words() {
-        let words = |text: &str| in_any_order(text).map(|steps| steps.iter().map(|step| step.1).collect::<Vec<_>>());
+        let words = |text: &str| {
+            in_any_order(text, Series::default()).map(|steps| steps.iter().map(|step| step.1).collect::<Vec<_>>())
+        };
         assert_eq!(words("RES"), Some(vec!["RES"]));
         assert_eq!(words("C1024H"), Some(vec!["C1024", "H"]));
         assert_eq!(words("RE"), None, "a typing error, not option 2 and winding");

@@ -7,7 +7,7 @@
     reason = "a test fails loudly"
 )]
 
-use order_code::{CodeError, Departure, Field, Pattern, parse};
+use order_code::{CodeError, Departure, Field, Pattern, Series, parse};
 use std::ops::Range;
 
 type Told = (String, Range<usize>, Option<&'static str>);
@@ -81,7 +81,7 @@ fn a_hyphen_with_nothing_is_refused() {
     assert_eq!((last.span(), last.expected()), (22..24, vec!["K", "R", "S", "SP"]));
     let both = parse("CHA-20A-100-H-").unwrap_err();
     assert!(both.iter().any(|fault| fault.span() == (13..14) && fault.expected().contains(&"RES")));
-    assert!(both.iter().any(|fault| matches!(fault, CodeError::Missing { field: Field::Feedback, at: 13 })));
+    assert!(both.iter().any(|fault| matches!(fault, CodeError::Missing { field: Field::Feedback, at: 13, .. })));
 }
 
 #[test]
@@ -97,8 +97,8 @@ fn what_is_missing_is_named_with_its_place() {
         ("CHA20A100HBEC", Field::Feedback, 10),
     ] {
         let fault = only(text);
-        assert_eq!(fault, CodeError::Missing { field, at }, "{text}");
-        assert_eq!((fault.span(), fault.expected()), (at..at, field.tokens().to_vec()));
+        assert_eq!(fault, CodeError::Missing { field, at, series: Series::default() }, "{text}");
+        assert_eq!((fault.span(), fault.expected()), (at..at, Series::default().words(field).to_vec()));
     }
     assert_eq!(
         told("CHA-20A"),
@@ -151,11 +151,11 @@ fn a_word_in_the_wrong_place_is_told_from_a_missing_one() {
     for (text, field, span, expected) in [
         ("CHA-20A-100-C1024-H", Field::Feedback, 12..17, vec!["E", "H", "L", "N"]),
         ("CHA20A100C1024H", Field::Feedback, 9..14, vec!["E", "H", "L", "N"]),
-        ("CHA-100-20A-H-C1024", Field::Ratio, 4..7, Field::Size.tokens().to_vec()),
+        ("CHA-100-20A-H-C1024", Field::Ratio, 4..7, Series::default().words(Field::Size).to_vec()),
         ("20A-CHA-100-H-C1024", Field::Size, 0..3, vec!["CHA"]),
         ("CHA-20A-100-H-C1024-EC-B", Field::Brake, 23..24, vec!["K", "R", "S", "SP"]),
         ("CHA-20A-100-H-C1024-ECB", Field::Brake, 22..23, vec!["K", "R", "S", "SP"]),
-        ("CHA-20A-100-H-B-C1024", Field::Brake, 14..15, Field::Feedback.tokens().to_vec()),
+        ("CHA-20A-100-H-B-C1024", Field::Brake, 14..15, Series::default().words(Field::Feedback).to_vec()),
         ("CHA-20A-100-H-C1024-SP-K", Field::Option2, 23..24, vec![]),
     ] {
         let fault = only(text);
@@ -225,6 +225,6 @@ fn departures_say_what_was_written() {
 fn a_fault_of_a_pattern_has_its_place_too() {
     let fault = |text: &str| Pattern::parse(text).unwrap_err().iter().next().cloned().unwrap();
     assert_eq!((fault("CHA-2*").span(), fault("CHA-20A*").nearest()), (4..6, Some("20A")));
-    assert_eq!(fault("CHA-20A-").expected(), Field::Ratio.tokens());
-    assert_eq!(fault("20A"), CodeError::Missing { field: Field::Series, at: 0 });
+    assert_eq!(fault("CHA-20A-").expected(), Series::default().words(Field::Ratio));
+    assert_eq!(fault("20A"), CodeError::Missing { field: Field::Series, at: 0, series: Series::default() });
 }

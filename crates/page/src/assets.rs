@@ -1,4 +1,4 @@
-//! Style and scripts. The script of others is told with version and licence in THIRD-PARTY.md.
+//! Style and scripts. The third-party script is listed with version and licence in THIRD-PARTY.md.
 
 use crate::call::Reply;
 
@@ -44,7 +44,7 @@ mod tests {
         assert!(ASSETS.iter().all(|name| asset(name).status == 200));
     }
 
-    /// What a browser fetches before it shows the first page, and its weight as it is sent, packed by nobody.
+    /// Files that a browser fetches before the first page, and their uncompressed size.
     #[test]
     fn the_page_stays_light() {
         let weight: usize = [CSS, SCRIPT, FOLDER, TOOLS, PLOTS, WAITING, HTMX].iter().map(|file| file.len()).sum();

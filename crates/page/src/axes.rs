@@ -5,15 +5,15 @@ use crate::form::vals;
 use crate::frame::chosen;
 use crate::state::{Held, State};
 use maud::{Markup, html};
-use workbench::quantities::unit::{KILOGRAM, WATT};
-use workbench::quantities::{Measure, format_number};
-use workbench::text::{capitalised, check_title, page, standing_text, terms};
-use workbench::{
-    Candidate, Patience, Project, Refusal, Verdict, demand_figures, percent, power_over_cycle, reason, sized,
-    sum_of_known,
-};
+use project::Project;
+use quantities::unit::{KILOGRAM, WATT};
+use quantities::{Measure, format_number};
+use questions::list::size::sized;
+use questions::texts::{demand_figures, percent, reason, standing_text};
+use questions::{Candidate, Patience, Refusal, Verdict, power_over_cycle, sum_of_known};
+use words::{capitalised, check_title, page, terms};
 
-/// What is told of an axis.
+/// The summary of an axis.
 struct Row {
     class: &'static str,
     code: String,

@@ -1,10 +1,13 @@
-//! What is asked, what is answered, and what a shell has of the world.
+//! Request, response, and the resources that a shell provides.
 
+use answers::Commissioning;
+use order_code::OrderCode;
+use project::{Files, Project};
+use quantities::Language;
+use questions::Patience;
 use std::borrow::Cow;
 use std::io;
 use std::time::Duration;
-use workbench::answers::Commissioning;
-use workbench::{Files, Language, OrderCode, Patience, Project};
 
 /// How a request asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +28,7 @@ impl Method {
         }
     }
 
-    /// The names that are answered in its way: whoever gets something may also ask for its headers alone.
+    /// The methods answered in this way: GET includes HEAD.
     #[must_use]
     pub const fn names(self) -> &'static [&'static str] {
         match self {
@@ -48,7 +51,7 @@ pub struct Call<'c> {
     pub media: Option<&'c str>,
     /// The body.
     pub body: &'c [u8],
-    /// The language in which whoever asks has not said otherwise (`lang` in the query).
+    /// The default language, unless the query has `lang`.
     pub language: Language,
 }
 
@@ -73,14 +76,14 @@ impl<'c> Call<'c> {
         form_urlencoded::parse(self.query.as_bytes())
     }
 
-    /// The language that the query asks for.
+    /// The language in the query.
     #[must_use]
     pub fn query_language(&self) -> Language {
         let asked = self.query_fields().filter(|(key, _)| key == "lang").last();
         asked.and_then(|(_, wanted)| Language::of_id(&wanted)).unwrap_or(self.language)
     }
 
-    /// The language asked for.
+    /// The requested language.
     #[must_use]
     pub fn language(&self) -> Language {
         self.field("lang").and_then(|wanted| Language::of_id(&wanted)).unwrap_or(self.language)
@@ -126,7 +129,7 @@ impl Reply {
     }
 }
 
-/// What a shell has of the world.
+/// The resources that a shell provides.
 pub trait Shell {
     /// The files that a project may name.
     fn files(&self) -> &dyn Files;
@@ -142,7 +145,7 @@ pub trait Shell {
         None
     }
 
-    /// Cancels a work under way; tells whether there was one.
+    /// Cancels a running work; returns whether there was one.
     fn cancel(&self, _work: &str) -> bool {
         false
     }
@@ -167,11 +170,11 @@ pub trait Shell {
         None
     }
 
-    /// What tells two versions of a file apart.
+    /// The identifier of a version of a file.
     fn version(&self, bytes: &[u8]) -> String;
 }
 
-/// The report that is asked for.
+/// The requested report.
 #[derive(Clone, Copy, Debug)]
 pub struct ReportAsked<'a> {
     /// The text of the project.
@@ -188,7 +191,7 @@ pub struct ReportAsked<'a> {
     pub date: Option<&'a str>,
     /// Its language.
     pub language: Language,
-    /// Whoever waits for it.
+    /// The watch of the caller.
     pub patience: &'a Patience,
 }
 
@@ -229,7 +232,7 @@ pub enum SaveFault {
 
 /// Where a folder is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Storage {
     /// On a disk, where other programs see it.
     Disk,
     /// In the browser, which keeps it for this page alone.
@@ -239,8 +242,8 @@ pub enum Place {
 /// The working folder: project files by their names, nothing outside of it.
 pub trait Folder {
     /// Where it is.
-    fn place(&self) -> Place {
-        Place::Disk
+    fn place(&self) -> Storage {
+        Storage::Disk
     }
 
     /// The project files in it, the last written first.

@@ -1,8 +1,8 @@
 //! Answers that are laid out already.
 
+use answers::{Block, Chapter, Grid, Hazard};
 use maud::{Markup, PreEscaped, html};
-use workbench::answers::{Block, Chapter, Grid, Hazard};
-use workbench::text::symbol_shown;
+use words::symbol_shown;
 
 /// A symbol with its index below the line.
 pub(crate) fn symbol(symbol: &str) -> Markup {

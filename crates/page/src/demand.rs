@@ -2,19 +2,20 @@
 
 use crate::call::Shell;
 use crate::form::vals;
-use crate::overlay;
 use crate::state::State;
-use crate::tolerances;
+use crate::{overlay, tolerances};
 use figures::{Figure, Size, Style, draw_within};
 use maud::{Markup, PreEscaped, html};
-use workbench::quantities::{Measure, format_significant};
-use workbench::text::{
-    assumption_text, capitalised, check_missing, check_title, grade_word, note_text, page, source_text, standing_text,
-    terminal, terms, verdict_word,
+use project::Project;
+use quantities::{Language, Measure, format_significant};
+use questions::list::check::reserve_unasked;
+use questions::texts::{
+    by_importance, demand_figures, figure_text, objection_text, percent, reserve_lines, standing_text, unit_text,
 };
-use workbench::{
-    Candidate, Check, Language, Patience, Project, Verdict, by_importance, demand_figures, figure_text, objection_text,
-    percent, reserve_lines, reserve_unasked, unit_text,
+use questions::{Candidate, Check, Patience, Verdict};
+use words::{
+    assumption_text, capitalised, check_missing, check_title, grade_word, note_text, page, source_text, terminal,
+    terms, verdict_word,
 };
 
 /// Width of the pictures in the page, in pixels.
@@ -78,7 +79,7 @@ fn head(candidate: &Candidate<'_>, language: Language) -> Markup {
 }
 
 fn sums(project: &Project, candidate: &Candidate<'_>, patience: &Patience, language: Language) -> Markup {
-    // As far as that is quick: a page answers while somebody types.
+    // Only if that is quick: the page answers while the user types.
     let reserve = reserve_unasked(project, candidate, patience).unwrap_or_default();
     html! {
         section aria-label=(page::sums(language)) {

@@ -2,15 +2,14 @@
 
 use crate::chapters::symbol;
 use crate::demand::{sides, verdict_class};
+use answers::Node;
 use maud::{Markup, html};
-use workbench::quantities::format_significant;
-use workbench::text::{
-    capitalised, check_missing, check_title, figure_term, note_text, page, terminal, terms, verdict_word,
-};
-use workbench::{
-    Candidate, Check, CheckRow, Comparison, DatumRow, Language, Node, Verdict, answer, derivation, figure_text,
-    node_amount, percent, trust,
-};
+use quantities::{Language, format_significant};
+use questions::list::compare::{CheckRow, Comparison, DatumRow};
+use questions::list::explain::derivation;
+use questions::texts::{figure_text, node_amount, percent, trust};
+use questions::{Candidate, Check, Verdict, answer};
+use words::{capitalised, check_missing, check_title, figure_term, note_text, page, terminal, terms, verdict_word};
 
 /// A heading with a way to close what stands below it.
 pub(crate) fn frame(title: &str, inside: &Markup, language: Language) -> Markup {

@@ -1,15 +1,18 @@
 //! Projects that come and go: begun, opened, saved, downloaded.
 
-use crate::call::{Call, Entry, Place, Reply, SaveFault, Shell};
+use crate::call::{Call, Entry, Reply, SaveFault, Shell, Storage};
 use crate::frame;
 use crate::start::BEGINS;
 use crate::state::State;
 use maud::{Markup, html};
+use quantities::Language;
+use questions::Patience;
+use questions::list::new::template;
+use questions::list::upkeep::day_of_clock;
 use std::io::ErrorKind;
-use workbench::text::{file_trouble, page, upkeep};
-use workbench::{Language, Patience, day_of_clock, template};
+use words::{file_trouble, page, upkeep};
 
-/// Which way to begin is asked for.
+/// The requested way to begin.
 pub(crate) fn place(call: &Call<'_>) -> usize {
     call.field("kind").and_then(|kind| kind.parse().ok()).unwrap_or(usize::MAX)
 }
@@ -31,7 +34,7 @@ pub(crate) fn opened(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) ->
             let Ok(text) = std::str::from_utf8(&bytes) else {
                 return Reply::text(422, &page::not_a_text(&name, call.language()));
             };
-            if workbench::measured(text).is_ok() {
+            if questions::list::commission_record::measured(text).is_ok() {
                 return with_record(call, &name, shell, patience);
             }
             with_text(call, text, &name, &known(&shell.version(&bytes), &name), shell, patience)
@@ -79,8 +82,8 @@ pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     match folder.save(&state.file, state.text.as_bytes(), opened.map(|(version, _)| version)) {
         Ok(()) => {
             let told = match folder.place() {
-                Place::Disk => page::saved(&state.file, l),
-                Place::Browser => page::kept_in_browser(&state.file, &page::project_file(l), l),
+                Storage::Disk => page::saved(&state.file, l),
+                Storage::Browser => page::kept_in_browser(&state.file, &page::project_file(l), l),
             };
             let mut reply = Reply::text(200, &told);
             reply.headers.push(("x-version", shell.version(state.text.as_bytes())));
@@ -88,8 +91,8 @@ pub(crate) fn saved(call: &Call<'_>, shell: &dyn Shell) -> Reply {
         }
         Err(SaveFault::Changed) => {
             let told = match folder.place() {
-                Place::Disk => page::changed_on_disk(&state.file, l),
-                Place::Browser => page::changed_in_browser(&state.file, l),
+                Storage::Disk => page::changed_on_disk(&state.file, l),
+                Storage::Browser => page::changed_in_browser(&state.file, l),
             };
             Reply::text(409, &told)
         }
@@ -132,7 +135,7 @@ pub(crate) fn listed(call: &Call<'_>, shell: &dyn Shell) -> Markup {
 pub(crate) fn in_folder(shell: &dyn Shell, language: Language) -> Markup {
     const DAY_S: u64 = 86_400;
     let found = shell.folder().and_then(|folder| folder.list().ok()).unwrap_or_default();
-    let of_browser = shell.folder().is_some_and(|folder| folder.place() == Place::Browser);
+    let of_browser = shell.folder().is_some_and(|folder| folder.place() == Storage::Browser);
     let day = |entry: &Entry| day_of_clock(entry.modified_s / DAY_S).map(upkeep::date_text);
     html! { @if !found.is_empty() {
         h3 { @if of_browser { (page::browser_folder(language)) } @else { (page::folder(language)) } }

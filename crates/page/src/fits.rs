@@ -4,15 +4,16 @@ use crate::form::vals;
 use crate::state::{Filter, MARKED_MOST, State};
 use figures::{By, Size, Style, candidate_map};
 use maud::{Markup, PreEscaped, html};
-use workbench::quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE};
-use workbench::quantities::{Measure, format_number};
-use workbench::text::{capitalised, check_title, page, ranking_rule, terminal, terms};
-use workbench::{Candidate, CandidateId, Language, Sizing, percent, reason, shown};
+use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE};
+use quantities::{Language, Measure, format_number};
+use questions::texts::{percent, reason, shown};
+use questions::{Candidate, CandidateId, Sizing};
+use words::{capitalised, check_title, page, ranking_rule, terminal, terms};
 
 /// So many of what fits stand before a fold.
 const BEST_SHOWN: usize = 12;
 
-/// So many rejected actuators are told by name; the rest is counted.
+/// Number of rejected actuators listed by name; the others are counted.
 const REJECTED_SHOWN: usize = 40;
 
 /// The column.
@@ -113,7 +114,7 @@ impl Filter {
         [size, feedback, brake, bore_mm, length_mm, mass_kg, voltage_v].iter().any(|typed| !typed.is_empty())
     }
 
-    /// Whether a candidate is among those asked for; a datum that is not known keeps none out.
+    /// Whether a candidate passes the filters; an unknown datum passes.
     fn holds(&self, candidate: &Candidate<'_>) -> bool {
         let CandidateId::Code(code) = &candidate.id else { return true };
         let named = |typed: &str, of: String| typed.is_empty() || typed == of;
@@ -129,7 +130,7 @@ impl Filter {
         let voltage = known.dc_link_max.known().map(|found| found.value.si());
         named(&self.size, code.size.to_string())
             && named(&self.feedback, code.feedback.to_string())
-            && (self.brake.is_empty() || (self.brake == "with") == (code.brake == workbench::Brake::With))
+            && (self.brake.is_empty() || (self.brake == "with") == (code.brake == order_code::Brake::With))
             && of(bore, &self.bore_mm, |value, least| value >= least)
             && of(length, &self.length_mm, |value, most| value <= most)
             && of(mass, &self.mass_kg, |value, most| value <= most)
@@ -174,9 +175,9 @@ fn ranked(state: &State, rank: usize, candidate: &Candidate<'_>, looked_at: Opti
     let mass = candidate.parameters.mass.known().map(|mass| format_number(KILOGRAM.from_si(mass.value.si()), 1, l));
     let torque = candidate.judgement.demand.map(|demand| shown(demand.torque_rms.si(), &NEWTON_METRE, l));
     let tightest = candidate.judgement.tightest().map(|check| check_title(check.id, l)).unwrap_or_default();
-    let advice = candidate.judgement.checks.iter().filter(|check| check.verdict == workbench::Verdict::Advice).count();
+    let advice = candidate.judgement.checks.iter().filter(|check| check.verdict == questions::Verdict::Advice).count();
     let open = candidate.open_questions();
-    let is_marked = |code: &workbench::OrderCode| state.marked.contains(code);
+    let is_marked = |code: &order_code::OrderCode| state.marked.contains(code);
     html! {
         li id={ "r-" (name) } aria-current=[(looked_at == Some(&candidate.id)).then_some("true")] {
             span.rank { (rank) "." }
@@ -202,7 +203,7 @@ fn ranked(state: &State, rank: usize, candidate: &Candidate<'_>, looked_at: Opti
     }
 }
 
-/// The rejected, those that miss least first, each with the check that kills it; their look tells what would let them in.
+/// The rejected actuators by rising excess, each with the failed check; their details list changes that would admit them.
 fn rejected(state: &State, sizing: &Sizing<'_>, looked_at: Option<&CandidateId>) -> Markup {
     let l = state.language;
     let all: Vec<&Candidate<'_>> = sizing.candidates.iter().filter(|each| !each.fits()).collect();

@@ -1,14 +1,14 @@
 //! The left column: what moves. Every row is a key of the project file, taken from the description that its reader uses.
 
 use crate::call::Shell;
-use crate::laws;
-use crate::recorded;
-use crate::sketch;
 use crate::state::{Held, State};
+use crate::{laws, recorded, sketch};
 use maud::{Markup, html};
-use workbench::quantities::format_significant;
-use workbench::text::{about_text, capitalised, key_word, page, short_label, table_of_project, terms};
-use workbench::{ColumnRole, Files, KEYS, Key, Kind, Language, SegmentLaw, Variants, example, moves, recording_text};
+use project::{Files, KEYS, Key, Kind, SegmentLaw, Variants, example};
+use quantities::{Language, format_significant};
+use questions::texts::recording_text;
+use questions::{ColumnRole, moves};
+use words::{about_text, capitalised, key_word, page, short_label, table_of_project, terms};
 
 /// What is needed to draw a row.
 pub(crate) struct Form<'f> {
@@ -42,7 +42,7 @@ pub(crate) fn column(state: &State, held: &Held, shell: &dyn Shell) -> Markup {
             (form.name())
             (form.mechanism())
             @for name in ["motion"] { (form.root(name)) }
-            @for name in ["stage", "bearing", "requirements", "curve", "actuator"] { (form.root(name)) }
+            @for name in ["stage", "bearing", "requirements", "drive", "curve", "actuator"] { (form.root(name)) }
         }
     };
     html! {
@@ -54,7 +54,7 @@ pub(crate) fn column(state: &State, held: &Held, shell: &dyn Shell) -> Markup {
     }
 }
 
-/// So many faults are told at once.
+/// Number of faults shown at once.
 const TOLD_MOST: usize = 20;
 
 /// All faults of the text, each leading to its field, to the axis that has it, or to its line in the text.
@@ -114,8 +114,8 @@ fn solved(state: &State, held: &Held) -> Vec<Followed> {
     let found = moves(project);
     let shown = |value: f64| format_significant(value, 4, state.language);
     let [distance, speed, acceleration] = found.units;
-    let of_move = |each: &workbench::Move<'_>| {
-        let seconds = workbench::quantities::Measure::si(each.duration);
+    let of_move = |each: &questions::Move<'_>| {
+        let seconds = quantities::Measure::si(each.duration);
         let mut values = vec![("time", format!("{} s", shown(seconds)))];
         if let Some([d, v, a]) = each.course {
             values.push(("distance", format!("{} {}", shown(distance.from_si(d)), distance.symbol)));
@@ -191,7 +191,7 @@ impl Form<'_> {
                     }
                 }
                 (self.load_faults(&path, &load, chosen.map(|kind| format!("{path}.{}", kind.name)).as_deref()))
-                figure.sketch { (sketch::of(chosen.map(|kind| kind.name), &of, title, l)) }
+                figure.sketch { (sketch::of(chosen.map(|kind| kind.name), self.value(&format!("{of}.inclination")), &of, title, l)) }
                 (self.rows(rows, &of))
             }
         }

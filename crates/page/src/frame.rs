@@ -1,23 +1,18 @@
 //! The whole page: head, bars, columns, text, and where one begins.
 
-use crate::axes;
 use crate::call::{Call, Reply, Shell};
-use crate::demand;
-use crate::detail;
-use crate::fits;
-use crate::form;
-use crate::laws;
-use crate::sketch;
 use crate::state::{ALL_AXES, Held, State};
-use crate::tools;
-use crate::waiting;
+use crate::{axes, demand, detail, fits, form, laws, tools, waiting};
 use figures::Theme;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-use workbench::text::{capitalised, check_title, page, terms};
-use workbench::{
-    Candidate, CandidateId, CheckId, Language, Patience, Project, Refusal, Template, check, check_own, compare,
-    explain, explain_own, sized, template, template_kinds,
-};
+use project::Project;
+use quantities::Language;
+use questions::list::compare::compare;
+use questions::list::new::{Template, template, template_kinds};
+use questions::list::size::sized;
+use questions::list::{export, report, size};
+use questions::{Candidate, CandidateId, CheckId, Patience, Refusal, check, check_own, explain, explain_own};
+use words::{capitalised, check_title, page, terms};
 
 /// The sign of the page in a browser.
 pub const ICON: &str = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E%3Ccircle cx='8' cy='8' r='6' fill='none' stroke='%231d5fa8' stroke-width='3'/%3E%3C/svg%3E";
@@ -48,7 +43,6 @@ pub(crate) fn whole(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> 
                 script type="module" src="/assets/tools.js" {}
             }
             body hx-target:inherited="#work" hx-swap:inherited="outerMorph" hx-include:inherited="#state, [form=state]" hx-sync:inherited="#work:queue all" {
-                (sketch::tip())
                 (laws::symbols(laws::words()))
                 a.skip href="#standing" { (page::skip_to_result(l)) }
                 @match work(&mut state, shell, patience) {
@@ -145,7 +139,7 @@ fn unfinished(state: &State, held: &Held, shell: &dyn Shell, why: &Markup) -> Ma
     page_of(state, held, shell, &columns)
 }
 
-/// The actuator that is looked at: the one asked for, else the project's own, else the best, judged with every check.
+/// The selected actuator: the requested one, else the project's own, else the best, with every check.
 pub(crate) fn looked_at<'p>(
     state: &State,
     project: &'p Project,
@@ -157,7 +151,7 @@ pub(crate) fn looked_at<'p>(
     chosen(project, best)
 }
 
-/// The actuator of a project that nobody has said otherwise of: its own, else the best.
+/// The default actuator of a project: its own, else the best.
 pub(crate) fn chosen<'p>(project: &'p Project, best: Option<&Candidate<'_>>) -> Option<Candidate<'p>> {
     if let Ok(own) = check_own(project) {
         return Some(own);
@@ -185,9 +179,9 @@ fn bar(state: &State, shell: &dyn Shell) -> Markup {
                 button type="button" id="save" data-save="" { (page::save(l)) }
                 button type="button" id="undo" data-undo="" disabled { (page::undo(l)) }
                 button type="button" id="redo" data-redo="" disabled { (page::redo(l)) }
-                @if writes_report { button type="button" id="report" data-api="report" data-name="antrieb.pdf" { (page::report_pdf(l)) } }
-                button type="button" id="workbook" data-api="export" data-name="antrieb.xlsx" { (page::workbook(l)) }
-                button type="button" id="data" data-api="size" data-name="antrieb.json" { (page::data_json(l)) }
+                @if writes_report { button type="button" id="report" data-api=(report::ENTRY.path) data-name="antrieb.pdf" { (page::report_pdf(l)) } }
+                button type="button" id="workbook" data-api=(export::ENTRY.path) data-name="antrieb.xlsx" { (page::workbook(l)) }
+                button type="button" id="data" data-api=(size::ENTRY.path) data-name="antrieb.json" { (page::data_json(l)) }
                 button type="button" id="project" data-project="" { (page::project_file(l)) }
                 button type="button" id="link" data-link="" { (page::link_to_this(l)) }
                 button type="button" id="tools" hx-post="/tools" hx-target="#detail" hx-swap="innerHTML" { (page::tools(l)) }

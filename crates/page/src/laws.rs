@@ -1,8 +1,10 @@
 //! Laws of motion chosen by their picture: position, speed and acceleration of each, drawn once for the page.
 
 use maud::{Markup, html};
-use workbench::text::{law_text, page};
-use workbench::{KEYS, Kind, Language, SegmentLaw, law_shape};
+use project::{KEYS, Kind, SegmentLaw};
+use quantities::Language;
+use questions::law_shape;
+use words::{law_text, page};
 
 /// Width, and height of one of the three curves, in the units of the drawing.
 const WIDTH: f64 = 48.0;
@@ -11,7 +13,7 @@ const GAP: f64 = 3.0;
 
 /// The laws as the project file names them; `parabola` is another name of the triangle.
 fn laws(words: &[&'static str]) -> impl Iterator<Item = (&'static str, SegmentLaw)> {
-    let of = |word: &&'static str| Some((*word, SegmentLaw::of_id(word).filter(|_| *word != "parabola")?));
+    let of = |word: &&'static str| Some((*word, SegmentLaw::of_id(word).filter(|law| law.id() == *word)?));
     words.iter().filter_map(of).collect::<Vec<_>>().into_iter()
 }
 

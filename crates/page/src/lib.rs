@@ -1,8 +1,8 @@
 //! The web workbench as a pure function: a request in, HTML or JSON out.
 //!
-//! It knows no socket and no file. A shell hands in what it has of the world ([`Shell`]): the server that `antrieb serve`
+//! It knows no socket and no file. A shell provides the resources ([`Shell`]): the server that `antrieb serve`
 //! starts, or the browser itself, where the engine runs as WebAssembly. Both give the same bytes. Nothing is computed here,
-//! and no sentence written: the numbers are of `workbench`, the texts of `words`.
+//! and no sentence written: the numbers are of `questions`, the texts of `words`.
 
 // Without the interface only what the page itself asks of it is used.
 #[cfg_attr(not(feature = "interface"), allow(dead_code, unused_imports))]
@@ -32,12 +32,12 @@ mod waiting;
 pub use api::{methods, misdirected, wrong_method};
 pub use assets::ASSETS;
 pub use call::{
-    Call, Entry, Folder, Method, Place, Press, Reply, ReportAsked, SaveFault, Shell, WritesChecklist, WritesReport,
+    Call, Entry, Folder, Method, Press, Reply, ReportAsked, SaveFault, Shell, Storage, WritesChecklist, WritesReport,
 };
 pub use frame::ICON;
 pub use names::{is_project_name, recording_names};
 
-use workbench::Patience;
+use questions::Patience;
 
 /// Answers a request.
 #[must_use]
@@ -69,7 +69,7 @@ pub fn respond(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply
         (Method::Post, "/example") => files::example(call, shell, patience),
         (Method::Post, "/save") => files::saved(call, shell),
         (Method::Post, RECORDING) => files::recorded(call, shell),
-        _ => Reply::text(404, workbench::text::page::no_such_page(call.language())),
+        _ => Reply::text(404, words::page::no_such_page(call.language())),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Names of files in a working folder, the same wherever it lies.
 
-use workbench::quantities::is_unseen;
+use quantities::is_unseen;
 
 /// Bytes of a name, as most file systems have it.
 const NAME_MOST: usize = 255;

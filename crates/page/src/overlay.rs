@@ -4,9 +4,11 @@
 use crate::demand::verdict_class;
 use crate::state::State;
 use maud::{Markup, html};
-use workbench::quantities::{Measure, format_significant};
-use workbench::text::{capitalised, check_title, law_text, page};
-use workbench::{Candidate, Check, Language, Project, by_importance, moves};
+use project::Project;
+use quantities::{Language, Measure, format_significant};
+use questions::texts::by_importance;
+use questions::{Candidate, Check, moves};
+use words::{capitalised, check_title, law_text, page};
 
 /// One range that moves the instant of all pictures, and what narrows the time that they show.
 pub(crate) fn controls(project: &Project, is_narrowed: bool, language: Language) -> Markup {
@@ -54,7 +56,7 @@ pub(crate) fn number(worst: &[Worst<'_>], check: &Check) -> Option<usize> {
     Some(place + 1)
 }
 
-/// The marks over a picture; `of` tells those of several pictures apart.
+/// The marks over a picture; `of` identifies the picture.
 pub(crate) fn marks(worst: &[Worst<'_>], of: &str, language: Language) -> Markup {
     let l = language;
     html! {
@@ -76,7 +78,7 @@ pub(crate) fn marks(worst: &[Worst<'_>], of: &str, language: Language) -> Markup
 /// The ends of the segments, to be pulled in the picture of the position: by pointer, or with the arrow keys.
 pub(crate) fn grips(state: &State, project: &Project) -> Markup {
     let l = state.language;
-    let found = workbench::grips(project);
+    let found = questions::grips(project);
     let prefix = &state.prefix;
     let moves = moves(project);
     let shown = |value: f64| format_significant(value, 4, l);

@@ -2,10 +2,10 @@
 
 use crate::form::{Followed, Form, id, vals};
 use maud::{Markup, html};
-use workbench::text::{capitalised, page, role_text};
-use workbench::{ColumnRole, Preview, recording_preview, recording_roles};
+use questions::{ColumnRole, Preview, recording_preview, recording_roles};
+use words::{capitalised, page, role_text};
 
-/// The keys that are told here and not as rows.
+/// The keys shown here instead of as rows.
 pub(crate) const KEYS: [&str; 2] = ["columns", "units"];
 
 /// The word of the project file for a role that no column has.

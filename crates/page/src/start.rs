@@ -2,11 +2,12 @@
 
 use crate::sketch;
 use maud::{Markup, html};
-use workbench::text::{about_text, capitalised, page, short_label};
-use workbench::{Edit, KEYS, Kind, Language, edit, key_at};
+use project::{Edit, KEYS, Kind, edit, key_at};
+use quantities::Language;
+use words::{about_text, capitalised, page, short_label};
 
-/// A way to begin: the mechanism, and the keys that are asked for with a value that such machines have; what stands behind
-/// the sixth is set and not asked for.
+/// A way to begin: the mechanism, and the keys to fill in with typical values; those after
+/// the sixth are set without a field.
 pub(crate) struct Begin {
     pub(crate) mechanism: Option<&'static str>,
     pub(crate) asked: &'static [(&'static str, &'static str)],
@@ -16,7 +17,7 @@ pub(crate) struct Begin {
 /// The moves of each: there and back, with a rest after both.
 const FORTH_AND_BACK: &[(&str, &str)] = &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell")];
 
-pub(crate) const BEGINS: [Begin; 7] = [
+pub(crate) const BEGINS: [Begin; 11] = [
     Begin {
         mechanism: None,
         asked: &[
@@ -120,7 +121,8 @@ impl Begin {
             all.push((path, value));
         }
         // A cycle that comes back: the same way with the other sign.
-        let turns_on = matches!(self.mechanism, Some("conveyor" | "turntable" | "slider_crank"));
+        let turns_on =
+            matches!(self.mechanism, Some("conveyor" | "turntable" | "slider_crank"));
         all.sort_by_key(|(path, _)| {
             (
                 !path.starts_with("mechanism") && !path.starts_with("load"),
@@ -167,8 +169,8 @@ impl Begin {
 }
 
 /// The text with an entry of a list, where it has none yet.
-fn with_entry(text: &str, entry: &str) -> Result<String, workbench::EditFault> {
-    let there = workbench::written(text).is_some_and(|all| all.iter().any(|key| key.path == entry));
+fn with_entry(text: &str, entry: &str) -> Result<String, project::EditFault> {
+    let there = project::written(text).is_some_and(|all| all.iter().any(|key| key.path == entry));
     if there { Ok(text.to_owned()) } else { edit(text, entry, Edit::Table) }
 }
 
@@ -202,7 +204,7 @@ pub(crate) fn asked(place: usize, language: Language) -> Markup {
         form.rows method="post" action={ "/begin?kind=" (place) "&lang=" (language.id()) } {
             @for (path, value) in begin.asked {
                 div.row {
-                    label for={ "b-" (crate::form::id(path)) } { (key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()) @if path.starts_with("motion[2]") { " (" (workbench::text::law_text(workbench::SegmentLaw::Dwell, language)) ")" } }
+                    label for={ "b-" (crate::form::id(path)) } { (key_at(path).map(|key| capitalised(&short_label(about_text(key.about, language)))).unwrap_or_default()) @if path.starts_with("motion[2]") { " (" (words::law_text(project::SegmentLaw::Dwell, language)) ")" } }
                     input id={ "b-" (crate::form::id(path)) } name=(path) type="text" value=(value) autocomplete="off" spellcheck="false";
                 }
             }
@@ -226,9 +228,9 @@ mod tests {
         for begin in &BEGINS {
             assert!(begin.asked.len() <= 6, "{:?}", begin.mechanism);
             let text = begin.text(|_| None);
-            let project = workbench::read(&text);
+            let project = questions::read(&text);
             assert!(project.is_ok(), "{text}\n{project:?}");
-            let fits = project.is_ok_and(|project| workbench::size(&project).fits());
+            let fits = project.is_ok_and(|project| questions::size(&project).fits());
             assert!(fits, "{text}");
         }
     }

@@ -4,12 +4,12 @@
 
 use crate::call::Call;
 use crate::form::tolerance_of;
-use figures::{By, Place, Theme, nearest};
-use workbench::text::{Told, told};
-use workbench::{
-    CandidateId, Diagnostic, Draw, Edit, Files, Key, Language, OrderCode, Patience, Project, Refusal, SAMPLES_MOST,
-    Sizing, Unread, Written, edit, read_all_watched, read_code, stretch, written,
-};
+use figures::{By, MapPoint, Theme, nearest};
+use order_code::OrderCode;
+use project::{Diagnostic, Edit, Files, Key, Project, Written, edit, stretch, written};
+use quantities::Language;
+use questions::{CandidateId, Draw, Patience, Refusal, SAMPLES_MOST, Sizing, Unread, read_all_watched, read_code};
+use words::{Told, told};
 
 /// The state as a request carries it, with what was changed by it.
 pub(crate) struct State {
@@ -24,7 +24,7 @@ pub(crate) struct State {
     /// From when to when the pictures over time show the cycle, in seconds; the whole without it.
     pub(crate) window: Option<(f64, f64)>,
     /// A place in the map of candidates: the actuator that is nearest to it is to be looked at.
-    near: Option<Place>,
+    near: Option<MapPoint>,
     /// What stands before the paths of the axis: `axis[2].` where there are several, else nothing.
     pub(crate) prefix: String,
     /// The actuator that is looked at; without one the best.
@@ -83,7 +83,7 @@ impl State {
             axis: field("axis").parse().unwrap_or(0),
             all_axes: field("axis") == ALL_AXES,
             window: window(&field("from"), &field("until")),
-            near: Place::read(&field("near")),
+            near: MapPoint::read(&field("near")),
             prefix: String::new(),
             code: code(&field("code")),
             marked: marked.filter_map(|(_, text)| code(&text)).take(MARKED_MOST).collect(),
@@ -189,7 +189,7 @@ impl State {
             },
             Err(Unread::Faults(found)) => {
                 let keys_there = keys.as_deref().unwrap_or_default();
-                let faults = placed(&found, (&self.text, keys_there), workbench::key_at, self.language);
+                let faults = placed(&found, (&self.text, keys_there), project::key_at, self.language);
                 let written = keys.or_else(|| written(&self.good)).unwrap_or_default();
                 let (projects, refused) = match read_all_watched(&self.good, files, patience) {
                     Ok(projects) => (projects, None),
@@ -232,7 +232,7 @@ pub(crate) fn placed(
     key_at: fn(&str) -> Option<&'static Key>,
     language: Language,
 ) -> Vec<(Option<String>, Told)> {
-    use workbench::Fault;
+    use project::Fault;
     let path = |fault: &Diagnostic| -> Option<String> {
         if let Fault::MissingKey { path, .. } = &fault.fault {
             return Some(path.clone());

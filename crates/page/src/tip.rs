@@ -2,8 +2,9 @@
 
 use crate::chapters::symbol;
 use maud::{Markup, html};
-use workbench::text::capitalised;
-use workbench::{Language, meaning_of_symbol, meaning_of_word};
+use quantities::Language;
+use questions::list::glossary::{meaning_of_symbol, meaning_of_word};
+use words::capitalised;
 
 /// A symbol with its meaning.
 pub(crate) fn of_symbol(name: &str, language: Language) -> Markup {

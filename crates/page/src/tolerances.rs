@@ -1,5 +1,5 @@
-//! What the tolerances of the project mean for the actuator that is looked at: at once where that is quick, else when it is
-//! asked for.
+//! The effect of the tolerances on the selected actuator: at once if that is quick, else on
+//! request.
 
 use crate::call::{Call, Shell};
 use crate::form::vals;
@@ -7,14 +7,16 @@ use crate::frame::looked_at;
 use crate::state::State;
 use crate::waiting;
 use maud::{Markup, html};
-use workbench::answer::refusal_text;
-use workbench::text::{capitalised, page};
-use workbench::{
-    Assessment, Candidate, Language, Patience, Project, Refusal, sampling_text, scatter, sized, tolerance_heads,
-    tolerance_lines, tolerance_rows,
-};
+use project::Project;
+use quantities::Language;
+use questions::answer::refusal_text;
+use questions::list::check::scatter;
+use questions::list::size::sized;
+use questions::texts::{sampling_text, tolerance_heads, tolerance_lines, tolerance_rows};
+use questions::{Assessment, Candidate, Patience, Refusal};
+use words::{capitalised, page};
 
-/// Where they are told; nothing where the project has none. It says of which text, axis and actuator they would be, so that a
+/// The place where they are shown; nothing if the project has none. It identifies text, axis and actuator, so that a
 /// script need not ask twice.
 pub(crate) fn place(state: &State, project: &Project, candidate: &Candidate<'_>, shell: &dyn Shell) -> Markup {
     if project.tolerances.is_empty() {

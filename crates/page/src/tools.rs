@@ -1,5 +1,5 @@
 //! The tools beside the project: what is known about a code, calculators, commissioning, glossary. Each is a question of the
-//! interface, its fields are what that question takes, and its faults stand at them.
+//! list, its fields are what that question takes, and its faults stand at them.
 
 mod calculators;
 mod code;
@@ -7,16 +7,18 @@ mod field;
 mod loads;
 mod record;
 
-use crate::api::asked::Asked;
-use crate::api::{Endpoint, Unanswered, endpoint};
-use crate::call::{Call, Method, Shell};
+use crate::api::asked::put;
+use crate::api::method;
+use crate::call::{Call, Shell};
 use crate::form::vals;
 use field::{Field, Trouble};
 use figures::Theme;
 use maud::{Markup, html};
+use quantities::Language;
+use questions::list::{Asked, Entry, Unanswered};
+use questions::{Patience, list, read_all_watched, read_code};
 use std::borrow::Cow;
-use workbench::text::{Word, page};
-use workbench::{Language, Patience, read_all_watched, read_code};
+use words::{Word, page};
 
 /// A tool: its name in requests, what it is called, how it answers.
 struct Tool {
@@ -27,10 +29,12 @@ struct Tool {
 
 /// How a tool answers.
 enum Ask {
-    /// What is said about a code, or about a text in its place.
+    /// What is said about a code.
+    Code(fn(&str, Language) -> Markup),
+    /// What is said about a text.
     About(fn(&str, Language) -> Markup),
-    /// A question of the interface: its place, what stands in its fields at first, and how its answer is shown.
-    Of(Method, &'static str, &'static [(&'static str, &'static str)], Show),
+    /// A question of the list: what stands in its fields at first, and how its answer is shown.
+    Of(&'static Entry, &'static [(&'static str, &'static str)], Show),
     /// The mounting, under the limits of the manual or under the loads of the project that is open.
     Mount,
     /// The loads on the output bearing.
@@ -39,26 +43,25 @@ enum Ask {
     Record,
 }
 
-/// How an answer is shown, in light or dark.
-type Show = fn(&Asked<'_>, Theme) -> Result<Markup, Unanswered>;
+/// How an answer is shown.
+type Show = fn(&Asked<'_>, &Scene<'_>) -> Result<Markup, Unanswered>;
 
 /// The tools, in the order of their use.
 const TOOLS: [Tool; 14] = [
-    Tool { id: "code", title: page::tool_code, ask: Ask::About(code::explained) },
-    Tool { id: "data", title: page::tool_data, ask: Ask::About(code::data) },
-    Tool { id: "curve", title: page::tool_curve, ask: Ask::Of(Method::Get, "curve", &[], calculators::curve) },
+    Tool { id: "code", title: page::tool_code, ask: Ask::Code(code::explained) },
+    Tool { id: "data", title: page::tool_data, ask: Ask::Code(code::data) },
+    Tool { id: "curve", title: page::tool_curve, ask: Ask::Of(&list::curve::ENTRY, &[], calculators::curve) },
     Tool {
         id: "torsion",
         title: page::tool_torsion,
-        ask: Ask::Of(Method::Get, "torsion", &[("torque", "60 N m")], calculators::torsion),
+        ask: Ask::Of(&list::torsion::ENTRY, &[("torque", "60 N m")], calculators::torsion),
     },
     Tool { id: "bearing", title: page::tool_bearing, ask: Ask::Loads },
     Tool {
         id: "inertia",
         title: page::tool_inertia,
         ask: Ask::Of(
-            Method::Get,
-            "inertia",
+            &list::inertia::ENTRY,
             &[(
                 "body",
                 "disc diameter=600mm length=20mm density=7850kg/m^3\nbox a=120mm b=80mm height=60mm mass=5kg distance=250mm count=4",
@@ -69,22 +72,22 @@ const TOOLS: [Tool; 14] = [
     Tool {
         id: "battery",
         title: page::tool_battery,
-        ask: Ask::Of(Method::Get, "battery", &[("hours-per-day", "10")], calculators::battery),
+        ask: Ask::Of(&list::battery::ENTRY, &[("hours-per-day", "10")], calculators::battery),
     },
-    Tool { id: "wiring", title: page::tool_wiring, ask: Ask::Of(Method::Get, "wiring", &[], calculators::wiring) },
+    Tool { id: "wiring", title: page::tool_wiring, ask: Ask::Of(&list::wiring::ENTRY, &[], calculators::wiring) },
     Tool { id: "mount", title: page::tool_mount, ask: Ask::Mount },
     Tool {
         id: "commission",
         title: page::tool_commission,
-        ask: Ask::Of(Method::Get, "commission", &[], calculators::commission),
+        ask: Ask::Of(&list::commission::ENTRY, &[], calculators::commission),
     },
     Tool { id: "record", title: page::tool_record, ask: Ask::Record },
-    Tool { id: "upkeep", title: page::tool_upkeep, ask: Ask::Of(Method::Get, "upkeep", &[], calculators::upkeep) },
+    Tool { id: "upkeep", title: page::tool_upkeep, ask: Ask::Of(&list::upkeep::ENTRY, &[], calculators::upkeep) },
     Tool { id: "errata", title: page::tool_errata, ask: Ask::About(code::errata) },
     Tool { id: "glossary", title: page::tool_glossary, ask: Ask::About(code::words) },
 ];
 
-/// The pane of the tools: which of them is asked for, about what.
+/// The pane of the tools: the requested tool and its subject.
 pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Markup {
     let l = call.language();
     let asked = call.field("tool").unwrap_or_default();
@@ -93,14 +96,11 @@ pub(crate) fn pane(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> M
     let needs_code = tool.needs_code();
     let about = if needs_code { page::tool_code(l) } else { (tool.title)(l) };
     let shown = match &tool.ask {
-        Ask::About(say) => html! { (say(&scene.about, l)) (scene.link(&[])) },
+        Ask::Code(say) | Ask::About(say) => html! { (say(&scene.about, l)) (scene.link(&[])) },
         Ask::Record => record::shown(&scene),
         Ask::Loads => loads::shown(&scene),
         Ask::Mount => mounted(&scene),
-        Ask::Of(method, path, first, show) => match endpoint(*method, path) {
-            Some(endpoint) => of(&scene, &Question { endpoint, first, show: *show, own: None, body: &[] }),
-            None => html! {},
-        },
+        Ask::Of(entry, first, show) => of(&scene, &Question { entry, first, show: *show, own: None, body: &[] }),
     };
     let inside = html! {
         nav.kinds aria-label=(page::tools(l)) {
@@ -131,11 +131,9 @@ impl Tool {
     /// Whether it is about a code.
     fn needs_code(&self) -> bool {
         match &self.ask {
-            Ask::About(_) => !matches!(self.id, "errata" | "glossary"),
-            Ask::Of(method, path, ..) => endpoint(*method, path)
-                .is_some_and(|endpoint| endpoint.parameters.iter().any(|parameter| parameter.name == "code")),
-            Ask::Record | Ask::Mount => true,
-            Ask::Loads => false,
+            Ask::Of(entry, ..) => takes_a_code(entry),
+            Ask::Code(_) | Ask::Record | Ask::Mount => true,
+            Ask::About(_) | Ask::Loads => false,
         }
     }
 }
@@ -143,7 +141,7 @@ impl Tool {
 /// What stands before the names of a tool's fields: those of the project have names of their own.
 const MARK: &str = "t_";
 
-/// A tool as it is asked for.
+/// A requested tool.
 struct Scene<'c> {
     call: &'c Call<'c>,
     shell: &'c dyn Shell,
@@ -212,9 +210,14 @@ impl<'c> Scene<'c> {
     }
 }
 
-/// A question of the interface.
+/// Whether a question is about an ordering code.
+fn takes_a_code(entry: &Entry) -> bool {
+    entry.arguments.iter().any(|argument| argument.name == "code")
+}
+
+/// A question of the list.
 struct Question<'q> {
-    endpoint: &'static Endpoint,
+    entry: &'static Entry,
     first: &'q [(&'q str, &'q str)],
     show: Show,
     /// A field of the page's own, which the interface does not know.
@@ -228,39 +231,40 @@ const UNDER_PROJECT: &str = "project";
 /// The mounting: without a project, or without its loads, the limits of the manual stand in their place.
 fn mounted(scene: &Scene<'_>) -> Markup {
     let text = scene.call.field("text").unwrap_or_default();
-    let own = || Field::new(UNDER_PROJECT, page::under_project(scene.language), field::Entry::Mark);
+    let own = || Field::new(UNDER_PROJECT, page::under_project(scene.language), field::FieldEntry::Mark);
     let is_under = scene.typed(UNDER_PROJECT).is_some_and(|value| value == "true") && !text.is_empty();
-    let (method, show): (Method, Show) =
-        if is_under { (Method::Post, calculators::mount_in_project) } else { (Method::Get, calculators::mount) };
-    let Some(endpoint) = endpoint(method, "mount") else { return html! {} };
+    let (entry, show): (&Entry, Show) = if is_under {
+        (&list::mount_project::ENTRY, calculators::mount_in_project)
+    } else {
+        (&list::mount::ENTRY, calculators::mount)
+    };
     let own = (!text.is_empty()).then(own);
     let body = if is_under { text.as_bytes() } else { &[] };
-    of(scene, &Question { endpoint, first: &[], show, own, body })
+    of(scene, &Question { entry, first: &[], show, own, body })
 }
 
 /// A question as fields, with its answer below them.
 fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
     let l = scene.language;
-    let Question { endpoint, first, show, own, body } = question;
-    let mut fields: Vec<Field> = endpoint.parameters.iter().filter_map(|each| Field::of_parameter(each, l)).collect();
+    let Question { entry, first, show, own, body } = question;
+    let mut fields: Vec<Field> = entry.arguments.iter().filter_map(|each| Field::of_argument(each, l)).collect();
     fields.extend(own.clone());
     for field in &mut fields {
         let usual = || first.iter().find(|(name, _)| *name == field.name).map(|(_, value)| (*value).to_owned());
         field.value = scene.typed(&field.name).unwrap_or_else(|| usual().unwrap_or_default());
     }
-    let needs_code = endpoint.parameters.iter().any(|parameter| parameter.name == "code");
+    let needs_code = takes_a_code(entry);
     if needs_code && let Err(fault) = read_code(&scene.about, l) {
         return html! { (fields_of(&fields, l)) div id="tool-answer" { (code::incomplete(&scene.about, &fault, l)) } };
     }
     let axis = scene.axis().filter(|_| !body.is_empty());
     let said = [("code", Some(scene.about.as_str()).filter(|_| needs_code)), ("axis", axis.as_deref())];
     let query = query_of(&said, &fields, l);
-    let put = |query: &str| {
-        let path = format!("/api/v1/{}", endpoint.path);
-        let call = Call { method: endpoint.method, path: &path, query, media: None, body, ..*scene.call };
-        Asked::of(endpoint, &call, scene.shell, scene.patience).and_then(|asked| show(&asked, scene.theme))
+    let answer_to = |query: &str| {
+        let call = Call { method: method(entry), path: entry.path, query, media: None, body, ..*scene.call };
+        put(entry, &call, scene.shell, scene.patience).and_then(|asked| show(&asked, scene))
     };
-    let answer = put(&query);
+    let answer = answer_to(&query);
     let good = match &answer {
         Ok(_) => query,
         Err(_) => scene.typed(GOOD).unwrap_or_default(),
@@ -270,7 +274,7 @@ fn of(scene: &Scene<'_>, question: &Question<'_>) -> Markup {
         Ok(_) => Vec::new(),
     };
     let loose = field::at_their_fields(&mut fields, troubles, scene.is_filled);
-    let old = if answer.is_err() && !good.is_empty() { put(&good).ok() } else { None };
+    let old = if answer.is_err() && !good.is_empty() { answer_to(&good).ok() } else { None };
     let state: Vec<(&str, &str)> = fields.iter().map(|field| (field.name.as_str(), field.value.as_str())).collect();
     html! {
         input type="hidden" name={ (MARK) (GOOD) } value=(good);

@@ -1,12 +1,12 @@
-//! Whoever waits for a long work: how far it is, that it ends, and what stands where it ended before it was done.
+//! Long work: its progress, its end, and the page after a timeout or cancellation.
 
 use crate::call::{Call, Reply, Shell};
 use crate::form::vals;
 use maud::{Markup, html};
-use workbench::answer::refusal_text;
-use workbench::quantities::format_number;
-use workbench::text::{capitalised, page, requests, terminal};
-use workbench::{Language, Patience, Refusal};
+use quantities::{Language, format_number};
+use questions::answer::refusal_text;
+use questions::{Patience, Refusal};
+use words::{capitalised, page, requests, terminal};
 
 /// Where a page shows that a work takes longer, with a way to cancel it.
 pub(crate) fn place(language: Language) -> Markup {
@@ -40,7 +40,7 @@ pub(crate) fn cancelled(call: &Call<'_>, shell: &dyn Shell) -> Reply {
     Reply::text(status, "")
 }
 
-/// Why there is no result of the last change, and how to ask for it again where that may help; `before` says that an older
+/// Why there is no result of the last change, and how to request it again if that may help; `before` says that an older
 /// one is shown.
 pub(crate) fn stopped(
     refusal: &Refusal,

@@ -1,12 +1,12 @@
-//! Every fault of a project file is reached in the page: it is told with a way to its field, and stands there; what has no
+//! Every fault of a project file is shown on the page: in the list with a link to its field, and at the field; a fault without a
 //! field leads to its line in the text.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 mod shell;
 
+use questions::read_all;
 use shell::{InMemory, page, whole};
 use std::collections::BTreeSet;
-use workbench::read_all;
 
 /// Where a fault is shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -53,6 +53,9 @@ fn segments(segments: &[&str]) -> String {
 fn bodies(text: &str) -> String {
     with(&format!("[mechanism.turntable]\nbodies = [\"{text}\"]\n"), MOVE)
 }
+
+/// A cam table up to its points.
+const CAM: &str = "law = \"points\"\nspline = \"cubic\"\nends = \"rest\"\npoints = ";
 
 /// A motion from the recording that stands in the folder.
 fn recorded(more: &str) -> String {
@@ -108,12 +111,18 @@ fn cases() -> Vec<(&'static str, String, At)> {
         ("no_mechanism", with("", MOVE), Table("mechanism")),
         ("too_many_mechanisms", with("[mechanism.belt]\npulley_diameter = \"1 m\"\nmass = \"1 kg\"\n[mechanism.screw]\nlead = \"1 mm\"\nmass = \"1 kg\"\n", MOVE), Table("mechanism")),
         ("rod_too_short", with("[mechanism.slider_crank]\ncrank = \"60 mm\"\nrod = \"50 mm\"\nmass = \"1 kg\"\n", MOVE), Field("mechanism.slider_crank.rod")),
+        ("full_below_core", with("[mechanism.winder]\nwinding = \"up\"\ncore_diameter = \"90 mm\"\nfull_diameter = \"80 mm\"\nstart_diameter = \"90 mm\"\nthickness = \"1 mm\"\nwidth = \"1 m\"\ndensity = \"900 kg/m^3\"\ntension = \"9 N\"\n", REST), Field("mechanism.winder.full_diameter")),
         ("no_flange_loads", more("[bearing]\nmechanism = \"add\"\n"), Field("bearing.mechanism")),
         ("motion_without_duration", segments(&["law = \"dwell\"\ntime = \"0 s\""]), Table("motion")),
         ("move_not_determined", segments(&["law = \"trapezoid\"\ndistance = \"90 deg\""]), Table("motion")),
         ("still_moving", segments(&["law = \"constant\"\nspeed = \"5 1/min\"\ntime = \"1 s\"", "law = \"dwell\"\ntime = \"1 s\""]), Table("motion")),
         ("no_time_to_change_speed", segments(&["law = \"manual\"\nspeed = \"5 1/min\"\naccelerate = \"0 s\"\nrun = \"1 s\"\nbrake = \"1 s\"\npause = \"1 s\""]), Table("motion")),
         ("move_speed_too_low", segments(&["law = \"trapezoid\"\ndistance = \"90 deg\"\nspeed = \"1 1/min\"\ntime = \"0.1 s\""]), Table("motion")),
+        ("points_too_few", segments(&[&format!("{CAM}[]")]), Field("motion[1].points")),
+        ("points_not_increasing", segments(&[&format!("{CAM}[[\"0 s\", \"0 deg\"], [\"0 s\", \"1 deg\"]]")]), Field("motion[1].points")),
+        ("unlike_first_point", segments(&[&format!("{CAM}[[\"0 s\", \"0 deg\"], [\"9 deg\", \"1 deg\"]]")]), Field("motion[1].points")),
+        ("master_of_times", segments(&[&format!("master_speed = \"9 1/min\"\n{CAM}[[\"0 s\", \"0 deg\"], [\"1 s\", \"1 deg\"]]")]), Field("motion[1].master_speed")),
+        ("points_speed_jumps", segments(&["law = \"dwell\"\ntime = \"1 s\"", "law = \"points\"\nspline = \"cubic\"\nends = \"natural\"\npoints = [[\"0 s\", \"0 deg\"], [\"1 s\", \"1 deg\"]]"]), Field("motion[2].points")),
         ("without_effect", more("[bearing]\noverhang = \"5 mm\"\n"), Field("bearing.overhang")),
         ("belt_or_teeth", with("[mechanism.belt]\npulley_diameter = \"0.1 m\"\nmass = \"1 kg\"\n", &format!("{}[bearing]\nmechanism = \"add\"\nbelt_tension = \"5 N\"\npressure_angle = \"20 deg\"\n", REST)), Field("bearing.pressure_angle")),
         ("body_axis", bodies("disc diameter=1m length=1mm mass=1kg axis=up"), Field("mechanism.turntable.bodies")),
@@ -167,7 +176,7 @@ fn every_fault_has_its_place_in_the_page() {
             wrong.push(format!("{id}: has {:?}", told.iter().map(|fault| fault.fault.id()).collect::<Vec<_>>()));
             continue;
         };
-        let message = workbench::text::fault_text(&fault.fault, workbench::Language::En);
+        let message = words::fault_text(&fault.fault, quantities::Language::En);
         let html = page(&folder.post("/work", &[("text", &text), ("good", &good)]));
         whole(&html);
         let list = html.split("id=\"faults\"").nth(1).unwrap().split("</ul>").next().unwrap();
@@ -240,10 +249,10 @@ fn no_kind_of_fault_is_forgotten() {
 
 /// Faults that stand where another stands that is tried, by the same lines of the reader, or that only other questions have.
 #[rustfmt::skip] // one line per place
-const ELSEWHERE: [&str; 32] = [
+const ELSEWHERE: [&str; 35] = [
     // At the segment or its file.
     "end_speed_above_limit", "move_acceleration_too_low", "move_out_of_range", "move_speed_too_high", "rest_to_rest_only",
-    "speed_not_closed", "position_not_closed", "motion_empty", "position_and_speed_contradict", "joint_without_torque",
+    "speed_not_closed", "position_not_closed", "motion_empty", "beyond_range", "position_and_speed_contradict", "joint_without_torque",
     "too_many_instants",
     // At the bodies.
     "bodies_twice", "body_angle_not_finite", "body_beyond_numbers",
@@ -255,6 +264,8 @@ const ELSEWHERE: [&str; 32] = [
     "replaces_everything", "tooth_angle",
     // At a quantity with a tolerance, or in the text.
     "impossible_within_tolerance", "no_tolerance", "too_many_tolerances", "too_many_entries", "more_faults", "file_too_large",
+    // At the points of a cam table; a number that is not finite is refused where it is read.
+    "points_not_finite", "points_uneven",
     // Of no project file that the page opens.
     "battery_operation_out_of_range", "battery_storage_out_of_range", "one_axis_only",
 ];

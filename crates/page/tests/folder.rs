@@ -38,7 +38,7 @@ fn a_file_that_is_no_text_is_not_opened() {
     assert_eq!(folder.get("/text", "file=latin.toml").status, 422);
 }
 
-/// Two tabs on one file: the second to save is told, and has both ways on; neither loses a text.
+/// Two tabs on one file: the second to save gets a message and both choices; no text is lost.
 #[test]
 fn what_another_has_saved_is_noticed_and_asked_about() {
     let folder = InMemory::default();
@@ -56,7 +56,7 @@ fn what_another_has_saved_is_noticed_and_asked_about() {
     let text = folder.get("/text", "file=a.toml");
     assert_eq!(text.body, b"format = 1 # second\n");
     assert_eq!(version(&text).map(|version| format!("{version} a.toml")).as_deref(), Some(second.as_str()));
-    // To keep one's own: saving goes on from the version that was told.
+    // To keep one's own version: the next save is based on the reported version.
     assert_eq!(save(&folder, "a.toml", "format = 1 # mine\n", &first).0, 409);
     assert_eq!(save(&folder, "a.toml", "format = 1 # mine\n", &second).0, 200);
     let _ = folder.0.borrow_mut().remove("a.toml");

@@ -2,20 +2,23 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use page::{Call, Method, Reply, Shell, respond};
+use project::Files;
+use quantities::Language;
+use questions::Patience;
+use questions::list::new::template;
 use std::io::{Cursor, Error, ErrorKind, Read, Result};
 use std::time::Duration;
-use workbench::{Files, Language, Patience, template};
 
 /// A shell with one recording.
-struct Beside(&'static str);
+struct OneRecording(&'static str);
 
-impl Files for Beside {
+impl Files for OneRecording {
     fn open(&self, name: &str) -> Result<Box<dyn Read>> {
         if name == "log.csv" { Ok(Box::new(Cursor::new(self.0))) } else { Err(Error::from(ErrorKind::NotFound)) }
     }
 }
 
-impl Shell for Beside {
+impl Shell for OneRecording {
     fn files(&self) -> &dyn Files {
         self
     }
@@ -47,7 +50,7 @@ fn ask(path: &str, fields: &[(&str, &str)], patience: &Patience) -> Reply {
     let body = fields.iter().map(one).collect::<Vec<_>>().join("&");
     let media = Some("application/x-www-form-urlencoded");
     let call = Call { method: Method::Post, path, query: "", media, body: body.as_bytes(), language: Language::En };
-    respond(&call, &Beside(LOG), patience)
+    respond(&call, &OneRecording(LOG), patience)
 }
 
 fn page(path: &str, fields: &[(&str, &str)]) -> String {
@@ -113,7 +116,7 @@ fn progress_is_told_in_words_and_a_work_is_cancelled_by_its_name() {
     let get = |query: &str| {
         let call =
             Call { method: Method::Get, path: page::PROGRESS, query, media: None, body: &[], language: Language::De };
-        let reply = respond(&call, &Beside(LOG), &Patience::endless());
+        let reply = respond(&call, &OneRecording(LOG), &Patience::endless());
         (reply.status, String::from_utf8(reply.body).unwrap())
     };
     assert_eq!(get("work=mine"), (200, String::from("Rechnet 25 %")));

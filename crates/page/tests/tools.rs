@@ -62,7 +62,7 @@ fn a_calculator_answers_with_number_source_grade_and_picture() {
     let curve = tool("curve", code, &[("t_voltage", "220 V")]);
     assert!(curve.contains("<svg") && curve.contains("published, cha-page-39") && curve.contains("220 V"), "{curve}");
     let battery = tool("battery", "", &[("t_hours-per-day", "10"), ("t_storage", "1 a")]);
-    assert!(battery.contains("M128S battery:") && battery.contains("at the latest"), "{battery}");
+    assert!(battery.contains("Battery of the encoder:") && battery.contains("at the latest"), "{battery}");
     let inertia =
         tool("inertia", "", &[("t_body", "point mass=2kg distance=500mm\npoint mass=2kg distance=500mm angle=180deg")]);
     assert!(inertia.contains("J = 1.000 kgm², m = 4.000 kg"), "{inertia}");
@@ -168,7 +168,7 @@ fn measured_values_are_judged_as_they_are_typed() {
     let fields = [("t_text", "format = 1\n[emf]\n"), ("t_was", text), ("t_winding.temperature", "22 degC")];
     let html = tool("record", code, &fields);
     assert!(!html.contains("22 degC") && row(&html, "emf.voltage_ll").contains("class=\"fault\""), "{html}");
-    // A brake is asked for where there is one.
+    // Brake values are requested if there is a brake.
     assert!(!tool("record", "CHA-25A-100-H-M512P", &[]).contains("id=\"t-brake.voltage\""));
 }
 

@@ -95,7 +95,7 @@ impl BarChart {
         self
     }
 
-    /// Sets what a screen reader tells of the chart.
+    /// Sets the description for screen readers.
     #[must_use]
     pub fn description(mut self, text: &str) -> Self {
         text.clone_into(&mut self.description);

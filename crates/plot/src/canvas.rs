@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use crate::font::{ASCENT, DESCENT, FONT_FAMILY};
 use crate::geometry::Rect;
 use crate::item::Tags;
-use crate::label::{Kind, Label, Run, is_drawable};
+use crate::label::{Label, Run, RunKind, is_drawable};
 use crate::picture::{Picture, TextBox};
 use crate::style::{Colour, Style, Theme};
 
@@ -72,7 +72,7 @@ pub(crate) enum Fill {
     Pattern(String),
 }
 
-/// Lines of a pattern, told apart without colour.
+/// Lines of a pattern, distinct without colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Hatch {
     /// Rising lines.
@@ -130,7 +130,7 @@ impl<'a> Canvas<'a> {
         self.out.push('\n');
     }
 
-    /// Opens a group that tells a script how pixels and values belong together.
+    /// Opens a group with the scale from pixels to values, for scripts.
     pub(crate) fn open_plane(
         &mut self,
         class: &str,
@@ -238,8 +238,8 @@ impl<'a> Canvas<'a> {
 
     /// Writes a text with its anchor on the base line and keeps the box that it takes.
     ///
-    /// Layout sees to it that there is room. Where it cannot, because the picture is too small for what it has to show, the
-    /// first text stays and the other is told to be hidden: half a number is worse than none.
+    /// Layout provides the room. If the picture is too small for that, the
+    /// first text stays and the other is hidden: half a number is worse than none.
     pub(crate) fn text(&mut self, at: (f64, f64), label: &Label, setting: Setting) {
         if label.is_empty() {
             return;
@@ -255,7 +255,7 @@ impl<'a> Canvas<'a> {
         let label = &label.clone().merged();
         // Several runs stand each at its own place, so that a face of other widths moves none into its neighbour.
         let whole = match label.runs.as_slice() {
-            [only] if only.kind == Kind::Plain => Some(only),
+            [only] if only.kind == RunKind::Plain => Some(only),
             _ => None,
         };
         let (x, anchor) = if whole.is_some() { (at.0, setting.anchor) } else { (area.left, Anchor::Start) };
@@ -291,12 +291,12 @@ impl<'a> Canvas<'a> {
     fn runs(&mut self, label: &Label, (left, base): (f64, f64), setting: Setting) {
         let mut x = left;
         for run in &label.runs {
-            let lowered = if run.kind == Kind::Index { setting.size * 0.24 } else { 0.0 };
+            let lowered = if run.kind == RunKind::Index { setting.size * 0.24 } else { 0.0 };
             let _ = write!(self.out, "<tspan x=\"{}\" y=\"{}\"", number(x), number(base + lowered));
             match run.kind {
-                Kind::Plain => {}
-                Kind::Symbol => self.out.push_str(" font-style=\"italic\" font-weight=\"400\""),
-                Kind::Index => {
+                RunKind::Plain => {}
+                RunKind::Symbol => self.out.push_str(" font-style=\"italic\" font-weight=\"400\""),
+                RunKind::Index => {
                     let _ = write!(self.out, " font-size=\"{}\"", number(run.size(setting.size)));
                 }
             }
@@ -306,7 +306,7 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// The whole picture, with what a screen reader tells.
+    /// The whole picture, with the description for screen readers.
     pub(crate) fn finish(self, kind: &str, title: &str, description: &str) -> Picture {
         let size = self.style.size;
         let (written_width, written_height) = size.written();

@@ -13,7 +13,7 @@ use crate::style::Colour;
 
 /// Points above which markers are thinned to one per half pixel and carry no data of their own.
 const MARKERS_MAX: usize = 2000;
-/// A name that would cover or cross something is left to the tooltip; a note is there because somebody wants it read.
+/// A name that would overlap something is left to the tooltip; a note is always drawn.
 const NAME: Near = Near { gap: MARKER + 1.5, reach: 60.0, worst: 60.0 };
 const NOTE: Near = Near { gap: 6.5, reach: 110.0, worst: f64::INFINITY };
 /// Between a reference line and its label: more than a cell of the field, or the line would stand in its own way.

@@ -77,7 +77,7 @@ impl FaceChart {
         self
     }
 
-    /// Sets what a screen reader tells.
+    /// Sets the description for screen readers.
     #[must_use]
     pub fn description(mut self, text: &str) -> Self {
         text.clone_into(&mut self.description);

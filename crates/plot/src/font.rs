@@ -13,7 +13,7 @@ const SEMIBOLD: &[u8] = include_bytes!("../fonts/Inter-SemiBold.ttf");
 
 /// The faces of [`FONT_FAMILY`] as TrueType files: regular, italic, semi-bold.
 ///
-/// Whoever renders a chart (a PDF, a web page) gives these to its renderer, so that text is as wide as it was laid out.
+/// A renderer (PDF, web page) must use these fonts, so that text has the width of the layout.
 #[must_use]
 pub const fn font_files() -> [&'static [u8]; 3] {
     [REGULAR, ITALIC, SEMIBOLD]

@@ -272,7 +272,7 @@ impl Area {
         Self::new(one.into_iter().chain(back.into_iter().rev()))
     }
 
-    /// Fills with a pattern, which is told apart without colour.
+    /// Fills with a pattern, distinct without colour.
     #[must_use]
     pub const fn hatch(mut self, hatch: Hatch) -> Self {
         self.hatch = Some(hatch);

@@ -24,11 +24,11 @@ pub struct Label {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Run {
     pub(crate) text: String,
-    pub(crate) kind: Kind,
+    pub(crate) kind: RunKind,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum RunKind {
     Plain,
     Symbol,
     Index,
@@ -44,15 +44,15 @@ impl Label {
     /// Continues with plain text.
     #[must_use]
     pub fn text(self, text: &str) -> Self {
-        self.with(text, Kind::Plain)
+        self.with(text, RunKind::Plain)
     }
 
     /// Continues with the symbol of a quantity.
     #[must_use]
     pub fn and_symbol(self, symbol: &str) -> Self {
         match symbol.split_once('_') {
-            Some((base, index)) => self.with(base, Kind::Symbol).with(index, Kind::Index),
-            None => self.with(symbol, Kind::Symbol),
+            Some((base, index)) => self.with(base, RunKind::Symbol).with(index, RunKind::Index),
+            None => self.with(symbol, RunKind::Symbol),
         }
     }
 
@@ -61,7 +61,7 @@ impl Label {
     pub fn plain(&self) -> String {
         let mut plain = String::new();
         for run in &self.runs {
-            if run.kind == Kind::Index {
+            if run.kind == RunKind::Index {
                 plain.push('_');
             }
             plain.push_str(&run.text);
@@ -75,7 +75,7 @@ impl Label {
         self.runs.iter().all(|run| run.text.trim().is_empty())
     }
 
-    fn with(mut self, text: &str, kind: Kind) -> Self {
+    fn with(mut self, text: &str, kind: RunKind) -> Self {
         // A line break or a control character has no place in a line of text, the latter not even in XML.
         let text: String = text.chars().map(|c| if is_drawable(c) { c } else { ' ' }).collect();
         if !text.is_empty() {
@@ -106,7 +106,7 @@ impl Label {
         if self.width(size, bold) <= limit {
             return self.clone();
         }
-        let mut room = limit - font::width("…", cut(Kind::Plain, bold), size);
+        let mut room = limit - font::width("…", cut(RunKind::Plain, bold), size);
         if room < 0.0 {
             return Self::default();
         }
@@ -135,7 +135,7 @@ impl Label {
         }) {
             kept.runs.pop();
         }
-        kept.with("…", Kind::Plain)
+        kept.with("…", RunKind::Plain)
     }
 
     /// The text in lines of at most `limit`, broken at blanks, and within a word where it is longer than a line. Nothing of it
@@ -250,7 +250,7 @@ impl From<String> for Label {
 
 impl Run {
     pub(crate) fn size(&self, size: f64) -> f64 {
-        if self.kind == Kind::Index { (size * SUBSCRIPT_SCALE).max(SIZE_MIN) } else { size }
+        if self.kind == RunKind::Index { (size * SUBSCRIPT_SCALE).max(SIZE_MIN) } else { size }
     }
 
     pub(crate) fn width(&self, size: f64, bold: bool) -> f64 {
@@ -258,9 +258,9 @@ impl Run {
     }
 }
 
-const fn cut(kind: Kind, bold: bool) -> Cut {
+const fn cut(kind: RunKind, bold: bool) -> Cut {
     match (kind, bold) {
-        (Kind::Symbol, _) => Cut::Italic,
+        (RunKind::Symbol, _) => Cut::Italic,
         (_, true) => Cut::SemiBold,
         (_, false) => Cut::Regular,
     }
@@ -278,7 +278,7 @@ mod tests {
     #[test]
     fn a_symbol_has_an_index() {
         let label = Label::symbol("T_max");
-        assert_eq!(label.runs.iter().map(|run| run.kind).collect::<Vec<_>>(), [Kind::Symbol, Kind::Index]);
+        assert_eq!(label.runs.iter().map(|run| run.kind).collect::<Vec<_>>(), [RunKind::Symbol, RunKind::Index]);
         assert_eq!(label.plain(), "T_max");
     }
 

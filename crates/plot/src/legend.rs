@@ -19,7 +19,7 @@ pub enum Legend {
     Off,
 }
 
-pub(crate) struct Entry {
+pub(crate) struct LegendEntry {
     pub(crate) label: Label,
     pub(crate) sample: Sample,
 }
@@ -41,8 +41,8 @@ const PAD: f64 = 6.0;
 const ROUNDING: f64 = 1e-6;
 
 /// The entries of items that have a label and do not carry it themselves.
-pub(crate) fn entries(canvas: &mut Canvas<'_>, items: &[Item]) -> Vec<Entry> {
-    let mut entries: Vec<Entry> = Vec::new();
+pub(crate) fn entries(canvas: &mut Canvas<'_>, items: &[Item]) -> Vec<LegendEntry> {
+    let mut entries: Vec<LegendEntry> = Vec::new();
     for item in items {
         let (label, sample) = match item {
             Item::Line(line) if !line.label_at_end => (&line.label, Sample::Line(stroke(line))),
@@ -52,7 +52,7 @@ pub(crate) fn entries(canvas: &mut Canvas<'_>, items: &[Item]) -> Vec<Entry> {
         };
         // Pieces of one thing carry the same label; it is explained once.
         if !label.is_empty() && !entries.iter().any(|entry| entry.label == *label) {
-            entries.push(Entry { label: label.clone(), sample });
+            entries.push(LegendEntry { label: label.clone(), sample });
         }
     }
     entries
@@ -78,13 +78,13 @@ const fn marker(markers: &Markers) -> Sample {
 }
 
 /// The size of the entries one below the other.
-pub(crate) fn column_size(entries: &[Entry]) -> (f64, f64) {
+pub(crate) fn column_size(entries: &[LegendEntry]) -> (f64, f64) {
     let widest = entries.iter().map(|entry| entry.label.width(TEXT, false)).fold(0.0, f64::max);
     (2.0_f64.mul_add(PAD, SAMPLE + SAMPLE_GAP + widest), entries.iter().map(|_| ROW).sum::<f64>() + 2.0 * PAD - 3.0)
 }
 
 /// Draws the entries one below the other into a box of [`column_size`].
-pub(crate) fn column(canvas: &mut Canvas<'_>, entries: &[Entry], area: &Rect) {
+pub(crate) fn column(canvas: &mut Canvas<'_>, entries: &[LegendEntry], area: &Rect) {
     canvas.open("legend");
     canvas.rect(area, 2.0, &Fill::Flat(Colour::Paper, 0.9), Some(&Stroke::solid(Colour::Grid, HAIR)));
     let mut y = area.top + PAD + ROW / 2.0 - 1.5;
@@ -97,7 +97,7 @@ pub(crate) fn column(canvas: &mut Canvas<'_>, entries: &[Entry], area: &Rect) {
 
 /// A line of a legend: entries side by side, or one whose label takes several lines.
 pub(crate) struct Row<'a> {
-    entries: Vec<(&'a Entry, f64, Vec<Label>)>,
+    entries: Vec<(&'a LegendEntry, f64, Vec<Label>)>,
 }
 
 impl Row<'_> {
@@ -111,7 +111,7 @@ impl Row<'_> {
 }
 
 /// The entries in rows of a width; a label too long for one line is broken, never cut.
-pub(crate) fn rows(entries: &[Entry], width: f64) -> Vec<Row<'_>> {
+pub(crate) fn rows(entries: &[LegendEntry], width: f64) -> Vec<Row<'_>> {
     let mut rows: Vec<Row<'_>> = Vec::new();
     let mut taken = f64::INFINITY;
     for entry in entries {
@@ -153,7 +153,7 @@ pub(crate) fn draw_rows(canvas: &mut Canvas<'_>, rows: &[Row<'_>], (left, top): 
 }
 
 /// Draws one entry with the middle of its first line at a height.
-fn draw(canvas: &mut Canvas<'_>, entry: &Entry, (x, y): Point, lines: &[Label]) {
+fn draw(canvas: &mut Canvas<'_>, entry: &LegendEntry, (x, y): Point, lines: &[Label]) {
     match &entry.sample {
         Sample::Line(stroke) => canvas.line((x, y), (x + SAMPLE, y), stroke),
         Sample::Patch(fill, stroke) => {

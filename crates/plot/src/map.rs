@@ -30,7 +30,7 @@ impl MapChart {
         Self { chart: self.chart.title(title), ..self }
     }
 
-    /// Sets what a screen reader tells of the chart.
+    /// Sets the description for screen readers.
     #[must_use]
     pub fn description(self, text: &str) -> Self {
         Self { chart: self.chart.description(text), ..self }

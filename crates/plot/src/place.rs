@@ -23,7 +23,7 @@ pub(crate) struct Field {
 
 /// A place found for a text.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
+pub(crate) struct TextPlace {
     pub(crate) area: Rect,
     /// Where the leader meets the text, if it is so far away that it needs one.
     pub(crate) leader: Option<Point>,
@@ -119,9 +119,9 @@ impl Field {
     }
 
     /// A place for a box of a size near a point, taken when found.
-    pub(crate) fn near(&mut self, at: Point, (width, height): (f64, f64), near: Near) -> Option<Place> {
+    pub(crate) fn near(&mut self, at: Point, (width, height): (f64, f64), near: Near) -> Option<TextPlace> {
         let Near { gap, reach, worst } = near;
-        let mut best: Option<(Place, f64)> = None;
+        let mut best: Option<(TextPlace, f64)> = None;
         for (ring, distance) in [0.0, 7.0, 15.0, 25.0, 38.0, 54.0, 74.0, 98.0].into_iter().enumerate() {
             let distance = distance + gap;
             if distance > reach.max(gap) {
@@ -143,7 +143,7 @@ impl Field {
                 let beside = if ring > 0 { self.cost(&area.grown(4.0)).unwrap_or(0.0) - covered } else { 0.0 };
                 let score = covered.mul_add(8.0, distance * 0.5) + 2.0 * beside + real(order) * 0.15 + crossing;
                 if best.as_ref().is_none_or(|(_, least)| score < *least) {
-                    best = Some((Place { area, leader }, score));
+                    best = Some((TextPlace { area, leader }, score));
                 }
             }
         }

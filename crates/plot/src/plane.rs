@@ -3,11 +3,11 @@
 use crate::canvas::{AXIS, Anchor, Canvas, Fill, HAIR, RULE, Setting, Stroke, TEXT, number};
 use crate::font::CAP_HEIGHT;
 use crate::geometry::{Point, Rect};
-use crate::label::{Kind, Label, Run, SIZE_MIN};
+use crate::label::{Label, Run, RunKind, SIZE_MIN};
 use crate::style::Colour;
 use crate::ticks::{LARGEST, Ticks};
 
-/// One axis of a chart: name, symbol and unit of its quantity, and what it has to show.
+/// One axis of a chart: name, symbol and unit of its quantity, and the range to show.
 ///
 /// Written as DIN 461 has it: name, symbol in italics, a stroke, the unit: "torque *T* / Nm".
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +36,7 @@ impl Axis {
         }
     }
 
-    /// Symbol and unit, as a script is told them.
+    /// Symbol and unit, as passed to a script.
     pub(crate) fn sign(&self) -> (&str, &str) {
         (&self.symbol, &self.unit)
     }
@@ -116,7 +116,7 @@ impl Axis {
         if whole.width(least, false) <= room {
             return (whole, least);
         }
-        let symbol: Vec<Run> = self.name.runs.iter().filter(|run| run.kind != Kind::Plain).cloned().collect();
+        let symbol: Vec<Run> = self.name.runs.iter().filter(|run| run.kind != RunKind::Plain).cloned().collect();
         if symbol.is_empty() {
             return (whole, least);
         }

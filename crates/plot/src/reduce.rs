@@ -101,7 +101,7 @@ pub(crate) fn without_repeats(points: Vec<Point>) -> Vec<Vec<Point>> {
     pieces
 }
 
-/// How far a line may pass beside a point that is left out, in px: what is written has hundredths.
+/// Largest distance of the line from an omitted point, in px: coordinates are written in hundredths.
 const BESIDE: f64 = 0.02;
 
 /// A line without the points that lie on its straight stretches, to [`BESIDE`].

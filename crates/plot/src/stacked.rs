@@ -5,7 +5,7 @@ use crate::draw;
 use crate::geometry::Rect;
 use crate::item::{Item, Tags};
 use crate::label::Label;
-use crate::legend::{self, Entry, Row};
+use crate::legend::{self, LegendEntry, Row};
 use crate::picture::Picture;
 use crate::place::Field;
 use crate::plane::{Axis, EDGE, Plane, X_BELOW, x_ticks, y_margin, y_ticks};
@@ -67,7 +67,7 @@ struct Laid<'a> {
 
 /// Title and legend of a panel: side by side, or one below the other where the picture is too narrow for that.
 struct Head {
-    entries: Vec<Entry>,
+    entries: Vec<LegendEntry>,
     beside: bool,
 }
 
@@ -118,7 +118,7 @@ impl StackedChart {
         self
     }
 
-    /// Sets what a screen reader tells of the chart.
+    /// Sets the description for screen readers.
     #[must_use]
     pub fn description(mut self, text: &str) -> Self {
         text.clone_into(&mut self.description);
@@ -283,7 +283,7 @@ impl StackedChart {
             let rule = Stroke::solid(Colour::Soft, RULE);
             canvas.line((from + 1.0, base), (to - 1.0, base), &rule);
             let room = to - from.max(until) - 4.0;
-            // A name that finds no room leaves its first word, which tells segments apart; half a name tells nothing.
+            // A name without room is shortened to its first word, which still distinguishes segments.
             let fits = name.width(TEXT, false) <= room;
             let short = if fits { name.clone() } else { name.first_word().elided(room, TEXT, false) };
             // Segments that lie upon each other name only what is free.

@@ -6,7 +6,7 @@ use quantities::{Language, format_number};
 pub(crate) const LARGEST: f64 = 1e290;
 /// A span below this is none.
 const SMALLEST: f64 = 1e-280;
-/// A span below this share of the values cannot be told apart by their digits.
+/// Below this share of the values their digits no longer show the span.
 const RESOLUTION: f64 = 1e-9;
 
 /// The ticks of one axis.

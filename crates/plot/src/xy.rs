@@ -5,7 +5,7 @@ use crate::draw;
 use crate::geometry::Rect;
 use crate::item::{Item, colour};
 use crate::label::Label;
-use crate::legend::{self, Entry, Legend};
+use crate::legend::{self, Legend, LegendEntry};
 use crate::picture::Picture;
 use crate::place::{Field, spread};
 use crate::plane::{Axis, EDGE, Plane, X_BELOW, Y_ABOVE, x_ticks, y_margin, y_ticks};
@@ -57,7 +57,7 @@ impl XyChart {
         self
     }
 
-    /// Sets what a screen reader tells of the chart.
+    /// Sets the description for screen readers.
     #[must_use]
     pub fn description(mut self, text: &str) -> Self {
         text.clone_into(&mut self.description);
@@ -176,7 +176,7 @@ impl XyChart {
         canvas.finish(kind, &self.title.plain(), &self.description)
     }
 
-    fn entries(&self, canvas: &mut Canvas<'_>) -> Vec<Entry> {
+    fn entries(&self, canvas: &mut Canvas<'_>) -> Vec<LegendEntry> {
         if self.legend == Legend::Off { Vec::new() } else { legend::entries(canvas, &self.items) }
     }
 
@@ -194,7 +194,7 @@ impl XyChart {
         EDGE + title_height(canvas, &self.title) + Y_ABOVE
     }
 
-    fn layout(&self, canvas: &Canvas<'_>, entries: &[Entry], below: bool) -> Plane {
+    fn layout(&self, canvas: &Canvas<'_>, entries: &[LegendEntry], below: bool) -> Plane {
         let size = canvas.style.size;
         let top = self.above(canvas);
         let bottom = size.height - self::below(canvas, if below { entries } else { &[] });
@@ -262,7 +262,7 @@ fn has_points(item: &Item) -> bool {
 }
 
 /// What axis and legend take below a plane.
-fn below(canvas: &Canvas<'_>, entries: &[Entry]) -> f64 {
+fn below(canvas: &Canvas<'_>, entries: &[LegendEntry]) -> f64 {
     let rows = legend::rows(entries, canvas.style.size.width - 2.0 * EDGE);
     let legend = legend::rows_height(&rows);
     X_BELOW + EDGE / 2.0 + if legend > 0.0 { legend + 4.0 } else { 0.0 }
@@ -274,7 +274,7 @@ const END_GAP: f64 = 14.0;
 const ROW_END: f64 = 13.0;
 
 /// A corner, or else the middle of the upper or lower edge, that a legend fits into without covering anything.
-fn legend_corner(field: &Field, area: &Rect, entries: &[Entry]) -> Option<Rect> {
+fn legend_corner(field: &Field, area: &Rect, entries: &[LegendEntry]) -> Option<Rect> {
     let (width, height) = legend::column_size(entries);
     if width > area.width() * 0.6 || height > area.height() * 0.6 {
         return None;

@@ -1,4 +1,4 @@
-//! What every picture has to be, whatever is drawn: XML, finite, within its frame, no text upon another, the same twice.
+//! Properties of every picture: XML, finite, within its frame, no overlapping text, deterministic.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may fail loudly too")]
 

@@ -7,12 +7,72 @@ mod line;
 pub(crate) use faults::fields;
 
 use crate::Diagnostic;
-use crate::section::{Entry, Section};
-use crate::spec::{BODY, Kind};
+use crate::about::About;
+use crate::key::{Kind, Variants};
+use crate::section::{Fields, OfKinds, Section, names, section};
+use crate::stated::{Field, Head};
+use crate::value::choices;
 use faults::Faults;
 use line::{Keyed, Line};
 use mechanism::{Body, BodyInertia, Inertia, Orientation, Shape};
-use quantities::{Angle, HalfWidth, Length, Mass, MassDensity, Measure, Reading};
+use quantities::{Angle, HalfWidth, Length, Mass, MassDensity, Reading};
+
+section! {
+    /// A solid body, in a table of the project file and in one line of text alike.
+    BodySection, BodyName of About::Body {
+        shape: BodyKind => needed;
+        diameter: Length => positive;
+        length: Length => positive;
+        outer: Length => positive, example("80 mm");
+        inner: Length => not_negative, example("60 mm");
+        a: Length => positive;
+        b: Length => positive;
+        height: Length => positive;
+        axis: Orientation;
+        mass: Mass => positive;
+        density: MassDensity => positive;
+        distance: Length => not_negative;
+        angle: Angle;
+        count: u32 = 1 => whole(1, u32::MAX as i64), example("3");
+    }
+}
+
+choices! {
+    BodyKind {
+        Cylinder = "cylinder",
+        Disc = "disc",
+        Tube = "tube",
+        Box = "box",
+        Cone = "cone",
+        Sphere = "sphere",
+        Point = "point",
+        Rod = "rod",
+    }
+    Orientation { Parallel = "parallel", Perpendicular = "perpendicular" }
+}
+
+impl OfKinds for BodySection {
+    const VARIANTS: &'static Variants = &Variants {
+        keys: Self::KEYS,
+        by: "shape",
+        kinds: &[
+            of_shape(CYLINDER),
+            of_shape(DISC),
+            of_shape(TUBE),
+            of_shape(BOX),
+            of_shape(CONE),
+            of_shape(SPHERE),
+            of_shape(POINT),
+            of_shape(ROD),
+        ],
+        shared: BODY_SHARED,
+    };
+}
+
+/// What a shape needs and what it may have besides.
+const fn of_shape(shape: BodyShape) -> (&'static str, &'static [&'static str], &'static [&'static str]) {
+    (shape.name, shape.dimensions, if shape.may_lie { names!(BodySection: axis) } else { &[] })
+}
 
 /// What a body looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,17 +111,17 @@ pub struct BodyShape {
 /// Every shape.
 pub static BODY_SHAPES: [BodyShape; 8] = [CYLINDER, DISC, TUBE, BOX, CONE, SPHERE, POINT, ROD];
 
-pub(crate) const CYLINDER: BodyShape = shape(BodyKind::Cylinder, "cylinder", &["diameter", "length"], true);
-pub(crate) const DISC: BodyShape = shape(BodyKind::Disc, "disc", &["diameter", "length"], true);
-pub(crate) const TUBE: BodyShape = shape(BodyKind::Tube, "tube", &["outer", "inner", "length"], true);
-pub(crate) const BOX: BodyShape = shape(BodyKind::Box, "box", &["a", "b", "height"], false);
-pub(crate) const CONE: BodyShape = shape(BodyKind::Cone, "cone", &["diameter", "height"], false);
-pub(crate) const SPHERE: BodyShape = shape(BodyKind::Sphere, "sphere", &["diameter"], false);
-pub(crate) const POINT: BodyShape = shape(BodyKind::Point, "point", &[], false);
-pub(crate) const ROD: BodyShape = shape(BodyKind::Rod, "rod", &["length"], false);
+const CYLINDER: BodyShape = shape(BodyKind::Cylinder, "cylinder", names!(BodySection: diameter length), true);
+const DISC: BodyShape = shape(BodyKind::Disc, "disc", names!(BodySection: diameter length), true);
+const TUBE: BodyShape = shape(BodyKind::Tube, "tube", names!(BodySection: outer inner length), true);
+const BOX: BodyShape = shape(BodyKind::Box, "box", names!(BodySection: a b height), false);
+const CONE: BodyShape = shape(BodyKind::Cone, "cone", names!(BodySection: diameter height), false);
+const SPHERE: BodyShape = shape(BodyKind::Sphere, "sphere", names!(BodySection: diameter), false);
+const POINT: BodyShape = shape(BodyKind::Point, "point", &[], false);
+const ROD: BodyShape = shape(BodyKind::Rod, "rod", names!(BodySection: length), false);
 
 /// Keys that every shape may have.
-pub(crate) const BODY_SHARED: &[&str] = &["mass", "density", "distance", "angle", "count"];
+const BODY_SHARED: &[&str] = names!(BodySection: mass density distance angle count);
 
 const fn shape(kind: BodyKind, name: &'static str, dimensions: &'static [&'static str], may_lie: bool) -> BodyShape {
     BodyShape { kind, name, dimensions, may_lie }
@@ -76,9 +136,6 @@ impl BodyShape {
         keys
     }
 }
-
-/// How `axis` may be written.
-const AXES: [&str; 2] = ["parallel", "perpendicular"];
 
 /// One body as it was read, and its inertia.
 #[derive(Clone, Copy, Debug)]
@@ -105,7 +162,8 @@ pub struct InertiaAnswer {
 /// A body is its shape and then `key=value`, with the unit in the value: `tube outer=80mm inner=60mm length=50mm
 /// density=2.7g/cm^3 distance=120mm count=3`. What is left out: `distance` 0, `angle` 0, `count` 1, `axis` parallel.
 ///
-/// # Source   docs/guide/inertia.md; [`mechanism::inertia()`]
+/// # Source
+/// docs/guide/inertia.md; [`mechanism::inertia()`]
 /// # Errors
 /// Every fault with its place; the line of a place is the number of the body.
 pub fn inertia(text: &str) -> Result<InertiaAnswer, Vec<Diagnostic>> {
@@ -116,13 +174,18 @@ pub fn inertia(text: &str) -> Result<InertiaAnswer, Vec<Diagnostic>> {
 pub(crate) type BodyTolerance = (usize, &'static str, Reading, HalfWidth);
 
 /// The same of bodies whose quantities may carry tolerances.
-pub(crate) fn toleranced(text: &str) -> Result<(InertiaAnswer, Vec<BodyTolerance>), Vec<Diagnostic>> {
+pub(crate) fn toleranced(text: &str) -> Result<(Vec<BodySection>, Vec<BodyTolerance>), Vec<Diagnostic>> {
     let mut faults = Faults::with_tolerances(text);
-    let answer = answer(text, &mut faults)?;
-    Ok((answer, faults.tolerances.unwrap_or_default()))
+    let (sections, _) = sections(text, &mut faults)?;
+    Ok((sections, faults.tolerances.unwrap_or_default()))
 }
 
 fn answer(text: &str, faults: &mut Faults<'_>) -> Result<InertiaAnswer, Vec<Diagnostic>> {
+    let (sections, total) = sections(text, faults)?;
+    Ok(InertiaAnswer { bodies: sections.iter().filter_map(parts).collect(), total })
+}
+
+fn sections(text: &str, faults: &mut Faults<'_>) -> Result<(Vec<BodySection>, Inertia), Vec<Diagnostic>> {
     let mut found = Vec::new();
     let mut spans = Vec::new();
     for (index, (start, line)) in lines(text).enumerate() {
@@ -131,20 +194,19 @@ fn answer(text: &str, faults: &mut Faults<'_>) -> Result<InertiaAnswer, Vec<Diag
         found.extend(read(&line, faults));
         spans.push(line.span.clone());
     }
-    let bodies: Vec<Body> = found.iter().map(|(_, body)| *body).collect();
     if !faults.is_empty() {
         return Err(faults.take());
     }
-    let total = match mechanism::inertia(&bodies) {
-        Ok(total) => total,
+    let bodies: Vec<Body> = found.iter().filter_map(BodySection::body).collect();
+    match mechanism::inertia(&bodies) {
+        Ok(total) => Ok((found, total)),
         Err(errors) => {
             for fault in errors {
                 faults.body(&fault.error, spans.get(fault.body).cloned().unwrap_or_default());
             }
-            return Err(faults.take());
+            Err(faults.take())
         }
-    };
-    Ok(InertiaAnswer { bodies: found.into_iter().filter_map(parts).collect(), total })
+    }
 }
 
 /// The lines of a text with their offsets; an empty text has one line.
@@ -157,148 +219,73 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     })
 }
 
-/// The values of one line as far as they are good.
-#[derive(Default)]
-struct Values {
-    quantities: Vec<(&'static str, f64)>,
-    count: Option<u32>,
-    orientation: Orientation,
-}
-
-impl Values {
-    fn get(&self, key: &str) -> Option<f64> {
-        self.quantities.iter().find(|(name, _)| *name == key).map(|(_, si)| *si)
+impl BodySection {
+    /// Its shape as it is written.
+    fn shape(&self) -> Option<&'static BodyShape> {
+        BODY_SHAPES.iter().find(|shape| Some(shape.kind) == self.shape.value())
     }
 
-    fn length(&self, key: &str) -> Length {
-        Length::from_si(self.get(key).unwrap_or(0.0))
+    /// The body that a table describes; `None` where a key that it needs was refused or is missing.
+    pub(crate) fn body(&self) -> Option<Body> {
+        let shape = self.shape()?;
+        let has = |name: &&str| self.field(name).is_some_and(Field::is_given);
+        (self.is_whole() && shape.dimensions.iter().all(has)).then(|| self.body_of(shape.kind))
     }
 
-    fn body(&self, shape: &BodyShape) -> Body {
+    /// The same with zero for what it does not state.
+    fn body_of(&self, kind: BodyKind) -> Body {
         Body {
-            shape: self.shape(shape),
-            mass: self.get("mass").map(Mass::from_si),
-            density: self.get("density").map(MassDensity::from_si),
-            distance: self.length("distance"),
-            angle: Angle::from_si(self.get("angle").unwrap_or(0.0)),
-            count: self.count.unwrap_or(1),
+            shape: self.shape_of(kind),
+            mass: self.mass.value(),
+            density: self.density.value(),
+            distance: self.distance.or_zero(),
+            angle: self.angle.or_zero(),
+            count: self.count(),
         }
     }
 
-    fn shape(&self, shape: &BodyShape) -> Shape {
-        let length = |key| self.length(key);
-        let orientation = self.orientation;
-        match shape.kind {
+    fn shape_of(&self, kind: BodyKind) -> Shape {
+        let orientation = self.axis.value().unwrap_or_default();
+        let (diameter, length, height) = (self.diameter.or_zero(), self.length.or_zero(), self.height.or_zero());
+        match kind {
             BodyKind::Tube => {
-                let (outer, inner) = (length("outer"), length("inner"));
-                Shape::Tube { outer, inner, length: length("length"), orientation }
+                Shape::Tube { outer: self.outer.or_zero(), inner: self.inner.or_zero(), length, orientation }
             }
-            BodyKind::Box => Shape::Box { a: length("a"), b: length("b"), height: length("height") },
-            BodyKind::Cone => Shape::Cone { diameter: length("diameter"), height: length("height") },
-            BodyKind::Sphere => Shape::Sphere { diameter: length("diameter") },
+            BodyKind::Box => Shape::Box { a: self.a.or_zero(), b: self.b.or_zero(), height },
+            BodyKind::Cone => Shape::Cone { diameter, height },
+            BodyKind::Sphere => Shape::Sphere { diameter },
             BodyKind::Point => Shape::PointMass,
-            BodyKind::Rod => Shape::Rod { length: length("length") },
-            BodyKind::Cylinder | BodyKind::Disc => {
-                Shape::Cylinder { diameter: length("diameter"), length: length("length"), orientation }
-            }
+            BodyKind::Rod => Shape::Rod { length },
+            BodyKind::Cylinder | BodyKind::Disc => Shape::Cylinder { diameter, length, orientation },
         }
     }
 }
 
-/// The body that a table of a project file describes; `None` where a key that it needs was refused or is missing.
-pub(crate) fn of_table(section: &Section) -> Option<Body> {
-    let shape = BODY_SHAPES.iter().find(|shape| Some(shape.name) == section.text("shape"))?;
-    let whole = section.is_whole() && shape.dimensions.iter().all(|name| section.get(name).is_some());
-    let quantities = BODY.iter().filter_map(|key| Some((key.name, section.si(key.name)?)));
-    let orientation = match section.text("axis") {
-        Some("perpendicular") => Orientation::Perpendicular,
-        _ => Orientation::Parallel,
-    };
-    let count = match section.get("count") {
-        Some(Entry::Integer(count)) => u32::try_from(*count).ok(),
-        _ => None,
-    };
-    whole.then(|| Values { quantities: quantities.collect(), count, orientation }.body(shape))
-}
-
-/// The solid bodies that an axis turns, however they are written; `None` where it turns something else.
-pub(crate) fn of_axis(root: &Section) -> Option<InertiaAnswer> {
-    let turntable = root.table("mechanism")?.table("turntable")?;
-    let found: Vec<(&'static BodyShape, Body)> = match turntable.bodies("bodies") {
-        Some(bodies) => bodies.iter().map(|body| (shape_of(&body.shape), *body)).collect(),
-        None => turntable
-            .tables("body")
-            .iter()
-            .filter_map(|table| {
-                let shape = BODY_SHAPES.iter().find(|shape| Some(shape.name) == table.text("shape"))?;
-                Some((shape, of_table(table)?))
-            })
-            .collect(),
-    };
-    let bodies: Vec<Body> = found.iter().map(|(_, body)| *body).collect();
+/// Solid bodies with their inertia.
+pub(crate) fn together(sections: &[BodySection]) -> Option<InertiaAnswer> {
+    let bodies: Vec<Body> = sections.iter().filter_map(BodySection::body).collect();
     let total = mechanism::inertia(&bodies).ok()?;
-    Some(InertiaAnswer { bodies: found.into_iter().filter_map(parts).collect(), total })
+    Some(InertiaAnswer { bodies: sections.iter().filter_map(parts).collect(), total })
 }
 
-fn parts((shape, body): (&'static BodyShape, Body)) -> Option<BodyAnswer> {
+fn parts(section: &BodySection) -> Option<BodyAnswer> {
+    let (shape, body) = (section.shape()?, section.body()?);
     body.inertia().ok().map(|parts| BodyAnswer { shape, body, parts })
 }
 
-/// The shape of a body as it is written; a disc is a cylinder.
-const fn shape_of(shape: &Shape) -> &'static BodyShape {
-    match shape {
-        Shape::Cylinder { .. } => &CYLINDER,
-        Shape::Tube { .. } => &TUBE,
-        Shape::Box { .. } => &BOX,
-        Shape::Cone { .. } => &CONE,
-        Shape::Sphere { .. } => &SPHERE,
-        Shape::PointMass => &POINT,
-        Shape::Rod { .. } => &ROD,
-    }
-}
-
-/// Gives a body another value, in SI, in the place of one that it has; `None` for a key that it does not have.
-pub(crate) fn set(body: &mut Body, key: &str, si: f64) -> Option<()> {
-    let length = Length::from_si(si);
-    match key {
-        "mass" => body.mass = Some(Mass::from_si(si)),
-        "density" => body.density = Some(MassDensity::from_si(si)),
-        "distance" => body.distance = length,
-        "angle" => body.angle = Angle::from_si(si),
-        _ => match (&mut body.shape, key) {
-            (
-                Shape::Cylinder { diameter: part, .. }
-                | Shape::Cone { diameter: part, .. }
-                | Shape::Sphere { diameter: part },
-                "diameter",
-            )
-            | (
-                Shape::Cylinder { length: part, .. } | Shape::Tube { length: part, .. } | Shape::Rod { length: part },
-                "length",
-            )
-            | (Shape::Tube { outer: part, .. }, "outer")
-            | (Shape::Tube { inner: part, .. }, "inner")
-            | (Shape::Box { a: part, .. }, "a")
-            | (Shape::Box { b: part, .. }, "b")
-            | (Shape::Box { height: part, .. } | Shape::Cone { height: part, .. }, "height") => *part = length,
-            _ => return None,
-        },
-    }
-    Some(())
-}
-
 /// Reads one body; what is wrong with it goes to the faults.
-fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<(&'static BodyShape, Body)> {
+fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<BodySection> {
     let known = faults.shape(line);
     for stray in &line.strays {
         faults.stray(stray);
     }
-    let all: Vec<&str> = BODY.iter().map(|key| key.name).filter(|name| *name != "shape").collect();
+    let mut section = BodySection::absent(&Head::new("", line.span.clone()));
+    let by = BodySection::VARIANTS.by;
+    let all: Vec<&str> = BodySection::KEYS.iter().map(|key| key.name).filter(|name| *name != by).collect();
     let valid = known.map_or(all, BodyShape::keys);
-    let mut values = Values::default();
     let mut meant: Vec<&str> = Vec::new();
     for (index, pair) in line.pairs.iter().enumerate() {
-        let Some(key) = BODY.iter().find(|key| key.name == pair.key && valid.contains(&key.name)) else {
+        let Some(key) = BodySection::KEYS.iter().find(|key| key.name == pair.key && valid.contains(&key.name)) else {
             meant.extend(faults.unknown_key(pair, known, &valid));
             continue;
         };
@@ -306,48 +293,50 @@ fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<(&'static BodyShape,
             faults.twice(pair);
             continue;
         }
-        match key.kind {
-            Kind::Quantity(dimension, _) => {
-                values.quantities.extend(faults.quantity(pair, key.name, dimension).map(|si| (key.name, si)));
+        let span = pair.value_span.clone();
+        if let Kind::Quantity(dimension, _) = key.kind {
+            let si = faults.quantity(pair, key.name, dimension);
+            if let Some((field, si)) = section.field_mut(key.name).zip(si) {
+                field.state(si, span);
             }
-            Kind::Integer(..) => values.count = faults.count(pair),
-            _ => values.orientation = faults.axis(pair).unwrap_or_default(),
+        } else if let Kind::Integer(..) = key.kind {
+            if let Some(count) = faults.count(pair) {
+                section.count.give(count, span);
+            }
+        } else if let Some(axis) = faults.axis(pair) {
+            section.axis.give(axis, span);
         }
     }
     let shape = known?;
+    section.shape.give(shape.kind, line.shape_span.clone());
     // What a misspelt key was meant to be is not missing too.
-    let written = |name: &&str| line.has(name) || meant.contains(name);
+    let written = |name: &str| line.has(name) || meant.contains(&name);
     for dimension in shape.dimensions.iter().filter(|name| !written(name)) {
         faults.missing(line, dimension);
     }
-    let body = values.body(shape);
+    let body = section.body_of(shape.kind);
     for error in body.faults() {
-        // What could not be read has been told already.
-        let fields = faults::fields(&error);
-        let unread = |field: &&str| shape.dimensions.contains(field) && values.get(field).is_none();
-        let damaged = |field: &&str| written(field) && values.get(field).is_none();
-        let lost_mass = fields.is_empty() && ["mass", "density"].iter().any(damaged);
+        // What could not be read has been reported already.
+        let fields = faults::fields(&error, &section);
+        let unread = |field: &&dyn Field| shape.dimensions.contains(&field.name()) && !field.is_given();
+        let damaged = |field: &dyn Field| written(field.name()) && !field.is_given();
+        let lost_mass = fields.is_empty() && (damaged(&section.mass) || damaged(&section.density));
         if !fields.iter().any(unread) && !lost_mass {
-            let place = fields.first().and_then(|field| line.value_of(field));
+            let place = fields.first().and_then(|field| line.value_of(field.name()));
             faults.body(&error, place.unwrap_or_else(|| line.shape_span.clone()));
         }
     }
-    Some((shape, body))
+    Some(section)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::value::Choice;
 
     #[test]
-    fn every_key_of_a_shape_is_described() {
-        for shape in &BODY_SHAPES {
-            for name in shape.keys() {
-                assert!(BODY.iter().any(|key| key.name == name), "{name}");
-            }
-            assert!(
-                matches!(BODY.first().map(|key| key.kind), Some(Kind::OneOf(names)) if names.contains(&shape.name))
-            );
-        }
+    fn every_word_of_a_shape_has_its_entry() {
+        let names: Vec<&str> = BODY_SHAPES.iter().map(|shape| shape.name).collect();
+        assert_eq!(names, BodyKind::WORDS);
     }
 }

@@ -1,26 +1,57 @@
 //! Curves that the user measured or digitised, for actuators of the catalogue.
 
 use crate::Fault;
+use crate::about::About;
+use crate::key::Variants;
 use crate::read::Reader;
-use crate::section::Section;
+use crate::section::{OfKinds, Section, names, section};
+use crate::stated::{Field, Stated};
+use crate::value::{Choice, Rows, choices};
 use actuator::{Curve, CurvePoint, Parameters};
 use configurator::{actuators, catalogue_actuators};
-use order_code::{Option1, OrderCode, Pattern};
+use order_code::{OrderCode, Pattern};
 use provenance::{Datum, Grade, Source, Sourced};
-use quantities::{AngularVelocity, Measure, Torque};
 use std::sync::{Arc, OnceLock};
+
+/// A curve as it may be written.
+pub(crate) const CURVE: &str = "[[\"0 1/min\", \"32 N m\"], [\"40 1/min\", \"25 N m\"]]";
+
+section! {
+    /// A curve of the user for actuators of the catalogue.
+    CurveSection, CurveName of About::Curve {
+        kind: Limit => needed;
+        code: String => example("CHA-25A-100-*");
+        points: Rows<CurvePoint> => example(CURVE);
+        source: String;
+    }
+}
+
+impl OfKinds for CurveSection {
+    const VARIANTS: &'static Variants =
+        &Variants { keys: Self::KEYS, by: "kind", kinds: &[of(0), of(1), of(2), of(3)], shared: &[] };
+}
+
+/// What a curve of each kind needs.
+#[allow(clippy::indexing_slicing, reason = "read while compiling: an index out of bounds does not compile")]
+const fn of(kind: usize) -> (&'static str, &'static [&'static str], &'static [&'static str]) {
+    (Limit::WORDS[kind], names!(CurveSection: code points source), &[])
+}
 
 /// What a curve limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+pub(crate) enum Limit {
     Continuous,
     Half,
     Quarter,
     ShortTime,
 }
 
-/// The catalogue with the user's curves in the place of its own, made when it is first asked for: to read a project, to
-/// draw its cycle or to compare its texts takes none.
+choices! {
+    Limit { Continuous = "continuous", Half = "s3_50", Quarter = "s3_25", ShortTime = "short_time" }
+}
+
+/// The catalogue with the user's curves in the place of its own, made when it is first needed: reading a project,
+/// drawing its cycle and comparing its texts need none.
 #[derive(Clone, Debug)]
 pub struct OwnCatalogue {
     curves: Vec<UserCurve>,
@@ -32,13 +63,12 @@ impl OwnCatalogue {
     /// Its actuators, with or without the encoder at the output.
     #[must_use]
     pub fn actuators(&self, output_encoder: bool) -> &[(OrderCode, Parameters)] {
-        let (made, option_1) =
-            if output_encoder { (&self.output_encoder, Some(Option1::EC)) } else { (&self.plain, None) };
-        made.get_or_init(|| self.changed(option_1))
+        let made = if output_encoder { &self.output_encoder } else { &self.plain };
+        made.get_or_init(|| self.changed(output_encoder))
     }
 
-    fn changed(&self, option_1: Option<Option1>) -> Vec<(OrderCode, Parameters)> {
-        let mut actuators = actuators(option_1).to_vec();
+    fn changed(&self, output_encoder: bool) -> Vec<(OrderCode, Parameters)> {
+        let mut actuators = actuators(output_encoder).to_vec();
         for (code, parameters) in &mut actuators {
             self.curves.iter().filter(|curve| curve.pattern.matches(code)).for_each(|curve| curve.apply(parameters));
         }
@@ -52,7 +82,7 @@ struct UserCurve {
     /// Its number in the file, from one.
     index: usize,
     pattern: Pattern,
-    kind: Kind,
+    kind: Limit,
     curve: Curve,
     source: String,
 }
@@ -69,41 +99,35 @@ impl UserCurve {
         let drivetrain = Arc::make_mut(&mut parameters.drivetrain);
         let [half, quarter] = &mut drivetrain.s3_curves;
         let place = match self.kind {
-            Kind::Continuous => &mut drivetrain.continuous_curve,
-            Kind::Half => half,
-            Kind::Quarter => quarter,
-            Kind::ShortTime => &mut drivetrain.short_time_curve,
+            Limit::Continuous => &mut drivetrain.continuous_curve,
+            Limit::Half => half,
+            Limit::Quarter => quarter,
+            Limit::ShortTime => &mut drivetrain.short_time_curve,
         };
         *place = known;
     }
 }
 
-/// The catalogue with the curves of a project file; faults are told.
-pub(crate) fn read(root: &Section, reader: &mut Reader<'_>) -> Option<Arc<OwnCatalogue>> {
+/// The catalogue with the curves of a project file; faults are reported.
+pub(crate) fn read(sections: &[CurveSection], reader: &mut Reader<'_>) -> Option<Arc<OwnCatalogue>> {
     let mut found = Vec::new();
-    for (index, section) in root.tables("curve").iter().enumerate().filter(|(_, section)| section.is_whole()) {
-        let kind = match section.text("kind") {
-            Some("continuous") => Kind::Continuous,
-            Some("s3_50") => Kind::Half,
-            Some("s3_25") => Kind::Quarter,
-            _ => Kind::ShortTime,
-        };
-        let Some(code) = section.text("code") else { continue };
+    for (index, section) in sections.iter().enumerate().filter(|(_, section)| section.is_whole()) {
+        let (Some(kind), Some(code)) = (section.kind.value(), section.code.get()) else { continue };
         let pattern = match Pattern::parse(code) {
             Ok(pattern) => pattern,
             Err(errors) => {
                 for error in errors.iter() {
-                    reader.fault(section.span_of("code"), Fault::Code(error.clone()), None);
+                    reader.fault(section.code.span(), Fault::Code(error.clone()), None);
                 }
                 continue;
             }
         };
         if !catalogue_actuators().iter().any(|(code, _)| pattern.matches(code)) {
-            reader.fault(section.span_of("code"), Fault::NoSuchCode { written: code.to_owned() }, None);
+            reader.fault(section.code.span(), Fault::NoSuchCode { written: code.clone() }, None);
             continue;
         }
-        let source = section.text("source").unwrap_or_default().to_owned();
-        if let Some(curve) = curve(section, "points", reader) {
+        let source = section.source.get().cloned().unwrap_or_default();
+        if let Some(curve) = curve(&section.points, reader) {
             found.push(UserCurve { index: index + 1, pattern, kind, curve, source });
         }
     }
@@ -112,18 +136,11 @@ pub(crate) fn read(root: &Section, reader: &mut Reader<'_>) -> Option<Arc<OwnCat
 }
 
 /// A curve by its corner points.
-pub(crate) fn curve(section: &Section, key: &str, reader: &mut Reader<'_>) -> Option<Curve> {
-    section.get(key)?;
-    let points = section.rows(key).iter().filter_map(|row| match row.as_slice() {
-        [speed, torque] => {
-            Some(CurvePoint { speed: AngularVelocity::from_si(*speed), torque: Torque::from_si(*torque) })
-        }
-        _ => None,
-    });
-    match Curve::new(points.collect()) {
+pub(crate) fn curve(points: &Stated<Rows<CurvePoint>>, reader: &mut Reader<'_>) -> Option<Curve> {
+    match Curve::new(points.get()?.values()) {
         Ok(curve) => Some(curve),
         Err(fault) => {
-            reader.fault(section.span_of(key), Fault::Curve(fault), None);
+            reader.fault(points.span(), Fault::Curve(fault), None);
             None
         }
     }

@@ -1,6 +1,7 @@
 //! A project file changed at one place: order, comments and spelling of everything else stay as they are.
 
-use crate::spec::{Key, Kind, ROOT};
+use crate::key::{Key, Kind};
+use crate::root::KEYS;
 use std::fmt;
 use std::ops::Range as Span;
 use toml_edit::{Array, ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, TableLike, Value};
@@ -61,7 +62,7 @@ fn steps(path: &str) -> Option<Vec<Step<'_>>> {
 /// The description of the key at a path; `None` where the project file has no such key.
 #[must_use]
 pub fn key_at(path: &str) -> Option<&'static Key> {
-    key_of(ROOT, path)
+    key_of(KEYS, path)
 }
 
 /// The same of a record of measured values.
@@ -76,12 +77,7 @@ fn key_of(root: &'static [Key], path: &str) -> Option<&'static Key> {
     let mut found = None;
     for (name, place) in steps(path)? {
         let key = keys.iter().find(|key| key.name == name)?;
-        keys = match key.kind {
-            Kind::Table(keys) | Kind::OneOrMany(keys, _) if place.is_none() => keys,
-            Kind::OneOrMany(_, keys) => keys,
-            Kind::Variants(variants) => variants.keys,
-            _ => &[],
-        };
+        keys = key.kind.keys(place.is_some());
         found = Some(key);
     }
     found
@@ -92,7 +88,7 @@ fn key_of(root: &'static [Key], path: &str) -> Option<&'static Key> {
 /// # Errors
 /// [`EditFault`].
 pub fn edit(text: &str, path: &str, change: Edit<'_>) -> Result<String, EditFault> {
-    edit_as(ROOT, text, path, change)
+    edit_as(KEYS, text, path, change)
 }
 
 /// The text of a record of measured values with one change.
@@ -241,7 +237,7 @@ fn spread(entries: Vec<Value>) -> Value {
     array.into()
 }
 
-/// Puts an empty table, or an empty entry of a list before the one at its place; tells whether the order changed.
+/// Puts an empty table, or an empty entry of a list before the one at its place; returns whether the order changed.
 fn insert(parent: &mut dyn TableLike, (name, place): &Step<'_>) -> Option<bool> {
     let Some(place) = *place else {
         if parent.contains_key(name) {

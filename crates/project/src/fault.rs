@@ -1,8 +1,8 @@
 //! What can be wrong with what the user wrote, and what would help: identifiers with their arguments, in no language.
 
-use crate::ids;
+use crate::{Column, ids};
 use actuator::{BatteryFault, CurveFault};
-use mechanism::{BodyError, TableFault};
+use mechanism::{BodyError, Geometry, TableFault};
 use motion::{MoveFault, RecordedFault};
 use order_code::CodeError;
 use quantities::{Dimension, QuantityError, Unit};
@@ -49,7 +49,7 @@ pub enum Fault {
         /// The key.
         key: &'static str,
     },
-    /// One axis is asked for, the file has several.
+    /// One axis is required, the file has several.
     OneAxisOnly,
     /// Further faults that are counted only.
     More {
@@ -63,7 +63,7 @@ pub enum Fault {
         /// What it measures.
         dimension: Dimension,
     },
-    /// A text that is no quantity of the dimension asked for.
+    /// A text that is no quantity of the required dimension.
     Quantity {
         /// Path of the key.
         path: String,
@@ -146,7 +146,7 @@ pub enum Fault {
         /// Path of the key.
         path: String,
         /// What the columns measure.
-        dimensions: &'static [Dimension],
+        columns: &'static [Column],
     },
     /// A list of ratios that is empty or too long.
     RatioCount {
@@ -214,6 +214,15 @@ pub enum Fault {
     },
     /// A rod that is not longer than the crank.
     RodTooShort,
+    /// Lengths and angles that make no mechanism.
+    Geometry(Geometry),
+    /// A motion that goes farther than the geometry of the mechanism.
+    BeyondRange {
+        /// The farthest position that it reaches \[rad\].
+        position_rad: f64,
+        /// Lowest and highest that there are \[rad\].
+        range_rad: (f64, f64),
+    },
     /// No loads on the flange follow from this load.
     NoFlangeLoads,
     /// A load that would take the place of those of the mechanism in every segment.
@@ -375,6 +384,8 @@ impl Fault {
             Self::TooManyMechanisms => "too_many_mechanisms",
             Self::NoLine { .. } => "no_line",
             Self::RodTooShort => "rod_too_short",
+            Self::Geometry(fault) => fault.id(),
+            Self::BeyondRange { .. } => "beyond_range",
             Self::NoFlangeLoads => "no_flange_loads",
             Self::ReplacesEverything { .. } => "replaces_everything",
             Self::BeltOrTeeth => "belt_or_teeth",

@@ -1,244 +1,291 @@
 //! The loads on the output flange: those that the file states, and those that follow from the mechanism.
 
-use crate::read::{Reader, joined};
-use crate::section::Section;
+use crate::about::About;
+use crate::mechanism::OnFlange;
+use crate::motion::Segment;
+use crate::read::Reader;
+use crate::root::AxisSection;
+use crate::section::section;
+use crate::stated::Field;
+use crate::value::choices;
 use crate::{Assumption, Fault, Hint};
 use actuator::FlangeLoad;
-use mechanism::{Contact, Kind, LinearKind, Mechanism, Mounting, StageKind};
+use mechanism::{Contact, Mechanism, Mounting, StageKind};
 use quantities::unit::DEGREE;
 use quantities::{Angle, Force, Length, Mass, Measure};
 use sizing::{BearingDuty, DerivedLoads, OperatingCondition};
 
-/// Keys of the geometry from which loads follow.
-const GEOMETRY: [&str; 8] = [
-    "overhang",
-    "payload_overhang",
-    "flange_share",
-    "belt_tension",
-    "pressure_angle",
-    "helix_angle",
-    "wheel_mass",
-    "axis_tilt",
-];
+section! {
+    /// Loads on the output flange.
+    FlangeLoads, FlangeLoadsName of About::FlangeLoads {
+        radial_force: Force => not_negative;
+        radial_distance: Length => not_negative;
+        axial_force: Force => not_negative;
+        axial_distance: Length => not_negative;
+    }
+}
+
+section! {
+    /// Loads on the output flange, and how the mechanism loads it.
+    Bearing, BearingName of About::Bearing {
+        ..loads: FlangeLoads;
+        load_factor: f64 => within(1.0, 3.0), example("1.2");
+        operating_condition: OperatingCondition;
+        mechanism: Derived;
+        overhang: Length;
+        payload_overhang: Length;
+        flange_share: f64 => within(0.0, 1.0), example("0.5"), noted(Assumption::FlangeBearsAll);
+        belt_tension: Force => not_negative;
+        pressure_angle: Angle => positive, example("20 deg");
+        helix_angle: Angle => not_negative, example("15 deg"), noted(Assumption::SpurTeeth);
+        wheel_mass: Mass => not_negative, example("1.2 kg"), noted(Assumption::WheelWeightless);
+        axis_tilt: Angle;
+    }
+}
 
 /// Teeth with a larger pressure or helix angle are none.
 const TOOTH_ANGLE_MAX_DEG: f64 = 60.0;
 
 /// What the loads of the mechanism do beside those that are stated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Derived {
+pub(crate) enum Derived {
     /// They act besides.
     Add,
     /// Those of a segment replace them there.
     Replace,
+    /// They do not count.
+    Ignore,
 }
 
-fn derived(root: &Section) -> Option<Derived> {
-    match root.table("bearing")?.text("mechanism")? {
-        "add" => Some(Derived::Add),
-        "replace" => Some(Derived::Replace),
-        _ => None,
+choices! {
+    Derived { Add = "add", Replace = "replace", Ignore = "ignore" }
+    OperatingCondition { Normal = "normal", Shock = "shock", HighAccuracy = "high_accuracy" }
+}
+
+impl FlangeLoads {
+    /// Whether a load is stated.
+    fn states_load(&self) -> bool {
+        self.radial_force.is_given() || self.axial_force.is_given()
+    }
+
+    fn build(&self) -> FlangeLoad {
+        FlangeLoad {
+            radial_force: self.radial_force.or_zero(),
+            radial_distance: self.radial_distance.or_zero(),
+            axial_force: self.axial_force.or_zero(),
+            axial_distance: self.axial_distance.or_zero(),
+        }
+    }
+
+    /// Reports a force without the distance at which it acts, and the reverse.
+    fn pairs(&self, reader: &mut Reader<'_>) {
+        let pairs: [[&dyn Field; 2]; 2] =
+            [[&self.radial_force, &self.radial_distance], [&self.axial_force, &self.axial_distance]];
+        for [force, distance] in pairs {
+            needs(force, distance, reader);
+            needs(distance, force, reader);
+        }
     }
 }
 
-/// The loads on the flange and what is asked of the bearing.
-pub(crate) fn duty(root: &Section, mechanism: &Mechanism, reader: &mut Reader<'_>) -> Option<BearingDuty> {
-    let section = root.table("bearing");
-    let segments = root.tables("motion");
-    let own: Vec<Option<&Section>> = segments.iter().map(|section| section.table("bearing")).collect();
+/// Reports a key that is stated without another one that it needs.
+pub(crate) fn needs(given: &dyn Field, needed: &dyn Field, reader: &mut Reader<'_>) {
+    if given.is_given() && !needed.is_written() {
+        reader.fault(given.span(), Fault::MissingKey { path: needed.path(), list: false }, None);
+    }
+}
+
+impl Bearing {
+    /// The keys of the geometry from which loads follow.
+    fn geometry(&self) -> [&dyn Field; 8] {
+        [
+            &self.overhang,
+            &self.payload_overhang,
+            &self.flange_share,
+            &self.belt_tension,
+            &self.pressure_angle,
+            &self.helix_angle,
+            &self.wheel_mass,
+            &self.axis_tilt,
+        ]
+    }
+
+    /// What the loads of the mechanism do; `None` where they do not count.
+    fn derived(&self) -> Option<Derived> {
+        self.mechanism.value().filter(|derived| *derived != Derived::Ignore)
+    }
+
+    /// Whether the file says that the mechanism does not load the flange.
+    fn ignores(&self) -> bool {
+        self.mechanism.value() == Some(Derived::Ignore)
+    }
+
+    /// The keys that have an effect on the loads of a stage.
+    fn of_stage(&self, kind: StageKind) -> Vec<&dyn Field> {
+        let mut fields: Vec<&dyn Field> = vec![&self.overhang, &self.flange_share];
+        match kind {
+            StageKind::Belt => fields.push(&self.belt_tension),
+            StageKind::Gear => fields.extend([&self.pressure_angle as &dyn Field, &self.helix_angle]),
+            StageKind::Coupling => {}
+        }
+        fields.extend([&self.wheel_mass as &dyn Field, &self.axis_tilt]);
+        fields
+    }
+}
+
+/// The loads on the flange of each segment that has its own.
+fn own(segment: &Segment) -> Option<&FlangeLoads> {
+    segment.bearing.get()
+}
+
+/// The loads on the flange and what is required of the bearing.
+pub(crate) fn duty(axis: &AxisSection, mechanism: &Mechanism, reader: &mut Reader<'_>) -> Option<BearingDuty> {
+    let section = axis.parts.bearing.get();
+    let own: Vec<Option<&FlangeLoads>> = axis.segments().iter().map(own).collect();
     if section.is_none() && own.iter().all(Option::is_none) {
         return None;
     }
-    let how = derived(root);
-    let derived = how.and_then(|how| {
-        let mounting = mounting(root, mechanism, how, reader)?;
+    let how = section.and_then(Bearing::derived);
+    let derived = section.zip(how).and_then(|(section, how)| {
+        let mounting = mounting(axis, section, (mechanism, how), reader)?;
         let acts = own.iter().map(|own| how == Derived::Add || own.is_none()).collect();
         Some(DerivedLoads { mounting, acts })
     });
-    if how.is_none() {
-        for key in GEOMETRY {
-            if let Some(section) = section.filter(|section| section.get(key).is_some()) {
-                let hint = Hint::Example("mechanism = \"add\"".to_owned());
-                reader.fault(section.span_of(key), Fault::WithoutEffect { key }, Some(hint));
-            }
+    if let (Some(section), None) = (section, how) {
+        for field in section.geometry().into_iter().filter(|field| field.is_given()) {
+            let hint = Hint::Example("mechanism = \"add\"".to_owned());
+            reader.fault(field.span(), Fault::WithoutEffect { key: field.name() }, Some(hint));
         }
     }
-    let states = |section: &Section| ["radial_force", "axial_force"].iter().any(|key| section.get(key).is_some());
-    // A table that only asks something of the bearing states no load.
-    if how.is_none() && own.iter().all(Option::is_none) && !section.is_some_and(states) && ignores(root) {
+    // A table that only requires something of the bearing states no load.
+    let silent = section.is_some_and(|section| section.ignores() && !section.loads.states_load());
+    if how.is_none() && own.iter().all(Option::is_none) && silent {
         return None;
     }
-    let load = |section: Option<&Section>| FlangeLoad {
-        radial_force: section.and_then(|section| section.quantity("radial_force")).unwrap_or_else(zero),
-        radial_distance: section.and_then(|section| section.quantity("radial_distance")).unwrap_or_else(zero),
-        axial_force: section.and_then(|section| section.quantity("axial_force")).unwrap_or_else(zero),
-        axial_distance: section.and_then(|section| section.quantity("axial_distance")).unwrap_or_else(zero),
+    let common = section.map(|section| &section.loads);
+    let none = || FlangeLoad {
+        radial_force: Force::from_si(0.0),
+        radial_distance: Length::from_si(0.0),
+        axial_force: Force::from_si(0.0),
+        axial_distance: Length::from_si(0.0),
     };
-    let requirements = root.table("requirements");
-    let condition = section.and_then(|section| section.text("operating_condition"));
+    let requirements = axis.parts.requirements.get();
     Some(BearingDuty {
-        loads: own.into_iter().map(|own| load(own.or(section))).collect(),
+        loads: own.into_iter().map(|own| own.or(common).map_or_else(none, FlangeLoads::build)).collect(),
         derived,
-        load_factor: section.and_then(|section| section.number("load_factor")),
-        operating_condition: condition.and_then(|word| match word {
-            "normal" => Some(OperatingCondition::Normal),
-            "shock" => Some(OperatingCondition::Shock),
-            "high_accuracy" => Some(OperatingCondition::HighAccuracy),
-            _ => None,
-        }),
-        life_min: requirements.and_then(|section| section.quantity("bearing_life_min")),
-        tilt_max: requirements.and_then(|section| section.quantity("tilt_angle_max")),
+        load_factor: section.and_then(|section| section.load_factor.value()),
+        operating_condition: section.and_then(|section| section.operating_condition.value()),
+        life_min: requirements.and_then(|section| section.bearing_life_min.value()),
+        tilt_max: requirements.and_then(|section| section.tilt_angle_max.value()),
     })
 }
 
-/// Whether the file says that the mechanism loads no flange.
-fn ignores(root: &Section) -> bool {
-    root.table("bearing").and_then(|section| section.text("mechanism")) == Some("ignore")
-}
-
-fn zero<Q: Measure>() -> Q {
-    Q::from_si(0.0)
-}
-
 /// Faults of the stated loads, which need no mechanism: a force needs the distance at which it acts.
-pub(crate) fn stated(root: &Section, reader: &mut Reader<'_>) {
-    let own = root.tables("motion").iter().filter_map(|section| section.table("bearing"));
-    for section in root.table("bearing").into_iter().chain(own) {
-        for (force, distance) in [("radial_force", "radial_distance"), ("axial_force", "axial_distance")] {
-            for (given, needed) in [(force, distance), (distance, force)] {
-                if section.get(given).is_some() && !section.has(needed) {
-                    let fault = Fault::MissingKey { path: joined(&section.path, needed), list: false };
-                    reader.fault(section.span_of(given), fault, None);
-                }
-            }
-        }
+pub(crate) fn stated(axis: &AxisSection, reader: &mut Reader<'_>) {
+    if let Some(section) = axis.parts.bearing.get() {
+        section.loads.pairs(reader);
     }
-}
-
-/// The keys that have an effect on the loads of a mechanism.
-fn effective(mechanism: &Mechanism) -> &'static [&'static str] {
-    if let Some(stage) = &mechanism.stage {
-        return match stage.kind {
-            StageKind::Belt => &["overhang", "flange_share", "belt_tension", "wheel_mass", "axis_tilt"],
-            StageKind::Gear => {
-                &["overhang", "flange_share", "pressure_angle", "helix_angle", "wheel_mass", "axis_tilt"]
-            }
-            StageKind::Coupling => &["overhang", "flange_share", "wheel_mass", "axis_tilt"],
-        };
-    }
-    match &mechanism.kind {
-        Kind::Rotor(_) => &["overhang", "payload_overhang", "flange_share"],
-        Kind::Linear(linear) => match linear.kind {
-            LinearKind::Screw => &["overhang", "flange_share", "wheel_mass", "axis_tilt"],
-            LinearKind::Belt => &[
-                "overhang",
-                "flange_share",
-                "belt_tension",
-                "pressure_angle",
-                "helix_angle",
-                "wheel_mass",
-                "axis_tilt",
-            ],
-            LinearKind::Conveyor => &["overhang", "flange_share", "belt_tension", "wheel_mass", "axis_tilt"],
-        },
-        Kind::SliderCrank(_) => &["overhang", "flange_share", "wheel_mass", "axis_tilt"],
-        _ => &[],
+    for loads in axis.segments().iter().filter_map(own) {
+        loads.pairs(reader);
     }
 }
 
 /// How the load sits on the flange; what is not stated stays open, and the checks that need it say so.
-fn mounting(root: &Section, mechanism: &Mechanism, how: Derived, reader: &mut Reader<'_>) -> Option<Mounting> {
-    let section = root.table("bearing")?;
-    if !mechanism.knows_flange_forces(root.table("load").is_none()) {
-        reader.fault(section.span_of("mechanism"), Fault::NoFlangeLoads, Some(Hint::MechanismsWithLoads));
+fn mounting(
+    axis: &AxisSection,
+    section: &Bearing,
+    (mechanism, how): (&Mechanism, Derived),
+    reader: &mut Reader<'_>,
+) -> Option<Mounting> {
+    if !mechanism.knows_flange_forces() {
+        reader.fault(section.mechanism.span(), Fault::NoFlangeLoads, Some(Hint::MechanismsWithLoads));
         return None;
     }
-    let valid = effective(mechanism);
-    for key in GEOMETRY.into_iter().filter(|key| section.get(key).is_some() && !valid.contains(key)) {
-        reader.fault(section.span_of(key), Fault::WithoutEffect { key }, Some(Hint::valid(valid)));
+    let valid: Vec<&dyn Field> = match &mechanism.stage {
+        Some(stage) => section.of_stage(stage.kind),
+        None => axis.driven().map(|driven| driven.flange_keys(section)).unwrap_or_default(),
+    };
+    let names: Vec<&str> = valid.iter().map(|field| field.name()).collect();
+    let has_effect = |field: &dyn Field| names.contains(&field.name());
+    for field in section.geometry().into_iter().filter(|field| field.is_given() && !has_effect(*field)) {
+        reader.fault(field.span(), Fault::WithoutEffect { key: field.name() }, Some(Hint::valid(&names)));
     }
     if how == Derived::Replace {
-        for key in ["radial_force", "axial_force"].into_iter().filter(|key| section.get(key).is_some()) {
-            reader.fault(section.span_of(key), Fault::ReplacesEverything { key }, None);
+        let forces: [&dyn Field; 2] = [&section.loads.radial_force, &section.loads.axial_force];
+        for field in forces.into_iter().filter(|field| field.is_given()) {
+            reader.fault(field.span(), Fault::ReplacesEverything { key: field.name() }, None);
         }
     }
-    let tension: Option<Force> = section.quantity("belt_tension");
-    let pressure: Option<Angle> = section.quantity("pressure_angle");
-    let helix: Option<Angle> = section.quantity("helix_angle");
-    for (key, angle) in [("pressure_angle", pressure), ("helix_angle", helix)] {
-        if angle.is_some_and(|angle| angle.in_unit(&DEGREE) > TOOTH_ANGLE_MAX_DEG) {
-            reader.fault(section.span_of(key), Fault::ToothAngle { key, most_deg: TOOTH_ANGLE_MAX_DEG }, None);
+    for field in [&section.pressure_angle, &section.helix_angle] {
+        if field.value().is_some_and(|angle| angle.in_unit(&DEGREE) > TOOTH_ANGLE_MAX_DEG) {
+            let fault = Fault::ToothAngle { key: field.name(), most_deg: TOOTH_ANGLE_MAX_DEG };
+            reader.fault(field.span(), fault, None);
         }
     }
+    let (tension, pressure) = (section.belt_tension.value(), section.pressure_angle.value());
     if tension.is_some() && pressure.is_some() {
-        reader.fault(section.span_of("pressure_angle"), Fault::BeltOrTeeth, None);
+        reader.fault(section.pressure_angle.span(), Fault::BeltOrTeeth, None);
     }
-    for (key, needed) in [("helix_angle", "pressure_angle"), ("wheel_mass", "axis_tilt"), ("axis_tilt", "wheel_mass")] {
-        if section.get(key).is_some() && valid.contains(&key) && !section.has(needed) {
-            let fault = Fault::MissingKey { path: joined(&section.path, needed), list: false };
-            reader.fault(section.span_of(key), fault, None);
-        }
+    let pairs: [[&dyn Field; 2]; 3] = [
+        [&section.helix_angle, &section.pressure_angle],
+        [&section.wheel_mass, &section.axis_tilt],
+        [&section.axis_tilt, &section.wheel_mass],
+    ];
+    for [given, needed] in pairs.into_iter().filter(|[given, _]| has_effect(*given)) {
+        needs(given, needed, reader);
     }
     let contact = match (tension, pressure) {
         (Some(tension), _) => Some(Contact::Belt { tension }),
         (None, Some(pressure_angle)) => {
-            Some(Contact::Mesh { pressure_angle, helix_angle: helix.unwrap_or_else(zero::<Angle>) })
+            Some(Contact::Mesh { pressure_angle, helix_angle: section.helix_angle.or_zero() })
         }
         (None, None) => None,
     };
     Some(Mounting {
-        overhang: section.quantity::<Length>("overhang"),
-        payload_overhang: section.quantity("payload_overhang"),
-        share: section.number("flange_share"),
+        overhang: section.overhang.value(),
+        payload_overhang: section.payload_overhang.value(),
+        share: section.flange_share.value(),
         contact,
-        wheel_mass: section.quantity::<Mass>("wheel_mass"),
-        axis_tilt: section.quantity("axis_tilt"),
+        wheel_mass: section.wheel_mass.value(),
+        axis_tilt: section.axis_tilt.value(),
     })
 }
 
 /// Defaults about the loads on the flange that the file leaves open.
-pub(crate) fn assumptions(root: &Section, found: &mut Vec<Assumption>) {
-    let section = root.table("bearing");
-    let own = root.tables("motion").iter().any(|section| section.get("bearing").is_some());
-    let derives = derived(root).is_some();
-    let states = |section: &Section| section.get("radial_force").is_some() || section.get("axial_force").is_some();
-    if section.is_none() && !own || ignores(root) && !own && !section.is_some_and(states) {
+pub(crate) fn assumptions(axis: &AxisSection, found: &mut Vec<Assumption>) {
+    let section = axis.parts.bearing.get();
+    let has_own = axis.segments().iter().any(|segment| own(segment).is_some());
+    let states = section.is_some_and(|section| section.loads.states_load());
+    if section.is_none_or(|section| section.ignores() && !states) && !has_own {
         found.push(Assumption::NoFlangeLoads);
         return;
     }
-    if !derives {
-        found.push(if own { Assumption::FlangeMomentsAligned } else { Assumption::FlangeLoadsConstant });
+    let Some(section) = section.filter(|section| section.derived().is_some()) else {
+        found.push(if has_own { Assumption::FlangeMomentsAligned } else { Assumption::FlangeLoadsConstant });
         return;
-    }
-    let kind = root.table("mechanism").and_then(|mechanism| mechanism.subtables().next());
-    let has = |key: &str| section.is_some_and(|section| section.get(key).is_some());
+    };
     found.push(Assumption::FlangeLoadsOfMechanism);
-    if own || section.is_some_and(states) {
+    if has_own || states {
         found.push(Assumption::FlangeLoadsAddUp);
     }
-    if has("pressure_angle") && !has("helix_angle") {
-        found.push(Assumption::SpurTeeth);
-    }
-    if root.table("stage").is_some() {
+    found.extend(section.helix_angle.note().filter(|_| section.pressure_angle.is_given()));
+    if axis.parts.stage.is_given() {
         found.push(Assumption::MechanismOnOwnBearings);
-        if !has("wheel_mass") {
-            found.push(Assumption::WheelWeightless);
-        }
+        found.extend(section.wheel_mass.note());
         return;
     }
-    let Some((name, mechanism)) = kind else { return };
-    if !has("flange_share") && name != "screw" {
-        found.push(Assumption::FlangeBearsAll);
-    }
-    if matches!(name, "turntable" | "arm") {
-        found.push(Assumption::FlangeBodiesFlat);
-        if mechanism.get("axis_tilt").is_none() {
-            found.push(Assumption::FlangeUpwards);
+    let Some(on_flange) = axis.driven().and_then(|driven| driven.on_flange()) else { return };
+    found.extend(section.flange_share.note().filter(|_| !matches!(on_flange, OnFlange::Shaft)));
+    match on_flange {
+        OnFlange::Bodies(tilt) => {
+            found.push(Assumption::FlangeBodiesFlat);
+            if !tilt.is_given() {
+                found.push(Assumption::FlangeUpwards);
+            }
+            if axis.segments().iter().any(|segment| segment.payload_inertia.is_given()) {
+                found.push(Assumption::PayloadInertiaWeightless);
+            }
         }
-        if root.tables("motion").iter().any(|section| section.get("payload_inertia").is_some()) {
-            found.push(Assumption::PayloadInertiaWeightless);
-        }
-    } else if !has("wheel_mass") {
-        found.push(Assumption::WheelWeightless);
+        OnFlange::Wheel | OnFlange::Shaft => found.extend(section.wheel_mass.note()),
     }
 }

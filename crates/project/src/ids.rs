@@ -50,6 +50,7 @@ pub(crate) const fn motion(fault: &MoveFault) -> &'static str {
         MoveFault::RestToRestOnly => "rest_to_rest_only",
         MoveFault::EndSpeedAboveLimit => "end_speed_above_limit",
         MoveFault::StillMoving { .. } => "still_moving",
+        MoveFault::PointsSpeedJumps { .. } => "points_speed_jumps",
         MoveFault::RecordingSpeedJumps { .. } => "recording_speed_jumps",
         MoveFault::RecordingPositionJumps { .. } => "recording_position_jumps",
         MoveFault::SpeedNotClosed { .. } => "speed_not_closed",

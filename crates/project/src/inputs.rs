@@ -1,6 +1,7 @@
 //! Every key of a project file with what is written there.
 
 use crate::read::Reader;
+use crate::root::Root;
 use quantities::Unit;
 use std::collections::BTreeMap;
 use std::ops::Range as Span;
@@ -46,7 +47,7 @@ impl Input {
 #[must_use]
 pub fn inputs(text: &str) -> Vec<Input> {
     let mut reader = Reader::noting(text);
-    reader.read();
+    let _: Root = reader.read();
     let mut found = std::mem::take(&mut reader.inputs).unwrap_or_default();
     for tolerance in &reader.tolerances {
         let Some(input) = found.iter_mut().find(|input| input.path == tolerance.path) else { continue };
@@ -109,7 +110,7 @@ impl<'t> Reader<'t> {
         reader
     }
 
-    /// Notes a value if that is asked for.
+    /// Records a value if requested.
     pub(crate) fn input(&mut self, path: &str, span: &Span<usize>, amount: Option<(f64, &'static Unit)>) {
         let Some(inputs) = &mut self.inputs else { return };
         let raw = self.text.get(span.clone()).unwrap_or_default();

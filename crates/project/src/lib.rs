@@ -13,56 +13,77 @@ mod fault;
 mod flange;
 mod ids;
 mod inputs;
+mod key;
 mod label;
-mod load;
 mod measured;
+mod mechanism;
+mod motion;
 mod numbers;
+mod own;
 mod read;
 mod recorded;
+mod requirements;
+mod roles;
+mod root;
 mod schema;
 mod section;
-mod segment;
-mod spec;
 mod stage;
 mod stated;
 mod tolerance;
+mod value;
 
-pub use about::{About, MeasuredKey};
+/// The names of the keys of each section, by which their texts are found.
+pub mod names {
+    pub use crate::bodies::BodyName;
+    pub use crate::curves::CurveName;
+    pub use crate::flange::{BearingName, FlangeLoadsName};
+    pub use crate::measured::{
+        BrakeName, DirectionName, EmfName, MeasuredRootName, NoLoadName, SensorName, SpeedName, WindingName,
+    };
+    pub use crate::mechanism::names::*;
+    pub use crate::motion::SegmentName;
+    pub use crate::own::ActuatorName;
+    pub use crate::recorded::{ColumnsName, UnitsName};
+    pub use crate::requirements::{DriveName, RequirementsName};
+    pub use crate::root::{AxisName, OneOfSeveralName, PartsName, RootName};
+    pub use crate::stage::StageName;
+}
+
+pub use about::About;
 pub use bodies::{BODY_SHAPES, BodyAnswer, BodyKind, BodyShape, InertiaAnswer, inertia};
 pub use curves::OwnCatalogue;
 pub use diagnostic::{Diagnostic, place};
 pub use edit::{Edit, EditFault, Written, edit, edit_measured, key_at, measured_key_at, stretch, written};
 pub use fault::{Expected, Fault, FileTrouble, Hint, NoRegularFile, Range};
 pub use inputs::{Input, InputChange, input_changes, inputs};
+pub use key::{Column, Key, Kind, Variants, example};
 pub use label::input_label;
-pub use measured::{MEASURED_FORMAT, MEASURED_KEYS, MeasuredLine, measured, measured_lines};
-pub use read::example;
+pub use measured::{MEASURED_FORMAT, MEASURED_KEYS, MeasuredKey, MeasuredLine, measured, measured_lines};
+pub use motion::SegmentLaw;
+pub use own::OwnActuator;
 pub use recorded::{Files, Grant, NoFiles, Reach, RecordingRead};
+pub use roles::Within;
+pub use root::KEYS;
 pub use schema::{SchemaText, schema};
-pub use segment::SegmentLaw;
-pub use spec::{Key, Kind, ROOT as KEYS, Variants};
 pub use stage::RatioAnswer;
-pub use stated::Within;
 pub use tolerance::{ALL_CORNERS_MOST, Tolerance, Variant, Varied, sign};
 
-use actuator::{BatteryFault, Parameters};
+use ::mechanism::{Extra, Mechanism};
+use ::motion::{Motion, Spline};
 use configurator::Requirements;
-use mechanism::{Extra, Mechanism};
-use motion::Motion;
-use order_code::{Feedback, Option1, Option2};
-use provenance::{Datum, Grade, Source, Sourced};
-use quantities::{Measure, Time};
-use read::{Reader, joined};
+use order_code::{Option1, Option2};
+use read::Reader;
 use recorded::Recordings;
-use section::Section;
-use sizing::{Asked, Axis, BearingDuty, BrakeTimes, SpecialApplication};
+use requirements::RequirementsSection;
+use root::{AxisSection, Root};
+use section::{Fields, Section};
+use sizing::{Axis, BearingDuty, BrakeTimes};
+use stated::Field;
 use std::sync::Arc;
+use value::OneOrMany;
 
 /// Largest project file that is read, in bytes.
 pub const PROJECT_MAX_BYTES: usize = 1 << 20;
-
-/// Share of U_DC/√2 that a drive can use unless the user says otherwise: room for dead times and current control.
-const MODULATION_RESERVE: f64 = 0.9;
 
 /// A default that the user did not confirm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -129,7 +150,7 @@ pub enum Assumption {
     UniformTolerances,
     /// In a dwell without `hold` the motor carries the load.
     MotorHolds,
-    /// The recorded torque is a process torque, added to what the mechanism asks for.
+    /// The recorded torque is a process torque, added to the torque of the mechanism.
     RecordedTorqueAdds,
     /// Speed and acceleration are differences of a recorded position, not smoothed.
     RecordedPositionDifferentiated,
@@ -137,7 +158,7 @@ pub enum Assumption {
 
 impl Assumption {
     /// Every one, in their order.
-    pub const ALL: [Self; 33] = [
+    pub const ALL: [Self; 35] = [
         Self::NoFriction,
         Self::AmbientWithinRange,
         Self::CoolingPlate,
@@ -174,15 +195,6 @@ impl Assumption {
     ];
 }
 
-/// An actuator that the user describes.
-#[derive(Clone, Debug)]
-pub struct OwnActuator {
-    /// Its name.
-    pub name: String,
-    /// What is known of it.
-    pub parameters: Parameters,
-}
-
 /// A project: one axis with its requirements.
 #[derive(Clone, Debug)]
 pub struct Project {
@@ -192,9 +204,9 @@ pub struct Project {
     pub axis: Axis,
     /// What the actuator must have.
     pub requirements: Requirements,
-    /// Sensor option asked for.
+    /// Required sensor option.
     pub option_1: Option<Option1>,
-    /// Cable and connector option asked for.
+    /// Required cable and connector option.
     pub option_2: Option<Option2>,
     /// The user's own actuator, if there is one.
     pub actuator: Option<OwnActuator>,
@@ -209,7 +221,7 @@ pub struct Project {
     /// The quantities that carry a tolerance, in the order of the reader.
     pub tolerances: Vec<Tolerance>,
     /// The axis as it was read: it says where a value is stated, and with tolerances it is built anew at other values.
-    root: Section,
+    root: AxisSection,
     /// Whether a segment has loads on the flange of its own.
     segment_bearings: bool,
 }
@@ -222,7 +234,7 @@ impl Project {
     /// The solid bodies that the axis turns, with their inertia; `None` where it turns something else.
     #[must_use]
     pub fn bodies(&self) -> Option<InertiaAnswer> {
-        bodies::of_axis(&self.root)
+        self.root.bodies()
     }
 
     /// Reads a project file with one axis that refers to no other file.
@@ -247,22 +259,25 @@ impl Project {
             return Err(vec![Diagnostic::at(text, 0..0, fault, None)]);
         }
         let mut reader = Reader::new(text);
-        let root = reader.read();
-        let own = curves::read(&root, &mut reader);
+        let mut root: Root = reader.read();
+        let own = curves::read(root.curve.get().map_or(&[], |all| all.0.as_slice()), &mut reader);
         let mut recordings = Recordings::new(files);
-        let several = root.tables("axis");
+        let several = match root.axis.get_mut() {
+            Some(OneOrMany::Many(several)) => std::mem::take(several),
+            Some(OneOrMany::One(_)) | None => Vec::new(),
+        };
         let axes: Vec<Option<Self>> = if several.is_empty() {
-            vec![Self::build(root, None, (&mut recordings, own.as_ref(), choose), &mut reader)]
+            let axis = AxisSection::single(root);
+            vec![Self::build(axis, None, (&mut recordings, own.as_ref(), choose), &mut reader)]
         } else {
-            for key in ["load", "mechanism", "stage", "motion", "bearing", "requirements", "actuator"] {
-                if root.has(key) {
-                    reader.fault(root.span_of(key), Fault::OutsideTheAxes { key }, None);
-                }
+            for field in root.parts.fields().into_iter().filter(|field| field.is_written()) {
+                reader.fault(field.span(), Fault::OutsideTheAxes { key: field.name() }, None);
             }
-            let build = |(index, section): (usize, &Section)| {
-                Self::build(section.as_root(), Some(index), (&mut recordings, own.as_ref(), choose), &mut reader)
+            let build = |(index, axis)| {
+                let axis = AxisSection::of_several(axis);
+                Self::build(axis, Some(index), (&mut recordings, own.as_ref(), choose), &mut reader)
             };
-            several.iter().enumerate().map(build).collect()
+            several.into_iter().enumerate().map(build).collect()
         };
         let faults = reader.into_faults();
         match axes.into_iter().collect::<Option<Vec<Self>>>() {
@@ -273,12 +288,14 @@ impl Project {
 
     /// One axis from its section, `index` among several; `None` where a fault stands in the way.
     fn build(
-        mut root: Section,
+        mut root: AxisSection,
         index: Option<usize>,
         (recordings, own_catalogue, choose): (&mut Recordings<'_>, Option<&Arc<OwnCatalogue>>, Choose<'_>),
         reader: &mut Reader<'_>,
     ) -> Option<Self> {
-        recordings.resolve(&mut root, reader);
+        if let Some(segments) = root.parts.motion.get_mut() {
+            recordings.resolve(&mut segments.0, reader);
+        }
         let root = &root;
         let axis = prepare(root, reader).map(|draft| finish(root, draft));
         let actuator = build_actuator(root, reader);
@@ -289,27 +306,23 @@ impl Project {
         if reader.fault_count() == 0 && axis.is_some() {
             tolerance::hold(root, &tolerances, reader);
         }
+        let required = root.parts.requirements.get();
         let project = Self {
             ratios: Vec::new(),
-            name: root.table("axis").and_then(|axis| axis.text("name")).unwrap_or_default().to_owned(),
+            name: root.name.clone().unwrap_or_default(),
             own_catalogue: own_catalogue.cloned(),
-            recordings: recorded::all(root),
+            recordings: root.segments().iter().filter_map(|segment| segment.recording().cloned()).collect(),
             assumptions: assumptions(root, !tolerances.is_empty()),
             requirements: requirements(root),
-            option_1: option(root, "option_1").and_then(|word| (word == "EC").then_some(Option1::EC)),
-            option_2: option(root, "option_2").and_then(|word| match word {
-                "K" => Some(Option2::K),
-                "R" => Some(Option2::R),
-                "S" => Some(Option2::S),
-                _ => None,
-            }),
+            option_1: required.and_then(|required| required.option_1.value()),
+            option_2: required.and_then(|required| required.option_2.value()),
             axis: axis?,
             actuator,
-            segment_bearings: root.tables("motion").iter().any(|section| section.table("bearing").is_some()),
+            segment_bearings: root.segments().iter().any(|segment| segment.bearing.is_given()),
             root: root.clone(),
             tolerances,
         };
-        let ratios = root.table("stage").map(|section| section.numbers("ratios")).unwrap_or_default();
+        let ratios = root.parts.stage.get().map_or(&[][..], |stage| stage.ratios());
         if ratios.is_empty() || reader.fault_count() > 0 {
             return Some(project);
         }
@@ -318,7 +331,7 @@ impl Project {
     }
 
     /// The project with one ratio in the place of several; `None` where there is no such axis.
-    fn with_ratio(&self, root: &Section, ratio: f64) -> Option<Self> {
+    fn with_ratio(&self, root: &AxisSection, ratio: f64) -> Option<Self> {
         let mut root = root.clone();
         root.set_ratio(ratio);
         let draft = prepare(&root, &mut Reader::new(""))?;
@@ -326,49 +339,32 @@ impl Project {
     }
 }
 
-fn option<'s>(root: &'s Section, name: &str) -> Option<&'s str> {
-    root.table("requirements").and_then(|section| section.text(name))
-}
-
-fn assumptions(root: &Section, toleranced: bool) -> Vec<Assumption> {
+fn assumptions(root: &AxisSection, toleranced: bool) -> Vec<Assumption> {
     let mut found = Vec::new();
-    load::assumptions(root, &mut found);
-    if root.table("requirements").is_none_or(|section| section.get("ambient").is_none()) {
-        found.push(Assumption::AmbientWithinRange);
+    let driven = root.driven();
+    if let Some(driven) = driven {
+        mechanism::assumptions(driven, &mut found);
     }
+    motion::assumptions(root, driven, &mut found);
+    let absent = RequirementsSection::absent(root.head());
+    let required = root.parts.requirements.get().unwrap_or(&absent);
+    found.extend(required.ambient.note());
     found.push(Assumption::CoolingPlate);
-    if root.table("actuator").is_some_and(|own| own.get("stall_current").is_some()) {
+    if root.parts.actuator.get().is_some_and(|own| own.stall_current.is_given()) {
         found.push(Assumption::OwnStallCurrentIncludesFriction);
     }
-    let asks = |key: &str| root.table("requirements").is_some_and(|section| section.get(key).is_some());
-    if !asks("supply") {
-        found.push(Assumption::NoSupply);
-    } else if !asks("modulation_reserve") {
-        found.push(Assumption::ModulationReserve);
+    found.extend(required.supply.note().or_else(|| required.modulation_reserve.note()));
+    if let Some(stage) = root.parts.stage.get() {
+        stage.assumptions(&mut found);
     }
-    stage::assumptions(root, &mut found);
     flange::assumptions(root, &mut found);
-    if !asks("special_application") {
-        found.push(Assumption::OrdinaryApplication);
-    }
+    found.extend(required.special_application.note());
     found.extend(toleranced.then_some(Assumption::UniformTolerances));
     found
 }
 
-fn requirements(root: &Section) -> Requirements {
-    let Some(section) = root.table("requirements") else { return Requirements::default() };
-    Requirements {
-        feedback: section
-            .list("feedback")
-            .iter()
-            .filter_map(|word| Feedback::ALL.iter().copied().find(|feedback| feedback.as_str() == word))
-            .collect(),
-        brake: section.bool("brake"),
-        hollow_shaft_min: section.quantity("hollow_shaft_min"),
-        length_max: section.quantity("length_max"),
-        mass_max: section.quantity("mass_max"),
-        supply: section.quantity("supply"),
-    }
+fn requirements(root: &AxisSection) -> Requirements {
+    root.parts.requirements.get().map_or_else(Requirements::default, |required| required.build())
 }
 
 /// What an axis is made of, checked and not yet laid over each other.
@@ -379,141 +375,45 @@ struct Draft {
     bearing: Option<BearingDuty>,
 }
 
-/// Everything that may be wrong with an axis is told here; [`finish`] only computes.
-fn prepare(root: &Section, reader: &mut Reader<'_>) -> Option<Draft> {
-    if !root.has("motion") && !reader.is_damaged() {
-        let start = root.span.start;
+/// Everything that may be wrong with an axis is reported here; [`finish`] only computes.
+fn prepare(root: &AxisSection, reader: &mut Reader<'_>) -> Option<Draft> {
+    if !root.parts.motion.is_written() && !reader.is_damaged() {
         let hint = Hint::Example("[[motion]]".to_owned());
-        let span = start..start + usize::from(!root.span.is_empty());
-        reader.fault(span, Fault::MissingKey { path: "motion".to_owned(), list: true }, Some(hint));
+        let fault = Fault::MissingKey { path: root.parts.motion.name().to_owned(), list: true };
+        reader.fault(root.head().start(), fault, Some(hint));
     }
     flange::stated(root, reader);
-    let stage = stage::read(root, reader);
-    let load = load::load(root, reader)?;
+    let stage = root.parts.stage.get().and_then(|stage| stage.build(reader));
+    let load = mechanism::load(&root.parts, reader)?;
     // The file states the motion of the mechanism; from here on everything is that of the actuator's output.
     let mechanism = Mechanism { stage, ..load.mechanism.clone() };
     let bearing = flange::duty(root, &mechanism, reader);
-    let (motion, extras) = load::motion(root, &load, reader)?;
+    let (motion, extras) = motion::motion(root, &load, reader)?;
     let motion = motion.geared(mechanism.stage_ratio());
-    if let Some(asked) = root.table("requirements") {
-        let storage = asked.quantity("storage").unwrap_or_else(|| Time::from_si(0.0));
-        let operation = asked.quantity("operation_per_day");
-        let battery = configurator::battery();
-        if let Some(Err(fault)) = operation.zip(battery.known()).map(|(time, model)| model.value.life(time, storage)) {
-            let key =
-                if matches!(fault, BatteryFault::OperationOutOfRange { .. }) { "operation_per_day" } else { "storage" };
-            reader.fault(asked.span_of(key), Fault::Battery(fault), None);
-        }
+    if let Some(required) = root.parts.requirements.get() {
+        required.battery(reader);
     }
     Some(Draft { mechanism, motion, extras, bearing })
 }
 
-/// Load and motion laid over each other, with what is asked.
-fn finish(root: &Section, draft: Draft) -> Axis {
+/// Load and motion laid over each other, with what is required.
+fn finish(root: &AxisSection, draft: Draft) -> Axis {
     let mut axis = match configurator::brake_times() {
         Some((closing, opening)) => {
             Axis::braked(draft.mechanism, draft.motion, draft.extras, BrakeTimes { closing, opening })
         }
         None => Axis::new(draft.mechanism, draft.motion, draft.extras),
     };
-    if let Some(asked) = root.table("requirements") {
-        axis.ambient = asked.quantity("ambient");
-        axis.supply = asked
-            .quantity("supply")
-            .map(|supply| (supply, asked.number("modulation_reserve").unwrap_or(MODULATION_RESERVE)));
-        axis.asked = asked_of(asked);
+    if let Some(required) = root.parts.requirements.get() {
+        required.apply(&mut axis);
+    }
+    if let Some(drive) = root.parts.drive.get() {
+        drive.apply(&mut axis);
     }
     axis.bearing = draft.bearing;
     axis
 }
 
-fn asked_of(section: &Section) -> Asked {
-    Asked {
-        gear_life_min: section.quantity("gear_life_min"),
-        torsion_max: section.quantity("torsion_max"),
-        natural_frequency_min: section.quantity("natural_frequency_min"),
-        angle_error_max: section.quantity("angle_error_max"),
-        lever_arm: section.quantity("lever_arm"),
-        deviation_max: section.quantity("deviation_max"),
-        stop_angle_max: section.quantity("stop_angle_max"),
-        emergency_stops: section.number("emergency_stops"),
-        holding_safety: section.number("holding_safety"),
-        service_life: section.quantity("service_life"),
-        regeneration_power_max: section.quantity("regeneration_power_max"),
-        absolute: section.bool("absolute"),
-        resolution_max: section.quantity("resolution_max"),
-        operation_per_day: section.quantity("operation_per_day"),
-        storage: section.quantity("storage"),
-        battery_life_min: section.quantity("battery_life_min"),
-        collision_torque: section.quantity("collision_torque"),
-        collision_time: section.quantity("collision_time"),
-        collisions: section.number("collisions"),
-        loop_at_output: section.text("position_loop") == Some("output"),
-        dc_link_rise: section.quantity("dc_link_rise"),
-        special_application: section.text("special_application").and_then(|word| match word {
-            "aerospace" => Some(SpecialApplication::Aerospace),
-            "explosive_atmosphere" => Some(SpecialApplication::ExplosiveAtmosphere),
-            "nuclear" => Some(SpecialApplication::Nuclear),
-            "vacuum" => Some(SpecialApplication::Vacuum),
-            "household" => Some(SpecialApplication::Household),
-            "medical" => Some(SpecialApplication::Medical),
-            "human_contact" => Some(SpecialApplication::HumanContact),
-            "lifting_of_persons" => Some(SpecialApplication::LiftingOfPersons),
-            "amusement" => Some(SpecialApplication::Amusement),
-            _ => None,
-        }),
-    }
-}
-
-fn build_actuator(root: &Section, reader: &mut Reader<'_>) -> Option<OwnActuator> {
-    let section = root.table("actuator")?;
-    let mut parameters = Parameters::unknown();
-    let assumed = configurator::assumed();
-    parameters.friction_cold_growth = assumed.friction_cold_growth;
-    parameters.heat.winding_shutdown = match own(section, "winding_temperature_max") {
-        Datum::Known(stated) => Datum::Known(stated),
-        _ => assumed.winding_shutdown,
-    };
-    parameters.torque_max = own(section, "torque_max");
-    parameters.speed_max = own(section, "speed_max");
-    parameters.speed_motor_max = own(section, "speed_motor_max");
-    parameters.speed_motor_rated = own(section, "speed_motor_rated");
-    parameters.inertia_out = own(section, "inertia_out");
-    parameters.stall_torque = own(section, "stall_torque");
-    parameters.stall_current = own(section, "stall_current");
-    parameters.current_max = own(section, "current_max");
-    parameters.current_demagnetisation = own(section, "current_demagnetisation");
-    parameters.no_load_starting_current = own(section, "no_load_starting_current");
-    parameters.no_load_current_constant_30 = own(section, "no_load_current_constant_30");
-    parameters.no_load_current_constant_80 = own(section, "no_load_current_constant_80");
-    parameters.torque_constant_out = own(section, "torque_constant_out");
-    parameters.torque_constant_motor = own(section, "torque_constant_motor");
-    parameters.voltage_constant_motor = own(section, "voltage_constant_motor");
-    parameters.resistance_ll = own(section, "resistance_ll");
-    parameters.inductance_ll = own(section, "inductance_ll");
-    parameters.mass = own(section, "mass");
-    parameters.length = own(section, "length");
-    parameters.hollow_shaft = own(section, "hollow_shaft");
-    parameters.dc_link_max = own(section, "dc_link_max");
-    parameters.terminal_voltage_min = own(section, "terminal_voltage_min");
-    parameters.ratio = section.number("ratio").map_or(Datum::NotPrinted, |value| known(section, "ratio", value));
-    parameters.pole_pairs =
-        section.number("pole_pairs").map_or(Datum::NotPrinted, |value| known(section, "pole_pairs", value));
-    if let Some(curve) = curves::curve(section, "continuous_curve", reader) {
-        parameters.continuous_curve = known(section, "continuous_curve", curve);
-    }
-    if let Some(curve) = curves::curve(section, "short_time_curve", reader) {
-        parameters.short_time_curve = known(section, "short_time_curve", curve);
-    }
-    Some(OwnActuator { name: section.text("name")?.to_owned(), parameters })
-}
-
-/// A value that the user wrote: graded as published, since it stands in some document of the user's.
-fn known<T>(section: &Section, name: &str, value: T) -> Datum<T> {
-    let source = Source::Project { key: joined(&section.path, name).into() };
-    Datum::Known(Sourced { value, source, grade: Grade::Published, errata: &[] })
-}
-
-fn own<Q: Measure>(section: &Section, name: &str) -> Datum<Q> {
-    section.quantity(name).map_or(Datum::NotPrinted, |value| known(section, name, value))
+fn build_actuator(root: &AxisSection, reader: &mut Reader<'_>) -> Option<OwnActuator> {
+    root.parts.actuator.get()?.build(reader)
 }

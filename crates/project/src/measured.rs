@@ -1,91 +1,154 @@
 //! The record of a commissioning: measured values with their units, read with the same faults as a project file.
 
-use crate::about::{About, MeasuredKey};
-use crate::read::{Reader, example};
-use crate::section::Section;
-use crate::spec::{Key, Kind, key, needed, quantity};
-use crate::{Diagnostic, Fault, PROJECT_MAX_BYTES, Range};
+use crate::about::About;
+use crate::key::{Key, Kind, example};
+use crate::read::Reader;
+use crate::section::{Section, section};
+use crate::value::{OneOrMany, choices};
+use crate::{Diagnostic, Fault, PROJECT_MAX_BYTES};
+use installation::commission::expected::Measurand;
 use installation::commission::recorded::{Counting, Measured, NoLoad, Turn};
-use quantities::Dimension;
+use quantities::{
+    AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Frequency, Inductance,
+    ThermodynamicTemperature, Time,
+};
 
 /// The format of the record that this version reads.
 pub const MEASURED_FORMAT: i64 = 1;
 
-/// Directions, seen from the front: clockwise and counter-clockwise.
-const TURNS: &[&str] = &["cw", "ccw"];
-
-const COUNTINGS: &[&str] = &["rising", "falling"];
-
-const fn about(key: MeasuredKey) -> About {
-    About::Measured(key)
+section! {
+    /// A whole record.
+    MeasuredRoot, MeasuredRootName of About::Measured, MeasuredKey::Root {
+        format: u32 => whole(MEASURED_FORMAT, MEASURED_FORMAT), needed;
+        winding: Winding;
+        emf: Emf;
+        sensor: Sensor;
+        brake: Brake;
+        direction: Direction;
+        speed: Speed;
+        no_load: OneOrMany<NoLoadPoint, NoLoadPoint>;
+    }
 }
 
-const fn table(name: &'static str, keys: &'static [Key], purpose: MeasuredKey) -> Key {
-    key(name, Kind::Table(keys), false, about(purpose))
+section! {
+    /// The winding.
+    Winding, WindingName of About::Measured, MeasuredKey::Winding {
+        temperature: ThermodynamicTemperature => needed;
+        resistance_ll: ElectricalResistance => not_negative;
+        inductance_ll: Inductance => not_negative;
+    }
+}
+
+section! {
+    /// The back-EMF.
+    Emf, EmfName of About::Measured, MeasuredKey::Emf {
+        voltage_ll: ElectricPotential => not_negative, needed;
+        speed_motor: AngularVelocity => positive, needed;
+    }
+}
+
+section! {
+    /// The temperature sensors.
+    Sensor, SensorName of About::Measured, MeasuredKey::Sensor {
+        temperature: ThermodynamicTemperature => needed;
+        kty: ElectricalResistance => not_negative;
+        ptc: ElectricalResistance => not_negative;
+    }
+}
+
+section! {
+    /// The brake.
+    Brake, BrakeName of About::Measured, MeasuredKey::Brake {
+        voltage: ElectricPotential => not_negative;
+        opening_current: ElectricCurrent => not_negative;
+        holding_current: ElectricCurrent => not_negative;
+        opening_time: Time => not_negative;
+        closing_time: Time => not_negative;
+    }
+}
+
+section! {
+    /// The direction of rotation, seen from the front.
+    Direction, DirectionName of About::Measured, MeasuredKey::Direction {
+        motor: Turn => needed;
+        flange: Turn;
+        position: Counting;
+    }
+}
+
+section! {
+    /// Speeds at the same time.
+    Speed, SpeedName of About::Measured, MeasuredKey::Speed {
+        motor: AngularVelocity => positive, needed;
+        flange: AngularVelocity => positive;
+        electrical_frequency: Frequency => positive;
+    }
+}
+
+section! {
+    /// The no-load current at one speed.
+    NoLoadPoint, NoLoadName of About::Measured, MeasuredKey::NoLoad {
+        speed_out: AngularVelocity => not_negative, needed;
+        current: ElectricCurrent => not_negative, needed;
+        temperature: ThermodynamicTemperature => needed;
+    }
+}
+
+choices! {
+    Turn { Clockwise = "cw", CounterClockwise = "ccw" }
+    Counting { Rising = "rising", Falling = "falling" }
 }
 
 /// The root of the record, and under its tables every other key.
-#[rustfmt::skip] // one line per key
-pub const MEASURED_KEYS: &[Key] = &[
-    key("format", Kind::Integer(MEASURED_FORMAT, MEASURED_FORMAT), true, about(MeasuredKey::Format)),
-    table("winding", WINDING, MeasuredKey::Winding),
-    table("emf", EMF, MeasuredKey::Emf),
-    table("sensor", SENSOR, MeasuredKey::Sensor),
-    table("brake", BRAKE, MeasuredKey::Brake),
-    table("direction", DIRECTION, MeasuredKey::Direction),
-    table("speed", SPEED, MeasuredKey::Speed),
-    key("no_load", Kind::OneOrMany(NO_LOAD, NO_LOAD), false, about(MeasuredKey::NoLoad)),
-];
+pub const MEASURED_KEYS: &[Key] = MeasuredRoot::KEYS;
 
-#[rustfmt::skip] // one line per key
-const WINDING: &[Key] = &[
-    needed("temperature", Dimension::Temperature, Range::Any, about(MeasuredKey::WindingTemperature)),
-    quantity("resistance_ll", Dimension::Resistance, Range::NotNegative, about(MeasuredKey::ResistanceLl)),
-    quantity("inductance_ll", Dimension::Inductance, Range::NotNegative, about(MeasuredKey::InductanceLl)),
-];
+/// A key of a record of measured values, by its table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeasuredKey {
+    /// At the root.
+    Root(MeasuredRootName),
+    /// Of `[winding]`.
+    Winding(WindingName),
+    /// Of `[emf]`.
+    Emf(EmfName),
+    /// Of `[sensor]`.
+    Sensor(SensorName),
+    /// Of `[brake]`.
+    Brake(BrakeName),
+    /// Of `[direction]`.
+    Direction(DirectionName),
+    /// Of `[speed]`.
+    Speed(SpeedName),
+    /// Of `[[no_load]]`.
+    NoLoad(NoLoadName),
+}
 
-#[rustfmt::skip] // one line per key
-const EMF: &[Key] = &[
-    needed("voltage_ll", Dimension::Voltage, Range::NotNegative, about(MeasuredKey::EmfVoltage)),
-    needed("speed_motor", Dimension::AngularVelocity, Range::Positive, about(MeasuredKey::EmfSpeed)),
-];
-
-#[rustfmt::skip] // one line per key
-const SENSOR: &[Key] = &[
-    needed("temperature", Dimension::Temperature, Range::Any, about(MeasuredKey::SensorTemperature)),
-    quantity("kty", Dimension::Resistance, Range::NotNegative, about(MeasuredKey::Kty)),
-    quantity("ptc", Dimension::Resistance, Range::NotNegative, about(MeasuredKey::Ptc)),
-];
-
-#[rustfmt::skip] // one line per key
-const BRAKE: &[Key] = &[
-    quantity("voltage", Dimension::Voltage, Range::NotNegative, about(MeasuredKey::BrakeVoltage)),
-    quantity("opening_current", Dimension::Current, Range::NotNegative, about(MeasuredKey::OpeningCurrent)),
-    quantity("holding_current", Dimension::Current, Range::NotNegative, about(MeasuredKey::HoldingCurrent)),
-    quantity("opening_time", Dimension::Time, Range::NotNegative, about(MeasuredKey::OpeningTime)),
-    quantity("closing_time", Dimension::Time, Range::NotNegative, about(MeasuredKey::ClosingTime)),
-];
-
-#[rustfmt::skip] // one line per key
-const DIRECTION: &[Key] = &[
-    key("motor", Kind::OneOf(TURNS), true, about(MeasuredKey::DirectionMotor)),
-    key("flange", Kind::OneOf(TURNS), false, about(MeasuredKey::DirectionFlange)),
-    key("position", Kind::OneOf(COUNTINGS), false, about(MeasuredKey::DirectionPosition)),
-];
-
-#[rustfmt::skip] // one line per key
-const SPEED: &[Key] = &[
-    needed("motor", Dimension::AngularVelocity, Range::Positive, about(MeasuredKey::SpeedMotor)),
-    quantity("flange", Dimension::AngularVelocity, Range::Positive, about(MeasuredKey::SpeedFlange)),
-    quantity("electrical_frequency", Dimension::Frequency, Range::Positive, about(MeasuredKey::SpeedFrequency)),
-];
-
-#[rustfmt::skip] // one line per key
-const NO_LOAD: &[Key] = &[
-    needed("speed_out", Dimension::AngularVelocity, Range::NotNegative, about(MeasuredKey::NoLoadSpeed)),
-    needed("current", Dimension::Current, Range::NotNegative, about(MeasuredKey::NoLoadCurrent)),
-    needed("temperature", Dimension::Temperature, Range::Any, about(MeasuredKey::NoLoadTemperature)),
-];
+impl MeasuredKey {
+    /// What is measured with it; none of what only says under which conditions.
+    #[must_use]
+    pub const fn measurand(self) -> Option<Measurand> {
+        Some(match self {
+            Self::Winding(WindingName::resistance_ll) => Measurand::ResistanceLl,
+            Self::Winding(WindingName::inductance_ll) => Measurand::InductanceLl,
+            Self::Emf(EmfName::voltage_ll) => Measurand::Emf,
+            Self::Sensor(SensorName::kty) => Measurand::Kty,
+            Self::Sensor(SensorName::ptc) => Measurand::Ptc,
+            Self::Brake(BrakeName::voltage) => Measurand::BrakeVoltage,
+            Self::Brake(BrakeName::opening_current) => Measurand::BrakeOpeningCurrent,
+            Self::Brake(BrakeName::holding_current) => Measurand::BrakeHoldingCurrent,
+            Self::Brake(BrakeName::opening_time) => Measurand::BrakeOpeningTime,
+            Self::Brake(BrakeName::closing_time) => Measurand::BrakeClosingTime,
+            Self::NoLoad(NoLoadName::current) => Measurand::NoLoadCurrent,
+            Self::Winding(WindingName::temperature)
+            | Self::Emf(EmfName::speed_motor)
+            | Self::Sensor(SensorName::temperature)
+            | Self::NoLoad(NoLoadName::speed_out | NoLoadName::temperature)
+            | Self::Root(_)
+            | Self::Direction(_)
+            | Self::Speed(_) => return None,
+        })
+    }
+}
 
 /// Reads a record of measured values.
 ///
@@ -97,7 +160,7 @@ pub fn measured(text: &str) -> Result<Measured, Vec<Diagnostic>> {
         return Err(vec![Diagnostic::at(text, 0..0, fault, None)]);
     }
     let mut reader = Reader::new(text);
-    let root = reader.read_as(MEASURED_KEYS);
+    let root: MeasuredRoot = reader.read();
     let stated: Vec<_> = reader.tolerances.iter().map(|tolerance| tolerance.span.clone()).collect();
     for span in stated {
         // What was measured is one value.
@@ -108,50 +171,48 @@ pub fn measured(text: &str) -> Result<Measured, Vec<Diagnostic>> {
     if faults.is_empty() { Ok(found) } else { Err(faults) }
 }
 
-fn build(root: &Section) -> Measured {
+fn build(root: &MeasuredRoot) -> Measured {
     let mut found = Measured::default();
-    if let Some(winding) = root.table("winding") {
-        found.winding_temperature = winding.quantity("temperature");
-        found.resistance_ll = winding.quantity("resistance_ll");
-        found.inductance_ll = winding.quantity("inductance_ll");
+    if let Some(winding) = root.winding.get() {
+        found.winding_temperature = winding.temperature.value();
+        found.resistance_ll = winding.resistance_ll.value();
+        found.inductance_ll = winding.inductance_ll.value();
     }
-    if let Some(emf) = root.table("emf") {
-        found.emf = emf.quantity("voltage_ll").zip(emf.quantity("speed_motor"));
+    if let Some(emf) = root.emf.get() {
+        found.emf = emf.voltage_ll.value().zip(emf.speed_motor.value());
     }
-    if let Some(sensor) = root.table("sensor") {
-        found.sensor_temperature = sensor.quantity("temperature");
-        found.kty = sensor.quantity("kty");
-        found.ptc = sensor.quantity("ptc");
+    if let Some(sensor) = root.sensor.get() {
+        found.sensor_temperature = sensor.temperature.value();
+        found.kty = sensor.kty.value();
+        found.ptc = sensor.ptc.value();
     }
-    if let Some(brake) = root.table("brake") {
-        found.brake_voltage = brake.quantity("voltage");
-        found.brake_opening_current = brake.quantity("opening_current");
-        found.brake_holding_current = brake.quantity("holding_current");
-        found.brake_opening_time = brake.quantity("opening_time");
-        found.brake_closing_time = brake.quantity("closing_time");
+    if let Some(brake) = root.brake.get() {
+        found.brake_voltage = brake.voltage.value();
+        found.brake_opening_current = brake.opening_current.value();
+        found.brake_holding_current = brake.holding_current.value();
+        found.brake_opening_time = brake.opening_time.value();
+        found.brake_closing_time = brake.closing_time.value();
     }
-    if let Some(direction) = root.table("direction") {
-        let turn =
-            |name| direction.text(name).map(|word| if word == "cw" { Turn::Clockwise } else { Turn::CounterClockwise });
-        found.direction_motor = turn("motor");
-        found.direction_flange = turn("flange");
-        let counting = |word| if word == "rising" { Counting::Rising } else { Counting::Falling };
-        found.position = direction.text("position").map(counting);
+    if let Some(direction) = root.direction.get() {
+        found.direction_motor = direction.motor.value();
+        found.direction_flange = direction.flange.value();
+        found.position = direction.position.value();
     }
-    if let Some(speed) = root.table("speed") {
-        found.speed_motor = speed.quantity("motor");
-        found.speed_flange = speed.quantity("flange");
-        found.electrical_frequency = speed.quantity("electrical_frequency");
+    if let Some(speed) = root.speed.get() {
+        found.speed_motor = speed.motor.value();
+        found.speed_flange = speed.flange.value();
+        found.electrical_frequency = speed.electrical_frequency.value();
     }
-    let points: Vec<&Section> = match root.table("no_load") {
-        Some(single) => vec![single],
-        None => root.tables("no_load").iter().collect(),
+    let points = match root.no_load.get() {
+        Some(OneOrMany::One(single)) => std::slice::from_ref(single),
+        Some(OneOrMany::Many(several)) => several.as_slice(),
+        None => &[],
     };
-    let point = |section: &&Section| {
+    let point = |point: &NoLoadPoint| {
         Some(NoLoad {
-            speed_out: section.quantity("speed_out")?,
-            current: section.quantity("current")?,
-            temperature: section.quantity("temperature")?,
+            speed_out: point.speed_out.value()?,
+            current: point.current.value()?,
+            temperature: point.temperature.value()?,
         })
     };
     found.no_load = points.iter().filter_map(point).collect();
@@ -176,10 +237,11 @@ pub struct MeasuredLine {
 pub fn measured_lines() -> Vec<MeasuredLine> {
     let mut lines = Vec::new();
     for each in MEASURED_KEYS {
-        let (head, keys) = match each.kind {
-            Kind::Table(keys) => (format!("[{}]", each.name), keys),
-            Kind::OneOrMany(_, keys) => (format!("[[{}]]", each.name), keys),
-            _ => (example(each).unwrap_or_default(), [].as_slice()),
+        let keys = each.kind.keys(true);
+        let head = match each.kind {
+            Kind::Table(_) => format!("[{}]", each.name),
+            Kind::OneOrMany(..) => format!("[[{}]]", each.name),
+            _ => example(each).unwrap_or_default(),
         };
         lines.extend(line(each, head, !keys.is_empty()));
         lines.extend(keys.iter().filter_map(|key| line(key, example(key)?, false)));

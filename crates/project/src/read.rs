@@ -1,11 +1,13 @@
 //! Reads a project file against its description and reports every fault at once.
 
+use crate::bodies::BodySection;
 use crate::inputs::Input;
-use crate::section::{Entry, Section};
-use crate::spec::{Key, Kind, ROOT, Variants};
+use crate::key::{Column, Key, Kind, Variants, example};
+use crate::section::{Fields, Section};
+use crate::stated::Head;
 use crate::tolerance::{TOLERANCES_MOST, Tolerance};
+use crate::value::{Cell, Choice, Row};
 use crate::{Diagnostic, Expected, Fault, Hint, Range};
-use quantities::unit::ONE;
 use quantities::{Dimension, HalfWidth, Reading, is_unseen};
 use std::ops::Range as Span;
 use toml::Spanned;
@@ -23,19 +25,29 @@ const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 /// Most moves in one cycle, and most points of a curve.
 const LIST_MAX: usize = 10_000;
 
+/// A value of the file with its key.
+pub(crate) struct Found<'v, 'd> {
+    pub(crate) value: &'v DeValue<'d>,
+    /// Its place in the file, in bytes.
+    pub(crate) span: Span<usize>,
+    pub(crate) key: &'static Key,
+    /// Its path: `motion[2].speed`.
+    pub(crate) path: &'v str,
+}
+
 pub(crate) struct Reader<'t> {
     pub(crate) text: &'t str,
     pub(crate) faults: Vec<Diagnostic>,
     /// The tolerances in the order in which they were read, each under its path in the file.
     pub(crate) tolerances: Vec<Tolerance>,
-    /// Every value that is accepted, where that is asked for.
+    /// Every accepted value, if requested.
     pub(crate) inputs: Option<Vec<Input>>,
     damaged: bool,
     /// How many faults there are beyond those that are kept.
     more: usize,
 }
 
-/// So many faults are told one by one; of further ones only the count, so that the cost stays in proportion to the file.
+/// Number of faults listed one by one; further ones are counted, so that the cost stays proportional to the file.
 const FAULTS_MOST: usize = 50;
 
 impl<'t> Reader<'t> {
@@ -43,20 +55,15 @@ impl<'t> Reader<'t> {
         Self { text, faults: Vec::new(), tolerances: Vec::new(), inputs: None, damaged: false, more: 0 }
     }
 
-    /// Reads the whole project file; faults are collected in `self.faults`.
-    pub(crate) fn read(&mut self) -> Section {
-        self.read_as(ROOT)
-    }
-
-    /// Reads a whole file against its description; faults are collected in `self.faults`.
-    pub(crate) fn read_as(&mut self, keys: &'static [Key]) -> Section {
+    /// Reads a whole file; faults are collected in `self.faults`.
+    pub(crate) fn read<S: Section>(&mut self) -> S {
         let (root, errors) = DeTable::parse_recoverable(self.text);
         for error in &errors {
             let span = error.span().unwrap_or(0..0);
             self.fault(span, Fault::Syntax { message: error.message().to_owned() }, None);
         }
         self.damaged = !errors.is_empty();
-        self.section(root.get_ref(), 0..0, keys, "", self.damaged)
+        self.section(root.get_ref(), 0..0, "")
     }
 
     /// A reader of the same text without faults, for a trial.
@@ -69,12 +76,12 @@ impl<'t> Reader<'t> {
         self.damaged
     }
 
-    /// How many faults have been told so far.
+    /// Number of faults reported so far.
     pub(crate) const fn fault_count(&self) -> usize {
         self.faults.len() + self.more
     }
 
-    /// The faults, with a last one that counts those that were not told.
+    /// The faults, with a last one that counts those not listed.
     pub(crate) fn into_faults(mut self) -> Vec<Diagnostic> {
         self.faults.sort_by_key(|fault| (fault.span.start, fault.span.end));
         self.faults.dedup();
@@ -96,49 +103,45 @@ impl<'t> Reader<'t> {
         self.faults.push(Diagnostic::at(self.text, start..end, fault, hint));
     }
 
-    /// `damaged`: the syntax had errors, so a missing key may stand in the part that could not be read.
-    fn section(
-        &mut self,
-        table: &DeTable<'_>,
-        span: Span<usize>,
-        keys: &'static [Key],
-        path: &str,
-        damaged: bool,
-    ) -> Section {
-        let mut section = Section { span: span.clone(), path: path.to_owned(), ..Section::default() };
+    fn section<S: Section>(&mut self, table: &DeTable<'_>, span: Span<usize>, path: &str) -> S {
+        let mut section = S::absent(&Head::new(path, span.clone()));
+        self.fill(&mut section, table, S::KEYS, path);
+        self.missing(table, &span, S::KEYS, path);
+        section
+    }
+
+    /// Reads every key of a table into its field.
+    fn fill(&mut self, section: &mut dyn Fields, table: &DeTable<'_>, keys: &'static [Key], path: &str) {
         for (name, value) in table {
             let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
+                section.head_mut().has_strays = true;
                 // In a damaged file the key may stand under a head that could not be read.
-                if !damaged {
+                if !self.damaged {
                     self.unknown_key(name, keys, path);
                 }
                 continue;
             };
             let path = joined(path, key.name);
-            if let Some(entry) = self.entry(value, key, &path, damaged) {
-                if let Some(number) = entry.plain() {
-                    self.input(&path, &value.span(), number.map(|number| (number, &ONE)));
-                }
-                section.entries.insert(key.name, (entry, value.span()));
-            } else {
-                section.refused.push(key.name);
+            if let Some(field) = section.field_mut(key.name) {
+                field.read(&Found { value: value.get_ref(), span: value.span(), key, path: &path }, self);
             }
         }
-        if !damaged {
-            for key in keys.iter().filter(|key| key.required) {
-                if !table.iter().any(|(name, _)| name.get_ref().as_ref() == key.name) {
-                    let list = matches!(key.kind, Kind::Variants(_));
-                    let path = if list { key.name.to_owned() } else { joined(path, key.name) };
-                    let fault = Fault::MissingKey { path, list };
-                    self.fault(
-                        span.start..span.start + usize::from(!span.is_empty()),
-                        fault,
-                        example(key).map(Hint::Example),
-                    );
-                }
+    }
+
+    /// Reports the keys that a table must have and has not.
+    fn missing(&mut self, table: &DeTable<'_>, span: &Span<usize>, keys: &'static [Key], path: &str) {
+        // In a damaged file a missing key may stand in the part that could not be read.
+        if self.damaged {
+            return;
+        }
+        for key in keys.iter().filter(|key| key.required) {
+            if !table.iter().any(|(name, _)| name.get_ref().as_ref() == key.name) {
+                let list = matches!(key.kind, Kind::Variants(_));
+                let path = if list { key.name.to_owned() } else { joined(path, key.name) };
+                let place = span.start..span.start + usize::from(!span.is_empty());
+                self.fault(place, Fault::MissingKey { path, list }, example(key).map(Hint::Example));
             }
         }
-        section
     }
 
     fn unknown_key(&mut self, name: &Spanned<std::borrow::Cow<'_, str>>, keys: &'static [Key], path: &str) {
@@ -172,86 +175,132 @@ impl<'t> Reader<'t> {
         })
     }
 
-    fn entry(&mut self, value: &Spanned<DeValue<'_>>, key: &'static Key, path: &str, damaged: bool) -> Option<Entry> {
-        let span = value.span();
-        match (&key.kind, value.get_ref()) {
-            (Kind::Quantity(dimension, range), DeValue::String(text)) => {
-                self.quantity(text, span, (*dimension, *range), path).map(Entry::Quantity)
-            }
-            (Kind::Along(..), DeValue::String(text)) => self.along(text, span, key, path),
-            (Kind::Quantity(dimension, _) | Kind::Along(dimension, ..), DeValue::Integer(_) | DeValue::Float(_)) => {
-                let written = self.text.get(span.clone()).unwrap_or_default().to_owned();
-                let fault = Fault::BareNumber { path: path.to_owned(), dimension: *dimension };
-                self.fault(span, fault, Some(Hint::WithUnit { written, dimension: *dimension }));
-                None
-            }
-            (Kind::Number(low, high), DeValue::Integer(_) | DeValue::Float(_)) => {
-                let number: Option<f64> = self.text.get(span.clone()).and_then(|t| t.replace('_', "").parse().ok());
-                match number.filter(|number| number.is_finite() && number >= low && number <= high) {
-                    Some(number) => Some(Entry::Number(number)),
-                    None => {
-                        self.refuse(span, Fault::NumberOutOfRange { path: path.to_owned(), low: *low, high: *high })
-                    }
-                }
-            }
-            (Kind::Numbers(low, high, most), DeValue::Array(items)) => {
-                self.numbers(items, (*low, *high, *most), span, path)
-            }
-            (Kind::Integer(low, high), DeValue::Integer(number)) => {
-                let number = i64::from_str_radix(number.as_str(), number.radix()).ok();
-                match number.filter(|number| number >= low && number <= high) {
-                    Some(number) => Some(Entry::Integer(number)),
-                    #[allow(clippy::cast_precision_loss, reason = "bounds are small")]
-                    None => {
-                        let (low, high) = (*low as f64, *high as f64);
-                        self.refuse(span, Fault::NumberOutOfRange { path: path.to_owned(), low, high })
-                    }
-                }
-            }
-            (Kind::Bool, DeValue::Boolean(value)) => Some(Entry::Bool(*value)),
-            (Kind::Text, DeValue::String(text)) => {
-                if text.chars().count() > TEXT_MAX {
-                    return self.refuse(span, Fault::TextTooLong { path: path.to_owned(), most: TEXT_MAX });
-                }
-                if text.chars().any(is_unseen) {
-                    return self.refuse(span, Fault::ControlCharacter { path: path.to_owned() });
-                }
-                Some(Entry::Text(text.to_string()))
-            }
-            (Kind::OneOf(words), DeValue::String(text)) => self.word(text, span, words, path).map(Entry::Text),
-            (Kind::ListOf(words), DeValue::Array(items)) => self.list(items, words, path),
-            (Kind::Rows(dimensions), DeValue::Array(items)) => self.rows(items, dimensions, span, path),
-            (Kind::Table(keys), DeValue::Table(table)) => {
-                Some(Entry::Table(self.section(table, span, keys, path, damaged)))
-            }
-            (Kind::OneOrMany(keys, _), DeValue::Table(table)) => {
-                Some(Entry::Table(self.section(table, span, keys, path, damaged)))
-            }
-            (Kind::OneOrMany(_, keys), DeValue::Array(items)) => self.tables(items, span, (keys, None), path, damaged),
-            (Kind::Bodies, DeValue::Array(items)) => self.bodies(items, span, path),
-            (Kind::Variants(variants), DeValue::Array(items)) => {
-                self.tables(items, span, (variants.keys, Some(variants)), path, damaged)
-            }
-            (_, found) => {
-                let (expected, found) = (key.kind.expected(), found.type_str());
-                let fault = Fault::WrongType { path: path.to_owned(), expected, found };
-                self.fault(span, fault, example(key).map(Hint::Example));
-                None
-            }
-        }
+    /// What stands there is of another type than its key.
+    pub(crate) fn wrong_type<T>(&mut self, found: &Found<'_, '_>) -> Option<T> {
+        let (expected, written) = (found.key.kind.expected(), found.value.type_str());
+        let fault = Fault::WrongType { path: found.path.to_owned(), expected, found: written };
+        self.fault(found.span.clone(), fault, example(found.key).map(Hint::Example));
+        None
     }
 
-    pub(crate) fn refuse(&mut self, span: Span<usize>, fault: Fault) -> Option<Entry> {
+    pub(crate) fn refuse<T>(&mut self, span: Span<usize>, fault: Fault) -> Option<T> {
         self.fault(span, fault, None);
         None
     }
 
-    /// A quantity of the rotation or of the line; a unit of neither is told against the first.
-    fn along(&mut self, text: &str, span: Span<usize>, key: &Key, path: &str) -> Option<Entry> {
-        let Kind::Along(turning, line, range) = key.kind else { return None };
-        let nominal = quantities::without_tolerance(text);
-        let dimension = if quantities::parse(line, nominal).is_ok() { line } else { turning };
-        self.quantity(text, span, (dimension, range), path).map(|si| Entry::Along(dimension, si))
+    /// A quantity in SI.
+    pub(crate) fn quantity_of(&mut self, found: &Found<'_, '_>) -> Option<f64> {
+        match (found.key.kind, found.value) {
+            (Kind::Quantity(dimension, range), DeValue::String(text)) => {
+                self.quantity(text, found.span.clone(), (dimension, range), found.path)
+            }
+            (Kind::Quantity(dimension, _), DeValue::Integer(_) | DeValue::Float(_)) => {
+                self.bare_number(found, dimension)
+            }
+            _ => self.wrong_type(found),
+        }
+    }
+
+    /// A quantity of the rotation or of the line, in SI; a unit of neither is reported against the first.
+    pub(crate) fn along(&mut self, found: &Found<'_, '_>) -> Option<(Dimension, f64)> {
+        match (found.key.kind, found.value) {
+            (Kind::Along(turning, line, range), DeValue::String(text)) => {
+                let dimension = one_of(&[turning, line], text)?;
+                self.quantity(text, found.span.clone(), (dimension, range), found.path).map(|si| (dimension, si))
+            }
+            (Kind::Along(dimension, ..), DeValue::Integer(_) | DeValue::Float(_)) => self.bare_number(found, dimension),
+            _ => self.wrong_type(found),
+        }
+    }
+
+    fn bare_number<T>(&mut self, found: &Found<'_, '_>, dimension: Dimension) -> Option<T> {
+        let written = self.text.get(found.span.clone()).unwrap_or_default().to_owned();
+        let fault = Fault::BareNumber { path: found.path.to_owned(), dimension };
+        self.fault(found.span.clone(), fault, Some(Hint::WithUnit { written, dimension }));
+        None
+    }
+
+    /// A plain number within bounds.
+    pub(crate) fn number(&mut self, found: &Found<'_, '_>) -> Option<f64> {
+        let (Kind::Number(low, high), DeValue::Integer(_) | DeValue::Float(_)) = (found.key.kind, found.value) else {
+            return self.wrong_type(found);
+        };
+        let number: Option<f64> = self.text.get(found.span.clone()).and_then(|t| t.replace('_', "").parse().ok());
+        let number = number.filter(|number| number.is_finite() && *number >= low && *number <= high);
+        if number.is_none() {
+            self.fault(found.span.clone(), Fault::NumberOutOfRange { path: found.path.to_owned(), low, high }, None);
+        }
+        number
+    }
+
+    /// A whole number within bounds.
+    pub(crate) fn integer(&mut self, found: &Found<'_, '_>) -> Option<u32> {
+        let (Kind::Integer(low, high), DeValue::Integer(number)) = (found.key.kind, found.value) else {
+            return self.wrong_type(found);
+        };
+        let number = i64::from_str_radix(number.as_str(), number.radix()).ok();
+        let number = number.filter(|number| *number >= low && *number <= high).and_then(|n| u32::try_from(n).ok());
+        if number.is_none() {
+            #[allow(clippy::cast_precision_loss, reason = "bounds are small")]
+            let (low, high) = (low as f64, high as f64);
+            self.fault(found.span.clone(), Fault::NumberOutOfRange { path: found.path.to_owned(), low, high }, None);
+        }
+        number
+    }
+
+    /// Free text of bounded length.
+    pub(crate) fn free_text(&mut self, found: &Found<'_, '_>) -> Option<String> {
+        let DeValue::String(text) = found.value else { return self.wrong_type(found) };
+        if text.chars().count() > TEXT_MAX {
+            let fault = Fault::TextTooLong { path: found.path.to_owned(), most: TEXT_MAX };
+            return self.refuse(found.span.clone(), fault);
+        }
+        if text.chars().any(is_unseen) {
+            return self.refuse(found.span.clone(), Fault::ControlCharacter { path: found.path.to_owned() });
+        }
+        Some(text.to_string())
+    }
+
+    /// One of a fixed set of words.
+    pub(crate) fn choice<W: Choice>(&mut self, found: &Found<'_, '_>) -> Option<W> {
+        let DeValue::String(text) = found.value else { return self.wrong_type(found) };
+        self.word(text, found.span.clone(), found.path)
+    }
+
+    fn word<W: Choice>(&mut self, text: &str, span: Span<usize>, path: &str) -> Option<W> {
+        let choice = W::of_word(text);
+        if choice.is_none() {
+            let hint = self.nearest(text, W::WORDS);
+            let fault = Fault::NotAChoice { path: path.to_owned(), written: shortened(text, WORD_SHOWN) };
+            self.fault(span, fault, hint);
+        }
+        choice
+    }
+
+    /// Several words of a fixed set; what is none of them is reported and left out.
+    pub(crate) fn choices<W: Choice>(&mut self, found: &Found<'_, '_>) -> Option<Vec<W>> {
+        let DeValue::Array(items) = found.value else { return self.wrong_type(found) };
+        let mut list = Vec::new();
+        for item in items.iter() {
+            match item.get_ref() {
+                DeValue::String(text) => list.extend(self.word(text, item.span(), found.path)),
+                other => self.of_another_type(found.path, item.span(), Expected::Text, other),
+            }
+        }
+        Some(list)
+    }
+
+    /// An entry of a list is of another type than the list.
+    fn of_another_type(&mut self, path: &str, span: Span<usize>, expected: Expected, found: &DeValue<'_>) {
+        self.fault(span, Fault::WrongType { path: path.to_owned(), expected, found: found.type_str() }, None);
+    }
+
+    /// A table.
+    pub(crate) fn table<S: Section>(&mut self, found: &Found<'_, '_>) -> Option<S> {
+        match found.value {
+            DeValue::Table(table) => Some(self.section(table, found.span.clone(), found.path)),
+            _ => self.wrong_type(found),
+        }
     }
 
     fn quantity(
@@ -347,80 +396,52 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn word(&mut self, text: &str, span: Span<usize>, words: &'static [&'static str], path: &str) -> Option<String> {
-        if words.contains(&text) {
-            return Some(text.to_owned());
-        }
-        let hint = self.nearest(text, words);
-        let fault = Fault::NotAChoice { path: path.to_owned(), written: shortened(text, WORD_SHOWN) };
-        self.fault(span, fault, hint);
-        None
-    }
-
-    fn list(&mut self, items: &DeArray<'_>, words: &'static [&'static str], path: &str) -> Option<Entry> {
-        let mut list = Vec::new();
-        for item in items.iter() {
-            match item.get_ref() {
-                DeValue::String(text) => list.extend(self.word(text, item.span(), words, path)),
-                other => {
-                    let found = other.type_str();
-                    let fault = Fault::WrongType { path: path.to_owned(), expected: Expected::Text, found };
-                    self.fault(item.span(), fault, None);
-                }
-            }
-        }
-        Some(Entry::List(list))
-    }
-
-    fn tables(
+    /// An array of tables; with `variants` each is of one of several kinds.
+    pub(crate) fn tables<S: Section>(
         &mut self,
-        items: &DeArray<'_>,
-        span: Span<usize>,
-        (keys, variants): (&'static [Key], Option<&'static Variants>),
-        path: &str,
-        damaged: bool,
-    ) -> Option<Entry> {
-        if items.len() > LIST_MAX {
-            return self.refuse(span, Fault::TooManyEntries { path: path.to_owned(), most: LIST_MAX });
-        }
+        found: &Found<'_, '_>,
+        variants: Option<&'static Variants>,
+    ) -> Option<Vec<S>> {
+        let items = self.items(found)?;
         let mut sections = Vec::new();
         for (index, item) in items.iter().enumerate() {
-            let path = format!("{path}[{}]", index + 1);
+            let path = format!("{}[{}]", found.path, index + 1);
             match item.get_ref() {
                 DeValue::Table(table) => {
-                    sections.push(self.section(table, item.span(), keys, &path, damaged));
+                    sections.push(self.section(table, item.span(), &path));
                     if let Some(variants) = variants {
-                        self.variant(table, item.span(), variants, &path, damaged);
+                        self.variant(table, item.span(), variants, &path);
                     }
                 }
-                other => {
-                    let fault = Fault::WrongType { path, expected: Expected::Table, found: other.type_str() };
-                    self.fault(item.span(), fault, None);
-                }
+                other => self.of_another_type(&path, item.span(), Expected::Table, other),
             }
         }
-        Some(Entry::Tables(sections))
+        Some(sections)
     }
 
-    /// Solid bodies, one text each; a fault is told at the text that has it.
-    fn bodies(&mut self, items: &DeArray<'_>, span: Span<usize>, path: &str) -> Option<Entry> {
+    /// The entries of a list, if there are not too many.
+    fn items<'v, 'd>(&mut self, found: &Found<'v, 'd>) -> Option<&'v DeArray<'d>> {
+        let DeValue::Array(items) = found.value else { return self.wrong_type(found) };
         if items.len() > LIST_MAX {
-            return self.refuse(span, Fault::TooManyEntries { path: path.to_owned(), most: LIST_MAX });
+            let fault = Fault::TooManyEntries { path: found.path.to_owned(), most: LIST_MAX };
+            return self.refuse(found.span.clone(), fault);
         }
+        Some(items)
+    }
+
+    /// Solid bodies, one text each; a fault is reported at the text that has it.
+    pub(crate) fn bodies(&mut self, found: &Found<'_, '_>) -> Option<Vec<BodySection>> {
+        let (items, path, span) = (self.items(found)?, found.path, &found.span);
         let mut lines: Vec<(&str, Span<usize>)> = Vec::new();
         for item in items.iter() {
             match item.get_ref() {
                 DeValue::String(text) if !text.contains('\n') => lines.push((text, item.span())),
-                other => {
-                    let found = other.type_str();
-                    let fault = Fault::WrongType { path: path.to_owned(), expected: Expected::Text, found };
-                    self.fault(item.span(), fault, None);
-                }
+                other => self.of_another_type(path, item.span(), Expected::Text, other),
             }
         }
         let text: Vec<&str> = lines.iter().map(|(text, _)| *text).collect();
         match crate::bodies::toleranced(&text.join("\n")) {
-            Ok((answer, tolerances)) => {
+            Ok((bodies, tolerances)) => {
                 for (line, key, reading, half) in tolerances {
                     let Some((text, whole)) = lines.get(line) else { continue };
                     let path = format!("{path}[{}].{key}", line + 1);
@@ -429,8 +450,7 @@ impl<'t> Reader<'t> {
                 for (number, (_, span)) in (1..).zip(&lines) {
                     self.input(&format!("{path}[{number}]"), span, None);
                 }
-                let bodies = answer.bodies.into_iter().map(|each| each.body).collect();
-                (lines.len() == items.len()).then_some(Entry::Bodies(bodies))
+                (lines.len() == items.len()).then_some(bodies)
             }
             Err(faults) => {
                 let starts: Vec<usize> = lines
@@ -457,14 +477,14 @@ impl<'t> Reader<'t> {
     }
 
     /// The keys of a table must be those of its kind.
-    fn variant(&mut self, table: &DeTable<'_>, span: Span<usize>, variants: &Variants, path: &str, damaged: bool) {
+    fn variant(&mut self, table: &DeTable<'_>, span: Span<usize>, variants: &Variants, path: &str) {
         let find = |name: &str| table.iter().find(|(key, _)| key.get_ref().as_ref() == name);
         let Some(kind) = find(variants.by).and_then(|(_, value)| value.get_ref().as_str()) else { return };
-        // A misspelt kind is told elsewhere; what it misses is told after the kind that was probably meant.
+        // A misspelt kind is reported elsewhere; its missing keys are those of the kind that was probably meant.
         let near = |name: &str| strsim::damerau_levenshtein(name, &kind.chars().take(60).collect::<String>());
         let nearest = variants.kinds.iter().min_by_key(|(name, ..)| near(name));
         let Some((_, needed, allowed)) = nearest.filter(|(name, ..)| near(name) * 2 <= name.len()) else { return };
-        let damaged = damaged || self.faults.len() >= FAULTS_MOST;
+        let damaged = self.damaged || self.faults.len() >= FAULTS_MOST;
         if !damaged {
             for name in needed.iter().filter(|name| find(name).is_none()) {
                 let hint = variants.keys.iter().find(|key| key.name == *name).and_then(example);
@@ -489,45 +509,40 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn rows(
-        &mut self,
-        items: &DeArray<'_>,
-        dimensions: &'static [Dimension],
-        span: Span<usize>,
-        path: &str,
-    ) -> Option<Entry> {
-        if items.len() > LIST_MAX {
-            return self.refuse(span, Fault::TooManyEntries { path: path.to_owned(), most: LIST_MAX });
-        }
+    /// Rows of quantities.
+    pub(crate) fn rows<P: Row>(&mut self, found: &Found<'_, '_>) -> Option<Vec<(P, Span<usize>)>> {
+        let (items, path, columns) = (self.items(found)?, found.path, P::COLUMNS);
         let mut rows = Vec::new();
         for (index, item) in items.iter().enumerate() {
             let parts: Option<Vec<(&str, Span<usize>)>> = match item.get_ref() {
-                DeValue::Array(row) if row.len() == dimensions.len() => {
+                DeValue::Array(row) if row.len() == columns.len() => {
                     row.iter().map(|part| Some((part.get_ref().as_str()?, part.span()))).collect()
                 }
                 _ => None,
             };
             let Some(parts) = parts else {
-                self.fault(item.span(), Fault::NotARow { path: path.to_owned(), dimensions }, None);
+                self.fault(item.span(), Fault::NotARow { path: path.to_owned(), columns }, None);
                 continue;
             };
-            let row: Vec<Option<f64>> = (1..)
-                .zip(parts.into_iter().zip(dimensions))
-                .map(|(column, ((text, span), dimension))| self.part(*dimension, text, span, path, (index + 1, column)))
+            let row: Vec<Option<Cell>> = (1..)
+                .zip(parts.into_iter().zip(columns))
+                .map(|(number, ((text, span), column))| self.part(column, text, span, path, (index + 1, number)))
                 .collect();
-            rows.extend(row.into_iter().collect::<Option<Vec<f64>>>());
+            let row = row.into_iter().collect::<Option<Vec<Cell>>>().and_then(|row| P::of(&row));
+            rows.extend(row.map(|row| (row, item.span())));
         }
-        Some(Entry::Rows(rows))
+        Some(rows)
     }
 
     fn part(
         &mut self,
-        dimension: Dimension,
+        dimensions: Column,
         text: &str,
         span: Span<usize>,
         path: &str,
         (row, column): (usize, usize),
-    ) -> Option<f64> {
+    ) -> Option<Cell> {
+        let dimension = one_of(dimensions, text)?;
         match quantities::parse_toleranced(dimension, text) {
             Ok((reading, half)) => {
                 if !self.is_plausible(reading.si, &span, text, path) {
@@ -536,7 +551,7 @@ impl<'t> Reader<'t> {
                 let path = format!("{path}[{row}][{column}]");
                 self.tolerance(&reading, half, &span, text, &path, (dimension, Range::Any))?;
                 self.input(&path, &span, Some((reading.value, reading.unit)));
-                Some(reading.si)
+                Some((dimension, reading.si))
             }
             Err(error) => {
                 let inner = self.inside(&span, text, error.span());
@@ -545,6 +560,16 @@ impl<'t> Reader<'t> {
             }
         }
     }
+}
+
+/// Which of several quantities a text states; the first where it states none of them.
+fn one_of(dimensions: &[Dimension], text: &str) -> Option<Dimension> {
+    if let [only] = dimensions {
+        return Some(*only);
+    }
+    let nominal = quantities::without_tolerance(text);
+    let stated = dimensions.iter().find(|each| quantities::parse(**each, nominal).is_ok());
+    stated.or(dimensions.first()).copied()
 }
 
 /// A key within a table.
@@ -559,40 +584,4 @@ pub(crate) fn shortened(text: &str, most: usize) -> String {
 
 fn in_body(path: &str, fault: Fault) -> Fault {
     Fault::InBody { path: path.to_owned(), fault: Box::new(fault) }
-}
-
-/// A line that would be valid for a key, `None` for one of no words.
-pub fn example(key: &Key) -> Option<String> {
-    let name = key.name;
-    match key.kind {
-        Kind::Quantity(dimension, _) => {
-            let example = match name {
-                "bearing_life_min" | "gear_life_min" => "20000 h",
-                "tilt_angle_max" | "torsion_max" => "2 arcmin",
-                "natural_frequency_min" => "25 Hz",
-                "mass_max" => "10 kg",
-                "pressure_angle" => "20 deg",
-                "helix_angle" => "15 deg",
-                "wheel_mass" => "1.2 kg",
-                "length_max" => "200 mm",
-                _ => dimension.example(),
-            };
-            Some(format!("{name} = \"{example}\""))
-        }
-        Kind::Integer(low, _) => Some(format!("{name} = {low}")),
-        Kind::Number(low, _) => Some(format!("{name} = {low:.1}")),
-        Kind::Numbers(..) => Some(format!("{name} = [1.0, 2.5]")),
-        Kind::Bool => Some(format!("{name} = true")),
-        Kind::Text => Some(format!("{name} = \"…\"")),
-        Kind::OneOf(words) => words.first().map(|word| format!("{name} = \"{word}\"")),
-        Kind::ListOf(words) => words.first().map(|word| format!("{name} = [\"{word}\"]")),
-        Kind::Along(dimension, ..) => Some(format!("{name} = \"{}\"", dimension.example())),
-        Kind::Rows(dimensions) => {
-            let row: Vec<String> = dimensions.iter().map(|dimension| format!("\"{}\"", dimension.example())).collect();
-            Some(format!("{name} = [[{}], …]", row.join(", ")))
-        }
-        Kind::Table(_) | Kind::OneOrMany(..) => Some(format!("[{name}]")),
-        Kind::Bodies => Some(format!("{name} = [\"cylinder diameter=300mm length=20mm density=7850kg/m^3\"]")),
-        Kind::Variants(_) => Some(format!("[[{name}]]")),
-    }
 }

@@ -1,10 +1,15 @@
 //! Recordings that a project file refers to: found, read and turned into motion at the output.
 
-use crate::read::{Reader, shortened};
-use crate::section::{Entry, Section};
+use crate::about::About;
+use crate::key::Kind;
+use crate::motion::{Gaps, Segment, SegmentLaw};
+use crate::read::{Found, Reader, shortened};
+use crate::section::{Section, section};
+use crate::stated::{Field, Stated};
+use crate::value::Value;
 use crate::{Fault, Hint};
-use motion::{Recorded, RecordedFault, Samples, Treatment};
-use quantities::{Dimension, Measure, Time, Unit};
+use ::motion::{Recorded, RecordedFault, Samples, Treatment};
+use quantities::{Dimension, Measure, Unit};
 use recording::{Along, Bytes, ColumnSpec, FILE_BYTES_MAX, Layout, Limit, MEMORY_USUAL, Memory, Recording};
 use std::io::Read;
 use std::sync::Arc;
@@ -17,6 +22,52 @@ const NO_COLUMN: &str = "none";
 
 /// Bytes that a sample of a segment takes beside those of its recording: time, position, speed and torque at the output.
 const SEGMENT_BYTES: u64 = 4 * 8;
+
+section! {
+    /// Names of the columns of a recording; `none` where a name must not be taken for a role.
+    Columns, ColumnsName of About::Columns {
+        time: String;
+        position: String;
+        speed: String;
+        torque: String;
+    }
+}
+
+section! {
+    /// Units of the columns of a recording.
+    Units, UnitsName of About::Units {
+        time: String => example("ms");
+        position: String => example("deg");
+        speed: String => example("1/min");
+        torque: String => example("N m");
+    }
+}
+
+/// The file of a recording, and what was read of it.
+#[derive(Clone, Debug)]
+pub(crate) struct File {
+    name: String,
+    read: Option<RecordingRead>,
+}
+
+impl Value for File {
+    const KIND: Kind = Kind::Text;
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        reader.free_text(found).map(|name| Self { name, read: None })
+    }
+
+    fn noted(&self) -> Option<Option<(f64, &'static Unit)>> {
+        Some(None)
+    }
+}
+
+impl Segment {
+    /// What was read of its recording.
+    pub(crate) fn recording(&self) -> Option<&RecordingRead> {
+        self.file.get()?.read.as_ref()
+    }
+}
 
 /// The files that a project refers to, handed in by the face.
 pub trait Files {
@@ -47,13 +98,13 @@ pub struct Grant {
 }
 
 impl Default for Grant {
-    /// The usual memory, and no file but those beside the project: whoever speaks for another decides on more.
+    /// The default memory, and only files next to the project: a caller for another user decides on more.
     fn default() -> Self {
         Self { memory: MEMORY_USUAL, reach: Reach::Beside }
     }
 }
 
-/// Where the files of a project may lie. It is decided by the name alone; where a link leads is a matter of whoever
+/// Where the files of a project may lie. It is decided by the name alone; links are resolved by whatever
 /// opens the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
@@ -106,18 +157,18 @@ impl<'f> Recordings<'f> {
         Self { files, reach, memory: Memory::new(memory), read: Vec::new() }
     }
 
-    /// Reads every recording of the motion; what is read stands in the place of the name.
-    pub(crate) fn resolve(&mut self, root: &mut Section, reader: &mut Reader<'_>) {
-        for section in root.tables_mut("motion") {
-            if section.text("law") != Some("recorded") || !section.is_whole() {
+    /// Reads every recording of the motion.
+    pub(crate) fn resolve(&mut self, segments: &mut [Segment], reader: &mut Reader<'_>) {
+        for segment in segments {
+            if segment.law.value() != Some(SegmentLaw::Recorded) || !segment.is_whole() {
                 continue;
             }
-            let Some(name) = section.text("file").map(str::to_owned) else { continue };
-            let span = section.span_of("file");
+            let Some(name) = segment.file.get().map(|file| file.name.clone()) else { continue };
+            let span = segment.file.span();
             let before = reader.fault_count();
-            let layout = layout(section, reader);
+            let layout = layout(segment, reader);
             if reader.fault_count() > before {
-                section.refuse("file");
+                segment.file.refuse();
                 continue;
             }
             let told = |trouble, reader: &mut Reader<'_>| match trouble {
@@ -134,7 +185,7 @@ impl<'f> Recordings<'f> {
             };
             let known = self.read.iter().find(|(file, by, _)| *file == name && *by == layout);
             let found = match known {
-                // A file that was refused before is told where it was named first.
+                // A rejected file is reported where it was named first.
                 Some((.., found)) => found.clone(),
                 None => {
                     let found =
@@ -149,9 +200,10 @@ impl<'f> Recordings<'f> {
             });
             match found {
                 Some(recording) => {
-                    section.replace("file", Entry::Recording(RecordingRead { file: name, recording }));
+                    let read = Some(RecordingRead { file: name.clone(), recording });
+                    segment.file.give(File { name, read }, span);
                 }
-                None => section.refuse("file"),
+                None => segment.file.refuse(),
             }
         }
     }
@@ -196,57 +248,55 @@ enum Trouble {
     Content(Vec<recording::Fault>),
 }
 
-fn layout(section: &Section, reader: &mut Reader<'_>) -> Layout {
-    let mut column = |role: &str, dimensions: &[Dimension]| {
-        let name = section.table("columns").and_then(|columns| columns.text(role));
-        let unit = section.table("units").and_then(|units| {
-            let written = units.text(role)?;
+fn layout(segment: &Segment, reader: &mut Reader<'_>) -> Layout {
+    let (columns, units) = (segment.columns.get(), segment.units.get());
+    let mut column = |name: Option<&Stated<String>>, unit: Option<&Stated<String>>, dimensions: &[Dimension]| {
+        let name = name.and_then(Stated::get);
+        let unit = unit.and_then(|stated| {
+            let written = stated.get()?;
             let found = dimensions.iter().find_map(|dimension| Unit::of_dimension(*dimension, written));
             if found.is_none() {
                 let known: Vec<&str> =
                     dimensions.iter().flat_map(|dimension| dimension.units().iter().map(|unit| unit.ascii)).collect();
                 let fault = Fault::UnknownUnit { written: shortened(written, UNIT_SHOWN) };
-                reader.fault(units.span_of(role), fault, Some(Hint::valid(&known)));
+                reader.fault(stated.span(), fault, Some(Hint::valid(&known)));
             }
             found
         });
         ColumnSpec {
-            name: name.filter(|name| *name != NO_COLUMN).map(str::to_owned),
+            name: name.filter(|name| *name != NO_COLUMN).cloned(),
             unit,
-            unused: name == Some(NO_COLUMN),
+            unused: name.is_some_and(|name| name == NO_COLUMN),
         }
     };
-    Layout {
-        time: column("time", &[Dimension::Time]),
-        position: column("position", &[Dimension::Angle, Dimension::Length]),
-        speed: column("speed", &[Dimension::AngularVelocity, Dimension::Velocity]),
-        torque: column("torque", &[Dimension::Torque, Dimension::Force]),
-        from: section.quantity("from"),
-        to: section.quantity("to"),
-        allow_gaps: section.text("gaps") == Some("allow"),
-    }
+    let time = column(columns.map(|all| &all.time), units.map(|all| &all.time), &[Dimension::Time]);
+    let along = [Dimension::Angle, Dimension::Length];
+    let position = column(columns.map(|all| &all.position), units.map(|all| &all.position), &along);
+    let along = [Dimension::AngularVelocity, Dimension::Velocity];
+    let speed = column(columns.map(|all| &all.speed), units.map(|all| &all.speed), &along);
+    let along = [Dimension::Torque, Dimension::Force];
+    let torque = column(columns.map(|all| &all.torque), units.map(|all| &all.torque), &along);
+    let (from, to) = (segment.from.value(), segment.to.value());
+    Layout { time, position, speed, torque, from, to, allow_gaps: segment.gaps.value() == Some(Gaps::Allow) }
 }
 
 /// The samples of the recording of a segment, if it is one.
-pub(crate) fn samples(section: &Section) -> usize {
-    match section.get("file") {
-        Some(Entry::Recording(read)) => read.recording.time_s.len(),
-        _ => 0,
-    }
+pub(crate) fn samples(segment: &Segment) -> usize {
+    segment.recording().map_or(0, |read| read.recording.time_s.len())
 }
 
 /// The recorded motion of a segment at the output; `None` where a fault stands in the way.
 ///
 /// `travel`: way along the line per angle [m/rad], where the mechanism has one.
-pub(crate) fn motion(section: &Section, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Arc<Recorded>> {
-    let Some(Entry::Recording(RecordingRead { file, recording })) = section.get("file") else { return None };
+pub(crate) fn motion(segment: &Segment, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Arc<Recorded>> {
+    let RecordingRead { file, recording } = segment.recording()?;
     let mut turned = |along: Along, values: &Arc<Vec<f64>>, per_metre: bool| -> Option<Arc<Vec<f64>>> {
         let factor = match (along, travel) {
             (Along::Turning, _) => return Some(Arc::clone(values)),
             (Along::Line, Some(travel)) if per_metre => 1.0 / travel,
             (Along::Line, Some(travel)) => travel,
             (Along::Line, None) => {
-                reader.fault(section.span_of("file"), Fault::NoLine { path: file.clone() }, None);
+                reader.fault(segment.file.span(), Fault::NoLine { path: file.clone() }, None);
                 return None;
             }
         };
@@ -264,38 +314,32 @@ pub(crate) fn motion(section: &Section, travel: Option<f64>, reader: &mut Reader
         speed_rad_s: speed.flatten(),
         torque_nm: torque.flatten(),
     };
-    let standstill = match (section.along("standstill"), travel) {
-        (Some((Dimension::Velocity, si)), Some(travel)) => Some(si / travel),
-        (Some((Dimension::Velocity, _)), None) => {
-            reader.fault(section.span_of("standstill"), Fault::NoLine { path: "standstill".to_owned() }, None);
+    let standstill = match (segment.standstill.value(), travel) {
+        (Some(along), Some(travel)) if along.is_of_a_line => Some(along.si / travel),
+        (Some(along), None) if along.is_of_a_line => {
+            let path = segment.standstill.name().to_owned();
+            reader.fault(segment.standstill.span(), Fault::NoLine { path }, None);
             return None;
         }
-        (found, _) => found.map(|(_, si)| si),
+        (found, _) => found.map(|along| along.si),
     };
-    let treatment =
-        Treatment { smoothing: section.quantity::<Time>("smoothing"), standstill: standstill.map(Measure::from_si) };
+    let treatment = Treatment { smoothing: segment.smoothing.value(), standstill: standstill.map(Measure::from_si) };
     match Recorded::new(samples, treatment) {
         Ok(recorded) => Some(Arc::new(recorded)),
         Err(fault) => {
-            let key = match fault {
-                RecordedFault::WindowTooShort { .. } | RecordedFault::WindowTooLong { .. } => "smoothing",
-                _ => "file",
+            let span = match fault {
+                RecordedFault::WindowTooShort { .. } | RecordedFault::WindowTooLong { .. } => segment.smoothing.span(),
+                RecordedFault::TooFew { .. }
+                | RecordedFault::NoCourse
+                | RecordedFault::Uneven
+                | RecordedFault::NotFinite { .. }
+                | RecordedFault::NotIncreasing { .. }
+                | RecordedFault::Contradiction { .. } => segment.file.span(),
             };
-            reader.fault(section.span_of(key), Fault::Recorded { name: file.clone(), fault }, None);
+            reader.fault(span, Fault::Recorded { name: file.clone(), fault }, None);
             None
         }
     }
-}
-
-/// The recordings of the motion, in order.
-pub(crate) fn all(root: &Section) -> Vec<RecordingRead> {
-    root.tables("motion")
-        .iter()
-        .filter_map(|section| match section.get("file") {
-            Some(Entry::Recording(read)) => Some(read.clone()),
-            _ => None,
-        })
-        .collect()
 }
 
 #[cfg(test)]

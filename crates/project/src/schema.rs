@@ -1,16 +1,15 @@
 //! JSON Schema of the project file, from the same description that the reader uses.
 
-use crate::about::About;
-use crate::read::example;
-use crate::spec::{Key, Kind, ROOT, Variants};
+use crate::key::{Key, Kind, Variants, example};
+use crate::root::KEYS;
 use quantities::Dimension;
 use serde_json::{Map, Value, json};
 
 /// A text of the schema.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub enum SchemaText {
     /// What a key is for.
-    Key(About),
+    Key(Key),
     /// How a quantity is written.
     Quantity(Dimension),
 }
@@ -21,7 +20,7 @@ type Words<'w> = &'w dyn Fn(SchemaText) -> String;
 /// The JSON Schema of the project file (draft 2020-12), worded by `text`.
 #[must_use]
 pub fn schema(text: &dyn Fn(SchemaText) -> String) -> Value {
-    let mut root = table(ROOT, text);
+    let mut root = table(KEYS, text);
     if let Value::Object(map) = &mut root {
         map.insert("$schema".into(), json!("https://json-schema.org/draft/2020-12/schema"));
         map.insert("title".into(), json!("antrieb project"));
@@ -48,7 +47,7 @@ pub fn schema(text: &dyn Fn(SchemaText) -> String) -> Value {
 fn as_at_the_root(keys: &[Key], text: Words<'_>) -> Value {
     let mut whole = table(keys, text);
     if let Some(Value::Object(properties)) = whole.get_mut("properties") {
-        for (name, schema) in properties.iter_mut().filter(|(name, _)| ROOT.iter().any(|key| key.name == *name)) {
+        for (name, schema) in properties.iter_mut().filter(|(name, _)| KEYS.iter().any(|key| key.name == *name)) {
             *schema = json!({ "$ref": format!("#/properties/{name}") });
         }
     }
@@ -84,7 +83,7 @@ fn table(keys: &[Key], text: Words<'_>) -> Value {
     for key in keys {
         let mut schema = kind(key, text);
         if let Value::Object(map) = &mut schema {
-            map.insert("description".into(), json!(text(SchemaText::Key(key.about))));
+            map.insert("description".into(), json!(text(SchemaText::Key(*key))));
             if let Some(line) = example(key).filter(|_| matches!(key.kind, Kind::Quantity(..))) {
                 let value = line.split_once("= ").map_or("", |(_, value)| value).trim_matches('"').to_owned();
                 map.insert("examples".into(), json!([value]));
@@ -122,16 +121,22 @@ fn kind(key: &Key, text: Words<'_>) -> Value {
         Kind::Along(turning, line, _) => json!({
             "anyOf": [reference(turning), reference(line)],
         }),
-        Kind::Rows(dimensions) => {
-            let parts: Vec<Value> = dimensions.iter().map(|dimension| reference(*dimension)).collect();
+        Kind::Rows(columns) => {
+            let parts: Vec<Value> = columns
+                .iter()
+                .map(|column| match column {
+                    [only] => reference(*only),
+                    several => json!({ "anyOf": several.iter().map(|each| reference(*each)).collect::<Vec<_>>() }),
+                })
+                .collect();
             json!({
                 "type": "array",
                 "minItems": 2,
                 "items": {
                     "type": "array",
                     "prefixItems": parts,
-                    "minItems": dimensions.len(),
-                    "maxItems": dimensions.len(),
+                    "minItems": columns.len(),
+                    "maxItems": columns.len(),
                 },
             })
         }

@@ -1,213 +1,217 @@
-//! What a project file holds once it passed its description.
+//! The sections of the project file as plain structs: one declaration of a key makes its field, its reader and its
+//! description.
 
-use crate::recorded::RecordingRead;
-use quantities::{Dimension, Measure};
-use std::collections::BTreeMap;
-use std::ops::Range as Span;
+use crate::key::{Key, Variants};
+use crate::stated::{Field, Head};
 
-/// A value that passed its description.
-#[derive(Clone, Debug)]
-pub(crate) enum Entry {
-    /// SI value of a quantity.
-    Quantity(f64),
-    /// SI value and which dimension it was written in.
-    Along(Dimension, f64),
-    Number(f64),
-    Integer(i64),
-    Bool(bool),
-    Text(String),
-    List(Vec<String>),
-    Numbers(Vec<f64>),
-    /// Rows of SI values.
-    Rows(Vec<Vec<f64>>),
-    /// Solid bodies.
-    Bodies(Vec<mechanism::Body>),
-    /// What stands in a file that was named.
-    Recording(RecordingRead),
-    Table(Section),
-    Tables(Vec<Section>),
-}
+/// The fields of a section.
+pub(crate) trait Fields {
+    fn head(&self) -> &Head;
+    fn head_mut(&mut self) -> &mut Head;
+    /// All of them, in their order.
+    fn fields(&self) -> Vec<&dyn Field>;
+    fn field_mut(&mut self, name: &str) -> Option<&mut dyn Field>;
 
-impl Entry {
-    /// Of a value that is no quantity, table or row: its number if it is one.
-    pub(crate) const fn plain(&self) -> Option<Option<f64>> {
-        match self {
-            Self::Number(number) => Some(Some(*number)),
-            #[allow(clippy::cast_precision_loss, reason = "bounded by its description")]
-            Self::Integer(number) => Some(Some(*number as f64)),
-            Self::Bool(_) | Self::Text(_) | Self::List(_) | Self::Numbers(_) => Some(None),
-            _ => None,
-        }
+    /// The field of a key.
+    fn field(&self, name: &str) -> Option<&dyn Field> {
+        self.fields().into_iter().find(|field| field.name() == name)
     }
 }
 
-/// A table that passed its description.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Section {
-    pub(crate) span: Span<usize>,
-    /// Its path in the file: `motion[2]`, `axis[1].load`; empty for the root.
-    pub(crate) path: String,
-    pub(crate) entries: BTreeMap<&'static str, (Entry, Span<usize>)>,
-    /// Keys that are there, but whose value was refused.
-    pub(crate) refused: Vec<&'static str>,
-}
+/// A section of the file.
+pub(crate) trait Section: Fields + Sized {
+    const KEYS: &'static [Key];
 
-impl Section {
-    pub(crate) fn get(&self, name: &str) -> Option<&Entry> {
-        self.entries.get(name).map(|(entry, _)| entry)
-    }
-
-    /// Whether a key is there, with a valid value or not.
-    pub(crate) fn has(&self, name: &str) -> bool {
-        self.entries.contains_key(name) || self.refused.contains(&name)
-    }
+    /// With nothing in it.
+    fn absent(head: &Head) -> Self;
 
     /// Whether no value was refused.
-    pub(crate) const fn is_whole(&self) -> bool {
-        self.refused.is_empty()
-    }
-
-    pub(crate) fn span_of(&self, name: &str) -> Span<usize> {
-        self.entries.get(name).map_or_else(|| self.span.clone(), |(_, span)| span.clone())
-    }
-
-    /// Puts another value in the place of one that is there.
-    pub(crate) fn replace(&mut self, name: &str, entry: Entry) {
-        if let Some((old, _)) = self.entries.get_mut(name) {
-            *old = entry;
-        }
-    }
-
-    /// Takes back a value that turned out to be no good.
-    pub(crate) fn refuse(&mut self, name: &'static str) {
-        self.entries.remove(name);
-        self.refused.push(name);
-    }
-
-    pub(crate) fn tables_mut(&mut self, name: &str) -> &mut [Self] {
-        match self.entries.get_mut(name) {
-            Some((Entry::Tables(sections), _)) => sections,
-            _ => &mut [],
-        }
-    }
-
-    /// One of several axes as if it stood alone: its name and all else at the root.
-    pub(crate) fn as_root(&self) -> Self {
-        let mut root = self.clone();
-        root.entries.insert("axis", (Entry::Table(self.clone()), self.span.clone()));
-        root
-    }
-
-    pub(crate) fn quantity<Q: Measure>(&self, name: &str) -> Option<Q> {
-        match self.get(name) {
-            Some(Entry::Quantity(si)) => Some(Q::from_si(*si)),
-            _ => None,
-        }
-    }
-
-    /// The SI value of a quantity.
-    pub(crate) fn si(&self, name: &str) -> Option<f64> {
-        match self.get(name) {
-            Some(Entry::Quantity(si) | Entry::Along(_, si)) => Some(*si),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn along(&self, name: &str) -> Option<(Dimension, f64)> {
-        match self.get(name) {
-            Some(Entry::Along(dimension, si)) => Some((*dimension, *si)),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn rows(&self, name: &str) -> &[Vec<f64>] {
-        match self.get(name) {
-            Some(Entry::Rows(rows)) => rows,
-            _ => &[],
-        }
-    }
-
-    pub(crate) fn bodies(&self, name: &str) -> Option<&[mechanism::Body]> {
-        match self.get(name) {
-            Some(Entry::Bodies(bodies)) => Some(bodies),
-            _ => None,
-        }
-    }
-
-    /// Puts another value, in SI, in the place of a quantity: `load.inertia`, `motion[2].speed`, `points[1][3]` (row and
-    /// column), `bodies[1].mass`. `None` where no quantity stands there.
-    pub(crate) fn set(&mut self, path: &str, si: f64) -> Option<()> {
-        let (head, rest) = path.split_once('.').unwrap_or((path, ""));
-        let mut parts = head.split('[').map(|part| part.trim_end_matches(']'));
-        let name = parts.next()?;
-        let mut index = || parts.next()?.parse::<usize>().ok()?.checked_sub(1);
-        match &mut self.entries.get_mut(name)?.0 {
-            Entry::Quantity(value) | Entry::Along(_, value) => *value = si,
-            Entry::Rows(rows) => *rows.get_mut(index()?)?.get_mut(index()?)? = si,
-            Entry::Bodies(bodies) => crate::bodies::set(bodies.get_mut(index()?)?, rest, si)?,
-            Entry::Table(section) => section.set(rest, si)?,
-            Entry::Tables(sections) => sections.get_mut(index()?)?.set(rest, si)?,
-            _ => return None,
-        }
-        Some(())
-    }
-
-    /// The tables within, by name.
-    pub(crate) fn subtables(&self) -> impl Iterator<Item = (&'static str, &Self)> {
-        self.entries.iter().filter_map(|(name, (entry, _))| match entry {
-            Entry::Table(section) => Some((*name, section)),
-            _ => None,
-        })
-    }
-
-    pub(crate) fn text(&self, name: &str) -> Option<&str> {
-        match self.get(name) {
-            Some(Entry::Text(text)) => Some(text),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn list(&self, name: &str) -> &[String] {
-        match self.get(name) {
-            Some(Entry::List(list)) => list,
-            _ => &[],
-        }
-    }
-
-    pub(crate) fn numbers(&self, name: &str) -> &[f64] {
-        match self.get(name) {
-            Some(Entry::Numbers(numbers)) => numbers,
-            _ => &[],
-        }
-    }
-
-    pub(crate) fn number(&self, name: &str) -> Option<f64> {
-        match self.get(name) {
-            Some(Entry::Number(number)) => Some(*number),
-            #[allow(clippy::cast_precision_loss, reason = "bounded by its description")]
-            Some(Entry::Integer(number)) => Some(*number as f64),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn bool(&self, name: &str) -> Option<bool> {
-        match self.get(name) {
-            Some(Entry::Bool(value)) => Some(*value),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn table(&self, name: &str) -> Option<&Self> {
-        match self.get(name) {
-            Some(Entry::Table(section)) => Some(section),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn tables(&self, name: &str) -> &[Self] {
-        match self.get(name) {
-            Some(Entry::Tables(sections)) => sections,
-            _ => &[],
-        }
+    fn is_whole(&self) -> bool {
+        self.fields().iter().all(|field| field.is_given() || !field.is_written())
     }
 }
+
+/// A section of which there are several kinds.
+pub(crate) trait OfKinds: Section {
+    const VARIANTS: &'static Variants;
+}
+
+/// Puts another value, in SI, in the place of a quantity: `load.inertia`, `motion[2].speed`, `points[1][3]` (row and
+/// column), `bodies[1].mass`. `None` where no quantity stands there.
+pub(crate) fn set(section: &mut dyn Fields, path: &str, si: f64) -> Option<()> {
+    let (head, rest) = path.split_once('.').unwrap_or((path, ""));
+    let mut parts = head.split('[').map(|part| part.trim_end_matches(']'));
+    let name = parts.next()?;
+    let index: Option<Vec<usize>> = parts.map(|part| part.parse::<usize>().ok()?.checked_sub(1)).collect();
+    section.field_mut(name)?.set(&index?, rest, si)
+}
+
+/// Declares a section: its struct, the names of its keys, and their description.
+///
+/// ```text
+/// section! {
+///     /// A screw that moves a slide.
+///     Screw, ScrewKey of About::Mechanism, MechanismKey::Screw {
+///         lead: Length => positive, needed, example("10 mm");
+///         ..slide: Slide;
+///     }
+/// }
+/// ```
+///
+/// A key is a line: its name in the file, the type of its value ([`Value`](crate::value::Value)), behind `=` the value that
+/// holds where none is stated, and what [`Key`] has methods for. A key with such a value has a method of its name, which
+/// returns the one or the other. The keys of another section that stand in this one too are a line that begins with `..`.
+macro_rules! section {
+    (
+        $(#[$doc:meta])*
+        $Section:ident, $Name:ident of $about:path $(, $inner:path)? {
+            $($field:ident: $Type:ty $(= $default:expr)? $(=> $($has:ident $(($($of:tt)*))?),+)?;)*
+            $(
+                ..$group:ident: $Group:ty;
+                $($more:ident: $More:ty $(=> $($has_more:ident $(($($of_more:tt)*))?),+)?;)*
+            )*
+        }
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Debug)]
+        pub(crate) struct $Section {
+            head: $crate::stated::Head,
+            $(pub(crate) $field: $crate::stated::Stated<$Type>,)*
+            $(pub(crate) $group: $Group, $(pub(crate) $more: $crate::stated::Stated<$More>,)*)*
+        }
+
+        $(#[$doc])*
+        #[allow(missing_docs, non_camel_case_types, reason = "each is named as its key is written")]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $Name {
+            $($field,)*
+            $($($more,)*)*
+        }
+
+        impl $Name {
+            const fn about(self) -> About {
+                $crate::section::nested!(self, $about $(, $inner)?)
+            }
+        }
+
+        impl $Section {
+            $($(
+                pub(crate) fn $field(&self) -> $Type {
+                    self.$field.value().unwrap_or($default)
+                }
+            )?)*
+        }
+
+        impl $crate::section::Fields for $Section {
+            fn head(&self) -> &$crate::stated::Head {
+                &self.head
+            }
+
+            fn head_mut(&mut self) -> &mut $crate::stated::Head {
+                &mut self.head
+            }
+
+            fn fields(&self) -> Vec<&dyn $crate::stated::Field> {
+                #[allow(unused_mut, reason = "a section without groups")]
+                let mut all: Vec<&dyn $crate::stated::Field> = vec![$(&self.$field,)*];
+                $(
+                    all.extend($crate::section::Fields::fields(&self.$group));
+                    $(all.push(&self.$more);)*
+                )*
+                all
+            }
+
+            fn field_mut(&mut self, name: &str) -> Option<&mut dyn $crate::stated::Field> {
+                match name {
+                    $(stringify!($field) => return Some(&mut self.$field),)*
+                    $($(stringify!($more) => return Some(&mut self.$more),)*)*
+                    _ => {}
+                }
+                $(
+                    if let Some(field) = $crate::section::Fields::field_mut(&mut self.$group, name) {
+                        return Some(field);
+                    }
+                )*
+                None
+            }
+        }
+
+        impl $crate::section::Section for $Section {
+            const KEYS: &'static [$crate::key::Key] = {
+                const PARTS: &[&[$crate::key::Key]] = &[
+                    $(&[$crate::section::key! {
+                        $Name::$field: $field: $Type $(= $default)? $(=> $($has $(($($of)*))?),+)?
+                    }],)*
+                    $(
+                        <$Group as $crate::section::Section>::KEYS,
+                        $(&[$crate::section::key! {
+                            $Name::$more: $more: $More $(=> $($has_more $(($($of_more)*))?),+)?
+                        }],)*
+                    )*
+                ];
+                #[allow(clippy::indexing_slicing, reason = "read while compiling: an index out of bounds does not compile")]
+                const ALL: [$crate::key::Key; $crate::key::count(PARTS)] = $crate::key::concat(PARTS, PARTS[0][0]);
+                &ALL
+            };
+
+            fn absent(head: &$crate::stated::Head) -> Self {
+                Self {
+                    $($field: $crate::stated::Stated::absent(head, &const { $crate::section::key! {
+                        $Name::$field: $field: $Type $(= $default)? $(=> $($has $(($($of)*))?),+)?
+                    } }),)*
+                    $(
+                        $group: $crate::section::Section::absent(head),
+                        $($more: $crate::stated::Stated::absent(head, &const { $crate::section::key! {
+                            $Name::$more: $more: $More $(=> $($has_more $(($($of_more)*))?),+)?
+                        } }),)*
+                    )*
+                    head: head.clone(),
+                }
+            }
+        }
+
+        impl $crate::value::Value for $Section {
+            const KIND: $crate::key::Kind = $crate::key::Kind::Table(<Self as $crate::section::Section>::KEYS);
+
+            fn read(found: &$crate::read::Found<'_, '_>, reader: &mut $crate::read::Reader<'_>) -> Option<Self> {
+                reader.table(found)
+            }
+
+            fn set(&mut self, _: &[usize], rest: &str, si: f64) -> Option<()> {
+                $crate::section::set(self, rest, si)
+            }
+        }
+    };
+}
+
+/// The description of one key of a section.
+macro_rules! key {
+    (
+        $Name:ident::$variant:ident: $field:ident: $Type:ty
+        $(= $default:expr)? $(=> $($has:ident $(($($of:tt)*))?),+)?
+    ) => {
+        $crate::key::Key::new(stringify!($field), <$Type as $crate::value::Value>::KIND, $Name::$variant.about())
+            $(.or(|| $crate::value::Written::written(&$default)))?
+            $($(.$has($($($of)*)?))+)?
+    };
+}
+
+/// Names of keys of a section, each a field that is there.
+macro_rules! names {
+    ($Section:ty: $($field:ident)*) => {{
+        const _: fn(&$Section) = |_section| { $(let _ = &_section.$field;)* };
+        &[$(stringify!($field)),*]
+    }};
+}
+
+/// A value in one enum, or in two.
+macro_rules! nested {
+    ($value:expr, $outer:path) => {
+        $outer($value)
+    };
+    ($value:expr, $outer:path, $inner:path) => {
+        $outer($inner($value))
+    };
+}
+
+pub(crate) use {key, names, nested, section};

@@ -1,13 +1,36 @@
 //! The stage between actuator and mechanism, and the best of several ratios.
 
-use crate::read::{Reader, joined};
-use crate::section::{Entry, Section};
+use crate::about::About;
+use crate::read::Reader;
+use crate::section::{Fields, section};
+use crate::stated::Field;
+use crate::value::{Numbers, choices};
 use crate::{Assumption, Fault, Hint};
 use mechanism::{Stage, StageKind};
-use quantities::{Measure, MomentOfInertia};
+use quantities::{Angle, Length, MomentOfInertia, TorsionalStiffness};
 
 /// Most ratios among which the best is sought; the catalogue is judged for each.
-pub(crate) const RATIOS_MOST: usize = 16;
+const RATIOS_MOST: usize = 16;
+
+section! {
+    /// What lies between actuator and mechanism.
+    StageSection, StageName of About::Stage {
+        kind: StageKind => needed;
+        ratio: f64 => within(0.01, 1000.0), example("2.5");
+        ratios: Numbers => within(0.01, 1000.0), at_most(RATIOS_MOST);
+        efficiency: f64 = 1.0 => within(0.01, 1.0), example("0.95"), noted(Assumption::StageNoLosses);
+        efficiency_back: f64 = 1.0 => within(0.0, 1.0), example("0.9"), noted(Assumption::StageLossesDoNotHelp);
+        inertia_driving: MomentOfInertia => not_negative;
+        inertia_driven: MomentOfInertia => not_negative, noted(Assumption::StageWithoutInertia);
+        stiffness: TorsionalStiffness => positive, noted(Assumption::StageRigid);
+        backlash: Angle => not_negative, example("3 arcmin"), noted(Assumption::StageNoBacklash);
+        pitch_diameter: Length => positive;
+    }
+}
+
+choices! {
+    StageKind { Belt = "belt", Gear = "gear", Coupling = "coupling" }
+}
 
 /// What one of several ratios gives.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,75 +47,49 @@ pub struct RatioAnswer {
     pub chosen: bool,
 }
 
-/// The stage that a file describes.
-pub(crate) fn read(root: &Section, reader: &mut Reader<'_>) -> Option<Stage> {
-    let section = root.table("stage")?;
-    let kind = match section.text("kind")? {
-        "belt" => StageKind::Belt,
-        "gear" => StageKind::Gear,
-        _ => StageKind::Coupling,
-    };
-    let (ratio, ratios) = (section.number("ratio"), section.numbers("ratios"));
-    let both = section.has("ratio") && section.has("ratios");
-    if both {
-        reader.fault(section.span_of("ratios"), Fault::RatioAndRatios, None);
+impl StageSection {
+    /// Several ratios among which the best is sought.
+    pub(crate) fn ratios(&self) -> &[f64] {
+        self.ratios.get().map_or(&[], |ratios| ratios.0.as_slice())
     }
-    if kind == StageKind::Coupling {
-        for key in ["ratio", "ratios", "pitch_diameter"].into_iter().filter(|key| section.get(key).is_some()) {
-            let unit = key == "ratio" && ratio == Some(1.0);
-            if !unit {
-                reader.fault(section.span_of(key), Fault::NoRatioInACoupling { key }, None);
-            }
+
+    pub(crate) fn build(&self, reader: &mut Reader<'_>) -> Option<Stage> {
+        let kind = self.kind.value()?;
+        if self.ratio.is_written() && self.ratios.is_written() {
+            reader.fault(self.ratios.span(), Fault::RatioAndRatios, None);
         }
-    } else if !section.has("ratio") && !section.has("ratios") {
-        let fault = Fault::MissingKey { path: joined(&section.path, "ratio"), list: false };
-        let start = section.span.start;
-        reader.fault(start..start + 1, fault, Some(Hint::Example("ratio = 2.5".to_owned())));
+        if kind == StageKind::Coupling {
+            let unit = self.ratio.value() == Some(1.0);
+            let ratio: Option<&dyn Field> = (!unit).then_some(&self.ratio);
+            let others: [&dyn Field; 2] = [&self.ratios, &self.pitch_diameter];
+            for field in ratio.into_iter().chain(others).filter(|field| field.is_given()) {
+                reader.fault(field.span(), Fault::NoRatioInACoupling { key: field.name() }, None);
+            }
+        } else if !self.ratio.is_written() && !self.ratios.is_written() {
+            let fault = Fault::MissingKey { path: self.ratio.path(), list: false };
+            let start = self.head().span.start;
+            reader.fault(start..start + 1, fault, Some(Hint::Example("ratio = 2.5".to_owned())));
+        }
+        Some(Stage {
+            kind,
+            ratio: self.ratio.value().or_else(|| self.ratios().first().copied()).unwrap_or(1.0),
+            efficiency_driving: self.efficiency(),
+            efficiency_driven: self.efficiency_back(),
+            inertia_driving: self.inertia_driving.or_zero(),
+            inertia_driven: self.inertia_driven.or_zero(),
+            stiffness: self.stiffness.value(),
+            backlash: self.backlash.value(),
+            pitch_diameter: self.pitch_diameter.value(),
+        })
     }
-    let none = || MomentOfInertia::from_si(0.0);
-    Some(Stage {
-        kind,
-        ratio: ratio.or_else(|| ratios.first().copied()).unwrap_or(1.0),
-        efficiency_driving: section.number("efficiency").unwrap_or(1.0),
-        efficiency_driven: section.number("efficiency_back").unwrap_or(1.0),
-        inertia_driving: section.quantity("inertia_driving").unwrap_or_else(none),
-        inertia_driven: section.quantity("inertia_driven").unwrap_or_else(none),
-        stiffness: section.quantity("stiffness"),
-        backlash: section.quantity("backlash"),
-        pitch_diameter: section.quantity("pitch_diameter"),
-    })
-}
 
-/// Defaults about the stage that the file leaves open.
-pub(crate) fn assumptions(root: &Section, found: &mut Vec<Assumption>) {
-    let Some(section) = root.table("stage") else { return };
-    let open = |key: &str| section.get(key).is_none();
-    if open("efficiency") {
-        found.push(Assumption::StageNoLosses);
-    } else if open("efficiency_back") {
-        found.push(Assumption::StageLossesDoNotHelp);
-    }
-    if open("inertia_driving") && open("inertia_driven") {
-        found.push(Assumption::StageWithoutInertia);
-    }
-    if open("stiffness") {
-        found.push(Assumption::StageRigid);
-    }
-    if open("backlash") {
-        found.push(Assumption::StageNoBacklash);
-    }
-    if !open("ratios") {
-        found.push(Assumption::StageRatioChosen);
-    }
-}
-
-impl Section {
-    /// One ratio in the place of several.
-    pub(crate) fn set_ratio(&mut self, ratio: f64) {
-        if let Some((Entry::Table(stage), _)) = self.entries.get_mut("stage") {
-            let span = stage.span_of("ratios");
-            stage.entries.remove("ratios");
-            stage.entries.insert("ratio", (Entry::Number(ratio), span));
+    /// Defaults about the stage that the file leaves open.
+    pub(crate) fn assumptions(&self, found: &mut Vec<Assumption>) {
+        found.extend(self.efficiency.note().or_else(|| self.efficiency_back.note()));
+        found.extend(self.inertia_driven.note().filter(|_| !self.inertia_driving.is_given()));
+        found.extend([self.stiffness.note(), self.backlash.note()].into_iter().flatten());
+        if self.ratios.is_given() {
+            found.push(Assumption::StageRatioChosen);
         }
     }
 }

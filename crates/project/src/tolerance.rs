@@ -2,7 +2,7 @@
 
 use crate::read::Reader;
 use crate::recorded;
-use crate::section::Section;
+use crate::root::AxisSection;
 use crate::{Diagnostic, Fault, Hint};
 use crate::{OwnActuator, Project, build_actuator, finish, prepare, requirements};
 use configurator::Requirements;
@@ -56,10 +56,10 @@ pub const fn sign(corner: usize, quantity: usize) -> f64 {
     if corner >> quantity & 1 == 1 { 1.0 } else { -1.0 }
 }
 
-/// Tells the first tolerance within which the project cannot be built: each quantity at its ends with the others
+/// Reports the first tolerance within which the project cannot be built: each quantity at its ends with the others
 /// nominal, and then, where these are possible, the corners.
-pub(crate) fn hold(root: &Section, tolerances: &[Tolerance], reader: &mut Reader<'_>) {
-    let recorded: usize = root.tables("motion").iter().map(recorded::samples).sum();
+pub(crate) fn hold(root: &AxisSection, tolerances: &[Tolerance], reader: &mut Reader<'_>) {
+    let recorded: usize = root.segments().iter().map(recorded::samples).sum();
     let mut root = root.clone();
     let mut fails = |values: &[(&Tolerance, f64)], reader: &Reader<'_>| {
         for (tolerance, share) in values {
@@ -119,7 +119,7 @@ fn impossible(values: &[(&Tolerance, f64)], found: Option<Diagnostic>) -> (Fault
 #[derive(Clone, Debug)]
 pub struct Varied<'p> {
     project: &'p Project,
-    root: Section,
+    root: AxisSection,
     of_requirements: bool,
     of_actuator: bool,
 }

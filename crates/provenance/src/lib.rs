@@ -239,7 +239,7 @@ impl<T> Datum<T> {
     }
 }
 
-/// A datum that a check needs and nobody gave.
+/// A missing datum that a check needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Missing {
     /// Symbol of the datum, as in the glossary.

@@ -8,7 +8,7 @@ use thiserror::Error;
 
 /// Why a text is no quantity, and where in it.
 ///
-/// `Display` is for whoever builds on this crate; what a user reads comes from elsewhere, in either language.
+/// `Display` is for developers who use this crate; texts for users are in `words`, in both languages.
 /// The texts in `found` are shortened to 40 characters.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum QuantityError {
@@ -64,7 +64,7 @@ pub enum QuantityError {
         /// Expected quantity.
         expected: Dimension,
     },
-    /// Nobody knows the unit.
+    /// The unit is unknown.
     #[error("unknown unit \"{found}\"")]
     UnitUnknown {
         /// Place of the unit in the text, in bytes.

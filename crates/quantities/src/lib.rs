@@ -60,7 +60,7 @@ pub enum Language {
 }
 
 impl Language {
-    /// The language in which errors are shown to whoever builds on a crate.
+    /// The language of errors for developers who use a crate.
     pub const OF_ERRORS: Self = Self::En;
 
     /// Every language.

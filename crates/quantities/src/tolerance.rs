@@ -45,7 +45,7 @@ pub fn parse_toleranced(expected: Dimension, text: &str) -> Result<(Reading, Opt
     let start = at + sign.len();
     let half = text.get(start..).unwrap_or_default();
     if value.trim().is_empty() {
-        // The fault is told of what stands there: a sign that is no number.
+        // The fault is about the text itself: a sign without a number.
         return Err(parse(expected, text).err().unwrap_or(QuantityError::Empty { span: 0..text.len(), expected }));
     }
     let reading = parse(expected, value)?;

@@ -56,7 +56,7 @@ fn split(written: &str) -> Option<(&str, &str)> {
 /// The column of every role, in the order of [`Role::ALL`].
 pub(crate) type Picks = [Option<usize>; 4];
 
-/// Finds the column of every role. What is missing or ambiguous is told.
+/// Finds the column of every role. Missing and ambiguous ones are reported.
 pub(crate) fn pick(headings: &[Heading], layout: &Layout, faults: &mut Faults) -> Picks {
     let mut picks: Picks = [None; 4];
     let mut failed = [false; 4];
@@ -129,7 +129,7 @@ fn chosen_names(headings: &[Heading], indices: &[usize]) -> Vec<String> {
 
 /// The column whose name is nearest to one that does not exist.
 fn nearest(headings: &[Heading], name: &str) -> Option<String> {
-    // Beyond this length nobody has mistyped a letter; the distance costs the product of both lengths.
+    // Longer names are not typing errors; the distance costs the product of both lengths.
     const LONGEST: usize = 64;
     if name.len() > LONGEST {
         return None;

@@ -109,7 +109,7 @@ fn read(source: impl Read, layout: &Layout, memory: &mut Memory, faults: &mut Fa
     gather.finish(faults).map(|recording| Recording { encoding, ..recording })
 }
 
-/// Goes to the next line; a source that cannot be read on is told.
+/// Goes to the next line; a read error is reported.
 fn advance(lines: &mut Lines<impl Read>, faults: &mut Faults) -> Option<bool> {
     lines.advance().map_err(|fault| faults.push(fault)).ok()
 }
@@ -192,7 +192,7 @@ fn row(
 }
 
 fn told(bad: Bad, line: u64, column: &str, cell: &[u8]) -> Fault {
-    let (at, column) = (crate::Place::Line(line), column.to_owned());
+    let (at, column) = (crate::FileRow::Line(line), column.to_owned());
     let text = excerpt(String::from_utf8_lossy(cell).trim());
     match bad {
         Bad::Unreadable | Bad::Mixed(_) if is_grouped(&text) => Fault::ThousandsGrouped { at, column, text },

@@ -151,7 +151,7 @@ pub fn read_text(source: impl Read) -> std::io::Result<(String, Encoding)> {
     Ok((whole.strip_prefix('\u{feff}').unwrap_or(&whole).to_owned(), encoding))
 }
 
-/// What Windows-1252 has at 0x80 to 0x9f, where Latin-1 has control characters; a gap is told as such.
+/// Characters of Windows-1252 at 0x80 to 0x9f, control characters in Latin-1; gaps are returned as such.
 const WINDOWS: [char; 32] = [
     '€', '\u{fffd}', '‚', 'ƒ', '\u{201e}', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{fffd}', 'Ž', '\u{fffd}',
     '\u{fffd}', '‘', '’', '\u{201c}', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{fffd}', 'ž', 'Ÿ',

@@ -12,14 +12,14 @@ use thiserror::Error;
 
 /// Where in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Place {
+pub enum FileRow {
     /// Line of a text, counted from 1 with every comment and empty line.
     Line(u64),
     /// Row of a table, counted from 1.
     Row(u64),
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for FileRow {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Line(number) => write!(formatter, "line {number}"),
@@ -165,7 +165,7 @@ pub enum Fault {
         /// The columns that could have it.
         columns: Vec<String>,
     },
-    /// Nobody says the unit of a column.
+    /// The unit of a column is missing.
     #[error("the unit of \"{column}\" is missing")]
     UnitMissing {
         /// What the column is read as.
@@ -229,7 +229,7 @@ pub enum Fault {
     #[error("{at}: the value of \"{column}\" is missing")]
     ValueMissing {
         /// Where.
-        at: Place,
+        at: FileRow,
         /// The column.
         column: String,
     },
@@ -237,7 +237,7 @@ pub enum Fault {
     #[error("{at}: \"{text}\" in \"{column}\" is no number")]
     ValueUnreadable {
         /// Where.
-        at: Place,
+        at: FileRow,
         /// The column.
         column: String,
         /// The cell as written.
@@ -247,7 +247,7 @@ pub enum Fault {
     #[error("{at}: \"{text}\" in \"{column}\" is no finite number")]
     ValueNotFinite {
         /// Where.
-        at: Place,
+        at: FileRow,
         /// The column.
         column: String,
         /// The cell as written.
@@ -257,7 +257,7 @@ pub enum Fault {
     #[error("{at}: \"{text}\" in \"{column}\" is beyond every measurement")]
     ValueImplausible {
         /// Where.
-        at: Place,
+        at: FileRow,
         /// The column.
         column: String,
         /// The number.
@@ -279,7 +279,7 @@ pub enum Fault {
     #[error("{at}: \"{text}\" in \"{column}\" has signs between its thousands")]
     ThousandsGrouped {
         /// Where.
-        at: Place,
+        at: FileRow,
         /// The column.
         column: String,
         /// The cell as written.
@@ -297,7 +297,7 @@ pub enum Fault {
     #[error("{at}: the time {time} follows {before}")]
     Backwards {
         /// The later sample.
-        at: Place,
+        at: FileRow,
         /// Its time.
         time: Stamp,
         /// Time of the sample before.
@@ -307,9 +307,9 @@ pub enum Fault {
     #[error("{at}: the same time {time} as {first}")]
     SameTime {
         /// The later sample.
-        at: Place,
+        at: FileRow,
         /// The sample before.
-        first: Place,
+        first: FileRow,
         /// Their time.
         time: Stamp,
     },
@@ -317,7 +317,7 @@ pub enum Fault {
     #[error("{at}: only {} s after the sample before", length.value)]
     TooClose {
         /// The later sample.
-        at: Place,
+        at: FileRow,
         /// Length of the interval.
         length: Time,
     },
@@ -325,7 +325,7 @@ pub enum Fault {
     #[error("{at}: a gap of {} s before this sample", length.value)]
     Gap {
         /// The sample after the gap.
-        at: Place,
+        at: FileRow,
         /// Length of the interval.
         length: Time,
         /// Median of all intervals.
@@ -385,7 +385,7 @@ pub enum Fault {
 
 impl Fault {
     /// The kind of a fault of a line or of its cells.
-    fn kind(&self) -> Option<Kind> {
+    fn kind(&self) -> Option<FaultKind> {
         let column = match self {
             Self::ValueMissing { column, .. }
             | Self::ValueUnreadable { column, .. }
@@ -409,21 +409,21 @@ impl Fault {
     }
 }
 
-/// Beyond so many faults the rest of a file tells nothing new, and its reading stops.
+/// Beyond this number of faults reading stops, since the rest of a file adds nothing new.
 const COUNTED_MAX: u64 = 10_000;
 
-/// So many equal faults are told one by one; of more the first stands for all.
+/// Up to this number equal faults are reported one by one; of more only the first.
 const EQUAL_MAX: u64 = 3;
 
 /// What makes faults equal: their kind, and the column.
-type Kind = (Discriminant<Fault>, Option<String>);
+type FaultKind = (Discriminant<Fault>, Option<String>);
 
 /// The faults of a file, in the order found.
 #[derive(Debug, Default)]
 pub(crate) struct Faults {
     told: Vec<Fault>,
     /// The kinds of those that can repeat, and how often each was found.
-    kinds: Vec<(Kind, u64)>,
+    kinds: Vec<(FaultKind, u64)>,
     /// How many were found and not kept.
     more: u64,
     /// Of these, how many belong to a kind of which the first is kept.
@@ -456,7 +456,7 @@ impl Faults {
     /// What is kept, with one fault in the place of many equal ones.
     fn grouped(&mut self) -> Vec<Fault> {
         let mut grouped: Vec<Fault> = Vec::new();
-        let mut begun: Vec<Kind> = Vec::new();
+        let mut begun: Vec<FaultKind> = Vec::new();
         for fault in std::mem::take(&mut self.told) {
             let kind = fault.kind();
             let count = kind.as_ref().and_then(|kind| self.kinds.iter().find(|(known, _)| known == kind));

@@ -2,7 +2,7 @@
 
 use crate::GAP_FACTOR;
 use crate::columns::check_course;
-use crate::faults::{Fault, Faults, Place, Stamp, excerpt};
+use crate::faults::{Fault, Faults, FileRow, Stamp, excerpt};
 use crate::layout::{Layout, Role};
 use crate::limits::{MAGNITUDE_MAX, Memory, SAMPLES_MAX, SAMPLES_MIN, STEP_MIN_S};
 use crate::number::{Bad, Tick};
@@ -134,8 +134,8 @@ impl<'m> Gather<'m> {
         Ok(())
     }
 
-    pub(crate) const fn place(&self, number: u64) -> Place {
-        if self.rows { Place::Row(number) } else { Place::Line(number) }
+    pub(crate) const fn place(&self, number: u64) -> FileRow {
+        if self.rows { FileRow::Row(number) } else { FileRow::Line(number) }
     }
 
     const fn stamp(&self, tick: Tick) -> Stamp {

@@ -59,7 +59,7 @@ pub enum Role {
 }
 
 impl Role {
-    /// Every role, in the order in which columns are told.
+    /// Every role, in the order of the output.
     pub const ALL: [Self; 4] = [Self::Time, Self::Position, Self::Speed, Self::Torque];
 
     /// Names by which a column is recognised, in lower case.

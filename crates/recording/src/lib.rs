@@ -30,7 +30,7 @@ mod series;
 
 pub use csv::{Preview, preview_csv, read_csv, read_csv_within};
 pub use encoding::read_text;
-pub use faults::{Damage, Fault, Place, Stamp};
+pub use faults::{Damage, Fault, FileRow, Stamp};
 pub use layout::{ColumnSpec, Layout, Role};
 pub use limits::{
     COLUMNS_MAX, DELTA_BLOCK_MAX, FILE_BYTES_MAX, LINE_BYTES_MAX, Limit, MAGNITUDE_MAX, MEMORY_USUAL, Memory,
@@ -42,7 +42,7 @@ pub use series::{Along, ColumnRead, Course, Effort, Encoding, KnownBy, Recording
 
 pub use ::bytes::Bytes;
 
-/// Most faults that are told; the last entry then says how many more there are.
+/// Largest number of faults reported; the last entry then gives the number of the others.
 pub const FAULTS_MAX: usize = 50;
 
 /// An interval longer than this many median intervals is a gap. A choice of this crate: a logger that skips a few

@@ -15,7 +15,7 @@ const BUFFER_BYTES: usize = 4 * LINE_BYTES_MAX;
 pub(crate) struct Lines<R> {
     source: Utf8<R>,
     buffer: Vec<u8>,
-    /// What is read and not yet told.
+    /// Text read and not yet returned.
     rest: Range<usize>,
     line: Range<usize>,
     number: u64,

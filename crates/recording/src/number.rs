@@ -8,7 +8,7 @@ pub(crate) enum Bad {
     Missing,
     Unreadable,
     NotFinite,
-    /// Beyond what anybody measures.
+    /// Beyond any measurement.
     Implausible,
     /// The other decimal sign was decided in this line.
     Mixed(u64),
@@ -61,7 +61,7 @@ impl Decimals {
     }
 }
 
-/// Whether thousands are set apart beyond doubt, asked of what is no number: `1.234,5`, `1,234.5`, `1'234`, `1.234.567`. Of `1.234` nobody knows.
+/// Whether a text that is no number has separators of thousands beyond doubt: `1.234,5`, `1,234.5`, `1'234`, `1.234.567`. `1.234` is ambiguous.
 pub(crate) fn is_grouped(text: &str) -> bool {
     let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
     ['.', ',', '\'', '’', ' ', '\u{a0}', '\u{202f}'].into_iter().any(|sign| {

@@ -9,7 +9,7 @@ mod thrift;
 mod unpack;
 
 use crate::columns::{Heading, Said, decide, pick};
-use crate::faults::{Damage, Fault, Faults, Place, excerpt};
+use crate::faults::{Damage, Fault, Faults, FileRow, excerpt};
 use crate::gather::{Gather, Sample, check_window};
 use crate::layout::{Layout, Role};
 use crate::limits::{Limit, Memory, ROWS_MAX, SAMPLES_MAX};
@@ -223,7 +223,7 @@ impl<'f> Pass<'f> {
         let Some((time, values)) = streams.split_first() else { return true };
         for (row, cell) in time.cells.iter().enumerate() {
             *number += 1;
-            let at = Place::Row(*number);
+            let at = FileRow::Row(*number);
             let tick = match *cell {
                 Cell::Null => Err(Fault::ValueMissing { at, column: time.name.to_owned() }),
                 Cell::Float(value) if !value.is_finite() => Err(not_finite(at, time.name, value)),
@@ -263,7 +263,7 @@ impl<'f> Pass<'f> {
     }
 }
 
-fn not_finite(at: Place, column: &str, value: f64) -> Fault {
+fn not_finite(at: FileRow, column: &str, value: f64) -> Fault {
     Fault::ValueNotFinite { at, column: column.to_owned(), text: format!("{value:e}") }
 }
 
@@ -294,7 +294,7 @@ enum Source {
 impl<'a> Stream<'a> {
     fn open(used: &'a Used<'_>, pages: Pages) -> Result<Self, Fault> {
         let column = used.column;
-        // The library needs the levels and the type; the path is told by whoever reads it.
+        // The library needs the levels and the type; the reader knows the path.
         let repetition = if column.defined > 0 { Repetition::OPTIONAL } else { Repetition::REQUIRED };
         let primitive = ::parquet::schema::types::Type::primitive_type_builder("values", column.physical)
             .with_repetition(repetition)
@@ -314,7 +314,7 @@ impl<'a> Stream<'a> {
         Ok(Self { name, source, unsigned, level_max: column.defined, levels: Vec::new(), cells: Vec::new() })
     }
 
-    /// Reads the next batch and tells its length; zero at the end.
+    /// Reads the next batch and returns its length; zero at the end.
     fn fill(&mut self) -> Result<usize, ParquetError> {
         self.cells.clear();
         self.levels.clear();

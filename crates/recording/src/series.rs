@@ -57,7 +57,7 @@ pub enum Along {
 }
 
 impl Along {
-    /// What a unit tells of it.
+    /// The quantity by its unit.
     pub(crate) const fn of(unit: &Unit) -> Self {
         match unit.dimension {
             Dimension::Length | Dimension::Velocity | Dimension::Force => Self::Line,

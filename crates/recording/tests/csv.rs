@@ -5,7 +5,7 @@
 use quantities::unit::{DEGREE, NEWTON_METRE, RADIAN, REVOLUTION_PER_MINUTE, SECOND};
 use quantities::{Dimension, Measure, Time};
 use recording::{
-    Along, ColumnSpec, FAULTS_MAX, Fault, KnownBy, LINE_BYTES_MAX, Layout, Place, Recording, Role, read_csv,
+    Along, ColumnSpec, FAULTS_MAX, Fault, FileRow, KnownBy, LINE_BYTES_MAX, Layout, Recording, Role, read_csv,
 };
 use std::io::{Error, ErrorKind, Read};
 
@@ -204,7 +204,7 @@ fn position_and_speed_belong_together() {
 #[test]
 fn every_bad_cell_is_told_with_its_line() {
     let text = "t [s],q [deg]\n0,1\n# note\n1,\n2,x1\n3,nan\n4,1e999\n5,1,2\n6\n,7\n8,\"9\n";
-    let (column, at) = (|| String::from("q [deg]"), Place::Line);
+    let (column, at) = (|| String::from("q [deg]"), FileRow::Line);
     assert_eq!(
         faults(text),
         [
@@ -226,14 +226,14 @@ fn every_bad_cell_is_told_with_its_line() {
 #[test]
 fn a_value_too_large_for_si_is_refused() {
     let found = faults("t [s],n [rev/s]\n0,1\n1,2\n2,1e308\n");
-    assert!(matches!(found.as_slice(), [Fault::ValueImplausible { at: Place::Line(4), .. }]), "{found:?}");
+    assert!(matches!(found.as_slice(), [Fault::ValueImplausible { at: FileRow::Line(4), .. }]), "{found:?}");
     let found = faults("t [d],q [deg]\n0,1\n1e306,2\n2e306,3\n");
-    assert!(matches!(found.as_slice(), [Fault::ValueImplausible { at: Place::Line(3), .. }, _]), "{found:?}");
+    assert!(matches!(found.as_slice(), [Fault::ValueImplausible { at: FileRow::Line(3), .. }, _]), "{found:?}");
     let found = faults("t [s],q [deg]\n-1e308,1\n0,2\n1e308,3\n");
     let [Fault::ValueImplausible { at, .. }, Fault::ValueImplausible { .. }] = found.as_slice() else {
         panic!("{found:?}")
     };
-    assert_eq!(*at, Place::Line(2));
+    assert_eq!(*at, FileRow::Line(2));
 }
 
 #[test]
@@ -245,15 +245,15 @@ fn one_decimal_sign_holds_for_a_file() {
     assert_eq!(faults("t [s];q [deg]\n0;1,5\n1;1.500\n2;3\n"), [mixed(3, "1.500", 2)]);
     assert_eq!(faults("t [s];q [deg]\n0.5;1\n1;1,5\n2;3\n"), [mixed(3, "1,5", 2)]);
     let found = faults("t [s];q [deg]\n0;1.000,5\n1;1,5\n2;3\n");
-    assert!(matches!(found.as_slice(), [Fault::ThousandsGrouped { at: Place::Line(2), .. }]));
+    assert!(matches!(found.as_slice(), [Fault::ThousandsGrouped { at: FileRow::Line(2), .. }]));
 }
 
 #[test]
 fn time_rises() {
     let found = faults("t [ms],q [deg]\n0,1\n2,1\n1,1\n3,1\n3,1\n4,1\n");
     let [
-        Fault::Backwards { at: Place::Line(4), time, before },
-        Fault::SameTime { at: Place::Line(6), first: Place::Line(5), time: same },
+        Fault::Backwards { at: FileRow::Line(4), time, before },
+        Fault::SameTime { at: FileRow::Line(6), first: FileRow::Line(5), time: same },
     ] = found.as_slice()
     else {
         panic!("{found:?}")
@@ -265,7 +265,7 @@ fn time_rises() {
 fn a_gap_is_told_and_can_be_allowed() {
     let text = "t [ms],q [deg]\n0,1\n1,1\n# pause\n2,1\n13,1\n23,1\n24,1\n25,1\n";
     let found = faults(text);
-    let [Fault::Gap { at: Place::Line(6), length, median }] = found.as_slice() else { panic!("{found:?}") };
+    let [Fault::Gap { at: FileRow::Line(6), length, median }] = found.as_slice() else { panic!("{found:?}") };
     assert!((length.si() - 11e-3).abs() < 1e-15 && (median.si() - 1e-3).abs() < 1e-15, "ten times is none yet");
     let layout = Layout { allow_gaps: true, ..Layout::default() };
     assert_eq!(read_csv(text.as_bytes(), &layout).unwrap().time_s.len(), 7);
@@ -311,9 +311,9 @@ fn equal_faults_are_told_once_with_their_number() {
     let [Fault::Repeated { first, more: 79 }, Fault::Repeated { first: second, more: 79 }] = found.as_slice() else {
         panic!("{found:?}")
     };
-    assert!(matches!(first.as_ref(), Fault::ThousandsGrouped { at: Place::Line(2), column, text }
+    assert!(matches!(first.as_ref(), Fault::ThousandsGrouped { at: FileRow::Line(2), column, text }
         if column == "q [deg]" && text == "1.234,5"));
-    assert!(matches!(second.as_ref(), Fault::ValueUnreadable { at: Place::Line(2), .. }));
+    assert!(matches!(second.as_ref(), Fault::ValueUnreadable { at: FileRow::Line(2), .. }));
     // Beyond ten thousand the reading stops.
     let found = faults(&format!("{head}{}", rows(20_000)));
     assert_eq!(found.last(), Some(&Fault::More { count: 0, stopped: true }));

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test fails loudly")]
 
 use recording::{
-    Bytes, DELTA_BLOCK_MAX, Damage, Fault, Layout, Limit, Memory, NESTING_MAX, Place, Recording, read_csv,
+    Bytes, DELTA_BLOCK_MAX, Damage, Fault, FileRow, Layout, Limit, Memory, NESTING_MAX, Recording, read_csv,
     read_csv_within, read_parquet, read_parquet_within,
 };
 use std::time::{Duration, Instant};
@@ -56,7 +56,7 @@ fn groups_within_groups_are_refused_beyond_their_limit() {
         let (limit, most) = (Limit::Nesting, NESTING_MAX as u64);
         assert_eq!(fault, Fault::Beyond { limit, found: most + 1, most }, "{depth}");
     }
-    // At the limit it is the missing column that is told.
+    // At the limit the missing column is reported.
     let found = read(nested_groups(NESTING_MAX + 1)).unwrap_err();
     assert!(matches!(found[0], Fault::TimeMissing { .. }), "{found:?}");
 }
@@ -192,7 +192,7 @@ fn what_no_machine_does_is_no_recording() {
     let far = |text: &str, line| {
         let found = read_csv(text.as_bytes(), &Layout::default()).unwrap_err();
         assert!(
-            matches!(found.as_slice(), [Fault::ValueImplausible { at, .. }, ..] if *at == Place::Line(line)),
+            matches!(found.as_slice(), [Fault::ValueImplausible { at, .. }, ..] if *at == FileRow::Line(line)),
             "{text}: {found:?}"
         );
     };
@@ -201,9 +201,9 @@ fn what_no_machine_does_is_no_recording() {
     far("t [s],q [deg],M [Nm]\n0,1,95\n1,2,-2e12\n2,3,95\n", 3);
     assert!(read_csv("t [s],q [rad]\n0,1e12\n1,-1e12\n2,6e-17\n".as_bytes(), &Layout::default()).is_ok());
     let close = read_csv("t [s],q [deg]\n0,1\n1e-300,2\n2e-300,3\n".as_bytes(), &Layout::default()).unwrap_err();
-    assert!(matches!(close.as_slice(), [Fault::TooClose { at: Place::Line(3), .. }, ..]), "{close:?}");
+    assert!(matches!(close.as_slice(), [Fault::TooClose { at: FileRow::Line(3), .. }, ..]), "{close:?}");
     let parquet = only(read(file(3, &[times(3), plain("q [deg]", [0.0, 1e308, 0.0].into_iter())])));
-    assert!(matches!(parquet, Fault::ValueImplausible { at: Place::Row(2), .. }), "{parquet:?}");
+    assert!(matches!(parquet, Fault::ValueImplausible { at: FileRow::Row(2), .. }), "{parquet:?}");
 }
 
 #[test]
@@ -227,5 +227,5 @@ fn lines_may_end_with_a_carriage_return_alone() {
         assert_eq!(*recording.course.position.unwrap().values, [1.5, 2.0, 3.0], "{text:?}");
     }
     let found = read_csv("t [s];q [rad]\r0;x\r".as_bytes(), &Layout::default()).unwrap_err();
-    assert!(matches!(found.as_slice(), [Fault::ValueUnreadable { at: Place::Line(2), .. }]), "{found:?}");
+    assert!(matches!(found.as_slice(), [Fault::ValueUnreadable { at: FileRow::Line(2), .. }]), "{found:?}");
 }

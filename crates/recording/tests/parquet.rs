@@ -4,7 +4,9 @@
 
 use quantities::unit::{DEGREE, MICROSECOND, NEWTON_METRE};
 use quantities::{Measure, Time};
-use recording::{Bytes, ColumnSpec, Damage, Fault, KnownBy, Layout, Place, Recording, Role, SAMPLES_MAX, read_parquet};
+use recording::{
+    Bytes, ColumnSpec, Damage, Fault, FileRow, KnownBy, Layout, Recording, Role, SAMPLES_MAX, read_parquet,
+};
 
 const PANDAS: &[u8] = include_bytes!("data/pandas_snappy.parquet");
 const POLARS: &[u8] = include_bytes!("data/polars_zstd.parquet");
@@ -88,7 +90,7 @@ fn a_null_is_told_with_its_row() {
         NULL,
         &Layout { position: ColumnSpec { name: Some("q".into()), ..ColumnSpec::default() }, ..Layout::default() },
     );
-    assert_eq!(found.unwrap_err(), [Fault::ValueMissing { at: Place::Row(3), column: String::from("q [deg]") }]);
+    assert_eq!(found.unwrap_err(), [Fault::ValueMissing { at: FileRow::Row(3), column: String::from("q [deg]") }]);
 }
 
 #[test]
@@ -111,7 +113,7 @@ fn too_many_rows_are_told_before_they_are_read() {
     assert_eq!(found, [Fault::TooManySamples { most: SAMPLES_MAX }]);
     let windowed = read(TOO_MANY, &Layout { from: Some(Time::from_si(1.0)), ..Layout::default() }).unwrap_err();
     let [Fault::Repeated { first, .. }, ..] = windowed.as_slice() else { panic!("{windowed:?}") };
-    assert!(matches!(first.as_ref(), Fault::SameTime { at: Place::Row(2), .. }), "with a window they are");
+    assert!(matches!(first.as_ref(), Fault::SameTime { at: FileRow::Row(2), .. }), "with a window they are");
 }
 
 #[test]

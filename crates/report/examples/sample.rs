@@ -1,6 +1,6 @@
 //! Writes every sample as PDF and its pages as PNG into a folder:
 //! `cargo run -p report --features png --example sample -- FOLDER [NAME [full]]`; a NAME that is no sample is the path of a
-//! project without recordings, and NAME:de and NAME:en ask for the language.
+//! project without recordings, and NAME:de and NAME:en select the language.
 
 #![allow(
     clippy::unwrap_used,

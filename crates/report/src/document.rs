@@ -33,7 +33,7 @@ pub(crate) struct Document {
     words: BTreeMap<&'static str, String>,
 }
 
-/// What is told of the document itself.
+/// Data of the document itself.
 #[derive(Serialize)]
 struct Head {
     /// Name of the only axis; empty with several.

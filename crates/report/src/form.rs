@@ -6,7 +6,7 @@
 
 use crate::Fault;
 use hayro_syntax::Pdf;
-use hayro_syntax::object::{Array, Dict, ObjRef, Rect as Place};
+use hayro_syntax::object::{Array, Dict, ObjRef, Rect as Area};
 use pdf_writer::types::{AnnotationFlags, CheckBoxState, FieldType, StructRole};
 use pdf_writer::{Chunk, Content, Finish, Name, Rect, Ref, Str, TextStr};
 use std::collections::BTreeMap;
@@ -23,7 +23,7 @@ const TYPED: &[u8] = b"/Helv 9 Tf 0.094 0.133 0.173 rg";
 
 /// What a field takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum FieldKind {
     /// A tick.
     Tick,
     /// A line of text.
@@ -36,7 +36,7 @@ pub(crate) struct Field {
     /// Its name, by which programs read it; the template marks its places with it. No full stop: that would divide it.
     pub(crate) name: String,
     /// What it takes.
-    pub(crate) kind: Kind,
+    pub(crate) kind: FieldKind,
     /// What it is for, in words: shown by readers, read out by screen readers.
     pub(crate) tooltip: String,
 }
@@ -82,7 +82,7 @@ struct Widget {
     /// Its page.
     page: Ref,
     /// Where on it, in points from below.
-    place: Place,
+    place: Area,
     /// Its number in the tree of parents of the tags, if it is tagged.
     parent: Option<i32>,
 }
@@ -168,8 +168,8 @@ impl Update {
         let about = |writer: &mut pdf_writer::writers::Field<'_>| {
             writer.partial_name(TextStr(&field.name)).alternate_name(TextStr(&field.tooltip));
             match field.kind {
-                Kind::Tick => writer.field_type(FieldType::Button).checkbox_value(CheckBoxState::Off),
-                Kind::Text => writer.field_type(FieldType::Text).vartext_default_appearance(Str(TYPED)),
+                FieldKind::Tick => writer.field_type(FieldType::Button).checkbox_value(CheckBoxState::Off),
+                FieldKind::Text => writer.field_type(FieldType::Text).vartext_default_appearance(Str(TYPED)),
             };
         };
         if let [widget] = widgets {
@@ -199,8 +199,8 @@ impl Update {
     }
 
     /// How a widget looks: off and on of a tick; of a line one of its own, since a program that fills it in writes there.
-    fn look(&mut self, kind: Kind, widget: &Widget, looks: &Looks) -> (Ref, Ref) {
-        if kind == Kind::Tick {
+    fn look(&mut self, kind: FieldKind, widget: &Widget, looks: &Looks) -> (Ref, Ref) {
+        if kind == FieldKind::Tick {
             return (looks.empty, looks.ticked);
         }
         let id = self.new_id();
@@ -269,22 +269,22 @@ const fn points(value: f64) -> f32 {
 }
 
 /// Look and place of a widget.
-fn shown(field: pdf_writer::writers::Field<'_>, widget: &Widget, kind: Kind, (off, on): (Ref, Ref)) {
+fn shown(field: pdf_writer::writers::Field<'_>, widget: &Widget, kind: FieldKind, (off, on): (Ref, Ref)) {
     let mut annotation = field.into_annotation();
-    let Place { x0, y0, x1, y1 } = widget.place;
+    let Area { x0, y0, x1, y1 } = widget.place;
     annotation.rect(Rect::new(points(x0), points(y0), points(x1), points(y1)));
     annotation.flags(AnnotationFlags::PRINT).page(widget.page);
     if let Some(parent) = widget.parent {
         annotation.struct_parent(parent);
     }
     match kind {
-        Kind::Tick => {
+        FieldKind::Tick => {
             annotation.appearance_state(Name(b"Off"));
             let mut looked = annotation.appearance();
             looked.normal().streams().pair(Name(b"Yes"), on).pair(Name(b"Off"), off);
             looked.finish();
         }
-        Kind::Text => annotation.appearance().normal().stream(off),
+        FieldKind::Text => annotation.appearance().normal().stream(off),
     }
     annotation.finish();
 }

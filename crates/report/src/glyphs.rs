@@ -1,7 +1,7 @@
 //! What the embedded fonts can show.
 //!
-//! A file to be kept must show every sign it holds, and a name may hold any. What no font has is written as its code
-//! point, so that nothing is lost and nothing is a blank box.
+//! An archive file must show every character, and a name may contain any. A character without a glyph is written as its code
+//! point instead of a blank box.
 
 use serde_json::Value;
 use typst::text::{Coverage, FontBook};

@@ -1,7 +1,7 @@
 //! The report: results as a document to sign, typeset as PDF. It lays out and computes nothing.
 //!
-//! A face gathers what the workbench answers into a [`Content`], adds what stands on the title page ([`Settings`]) and
-//! asks for the PDF. Same content and settings, same bytes: no clock, no file, no system font is touched.
+//! A face collects the answers in a [`Content`], adds the data of the title page ([`Settings`]) and
+//! requests the PDF. Same content and settings, same bytes: no clock, file or system font is used.
 
 #[cfg(feature = "document")]
 mod document;
@@ -49,15 +49,15 @@ pub struct AxisContent {
     /// All answers about it.
     pub dossier: Dossier,
     /// Drawn diagrams, in the order in which they shall stand.
-    pub figures: Vec<Figure>,
-    /// What follows from the code for those who build and run the machine; empty where it is not asked for.
+    pub figures: Vec<Diagram>,
+    /// Chapters for building and running the machine; empty unless requested.
     pub chapters: Vec<Chapter>,
 }
 
 /// The part of a report in which a diagram stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Place {
+pub enum DiagramPlace {
     /// The motion over the cycle.
     Motion,
     /// The plane of torque and speed.
@@ -74,14 +74,14 @@ pub enum Place {
 
 /// A drawn diagram.
 #[derive(Clone, Debug)]
-pub struct Figure {
+pub struct Diagram {
     /// Where it stands.
-    pub place: Place,
+    pub place: DiagramPlace,
     /// SVG, its text in the family Inter.
     pub svg: String,
     /// The line below it.
     pub caption: String,
-    /// What it shows, for whoever does not see it.
+    /// Description of the picture, for screen readers.
     pub alternative_text: String,
 }
 

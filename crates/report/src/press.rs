@@ -31,7 +31,7 @@ pub fn pdf(content: &Content, settings: &Settings) -> Result<Vec<u8>, Fault> {
     }
     let document = typeset(content, settings)?;
     let standard = if settings.pdf_a { PdfStandard::A_2a } else { PdfStandard::V_1_7 };
-    // A constant: the document's identity is told by its hashes in the text, and time must not enter.
+    // A constant: the hashes in the text identify the document, and time must not enter.
     export(&document, format!("antrieb report {} {}", settings.number, settings.revision), standard)
 }
 
@@ -244,7 +244,7 @@ fn collect_text(frame: &Frame, text: &mut String) {
     }
 }
 
-/// The engine remembers what it has set before; a server must not grow by that.
+/// The engine caches earlier layouts; the memory of a server must not grow with them.
 fn forget() {
     typst::comemo::evict(2);
 }
@@ -356,7 +356,7 @@ fn name_of(id: FileId) -> &'static str {
 }
 
 impl Press {
-    /// File and line of a fault, for whoever works on the template.
+    /// File and line of a fault, for developers of the template.
     fn place(&self, fault: &SourceDiagnostic) -> Option<String> {
         let id = fault.span.id()?;
         let source = self.source(id).ok()?;

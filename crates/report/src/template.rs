@@ -8,7 +8,6 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("cover.typ", include_str!("../template/cover.typ")),
     ("inputs.typ", include_str!("../template/inputs.typ")),
     ("mechanism.typ", include_str!("../template/mechanism.typ")),
-    ("sketches.typ", include_str!("../template/sketches.typ")),
     ("motion.typ", include_str!("../template/motion.typ")),
     ("checks.typ", include_str!("../template/checks.typ")),
     ("tolerances.typ", include_str!("../template/tolerances.typ")),
@@ -30,7 +29,7 @@ mod tests {
     use quantities::Language;
     use std::collections::BTreeSet;
 
-    /// The keys of the words that a template asks for. It asks with `t("key")` alone, so that none is made up while it is set.
+    /// The keys of the words in a template, which uses them only as `t("key")` with a literal key.
     fn asked(text: &str) -> BTreeSet<&str> {
         let code =
             text.lines().map(|line| line.split(" // ").next().unwrap_or(line)).filter(|line| !line.starts_with("//"));

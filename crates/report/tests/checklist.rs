@@ -2,11 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test that cannot panic cannot fail")]
 
 use answers::Commissioning;
-use hayro_syntax::Pdf;
-use hayro_syntax::object::{self, Array, Dict, Rect};
+use hayro_syntax::object::{Array, Dict, Rect};
+use hayro_syntax::{Pdf, object};
 use quantities::Language;
+use questions::list::commission::{DriveForm, commission, usual_ambient};
+use questions::{answer, read_code};
 use std::collections::BTreeMap;
-use workbench::{DriveForm, answer, commission, read_code, usual_ambient};
 
 fn sheet(code: &str, language: Language) -> Commissioning {
     let Ok(reading) = read_code(code, language) else { panic!("{code}") };

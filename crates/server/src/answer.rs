@@ -13,13 +13,14 @@ use hyper::http::request::Parts;
 use hyper::{Method, Request, Response, StatusCode};
 use page::{Call, Reply, Shell};
 use percent_encoding::percent_decode_str;
+use quantities::Language;
+use questions::Patience;
 use std::net::SocketAddr;
 use std::pin::pin;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::Semaphore;
-use workbench::text::requests;
-use workbench::{Language, Patience};
+use words::requests;
 
 /// What answers a call.
 pub(crate) type Respond = fn(&Call<'_>, &dyn Shell, &Patience) -> Reply;
@@ -39,7 +40,7 @@ pub(crate) struct Desk {
     places: Arc<Semaphore>,
 }
 
-/// What every answer carries: nothing from elsewhere is loaded, nobody frames it, nothing is kept, no other site reads it.
+/// Headers of every response: no external resources, no framing, no caching, no access for other sites.
 const HEADERS: [(&str, &str); 7] = [
     (
         "content-security-policy",
@@ -60,13 +61,13 @@ const CACHE_CONTROL: &str = "cache-control";
 /// What is answered at once, however many questions wait: that the server is up, how far a work is, that it ends.
 const AT_ONCE: [&str; 3] = ["/health", page::PROGRESS, page::CANCEL];
 
-/// The header in which a page says what it calls its work, to ask for its progress and to cancel it.
+/// The header with the name of a page's work, by which its progress is requested and it is cancelled.
 const WORK: &str = "x-work";
 
 /// So long a page may still take, when the time is over, to say what is there.
 const LAST_WORDS: Duration = Duration::from_secs(2);
 
-/// Cancels the work when nobody waits for it any more: the time is over, or the client has gone.
+/// Cancels the work on a timeout or when the client has disconnected.
 struct Waits {
     patience: Arc<Patience>,
     named: Option<String>,
@@ -189,7 +190,7 @@ impl Desk {
             let turn = Arc::clone(&self.turns).acquire_owned().await;
             drop(place);
             let work = move || {
-                // As long as it is computed, others wait, even when nobody waits for this one any more.
+                // The worker stays busy until the computation ends, even if the client has disconnected.
                 let _turn = turn;
                 if patience.is_over() && !says_what_is_there {
                     return busy(language);

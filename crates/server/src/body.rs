@@ -62,7 +62,7 @@ pub(crate) async fn read(body: Incoming, most: usize, all: &Bodies, limits: &Lim
 async fn pieces(mut body: Incoming, all: &Bodies, most: usize, most_of_all: usize) -> Result<Held, NoBody> {
     let mut held = Held { bytes: Vec::new(), all: all.clone() };
     while let Some(frame) = body.frame().await {
-        // What is no data are trailers, for which nobody asks.
+        // Frames without data are trailers, which are ignored.
         let Ok(piece) = frame.map_err(|_| NoBody::Broken)?.into_data() else { continue };
         if held.bytes.len() + piece.len() > most {
             return Err(NoBody::TooLarge);

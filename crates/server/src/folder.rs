@@ -2,14 +2,15 @@
 
 use disk::{Beside, Links, Unwritten, read_within};
 use page::{Entry, Folder, Press, SaveFault, Shell, WritesChecklist, WritesReport, is_project_name, recording_names};
+use project::{Files, Grant, PROJECT_MAX_BYTES, Reach};
+use questions::Patience;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Result};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
-use workbench::text::SaveTrouble;
-use workbench::{Files, Grant, PROJECT_MAX_BYTES, Patience, Reach};
+use words::SaveTrouble;
 
 /// So many project files are listed.
 const LISTED_MOST: usize = 1000;
@@ -20,7 +21,7 @@ const LOOKED_AT_MOST: usize = 20_000;
 /// Seconds of a day.
 const DAY_S: u64 = 86_400;
 
-/// What the page has of this machine.
+/// The resources of this machine for the page.
 pub(crate) struct Workplace {
     files: Beside,
     time: Duration,
@@ -231,7 +232,7 @@ mod tests {
         assert_eq!(names, ["axis.toml"]);
     }
 
-    /// Two who have opened the same version: one saves, the other is told.
+    /// Two users have opened the same version: one saves, the other gets a message.
     #[test]
     fn of_two_who_save_one_gets_the_conflict() {
         let folder = tempfile::tempdir().unwrap();
@@ -327,7 +328,7 @@ mod tests {
         }
     }
 
-    /// A thousand times somebody pulls the plug while a save is under way: two at once, each with a folder of its own.
+    /// A thousand power failures during a save: two at a time, each with its own folder.
     #[cfg(unix)]
     #[test]
     fn a_thousand_kills_in_the_midst_of_saves_leave_whole_files() {

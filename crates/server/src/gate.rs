@@ -3,8 +3,8 @@
 use hyper::header::{ACCEPT_LANGUAGE, HOST, ORIGIN};
 use hyper::http::request::Parts;
 use hyper::{HeaderMap, Method};
+use quantities::Language;
 use std::net::{IpAddr, SocketAddr};
-use workbench::Language;
 
 /// Why a request does not get in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,8 @@
 //! The web workbench over HTTP, on this machine.
 //!
-//! `page` answers; this crate carries. It listens on the loopback unless it is told otherwise, and then asks for a token; it
-//! holds every request to bounds of size, time and number, takes none that another site sends, opens and writes files in
-//! one folder only, and ends in good order. Nothing here asks for anything on the network, and nothing is written down of
-//! what is asked.
+//! `page` answers; this crate is the transport. It listens on the loopback by default, elsewhere it requires a token; it
+//! limits requests in size, time and number, rejects requests from other sites, opens and writes files in
+//! one folder only, and shuts down gracefully. It sends no requests itself and logs none.
 
 mod answer;
 mod body;

@@ -7,6 +7,7 @@ use crate::token::{IN_QUERY, Token};
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};
+use quantities::Language;
 use std::convert::Infallible;
 use std::future::Future;
 use std::io;
@@ -17,10 +18,9 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::TcpStream;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
-use workbench::Language;
-use workbench::text::{file_trouble, serving};
+use words::{file_trouble, serving};
 
-/// So long one connection is kept at most: whoever takes its answers slowly holds a place.
+/// Longest duration of a connection, so that slow clients do not keep a slot.
 const CONNECTION_TIME: Duration = Duration::from_secs(600);
 
 /// After a connection could not be taken, such as for want of handles: long enough for another to end.
@@ -31,13 +31,13 @@ const PAUSE: Duration = Duration::from_millis(50);
 pub struct Options {
     /// The folder that is worked in.
     pub folder: PathBuf,
-    /// The address to listen on; none for the loopback. Any other asks for a token.
+    /// The address to listen on; none for the loopback. Any other requires a token.
     pub listen: Option<IpAddr>,
     /// The port; 0 takes a free one.
     pub port: u16,
     /// Bytes of memory for the recordings of one project.
     pub memory: u64,
-    /// The language of whoever does not say otherwise.
+    /// The default language.
     pub language: Language,
     /// What requests are held to.
     pub limits: Limits,
@@ -127,13 +127,13 @@ impl Server {
         }
     }
 
-    /// Whether whoever asks must bring a token.
+    /// Whether requests need a token.
     #[must_use]
     pub const fn asks_for_a_token(&self) -> bool {
         self.desk.token.is_some()
     }
 
-    /// Serves until the program is told to end.
+    /// Serves until the program is terminated.
     ///
     /// # Errors
     /// Where the system gives no means to wait for connections.
@@ -159,7 +159,7 @@ impl Server {
             serve(listener, Arc::new(desk), end).await;
             Ok(())
         });
-        // A save that has begun is finished; a computation that nobody waits for ends at its next step.
+        // A save in progress is completed; a cancelled computation ends at its next step.
         runtime.shutdown_timeout(patience);
         served
     }
@@ -193,7 +193,7 @@ async fn serve(listener: tokio::net::TcpListener, desk: Arc<Desk>, end: impl Fut
 
 /// Serves one connection: request by request until it ends, or the server does.
 async fn connection(stream: TcpStream, desk: Arc<Desk>, mut told: watch::Receiver<()>, _place: OwnedSemaphorePermit) {
-    // Answers are small and somebody waits for them; where it cannot be had it is slower.
+    // Responses are small and latency matters; without this option it is slower.
     let _ = stream.set_nodelay(true);
     let limits = desk.limits;
     let service = service_fn(move |request| {
@@ -208,7 +208,7 @@ async fn connection(stream: TcpStream, desk: Arc<Desk>, mut told: watch::Receive
         .serve_connection(TokioIo::new(stream), service);
     let mut connection = pin!(connection);
     tokio::select! {
-        // What is wrong with a connection is told to nobody: its other end has gone.
+        // Errors of a connection are not reported: the client has disconnected.
         _ = &mut connection => return,
         _ = told.changed() => {}
         () = tokio::time::sleep(CONNECTION_TIME) => {}
@@ -217,7 +217,7 @@ async fn connection(stream: TcpStream, desk: Arc<Desk>, mut told: watch::Receive
     let _ = tokio::time::timeout(limits.body_time + limits.answer_time, connection).await;
 }
 
-/// Comes when the program is told to end: by the keyboard, by its terminal that goes, or by whoever may end it.
+/// Completes when the program is terminated: by the keyboard, by closing its terminal, or by a signal.
 #[cfg(unix)]
 async fn told_to_end() {
     use tokio::signal::unix::{SignalKind, signal};
@@ -235,7 +235,7 @@ async fn told_to_end() {
     }
 }
 
-/// Comes when the program is told to end by the keyboard.
+/// Completes when the program is terminated by the keyboard.
 #[cfg(not(unix))]
 async fn told_to_end() {
     let _ = tokio::signal::ctrl_c().await;

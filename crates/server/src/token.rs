@@ -1,4 +1,4 @@
-//! The token that whoever is not on this machine alone must bring.
+//! The token that requests need if the server listens beyond the loopback.
 
 use hyper::HeaderMap;
 use hyper::header::{AUTHORIZATION, COOKIE};

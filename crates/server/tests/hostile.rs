@@ -1,13 +1,13 @@
 //! What is sent to harm: the server stays up, answers others, and says nothing that it did not promise.
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a test fails loudly")]
 
+use quantities::Language;
 use server::{Limits, Options, Server};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::path::Path;
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
-use workbench::Language;
 
 const PROJECT: &str = "format = 1\n[load]\ninertia = \"1.3 kg m^2\"\n[[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\n\
     accelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n";
@@ -99,7 +99,7 @@ fn status(answer: &str) -> u16 {
     words.next().and_then(|status| status.parse().ok()).unwrap_or_else(|| panic!("{answer}"))
 }
 
-/// Told as one's own mistake, or not at all.
+/// Reported as a client error, or not answered.
 fn turned_away(answer: &str, what: &str) {
     let status = status(answer);
     assert!(status == 0 || (400..500).contains(&status), "{what}: {answer}");
@@ -226,7 +226,7 @@ fn bodies_that_are_too_large_are_not_read() {
     up.is_up();
 }
 
-/// Many who say almost nothing keep nobody else from being answered, and are shown out in time.
+/// Many idle clients do not block others, and are disconnected in time.
 #[test]
 fn slow_ones_keep_nobody_waiting() {
     let limits = Limits { head_time: Duration::from_secs(2), body_time: Duration::from_secs(2), ..Limits::default() };

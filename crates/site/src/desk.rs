@@ -2,8 +2,9 @@
 
 use crate::Store;
 use page::{Call, Method, Reply, respond};
+use quantities::Language;
+use questions::Patience;
 use serde::{Deserialize, Serialize};
-use workbench::{Language, Patience};
 
 /// What the browser says.
 #[derive(Deserialize)]
@@ -90,7 +91,7 @@ impl Desk {
             body,
             language: Language::of_id(&question.language).unwrap_or_default(),
         };
-        // Whoever waits no longer ends the worker in which this runs.
+        // A client that no longer waits stops the worker in which this runs.
         respond(&call, &self.store, &Patience::endless())
     }
 }

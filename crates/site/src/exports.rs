@@ -1,5 +1,5 @@
-//! What the browser calls. It writes a message into the room that it asked for, has it answered, and reads the answer
-//! where it is told to.
+//! Functions called by the browser. It writes a message to the buffer that it requested, calls for the answer, and reads it
+//! at the returned address.
 //!
 //! Nothing here reads through an address; only the names must be kept as they stand, and that alone is what the language
 //! counts as unsafe: two functions of one name in a program would be mistaken for each other.

@@ -6,11 +6,12 @@ use flate2::Compression;
 use flate2::write::DeflateEncoder;
 use maud::{DOCTYPE, PreEscaped, html};
 use page::{Call, Method, respond};
+use quantities::Language;
+use questions::Patience;
 use std::io::Write;
-use workbench::text::{self, requests};
-use workbench::{Language, Patience};
+use words::requests;
 
-/// What may be loaded and asked for: nothing from elsewhere. The worker and, in a folder that is opened as a file, the
+/// Permitted sources and connections: none external. The worker and, in a folder that is opened as a file, the
 /// modules are made by the page itself (`blob:`).
 const POLICY: &str = "default-src 'self'; img-src 'self' data: blob:; style-src 'self'; \
     script-src 'self' blob: 'wasm-unsafe-eval'; worker-src 'self' blob:; connect-src 'self'; base-uri 'none'; \
@@ -59,19 +60,19 @@ fn index() -> String {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta http-equiv="content-security-policy" content=(PreEscaped(POLICY));
                 meta name="referrer" content="same-origin";
-                title { (text::page::title(Language::default())) }
+                title { (words::page::title(Language::default())) }
                 link rel="icon" href=(page::ICON);
                 link rel="stylesheet" href="assets/page.css";
                 link rel="preload" as="script" href="assets/htmx.min.js";
                 @for l in Language::ALL {
-                    template lang=(l.id()) data-failed=(requests::failed_inside(l)) data-full=(text::page::browser_keeps_nothing(l))
-                        data-none=(text::page::no_engine(l)) {}
+                    template lang=(l.id()) data-failed=(requests::failed_inside(l)) data-full=(words::page::browser_keeps_nothing(l))
+                        data-none=(words::page::no_engine(l)) {}
                 }
                 script src="site.js" {}
             }
             body {
                 header { h1 { "antrieb" } }
-                main.start id="waiting" role="status" { (both(text::page::engine_comes)) noscript { (both(text::page::needs_scripts)) } }
+                main.start id="waiting" role="status" { (both(words::page::engine_comes)) noscript { (both(words::page::needs_scripts)) } }
             }
         }
     }

@@ -1,11 +1,11 @@
 //! The working folder in memory, as far as the browser has said what it keeps.
 
-use page::{Entry, Folder, Place, SaveFault, Shell, is_project_name, recording_names};
+use page::{Entry, Folder, SaveFault, Shell, Storage, is_project_name, recording_names};
+use project::{Files, PROJECT_MAX_BYTES};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::io::{Cursor, ErrorKind, Read, Result};
 use std::rc::Rc;
-use workbench::{Files, PROJECT_MAX_BYTES};
 
 /// Seconds of a day.
 const DAY_S: u64 = 86_400;
@@ -20,7 +20,7 @@ struct Held {
 #[derive(Default)]
 pub struct Store {
     files: RefCell<BTreeMap<String, Held>>,
-    /// The file that was written since somebody asked.
+    /// The file written since the last query.
     written: RefCell<Option<String>>,
     now_s: Cell<u64>,
 }
@@ -47,7 +47,7 @@ impl Store {
         self.written.take()
     }
 
-    /// Tells the time in seconds since 1970.
+    /// Returns the time in seconds since 1970.
     pub fn is_now(&self, now_s: u64) {
         self.now_s.set(now_s);
     }
@@ -69,8 +69,8 @@ impl Files for Store {
 }
 
 impl Folder for Store {
-    fn place(&self) -> Place {
-        Place::Browser
+    fn place(&self) -> Storage {
+        Storage::Browser
     }
 
     fn list(&self) -> Result<Vec<Entry>> {

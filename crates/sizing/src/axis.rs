@@ -2,14 +2,13 @@
 
 use crate::brake_times::{BrakeTimes, carried};
 use crate::flange::{DerivedLoads, Known};
+use crate::list::Asked;
 use crate::resonance::{self, Held};
-use crate::swings::SmallSwings;
 use actuator::FlangeLoad;
 use mechanism::{Endless, Extra, Mechanism};
 use motion::{Closing, ManualMove, Motion};
 use quantities::{
-    Angle, AngularVelocity, ElectricPotential, Frequency, Length, Measure, MomentOfInertia, Power,
-    ThermodynamicTemperature, Time, Torque,
+    Angle, AngularVelocity, ElectricPotential, Measure, MomentOfInertia, ThermodynamicTemperature, Time, Torque,
 };
 use std::sync::OnceLock;
 use trace::{Convex, Extent, Node, TorqueWith, Trace};
@@ -28,7 +27,8 @@ pub enum OperatingCondition {
 impl OperatingCondition {
     /// Lower limit of the static safety.
     ///
-    /// # Source   cha-manual table 76.3
+    /// # Source
+    /// cha-manual table 76.3
     #[must_use]
     pub const fn static_safety_min(self) -> f64 {
         match self {
@@ -125,72 +125,6 @@ impl Moments {
     }
 }
 
-/// What is asked of the actuator beyond carrying the load; without a limit a value is shown and not judged.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Asked {
-    /// Life required of the gear.
-    pub gear_life_min: Option<Time>,
-    /// Torsion of the gear permitted.
-    pub torsion_max: Option<Angle>,
-    /// Least first natural frequency.
-    pub natural_frequency_min: Option<Frequency>,
-    /// Sum of all angular errors permitted at the output.
-    pub angle_error_max: Option<Angle>,
-    /// Distance from the axis at which an error is looked at.
-    pub lever_arm: Option<Length>,
-    /// Deviation permitted there.
-    pub deviation_max: Option<Length>,
-    /// Angle permitted for a stop by the brake alone.
-    pub stop_angle_max: Option<Angle>,
-    /// Number of stops by the brake alone over the life of the axis.
-    pub emergency_stops: Option<f64>,
-    /// Factor by which the brake must hold more than the load asks.
-    pub holding_safety: Option<f64>,
-    /// Time that the axis is in operation over its life.
-    pub service_life: Option<Time>,
-    /// Mean power that supply or brake resistor take back.
-    pub regeneration_power_max: Option<Power>,
-    /// Whether the position must be absolute over the whole travel.
-    pub absolute: Option<bool>,
-    /// Largest step of the position at the output.
-    pub resolution_max: Option<Angle>,
-    /// Operation per day, for the battery.
-    pub operation_per_day: Option<Time>,
-    /// Storage before operation, for the battery.
-    pub storage: Option<Time>,
-    /// Life required of the battery.
-    pub battery_life_min: Option<Time>,
-    /// Largest torque of a collision.
-    pub collision_torque: Option<Torque>,
-    /// Duration of a collision.
-    pub collision_time: Option<Time>,
-    /// Number of collisions over the life of the axis.
-    pub collisions: Option<f64>,
-    /// Whether the position loop is closed over the encoder at the output.
-    pub loop_at_output: bool,
-    /// Rise of the DC link voltage that a capacitor bank may take.
-    pub dc_link_rise: Option<ElectricPotential>,
-    /// A field of application that needs the maker's approval.
-    pub special_application: Option<SpecialApplication>,
-}
-
-/// Fields of application that need a risk assessment and the maker's approval.
-///
-/// # Source   cha-manual section 2.4
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names say it")]
-pub enum SpecialApplication {
-    Aerospace,
-    ExplosiveAtmosphere,
-    Nuclear,
-    Vacuum,
-    Household,
-    Medical,
-    HumanContact,
-    LiftingOfPersons,
-    Amusement,
-}
-
 /// A motion that takes a look at more instants than its answer may cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooManyInstants {
@@ -227,7 +161,7 @@ pub struct Axis {
     pub(crate) plain: Option<(MomentOfInertia, Torque)>,
     /// Loads on the flange that were worked out for some bearing.
     pub(crate) flange_known: Known,
-    pub(crate) small_swings: OnceLock<SmallSwings>,
+    pub(crate) swing_ranges: OnceLock<Vec<f64>>,
 }
 
 impl Axis {
@@ -264,7 +198,7 @@ impl Axis {
             moments,
             trace,
             flange_known: Known::default(),
-            small_swings: OnceLock::new(),
+            swing_ranges: OnceLock::new(),
             held: OnceLock::new(),
         }
     }
@@ -293,9 +227,9 @@ impl Axis {
         self.trace.samples()
     }
 
-    /// The swings below the manual's 5°; only the output bearing asks for them.
-    pub(crate) fn small_swings(&self) -> SmallSwings {
-        *self.small_swings.get_or_init(|| SmallSwings::of(self))
+    /// The ranges of the closed swings of a cycle \[rad\]; only the output bearing needs them.
+    pub(crate) fn swing_ranges(&self) -> &[f64] {
+        self.swing_ranges.get_or_init(|| crate::swings::swing_ranges(&self.motion))
     }
 
     /// Whether so few instants make the cycle that judging an actuator costs microseconds.
@@ -317,7 +251,7 @@ impl Axis {
             .map(|(supply, reserve)| ElectricPotential::from_si(supply.si() / std::f64::consts::SQRT_2 * reserve))
     }
 
-    /// The speeds that the cycle holds; only gears whose stiffness is known ask for them.
+    /// The speeds that the cycle holds; only gears of known stiffness need them.
     pub(crate) fn held_speeds(&self) -> &[Held] {
         self.held.get_or_init(|| resonance::held_speeds(self))
     }

@@ -2,15 +2,15 @@
 
 use crate::axis::{Axis, BearingDuty};
 use crate::check::{Check, CheckId, Verdict};
-use crate::comparison::{Asking, Comparison, against_asked, equation, explained, not_checked};
+use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked};
 use crate::flange::{CycleLoads, Peak};
 use crate::notes::{Note, Notes};
-use crate::swings::SWING_MIN_DEG;
+use crate::swings::SmallSwings;
 use crate::workings;
 use actuator::{BearingType, FlangeLoad, OutputBearing};
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use provenance::{CellRef, Grade, Missing, Source, Sourced};
-use quantities::unit::{ARCMINUTE, DEGREE, HOUR, METRE, NEWTON, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, ONE};
+use quantities::unit::{ARCMINUTE, HOUR, METRE, NEWTON, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, ONE};
 use quantities::{Angle, Force, Length, Measure, Time, Torque};
 use std::cell::OnceCell;
 
@@ -20,28 +20,18 @@ const MODEL: Source = Source::Model { name: "output-bearing" };
 /// The model of the loads that follow from the mechanism.
 const DERIVED: Source = Source::Model { name: "flange-loads" };
 
-/// Every check of the output bearing; none where no loads are known.
-pub(crate) fn judge(axis: &Axis, bearing: &OutputBearing, explain: bool, to: &mut impl FnMut(&dyn Fn() -> Check)) {
-    let Some(duty) = &axis.bearing else { return };
-    let borne = &Borne::of(axis, duty, bearing);
-    to(&|| {
-        explained(explain, |work| {
-            let limit = bearing.axial_max.require("F_A_dyn_max");
-            let names = ("F_a", "max F_a over the segments", "bearing.axial_force");
-            force(CheckId::BearingAxial, borne, (names, |loads| loads.axial), ("F_A_dyn_max", limit), work)
-        })
-    });
-    to(&|| {
-        explained(explain, |work| {
-            let limit = bearing.radial_max.require("F_R_dyn_max");
-            let names = ("F_r", "max F_r over the segments", "bearing.radial_force");
-            force(CheckId::BearingRadial, borne, (names, |loads| loads.radial), ("F_R_dyn_max", limit), work)
-        })
-    });
-    to(&|| explained(explain, |work| tilting_moment(borne, work)));
-    to(&|| explained(explain, |work| life(axis, duty, bearing, work)));
-    to(&|| explained(explain, |work| static_safety(borne, work)));
-    to(&|| explained(explain, |work| tilt_angle(borne, work)));
+/// F_a ≤ F_A,dyn(max) alone (table 55.1, footnote 4).
+pub(crate) fn axial(borne: &Borne<'_>, work: &mut Workings) -> Check {
+    let limit = borne.bearing.axial_max.require("F_A_dyn_max");
+    let names = ("F_a", Finding::AxialForceMax, "bearing.axial_force");
+    force(CheckId::BearingAxial, borne, (names, |loads| loads.axial), ("F_A_dyn_max", limit), work)
+}
+
+/// F_r ≤ F_R,dyn(max) alone (table 55.1, footnote 4).
+pub(crate) fn radial(borne: &Borne<'_>, work: &mut Workings) -> Check {
+    let limit = borne.bearing.radial_max.require("F_R_dyn_max");
+    let names = ("F_r", Finding::RadialForceMax, "bearing.radial_force");
+    force(CheckId::BearingRadial, borne, (names, |loads| loads.radial), ("F_R_dyn_max", limit), work)
 }
 
 /// A bearing with what it bears: four checks look at the same loads.
@@ -57,7 +47,7 @@ impl<'a> Borne<'a> {
         Self { axis, duty, bearing, loads: OnceCell::new() }
     }
 
-    /// The loads over the cycle, found when they are first asked for.
+    /// The loads over the cycle, computed on first use.
     fn loads(&self) -> &CycleLoads {
         self.loads.get_or_init(|| cycle_loads(self.axis, self.duty, self.bearing))
     }
@@ -95,10 +85,10 @@ fn instant(duty: &BearingDuty, peak: Peak) -> Option<Time> {
     duty.derived.as_ref().map(|_| Time::from_si(peak.at))
 }
 
-/// Symbol, text of the largest over the segments, and key of a force that the user states.
-type Names = (&'static str, &'static str, &'static str);
+/// Symbol, largest over the segments, and key of a force that the user states.
+type Names = (&'static str, Finding, &'static str);
 
-/// F_a ≤ F_A,dyn(max) and F_r ≤ F_R,dyn(max), each alone (table 55.1, footnote 4).
+/// A force on the flange against the permissible one.
 fn force<Q: Measure>(
     id: CheckId,
     borne: &Borne<'_>,
@@ -131,7 +121,7 @@ fn is_constant(duty: &BearingDuty) -> bool {
 }
 
 /// The workings of the largest force.
-fn largest_force(duty: &BearingDuty, (symbol, text, key): Names, value: f64, work: &mut Workings) {
+fn largest_force(duty: &BearingDuty, (symbol, what, key): Names, value: f64, work: &mut Workings) {
     if !work.is_on() {
         return;
     }
@@ -141,23 +131,17 @@ fn largest_force(duty: &BearingDuty, (symbol, text, key): Names, value: f64, wor
     } else if is_constant(duty) {
         work.figure(symbol, &NEWTON, value, &source, Grade::Printed);
     } else {
-        work.found(symbol, &NEWTON, value, text, &source, Grade::Printed);
+        work.found(symbol, &NEWTON, value, what, &source, Grade::Printed);
     }
     work.value(symbol);
 }
 
 /// Where a largest load is from that follows from the mechanism.
-const FROM_THE_MECHANISM: &str = "largest over the cycle, of the mechanism and of what is stated";
+const FROM_THE_MECHANISM: Finding = Finding::LargestOfMechanism;
 
-/// The workings of the tilting moment under one load, `M`: what the user gave, from the segment that `text` names where
+/// The workings of the tilting moment under one load, `M`: what the user gave, from the segment that `what` names where
 /// there are several.
-fn load_moment(
-    duty: &BearingDuty,
-    load: &FlangeLoad,
-    offset: &Sourced<Length>,
-    text: &'static str,
-    work: &mut Workings,
-) {
+fn load_moment(duty: &BearingDuty, load: &FlangeLoad, offset: &Sourced<Length>, what: Finding, work: &mut Workings) {
     let constant = is_constant(duty);
     for (symbol, unit, value, key) in [
         ("F_r", &NEWTON, load.radial_force.si(), "bearing.radial_force"),
@@ -169,7 +153,7 @@ fn load_moment(
         if constant {
             work.figure(symbol, unit, value, &source, Grade::Printed);
         } else {
-            work.found(symbol, unit, value, text, &source, Grade::Printed);
+            work.found(symbol, unit, value, what, &source, Grade::Printed);
         }
     }
     work.given("R", &METRE, offset);
@@ -189,7 +173,7 @@ pub(crate) fn explain_largest_moment(borne: &Borne<'_>, work: &mut Workings) {
     let moment = |load: &FlangeLoad| actuator::tilting_moment(load, offset.value).si();
     let largest = duty.loads.iter().max_by(|a, b| moment(a).total_cmp(&moment(b)));
     if let Some(load) = largest {
-        load_moment(duty, load, offset, "in the segment of the largest M", work);
+        load_moment(duty, load, offset, Finding::SegmentOfLargestMoment, work);
     }
 }
 
@@ -267,7 +251,7 @@ fn only_load<'a>(axis: &Axis, duty: &'a BearingDuty) -> Option<&'a FlangeLoad> {
 }
 
 /// M ≤ M_dyn(max): from the tilt that the gear allows, so it holds even where the life would allow more.
-fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Check {
+pub(crate) fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Check {
     let id = CheckId::BearingTiltingMoment;
     let found = borne.largest_moment().and_then(|m| Ok((m, borne.bearing.tilting_moment_max.require("M_dyn_max")?)));
     match found {
@@ -284,7 +268,8 @@ fn tilting_moment(borne: &Borne<'_>, work: &mut Workings) -> Check {
 }
 
 /// L_10 ≥ the life required (eq. 74.1, 74.3).
-fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Workings) -> Check {
+pub(crate) fn life(borne: &Borne<'_>, work: &mut Workings) -> Check {
+    let Borne { axis, duty, bearing, .. } = *borne;
     let id = CheckId::BearingLife;
     let found = (|| {
         let offset = bearing.offset.require("R")?;
@@ -307,7 +292,7 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Wor
             explain_exponent(kind, work);
             let only = only_load(axis, duty);
             match only {
-                Some(load) => load_moment(duty, load, offset, "in every segment in motion", work),
+                Some(load) => load_moment(duty, load, offset, Finding::EverySegmentInMotion, work),
                 None => explain_mean_load(&mean, offset, duty.derived.is_some(), work),
             }
             explain_equivalent_load(&mean, only.is_some(), (pitch, equivalent), work);
@@ -325,28 +310,29 @@ fn life(axis: &Axis, duty: &BearingDuty, bearing: &OutputBearing, work: &mut Wor
     let number = if axis.moments().is_swing() { "74.3" } else { "74.1" };
     let mut check = match found {
         Ok(life) => {
-            let (asked, key) = (duty.life_min.map(Measure::si), "requirements.bearing_life_min");
-            work.asked("L_10_min", &HOUR, asked, key);
-            against_asked(id, &HOUR, life.si(), asked, key, equation(number))
+            let asked = duty.life_min.map(Measure::si);
+            work.asked("L_10_min", &HOUR, asked, id);
+            against_asked(id, &HOUR, life.si(), asked, equation(number))
         }
         Err(missing) => not_checked(id, missing),
     };
-    fretting(axis, &mut check);
+    fretting(axis, bearing, &mut check);
     check
 }
 
-/// Small swings may fret the bearing, whatever its life by rolling is: a remark, and advice where a life is told that does
+/// Small swings may fret the bearing, whatever its life by rolling is: a remark, and advice for a life that does
 /// not fail by itself.
-fn fretting(axis: &Axis, check: &mut Check) {
-    let (moments, small) = (axis.moments(), axis.small_swings());
-    if !small.are_told() {
+fn fretting(axis: &Axis, bearing: &OutputBearing, check: &mut Check) {
+    let Some(least) = bearing.swing_min.known().map(|least| least.value) else { return };
+    let (moments, small) = (axis.moments(), SmallSwings::of(axis, least));
+    if !small.are_reported() {
         return;
     }
     let swing = moments.angle_swing;
-    check.notes.push(if moments.is_swing() && swing.in_unit(&DEGREE) < SWING_MIN_DEG {
-        Note::SwingTooSmall { swing }
+    check.notes.push(if moments.is_swing() && swing.si() < least.si() {
+        Note::SwingTooSmall { swing, least }
     } else {
-        Note::SmallSwings { count: small.count, largest: small.largest, share: small.share }
+        Note::SmallSwings { count: small.count, largest: small.largest, share: small.share, least }
     });
     if check.value.is_some() && check.verdict != Verdict::Fail {
         check.verdict = Verdict::Advice;
@@ -383,27 +369,27 @@ fn explain_mean_load(mean: &MeanLoad, offset: &Sourced<Length>, derived: bool, w
     let [radial, axial] = mean.moments;
     let (by_radial, by_axial) = (equation("75.2"), equation("75.3"));
     if derived {
-        let text = "(∫|ω| F_r^B dt / ∫|ω| dt)^(1/B) over the cycle";
-        work.found("F_rav", &NEWTON, mean.load.radial_force.si(), text, &by_radial, Grade::Computed);
-        let text = "(∫|ω| F_a^B dt / ∫|ω| dt)^(1/B) over the cycle";
-        work.found("F_aav", &NEWTON, mean.load.axial_force.si(), text, &by_axial, Grade::Computed);
+        let what = Finding::RadialMeanOverCycle;
+        work.found("F_rav", &NEWTON, mean.load.radial_force.si(), what, &by_radial, Grade::Computed);
+        let what = Finding::AxialMeanOverCycle;
+        work.found("F_aav", &NEWTON, mean.load.axial_force.si(), what, &by_axial, Grade::Computed);
         work.given("R", &METRE, offset);
-        let text = "(∫|ω| M_L^B dt / ∫|ω| dt)^(1/B) over the cycle";
-        work.found("M_L", &NEWTON_METRE, mean.of_mechanism, text, &DERIVED, Grade::Computed);
+        let what = Finding::MomentMeanOverCycle;
+        work.found("M_L", &NEWTON_METRE, mean.of_mechanism, what, &DERIVED, Grade::Computed);
     }
     if !derived {
-        let text = "(Σ |n_k| t_k F_rk^B / Σ |n_k| t_k)^(1/B) over the segments";
-        work.found("F_rav", &NEWTON, mean.load.radial_force.si(), text, &by_radial, Grade::Computed);
-        let text = "(Σ |n_k| t_k F_ak^B / Σ |n_k| t_k)^(1/B) over the segments";
-        work.found("F_aav", &NEWTON, mean.load.axial_force.si(), text, &by_axial, Grade::Computed);
+        let what = Finding::RadialMean;
+        work.found("F_rav", &NEWTON, mean.load.radial_force.si(), what, &by_radial, Grade::Computed);
+        let what = Finding::AxialMean;
+        work.found("F_aav", &NEWTON, mean.load.axial_force.si(), what, &by_axial, Grade::Computed);
     }
     if !derived {
         work.given("R", &METRE, offset);
     }
-    let text = "(Σ |n_k| t_k (F_rk (L_rk + R))^B / Σ |n_k| t_k)^(1/B) over the segments";
-    work.found("M_r", &NEWTON_METRE, radial, text, &MODEL, Grade::Computed);
-    let text = "(Σ |n_k| t_k (F_ak L_ak)^B / Σ |n_k| t_k)^(1/B) over the segments";
-    work.found("M_a", &NEWTON_METRE, axial, text, &MODEL, Grade::Computed);
+    let what = Finding::RadialMomentMean;
+    work.found("M_r", &NEWTON_METRE, radial, what, &MODEL, Grade::Computed);
+    let what = Finding::AxialMomentMean;
+    work.found("M_a", &NEWTON_METRE, axial, what, &MODEL, Grade::Computed);
     let (moment, text) = (mean.moment().si(), if derived { "M_L + M_r + M_a" } else { "M_r + M_a" });
     work.formula("M", &NEWTON_METRE, moment, text, &MODEL);
 }
@@ -427,7 +413,7 @@ fn explain_equivalent_load(
 
 /// f_s = C_0/P_0 ≥ the least of the operating condition (eq. 76.1, table 76.3), of the largest F_r, F_a and M of the cycle
 /// taken together, as the maker's sister series does (docs/theory/output-bearing.md).
-fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Check {
+pub(crate) fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Check {
     let id = CheckId::BearingStatic;
     let (duty, bearing) = (borne.duty, borne.bearing);
     let found = (|| {
@@ -449,7 +435,7 @@ fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Check {
         }
         if work.is_on() {
             match duty.loads.first().filter(|_| duty.derived.is_none() && is_constant(duty)) {
-                Some(load) => load_moment(duty, load, offset, "", work),
+                Some(load) => load_moment(duty, load, offset, Finding::EverySegmentInMotion, work),
                 None => explain_largest(largest, duty, work),
             }
             work.given("d_p", &METRE, pitch);
@@ -464,8 +450,8 @@ fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Check {
     match found {
         Ok(safety) => {
             let asked = duty.operating_condition.map(crate::axis::OperatingCondition::static_safety_min);
-            work.asked("f_s_min", &ONE, asked, "bearing.operating_condition");
-            against_asked(id, &ONE, safety, asked, "bearing.operating_condition", equation("76.1"))
+            work.asked("f_s_min", &ONE, asked, id);
+            against_asked(id, &ONE, safety, asked, equation("76.1"))
         }
         Err(missing) => not_checked(id, missing),
     }
@@ -474,16 +460,16 @@ fn static_safety(borne: &Borne<'_>, work: &mut Workings) -> Check {
 /// The workings of the largest loads of the cycle, each by itself: `F_r`, `F_a` and `M`.
 fn explain_largest(largest: &CycleLoads, duty: &BearingDuty, work: &mut Workings) {
     let source = if duty.derived.is_some() { DERIVED } else { MODEL };
-    let text = if duty.derived.is_some() { FROM_THE_MECHANISM } else { "largest over the segments" };
+    let what = if duty.derived.is_some() { FROM_THE_MECHANISM } else { Finding::LargestOverSegments };
     for (symbol, unit, peak) in
         [("F_r", &NEWTON, largest.radial), ("F_a", &NEWTON, largest.axial), ("M", &NEWTON_METRE, largest.moment)]
     {
-        work.found(symbol, unit, peak.value, text, &source, Grade::Computed);
+        work.found(symbol, unit, peak.value, what, &source, Grade::Computed);
     }
 }
 
 /// γ = M/K_B ≤ the tilt permitted (eq. 76.4).
-fn tilt_angle(borne: &Borne<'_>, work: &mut Workings) -> Check {
+pub(crate) fn tilt_angle(borne: &Borne<'_>, work: &mut Workings) -> Check {
     let id = CheckId::TiltAngle;
     let found = borne
         .largest_moment()
@@ -497,7 +483,7 @@ fn tilt_angle(borne: &Borne<'_>, work: &mut Workings) -> Check {
     work.given("K_B", &NEWTON_METRE_PER_ARCMINUTE, stiffness);
     work.formula("gamma", &ARCMINUTE, tilt, "M/K_B", &equation("76.4"));
     work.value("gamma");
-    let (limit, key) = (borne.duty.tilt_max.map(Measure::si), "requirements.tilt_angle_max");
-    work.asked("gamma_max", &ARCMINUTE, limit, key);
-    against_asked(id, &ARCMINUTE, tilt, limit, key, equation("76.4"))
+    let limit = borne.duty.tilt_max.map(Measure::si);
+    work.asked("gamma_max", &ARCMINUTE, limit, id);
+    against_asked(id, &ARCMINUTE, tilt, limit, equation("76.4"))
 }

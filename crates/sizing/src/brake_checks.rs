@@ -2,12 +2,13 @@
 
 use crate::axis::Axis;
 use crate::brake_times::brakings;
-use crate::check::{Check, CheckId, Figure, Verdict};
-use crate::comparison::{Asking, Comparison, against_asked, explained, not_checked};
+use crate::check::{Amount, Check, CheckId, Verdict};
+use crate::comparison::{Asking, Comparison, against_asked, not_checked};
+use crate::list::Case;
 use crate::notes::{BrakeStop, Note, Notes};
 use crate::workings;
 use actuator::{Brake, Parameters, StopOutcome};
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use motion::Hold;
 use provenance::{Datum, Grade, Missing, Source};
 use quantities::unit::{
@@ -18,31 +19,72 @@ use quantities::{Measure, MomentOfInertia, Time};
 /// Below this share of the load's weight nothing hangs: rounding of an angle.
 const HANGING: f64 = 1e-9;
 
-/// The checks of the brake; none where there is no brake and none is asked for.
-pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool) -> Vec<Check> {
-    let brake = &actuator.brake;
-    if hangs(axis) && axis.motion.stretches().iter().any(|stretch| stretch.hold == Hold::Free) {
-        return vec![explained(explain, |work| free(axis, work))];
+/// What the axis and the actuator have to do with a brake.
+enum Held {
+    /// The load hangs and nothing holds it in a dwell.
+    Free,
+    /// There is no brake, and the motion is to be held by one.
+    Absent,
+    /// There is no brake, and the load hangs.
+    Unheld,
+    /// Neither has anything to do with a brake, or it is not known whether there is one.
+    Unconcerned,
+    /// The load hangs, and it is not known whether there is a brake.
+    NotPrinted,
+    /// There is a brake, and the torque that holds the load is not known.
+    LoadNotKnown,
+    /// There is a brake.
+    Braked,
+}
+
+impl Held {
+    fn of(axis: &Axis, actuator: &Parameters) -> Self {
+        let holds = |hold| axis.motion.stretches().iter().any(|stretch| stretch.hold == hold);
+        let (hangs, required) = (hangs(axis), holds(Hold::Brake));
+        if hangs && holds(Hold::Free) {
+            return Self::Free;
+        }
+        match actuator.brake.holding_torque {
+            Datum::NotApplicable if required => Self::Absent,
+            Datum::NotApplicable if hangs => Self::Unheld,
+            Datum::NotPrinted if hangs && !required => Self::NotPrinted,
+            Datum::NotApplicable => Self::Unconcerned,
+            Datum::NotPrinted if !required => Self::Unconcerned,
+            Datum::NotPrinted | Datum::Known(_) if !axis.mechanism.knows_holding_torque() => Self::LoadNotKnown,
+            Datum::NotPrinted | Datum::Known(_) => Self::Braked,
+        }
     }
-    let asked = axis.motion.stretches().iter().any(|stretch| stretch.hold == Hold::Brake);
-    match brake.holding_torque {
-        Datum::NotApplicable if asked => vec![explained(explain, |work| absent(axis, work))],
-        Datum::NotApplicable if hangs(axis) => vec![explained(explain, |work| unheld(axis, work))],
-        Datum::NotApplicable => Vec::new(),
-        Datum::NotPrinted if hangs(axis) && !asked => {
-            let mut check = not_checked(CheckId::BrakeHolding, Missing { symbol: "T_Br" });
+}
+
+/// What is missing where the torque that holds the load is not known.
+const HOLDING_TORQUE: Missing = Missing { symbol: "mechanism.joint.holding_torque" };
+
+/// The torque that holds the load; none where there is no brake and none is required.
+pub(crate) fn holding(case: &Case<'_>, work: &mut Workings) -> Option<Check> {
+    let Case { axis, actuator, .. } = *case;
+    let id = CheckId::BrakeHolding;
+    Some(match Held::of(axis, actuator) {
+        Held::Free => free(axis, work),
+        Held::Absent => absent(axis, work),
+        Held::Unheld => unheld(axis, work),
+        Held::Unconcerned => return None,
+        Held::NotPrinted => {
+            let mut check = not_checked(id, Missing { symbol: "T_Br" });
             check.notes.push(Note::HangingLoad);
-            vec![check]
+            check
         }
-        Datum::NotPrinted if !asked => Vec::new(),
-        _ if !axis.mechanism.knows_holding_torque() => {
-            let missing = Missing { symbol: "mechanism.joint.holding_torque" };
-            vec![not_checked(CheckId::BrakeHolding, missing), not_checked(CheckId::BrakeEmergency, missing)]
-        }
-        _ => vec![
-            explained(explain, |work| holding(axis, actuator, brake, work)),
-            explained(explain, |work| emergency(axis, actuator, brake, work)),
-        ],
+        Held::LoadNotKnown => not_checked(id, HOLDING_TORQUE),
+        Held::Braked => held(axis, actuator, &actuator.brake, work),
+    })
+}
+
+/// The stop by the brake alone; none where there is no brake or it is not known whether there is one.
+pub(crate) fn emergency(case: &Case<'_>, work: &mut Workings) -> Option<Check> {
+    let Case { axis, actuator, .. } = *case;
+    match Held::of(axis, actuator) {
+        Held::Free | Held::Absent | Held::Unheld | Held::Unconcerned | Held::NotPrinted => None,
+        Held::LoadNotKnown => Some(not_checked(CheckId::BrakeEmergency, HOLDING_TORQUE)),
+        Held::Braked => Some(stop(axis, actuator, &actuator.brake, work)),
     }
 }
 
@@ -79,8 +121,8 @@ fn absent(axis: &Axis, work: &mut Workings) -> Check {
     Check {
         id: CheckId::BrakeHolding,
         verdict: Verdict::Fail,
-        value: Some(Figure { si: axis.moments().holding_torque.si(), unit: &NEWTON_METRE }),
-        limit: Some(Figure { si: 0.0, unit: &NEWTON_METRE }),
+        value: Some(Amount { si: axis.moments().holding_torque.si(), unit: &NEWTON_METRE }),
+        limit: Some(Amount { si: 0.0, unit: &NEWTON_METRE }),
         utilisation: None,
         at: None,
         grade: Some(Grade::Printed),
@@ -114,9 +156,9 @@ fn holding_torque(axis: &Axis, work: &mut Workings) {
 }
 
 fn find_holding_torque(axis: &Axis, work: &mut Workings) {
-    let text = "max |torque that holds the load without friction| over the cycle";
+    let what = Finding::PeakHoldingTorque;
     let source = Source::Model { name: "brake" };
-    work.found("T_hold", &NEWTON_METRE, axis.moments().holding_torque.si(), text, &source, Grade::Computed);
+    work.found("T_hold", &NEWTON_METRE, axis.moments().holding_torque.si(), what, &source, Grade::Computed);
 }
 
 fn hangs(axis: &Axis) -> bool {
@@ -132,8 +174,8 @@ fn total_inertia(axis: &Axis, actuator: &Parameters) -> Result<MomentOfInertia, 
 }
 
 /// T_Br ≥ S times gravity, process and external torque at every instant, without the help of friction: the drive may fail
-/// at any. With a stated service life also the number of brakings; of torque and number the tighter one is told.
-fn holding(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Check {
+/// at any. With a stated service life also the number of brakings; the tighter one of torque and number is reported.
+fn held(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Check {
     let id = CheckId::BrakeHolding;
     let limit = match brake.holding_torque.require("T_Br") {
         Ok(limit) => limit,
@@ -204,7 +246,7 @@ fn number_of_brakings(axis: &Axis, brake: &Brake, each_cycle: f64) -> Option<Che
 fn explain_brakings(axis: &Axis, brake: &Brake, each_cycle: f64, work: &mut Workings) {
     let (Some(life), Some(limit)) = (axis.asked.service_life, brake.brakings_max.known()) else { return };
     let (model, cycle) = (Source::Model { name: "brake" }, axis.moments().duration.si());
-    work.found("z", &ONE, each_cycle, "dwells of one cycle that the brake holds", &model, Grade::Computed);
+    work.found("z", &ONE, each_cycle, Finding::Brakings, &model, Grade::Computed);
     let key = Source::Project { key: "requirements.service_life".into() };
     work.figure("t_life", &SECOND, life.si(), &key, Grade::Printed);
     work.figure("t_0", &SECOND, cycle, &workings::DEMAND, Grade::Computed);
@@ -215,7 +257,7 @@ fn explain_brakings(axis: &Axis, brake: &Brake, each_cycle: f64, work: &mut Work
 }
 
 /// A stop from the peak speed by the brake alone, the load driving on: its angle, and how many of them.
-fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Check {
+fn stop(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Workings) -> Check {
     let id = CheckId::BrakeEmergency;
     let found = (|| {
         let torque = brake.holding_torque.require("T_Br")?.value;
@@ -241,8 +283,8 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Worki
             let mut check = not_checked(id, Missing { symbol: "T_Br" });
             check.verdict = Verdict::Fail;
             check.missing = None;
-            check.value = Some(Figure { si: driving.si(), unit: &NEWTON_METRE });
-            check.limit = Some(Figure { si: torque.si(), unit: &NEWTON_METRE });
+            check.value = Some(Amount { si: driving.si(), unit: &NEWTON_METRE });
+            check.limit = Some(Amount { si: torque.si(), unit: &NEWTON_METRE });
             check.utilisation = Some(driving.si() / torque.si());
             check.grade = Some(Grade::Computed);
             check.value_source = Some(source);
@@ -258,7 +300,7 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Worki
     };
     let mut by_number = false;
     let angle = axis.asked.stop_angle_max.map(Measure::si);
-    let mut check = against_asked(id, &DEGREE, stop.angle.si(), angle, "requirements.stop_angle_max", source);
+    let mut check = against_asked(id, &DEGREE, stop.angle.si(), angle, source);
     if let (Some(count), Some(limit)) = (axis.asked.emergency_stops, permitted) {
         let key = Source::Project { key: "requirements.emergency_stops".into() };
         let count_source = key.clone();
@@ -269,7 +311,7 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Worki
             ..Comparison::with(id, &ONE, count, key, &limit.clone().map(quantities::Ratio::from_si))
         }
         .answer(Verdict::Fail);
-        // Of angle and number the tighter one is told.
+        // The tighter one of angle and number is reported.
         let share = |check: &Check| check.utilisation.unwrap_or(0.0);
         if check.verdict == Verdict::NotChecked || share(&number) > share(&check) {
             check = number;
@@ -282,7 +324,7 @@ fn emergency(axis: &Axis, actuator: &Parameters, brake: &Brake, work: &mut Worki
     }
     if work.is_on() && !by_number {
         stop_angle(axis, actuator, brake, stop.angle.si(), work);
-        work.asked("phi_perm", &DEGREE, angle, "requirements.stop_angle_max");
+        work.asked("phi_perm", &DEGREE, angle, id);
     }
     let permitted = permitted.map(|permitted| permitted.value);
     let stop = BrakeStop { angle: stop.angle, time: stop.time, energy: stop.energy, permitted };
@@ -296,12 +338,12 @@ fn stop_angle(axis: &Axis, actuator: &Parameters, brake: &Brake, angle: f64, wor
     let source = Source::Model { name: "brake" };
     let moments = axis.moments();
     workings::own_inertia(actuator, work);
-    let figure = |work: &mut Workings, symbol, unit, si, text| {
-        work.found(symbol, unit, si, text, &source, Grade::Computed);
+    let figure = |work: &mut Workings, symbol, unit, si, what| {
+        work.found(symbol, unit, si, what, &source, Grade::Computed);
     };
-    figure(work, "J_L", &KILOGRAM_SQUARE_METRE, moments.inertia_max.si(), "largest on the way");
-    figure(work, "n_peak", &REVOLUTION_PER_MINUTE, moments.speed_peak.si(), "max |n| over the cycle");
-    figure(work, "T_d", &NEWTON_METRE, moments.holding_torque.si(), "torque of the load that drives on, at most");
+    figure(work, "J_L", &KILOGRAM_SQUARE_METRE, moments.inertia_max.si(), Finding::LargestInertia);
+    figure(work, "n_peak", &REVOLUTION_PER_MINUTE, moments.speed_peak.si(), Finding::PeakSpeed);
+    figure(work, "T_d", &NEWTON_METRE, moments.holding_torque.si(), Finding::DrivingTorque);
     work.given("T_Br", &NEWTON_METRE, torque);
     work.given("t_c", &SECOND, closing);
     let own = actuator.inertia_out.known().map_or(0.0, |own| own.value.si());

@@ -19,7 +19,8 @@ pub struct BrakeTimes {
 /// t_c at the beginning, until the brake has closed, and t_o at the end, while it opens; the whole dwell if it is shorter
 /// than both together. Where the segment before or after is held by the brake too, the brake stays closed between them.
 ///
-/// # Source   docs/theory/brake.md
+/// # Source
+/// docs/theory/brake.md
 fn held_by_the_motor(motion: &Motion, segment: usize, times: &BrakeTimes) -> (f64, f64) {
     let stretches = motion.stretches();
     let is_held = |index: usize| stretches.get(index).is_some_and(|stretch| stretch.hold == Hold::Brake);

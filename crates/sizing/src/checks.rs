@@ -1,19 +1,17 @@
 //! The checks of torque, speed, inertia and ambient temperature.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Figure, Verdict};
+use crate::check::{Amount, Check, CheckId, Verdict};
 use crate::comparison::{Comparison, cite, equation, not_checked};
-use crate::demand::{Demand, ManualDemand};
+use crate::demand::ManualDemand;
+use crate::list::Case;
 use crate::notes::{Note, Notes};
 use crate::workings;
 use actuator::{Drivetrain, Parameters};
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source};
+use quantities::Measure;
 use quantities::unit::{DEGREE_CELSIUS, KILOGRAM_SQUARE_METRE, NEWTON_METRE, REVOLUTION_PER_MINUTE};
-use quantities::{Measure, ThermodynamicTemperature};
-
-/// J_L ≤ 3 J_out is recommended for highly dynamic duty (table 70.1).
-const INERTIA_RATIO_RECOMMENDED: f64 = 3.0;
 
 /// The errata of the own inertia, which is part of every torque.
 pub(crate) fn inertia_errata(actuator: &Parameters) -> &'static [&'static str] {
@@ -36,16 +34,9 @@ pub(crate) fn demand_source(manual: Option<&ManualDemand>, number: &'static str)
     }
 }
 
-/// The exact demand, and that of the manual.
-pub(crate) type Demands<'a> = (Option<&'a Demand>, Option<&'a ManualDemand>);
-
 /// T_peak ≤ T_max (cha-manual 7.1: T_1 < T_max; glossary T_max: largest accelerating and braking torque).
-pub(crate) fn peak_torque(
-    axis: &Axis,
-    actuator: &Parameters,
-    (demand, manual): Demands<'_>,
-    work: &mut Workings,
-) -> Check {
+pub(crate) fn peak_torque(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, demand, manual, .. } = *case;
     let id = CheckId::PeakTorque;
     let (limit, demand) = match (actuator.torque_max.require("T_max"), demand) {
         (Ok(limit), Some(demand)) => (limit, demand),
@@ -87,7 +78,7 @@ pub(crate) fn peak_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings
             let source = Source::Project { key: key.into() };
             let value = axis.moments.speed_peak.si();
             work.limit("n_max");
-            work.found("n_peak", &REVOLUTION_PER_MINUTE, value, "max |n| over the cycle", &source, Grade::Computed);
+            work.found("n_peak", &REVOLUTION_PER_MINUTE, value, Finding::PeakSpeed, &source, Grade::Computed);
             work.value("n_peak");
             Comparison {
                 at: Some(axis.moments.speed_peak_at),
@@ -114,29 +105,32 @@ pub(crate) fn mean_speed(axis: &Axis, actuator: &Drivetrain, work: &mut Workings
     }
 }
 
-/// J_L ≤ 3 J_out is recommended for highly dynamic duty (table 70.1).
-pub(crate) fn inertia_ratio(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+/// J_L ≤ k_J J_out is recommended for highly dynamic duty.
+pub(crate) fn inertia_ratio(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, .. } = *case;
     let id = CheckId::InertiaRatio;
     if matches!(axis.mechanism.kind, mechanism::Kind::Joint(_)) && axis.moments.inertia_max.si() <= 0.0 {
         return not_checked(id, Missing { symbol: "mechanism.joint.inertia" });
     }
-    match actuator.inertia_out.require("J_out") {
-        Ok(own) => {
+    let factor = actuator.inertia_ratio_recommended.require("k_J");
+    match actuator.inertia_out.require("J_out").and_then(|own| Ok((own, factor?))) {
+        Ok((own, factor)) => {
             let source = match axis.by_the_manual() {
                 Some(_) => Source::Project { key: "load.inertia".into() },
                 None => Source::Model { name: "mechanisms" },
             };
-            let (value, limit) = (axis.moments.inertia_max.si(), INERTIA_RATIO_RECOMMENDED * own.value.si());
+            let (value, limit) = (axis.moments.inertia_max.si(), factor.value * own.value.si());
             workings::own_inertia(actuator, work);
-            work.found("J_L", &KILOGRAM_SQUARE_METRE, value, "largest on the way", &source, Grade::Computed);
+            work.found("J_L", &KILOGRAM_SQUARE_METRE, value, Finding::LargestInertia, &source, Grade::Computed);
             work.value("J_L");
             let table = Source::Model { name: "demand" };
-            work.formula("J_L_rec", &KILOGRAM_SQUARE_METRE, limit, "3*J_out", &table);
+            work.given_number("k_J", factor);
+            work.formula("J_L_rec", &KILOGRAM_SQUARE_METRE, limit, "k_J*J_out", &table);
             work.limit("J_L_rec");
             Comparison {
                 limit,
-                grade: own.grade.worst(Grade::Computed),
-                notes: Notes::fixed(&[Note::RecommendationForHighDynamics]),
+                grade: own.grade.worst(factor.grade).worst(Grade::Computed),
+                notes: Note::RecommendationForHighDynamics { factor: factor.value }.into(),
                 ..Comparison::with(id, &KILOGRAM_SQUARE_METRE, value, source, own)
             }
             .answer(Verdict::Advice)
@@ -146,10 +140,13 @@ pub(crate) fn inertia_ratio(axis: &Axis, actuator: &Parameters, work: &mut Worki
 }
 
 /// The stated ambient temperature against the range that the actuator's data hold for (tables 13.1 and 13.2).
-pub(crate) fn ambient(stated: ThermodynamicTemperature, actuator: &Drivetrain, work: &mut Workings) -> Check {
+pub(crate) fn ambient(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
     let id = CheckId::Ambient;
-    let range = match actuator.ambient_range.require("ambient_temperature_operation") {
-        Ok(range) => range,
+    let stated = axis.ambient.ok_or(Missing { symbol: "requirements.ambient" });
+    let found =
+        stated.and_then(|stated| Ok((stated, actuator.ambient_range.require("ambient_temperature_operation")?)));
+    let (stated, range) = match found {
+        Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
     let (low, high) = (range.value.0.si(), range.value.1.si());
@@ -164,8 +161,8 @@ pub(crate) fn ambient(stated: ThermodynamicTemperature, actuator: &Drivetrain, w
     Check {
         id,
         verdict: if inside { Verdict::Pass } else { Verdict::Fail },
-        value: Some(Figure { si: stated.si(), unit: &DEGREE_CELSIUS }),
-        limit: Some(Figure { si: nearest, unit: &DEGREE_CELSIUS }),
+        value: Some(Amount { si: stated.si(), unit: &DEGREE_CELSIUS }),
+        limit: Some(Amount { si: nearest, unit: &DEGREE_CELSIUS }),
         utilisation: None,
         at: None,
         grade: Some(range.grade),

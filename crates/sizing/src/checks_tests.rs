@@ -222,7 +222,7 @@ fn a_collision_above_the_ratcheting_torque_is_against_advice() {
     }
 }
 
-/// A resolver tells one turn of the motor; its reference is lost for 1/i, not for 4096/i.
+/// A resolver is absolute within one turn of the motor; its reference is lost for 1/i, not for 4096/i.
 #[test]
 fn an_endless_axis_names_the_turns_of_its_encoder() {
     let run = ManualMove {

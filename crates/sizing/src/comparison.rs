@@ -1,32 +1,29 @@
 //! Value against limit, and how both came about.
 
-use crate::check::{Check, CheckId, Direction, Figure, Verdict};
+use crate::check::{Amount, Check, CheckId, Direction, Verdict};
 use crate::notes::{Note, Notes};
 use derivation::Workings;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::{Measure, Time, Unit};
 
-/// A check with its workings, if they are asked for.
-#[inline]
-pub(crate) fn explained(explain: bool, check: impl FnOnce(&mut Workings) -> Check) -> Check {
-    if !explain {
-        return check(&mut Workings::off());
-    }
-    let mut work = Workings::on();
-    let mut check = check(&mut work);
-    check.workings = work.into_steps().into();
-    check
-}
-
-/// What the user asks, as a limit in the workings.
+/// A limit that the project states, in the workings.
 pub(crate) trait Asking {
-    /// Notes a limit that is asked for, if one is.
-    fn asked(&mut self, symbol: &'static str, unit: &'static Unit, limit: Option<f64>, key: &'static str);
+    /// Notes the limit of a check, if the project states one.
+    fn asked(&mut self, symbol: &'static str, unit: &'static Unit, limit: Option<f64>, id: CheckId);
+
+    /// The same of a key beside that of the check.
+    fn asked_by(&mut self, symbol: &'static str, unit: &'static Unit, limit: f64, key: &'static str);
 }
 
 impl Asking for Workings {
-    fn asked(&mut self, symbol: &'static str, unit: &'static Unit, limit: Option<f64>, key: &'static str) {
-        if let Some(limit) = limit.filter(|_| self.is_on()) {
+    fn asked(&mut self, symbol: &'static str, unit: &'static Unit, limit: Option<f64>, id: CheckId) {
+        if let (Some(limit), Some(key)) = (limit, id.key()) {
+            self.asked_by(symbol, unit, limit, key);
+        }
+    }
+
+    fn asked_by(&mut self, symbol: &'static str, unit: &'static Unit, limit: f64, key: &'static str) {
+        if self.is_on() {
             self.figure(symbol, unit, limit, &Source::Project { key: key.into() }, Grade::Printed);
             self.limit(symbol);
         }
@@ -58,7 +55,7 @@ impl Edges {
     /// The remark on the upper edge, if there is a band.
     pub(crate) fn remark(&self) -> Option<Note> {
         let is_band = self.upper > self.limit * (1.0 + AT_THE_LIMIT);
-        is_band.then_some(Note::EstimatedUpTo(Figure { si: self.upper, unit: self.unit }))
+        is_band.then_some(Note::EstimatedUpTo(Amount { si: self.upper, unit: self.unit }))
     }
 }
 
@@ -117,8 +114,8 @@ impl<'a> Comparison<'a> {
         Check {
             id: self.id,
             verdict,
-            value: Some(Figure { si: self.value, unit: self.unit }),
-            limit: Some(Figure { si: self.limit, unit: self.unit }),
+            value: Some(Amount { si: self.value, unit: self.unit }),
+            limit: Some(Amount { si: self.limit, unit: self.unit }),
             utilisation: (self.limit != 0.0).then(|| (self.value / self.limit).abs()),
             at: self.at,
             grade: Some(self.grade),
@@ -148,15 +145,9 @@ pub(crate) fn not_checked(id: CheckId, missing: Missing) -> Check {
     }
 }
 
-/// A value against what is asked, in the direction of the check; with no such limit it is shown, not judged.
-pub(crate) fn against_asked(
-    id: CheckId,
-    unit: &'static Unit,
-    value: f64,
-    asked: Option<f64>,
-    key: &'static str,
-    source: Source,
-) -> Check {
+/// A value against the limit that the project states by the key of the check, in the direction of the check; without one
+/// the value is shown and not judged.
+pub(crate) fn against_asked(id: CheckId, unit: &'static Unit, value: f64, asked: Option<f64>, source: Source) -> Check {
     let at_least = id.direction() == Direction::AtLeast;
     let kept = |limit: f64| if at_least { value >= limit } else { value <= limit };
     let share = |limit: f64| if at_least { limit / value } else { value / limit };
@@ -165,17 +156,18 @@ pub(crate) fn against_asked(
         Some(limit) if kept(limit) => Verdict::Pass,
         Some(_) => Verdict::Fail,
     };
+    let key = |key: &'static str| Source::Project { key: key.into() };
     Check {
         id,
         verdict,
-        value: Some(Figure { si: value, unit }),
-        limit: asked.map(|limit| Figure { si: limit, unit }),
+        value: Some(Amount { si: value, unit }),
+        limit: asked.map(|limit| Amount { si: limit, unit }),
         utilisation: asked.map(share),
         at: None,
         grade: Some(Grade::Computed),
         value_source: Some(source),
-        limit_source: asked.map(|_| Source::Project { key: key.into() }),
-        missing: asked.is_none().then_some(key),
+        limit_source: asked.and(id.key()).map(key),
+        missing: id.key().filter(|_| asked.is_none()),
         notes: Notes::NONE,
         workings: Box::default(),
     }

@@ -2,14 +2,15 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Verdict};
-use crate::comparison::{AT_THE_LIMIT, Comparison, cite, explained, not_checked};
+use crate::comparison::{AT_THE_LIMIT, Comparison, cite, not_checked};
 use crate::electrics::Electrics;
+use crate::list::Case;
 use crate::notes::{Note, Notes};
 use crate::workings;
 use actuator::{
     FrictionAt, HeatModel, LossMeans, Losses, MotorCurrent, MotorVoltage, OperatingPoint, Parameters, Settled,
 };
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{
     AMPERE, AMPERE_PER_REVOLUTION_PER_MINUTE, DEGREE_CELSIUS, NEWTON_METRE_PER_AMPERE, ONE, REVOLUTION_PER_MINUTE, VOLT,
@@ -36,8 +37,8 @@ pub(crate) struct Currents<'e> {
     heat: Result<(&'e HeatModel, Settled), Missing>,
     pub(crate) grade: Grade,
     /// How friction counts, and the errata of the inputs.
-    notes: Notes,
-    /// The instant of the largest current, found when it is first asked for.
+    pub(crate) notes: Notes,
+    /// The instant of the largest current, found on first use.
     peak: OnceCell<Node>,
 }
 
@@ -115,20 +116,20 @@ impl<'e> Currents<'e> {
     }
 
     /// Of the two states the one with the larger current at an instant.
-    fn larger(&self, node: &Node) -> &FrictionAt {
+    pub(crate) fn larger(&self, node: &Node) -> &FrictionAt {
         let torque = self.point(node).torque_nm;
-        // Friction helps while braking: less of it asks for more current.
+        // Friction helps while braking: less of it requires more current.
         let driving = self.in_state(node, self.cold).abs() >= self.in_state(node, &self.warm).abs();
         if driving || torque == 0.0 { self.cold } else { &self.warm }
     }
 
     /// The larger current of the two states at an instant, signed \[A\].
-    fn extreme(&self, node: &Node) -> f64 {
+    pub(crate) fn extreme(&self, node: &Node) -> f64 {
         self.in_state(node, self.larger(node))
     }
 
     /// The instant of the largest current, in either state.
-    fn peak(&self, axis: &Axis) -> Node {
+    pub(crate) fn peak(&self, axis: &Axis) -> Node {
         let bound = |extent: &Extent| self.bound(extent);
         *self.peak.get_or_init(|| axis.trace.largest(&Convex(bound, |node: &Node| self.extreme(node).abs())).1)
     }
@@ -153,13 +154,13 @@ impl<'e> Currents<'e> {
 
     /// No current of a block of nodes is above this, in either state. Friction counts with the sign of the torque: where the load
     /// drives it takes current off.
-    fn bound(&self, extent: &Extent) -> f64 {
+    pub(crate) fn bound(&self, extent: &Extent) -> f64 {
         let (low, high) = self.range(extent);
         high.max(-low)
     }
 
     /// The workings of the current at an instant in one of the states; the result is `I`.
-    fn explain(&self, node: &Node, friction: &FrictionAt, actuator: &Parameters, work: &mut Workings) {
+    pub(crate) fn explain(&self, node: &Node, friction: &FrictionAt, actuator: &Parameters, work: &mut Workings) {
         if !work.is_on() {
             return;
         }
@@ -168,18 +169,14 @@ impl<'e> Currents<'e> {
         if let Some(torque_constant) = actuator.torque_constant_out.known() {
             work.given("k_Tout", &NEWTON_METRE_PER_AMPERE, torque_constant);
         }
-        let text = if friction == self.cold {
-            "gear as cold as the ambient air: the worse of both states"
-        } else {
-            "gear in the settled cycle: the worse of both states"
-        };
-        work.found("theta_g", &DEGREE_CELSIUS, friction.temperature.si(), text, &source, Grade::Estimated);
-        let text = "law of friction at theta_g";
-        work.found("I_s", &AMPERE, friction.counted.si(), text, &source, Grade::Estimated);
+        let what = if friction == self.cold { Finding::GearCold } else { Finding::GearSettled };
+        work.found("theta_g", &DEGREE_CELSIUS, friction.temperature.si(), what, &source, Grade::Estimated);
+        let what = Finding::LawOfFriction;
+        work.found("I_s", &AMPERE, friction.counted.si(), what, &source, Grade::Estimated);
         let constant = friction.constant.si();
-        work.found("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, text, &source, Grade::Estimated);
-        work.found("n", &REVOLUTION_PER_MINUTE, node.speed_rad_s, "speed at t", &workings::DEMAND, Grade::Computed);
-        work.found("sigma", &ONE, node.direction, "direction at t", &workings::DEMAND, Grade::Computed);
+        work.found("K", &AMPERE_PER_REVOLUTION_PER_MINUTE, constant, what, &source, Grade::Estimated);
+        work.found("n", &REVOLUTION_PER_MINUTE, node.speed_rad_s, Finding::SpeedAt, &workings::DEMAND, Grade::Computed);
+        work.found("sigma", &ONE, node.direction, Finding::DirectionAt, &workings::DEMAND, Grade::Computed);
         let text = "T/k_Tout + sigma*(I_s + K*abs(n))";
         work.formula("I", &AMPERE, self.in_state(node, friction), text, &source);
     }
@@ -268,7 +265,7 @@ struct Overcurrent<'a> {
     curve: Option<&'a actuator::Curve>,
     /// The states that count.
     states: &'a [&'a FrictionAt],
-    /// Speeds at which what is permitted has a corner.
+    /// Speeds at which the limit has a corner.
     corners: Vec<f64>,
 }
 
@@ -319,7 +316,7 @@ impl<'a> Overcurrent<'a> {
         self.printed.max(self.currents.motor.of_torque(torque) + running)
     }
 
-    /// Of the states the one that asks for more at an instant.
+    /// The state with the larger value at an instant.
     fn state(&self, node: &Node) -> &'a FrictionAt {
         match *self.states {
             [only] => only,
@@ -377,12 +374,8 @@ impl Sought for Overcurrent<'_> {
 }
 
 /// U ≤ (U_DC/√2) · reserve: the motor's terminal voltage at every instant of the cycle, winding hot.
-pub(crate) fn voltage(
-    axis: &Axis,
-    actuator: &Parameters,
-    (electrics, currents): (&Electrics, Result<&Currents<'_>, &Missing>),
-    work: &mut Workings,
-) -> Check {
+pub(crate) fn voltage(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, electrics, currents, .. } = *case;
     let id = CheckId::Voltage;
     let Some((supply, reserve)) = axis.supply else {
         return not_checked(id, Missing { symbol: "requirements.supply" });
@@ -425,34 +418,27 @@ pub(crate) fn voltage(
     .answer(Verdict::Fail)
 }
 
-/// I_peak ≤ I_max, and I_peak ≤ I_E, at which demagnetisation begins.
+/// I_peak ≤ I_max.
 ///
-/// Both states count: what only the cold gear asks beyond I_max is advice, for the drive limits the current until the gear
+/// Both states count: what only the cold gear needs beyond I_max is advice, for the drive limits the current until the gear
 /// is warm. Where a short-time curve is published, the current of that curve is permitted too: the printed I_max is not
 /// below it in the maker's reckoning.
-pub(crate) fn current_checks(
-    axis: &Axis,
-    actuator: &Parameters,
-    currents: Result<&Currents<'_>, &Missing>,
-    explain: bool,
-    take: &mut impl FnMut(Check),
-) {
-    let limits = [
-        (CheckId::PeakCurrent, "I_max", actuator.current_max.require("I_max")),
-        (CheckId::Demagnetisation, "I_E", actuator.current_demagnetisation.require("I_E")),
-    ];
-    for (id, symbol, limit) in limits {
-        take(explained(explain, |work| current_check(axis, actuator, currents, (id, symbol, limit), work)));
-    }
+pub(crate) fn peak_current(case: &Case<'_>, work: &mut Workings) -> Check {
+    current_check(case, (CheckId::PeakCurrent, "I_max", case.actuator.current_max.require("I_max")), work)
+}
+
+/// I_peak ≤ I_E, at which demagnetisation begins, in both states.
+pub(crate) fn demagnetisation(case: &Case<'_>, work: &mut Workings) -> Check {
+    let limit = case.actuator.current_demagnetisation.require("I_E");
+    current_check(case, (CheckId::Demagnetisation, "I_E", limit), work)
 }
 
 fn current_check(
-    axis: &Axis,
-    actuator: &Parameters,
-    currents: Result<&Currents<'_>, &Missing>,
+    case: &Case<'_>,
     (id, symbol, limit): (CheckId, &'static str, Result<&Sourced<ElectricCurrent>, Missing>),
     work: &mut Workings,
 ) -> Check {
+    let Case { axis, actuator, currents, .. } = *case;
     let (limit, currents) = match limit.and_then(|limit| Ok((limit, currents.map_err(|missing| *missing)?))) {
         Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
@@ -476,8 +462,8 @@ fn current_check(
     work.given(symbol, &AMPERE, limit);
     let limit_source = match curve.filter(|_| most > printed) {
         Some(curve) => {
-            let text = "current of the published short-time curve at n, at least I_max";
-            work.found("I_perm", &AMPERE, most, text, &curve.source, curve.grade);
+            let what = Finding::CurrentOfCurve;
+            work.found("I_perm", &AMPERE, most, what, &curve.source, curve.grade);
             work.limit("I_perm");
             &curve.source
         }

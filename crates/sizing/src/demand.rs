@@ -85,8 +85,10 @@ impl Axis {
     ///
     /// T_rms² = (J² G_αα + 2 J G_αT + G_TT) / t_0 with J = J_out
     ///
-    /// # Symbols  G_xy = ∫ x y dt over the cycle, T torque of the load without J_out
-    /// # Source   docs/theory/moments.md; the torque at every instant is J_out α + T
+    /// # Symbols
+    /// G_xy = ∫ x y dt over the cycle, T torque of the load without J_out
+    /// # Source
+    /// docs/theory/moments.md; the torque at every instant is J_out α + T
     #[must_use]
     pub fn demand(&self, inertia_out: MomentOfInertia) -> Demand {
         let moments = &self.moments;
@@ -114,9 +116,12 @@ impl Axis {
     /// Several moves: the sums of numerators and denominators. T_L opposes each move, so that the three torques of a
     /// move are those of the same move in the positive direction.
     ///
-    /// # Symbols  n_2 [1/min], t \[s\], T \[Nm\], J \[kgm²\]
-    /// # Source   cha-manual eq. 69.1, 69.2, 69.3, 69.4
-    /// # Valid    exact for t_3 = t_1; with another braking time eq. 69.2 keeps the torque of the acceleration,
+    /// # Symbols
+    /// n_2 [1/min], t \[s\], T \[Nm\], J \[kgm²\]
+    /// # Source
+    /// cha-manual eq. 69.1, 69.2, 69.3, 69.4
+    /// # Valid
+    /// exact for t_3 = t_1; with another braking time eq. 69.2 keeps the torque of the acceleration,
     /// see [`ManualDemand::braking_assumed`]
     #[must_use]
     pub fn manual_demand(&self, inertia_out: MomentOfInertia) -> Option<ManualDemand> {

@@ -1,30 +1,27 @@
-//! The DC link, and every instant of the cycle against the torque-speed plane.
+//! The DC link, the drive, and every instant of the cycle against the torque-speed plane.
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId, Verdict};
-use crate::comparison::{Comparison, Edges, not_checked};
+use crate::comparison::{Asking, Comparison, Edges, not_checked};
 use crate::currents::Currents;
+use crate::list::Case;
 use crate::notes::Note;
 use crate::workings;
-use actuator::{ContinuousLimit, Drivetrain, Parameters, ShortTime};
-use derivation::Workings;
+use actuator::{ContinuousLimit, Drivetrain, ShortTime};
+use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source};
-use quantities::unit::{NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
-use quantities::{AngularVelocity, ElectricPotential, Measure, Time, Torque};
-use trace::{Extent, Node, Sought};
+use quantities::unit::{AMPERE, NEWTON_METRE, REVOLUTION_PER_MINUTE, SECOND, VOLT};
+use quantities::{AngularVelocity, Measure, Time, Torque, Unit};
+use trace::{Extent, Node, Panel, Sought};
 
 /// U_DC ≤ U_DCmax, the largest *stationary* voltage. What energy that comes back adds may pass it for a short time while
-/// braking (glossary of the manual), nobody says how far and how long: with the rise that the project permits above
+/// braking (glossary of the manual), no source says how far and how long: with the rise that the project permits above
 /// U_DCmax the answer is advice.
-pub(crate) fn dc_link(
-    supply: ElectricPotential,
-    rise: Option<ElectricPotential>,
-    actuator: &Drivetrain,
-    work: &mut Workings,
-) -> Check {
-    let id = CheckId::DcLink;
-    let limit = match actuator.dc_link_max.require("U_DCmax") {
-        Ok(limit) => limit,
+pub(crate) fn dc_link(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
+    let (id, rise) = (CheckId::DcLink, axis.asked.dc_link_rise);
+    let supply = axis.supply.ok_or(Missing { symbol: "requirements.supply" });
+    let (supply, limit) = match supply.and_then(|(supply, _)| Ok((supply, actuator.dc_link_max.require("U_DCmax")?))) {
+        Ok(found) => found,
         Err(missing) => return not_checked(id, missing),
     };
     let source = Source::Project { key: "requirements.supply".into() };
@@ -52,7 +49,7 @@ pub(crate) fn dc_link(
     check
 }
 
-/// The share of the short-time torque at its speed that an instant asks for; while braking, that of T_max.
+/// The share of the short-time torque at its speed needed at an instant; while braking, that of T_max.
 struct Share<'a> {
     inertia: f64,
     /// T_max \[Nm\]
@@ -121,12 +118,8 @@ impl Sought for Share<'_> {
 ///
 /// Where no short-time curve is published, what lies between the torque with a cold gear within I_max and the upper edge,
 /// which leaves I_max to its own check, is advice.
-pub(crate) fn torque_speed_trace(
-    axis: &Axis,
-    actuator: &Parameters,
-    currents: Result<&Currents, &Missing>,
-    work: &mut Workings,
-) -> Check {
+pub(crate) fn torque_speed_trace(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, currents, .. } = *case;
     let id = CheckId::TorqueSpeedTrace;
     let terminal = axis.terminal_voltage();
     let found = (|| {
@@ -153,7 +146,7 @@ pub(crate) fn torque_speed_trace(
         ContinuousLimit { limit: highest.clone(), upper: highest.value }
     } else {
         let source = &workings::DEMAND;
-        work.found("n", &REVOLUTION_PER_MINUTE, worst.speed_rad_s, "speed at t", source, Grade::Computed);
+        work.found("n", &REVOLUTION_PER_MINUTE, worst.speed_rad_s, Finding::SpeedAt, source, Grade::Computed);
         short_time.explain(speed, work);
         short_time.limit(speed)
     };

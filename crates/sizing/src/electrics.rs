@@ -1,18 +1,13 @@
-//! What current, voltage and heat have of a drivetrain, whatever feedback and brake it has.
+//! The laws of current, voltage and heat of a drivetrain, for every feedback and brake.
 
 use crate::axis::Axis;
 use crate::comparison::Edges;
 use crate::notes::Notes;
-use actuator::{
-    COLD_START, ContinuousLimit, Drivetrain, FrictionAt, HeatModel, MotorCurrent, MotorVoltage, NoLoadFriction,
-};
+use actuator::{ContinuousLimit, Drivetrain, FrictionAt, HeatModel, MotorCurrent, MotorVoltage, NoLoadFriction};
 use derivation::Workings;
 use provenance::{Grade, Missing};
+use quantities::Measure;
 use quantities::unit::NEWTON_METRE;
-use quantities::{Measure, ThermodynamicTemperature};
-
-/// The gear's temperature where no heat model tells it: the warmest for which friction is printed, 80 °C, in kelvin.
-const WARMEST: f64 = 353.15;
 
 /// The laws of a drivetrain for one axis, each with what is missing for it.
 pub(crate) struct Electrics {
@@ -68,16 +63,17 @@ impl CurrentLaw {
         let motor = MotorCurrent::of(drivetrain)?;
         let law = NoLoadFriction::of(drivetrain)?;
         // The temperature stated is that of the hottest day; a gear starts no warmer than the print has it.
-        let cold = ThermodynamicTemperature::from_si(axis.ambient.map_or(COLD_START, |air| air.si().min(COLD_START)));
+        let start = law.cold_start();
+        let cold = axis.ambient.filter(|air| air.si() < start.si()).unwrap_or(start);
         let cold_band = law.cold_band(cold)?;
-        // A growth that is only taken over from another maker's actuators is told by its grade.
+        // The grade shows a growth that is taken over from another maker's actuators.
         let growth = drivetrain.friction_cold_growth.known().filter(|growth| growth.grade == Grade::Assumed);
         let grade_of_the_cold = growth.filter(|_| cold_band.is_some()).map_or(Grade::Computed, |growth| growth.grade);
         Ok(Self {
             motor,
             torque_constant: torque_constant.value.si(),
             cold: law.at(cold),
-            warmest: law.at(ThermodynamicTemperature::from_si(WARMEST)),
+            warmest: law.at(law.warmest()),
             cold_band,
             grade: grade_of_the_cold.worst(torque_constant.grade),
             errata: torque_constant.errata,

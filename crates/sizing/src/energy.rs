@@ -9,11 +9,12 @@ use crate::check::{Check, CheckId};
 use crate::comparison::{Asking, against_asked, not_checked};
 use crate::currents::{Currents, SPEED};
 use crate::electrics::Electrics;
+use crate::list::Case;
 use crate::notes::Note;
 use crate::watch::Watch;
 use actuator::{Parameters, TerminalPower};
 use cells::CellPower;
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{JOULE, SECOND, WATT};
 use quantities::{Energy, Measure, Power, ThermodynamicTemperature};
@@ -211,7 +212,7 @@ impl Passed {
     }
 }
 
-/// Energy that comes back is not told below this share of what is taken.
+/// Regenerated energy below this share of the energy taken is not reported.
 const ROUNDING: f64 = 1e-12;
 
 /// What a cycle takes and gives back.
@@ -266,7 +267,7 @@ struct Account<'a> {
 }
 
 impl<'a> Account<'a> {
-    /// With what a bank must hold or without: only that asks for the order in time of what is recorded.
+    /// With what a bank must hold or without: only that needs recordings in the order of time.
     fn of(axis: &Axis, power: &'a CyclePower<'a>) -> Self {
         let with_bank = axis.asked.dc_link_rise.is_some();
         let mut account = Self {
@@ -383,10 +384,10 @@ fn balance(axis: &Axis, power: &CyclePower<'_>) -> Balance {
     account.close()
 }
 
-/// Blocks that are passed between two looks at whether somebody still waits.
+/// Blocks between two checks for cancellation.
 const STEP: usize = 64;
 
-/// What the cycle takes and gives back with each of several actuators. What a recording asks for is found once for all of
+/// What the cycle takes and gives back with each of several actuators. The load of a recording is computed once for all of
 /// them, which costs as much as to pass it where it has losses.
 fn balances<W: Watch>(axis: &Axis, powers: &[CyclePower<'_>], watch: &W) -> Result<Vec<Balance>, W::Stop> {
     let mut accounts = Vec::with_capacity(powers.len());
@@ -487,13 +488,9 @@ pub(crate) fn regenerations<W: Watch>(
 ///
 /// P = 1.5 R I² + k_TM I ω_mot at every instant; P < 0 is given back. Friction is in I, so it is taken off what the
 /// load returns. What is taken besides is the balance: E_mot = ∫P dt + E_reg.
-pub(crate) fn regeneration(
-    axis: &Axis,
-    actuator: &Parameters,
-    currents: Result<&Currents, &Missing>,
-    work: &mut Workings,
-) -> Check {
-    let power = match CyclePower::of(actuator, currents) {
+pub(crate) fn regeneration(case: &Case<'_>, work: &mut Workings) -> Check {
+    let axis = case.axis;
+    let power = match CyclePower::of(case.actuator, case.currents) {
         Ok(power) => power,
         Err(missing) => return not_checked(CheckId::Regeneration, missing),
     };
@@ -505,17 +502,16 @@ fn told(axis: &Axis, power: &CyclePower<'_>, balance: &Balance, work: &mut Worki
     let grade = power.currents.grade.worst(Grade::Computed);
     let mean = balance.back / axis.moments.duration.si();
     let permitted = axis.asked.regeneration_power_max.map(Measure::si);
-    let key = "requirements.regeneration_power_max";
     if work.is_on() {
         let source = Source::Model { name: "energy" };
-        let text = "−∫ P dt where P = 1.5 R_LL I² + k_TM I ω_mot < 0, over the cycle";
-        work.found("E_reg", &JOULE, balance.back, text, &source, grade);
+        let what = Finding::EnergyReturned;
+        work.found("E_reg", &JOULE, balance.back, what, &source, grade);
         work.figure("t_0", &SECOND, axis.moments.duration.si(), &source, Grade::Computed);
         work.formula("P_reg", &WATT, mean, "E_reg/t_0", &source);
         work.value("P_reg");
     }
-    work.asked("P_perm", &WATT, permitted, key);
-    let mut check = against_asked(id, &WATT, mean, permitted, key, Source::Model { name: "energy" });
+    work.asked("P_perm", &WATT, permitted, id);
+    let mut check = against_asked(id, &WATT, mean, permitted, Source::Model { name: "energy" });
     check.grade = Some(grade);
     let notes = &mut check.notes;
     if let (Some(rise), Some((supply, _))) = (axis.asked.dc_link_rise, axis.supply) {

@@ -1,30 +1,17 @@
 //! The checks of the feedback: range, resolution, battery.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Figure, Verdict};
-use crate::comparison::{Asking, against_asked, explained, not_checked};
+use crate::check::{Amount, Check, CheckId, Verdict};
+use crate::comparison::{Asking, against_asked, not_checked};
+use crate::list::Case;
 use crate::notes::{Note, Notes};
 use actuator::{Feedback, FeedbackSide, Parameters};
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use provenance::{Datum, Grade, Missing, Source};
 use quantities::unit::{ARCSECOND, HOUR, ONE, REVOLUTION, YEAR};
 use quantities::{Measure, Time};
 
-/// The checks of the feedback; that of the battery only where there is one.
-pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool) -> Vec<Check> {
-    let mut checks = Vec::with_capacity(3);
-    // Who says that it need not be absolute wants no answer.
-    if axis.asked.absolute != Some(false) {
-        checks.push(explained(explain, |work| range(axis, actuator, work)));
-    }
-    checks.push(explained(explain, |work| resolution(axis, actuator, work)));
-    if actuator.feedback.buffered_by_battery {
-        checks.push(explained(explain, |work| battery(axis, &actuator.feedback, work)));
-    }
-    checks
-}
-
-/// The feedback with the longer absolute range: that at the output, if there is one, tells its turn too.
+/// The feedback with the longer absolute range: that at the output, if there is one, also gives its turn.
 fn absolute(actuator: &Parameters) -> Option<(f64, &Feedback)> {
     [&actuator.feedback, &actuator.feedback_out]
         .into_iter()
@@ -33,7 +20,12 @@ fn absolute(actuator: &Parameters) -> Option<(f64, &Feedback)> {
 }
 
 /// Travel ≤ absolute range in turns of the output; an axis that turns on and on leaves it unless N/i is a whole number.
-fn range(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+/// None where the position need not be absolute.
+pub(crate) fn range(case: &Case<'_>, work: &mut Workings) -> Option<Check> {
+    (case.axis.asked.absolute != Some(false)).then(|| absolute_travel(case.axis, case.actuator, work))
+}
+
+fn absolute_travel(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     let id = CheckId::FeedbackRange;
     let moments = axis.moments();
     let endless = !moments.is_swing() && moments.angle_travelled.si() > 0.0;
@@ -45,20 +37,20 @@ fn range(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     {
         return not_checked(id, Missing { symbol: "turns" });
     }
-    let text = "largest minus smallest position over the cycle";
-    work.found("phi", &REVOLUTION, travel, text, &source, Grade::Computed);
+    let what = Finding::Travel;
+    work.found("phi", &REVOLUTION, travel, what, &source, Grade::Computed);
     work.value("phi");
     let mut check = Check {
         id,
         verdict: Verdict::NotChecked,
-        value: Some(Figure { si: travel, unit: &REVOLUTION }),
+        value: Some(Amount { si: travel, unit: &REVOLUTION }),
         limit: None,
         utilisation: None,
         at: None,
         grade: Some(Grade::Computed),
         value_source: Some(source.clone()),
         limit_source: None,
-        missing: asked.is_none().then_some("requirements.absolute"),
+        missing: id.key().filter(|_| asked.is_none()),
         notes: Notes::NONE,
         workings: Box::default(),
     };
@@ -67,7 +59,7 @@ fn range(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
         if asked.is_some() {
             work.figure("N_out", &REVOLUTION, 0.0, &source, Grade::Printed);
             work.limit("N_out");
-            check.limit = Some(Figure { si: 0.0, unit: &REVOLUTION });
+            check.limit = Some(Amount { si: 0.0, unit: &REVOLUTION });
             check.limit_source = Some(source);
             check.verdict = Verdict::Fail;
         }
@@ -79,7 +71,7 @@ fn range(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     if work.is_on() {
         absolute_range(feedback, actuator, limit, work);
     }
-    check.limit = Some(Figure { si: limit, unit: &REVOLUTION });
+    check.limit = Some(Amount { si: limit, unit: &REVOLUTION });
     check.limit_source = Some(source);
     if lost {
         let turns = feedback.turns_absolute.known().map_or(1.0, |turns| turns.value);
@@ -94,23 +86,23 @@ fn range(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
     check
 }
 
-/// Step at the output ≤ the step asked for.
-fn resolution(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+/// Step at the output ≤ the largest step permitted.
+pub(crate) fn resolution(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, .. } = *case;
     let id = CheckId::FeedbackResolution;
     let of = |feedback: &Feedback| feedback.resolution_out(&actuator.ratio).known().cloned();
     // A feedback at the output does not replace the finer one on the motor.
     match of(&actuator.feedback) {
         Some(step) => {
             let asked = axis.asked.resolution_max.map(Measure::si);
-            let key = "requirements.resolution_max";
             if let (Some(motor), Some(ratio)) = (actuator.feedback.resolution.known(), actuator.ratio.known()) {
                 work.given("s_mot", &ARCSECOND, motor);
                 work.given_number("i", ratio);
                 work.formula("s_out", &ARCSECOND, step.value.si(), "s_mot/i", &step.source);
                 work.value("s_out");
             }
-            work.asked("s_perm", &ARCSECOND, asked, key);
-            let mut check = against_asked(id, &ARCSECOND, step.value.si(), asked, key, step.source);
+            work.asked("s_perm", &ARCSECOND, asked, id);
+            let mut check = against_asked(id, &ARCSECOND, step.value.si(), asked, step.source);
             check.grade = Some(step.grade);
             check
         }
@@ -119,7 +111,13 @@ fn resolution(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check 
 }
 
 /// Life of the encoder's battery for the stated operation a day and storage before.
-fn battery(axis: &Axis, feedback: &Feedback, work: &mut Workings) -> Check {
+/// None where the encoder has no battery.
+pub(crate) fn battery(case: &Case<'_>, work: &mut Workings) -> Option<Check> {
+    let feedback = &case.actuator.feedback;
+    feedback.buffered_by_battery.then(|| battery_life(case.axis, feedback, work))
+}
+
+fn battery_life(axis: &Axis, feedback: &Feedback, work: &mut Workings) -> Check {
     let id = CheckId::Battery;
     let Some(operation) = axis.asked.operation_per_day else {
         return not_checked(id, Missing { symbol: "requirements.operation_per_day" });
@@ -132,20 +130,19 @@ fn battery(axis: &Axis, feedback: &Feedback, work: &mut Workings) -> Check {
     match model.value.life(operation, storage) {
         Ok(battery) => {
             let asked = axis.asked.battery_life_min.map(Measure::si);
-            let key = "requirements.battery_life_min";
             if work.is_on() {
                 let project = |key: &'static str| Source::Project { key: key.into() };
                 let (operated, stored) = (project("requirements.operation_per_day"), project("requirements.storage"));
                 work.figure("t_op", &HOUR, operation.si(), &operated, Grade::Printed);
                 let grade = if axis.asked.storage.is_some() { Grade::Printed } else { Grade::Assumed };
                 work.figure("t_store", &YEAR, storage.si(), &stored, grade);
-                let text = "life for t_op a day after t_store";
+                let what = Finding::BatteryLife;
                 let life = &battery.life;
-                work.found("L_bat", &YEAR, life.value.si(), text, &life.source, life.grade);
+                work.found("L_bat", &YEAR, life.value.si(), what, &life.source, life.grade);
                 work.value("L_bat");
             }
-            work.asked("L_asked", &YEAR, asked, key);
-            let mut check = against_asked(id, &YEAR, battery.life.value.si(), asked, key, battery.life.source.clone());
+            work.asked("L_asked", &YEAR, asked, id);
+            let mut check = against_asked(id, &YEAR, battery.life.value.si(), asked, battery.life.source.clone());
             check.grade = Some(battery.life.grade);
             check.notes.push(Note::BatteryExchange {
                 recommended: battery.exchange_recommended,

@@ -3,7 +3,8 @@
 
 use crate::axis::{Axis, BearingDuty};
 use mechanism::{Extra, FlangeForces, Mounting, Output};
-use motion::{Piece, lobatto};
+use motion::Piece;
+use numeric::{highest, lobatto, roots};
 use provenance::Missing;
 use quantities::{Force, Length, Measure, Time, Torque};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -48,10 +49,10 @@ pub(crate) struct CycleLoads {
 
 /// What was worked out already, by R and B.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Known(Arc<Mutex<Vec<Entry>>>);
+pub(crate) struct Known(Arc<Mutex<Vec<KnownLoads>>>);
 
 /// R and B bit by bit, and the loads for them.
-type Entry = ([u64; 2], CycleLoads);
+type KnownLoads = ([u64; 2], CycleLoads);
 
 impl Known {
     fn get(&self, key: [u64; 2], make: impl FnOnce() -> CycleLoads) -> CycleLoads {
@@ -102,7 +103,7 @@ impl Axis {
     }
 
     /// The loads on the flange at instants over the cycle, for pictures: instant, F_r, F_a, and M for a place of the
-    /// bearing. Within a segment of constant loads only its ends are told.
+    /// bearing. Within a segment of constant loads only its ends are returned.
     #[must_use]
     pub fn flange_course(&self, offset: Option<Length>) -> Vec<FlangeSample> {
         let Some(duty) = &self.bearing else { return Vec::new() };
@@ -167,8 +168,8 @@ const INTERVAL_ANGLE: f64 = 0.05;
 /// So many intervals of a recording are shown at most.
 const SAMPLES_SHOWN: usize = 20_000;
 
-/// Steps of the search between two nodes for a largest value.
-const GOLDEN: usize = 40;
+/// To so much of it a largest value between two nodes is found.
+const CLOSE: f64 = 1e-12;
 
 /// Averages under way: ∫|ω| x^B dt.
 #[derive(Clone, Copy, Debug, Default)]
@@ -346,7 +347,7 @@ impl<'a> Walk<'a> {
                     let forces = self.axis.mechanism.flange_switches(&output(piece, t, sense), extra, 0.0);
                     forces.get(which).copied().unwrap_or(0.0)
                 };
-                found.extend(motion::roots(|t| force(k * span + t), span).into_iter().map(|t| k * span + t));
+                found.extend(roots(|t| force(k * span + t), span).into_iter().map(|t| k * span + t));
                 k += 1.0;
             }
         }
@@ -378,18 +379,17 @@ impl<'a> Walk<'a> {
     fn peaks_between(&mut self, piece: &Piece, sense: f64, nodes: &[(f64, [f64; 3]); NODES]) {
         for which in 0..3 {
             for trio in nodes.windows(3) {
-                let [(ta, a), (_, b), (tc, c)] = trio else { continue };
-                let of = |values: &[f64; 3]| values.get(which).copied().unwrap_or(0.0);
-                let (a, b, c) = (of(a), of(b), of(c));
-                let best = [self.loads.radial, self.loads.axial, self.loads.moment].get(which).map_or(0.0, |p| p.value);
-                if b < a || b < c || b + (b - a.min(c)) <= best {
+                let [a, b, c] = trio else { continue };
+                let [a, b, c] = [a, b, c].map(|(t, values)| (*t, values.get(which).copied().unwrap_or(0.0)));
+                if b.1 < a.1 || b.1 < c.1 {
                     continue;
                 }
+                let best = [self.loads.radial, self.loads.axial, self.loads.moment].get(which).map_or(0.0, |p| p.value);
                 let value = |t: f64| {
                     let (values, _) = self.values(piece.segment, &output(piece, t, sense), 0.0);
                     values.get(which).copied().unwrap_or(0.0)
                 };
-                let (t, found) = highest(value, (*ta, *tc));
+                let (t, found) = highest(value, [a, b, c], best, CLOSE);
                 let peak = match which {
                     0 => &mut self.loads.radial,
                     1 => &mut self.loads.axial,
@@ -440,25 +440,6 @@ fn output(piece: &Piece, t: f64, direction: f64) -> Output {
         acceleration_rad_s2: state.acceleration_rad_s2,
         direction,
     }
-}
-
-/// The highest value of a function that rises and then falls between two instants, by golden sections.
-fn highest(value: impl Fn(f64) -> f64, (mut low, mut high): (f64, f64)) -> (f64, f64) {
-    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let (mut a, mut b) = (high - golden * (high - low), low + golden * (high - low));
-    let (mut at_a, mut at_b) = (value(a), value(b));
-    for _ in 0..GOLDEN {
-        if at_a > at_b {
-            (high, b, at_b) = (b, a, at_a);
-            a = high - golden * (high - low);
-            at_a = value(a);
-        } else {
-            (low, a, at_a) = (a, b, at_b);
-            b = low + golden * (high - low);
-            at_b = value(b);
-        }
-    }
-    if at_a > at_b { (a, at_a) } else { (b, at_b) }
 }
 
 #[cfg(test)]

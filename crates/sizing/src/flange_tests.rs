@@ -2,7 +2,7 @@
 
 use super::*;
 use actuator::FlangeLoad;
-use mechanism::{Kind, Linear, LinearKind, Mechanism, Rotor};
+use mechanism::{Kind, Linear, LinearKind, Mechanism, Rotor, RotorKind};
 use motion::{Closing, Given, Law, Motion, Recorded, Samples, SegmentSpec, Treatment};
 use quantities::unit::DEGREE;
 use quantities::{Angle, AngularVelocity, Mass, MomentOfInertia};
@@ -16,6 +16,7 @@ fn length(metres: f64) -> Length {
 
 fn arm(mass: f64, tilt_deg: f64) -> Mechanism {
     let rotor = Rotor {
+        kind: RotorKind::Arm,
         inertia: MomentOfInertia::from_si(0.9),
         mass: Mass::from_si(mass),
         radius: length(0.35),

@@ -1,17 +1,17 @@
-//! The checks of the gear.
+//! The checks of the gear. It carries the torque of the load only: the rotor's inertia is on its other side.
 
 use crate::axis::Axis;
 use crate::bearing_checks::{self, Borne};
 use crate::check::{Check, CheckId, Verdict};
-use crate::comparison::{Asking, Comparison, against_asked, equation, explained, not_checked};
+use crate::comparison::{Asking, Comparison, against_asked, equation, not_checked};
+use crate::list::Case;
 use crate::notes::{Budget, Note, Notes};
-use crate::resonance;
 use crate::stage;
 use crate::workings;
 use actuator::{
     BudgetCase, Drivetrain, ErrorBudget, ErrorKind, Feedback, FeedbackSide, Gear, LifeLaw, Parameters, PositionLoop,
 };
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use provenance::{Datum, Grade, Missing, Source, Sourced};
 use quantities::unit::{
     ARCMINUTE, ARCSECOND, HOUR, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_ARCMINUTE, NEWTON_METRE_PER_RADIAN, ONE,
@@ -22,47 +22,9 @@ use quantities::{Angle, AngularVelocity, Measure, Ratio, Torque};
 /// The model of torsion, natural frequency, mean torque, collisions and life.
 const MODEL: Source = Source::Model { name: "gear" };
 
-/// Every check of the gear. It carries the torque of the load only: the rotor's inertia is on its other side.
-/// `bare`: without those that have no limit because none is asked for.
-pub(crate) fn judge(
-    axis: &Axis,
-    drivetrain: &Drivetrain,
-    (bare, explain): (bool, bool),
-    to: &mut impl FnMut(&dyn Fn() -> Check),
-) {
-    let asked = &axis.asked;
-    to(&|| explained(explain, |work| mean_torque(axis, drivetrain, work)));
-    if !bare || asked.gear_life_min.is_some() {
-        to(&|| explained(explain, |work| life(axis, drivetrain, work)));
-    }
-    if !bare || asked.torsion_max.is_some() {
-        to(&|| explained(explain, |work| torsion(axis, drivetrain, work)));
-    }
-}
-
-/// The checks of the gear that only matter where nothing else fails. `bare`: without advice, and without those that have
-/// no limit because none is asked for.
-pub(crate) fn judge_further(
-    axis: &Axis,
-    actuator: &Parameters,
-    (bare, explain): (bool, bool),
-    checks: &mut Vec<Check>,
-) {
-    let asked = &axis.asked;
-    checks.push(explained(explain, |work| mean_input_speed(axis, actuator, work)));
-    if let Some(torque) = asked.collision_torque {
-        checks.push(explained(explain, |work| collision(axis, torque, actuator, work)));
-    }
-    if !bare {
-        checks.push(explained(explain, |work| resonance::resonance(axis, actuator, work)));
-    }
-    if !bare || asked.angle_error_max.is_some() || asked.deviation_max.is_some() {
-        checks.push(explained(explain, |work| error_budget(axis, actuator, work)));
-    }
-}
-
 /// i n_av ≤ n_in,av; only where a limit of the gear is published.
-fn mean_input_speed(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+pub(crate) fn mean_input_speed(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, .. } = *case;
     let id = CheckId::GearMeanInputSpeed;
     let found =
         actuator.gear.input_speed_mean_max.require("n_in_av").and_then(|l| Ok((l, actuator.ratio.require("i")?)));
@@ -92,9 +54,12 @@ fn explain_input_speed(axis: &Axis, ratio: &Sourced<f64>, speed: f64, work: &mut
 
 /// T_k ≤ T_M, and the number of collisions; only where a rating of the gear is published. Above the torque at which a
 /// cup-type gear of the same size ratchets it is against advice in any case.
-fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Workings) -> Check {
-    let id = CheckId::CollisionTorque;
-    let gear = &actuator.gear;
+pub(crate) fn collision(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, .. } = *case;
+    let (id, gear) = (CheckId::CollisionTorque, &actuator.gear);
+    let Some(torque) = axis.asked.collision_torque else {
+        return not_checked(id, Missing { symbol: "requirements.collision_torque" });
+    };
     let ratchets = gear.ratcheting_torque.known();
     let told = ratchets.map(|ratcheting| Note::Ratcheting {
         ratcheting: ratcheting.value,
@@ -130,7 +95,7 @@ fn collision(axis: &Axis, torque: Torque, actuator: &Parameters, work: &mut Work
     if let (Some(count), Some(permitted)) = (axis.asked.collisions, permitted) {
         let most = Sourced { value: Ratio::from_si(permitted), source: MODEL, grade: limit.grade, errata: &[] };
         let number = Comparison::with(id, &ONE, count, key("requirements.collisions"), &most).answer(Verdict::Fail);
-        // Of torque and number the tighter one is told.
+        // The tighter one of torque and number is reported.
         if number.utilisation > check.utilisation {
             check = number;
             explain_collisions(axis, actuator, (count, permitted), work);
@@ -158,8 +123,8 @@ fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f
     work.figure("N", &ONE, count, &key("requirements.collisions"), Grade::Printed);
     work.value("N");
     let speed = axis.moments().speed_peak.si();
-    let text = "max |n| over the cycle";
-    work.found("n", &REVOLUTION_PER_MINUTE, speed, text, &workings::DEMAND, Grade::Computed);
+    let what = Finding::PeakSpeed;
+    work.found("n", &REVOLUTION_PER_MINUTE, speed, what, &workings::DEMAND, Grade::Computed);
     work.given_number("i", ratio);
     work.figure("t_k", &SECOND, time.si(), &key("requirements.collision_time"), Grade::Printed);
     work.formula("N_k", &ONE, permitted, "min(10^4/(2*i*n*t_k/60), 10^4)", &MODEL);
@@ -167,7 +132,8 @@ fn explain_collisions(axis: &Axis, actuator: &Parameters, (count, permitted): (f
 }
 
 /// Sum of all angular errors at the output, and its deviation at the lever arm.
-fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+pub(crate) fn error_budget(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, .. } = *case;
     let id = CheckId::ErrorBudget;
     let bearing = &actuator.output_bearing;
     let moment =
@@ -205,14 +171,15 @@ fn error_budget(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Chec
                 work.formula("s", &MILLIMETRE, deviation.si(), "phi_sum*pi/10800*r", &source);
                 work.value("s");
             }
-            work.asked("s_max", &MILLIMETRE, Some(permitted.si()), key);
-            against_asked(id, &MILLIMETRE, deviation.si(), Some(permitted.si()), key, source)
+            work.asked_by("s_max", &MILLIMETRE, permitted.si(), key);
+            let limit_source = Some(Source::Project { key: key.into() });
+            Check { limit_source, ..against_asked(id, &MILLIMETRE, deviation.si(), Some(permitted.si()), source) }
         }
         _ => {
-            let (permitted, key) = (axis.asked.angle_error_max.map(Measure::si), "requirements.angle_error_max");
+            let permitted = axis.asked.angle_error_max.map(Measure::si);
             work.value("phi_sum");
-            work.asked("phi_sum_max", &ARCMINUTE, permitted, key);
-            against_asked(id, &ARCMINUTE, worst.si(), permitted, key, source)
+            work.asked("phi_sum_max", &ARCMINUTE, permitted, id);
+            against_asked(id, &ARCMINUTE, worst.si(), permitted, source)
         }
     };
     check.grade = Some(budget.grade());
@@ -231,7 +198,7 @@ fn explain_budget(
     let source = Source::Model { name: "error-budget" };
     let unknown = |kind: ErrorKind| budget.missing.contains(&kind);
     let missing = |work: &mut Workings, symbol, unit| {
-        work.found(symbol, unit, 0.0, "not known: counted as 0", &source, Grade::Computed);
+        work.found(symbol, unit, 0.0, Finding::NotKnown, &source, Grade::Computed);
     };
     let motor = case.position_loop == PositionLoop::Motor;
     if motor {
@@ -267,8 +234,8 @@ fn explain_budget(
         explain_feedback(&feedback.resolution, feedback, &actuator.ratio, texts, work);
     }
     if axis.mechanism.stage.is_some() {
-        let text = "a tilt of the flange does not turn what is behind the stage";
-        work.found("gamma", &ARCMINUTE, 0.0, text, &stage::MODEL, Grade::Computed);
+        let what = Finding::TiltBehindStage;
+        work.found("gamma", &ARCMINUTE, 0.0, what, &stage::MODEL, Grade::Computed);
     } else {
         explain_tilt(axis, actuator, case, work);
     }
@@ -291,7 +258,7 @@ fn explain_budget(
 fn explain_tilt(axis: &Axis, actuator: &Parameters, case: &BudgetCase, work: &mut Workings) {
     let source = Source::Model { name: "error-budget" };
     let missing = |work: &mut Workings, symbol, unit| {
-        work.found(symbol, unit, 0.0, "not known: counted as 0", &source, Grade::Computed);
+        work.found(symbol, unit, 0.0, Finding::NotKnown, &source, Grade::Computed);
     };
     match (case.tilting_moment, actuator.output_bearing.tilting_stiffness.known(), &axis.bearing) {
         (Some(moment), Some(stiffness), Some(duty)) => {
@@ -325,7 +292,7 @@ fn explain_feedback(
 }
 
 /// T_av ≤ T_A; only where a rating of the gear is published.
-fn mean_torque(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
+pub(crate) fn mean_torque(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
     let id = CheckId::GearMeanTorque;
     match actuator.gear.average_torque_max.require("T_A") {
         Ok(limit) => {
@@ -346,12 +313,12 @@ fn mean_torque(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check
 
 /// The workings of the cubic mean torque, `T_av`.
 fn explain_mean_torque(mean: Torque, work: &mut Workings) {
-    let text = "(∫|T_L|³ |n| dt / ∫|n| dt)^(1/3) over the cycle";
-    work.found("T_av", &NEWTON_METRE, mean.si(), text, &MODEL, Grade::Computed);
+    let what = Finding::CubicMeanTorque;
+    work.found("T_av", &NEWTON_METRE, mean.si(), what, &MODEL, Grade::Computed);
 }
 
 /// L_10 of the wave-generator bearing against the life required.
-fn life(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
+pub(crate) fn life(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
     let id = CheckId::GearLife;
     let found = (|| {
         let rated = actuator.gear.rated_torque.require("T_N")?;
@@ -374,9 +341,9 @@ fn life(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
     match found {
         Ok((life, grade)) => {
             work.value("L_10");
-            let (asked, key) = (axis.asked.gear_life_min.map(Measure::si), "requirements.gear_life_min");
-            work.asked("L_10_min", &HOUR, asked, key);
-            let mut check = against_asked(id, &HOUR, life.si(), asked, key, MODEL);
+            let asked = axis.asked.gear_life_min.map(Measure::si);
+            work.asked("L_10_min", &HOUR, asked, id);
+            let mut check = against_asked(id, &HOUR, life.si(), asked, MODEL);
             check.grade = Some(grade.worst(Grade::Computed));
             check.notes.push(Note::RatingOfInterchangeableGear);
             check
@@ -386,20 +353,20 @@ fn life(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
 }
 
 /// Torsion of the gear under the largest torque of the load.
-fn torsion(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
+pub(crate) fn torsion(axis: &Axis, actuator: &Drivetrain, work: &mut Workings) -> Check {
     let id = CheckId::Torsion;
     let Some(curve) = actuator.gear.torsion() else { return not_checked(id, Missing { symbol: "K_1" }) };
     let worst = axis.moments().load_peak;
     let source = Source::Equation { number: "73.1" };
-    let (limit, key) = (axis.asked.torsion_max.map(Measure::si), "requirements.torsion_max");
+    let limit = axis.asked.torsion_max.map(Measure::si);
     explain_torsion(&actuator.gear, worst, work);
     let (angle, symbol, source) = match &axis.mechanism.stage {
         None => (curve.angle(worst), "phi", source),
         Some(stage) => (stage::torsion(stage, curve.angle(worst), worst, work), "phi_L", stage::MODEL),
     };
     work.value(symbol);
-    work.asked("phi_max", &ARCMINUTE, limit, key);
-    let mut check = against_asked(id, &ARCMINUTE, angle.si(), limit, key, source);
+    work.asked("phi_max", &ARCMINUTE, limit, id);
+    let mut check = against_asked(id, &ARCMINUTE, angle.si(), limit, source);
     check.at = Some(axis.moments().load_peak_at);
     check
 }
@@ -419,8 +386,8 @@ fn explain_torsion(gear: &Gear, torque: Torque, work: &mut Workings) {
         }
     };
     let (angle, [k1, k2, k3]) = (curve.angle(torque).si(), &gear.stiffness);
-    let text = "max |T_L| over the cycle";
-    work.found("T", &NEWTON_METRE, torque.si(), text, &workings::DEMAND, Grade::Computed);
+    let what = Finding::PeakLoad;
+    work.found("T", &NEWTON_METRE, torque.si(), what, &workings::DEMAND, Grade::Computed);
     stiff(work, "K_1", k1);
     if torque.si() <= curve.torque_1.si() {
         work.formula("phi", &ARCMINUTE, angle, "T/K_1*10800/pi", &equation("73.1"));

@@ -2,14 +2,13 @@
 
 use crate::axis::Axis;
 use crate::check::{Check, CheckId};
-use crate::checks::Demands;
 use crate::comparison::{Comparison, Edges, cite, not_checked};
 use crate::currents::{Currents, coil_loss};
-use crate::electrics::Electrics;
+use crate::list::Case;
 use crate::notes::{Note, Notes};
 use crate::workings;
 use actuator::{ContinuousLimit, Gains, Parameters, PublishedDuty};
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source};
 use quantities::Measure;
 use quantities::unit::{AMPERE, DEGREE_CELSIUS, KELVIN_DIFFERENCE, NEWTON_METRE, ONE, SECOND, WATT};
@@ -23,13 +22,8 @@ const SHORT_CYCLE_SHARE: f64 = 0.2;
 const THERMAL: Source = Source::Model { name: "thermal" };
 
 /// T_rms ≤ continuous torque at n_av (cha-manual 7.1: the point (n_av, T_rms) inside the continuous zone).
-pub(crate) fn continuous_torque(
-    axis: &Axis,
-    actuator: &Parameters,
-    electrics: &Electrics,
-    (demand, manual): Demands<'_>,
-    work: &mut Workings,
-) -> Check {
+pub(crate) fn continuous_torque(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, electrics, demand, manual, .. } = *case;
     let id = CheckId::ContinuousTorque;
     let Some(demand) = demand else { return not_checked(id, Missing { symbol: "J_out" }) };
     workings::mean_speed(axis, work);
@@ -52,9 +46,10 @@ pub(crate) fn continuous_torque(
         }
         cite(&mut notes, actuator.torque_constant_out.known().map_or(&[], |known| known.errata));
     }
-    let time_constant = actuator.heat.winding_time_constant.known();
-    if time_constant.is_some_and(|tau| axis.moments.duration.si() > SHORT_CYCLE_SHARE * tau.value.si()) {
-        notes.push(Note::CycleNotShort { cycle: axis.moments.duration });
+    if let Some(tau) = actuator.heat.winding_time_constant.known()
+        && axis.moments.duration.si() > SHORT_CYCLE_SHARE * tau.value.si()
+    {
+        notes.push(Note::CycleNotShort { cycle: axis.moments.duration, time_constant: tau.value });
     }
     if notes.is_empty() {
         notes = electrics.estimated.clone();
@@ -89,12 +84,8 @@ fn temperature_lags(currents: &Currents<'_>, gains: Gains) -> Result<[Lag; 2], M
 ///
 /// ϑ_w − ϑ_a ≤ b (80 °C − ϑ_a) with b the lower edge of the band: pass; above the upper edge: fail; between them advice.
 /// Where curves are published the model is scaled to agree with them, and has no band.
-pub(crate) fn thermal(
-    axis: &Axis,
-    actuator: &Parameters,
-    currents: Result<&Currents<'_>, &Missing>,
-    work: &mut Workings,
-) -> Check {
+pub(crate) fn thermal(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, currents, .. } = *case;
     let id = CheckId::Thermal;
     let found = currents.map_err(|missing| *missing).and_then(|currents| {
         let (model, settled) = currents.heat()?;
@@ -124,31 +115,32 @@ pub(crate) fn thermal(
             work.given_number("w", share);
         }
         actuator::explain_friction(actuator, settled, work);
-        let text = "mean of 1.5 R_hot I² over the cycle, I with K";
-        work.found("P_cu", &WATT, settled.losses.copper_w, text, &THERMAL, Grade::Estimated);
-        let text = "mean of (I_NLS + K |n|) k_TM ω_mot over the cycle, and the coil of an open brake";
-        work.found("P_f", &WATT, settled.losses.friction_w, text, &THERMAL, Grade::Estimated);
+        let what = Finding::CopperLoss;
+        work.found("P_cu", &WATT, settled.losses.copper_w, what, &THERMAL, Grade::Estimated);
+        let what = Finding::FrictionLoss;
+        work.found("P_f", &WATT, settled.losses.friction_w, what, &THERMAL, Grade::Estimated);
         let steady = model.network().steady(settled.losses, ambient).winding.si();
         work.estimate("theta_m", &DEGREE_CELSIUS, steady, "theta_a + 40*(P_cu + w*P_f)/P_0", &THERMAL);
-        let text = "largest rise of the winding above its mean in the steady cycle";
+        let what = Finding::WindingRise;
         let swing = peak.value + coil * r_ha - (steady - ambient.si());
-        work.found("dtheta", &KELVIN_DIFFERENCE, swing, text, &THERMAL, Grade::Estimated);
-        let text = "published curves over the model at this duty; 1 where none is published";
-        work.found("c", &ONE, scale, text, &THERMAL, Grade::Estimated);
+        work.found("dtheta", &KELVIN_DIFFERENCE, swing, what, &THERMAL, Grade::Estimated);
+        let what = Finding::CurvesOverModel;
+        work.found("c", &ONE, scale, what, &THERMAL, Grade::Estimated);
         let text = "theta_a + c*(theta_m + dtheta - theta_a)";
         work.estimate("theta_w", &DEGREE_CELSIUS, ambient.si() + rise, text, &THERMAL);
         work.value("theta_w");
         if let Some(threshold) = actuator.heat.winding_warning.known() {
             work.given("theta_warn", &DEGREE_CELSIUS, threshold);
         }
-        work.found("b", &ONE, low, "lower edge of the band at n_av", &THERMAL, Grade::Estimated);
+        work.found("b", &ONE, low, Finding::LowerEdgeOfBand, &THERMAL, Grade::Estimated);
         let text = "theta_a + b*(theta_warn - theta_a)";
         work.estimate("theta_perm", &DEGREE_CELSIUS, ambient.si() + low * room, text, &THERMAL);
         work.limit("theta_perm");
     }
     let at = |share: f64| ambient.si() + share * room;
     let warm_up = model.network().warm_up_time(settled.losses, ambient, threshold);
-    let notes = Notes::from([Note::RiseAbove(ambient), Note::Housing(settled.housing), Note::WarmUp(warm_up)]);
+    let mut notes = Notes::from([Note::RiseAbove(ambient), Note::Housing(settled.housing)]);
+    notes.extend(warm_up.map(Note::WarmUp));
     let mut check = Comparison {
         id,
         unit: &DEGREE_CELSIUS,
@@ -171,12 +163,8 @@ pub(crate) fn thermal(
 ///
 /// What the continuous curve permits at the mean speed this check permits too, with the friction of the cycle; above what
 /// the winding's heat permits it fails, between the two it is advice.
-pub(crate) fn overload(
-    axis: &Axis,
-    actuator: &Parameters,
-    (electrics, currents): (&Electrics, Result<&Currents<'_>, &Missing>),
-    work: &mut Workings,
-) -> Check {
+pub(crate) fn overload(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, electrics, currents, .. } = *case;
     let id = CheckId::OverloadI2t;
     let found = currents.map_err(|missing| *missing).and_then(|currents| {
         let stall = actuator.stall_current.require("I_0")?;
@@ -206,11 +194,11 @@ pub(crate) fn overload(
     if let Some(tau) = actuator.heat.winding_time_constant.known() {
         work.given("tau_w", &SECOND, tau);
     }
-    let text = "largest of the first-order lag of (I/I_0)² with tau_w in the steady cycle";
-    work.found("y", &ONE, peak.value, text, &source, Grade::Estimated);
+    let what = Finding::OverloadLag;
+    work.found("y", &ONE, peak.value, what, &source, Grade::Estimated);
     work.value("y");
-    let text = "(I/I_0)² of what the continuous curve permits at n_av, at least 1";
-    work.found("y_perm", &ONE, low, text, &source, Grade::Estimated);
+    let what = Finding::OverloadPermitted;
+    work.found("y_perm", &ONE, low, what, &source, Grade::Estimated);
     work.limit("y_perm");
     Comparison {
         id,

@@ -1,43 +1,47 @@
 //! The checks of the screw joints and of the field of application.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Figure, Verdict};
-use crate::comparison::{Comparison, explained, not_checked};
+use crate::check::{Amount, Check, CheckId, Verdict};
+use crate::comparison::{Comparison, not_checked};
+use crate::list::Case;
 use crate::notes::Note;
 use crate::workings;
 use actuator::{Parameters, ScrewJoint};
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use provenance::{Grade, Missing, Source};
 use quantities::unit::{NEWTON_METRE, ONE, RADIAN_PER_SECOND_SQUARED, SECOND};
 use quantities::{Measure, Time, Torque};
 use trace::{Convex, Extent, Node};
 
-/// Both joints, and the field of application where a special one is stated.
-pub(crate) fn judge(axis: &Axis, actuator: &Parameters, explain: bool, checks: &mut Vec<Check>) {
-    let load = (&actuator.screw_joint_load, "transmissible_torque_load");
-    let housing = (&actuator.screw_joint_housing, "transmissible_torque_housing");
-    checks.push(explained(explain, |work| joint(CheckId::ScrewJointLoad, load, load_torque(axis, work), work)));
-    checks.push(explained(explain, |work| {
-        joint(CheckId::ScrewJointHousing, housing, housing_torque(axis, actuator, work), work)
-    }));
-    if axis.asked.special_application.is_some() {
-        let mut work = if explain { Workings::on() } else { Workings::off() };
-        let mut check = not_checked(CheckId::Application, Missing { symbol: "approval" });
-        check.verdict = Verdict::Advice;
-        check.missing = None;
-        // One approval is needed, none is at hand.
-        check.value = Some(Figure { si: 1.0, unit: &ONE });
-        check.limit = Some(Figure { si: 0.0, unit: &ONE });
-        check.grade = Some(Grade::Printed);
-        check.value_source = Some(Source::Project { key: "requirements.special_application".into() });
-        check.notes.push(Note::ApprovalNeeded);
-        let source = Source::Project { key: "requirements.special_application".into() };
-        work.figure("approvals_needed", &ONE, 1.0, &source, Grade::Printed);
-        work.value("approvals_needed");
-        work.figure("approvals", &ONE, 0.0, &source, Grade::Assumed);
-        work.limit("approvals");
-        check.workings = work.into_steps().into();
-        checks.push(check);
+/// The torque through the joint of the load against what its screws transmit.
+pub(crate) fn load(case: &Case<'_>, work: &mut Workings) -> Check {
+    let through = load_torque(case.axis, work);
+    joint(CheckId::ScrewJointLoad, (&case.actuator.screw_joint_load, "transmissible_torque_load"), through, work)
+}
+
+/// The torque through the joint of the housing against what its screws transmit.
+pub(crate) fn housing(case: &Case<'_>, work: &mut Workings) -> Check {
+    let through = housing_torque(case.axis, case.actuator, work);
+    let joined = (&case.actuator.screw_joint_housing, "transmissible_torque_housing");
+    joint(CheckId::ScrewJointHousing, joined, through, work)
+}
+
+/// The approvals that the field of application needs against those at hand: one is needed, none is at hand.
+pub(crate) fn application(_: &Case<'_>, work: &mut Workings) -> Check {
+    let source = Source::Project { key: "requirements.special_application".into() };
+    work.figure("approvals_needed", &ONE, 1.0, &source, Grade::Printed);
+    work.value("approvals_needed");
+    work.figure("approvals", &ONE, 0.0, &source, Grade::Assumed);
+    work.limit("approvals");
+    Check {
+        verdict: Verdict::Advice,
+        missing: None,
+        value: Some(Amount { si: 1.0, unit: &ONE }),
+        limit: Some(Amount { si: 0.0, unit: &ONE }),
+        grade: Some(Grade::Printed),
+        value_source: Some(source),
+        notes: Note::ApprovalNeeded.into(),
+        ..not_checked(CheckId::Application, Missing { symbol: "approval" })
     }
 }
 
@@ -58,8 +62,8 @@ fn load_torque(axis: &Axis, work: &mut Workings) -> Result<Through, Missing> {
     if let Some(collision) = collision(axis, moments.load_peak.si(), work) {
         return Ok(collision);
     }
-    let text = "max |T_L| over the cycle";
-    work.found("T_j", &NEWTON_METRE, moments.load_peak.si(), text, &workings::DEMAND, Grade::Computed);
+    let what = Finding::PeakLoad;
+    work.found("T_j", &NEWTON_METRE, moments.load_peak.si(), what, &workings::DEMAND, Grade::Computed);
     Ok((moments.load_peak, Some(moments.load_peak_at), "T_j"))
 }
 
@@ -71,7 +75,8 @@ fn load_torque(axis: &Axis, work: &mut Workings) -> Result<Through, Missing> {
 /// output according to the build of the gear: the housing takes T_L and what changes it, in the worst case with the same
 /// sign.
 ///
-/// # Source   docs/theory/gear.md
+/// # Source
+/// docs/theory/gear.md
 fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Result<Through, Missing> {
     let own = actuator.inertia_out.require("J_out")?.value.si();
     // Of an own actuator the ratio may not be known: without a gear the whole of J_out acts on the housing, the most.
@@ -91,11 +96,11 @@ fn housing_torque(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Re
             "alpha",
             &RADIAN_PER_SECOND_SQUARED,
             node.acceleration_rad_s2,
-            "acceleration at t",
+            Finding::AccelerationAt,
             demand,
             Grade::Computed,
         );
-        work.found("T_L", &NEWTON_METRE, node.load_nm, "torque of the load at t", demand, Grade::Computed);
+        work.found("T_L", &NEWTON_METRE, node.load_nm, Finding::TorqueOfLoadAt, demand, Grade::Computed);
         let text = match ratio {
             Some(ratio) => {
                 work.given_number("i", ratio);

@@ -1,22 +1,16 @@
 //! Judges actuators for one axis, one after the other.
 
 use crate::axis::Axis;
-use crate::bearing_checks;
-use crate::brake_checks;
-use crate::check::{Check, CheckId, Verdict};
-use crate::checks;
-use crate::comparison::explained;
-use crate::currents::{self, Currents};
+use crate::bearing_checks::Borne;
+use crate::check::{Check, CheckId, Margin, Verdict};
+use crate::currents::Currents;
 use crate::demand::{Demand, ManualDemand};
-use crate::electric_checks;
 use crate::electrics::Electrics;
 use crate::energy;
-use crate::feedback_checks;
-use crate::gear_checks;
-use crate::heat_checks;
-use crate::joint_checks;
+use crate::list::{Answer, Case, Stage};
 use crate::watch::Watch;
 use actuator::{Drivetrain, Parameters};
+use derivation::Workings;
 use std::sync::Arc;
 
 /// Room for the checks of one actuator that is rejected, without those of its drivetrain, and for all of one that is not,
@@ -62,14 +56,14 @@ impl Judgement {
     pub fn complete(&mut self, mut energy: Check, naming: Naming<'_>) {
         naming(&mut energy, self.manual.as_ref().map_or(0, |manual| manual.governing));
         let own = &mut self.checks.own;
-        let before = own.iter().position(|check| check.id == CheckId::OverloadI2t);
-        own.insert(before.map_or(own.len(), |before| before + 1), energy);
+        let place = own.iter().position(|check| check.id.place() > energy.id.place());
+        own.insert(place.unwrap_or(own.len()), energy);
     }
 
     /// Whether it says what energy comes back, or why that is not known.
     #[must_use]
     pub fn tells_energy(&self) -> bool {
-        self.checks.own.iter().any(|check| check.id == CheckId::Regeneration)
+        self.checks.own.iter().any(|check| check.id.stage() == Stage::Pass)
     }
 
     /// The check with that utilisation.
@@ -90,7 +84,7 @@ pub enum Depth {
     /// The checks that look at the cycle once more only if none of the others fails.
     Survivors,
     /// The same without the energy that comes back, which costs a pass over the whole cycle: many find it together, see
-    /// [`energies`]. Without a limit that is asked for it takes part in no verdict and no utilisation.
+    /// [`energies`]. Without a required limit it affects no verdict and no utilisation.
     Ranking,
     /// Every check that can fail or has a margin: what is only shown or advised is left out, and so is the demand by
     /// the manual, and the energy that comes back where its bounds are below another utilisation. Verdict and utilisation
@@ -101,7 +95,7 @@ pub enum Depth {
 /// The largest utilisation among some checks, see [`Judgement::utilisation`]; zero where none has one.
 fn utilisation(checks: &[Check]) -> f64 {
     let share = |check: &Check| match check.utilisation {
-        None if check.verdict == Verdict::Fail && check.id != CheckId::Ambient => f64::INFINITY,
+        None if check.verdict == Verdict::Fail && check.id.margin() != Margin::Range => f64::INFINITY,
         share => share.unwrap_or(0.0),
     };
     let counted = checks.iter().filter(|check| check.id.has_margin() || check.verdict == Verdict::Fail);
@@ -211,7 +205,7 @@ pub fn judge(axis: &Axis, actuator: &Parameters, depth: Depth) -> Judgement {
     Judge::of(axis, depth).next(actuator, &mut |_, _| {})
 }
 
-/// Whoever is handed each check once, before anybody sees it, with the index of the move that governs by the manual: to
+/// Receives each check once, before it is returned, with the index of the move that governs by the manual: to
 /// name the sources of the project as its file names them.
 pub type Naming<'n> = &'n mut dyn FnMut(&mut Check, usize);
 
@@ -258,10 +252,10 @@ impl Gathering {
         Self { known, new, places: 0 }
     }
 
-    fn take(&mut self, place: u32, check: impl FnOnce() -> Check) {
+    fn take(&mut self, place: u32, check: impl FnOnce() -> Option<Check>) {
         self.places |= 1 << place;
         if self.known.is_none() {
-            self.new.push(check());
+            self.new.extend(check());
         }
     }
 
@@ -284,12 +278,12 @@ impl Gathered {
         self.count += 1;
     }
 
-    fn of_drivetrain(&mut self, check: impl FnOnce() -> Check) {
+    fn of_drivetrain(&mut self, check: impl FnOnce() -> Option<Check>) {
         self.drivetrain.take(self.count, check);
         self.count += 1;
     }
 
-    fn of_bearing(&mut self, check: impl FnOnce() -> Check) {
+    fn of_bearing(&mut self, check: impl FnOnce() -> Option<Check>) {
         self.bearing.take(self.count, check);
         self.count += 1;
     }
@@ -337,11 +331,19 @@ impl<'a> Judge<'a> {
             drivetrain: Gathering::of(known.checks.as_ref(), governing),
             bearing: Gathering::of(known.of_bearing.as_ref(), governing),
         };
-        let demands = (demand.as_ref(), manual.as_ref());
         let electrics = &known.electrics;
         let currents = Currents::of(axis, actuator, electrics);
-        let currents = currents.as_ref();
-        first_checks(axis, actuator, (demands, electrics, currents), (bare, explain), &mut checks);
+        let bearing = axis.bearing.as_ref().map(|duty| Borne::of(axis, duty, &actuator.output_bearing));
+        let case = &Case {
+            axis,
+            actuator,
+            demand: demand.as_ref(),
+            manual: manual.as_ref(),
+            electrics,
+            currents: currents.as_ref(),
+            bearing: bearing.as_ref(),
+        };
+        first_checks(case, (bare, explain), &mut checks);
         let Gathered { own, drivetrain, bearing, .. } = checks;
         let shared = [
             drivetrain.all(governing, naming, &mut known.checks),
@@ -351,7 +353,7 @@ impl<'a> Judge<'a> {
         if !only_survivors || !checks.any_fails() {
             let own = &mut checks.own;
             own.reserve_exact(all - own.len().min(all));
-            further_checks(axis, actuator, (electrics, currents), (depth, explain), own);
+            further_checks(case, (depth, explain), own);
         }
         checks.own.iter_mut().for_each(|check| naming(check, governing));
         Judgement { demand, manual, checks }
@@ -366,75 +368,51 @@ pub fn energies<W: Watch>(axis: &Axis, actuators: &[&Parameters], watch: &W) -> 
     energy::regenerations(axis, actuators, watch)
 }
 
-/// What the first checks look at.
-type Looked<'l> = (checks::Demands<'l>, &'l Electrics, Result<&'l Currents<'l>, &'l provenance::Missing>);
+/// The checks of an axis; `bare`: those alone that can fail or have a margin.
+fn made(axis: &Axis, bare: bool) -> impl Iterator<Item = CheckId> {
+    CheckId::ALL.iter().copied().filter(move |id| id.is_made(axis) && (!bare || id.can_fail(axis)))
+}
+
+/// The answer of a check, with its workings if an explanation is requested.
+#[inline]
+fn answered(id: CheckId, case: &Case<'_>, explain: bool) -> Option<Check> {
+    if !explain {
+        return id.answer().of(case, &mut Workings::off());
+    }
+    let mut work = Workings::on();
+    let mut check = id.answer().of(case, &mut work)?;
+    check.workings = work.into_steps().into();
+    Some(check)
+}
 
 /// The checks that every actuator goes through.
-fn first_checks(
-    axis: &Axis,
-    actuator: &Parameters,
-    (demands, electrics, currents): Looked<'_>,
-    (bare, explain): (bool, bool),
-    to: &mut Gathered,
-) {
-    let drivetrain: &Drivetrain = actuator;
-    to.own(explained(explain, |work| checks::peak_torque(axis, actuator, demands, work)));
-    to.of_drivetrain(|| explained(explain, |work| checks::peak_speed(axis, drivetrain, work)));
-    to.of_drivetrain(|| explained(explain, |work| checks::mean_speed(axis, drivetrain, work)));
-    to.own(explained(explain, |work| heat_checks::continuous_torque(axis, actuator, electrics, demands, work)));
-    currents::current_checks(axis, actuator, currents, explain, &mut |check| to.own(check));
-    if axis.supply.is_some() {
-        to.own(explained(explain, |work| currents::voltage(axis, actuator, (electrics, currents), work)));
-    }
-    if !bare {
-        to.own(explained(explain, |work| checks::inertia_ratio(axis, actuator, work)));
-    }
-    gear_checks::judge(axis, drivetrain, (bare, explain), &mut |check| to.of_drivetrain(check));
-    if !bare || axis.asked.natural_frequency_min.is_some() {
-        to.own(explained(explain, |work| crate::resonance::natural_frequency(axis, actuator, work)));
-    }
-    bearing_checks::judge(axis, &drivetrain.output_bearing, explain, &mut |check| to.of_bearing(check));
-    if let Some(stated) = axis.ambient {
-        to.of_drivetrain(|| explained(explain, |work| checks::ambient(stated, drivetrain, work)));
-    }
-    if let Some((supply, _)) = axis.supply {
-        to.of_drivetrain(|| {
-            explained(explain, |work| electric_checks::dc_link(supply, axis.asked.dc_link_rise, drivetrain, work))
-        });
+fn first_checks(case: &Case<'_>, (bare, explain): (bool, bool), to: &mut Gathered) {
+    for id in made(case.axis, bare).filter(|id| id.stage() == Stage::First) {
+        let answer = || answered(id, case, explain);
+        match id.answer() {
+            Answer::Actuator(_) | Answer::Concerned(_) => answer().into_iter().for_each(|check| to.own(check)),
+            Answer::Drivetrain(_) => to.of_drivetrain(answer),
+            Answer::Bearing(_) if case.bearing.is_none() => {}
+            Answer::Bearing(_) => to.of_bearing(answer),
+        }
     }
 }
 
-/// The checks that look at the cycle once more.
-fn further_checks(
-    axis: &Axis,
-    actuator: &Parameters,
-    (electrics, currents): (&Electrics, Result<&Currents<'_>, &provenance::Missing>),
-    (depth, explain): (Depth, bool),
-    checks: &mut Vec<Check>,
-) {
-    let bare = depth == Depth::Margins;
-    checks.push(explained(explain, |work| electric_checks::torque_speed_trace(axis, actuator, currents, work)));
-    checks.push(explained(explain, |work| heat_checks::thermal(axis, actuator, currents, work)));
-    checks.push(explained(explain, |work| heat_checks::overload(axis, actuator, (electrics, currents), work)));
-    let is_told = match depth {
-        Depth::Full | Depth::Survivors => true,
-        Depth::Ranking => energy::is_missing(actuator, currents),
-        // What passes and is below another utilisation changes neither verdict nor margin.
-        Depth::Margins => {
-            let share = || utilisation(checks).min(1.0);
-            axis.asked.regeneration_power_max.is_some() && !energy::is_below(axis, actuator, currents, share())
+/// The checks that look at the cycle once more, and the rest.
+fn further_checks(case: &Case<'_>, (depth, explain): (Depth, bool), checks: &mut Vec<Check>) {
+    let &Case { axis, actuator, currents, .. } = case;
+    for stage in [Stage::Heat, Stage::Pass, Stage::Further] {
+        for id in made(axis, depth == Depth::Margins).filter(|id| id.stage() == stage) {
+            let is_made = stage != Stage::Pass
+                || match depth {
+                    Depth::Full | Depth::Survivors => true,
+                    Depth::Ranking => energy::is_missing(actuator, currents),
+                    // What passes and is below another utilisation changes neither verdict nor margin.
+                    Depth::Margins => !energy::is_below(axis, actuator, currents, utilisation(checks).min(1.0)),
+                };
+            if is_made {
+                checks.extend(answered(id, case, explain));
+            }
         }
-    };
-    if is_told {
-        checks.push(explained(explain, |work| energy::regeneration(axis, actuator, currents, work)));
     }
-    gear_checks::judge_further(axis, actuator, (bare, explain), checks);
-    checks.extend(brake_checks::judge(axis, actuator, explain));
-    let asked = &axis.asked;
-    let of_feedback =
-        asked.absolute == Some(true) || asked.resolution_max.is_some() || asked.battery_life_min.is_some();
-    if !bare || of_feedback {
-        checks.extend(feedback_checks::judge(axis, actuator, explain));
-    }
-    joint_checks::judge(axis, actuator, explain, checks);
 }

@@ -1,6 +1,6 @@
 //! What there is to remark about the answer of a check.
 
-use crate::check::Figure;
+use crate::check::Amount;
 use quantities::{
     Angle, AngularVelocity, ElectricPotential, Energy, Frequency, Length, Power, ThermodynamicTemperature, Time, Torque,
 };
@@ -28,10 +28,10 @@ pub enum Note {
         /// Largest factor.
         high: f64,
     },
-    /// Only the cold gear asks for more than the limit.
+    /// The limit is exceeded with a cold gear only.
     UntilWarm,
     /// The limit is the lower edge of an estimate; the upper edge is this figure.
-    EstimatedUpTo(Figure),
+    EstimatedUpTo(Amount),
     /// The value lies between the edges of an estimate.
     InsideBand,
     /// The utilisation is that of the rise above this temperature.
@@ -40,17 +40,24 @@ pub enum Note {
     CycleNotShort {
         /// Duration of the cycle.
         cycle: Time,
+        /// Time constant of the winding.
+        time_constant: Time,
     },
     /// Eq. 69.2 takes the braking torque from the accelerating time; the exact integral decides.
     BrakingTorqueAssumed,
     /// The recommendation holds for highly dynamic duty.
-    RecommendationForHighDynamics,
-    /// The axis swings by less than 5°: the bearing may fret for want of lubrication.
+    RecommendationForHighDynamics {
+        /// Largest J_L/J_out recommended.
+        factor: f64,
+    },
+    /// The axis swings by less than the bearing bears without fretting for want of lubrication.
     SwingTooSmall {
         /// Swing of the axis.
         swing: Angle,
+        /// Least swing without fretting.
+        least: Angle,
     },
-    /// Swings below 5° among larger ones: the bearing may fret for want of lubrication.
+    /// Such swings among larger ones.
     SmallSwings {
         /// How many happen in one cycle.
         count: usize,
@@ -58,13 +65,15 @@ pub enum Note {
         largest: Angle,
         /// Their share of the angle travelled.
         share: f64,
+        /// Least swing without fretting.
+        least: Angle,
     },
     /// The gear's rating is that of an interchangeable gear of another maker with the same T_R.
     RatingOfInterchangeableGear,
     /// The permissible loads hold one at a time; together the life and the static safety decide.
     LoadsOneAtATime,
-    /// The winding's temperature is an estimate; from cold it reaches its warning threshold after this time, if ever.
-    WarmUp(Option<Time>),
+    /// The winding's temperature is an estimate; from cold it reaches its warning threshold after this time.
+    WarmUp(Time),
     /// The largest temperature of the housing in the steady cycle.
     Housing(ThermodynamicTemperature),
     /// The load hangs: a built-in holding brake is no safety brake.
@@ -109,7 +118,7 @@ pub enum Note {
         /// At this torque the flexspline buckles, if published.
         buckling: Option<Torque>,
     },
-    /// The motion asks for a brake that the actuator does not have.
+    /// The motion requires a brake that the actuator does not have.
     NoBrake,
     /// Electrical energy of one cycle at the motor terminals.
     EnergyPerCycle {
@@ -131,7 +140,7 @@ pub enum Note {
     },
     /// An axis that turns on and on loses its absolute reference where the count overflows.
     ReferenceLost {
-        /// Turns of the motor that the encoder tells apart.
+        /// Turns of the motor that the encoder distinguishes.
         turns: f64,
     },
     /// The position is not absolute: it must be searched after each switching on.
@@ -178,7 +187,7 @@ pub struct ResonanceSpeeds {
     pub free: Option<[(AngularVelocity, AngularVelocity); 3]>,
 }
 
-/// The sum of the angular errors, told in other ways than its check does.
+/// The sum of the angular errors, in other forms than in its check.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget {
     /// Root of the sum of squares.
@@ -199,10 +208,10 @@ impl Note {
 
 /// Remarks of a check. Most are the same for every candidate, and what several checks remark is shared.
 #[derive(Clone)]
-pub struct Notes(Told);
+pub struct Notes(Held);
 
 #[derive(Clone)]
-enum Told {
+enum Held {
     /// The same for every candidate.
     Fixed(&'static [Note]),
     /// One with figures of a candidate, as most have.
@@ -217,15 +226,15 @@ impl Notes {
 
     /// Those that are the same for every candidate.
     pub(crate) const fn fixed(notes: &'static [Note]) -> Self {
-        Self(Told::Fixed(notes))
+        Self(Held::Fixed(notes))
     }
 
     /// Adds one.
     pub(crate) fn push(&mut self, note: Note) {
         self.0 = match &self[..] {
-            [] => Told::One(note),
-            [one] => Told::Found(Arc::new([one.clone(), note])),
-            told => Told::Found(told.iter().cloned().chain(std::iter::once(note)).collect()),
+            [] => Held::One(note),
+            [one] => Held::Found(Arc::new([one.clone(), note])),
+            told => Held::Found(told.iter().cloned().chain(std::iter::once(note)).collect()),
         };
     }
 
@@ -240,22 +249,22 @@ impl Deref for Notes {
 
     fn deref(&self) -> &[Note] {
         match &self.0 {
-            Told::Fixed(notes) => notes,
-            Told::One(note) => std::slice::from_ref(note),
-            Told::Found(notes) => notes,
+            Held::Fixed(notes) => notes,
+            Held::One(note) => std::slice::from_ref(note),
+            Held::Found(notes) => notes,
         }
     }
 }
 
 impl From<Note> for Notes {
     fn from(note: Note) -> Self {
-        Self(Told::One(note))
+        Self(Held::One(note))
     }
 }
 
 impl<const N: usize> From<[Note; N]> for Notes {
     fn from(notes: [Note; N]) -> Self {
-        Self(Told::Found(Arc::new(notes)))
+        Self(Held::Found(Arc::new(notes)))
     }
 }
 

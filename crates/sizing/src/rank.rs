@@ -37,12 +37,12 @@ impl Standing {
 /// Equal standings keep the order in which they came, the order of the catalogue.
 #[must_use]
 pub fn rank(a: &Standing, b: &Standing) -> Ordering {
-    Place::of(a).cmp(&Place::of(b))
+    RankKey::of(a).cmp(&RankKey::of(b))
 }
 
 /// The rule as what is compared one after the other: made once for each of many that are put in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Place {
+pub struct RankKey {
     class: Class,
     /// By how much it misses; nothing of what fits.
     miss: u64,
@@ -58,7 +58,7 @@ enum Class {
     Unfit,
 }
 
-impl Place {
+impl RankKey {
     /// That of a candidate.
     #[must_use]
     pub fn of(standing: &Standing) -> Self {

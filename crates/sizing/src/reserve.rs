@@ -6,6 +6,7 @@ use crate::check::{CheckId, Verdict};
 use crate::judge::{Depth, Judgement, judge};
 use crate::watch::{Unwatched, Watch, finished};
 use actuator::Parameters;
+use numeric::border;
 use quantities::{Mass, Measure, ThermodynamicTemperature, Time};
 
 /// The largest change of one quantity, all others as they are, with which an actuator fits.
@@ -29,29 +30,23 @@ pub struct Reserve {
 pub struct Unsought {
     /// Whether the cycle time is among them; load and payloads always are.
     pub pace: bool,
-    /// How many samples each step would look at, more than are looked at unasked.
+    /// Number of samples of each step, more than are evaluated without a deadline.
     pub samples: usize,
 }
 
-/// Samples whose load the steps of the search find anew at most where nobody has said how long it may take: some forty
+/// Samples whose load the steps of the search find again at most without a deadline: some forty
 /// steps, seventy with payloads, at 1.5 µs for a sample of noise under losses.
 pub const SAMPLES_ANEW: usize = 50_000;
 
-/// Factors looked at: beyond, nobody asks.
+/// Range of the factors.
 const FACTOR_MOST: f64 = 1e3;
 
 /// The search walks in steps of a tenth up to a factor of two, then in larger ones: so far off only the order of magnitude
 /// is of use. A gap narrower than a step between two regions that fit may be passed over.
 const STEPS: [(f64, f64); 3] = [(2.0, 1.1), (10.0, 1.25), (f64::INFINITY, 1.6)];
 
-/// Halvings of the last step.
-const HALVINGS: usize = 30;
-
-/// What they leave of it: 2⁻³⁰, 10⁻⁹.
-const NARROW: f64 = 1.0 / (1_u64 << HALVINGS) as f64;
-
-/// So many steps more than halving the search may take: they go where interpolation leads.
-const FREE: i32 = 4;
+/// To so much of a step the border is found: 2⁻³⁰, 10⁻⁹.
+const NARROW: f64 = 1.0 / (1_u64 << 30) as f64;
 
 /// Ambient temperatures looked at, −20 °C to 80 °C, in kelvin.
 const AMBIENT_RANGE: (f64, f64) = (253.15, 353.15);
@@ -68,7 +63,7 @@ pub fn reserve(axis: &Axis, actuator: &Parameters) -> Reserve {
     finished(reserve_watched(axis, actuator, usize::MAX, &Unwatched))
 }
 
-/// The same for somebody who may stop it; changes for which each step finds the load of more than `most` samples anew are
+/// The same with cancellation; changes for which each step finds the load of more than `most` samples anew are
 /// not sought.
 ///
 /// # Errors
@@ -137,7 +132,7 @@ pub fn reserve_watched<W: Watch>(
 /// How near to its limits an actuator is: above zero it does not pass with certainty.
 ///
 /// The largest utilisation less one, as far as it agrees with the verdict; what lies inside the band of an estimate has
-/// more than one and counts as beyond. Where a limit of zero is exceeded beside others, how far those are tells how near it
+/// more than one and counts as beyond. Where a limit of zero is exceeded beside others, their distance shows how near it
 /// is.
 fn excess(axis: &Axis, actuator: &Parameters) -> f64 {
     excess_of(&judge(axis, actuator, Depth::Margins))
@@ -161,7 +156,7 @@ fn largest<S>(now: f64, excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option
             let farther = factor * step(factor);
             let next = excess(farther)?;
             if next > 0.0 {
-                return border(excess, (factor, here), (farther, next)).map(Some);
+                return border(excess, (factor, here), (farther, next), NARROW).map(Some);
             }
             (factor, here) = (farther, next);
             if factor > FACTOR_MOST {
@@ -173,7 +168,7 @@ fn largest<S>(now: f64, excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option
         let farther = factor / step(1.0 / factor);
         let next = excess(farther)?;
         if next <= 0.0 {
-            return border(excess, (farther, next), (factor, here)).map(Some);
+            return border(excess, (farther, next), (factor, here), NARROW).map(Some);
         }
         (factor, here) = (farther, next);
     }
@@ -183,58 +178,6 @@ fn largest<S>(now: f64, excess: impl Fn(f64) -> Result<f64, S>) -> Result<Option
 /// The step of the search at a factor of one or more.
 fn step(factor: f64) -> f64 {
     STEPS.iter().find(|(until, _)| factor < *until).map_or(1.1, |(_, step)| *step)
-}
-
-/// The border between what fits at `good` and what does not at `bad`, on the side that fits; both with their excess.
-///
-/// Inverse quadratic interpolation through both ends and the end that was there before, kept so near to the middle that
-/// [`FREE`] steps more than halving are the most; where the excess is smooth five to eight suffice. Once the interpolation stays
-/// within what is left of an end, the next step goes just beyond it.
-///
-/// # Source   Chandrupatla, A new hybrid quadratic/bisection algorithm, Adv. Eng. Softw. 28 (1997), for where the
-/// interpolation is trusted; Oliveira and Takahashi, ACM TOMS 47 (2020), for the projection, with n_0 = [`FREE`]
-fn border<S>(
-    mut excess: impl FnMut(f64) -> Result<f64, S>,
-    mut good: (f64, f64),
-    mut bad: (f64, f64),
-) -> Result<f64, S> {
-    let whole = bad.0 - good.0;
-    // Where halving would stand; what is left beyond half the width is free for interpolation.
-    let mut halved = whole * 2.0_f64.powi(FREE - 1);
-    let narrow = 0.9 * whole * NARROW;
-    let mut before = None;
-    while bad.0 - good.0 > whole * NARROW {
-        let width = bad.0 - good.0;
-        let middle = good.0 + 0.5 * width;
-        let beside = narrow.min(0.5 * width);
-        let within = interpolated(good, bad, before).clamp(good.0 + beside, bad.0 - beside);
-        let free = (halved - 0.5 * width).max(0.0);
-        let at = within.clamp(middle - free, middle + free);
-        halved *= 0.5;
-        let found = (at, excess(at)?);
-        let end = if found.1 <= 0.0 { &mut good } else { &mut bad };
-        before = Some(std::mem::replace(end, found));
-    }
-    Ok(good.0)
-}
-
-/// Where the excess should be zero between two ends, by them and the end that one of them has replaced: on the straight line,
-/// later on the inverse parabola where it has one branch between the ends. The middle where neither can be trusted.
-fn interpolated((a, at_a): (f64, f64), (b, at_b): (f64, f64), before: Option<(f64, f64)>) -> f64 {
-    let found = match before {
-        None => (at_b * a - at_a * b) / (at_b - at_a),
-        Some((c, at_c)) => {
-            // The end that has just been found, and the one on the other side of the root.
-            let ((new, at_new), (far, at_far)) =
-                if (at_c <= 0.0) == (at_a <= 0.0) { ((a, at_a), (b, at_b)) } else { ((b, at_b), (a, at_a)) };
-            let (place, height) = ((new - far) / (c - far), (at_new - at_far) / (at_c - at_far));
-            let is_one_branch = height * height < place && (1.0 - height) * (1.0 - height) < 1.0 - place;
-            let share = at_new / (at_far - at_new) * at_c / (at_far - at_c)
-                + (c - new) / (far - new) * at_new / (at_c - at_new) * at_far / (at_c - at_far);
-            if is_one_branch { new + share * (far - new) } else { f64::NAN }
-        }
-    };
-    if found.is_finite() { found } else { 0.5 * (a + b) }
 }
 
 fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<Option<ThermodynamicTemperature>, S> {
@@ -249,7 +192,7 @@ fn highest_ambient<S>(mut excess: impl FnMut(f64) -> Result<f64, S>) -> Result<O
                 Some(above) => above,
                 None => (kelvin + AMBIENT_STEP, excess(kelvin + AMBIENT_STEP)?),
             };
-            let highest = if above.1 > 0.0 { border(excess, here, above)? } else { above.0 };
+            let highest = if above.1 > 0.0 { border(excess, here, above, NARROW)? } else { above.0 };
             return Ok(Some(ThermodynamicTemperature::from_si(highest)));
         }
         above = Some(here);
@@ -341,43 +284,6 @@ mod tests {
     }
 
     #[test]
-    fn a_border_is_found_in_few_steps_and_never_in_many() {
-        use std::cell::Cell;
-        let calls = Cell::new(0);
-        let steps = |excess: &dyn Fn(f64) -> f64| {
-            calls.set(0);
-            let (good, bad) = ((1.0, excess(1.0)), (1.1, excess(1.1)));
-            let counted = |x: f64| {
-                calls.set(calls.get() + 1);
-                Ok(excess(x))
-            };
-            (finished(border(counted, good, bad)), calls.get())
-        };
-        let root = 1.037_f64;
-        let smooth: [&dyn Fn(f64) -> f64; 4] =
-            [&|x| x / root - 1.0, &|x| (x / root).powi(3) - 1.0, &|x| 1.0 - (root / x).powi(2), &|x| {
-                (x / root).powi(12) - 1.0
-            }];
-        for excess in smooth {
-            let (found, calls) = steps(excess);
-            assert!(found <= root && root - found < 1e-10 && calls <= 7, "{found}, {calls} calls");
-        }
-        // One check takes over from another near the border.
-        let bent = |x: f64| f64::max(x - root, 5.0 * (x - root - 1e-5));
-        let (found, calls) = steps(&bent);
-        assert!(found <= root && root - found < 1e-10 && calls <= 25, "{found}, {calls} calls");
-        // A jump, a limit of zero, and advice that hides where the utilisation stands.
-        let rough: [&dyn Fn(f64) -> f64; 3] =
-            [&|x| if x <= root { -0.5 } else { 0.5 }, &|x| if x <= root { -0.5 } else { f64::INFINITY }, &|x| {
-                if x <= root { -f64::EPSILON } else { x }
-            }];
-        for excess in rough {
-            let (found, calls) = steps(excess);
-            assert!(found <= root && root - found < 2e-10 && calls <= HALVINGS + 5, "{found}, {calls} calls");
-        }
-    }
-
-    #[test]
     fn at_the_border_the_actuator_fits_and_beyond_it_does_not() {
         let axis = axis(1.3);
         let factor = reserve(&axis, &actuator()).load_factor.unwrap();
@@ -403,6 +309,7 @@ mod tests {
     /// An arm with the weight of 2 kg at 0.2 m.
     fn arm(efficiency: f64) -> Mechanism {
         let rotor = mechanism::Rotor {
+            kind: mechanism::RotorKind::Arm,
             mass: Mass::from_si(2.0),
             radius: quantities::Length::from_si(0.2),
             tilt: Angle::from_si(std::f64::consts::FRAC_PI_2),

@@ -1,13 +1,14 @@
 //! The checks of oscillation: first natural frequency of the load on the gear, and the speeds that excite it.
 
 use crate::axis::Axis;
-use crate::check::{Check, CheckId, Figure, Verdict};
+use crate::check::{Amount, Check, CheckId, Verdict};
 use crate::comparison::{Asking, against_asked, not_checked};
+use crate::list::Case;
 use crate::notes::{Note, ResonanceSpeeds};
 use crate::stage;
 use crate::workings;
 use actuator::Parameters;
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use mechanism::Extra;
 use provenance::{Grade, Missing, Source, Sourced};
 use quantities::unit::{HERTZ, KILOGRAM_SQUARE_METRE, NEWTON_METRE_PER_RADIAN, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
@@ -30,8 +31,8 @@ pub(crate) struct Held {
 /// (2π/720)² |J''|/8, a hundred-thousandth of what J changes over a revolution.
 const STEPS: f64 = 720.0;
 
-/// The speeds that the cycle holds, each with the inertia of its own payload and positions; what is held again and again is
-/// told once, when it is held first.
+/// The speeds that the cycle holds, each with the inertia of its own payload and positions; a speed held several times is
+/// listed once, at its first instant.
 pub(crate) fn held_speeds(axis: &Axis) -> Vec<Held> {
     let mut held = each_held_speed(axis);
     let key = |held: &Held| [held.speed, held.inertia.0, held.inertia.1].map(f64::to_bits);
@@ -92,7 +93,8 @@ fn frequency(stiffness: TorsionalStiffness, load: f64, rotor: Rotor) -> Frequenc
 }
 
 /// First natural frequency of the load on the softest region of the gear, against the least that is asked.
-pub(crate) fn natural_frequency(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+pub(crate) fn natural_frequency(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, .. } = *case;
     let id = CheckId::NaturalFrequency;
     let [softest, _, _] = &actuator.gear.stiffness;
     let found = softest
@@ -103,20 +105,19 @@ pub(crate) fn natural_frequency(axis: &Axis, actuator: &Parameters, work: &mut W
         Ok(k) => {
             let load = axis.moments().inertia_max.si();
             let blocked = frequency(k.value, load, Rotor::Blocked);
-            let (asked, key) =
-                (axis.asked.natural_frequency_min.map(Measure::si), "requirements.natural_frequency_min");
+            let asked = axis.asked.natural_frequency_min.map(Measure::si);
             work.given("K_1", &NEWTON_METRE_PER_RADIAN, &k);
             if work.is_on() {
                 let source = match axis.by_the_manual() {
                     Some(_) => Source::Project { key: "load.inertia".into() },
                     None => Source::Model { name: "mechanisms" },
                 };
-                work.found("J_L", &KILOGRAM_SQUARE_METRE, load, "largest on the way", &source, Grade::Computed);
+                work.found("J_L", &KILOGRAM_SQUARE_METRE, load, Finding::LargestInertia, &source, Grade::Computed);
             }
             work.formula("f", &HERTZ, blocked.si(), "sqrt(K_1/J_L)/(2*pi)", &MODEL);
             work.value("f");
-            work.asked("f_min", &HERTZ, asked, key);
-            let mut check = against_asked(id, &HERTZ, blocked.si(), asked, key, MODEL);
+            work.asked("f_min", &HERTZ, asked, id);
+            let mut check = against_asked(id, &HERTZ, blocked.si(), asked, MODEL);
             if let Some(own) = own_inertia(actuator) {
                 check.notes.push(Note::FreeRotor(frequency(k.value, load, Rotor::Free(own))));
             }
@@ -135,7 +136,7 @@ fn own_inertia(actuator: &Parameters) -> Option<f64> {
 /// the model has no damping and knows no amplitude.
 const RESONANCE_BAND: f64 = 0.1;
 
-/// The distance that is told where no speed is held, or every resonance lies further off.
+/// The reported distance if no speed is held, or every resonance is further away.
 const FAR_FROM_RESONANCE: f64 = 1.0;
 
 /// A region of stiffness with the rotor blocked or free, and the speeds it resonates at for one range of J_L.
@@ -171,7 +172,8 @@ fn lines(
 /// Distance of the speeds that the cycle holds from those at which the wave generator excites the load (2 i n/60 = f on
 /// each region of stiffness, with blocked and with free rotor), relative to the latter, each with the inertia that the
 /// load has meanwhile. To hold such a speed is against advice; to pass through is not.
-pub(crate) fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings) -> Check {
+pub(crate) fn resonance(case: &Case<'_>, work: &mut Workings) -> Check {
+    let Case { axis, actuator, .. } = *case;
     let id = CheckId::ResonanceSpeed;
     let found = (|| {
         let ratio = actuator.ratio.require("i")?;
@@ -200,7 +202,7 @@ pub(crate) fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings)
     if work.is_on() {
         explain_resonance(actuator, (ratio, &stiffness), nearest.map(|((_, line), held)| (line, held)), value, work);
     }
-    // Nobody says which speeds a recording holds.
+    // The constant speeds of a recording are unknown.
     let open = value >= RESONANCE_BAND && !axis.motion.recordings().is_empty();
     let verdict = match value >= RESONANCE_BAND {
         _ if open => Verdict::NotChecked,
@@ -210,8 +212,8 @@ pub(crate) fn resonance(axis: &Axis, actuator: &Parameters, work: &mut Workings)
     Check {
         id,
         verdict,
-        value: Some(Figure { si: value, unit: &PERCENT }),
-        limit: Some(Figure { si: RESONANCE_BAND, unit: &PERCENT }),
+        value: Some(Amount { si: value, unit: &PERCENT }),
+        limit: Some(Amount { si: RESONANCE_BAND, unit: &PERCENT }),
         utilisation: (value > 0.0).then(|| RESONANCE_BAND / value),
         at: nearest.map(|(_, held)| Time::from_si(held.start)),
         grade: Some(Grade::Assumed),
@@ -261,15 +263,15 @@ fn explain_resonance(
         }
         let hertz = |speed: f64| speed * ratio.value / std::f64::consts::PI;
         work.figure("t", &SECOND, held.start, demand, Grade::Computed);
-        let text = "largest while the speed is held from t on";
-        work.found("J_L", &KILOGRAM_SQUARE_METRE, largest, text, demand, Grade::Computed);
+        let what = Finding::LargestInertiaHeld;
+        work.found("J_L", &KILOGRAM_SQUARE_METRE, largest, what, demand, Grade::Computed);
         let text = if is_free { free } else { blocked };
         work.formula("f", &HERTZ, hertz(line.speeds.0), text, &MODEL);
         work.formula("n_r", &REVOLUTION_PER_MINUTE, line.speeds.0, "60*f/(2*i)", &MODEL);
         let mut distance = "100*max(1 - n/n_r, 0)";
         if line.speeds.1.is_finite() && least != largest {
-            let text = "least while the speed is held from t on";
-            work.found("J_L_min", &KILOGRAM_SQUARE_METRE, least, text, demand, Grade::Computed);
+            let what = Finding::LeastInertiaHeld;
+            work.found("J_L_min", &KILOGRAM_SQUARE_METRE, least, what, demand, Grade::Computed);
             let text = if is_free { free_least } else { blocked_least };
             work.formula("f_high", &HERTZ, hertz(line.speeds.1), text, &MODEL);
             work.formula("n_r_high", &REVOLUTION_PER_MINUTE, line.speeds.1, "60*f_high/(2*i)", &MODEL);
@@ -277,11 +279,11 @@ fn explain_resonance(
         } else if line.speeds.1.is_finite() {
             distance = "100*min(abs(n/n_r - 1), 1)";
         }
-        let text = "speed held from t on, the nearest to a resonance";
-        work.found("n", &REVOLUTION_PER_MINUTE, held.speed, text, demand, Grade::Computed);
+        let what = Finding::SpeedNearResonance;
+        work.found("n", &REVOLUTION_PER_MINUTE, held.speed, what, demand, Grade::Computed);
         work.formula("d", &PERCENT, value, distance, &MODEL);
     } else {
-        work.found("d", &PERCENT, value, "no speed is held", &MODEL, Grade::Computed);
+        work.found("d", &PERCENT, value, Finding::NoSpeedHeld, &MODEL, Grade::Computed);
     }
     work.value("d");
     work.figure("d_min", &PERCENT, RESONANCE_BAND, &MODEL, Grade::Assumed);

@@ -54,7 +54,7 @@ fn load() -> Mechanism {
     load
 }
 
-/// T_peak of densely sampled pieces, the direction of each instant told by `direction` (piece, time in it).
+/// T_peak of densely sampled pieces, the direction of each instant given by `direction` (piece, time in it).
 fn sampled(axis: &Axis, own: f64, mut direction: impl FnMut(&motion::Piece, f64) -> f64) -> f64 {
     let none = Extra::none();
     let mut peak = 0.0_f64;

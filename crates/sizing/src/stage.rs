@@ -1,7 +1,7 @@
 //! What a stage behind the actuator does to angles: torsion and errors at the mechanism.
 
 use actuator::{Contribution, ErrorBudget, ErrorKind};
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use mechanism::{Mechanism, Stage};
 use provenance::{Grade, Source, Sourced};
 use quantities::unit::{ARCMINUTE, NEWTON_METRE, NEWTON_METRE_PER_RADIAN, ONE};
@@ -27,9 +27,12 @@ pub(crate) fn in_series<'k>(
 ///
 /// φ_s = i_s T / K_s
 ///
-/// # Symbols  i_s ratio, T torque at the output of the actuator \[Nm\], K_s stiffness on the side of the mechanism [Nm/rad]
-/// # Source   docs/theory/stage.md
-/// # Valid    losses left out; zero for a stage whose stiffness is not stated
+/// # Symbols
+/// i_s ratio, T torque at the output of the actuator \[Nm\], K_s stiffness on the side of the mechanism [Nm/rad]
+/// # Source
+/// docs/theory/stage.md
+/// # Valid
+/// losses left out; zero for a stage whose stiffness is not stated
 fn own_torsion(stage: &Stage, torque: Torque) -> Angle {
     Angle::from_si(stage.stiffness.map_or(0.0, |stiffness| stage.ratio * torque.si().abs() / stiffness.si()))
 }
@@ -101,7 +104,7 @@ pub(crate) fn explain_budget(stage: &Stage, (worst, torque): (Angle, Torque), wo
     }
     if stage.stiffness.is_some() {
         stiffness(stage, work);
-        let found = "max |T_L| over the cycle";
+        let found = Finding::PeakLoad;
         work.found("T_s", &NEWTON_METRE, torque.si(), found, &crate::workings::DEMAND, Grade::Computed);
         text = if stage.backlash.is_some() {
             "phi_out/i_s + phi_b + i_s*T_s/K_s*10800/pi"
@@ -115,7 +118,7 @@ pub(crate) fn explain_budget(stage: &Stage, (worst, torque): (Angle, Torque), wo
 #[cfg(test)]
 mod tests {
     use crate::axis::Axis;
-    use mechanism::{Extra, Kind, Mechanism, Output, Rotor, Stage, StageKind};
+    use mechanism::{Extra, Kind, Mechanism, Output, Rotor, RotorKind, Stage, StageKind};
     use motion::{Closing, Given, Law, Motion, SegmentSpec};
     use quantities::unit::DEGREE;
     use quantities::{Angle, Length, Mass, Measure, MomentOfInertia, Time, Torque};
@@ -134,6 +137,7 @@ mod tests {
     #[test]
     fn a_lossy_stage_agrees_with_many_small_steps() {
         let rotor = Rotor {
+            kind: RotorKind::Arm,
             inertia: MomentOfInertia::from_si(0.9),
             mass: Mass::from_si(6.0),
             radius: Length::from_si(0.3),

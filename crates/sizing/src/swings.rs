@@ -6,19 +6,16 @@ use motion::Motion;
 use quantities::unit::DEGREE;
 use quantities::{Angle, Measure};
 
-/// Below this swing the manual warns of fretting (section 7.3.2).
-pub(crate) const SWING_MIN_DEG: f64 = 5.0;
+/// Small swings are reported from this share of the angle travelled on.
+const SHARE_REPORTED: f64 = 0.1;
 
-/// Small swings are told where they make this share of the angle travelled.
-const SHARE_TOLD: f64 = 0.1;
-
-/// Small swings are told where so many of them happen in one cycle.
-const COUNT_TOLD: usize = 2;
+/// Small swings are reported from this number per cycle on.
+const COUNT_REPORTED: usize = 2;
 
 /// Within a recording smaller swings are taken for settling and noise.
 const NOISE_DEG: f64 = 0.1;
 
-/// The swings below [`SWING_MIN_DEG`] of one cycle of the motion.
+/// The swings of one cycle of the motion below the least one that its bearing bears without fretting.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct SmallSwings {
     /// How many there are, there and back each.
@@ -30,13 +27,12 @@ pub(crate) struct SmallSwings {
 }
 
 impl SmallSwings {
-    /// The small swings of an axis.
-    pub(crate) fn of(axis: &Axis) -> Self {
-        let least = DEGREE.to_si(SWING_MIN_DEG);
+    /// The swings of an axis below `least`.
+    pub(crate) fn of(axis: &Axis, least: Angle) -> Self {
         let mut found = Self::default();
         let (mut largest, mut travelled) = (0.0_f64, 0.0);
-        for range in ranges(&turning_points(&axis.motion), axis.motion.net().si()) {
-            if range < least {
+        for &range in axis.swing_ranges() {
+            if range < least.si() {
                 found.count += 1;
                 largest = largest.max(range);
                 travelled += 2.0 * range;
@@ -47,9 +43,14 @@ impl SmallSwings {
     }
 
     /// Whether they are worth a remark.
-    pub(crate) fn are_told(&self) -> bool {
-        self.count >= COUNT_TOLD || self.share >= SHARE_TOLD
+    pub(crate) fn are_reported(&self) -> bool {
+        self.count >= COUNT_REPORTED || self.share >= SHARE_REPORTED
     }
+}
+
+/// The ranges of all closed swings of one cycle of the motion \[rad\].
+pub(crate) fn swing_ranges(motion: &Motion) -> Vec<f64> {
+    ranges(&turning_points(motion), motion.net().si())
 }
 
 /// The positions at which one cycle of the motion turns round, with its beginning and its end.
@@ -110,8 +111,10 @@ const ROUNDING: f64 = 1e-9;
 
 /// The ranges of all closed swings of a motion that repeats, each there and back.
 ///
-/// # Source   ASTM E1049, rainflow counting of a repeating history
-/// # Valid    `net`: what each repetition adds to the position; a motion that turns on never closes its largest swing
+/// # Source
+/// ASTM E1049, rainflow counting of a repeating history
+/// # Valid
+/// `net`: what each repetition adds to the position; a motion that turns on never closes its largest swing
 fn ranges(points: &[f64], net: f64) -> Vec<f64> {
     let mut open: Vec<f64> = Vec::with_capacity(points.len());
     let mut closed = Vec::new();
@@ -210,17 +213,18 @@ mod tests {
 
     /// 90° and then two hundred swings of 2°: 800° of 980° are small.
     #[test]
-    fn many_small_swings_beside_a_large_one_are_told() {
+    fn many_small_swings_beside_a_large_one_are_reported() {
         let mut moves = vec![90.0];
         moves.extend([-2.0, 2.0].repeat(200));
         moves.push(-90.0);
-        let found = SmallSwings::of(&axis(&moves));
+        let small = |moves: &[f64]| SmallSwings::of(&axis(moves), Angle::new_in(5.0, &DEGREE));
+        let found = small(&moves);
         assert_eq!(found.count, 200);
         assert!((found.largest.in_unit(&DEGREE) - 2.0).abs() < 1e-6);
-        assert!((found.share - 800.0 / 980.0).abs() < 1e-6 && found.are_told());
-        assert!(!SmallSwings::of(&axis(&[90.0, -2.0, 2.0, -90.0])).are_told(), "one small swing in 184°");
-        assert!(!SmallSwings::of(&axis(&[90.0, -90.0])).are_told());
-        assert!(SmallSwings::of(&axis(&[4.0, -4.0])).are_told());
-        assert!(!SmallSwings::of(&axis(&[5.0, -5.0])).are_told(), "the manual warns below 5°");
+        assert!((found.share - 800.0 / 980.0).abs() < 1e-6 && found.are_reported());
+        assert!(!small(&[90.0, -2.0, 2.0, -90.0]).are_reported(), "one small swing in 184°");
+        assert!(!small(&[90.0, -90.0]).are_reported());
+        assert!(small(&[4.0, -4.0]).are_reported());
+        assert!(!small(&[5.0, -5.0]).are_reported(), "the manual warns below 5°");
     }
 }

@@ -1,8 +1,8 @@
-//! Work that somebody waits for: it can be stopped between two steps.
+//! Cancellation: work can be stopped between two steps.
 
 use std::convert::Infallible;
 
-/// Whoever waits for an answer. Each long loop asks it before every step, and a step is short: one judgement of an actuator,
+/// The caller's side of a long computation. Each long loop polls it before every step, and a step is short: one judgement of an actuator,
 /// or one cycle made anew, at the limits some tens of milliseconds.
 pub trait Watch: Sync {
     /// Why the work does not go on.
@@ -18,7 +18,7 @@ pub trait Watch: Sync {
     fn step(&self) -> Result<(), Self::Stop>;
 }
 
-/// Nobody waits: the work goes on to its end.
+/// Never cancels: the work runs to its end.
 #[derive(Clone, Copy, Debug)]
 pub struct Unwatched;
 
@@ -32,7 +32,7 @@ impl Watch for Unwatched {
     }
 }
 
-/// The answer of work that nobody can stop.
+/// The result of work that cannot be cancelled.
 pub fn finished<T>(result: Result<T, Infallible>) -> T {
     match result {
         Ok(found) => found,

@@ -3,7 +3,7 @@
 use crate::axis::Axis;
 use crate::demand::{Demand, ManualDemand};
 use actuator::Parameters;
-use derivation::Workings;
+use derivation::{Finding, Workings};
 use provenance::{Grade, Source};
 use quantities::Measure;
 use quantities::unit::{
@@ -37,11 +37,11 @@ pub(crate) fn torque_at(node: &Node, actuator: &Parameters, work: &mut Workings)
         "alpha",
         &RADIAN_PER_SECOND_SQUARED,
         node.acceleration_rad_s2,
-        "acceleration at t",
+        Finding::AccelerationAt,
         &DEMAND,
         Grade::Computed,
     );
-    work.found("T_L", &NEWTON_METRE, node.load_nm, "torque of the load at t", &DEMAND, Grade::Computed);
+    work.found("T_L", &NEWTON_METRE, node.load_nm, Finding::TorqueOfLoadAt, &DEMAND, Grade::Computed);
     work.formula("T", &NEWTON_METRE, inertia * node.acceleration_rad_s2 + node.load_nm, "J_out*alpha + T_L", &DEMAND);
 }
 
@@ -109,11 +109,11 @@ pub(crate) fn effective_torque(
     let correlation = if alpha * torque > 0.0 { product / (alpha * torque) } else { 0.0 };
     work.figure("t_0", &SECOND, duration, &DEMAND, Grade::Computed);
     let grade = Grade::Computed;
-    let text = "√(∫α² dt / t_0) over the cycle";
-    work.found("alpha_rms", &RADIAN_PER_SECOND_SQUARED, alpha, text, &DEMAND, grade);
-    work.found("T_L_rms", &NEWTON_METRE, torque, "√(∫T_L² dt / t_0) over the cycle", &DEMAND, grade);
-    let text = "∫α T_L dt / (t_0 alpha_rms T_L_rms) over the cycle";
-    work.found("rho", &ONE, correlation, text, &DEMAND, grade);
+    let what = Finding::AccelerationRms;
+    work.found("alpha_rms", &RADIAN_PER_SECOND_SQUARED, alpha, what, &DEMAND, grade);
+    work.found("T_L_rms", &NEWTON_METRE, torque, Finding::LoadRms, &DEMAND, grade);
+    let what = Finding::Correlation;
+    work.found("rho", &ONE, correlation, what, &DEMAND, grade);
     own_inertia(actuator, work);
     let text = "sqrt(J_out^2*alpha_rms^2 + 2*J_out*rho*alpha_rms*T_L_rms + T_L_rms^2)";
     work.formula("T_rms", &NEWTON_METRE, demand.torque_rms.si(), text, &Source::Model { name: "moments" });
@@ -126,7 +126,7 @@ pub(crate) fn mean_speed(axis: &Axis, work: &mut Workings) {
     }
     let moments = axis.moments();
     work.figure("t_0", &SECOND, moments.duration.si(), &DEMAND, Grade::Computed);
-    let text = "∫|ω| dt over the cycle";
-    work.found("phi", &RADIAN, moments.angle_travelled.si(), text, &DEMAND, Grade::Computed);
+    let what = Finding::AngleTravelled;
+    work.found("phi", &RADIAN, moments.angle_travelled.si(), what, &DEMAND, Grade::Computed);
     work.formula("n_av", &REVOLUTION_PER_MINUTE, moments.speed_mean().si(), "phi/t_0*60/(2*pi)", &equation("69.3"));
 }

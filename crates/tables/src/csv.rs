@@ -4,7 +4,7 @@ use crate::table::{Cell, Table};
 use std::fmt::Write as _;
 
 /// A table as CSV (RFC 4180): UTF-8, a header `name [unit]`, commas, decimal points, lines ended by CR LF. A text that a
-/// spreadsheet would calculate stands behind an apostrophe, which tells it that this is text; numbers stay as they are.
+/// spreadsheet would evaluate is preceded by an apostrophe, which marks it as text; numbers stay as they are.
 #[must_use]
 pub fn csv(table: &Table) -> String {
     // As much as a series of numbers needs; words take what they take.

@@ -3,17 +3,17 @@
 use crate::format::Format;
 use crate::results;
 use crate::rows::Rows;
-use crate::table::{Cell, Column, Kind, Table};
-use workbench::quantities::Measure;
-use workbench::quantities::Unit;
-use workbench::quantities::unit::{
+use crate::table::{Cell, Column, ColumnContent, Table};
+use project::{Project, inputs};
+use quantities::unit::{
     AMPERE, DEGREE, DEGREE_CELSIUS, NEWTON_METRE, ONE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE, SECOND, WATT,
 };
-use workbench::text::{Word, assumption_text, capitalised, law_text, tables, terms};
-use workbench::{Candidate, Language, Project, Sample, Sizing, course, inputs, moves};
+use quantities::{Language, Measure, Unit};
+use questions::{Candidate, Sample, Sizing, course, moves};
+use words::{Word, assumption_text, capitalised, law_text, tables, terms};
 
 /// The names of the tables, in the order of a workbook.
-pub const NAMES: [&str; 7] = ["inputs", "assumptions", "demand", "motion", "candidates", "checks", "course"];
+pub const NAMES: [&str; 7] = questions::list::export::TABLES;
 
 /// What the tables are made from: one axis of a project with its results.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +38,7 @@ pub struct Subject<'a> {
 pub(crate) fn column(
     name: &str,
     title: Word,
-    kind: Kind,
+    kind: ColumnContent,
     unit: Option<&'static Unit>,
     about: Word,
     language: Language,
@@ -50,7 +50,7 @@ pub(crate) fn column(
 pub(crate) fn titled(
     name: &str,
     title: String,
-    kind: Kind,
+    kind: ColumnContent,
     unit: Option<&'static Unit>,
     about: Word,
     language: Language,
@@ -88,8 +88,8 @@ impl Subject<'_> {
             .filter(|(index, candidate)| *index < self.top || candidate.id == self.chosen.id)
             .map(|(index, candidate)| {
                 let full = match &candidate.id {
-                    workbench::CandidateId::Code(code) => workbench::check(self.project, code).ok(),
-                    workbench::CandidateId::Own(_) => None,
+                    questions::CandidateId::Code(code) => questions::check(self.project, code).ok(),
+                    questions::CandidateId::Own(_) => None,
                 };
                 (candidate.fits().then_some(index + 1), full.unwrap_or_else(|| candidate.clone()))
             })
@@ -111,11 +111,11 @@ impl Subject<'_> {
     fn inputs(&self) -> Table {
         let l = self.language;
         let columns = vec![
-            column("path", tables::key, Kind::Text, None, tables::key_about, l),
-            column("written", tables::written, Kind::Text, None, tables::written_about, l),
-            column("value", terms::value, Kind::Number, None, tables::value_of_input_about, l),
-            column("tolerance", tables::tolerance, Kind::Number, None, tables::tolerance_about, l),
-            column("unit", terms::unit, Kind::Text, None, tables::unit_of_input_about, l),
+            column("path", tables::key, ColumnContent::Text, None, tables::key_about, l),
+            column("written", tables::written, ColumnContent::Text, None, tables::written_about, l),
+            column("value", terms::value, ColumnContent::Number, None, tables::value_of_input_about, l),
+            column("tolerance", tables::tolerance, ColumnContent::Number, None, tables::tolerance_about, l),
+            column("unit", terms::unit, ColumnContent::Text, None, tables::unit_of_input_about, l),
         ];
         let about = tables::inputs_about;
         let mut table = self.empty("inputs", terms::inputs, about, columns);
@@ -143,8 +143,8 @@ impl Subject<'_> {
     fn assumptions(&self) -> Table {
         let l = self.language;
         let columns = vec![
-            column("number", terms::number, Kind::Count, None, tables::number_about, l),
-            column("assumption", tables::assumption, Kind::Text, None, tables::assumption_about, l),
+            column("number", terms::number, ColumnContent::Count, None, tables::number_about, l),
+            column("assumption", tables::assumption, ColumnContent::Text, None, tables::assumption_about, l),
         ];
         let about = tables::assumptions_about;
         let mut table = self.empty("assumptions", terms::assumptions, about, columns);
@@ -162,17 +162,18 @@ impl Subject<'_> {
         let [distance, speed, acceleration] = moves.units;
         let speed_title = if moves.turns { terms::rotary_speed } else { terms::linear_speed };
         let where_at = if moves.turns { tables::at_the_output } else { tables::along_the_line };
-        let number =
-            |name: &str, title: Word, unit: &'static Unit| column(name, title, Kind::Number, Some(unit), where_at, l);
+        let number = |name: &str, title: Word, unit: &'static Unit| {
+            column(name, title, ColumnContent::Number, Some(unit), where_at, l)
+        };
         let columns = vec![
-            column("segment", terms::segment, Kind::Count, None, tables::segment_about, l),
-            column("law", terms::law, Kind::Text, None, tables::law_about, l),
-            column("start", tables::from, Kind::Number, Some(&SECOND), tables::from_about, l),
-            column("duration", terms::time, Kind::Number, Some(&SECOND), terms::duration, l),
+            column("segment", terms::segment, ColumnContent::Count, None, tables::segment_about, l),
+            column("law", terms::law, ColumnContent::Text, None, tables::law_about, l),
+            column("start", tables::from, ColumnContent::Number, Some(&SECOND), tables::from_about, l),
+            column("duration", terms::time, ColumnContent::Number, Some(&SECOND), terms::duration, l),
             number("distance", terms::distance, distance),
             number("speed", speed_title, speed),
             number("acceleration", terms::acceleration, acceleration),
-            column("recording", terms::recording, Kind::Text, None, tables::recording_about, l),
+            column("recording", terms::recording, ColumnContent::Text, None, tables::recording_about, l),
         ];
         let about = tables::motion_about;
         let mut table = self.empty("motion", terms::motion, about, columns);
@@ -216,7 +217,7 @@ impl Subject<'_> {
         ];
         let columns = series
             .iter()
-            .map(|(name, title, unit, about, _)| column(name, *title, Kind::Number, Some(unit), *about, l))
+            .map(|(name, title, unit, about, _)| column(name, *title, ColumnContent::Number, Some(unit), *about, l))
             .collect();
         let about = tables::course_about;
         let mut table = self.empty("course", tables::course, about, columns);

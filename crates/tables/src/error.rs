@@ -1,7 +1,7 @@
 //! What keeps a table from being written.
 
-use workbench::Language;
-use workbench::text::terminal;
+use quantities::Language;
+use words::terminal;
 
 /// What keeps a table from being written: a limit of the format, never a value.
 #[derive(Debug, thiserror::Error)]

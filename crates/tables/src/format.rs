@@ -2,7 +2,8 @@
 
 use crate::table::Table;
 use crate::xlsx::SHEET_ROWS_MOST;
-use workbench::{Project, Refusal, course_rows};
+use project::Project;
+use questions::{Refusal, course_rows};
 
 /// How tables are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,8 +48,8 @@ impl Format {
         }
     }
 
-    /// Whether the tables asked for, all or one, can be made within so many bytes of memory. Of all of them only the course
-    /// grows with a recording; a workbook has it on a sheet as long as it is short.
+    /// Whether the requested tables, all or one, fit in this many bytes of memory. Only the time course
+    /// grows with a recording; a workbook contains it up to a limited length.
     ///
     /// # Errors
     /// [`Refusal::TooManyRows`]

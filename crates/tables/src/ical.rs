@@ -1,10 +1,11 @@
 //! A plan of upkeep as an iCalendar file (RFC 5545).
 
+use answers::Id;
 use chrono::{Datelike, NaiveTime};
 use icalendar::{Calendar, Component, Event, EventLike, Property};
-use workbench::answers::{self, Id};
-use workbench::text::upkeep;
-use workbench::{Interval, Language, Planned, Upkeep};
+use quantities::Language;
+use questions::list::upkeep::{Interval, Planned, Upkeep};
+use words::upkeep;
 
 /// The plan as the text of an iCalendar file: an event of a whole day for each line, a series for what is done at intervals.
 ///
@@ -38,7 +39,7 @@ pub fn calendar(plan: &Upkeep, record: &answers::Upkeep, name: Option<&str>, lan
     calendar.to_string()
 }
 
-/// What tells an event from all others, for good.
+/// The permanent identifier of an event.
 fn identifier(identity: &str, task: Id<impl answers::Identified>) -> String {
     let hash = blake3::hash(identity.as_bytes()).to_hex();
     let hash: String = hash.chars().take(32).collect();

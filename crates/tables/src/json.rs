@@ -1,8 +1,8 @@
 //! A table as a record.
 
-use crate::table::{Cell, Column, Kind, Table};
+use crate::table::{Cell, Column, ColumnContent, Table};
+use answers::{ColumnKind, Number, TableCell, TableColumn, TableRow};
 use serde::{Serialize, Serializer};
-use workbench::answers::{self, ColumnKind, Number, TableCell, TableColumn, TableRow};
 
 /// A table as one record: what each column means, and a record for each row.
 #[must_use]
@@ -32,10 +32,10 @@ fn column(column: &Column) -> TableColumn {
         name: column.name.clone(),
         title: column.title.clone(),
         kind: match column.kind {
-            Kind::Text => ColumnKind::Text,
-            Kind::Number | Kind::Share => ColumnKind::Number,
-            Kind::Count => ColumnKind::Count,
-            Kind::Verdict => ColumnKind::Word,
+            ColumnContent::Text => ColumnKind::Text,
+            ColumnContent::Number | ColumnContent::Share => ColumnKind::Number,
+            ColumnContent::Count => ColumnKind::Count,
+            ColumnContent::Verdict => ColumnKind::Word,
         },
         unit: column.unit_json(),
         about: column.about.clone(),

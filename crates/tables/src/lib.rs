@@ -30,5 +30,5 @@ pub use error::WriteError;
 pub use format::Format;
 pub use ical::calendar;
 pub use rows::Rows;
-pub use table::{Cell, Column, Derived, Kind, Table};
+pub use table::{Cell, Column, ColumnContent, Derived, Table};
 pub use xlsx::{Front, SHEET_ROWS_MOST, xlsx};

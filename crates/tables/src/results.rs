@@ -1,14 +1,14 @@
 //! The tables of the results: demand, candidates, checks.
 
 use crate::define::{Subject, column, titled};
-use crate::table::{Cell, Column, Derived, Kind, Table};
-use workbench::quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
-use workbench::quantities::{Measure, Unit};
-use workbench::text::{
+use crate::table::{Cell, Column, ColumnContent, Derived, Table};
+use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, ONE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
+use quantities::{Language, Measure, Unit};
+use questions::{Candidate, Check, CheckId, Demand};
+use words::{
     Word, check_missing, check_title, describe_field, figure_term, grade_word, note_text, source_text, tables, terms,
     verdict_word,
 };
-use workbench::{Candidate, Check, CheckId, Demand, Language};
 
 /// Identifier and word of the verdict on a whole candidate.
 pub(crate) fn fits(candidate: &Candidate<'_>, language: Language) -> Cell {
@@ -19,30 +19,31 @@ pub(crate) fn fits(candidate: &Candidate<'_>, language: Language) -> Cell {
 
 fn code(language: Language) -> Column {
     let about = tables::ordering_code_about;
-    column("code", terms::ordering_code, Kind::Text, None, about, language)
+    column("code", terms::ordering_code, ColumnContent::Text, None, about, language)
 }
 
 pub(crate) fn demand(subject: &Subject<'_>) -> Table {
     let l = subject.language;
     let figure = |name: &str, symbol: &str, unit: &'static Unit, about: Word| {
-        titled(name, figure_term(symbol, l), Kind::Number, Some(unit), about, l)
+        titled(name, figure_term(symbol, l), ColumnContent::Number, Some(unit), about, l)
     };
     let cycle = tables::whole_cycle_about;
     let governing = tables::governing_torque_about;
-    let torque = |name: &str, title: Word| column(name, title, Kind::Number, Some(&NEWTON_METRE), governing, l);
+    let torque =
+        |name: &str, title: Word| column(name, title, ColumnContent::Number, Some(&NEWTON_METRE), governing, l);
     let columns = vec![
         code(l),
-        column("mode", tables::mode, Kind::Text, None, tables::mode_about, l),
+        column("mode", tables::mode, ColumnContent::Text, None, tables::mode_about, l),
         figure("T_rms", "T_rms", &NEWTON_METRE, cycle),
         figure("T_peak", "T_peak", &NEWTON_METRE, cycle),
-        column("T_peak_at", tables::at, Kind::Number, Some(&SECOND), tables::peak_torque_at_about, l),
+        column("T_peak_at", tables::at, ColumnContent::Number, Some(&SECOND), tables::peak_torque_at_about, l),
         figure("n_av", "n_av", &REVOLUTION_PER_MINUTE, tables::mean_speed_about),
         figure("n_peak", "n_peak", &REVOLUTION_PER_MINUTE, tables::peak_speed_about),
         figure("ED", "ED", &PERCENT, tables::duty_factor_about),
         torque("T_1", tables::t_1_accelerating),
         torque("T_2", tables::t_2_running),
         torque("T_3", tables::t_3_braking),
-        column("move", tables::governing_move, Kind::Count, None, tables::governing_move_about, l),
+        column("move", tables::governing_move, ColumnContent::Count, None, tables::governing_move_about, l),
     ];
     let about = tables::demand_about;
     let mut table = subject.empty("demand", terms::demand, about, columns);
@@ -91,30 +92,37 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
         .collect();
     let data = tables::data_sheet_about;
     let figure = |name: &str, symbol: &str, unit: &'static Unit, about: Word| {
-        titled(name, figure_term(symbol, l), Kind::Number, Some(unit), about, l)
+        titled(name, figure_term(symbol, l), ColumnContent::Number, Some(unit), about, l)
     };
     let mut columns = vec![
-        column("rank", terms::rank, Kind::Count, None, tables::rank_about, l),
+        column("rank", terms::rank, ColumnContent::Count, None, tables::rank_about, l),
         code(l),
-        column("verdict", terms::verdict, Kind::Verdict, None, tables::candidate_verdict_about, l),
-        column("utilisation", terms::utilisation, Kind::Share, Some(&ONE), tables::highest_utilisation_about, l),
-        column("tightest", terms::tightest_check, Kind::Text, None, tables::tightest_check_about, l),
-        column("margin", terms::margin, Kind::Share, Some(&ONE), tables::margin_about, l),
+        column("verdict", terms::verdict, ColumnContent::Verdict, None, tables::candidate_verdict_about, l),
+        column(
+            "utilisation",
+            terms::utilisation,
+            ColumnContent::Share,
+            Some(&ONE),
+            tables::highest_utilisation_about,
+            l,
+        ),
+        column("tightest", terms::tightest_check, ColumnContent::Text, None, tables::tightest_check_about, l),
+        column("margin", terms::margin, ColumnContent::Share, Some(&ONE), tables::margin_about, l),
         figure("mass", "m", &KILOGRAM, data),
         figure("length", "L", &MILLIMETRE, data),
         figure("hollow_shaft", "d_H", &MILLIMETRE, data),
         figure("ratio", "i", &ONE, data),
         figure("T_max", "T_max", &NEWTON_METRE, data),
-        column("open_questions", tables::open_questions, Kind::Count, None, tables::open_questions_about, l),
-        column("on_request", terms::on_request, Kind::Text, None, tables::on_request_about, l),
-        column("objections", tables::objections, Kind::Text, None, tables::objections_about, l),
+        column("open_questions", tables::open_questions, ColumnContent::Count, None, tables::open_questions_about, l),
+        column("on_request", terms::on_request, ColumnContent::Text, None, tables::on_request_about, l),
+        column("objections", tables::objections, ColumnContent::Text, None, tables::objections_about, l),
     ];
     columns.extend(ids.iter().map(|id| Column {
         name: id.id().to_owned(),
         title: check_title(*id, l),
         unit: Some(&ONE),
         about: tables::utilisation_of_check_about(l).to_owned(),
-        kind: Kind::Share,
+        kind: ColumnContent::Share,
     }));
     let about = tables::candidates_about;
     let mut table = subject.empty("candidates", terms::candidates, about, columns);
@@ -143,7 +151,7 @@ pub(crate) fn candidates(subject: &Subject<'_>) -> Table {
             Cell::in_unit(data.torque_max.known().map(|known| known.value.si()), &NEWTON_METRE),
             count(candidate.open_questions()),
             Cell::text(request.join(", ")),
-            Cell::text(workbench::answer::objections(candidate, l).join("; ")),
+            Cell::text(questions::answer::objections(candidate, l).join("; ")),
         ];
         row.extend(ids.iter().map(|id| {
             let check = candidate.judgement.checks.iter().find(|check| check.id == *id);
@@ -162,20 +170,20 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
     let l = subject.language;
     let columns = vec![
         code(l),
-        column("check", tables::check_id, Kind::Text, None, tables::check_id_about, l),
-        column("title", terms::check, Kind::Text, None, tables::check_title_about, l),
-        column("verdict", terms::verdict, Kind::Verdict, None, tables::check_verdict_about, l),
-        column("value", terms::value, Kind::Number, None, tables::value_of_check_about, l),
-        column("limit", terms::limit, Kind::Number, None, tables::limit_about, l),
-        column("unit", terms::unit, Kind::Text, None, tables::unit_of_check_about, l),
-        column("direction", tables::direction, Kind::Text, None, tables::direction_about, l),
-        column("utilisation", terms::utilisation, Kind::Share, Some(&ONE), tables::utilisation_about, l),
-        column("margin", terms::margin, Kind::Share, Some(&ONE), tables::margin_about, l),
-        column("at", tables::at, Kind::Number, Some(&SECOND), tables::worst_at_about, l),
-        column("grade", terms::grade, Kind::Text, None, tables::grade_about, l),
-        column("source", terms::source, Kind::Text, None, tables::source_about, l),
-        column("missing", terms::missing, Kind::Text, None, tables::missing_about, l),
-        column("notes", terms::remarks, Kind::Text, None, tables::remarks_about, l),
+        column("check", tables::check_id, ColumnContent::Text, None, tables::check_id_about, l),
+        column("title", terms::check, ColumnContent::Text, None, tables::check_title_about, l),
+        column("verdict", terms::verdict, ColumnContent::Verdict, None, tables::check_verdict_about, l),
+        column("value", terms::value, ColumnContent::Number, None, tables::value_of_check_about, l),
+        column("limit", terms::limit, ColumnContent::Number, None, tables::limit_about, l),
+        column("unit", terms::unit, ColumnContent::Text, None, tables::unit_of_check_about, l),
+        column("direction", tables::direction, ColumnContent::Text, None, tables::direction_about, l),
+        column("utilisation", terms::utilisation, ColumnContent::Share, Some(&ONE), tables::utilisation_about, l),
+        column("margin", terms::margin, ColumnContent::Share, Some(&ONE), tables::margin_about, l),
+        column("at", tables::at, ColumnContent::Number, Some(&SECOND), tables::worst_at_about, l),
+        column("grade", terms::grade, ColumnContent::Text, None, tables::grade_about, l),
+        column("source", terms::source, ColumnContent::Text, None, tables::source_about, l),
+        column("missing", terms::missing, ColumnContent::Text, None, tables::missing_about, l),
+        column("notes", terms::remarks, ColumnContent::Text, None, tables::remarks_about, l),
     ];
     let about = tables::checks_about;
     let mut table = subject.empty("checks", terms::checks, about, columns);
@@ -199,12 +207,11 @@ pub(crate) fn checks(subject: &Subject<'_>) -> Table {
 }
 
 fn check_row(code: &str, check: &Check, l: Language) -> Vec<Cell> {
-    let figure = |figure: Option<workbench::Figure>| figure.map_or(Cell::Empty, |figure| Cell::number(figure.value()));
+    let figure = |figure: Option<questions::Amount>| figure.map_or(Cell::Empty, |figure| Cell::number(figure.value()));
     let unit = check.value.or(check.limit).map_or(Cell::Empty, |figure| Cell::unit(figure.unit));
     let sources: Vec<String> =
         [&check.limit_source, &check.value_source].into_iter().flatten().map(|source| source_text(source, l)).collect();
-    let notes: Vec<String> =
-        check.notes.iter().map(|note| note_text(note, l)).filter(|note| !note.is_empty()).collect();
+    let notes: Vec<String> = check.notes.iter().map(|note| note_text(note, l)).collect();
     let utilisation = check.utilisation.map_or(Cell::Empty, Cell::number);
     let margin = utilisation.as_number().map_or(Cell::Empty, |share| Cell::number(1.0 - share));
     vec![

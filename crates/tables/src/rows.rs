@@ -34,7 +34,7 @@ impl Rows {
         Self(Held::Series { columns: COLUMNS, values })
     }
 
-    /// So many rows that are not made, because nobody would find them where they would stand.
+    /// Number of omitted rows, because they would exceed the sheet.
     #[must_use]
     pub const fn left_out(count: usize) -> Self {
         Self(Held::LeftOut(count))

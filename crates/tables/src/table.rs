@@ -1,12 +1,12 @@
 //! A table as plain data.
 
 use crate::rows::Rows;
-use workbench::quantities::Unit;
-use workbench::quantities::unit::ONE;
+use quantities::Unit;
+use quantities::unit::ONE;
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum ColumnContent {
     /// Words.
     Text,
     /// A number in the unit of the column.
@@ -15,7 +15,7 @@ pub enum Kind {
     Count,
     /// A ratio of which 1 is the whole: a utilisation, a margin.
     Share,
-    /// A word of a fixed set, told by colour too.
+    /// A word of a fixed set, also shown by colour.
     Verdict,
 }
 
@@ -31,7 +31,7 @@ pub struct Column {
     /// What it means and where it comes from.
     pub about: String,
     /// What it holds.
-    pub kind: Kind,
+    pub kind: ColumnContent,
 }
 
 /// One value.
@@ -199,7 +199,7 @@ impl Column {
     /// Whether it holds numbers.
     #[must_use]
     pub const fn is_numeric(&self) -> bool {
-        matches!(self.kind, Kind::Number | Kind::Count | Kind::Share)
+        matches!(self.kind, ColumnContent::Number | ColumnContent::Count | ColumnContent::Share)
     }
 }
 

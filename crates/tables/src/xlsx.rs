@@ -9,11 +9,13 @@ use crate::error::WriteError;
 use crate::format;
 use crate::table::Table;
 
+use project::Project;
+use quantities::Language;
+use questions::Candidate;
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Workbook, Worksheet};
 use sheet::Links;
 use style::Styles;
-use workbench::text::{Word, capitalised, tables, terms};
-use workbench::{Candidate, Language, Project};
+use words::{Word, capitalised, tables, terms};
 
 /// Most rows of a table on a sheet; a longer one is named on the first sheet and left to the other formats. A choice
 /// of this crate that keeps a workbook light; a sheet itself could hold 2²⁰.
@@ -36,7 +38,7 @@ pub struct Front<'a> {
     pub language: Language,
 }
 
-/// A workbook with a first sheet, a sheet for each table and one that tells what every column means.
+/// A workbook with a first sheet, a sheet for each table and one with the meaning of every column.
 ///
 /// Utilisations, margins and the effective torque of the course are live formulas. The same tables give the same bytes.
 ///

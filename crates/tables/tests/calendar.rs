@@ -1,7 +1,9 @@
 //! The calendar file of a plan of upkeep.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, reason = "a test fails loudly")]
 
-use workbench::{Language, UpkeepAsked, answer, read_code, read_date, read_interval, upkeep};
+use quantities::Language;
+use questions::list::upkeep::{UpkeepAsked, read_date, read_interval, upkeep};
+use questions::{answer, read_code};
 
 fn calendar(delivered: &str, inspect: &str, name: Option<&str>) -> String {
     let language = Language::En;
@@ -68,7 +70,7 @@ fn a_series_repeats_and_a_date_does_not() {
     assert_eq!(values(&calendar("2026-03-01", "90 d", None), "RRULE"), vec!["FREQ=DAILY;INTERVAL=90"; 5]);
 }
 
-/// A calendar leaves out a month that lacks the day, unless it is told to take the last one (RFC 5545, 3.3.10).
+/// A calendar omits a month that lacks the day, unless the rule selects the last one (RFC 5545, 3.3.10).
 #[test]
 fn the_end_of_a_month_stays_the_end_of_a_month() {
     let text = calendar("2026-08-31", "6 months", None);

@@ -2,6 +2,7 @@
 
 pub mod html;
 pub mod parquet;
+pub mod series;
 
 /// Whether a computed value agrees with a printed one within half of the last printed digit.
 ///

@@ -4,9 +4,10 @@ use super::alike;
 use super::recording::Strip;
 use super::rule::rule;
 use super::short::Straight;
-use super::{BLOCK, Block, Carried, Extent, GROUP, Gram, Group, Kept, Node, Place, Run, Share, Trace};
+use super::{BLOCK, Block, BlockPanels, Carried, Extent, GROUP, Gram, Group, Kept, Node, Run, Share, Trace};
 use mechanism::{Endless, Extra, Load, Loading, Mechanism, Output};
-use motion::{Motion, Piece, Placed, Runs, State, lobatto};
+use motion::{Motion, Piece, Placed, Runs, State};
+use numeric::{lobatto, root_steps, roots_between};
 use quantities::{Angle, Measure};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -38,11 +39,7 @@ pub(super) struct Builder<'a> {
     keeps_recordings: bool,
 }
 
-/// Where the load depends on the position a panel covers at most this angle, so that sixteen nodes leave an error near
-/// the last bit: 30° is a twelfth of the period of what gravity and a crank make (docs/theory/moments.md gives the error).
-const PANEL_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
-
-/// Over so many panels of [`PANEL_ANGLE`] one search for roots runs, with 64 steps: more than ten to a half turn.
+/// Over so many panels of a load that depends on the position one search for roots runs, with 64 steps: more than ten to a half turn.
 const PANELS_PER_SEARCH: f64 = 12.0;
 
 /// A panel covers at most this phase of the harmonic of its law.
@@ -141,7 +138,7 @@ impl<'a> Builder<'a> {
             return;
         }
         self.blocked = (self.nodes.len(), self.panels.len());
-        let mut block = Block::empty(Place::Kept(panels..self.panels.len()));
+        let mut block = Block::empty(BlockPanels::Kept(panels..self.panels.len()));
         block.times = self.times;
         block.from_s = self.nodes.get(nodes).map_or(0.0, |node| node.time_s);
         for kept in self.panels.get(panels..).unwrap_or_default() {
@@ -287,11 +284,11 @@ impl<'a> Builder<'a> {
                 let from = k * span;
                 // Every function looks at the same instants first.
                 seen.clear();
-                seen.extend(motion::root_steps(span).map(|t| looked(at(from + t))));
+                seen.extend(root_steps(span).map(|t| looked(at(from + t))));
                 let mut search = |f: &dyn Fn(&(Output, Load)) -> f64| {
                     values.clear();
                     values.extend(seen.iter().map(f));
-                    let found = motion::roots_between(&values, |t| f(&looked(at(from + t))), span);
+                    let found = roots_between(&values, |t| f(&looked(at(from + t))), span);
                     cuts.extend(found.into_iter().map(|t| from + t));
                 };
                 // Without friction and losses both torques are one and pass zero together.
@@ -364,9 +361,12 @@ impl<'a> Builder<'a> {
 ///
 /// g²/8 Σ |a_j| P_j''(1), P_j''(1) = (j − 1) j (j + 1) (j + 2)/8
 ///
-/// # Symbols  g widest gap on −1…1, a_j factors of the Legendre polynomials P_j, whose second derivative is largest at 1
-/// # Source   docs/theory/moments.md
-/// # Valid    with up to four nodes the signals of a law are straight
+/// # Symbols
+/// g widest gap on −1…1, a_j factors of the Legendre polynomials P_j, whose second derivative is largest at 1
+/// # Source
+/// docs/theory/moments.md
+/// # Valid
+/// with up to four nodes the signals of a law are straight
 fn bow(nodes: &[Node]) -> [f64; 4] {
     let mut bow = [0.0; 4];
     if nodes.len() <= STRAIGHT {
@@ -403,6 +403,14 @@ fn turned(mechanism: &Mechanism, piece: &Piece) -> f64 {
     speed.into_iter().fold(0.0, f64::max) * piece.duration_s / (TAU * mechanism.stage_ratio().abs())
 }
 
+/// Lowest and highest position of a piece: those at its ends, its quarters and its reversals.
+fn extremes(piece: &Piece) -> [f64; 2] {
+    let state = piece.states();
+    let at = [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().map(|u| u * piece.duration_s).chain(piece.runs().reversals());
+    at.map(|t| state(t).position_rad)
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(q), high.max(q)])
+}
+
 /// How many instants each piece is looked at, by segment: panels times nodes, one revolution standing for all of those at
 /// constant speed. What cuts at reversals and kinks add is not counted.
 pub fn instants(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
@@ -424,7 +432,8 @@ pub fn instants(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, f64)> {
 fn parts(mechanism: &Mechanism, piece: &Piece) -> f64 {
     let [amplitude, frequency, _] = piece.harmonic;
     let phase = if amplitude == 0.0 { 0.0 } else { frequency * piece.duration_s / PANEL_PHASE };
-    let angle = if mechanism.depends_on_position() { turned(mechanism, piece) * TAU / PANEL_ANGLE } else { 0.0 };
+    let [low, high] = extremes(piece);
+    let angle = mechanism.smooth_over(low, high).map_or(0.0, |panel| turned(mechanism, piece) * TAU / panel);
     phase.max(angle).ceil()
 }
 
@@ -458,11 +467,11 @@ fn runs(blocks: &[Block]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     for block in blocks {
         match (&block.place, runs.last_mut()) {
-            (Place::Kept(range), _) if block.times > 1.0 => runs.push(Run::Repeated(range.clone(), block.times)),
-            (Place::Kept(range), Some(Run::Kept(run))) => run.end = range.end,
-            (Place::Kept(range), _) => runs.push(Run::Kept(range.clone())),
-            (Place::Recorded { strip, .. }, Some(Run::Recorded(run))) if run == strip => {}
-            (Place::Recorded { strip, .. }, _) => runs.push(Run::Recorded(*strip)),
+            (BlockPanels::Kept(range), _) if block.times > 1.0 => runs.push(Run::Repeated(range.clone(), block.times)),
+            (BlockPanels::Kept(range), Some(Run::Kept(run))) => run.end = range.end,
+            (BlockPanels::Kept(range), _) => runs.push(Run::Kept(range.clone())),
+            (BlockPanels::Recorded { strip, .. }, Some(Run::Recorded(run))) if run == strip => {}
+            (BlockPanels::Recorded { strip, .. }, _) => runs.push(Run::Recorded(*strip)),
         }
     }
     runs

@@ -192,7 +192,7 @@ fn a_weight_that_was_not_there_is_surveyed() {
     seen_as_anew(&base.changed(&lossless(), &motion, &[], &[]), &Trace::of(&lossless(), &motion, &[], &[]));
 }
 
-/// What a view shows of an arm is what the arm asks for at every instant.
+/// The view of an arm shows the torque of the arm at every instant.
 #[test]
 fn the_view_of_an_arm_is_what_it_asks_for() {
     let mut load = lossless();

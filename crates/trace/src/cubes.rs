@@ -2,7 +2,8 @@
 
 use super::recording::{Cell, Inside, Ramps, Strip, Swept};
 use super::{Block, Node, Panel, Trace};
-use motion::{Interval, lobatto};
+use motion::Interval;
+use numeric::lobatto;
 use wide::f64x4;
 
 /// The moments ∫ α^i R^j ω^k |ω| dt of a cell, i + j + k ≤ 3, in the order of [`POWERS`], in the signals of the cells.
@@ -113,10 +114,10 @@ fn cube(moments: &Moments, [p, r, s, q]: [f64; 4]) -> f64 {
 }
 
 impl Trace {
-    /// ∫|T_L|³ |ω| dt; only gears with a rating ask for it.
+    /// ∫|T_L|³ |ω| dt; only gears with a rating need it.
     pub fn cubes(&self) -> f64 {
         *self.cubes.get_or_init(|| {
-            // The moments serve whoever asks for many loads; for one alone they would cost more than a pass.
+            // The moments pay off for many loads; for one alone they would cost more than a pass.
             let by_cells = |strip: &&Strip| self.is_changed && strip.has_moments();
             let passed = self.blocks.iter().filter(|block| !self.strip_of(block).as_ref().is_some_and(by_cells));
             let strips = self.strips.iter().filter(by_cells);

@@ -6,7 +6,8 @@ use super::Node;
 ///
 /// Copper loss is the square of a weighted sum, friction loss a product of two.
 ///
-/// # Source   docs/theory/moments.md
+/// # Source
+/// docs/theory/moments.md
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Form(pub(crate) [[f64; 4]; 4]);
 

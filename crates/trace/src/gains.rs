@@ -334,7 +334,7 @@ pub(super) struct Gains {
     known: OnceLock<Known>,
 }
 
-/// Of each stretch, and of its parts where those were asked for.
+/// Of each stretch, and of its parts if requested.
 #[derive(Debug)]
 struct Known {
     stretches: Vec<Gain>,
@@ -357,7 +357,7 @@ impl Gains {
 /// Those for a time constant, by its bits.
 type Entry = (u64, Arc<Gains>);
 
-/// So many time constants are kept. Whoever judges one actuator after the other needs those of a size or two at a time; a
+/// Number of cached time constants. Judging one actuator after the other needs those of a size or two at a time; a
 /// catalogue has more of them, and each costs memory in proportion to the recording.
 const TABLES: usize = 8;
 
@@ -366,7 +366,7 @@ pub(super) fn rounded(tau_s: f64) -> f64 {
     f64::from_bits((tau_s.to_bits() + (1 << 11)) & !((1 << 12) - 1))
 }
 
-/// Gains for the time constants that were asked for.
+/// Gains for the requested time constants.
 #[derive(Debug, Default)]
 pub(super) struct GainTables(Mutex<Vec<Entry>>);
 
@@ -379,7 +379,7 @@ impl GainTables {
             let key = rounded(tau_s).to_bits();
             match tables.iter().position(|(known, _)| *known == key) {
                 Some(place) => {
-                    // The one asked for last goes last.
+                    // The last one requested goes last.
                     let (_, latest) = tables.split_at_mut(place);
                     latest.rotate_left(1);
                 }
@@ -405,7 +405,7 @@ impl GainTables {
 mod tests {
     use super::*;
 
-    /// What is asked for again and again stays, what was asked for longest ago goes.
+    /// The least recently used entry is dropped.
     #[test]
     fn the_oldest_table_gives_way() {
         let tables = GainTables::default();

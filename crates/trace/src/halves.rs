@@ -1,6 +1,6 @@
 //! Points among signals, halved again and again where they differ most: neighbours in the signals, whenever they were.
 
-/// Something by some of its signals: only neighbourhood counts, exactness is of no matter.
+/// Something by some of its signals: only neighbourhood counts, exactness is not needed.
 #[derive(Clone, Copy)]
 pub(super) struct Point<const N: usize> {
     pub(super) signals: [f32; N],

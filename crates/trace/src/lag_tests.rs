@@ -64,7 +64,7 @@ fn brute(mechanism: &Mechanism, motion: &Motion, lags: &[Lag], steps: u32) -> f6
                     let none = Extra::none();
                     if useful { mechanism.useful_torque(&output, &none) } else { mechanism.torque(&output, &none) }
                 };
-                cuts.extend(motion::roots(torque, piece.duration_s));
+                cuts.extend(numeric::roots(torque, piece.duration_s));
             }
         }
         cuts.sort_by(f64::total_cmp);

@@ -100,7 +100,8 @@ impl Trace {
     /// y_k(0) = (∫_0^T e^(−(T−t)/τ_k) u_k(t)/τ_k dt)/(1 − e^(−T/τ_k)); within a panel u is the polynomial through its nodes,
     /// which has a lag in closed form
     ///
-    /// # Source   docs/theory/moments.md
+    /// # Source
+    /// docs/theory/moments.md
     pub fn peak_of_lags(&self, lags: &[Lag]) -> Peak {
         let flows: Vec<Flow> = lags.iter().map(|lag| self.flow(lag)).collect();
         let count = flows.first().map_or(0, |flow| flow.stretches.len());

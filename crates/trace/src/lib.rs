@@ -7,7 +7,6 @@
 mod alike;
 mod build;
 mod carried;
-mod crossing;
 mod cubes;
 mod form;
 mod gains;
@@ -23,7 +22,6 @@ mod smooth;
 
 pub use build::{INSTANTS_MOST, instants};
 pub use carried::Carried;
-pub use crossing::crossing;
 pub use form::Form;
 pub use lags::{Lag, Peak};
 pub use panel::{Like, Panel};
@@ -198,7 +196,8 @@ impl Extent {
 /// G_ij = ∫ x_i x_j dt with x = (α, T_L, σ, ω). Any signal that is a weighted sum s = Σ c_i x_i, such as torque and
 /// current, has ∫s² dt = cᵀ G c: one pass over the motion, then ten products per candidate.
 ///
-/// # Source   own derivation, docs/theory/moments.md
+/// # Source
+/// own derivation, docs/theory/moments.md
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Gram([[f64; 4]; 4]);
 
@@ -262,7 +261,7 @@ pub struct Share {
 
 /// Where the panels of a block are.
 #[derive(Clone, Debug, PartialEq)]
-enum Place {
+enum BlockPanels {
     /// Kept, between two indices.
     Kept(Range<usize>),
     /// Made from the intervals of a recording whenever they are looked at.
@@ -283,7 +282,7 @@ enum Run {
 /// Neighbouring nodes with their bounds and sums.
 #[derive(Clone, Debug)]
 pub struct Block {
-    place: Place,
+    place: BlockPanels,
     /// Instant at which it begins \[s\].
     pub from_s: f64,
     /// Duration of all of them \[s\].
@@ -297,14 +296,14 @@ pub struct Block {
 }
 
 impl Block {
-    const fn empty(place: Place) -> Self {
+    const fn empty(place: BlockPanels) -> Self {
         Self { place, from_s: 0.0, duration_s: 0.0, times: 1.0, extent: Extent::NONE, gram: Gram([[0.0; 4]; 4]) }
     }
 
     /// Whether its nodes are made from a recording whenever they are looked at.
     #[inline]
     pub const fn is_recorded(&self) -> bool {
-        matches!(self.place, Place::Recorded { .. })
+        matches!(self.place, BlockPanels::Recorded { .. })
     }
 
     /// The place of that recording among the strips.
@@ -312,8 +311,8 @@ impl Block {
     #[must_use]
     pub const fn strip(&self) -> Option<usize> {
         match &self.place {
-            Place::Recorded { strip, .. } => Some(*strip),
-            Place::Kept(_) => None,
+            BlockPanels::Recorded { strip, .. } => Some(*strip),
+            BlockPanels::Kept(_) => None,
         }
     }
 
@@ -430,7 +429,7 @@ impl Trace {
         (Angle::from_si(self.span.0), Angle::from_si(self.span.1))
     }
 
-    /// Largest magnitude of the torque that holds the load without friction at any instant, whoever holds it.
+    /// Largest magnitude of the torque that holds the load without friction at any instant, by motor or brake.
     #[must_use]
     pub fn holding(&self) -> Torque {
         Torque::from_si(self.holding)
@@ -439,10 +438,10 @@ impl Trace {
     /// The panels of a block in the order of time.
     pub fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
         match &block.place {
-            Place::Kept(range) => {
+            BlockPanels::Kept(range) => {
                 self.panels.get(range.clone()).unwrap_or_default().iter().for_each(|kept| look(self.panel(kept)));
             }
-            Place::Recorded { strip, intervals } => {
+            BlockPanels::Recorded { strip, intervals } => {
                 if let Some(strip) = self.strips.get(*strip) {
                     intervals.clone().for_each(|index| strip.interval(index, look));
                 }
@@ -453,12 +452,12 @@ impl Trace {
     /// The same, of recordings several straight intervals at a time.
     pub fn sweep(&self, block: &Block, look: &mut impl FnMut(Swept<'_>)) {
         match &block.place {
-            Place::Recorded { strip, .. } => {
+            BlockPanels::Recorded { strip, .. } => {
                 if let Some(strip) = self.strips.get(*strip) {
                     strip.sweep(block, look);
                 }
             }
-            Place::Kept(_) => self.panels(block, &mut |panel| look(Swept::Panel(panel))),
+            BlockPanels::Kept(_) => self.panels(block, &mut |panel| look(Swept::Panel(panel))),
         }
     }
 

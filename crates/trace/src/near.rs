@@ -1,5 +1,5 @@
-//! The kept panels as a k-d tree over their bounds: neighbours in the signals, whenever they were. What lies together has
-//! close bounds however many different moves follow upon each other, and a search need look into few of them.
+//! The kept panels as a k-d tree over their bounds: neighbours in the signals, not in time. Neighbours have
+//! close bounds regardless of the number of different moves, and a search visits few of them.
 
 use crate::halves::{Point, halve, scale};
 use crate::{Extent, Kept, Node};

@@ -16,7 +16,7 @@ pub use sweep::{Ramps, Swept};
 
 use super::cubes::Moments;
 use super::gains::{GainTables, LagBlock, Products};
-use super::{Block, Extent, Kept, Node, Panel, Place};
+use super::{Block, BlockPanels, Extent, Kept, Node, Panel};
 use cells::Cells;
 use lagging::LagPart;
 use loads::Known;
@@ -229,7 +229,7 @@ impl Strip {
 
     /// Makes the panels of a block once and for all.
     pub(super) fn keep(&self, block: &mut Block, nodes: &mut Vec<Node>, panels: &mut Vec<Kept>) {
-        if let Place::Recorded { intervals, .. } = &block.place {
+        if let BlockPanels::Recorded { intervals, .. } = &block.place {
             let from = panels.len();
             for index in intervals.clone() {
                 self.interval(index, &mut |panel| {
@@ -238,7 +238,7 @@ impl Strip {
                     panels.push(Kept::of(nodes, first, panel.duration_s, panel.bow));
                 });
             }
-            block.place = Place::Kept(from..panels.len());
+            block.place = BlockPanels::Kept(from..panels.len());
         }
     }
 
@@ -306,8 +306,10 @@ impl Strip {
         let offset = self.placed.offset_rad;
         let block = |raw: &Block| {
             let place = match &raw.place {
-                Place::Recorded { intervals, .. } => Place::Recorded { strip: own, intervals: intervals.clone() },
-                kept @ Place::Kept(_) => kept.clone(),
+                BlockPanels::Recorded { intervals, .. } => {
+                    BlockPanels::Recorded { strip: own, intervals: intervals.clone() }
+                }
+                kept @ BlockPanels::Kept(_) => kept.clone(),
             };
             if self.plain.is_none() {
                 return Block { place, ..raw.clone() };
@@ -339,7 +341,7 @@ impl Strip {
         &self.view
     }
 
-    /// Tells one survey from another.
+    /// Identifies a survey.
     #[cfg(test)]
     pub(super) fn survey_address(&self) -> *const Survey {
         Arc::as_ptr(&self.survey)
@@ -362,12 +364,12 @@ impl Strip {
 
     /// The panels of a block in the signals of the survey.
     pub(super) fn raw_panels(&self, block: &Block, look: &mut dyn FnMut(Panel<'_>)) {
-        if let Place::Recorded { intervals, .. } = &block.place {
+        if let BlockPanels::Recorded { intervals, .. } = &block.place {
             intervals.clone().for_each(|index| self.raw_interval(index, &mut |panel| look(panel)));
         }
     }
 
-    /// The intervals by their signals, found when they are first asked for.
+    /// The intervals by their signals, computed on first use.
     #[inline]
     fn cells(&self) -> &Cells {
         self.survey.cells.get_or_init(|| Cells::of(self))
@@ -414,7 +416,7 @@ impl Strip {
 
     /// The panels of a block under the load.
     pub fn panels(&self, block: &Block, look: &mut impl FnMut(Panel<'_>)) {
-        if let Place::Recorded { intervals, .. } = &block.place {
+        if let BlockPanels::Recorded { intervals, .. } = &block.place {
             intervals.clone().for_each(|index| self.interval(index, look));
         }
     }

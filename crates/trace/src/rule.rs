@@ -1,7 +1,7 @@
 //! What the nodes of a panel say between themselves: the polynomial through them, and its first-order lag.
 
 use super::Node;
-use motion::lobatto;
+use numeric::lobatto;
 use std::sync::{LazyLock, OnceLock};
 use wide::f64x4;
 
@@ -53,7 +53,8 @@ impl Rule {
     ///
     /// The barycentric weights of the nodes are (−1)^k √w_k.
     ///
-    /// # Source   docs/theory/moments.md; Wang, Huybrechs and Vandewalle, Explicit barycentric weights for polynomial
+    /// # Source
+    /// docs/theory/moments.md; Wang, Huybrechs and Vandewalle, Explicit barycentric weights for polynomial
     /// interpolation in the roots or extrema of classical orthogonal polynomials, Math. Comp. 83 (2014)
     fn new(n: usize) -> Self {
         let rule = if n < 2 { &[] } else { lobatto(n) };
@@ -116,7 +117,8 @@ impl Rule {
     /// y = start + λ ∫(u − y) ds at every node, solved by inserting: each time the error is smaller by λ over the number
     /// of times.
     ///
-    /// # Valid    λ ≤ 0.5; y is then the polynomial through its nodes as closely as u is
+    /// # Valid
+    /// λ ≤ 0.5; y is then the polynomial through its nodes as closely as u is
     pub(super) fn lag_at_nodes(&self, start: f64, input: &Values, lambda: f64) -> Values {
         let scale = input.iter().fold(start.abs(), |most, u| most.max(u.abs()));
         let mut lag = [start; MOST];
@@ -231,13 +233,7 @@ const fn real(n: usize) -> f64 {
 
 /// P_j(2s − 1)
 fn legendre(j: usize, s: f64) -> f64 {
-    let x = 2.0 * s - 1.0;
-    let (mut below, mut here) = (0.0, 1.0);
-    for degree in 0..j {
-        let degree = real(degree);
-        (below, here) = (here, ((2.0 * degree + 1.0) * x * here - degree * below) / (degree + 1.0));
-    }
-    here
+    numeric::legendre(j, 2.0 * s - 1.0).1
 }
 
 /// What a first-order lag takes over from a Legendre polynomial that runs through a time: the lag is λ Σ a_j c_j at its
@@ -245,9 +241,12 @@ fn legendre(j: usize, s: f64) -> f64 {
 ///
 /// c_j = ∫_0^1 e^(−λ(1−s)) P̃_j(s) ds = e^(−λ/2) i_j(λ/2)
 ///
-/// # Symbols  λ duration over time constant, i_j modified spherical Bessel function of the first kind
-/// # Source   Abramowitz & Stegun 10.2.36, Gegenbauer's integral; docs/theory/moments.md
-/// # Valid    λ ≥ 0, n ≤ 16
+/// # Symbols
+/// λ duration over time constant, i_j modified spherical Bessel function of the first kind
+/// # Source
+/// Abramowitz & Stegun 10.2.36, Gegenbauer's integral; docs/theory/moments.md
+/// # Valid
+/// λ ≥ 0, n ≤ 16
 pub(super) fn lagged(lambda: f64, n: usize) -> Values {
     let x = 0.5 * lambda;
     let mut found = [0.0; MOST];
@@ -305,7 +304,8 @@ pub(super) const SHORT: f64 = 0.01;
 
 /// e^(−λ) and the weights of the values at both ends and the middle in the lag of a parabola.
 ///
-/// # Valid    λ ≤ 0.01, to the last digits
+/// # Valid
+/// λ ≤ 0.01, to the last digits
 pub(super) fn short(lambda: f64) -> (f64, [f64; 3]) {
     let x = 0.5 * lambda;
     let square = x * x;
@@ -328,7 +328,7 @@ pub(super) fn between(nodes: &[Node], s: f64) -> Node {
     weighted(nodes, &rule(nodes.len()).shares(s), s)
 }
 
-/// The polynomials through the nodes of a panel as series of Chebyshev polynomials, made when they are first asked for: at
+/// The polynomials through the nodes of a panel as series of Chebyshev polynomials, made on first use: at
 /// many instants they cost a fraction of what the nodes do.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Series(OnceLock<Box<[f64x4]>>);

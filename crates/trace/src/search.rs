@@ -3,7 +3,7 @@
 
 use super::near::{Branch, Near};
 use super::recording::{Cell, Inside, Strip};
-use super::{Block, Extent, Group, Kept, Node, Panel, Trace, crossing};
+use super::{Block, Extent, Group, Kept, Node, Panel, Trace};
 
 /// What is not higher by more than this share of the highest is not looked for: rounding makes as much.
 const ROUNDING: f64 = 1e-12;
@@ -17,7 +17,7 @@ const HALVINGS: u32 = 20;
 /// A vertex is where its parabola says if both differ by this share at most.
 const AGREEMENT: f64 = 1e-13;
 
-/// A vertex is told as one of so many places between two nodes: its value knows it no better.
+/// A vertex is rounded to one of this many places between two nodes, the resolution of its value.
 const PLACES: f64 = (1 << 24) as f64;
 
 /// Of more corners than these it is first asked whether what lies between them counts.
@@ -341,7 +341,7 @@ impl Best {
             return;
         }
         let ahead = |s: f64| place(s).speed_rad_s.abs() - corner;
-        let s = crossing(ahead, (from, first - corner), (to, last - corner), AGREEMENT * (to - from));
+        let s = numeric::root(ahead, (from, first - corner), (to, last - corner), AGREEMENT * (to - from));
         let at = place(s);
         let node = Node { speed_rad_s: corner.copysign(at.speed_rad_s), ..at };
         self.see(&node, sought.value(&node));
@@ -355,7 +355,7 @@ impl Best {
     }
 
     /// The largest value between two shares of a panel: the best of three instants closer and closer together, by half each
-    /// time, and by a quarter where the parabola through them tells what is found at its vertex. It ends where two vertices
+    /// time, and by a quarter where the parabola through them predicts the value at its vertex. It ends where two vertices
     /// that follow upon each other agree with their parabolas. What bends by less between the three than the best of them and
     /// both ends lie below the highest is left alone.
     fn narrow(&mut self, ends: [(f64, f64); 2], sought: &impl Sought, place: impl Fn(f64) -> Node) {
@@ -399,7 +399,7 @@ impl Best {
             if !is_between {
                 let five = [low_end, before.1, middle.1, after.1, high_end];
                 if is_highest_at_an_end(five, highest) {
-                    // That end was seen; of what is as high but for rounding its instant is the one that is told.
+                    // That end was seen; of values equal except for rounding its instant is returned.
                     own.value = f64::NEG_INFINITY;
                     return;
                 }

@@ -2,7 +2,7 @@
 
 use super::either;
 use mechanism::BodyError;
-use project::{BodyKind, BodyShape, Fault};
+use project::{BodyKind, BodyShape};
 use quantities::unit::{KILOGRAM, KILOGRAM_PER_CUBIC_METRE, MILLIMETRE};
 use quantities::{Language, Measure, Unit, format_significant};
 
@@ -22,35 +22,6 @@ pub const fn shape_title(shape: &BodyShape, language: Language) -> &'static str 
     match language {
         Language::En => en,
         Language::De => de,
-    }
-}
-
-/// Faults of bodies that are written as texts.
-pub(super) fn line_fault(fault: &Fault, language: Language) -> String {
-    let e = |en: String, de: String| either(language, en, de);
-    let t = |en: &str, de: &str| either(language, en, de);
-    match fault {
-        Fault::BodyMissing => t("a body is missing", "ein Körper fehlt"),
-        Fault::ShapeMissing => {
-            t("the shape of the body is missing; it stands first", "die Form des Körpers fehlt; sie steht zuerst")
-        }
-        Fault::NoShape { written } => e(format!("`{written}` is not a shape"), format!("`{written}` ist keine Form")),
-        Fault::NoKey { written } => e(
-            format!("`{written}` has no key; expected: key=value"),
-            format!("`{written}` hat keinen Schlüssel; erwartet: Schlüssel=Wert"),
-        ),
-        Fault::KeyOfAnotherShape { key, shape } => {
-            e(format!("`{key}` is not a key of `{shape}`"), format!("`{key}` ist kein Schlüssel von `{shape}`"))
-        }
-        Fault::Twice { key } => e(format!("`{key}` is given twice"), format!("`{key}` steht zweimal da")),
-        Fault::Count { written } => e(
-            format!("`count` must be a whole number from 1 to {}, not \"{written}\"", u32::MAX),
-            format!("`count` muss eine ganze Zahl von 1 bis {} sein, nicht „{written}“", u32::MAX),
-        ),
-        Fault::BodyAxis { written } => {
-            e(format!("`axis` cannot be \"{written}\""), format!("`axis` kann nicht „{written}“ sein"))
-        }
-        _ => String::new(),
     }
 }
 

@@ -97,7 +97,7 @@ pub const fn conversion_text(conversion: Conversion, language: Language) -> &'st
     pick(language, en, de)
 }
 
-/// What a drive is told by a number.
+/// Meaning of a parameter number of a drive.
 #[must_use]
 pub const fn choice_text(choice: Choice, language: Language) -> &'static str {
     let (en, de) = match choice {
@@ -222,7 +222,7 @@ pub const fn band_text(band: Band, language: Language) -> &'static str {
             "Schätzung: ein Gelenk mit solchem Getriebe wich bei der Identifikation 40 % (konstanter Anteil) und 15 % (mit der Drehzahl) vom Katalog ab (cjt-issue-44); docs/theory/current.md, Abschnitt „Band of the no-load current“",
         ),
         Band::Ours => {
-            ("band assumed by antrieb: nobody states one", "Band von antrieb angenommen: niemand nennt eines")
+            ("band assumed by antrieb; no source states one", "Band von antrieb angenommen; keine Quelle nennt eines")
         }
         Band::Exact => ("2 % for reading two values", "2 % für das Ablesen zweier Werte"),
     };

@@ -1,7 +1,7 @@
 //! Symbols of derivations, and what was searched or integrated.
 
-use super::either;
 use quantities::Language;
+use sizing::derivation::Finding;
 
 /// Greek letters by the names that symbols write.
 const GREEK: [(&str, &str); 12] = [
@@ -46,105 +46,150 @@ pub fn symbol_shown(symbol: &str) -> String {
     tail.map_or_else(|| head.to_owned(), |tail| format!("{head}_{tail}"))
 }
 
-/// What was searched or integrated, in words: English as the checks note it, German.
-const FOUND: &[(&str, &str)] = &[
-    ("acceleration at t", "Beschleunigung bei t"),
-    ("continuous curve at n_av", "Dauerkennlinie bei n_av"),
-    ("direction at t", "Richtung bei t"),
-    ("largest current at n within U_M", "größter Strom bei n innerhalb U_M"),
-    ("largest minus smallest position over the cycle", "größte minus kleinste Lage im Zyklus"),
-    (
-        "largest of the first-order lag of (I/I_0)² with tau_w in the steady cycle",
-        "Größtwert der Verzögerung erster Ordnung von (I/I_0)² mit tau_w im eingeschwungenen Zyklus",
-    ),
-    (
-        "a tilt of the flange does not turn what is behind the stage",
-        "ein Kippen des Flansches dreht nicht, was hinter der Stufe liegt",
-    ),
-    (
-        "largest over the cycle, of the mechanism and of what is stated",
-        "größte im Zyklus, aus dem Mechanismus und dem, was angegeben ist",
-    ),
-    ("largest over the segments", "größte über die Abschnitte"),
-    ("edge of the band at n", "Rand des Bandes bei n"),
-    ("lower edge of the band at n_av", "unterer Rand des Bandes bei n_av"),
-    ("temperature of the gear, that of the housing", "Temperatur des Getriebes, die des Gehäuses"),
-    ("n_av, at most n_N_out", "n_av, höchstens n_N_out"),
-    ("I_s + K |n|, the gear as cold as the ambient air", "I_s + K |n|, Getriebe so kalt wie die Umgebungsluft"),
-    (
-        "gear as cold as the ambient air: the worse of both states",
-        "Getriebe so kalt wie die Umgebungsluft: der ungünstigere der beiden Zustände",
-    ),
-    (
-        "gear in the settled cycle: the worse of both states",
-        "Getriebe im Beharrungszustand: der ungünstigere der beiden Zustände",
-    ),
-    ("law of friction at theta_g", "Reibgesetz bei theta_g"),
-    (
-        "current of the published short-time curve at n, at least I_max",
-        "Strom der veröffentlichten Kurzzeitkennlinie bei n, mindestens I_max",
-    ),
-    ("mean of 1.5 R_hot I² over the cycle, I with K", "Mittel von 1,5 R_hot I² im Zyklus, I mit K"),
-    (
-        "mean of (I_NLS + K |n|) k_TM ω_mot over the cycle, and the coil of an open brake",
-        "Mittel von (I_NLS + K |n|) k_TM ω_mot im Zyklus, dazu die Spule einer offenen Bremse",
-    ),
-    (
-        "largest rise of the winding above its mean in the steady cycle",
-        "größte Erwärmung der Wicklung über ihr Mittel im Beharrungszustand",
-    ),
-    (
-        "published curves over the model at this duty; 1 where none is published",
-        "veröffentlichte Kennlinien bezogen auf das Modell bei dieser Betriebsart; 1, wo keine veröffentlicht ist",
-    ),
-    (
-        "(I/I_0)² of what the continuous curve permits at n_av, at least 1",
-        "(I/I_0)² dessen, was die Dauerkennlinie bei n_av zulässt, mindestens 1",
-    ),
-    ("largest on the way", "größtes auf dem Weg"),
-    ("dwells of one cycle that the brake holds", "Stillstände eines Zyklus, die die Bremse hält"),
-    ("largest while the speed is held from t on", "größtes, während die Drehzahl ab t gehalten wird"),
-    ("least while the speed is held from t on", "kleinstes, während die Drehzahl ab t gehalten wird"),
-    ("max |T_L| over the cycle", "max |T_L| im Zyklus"),
-    ("life for t_op a day after t_store", "Lebensdauer bei t_op je Tag nach t_store"),
-    (
-        "max |torque that holds the load without friction| over the cycle",
-        "max |Moment, das die Last ohne Reibung hält| im Zyklus",
-    ),
-    ("n is above n_end", "n liegt über n_end"),
-    ("in the segment of the largest M", "im Abschnitt mit dem größten M"),
-    ("no loads on the flange are given", "keine Lasten am Flansch angegeben"),
-    ("no speed is held", "keine Drehzahl wird gehalten"),
-    ("over the cycle", "im Zyklus"),
-    (
-        "speed held from t on, the nearest to a resonance",
-        "ab t gehaltene Drehzahl, die einer Resonanz am nächsten liegt",
-    ),
-    ("over the segments", "über die Abschnitte"),
-    ("short-time curve at n, at most T_max", "Kurzzeitkennlinie bei n, höchstens T_max"),
-    ("speed at t", "Drehzahl bei t"),
-    ("torque of the load at t", "Moment der Last bei t"),
-    ("torque of the load that drives on, at most", "Moment der Last, das weiter antreibt, höchstens"),
-    (
-        "upper bound of U_LL between this instant and the next",
-        "obere Schranke von U_LL zwischen diesem und dem nächsten Zeitpunkt",
-    ),
-    ("not known: counted as 0", "nicht bekannt: mit 0 angesetzt"),
-    ("in every segment in motion", "in jedem Abschnitt mit Bewegung"),
-    (" where ", " wo "),
-];
-
-/// What was searched or integrated, as it is told to people.
+/// What was searched or integrated, for people.
 #[must_use]
-pub fn found_text(text: &'static str, language: Language) -> String {
-    let whole = FOUND.iter().find(|(en, _)| *en == text);
-    let words = with_shown_symbols(&match (whole, language) {
-        (_, Language::En) => text.to_owned(),
-        (Some((_, de)), Language::De) => (*de).to_owned(),
-        // A formula with a few words around it.
-        (None, Language::De) => FOUND.iter().fold(text.to_owned(), |text, (en, de)| text.replace(en, de)),
-    });
-    either(language, words.clone(), words.replace("1.5 ", "1,5 "))
+pub fn found_text(what: Finding, language: Language) -> String {
+    let (en, de) = match what {
+        Finding::AccelerationAt => ("acceleration at t", "Beschleunigung bei t"),
+        Finding::TorqueOfLoadAt => ("torque of the load at t", "Moment der Last bei t"),
+        Finding::SpeedAt => ("speed at t", "Drehzahl bei t"),
+        Finding::DirectionAt => ("direction at t", "Richtung bei t"),
+        Finding::PeakSpeed => ("max |n| over the cycle", "max |n| im Zyklus"),
+        Finding::PeakLoad => ("max |T_L| over the cycle", "max |T_L| im Zyklus"),
+        Finding::PeakHoldingTorque => (
+            "max |torque that holds the load without friction| over the cycle",
+            "max |Moment, das die Last ohne Reibung hält| im Zyklus",
+        ),
+        Finding::DrivingTorque => {
+            ("torque of the load that drives on, at most", "Moment der Last, das weiter antreibt, höchstens")
+        }
+        Finding::AngleTravelled => ("∫|ω| dt over the cycle", "∫|ω| dt im Zyklus"),
+        Finding::Travel => ("largest minus smallest position over the cycle", "größte minus kleinste Lage im Zyklus"),
+        Finding::AccelerationRms => ("√(∫α² dt / t_0) over the cycle", "√(∫α² dt / t_0) im Zyklus"),
+        Finding::LoadRms => ("√(∫T_L² dt / t_0) over the cycle", "√(∫T_L² dt / t_0) im Zyklus"),
+        Finding::Correlation => {
+            ("∫α T_L dt / (t_0 alpha_rms T_L_rms) over the cycle", "∫α T_L dt / (t_0 alpha_rms T_L_rms) im Zyklus")
+        }
+        Finding::LargestInertia => ("largest on the way", "größtes auf dem Weg"),
+        Finding::LargestInertiaHeld => {
+            ("largest while the speed is held from t on", "größtes, während die Drehzahl ab t gehalten wird")
+        }
+        Finding::LeastInertiaHeld => {
+            ("least while the speed is held from t on", "kleinstes, während die Drehzahl ab t gehalten wird")
+        }
+        Finding::SpeedNearResonance => (
+            "speed held from t on, the nearest to a resonance",
+            "ab t gehaltene Drehzahl, die einer Resonanz am nächsten liegt",
+        ),
+        Finding::NoSpeedHeld => ("no speed is held", "keine Drehzahl wird gehalten"),
+        Finding::ContinuousCurve => ("continuous curve at n_av", "Dauerkennlinie bei n_av"),
+        Finding::ShortTimeCurve => ("short-time curve at n, at most T_max", "Kurzzeitkennlinie bei n, höchstens T_max"),
+        Finding::SpeedBeyondCurve => ("n is above n_end", "n liegt über n_end"),
+        Finding::EdgeOfBand => ("edge of the band at n", "Rand des Bandes bei n"),
+        Finding::LowerEdgeOfBand => ("lower edge of the band at n_av", "unterer Rand des Bandes bei n_av"),
+        Finding::MeanSpeedUpToRated => ("n_av, at most n_N_out", "n_av, höchstens n_N_out"),
+        Finding::GearAsHousing => {
+            ("temperature of the gear, that of the housing", "Temperatur des Getriebes, die des Gehäuses")
+        }
+        Finding::FrictionOfColdGear => {
+            ("I_s + K |n|, the gear as cold as the ambient air", "I_s + K |n|, Getriebe so kalt wie die Umgebungsluft")
+        }
+        Finding::CurrentWithinVoltage => ("largest current at n within U_M", "größter Strom bei n innerhalb U_M"),
+        Finding::GearCold => (
+            "gear as cold as the ambient air: the worse of both states",
+            "Getriebe so kalt wie die Umgebungsluft: der ungünstigere der beiden Zustände",
+        ),
+        Finding::GearSettled => (
+            "gear in the settled cycle: the worse of both states",
+            "Getriebe im Beharrungszustand: der ungünstigere der beiden Zustände",
+        ),
+        Finding::LawOfFriction => ("law of friction at theta_g", "Reibgesetz bei theta_g"),
+        Finding::EffectiveCurrent => ("√(∫I² dt / t_0) over the cycle", "√(∫I² dt / t_0) im Zyklus"),
+        Finding::TimeAboveContinuous => {
+            ("longest time over the cycle with |I| above I_D", "längste Zeit im Zyklus mit |I| über I_D")
+        }
+        Finding::CurrentOfCurve => (
+            "current of the published short-time curve at n, at least I_max",
+            "Strom der veröffentlichten Kurzzeitkennlinie bei n, mindestens I_max",
+        ),
+        Finding::CopperLoss => {
+            ("mean of 1.5 R_hot I² over the cycle, I with K", "Mittel von 1,5 R_hot I² im Zyklus, I mit K")
+        }
+        Finding::FrictionLoss => (
+            "mean of (I_NLS + K |n|) k_TM ω_mot over the cycle, and the coil of an open brake",
+            "Mittel von (I_NLS + K |n|) k_TM ω_mot im Zyklus, dazu die Spule einer offenen Bremse",
+        ),
+        Finding::WindingRise => (
+            "largest rise of the winding above its mean in the steady cycle",
+            "größte Erwärmung der Wicklung über ihr Mittel im Beharrungszustand",
+        ),
+        Finding::CurvesOverModel => (
+            "published curves over the model at this duty; 1 where none is published",
+            "veröffentlichte Kennlinien bezogen auf das Modell bei dieser Betriebsart; 1, wo keine veröffentlicht ist",
+        ),
+        Finding::OverloadLag => (
+            "largest of the first-order lag of (I/I_0)² with tau_w in the steady cycle",
+            "Größtwert der Verzögerung erster Ordnung von (I/I_0)² mit tau_w im eingeschwungenen Zyklus",
+        ),
+        Finding::OverloadPermitted => (
+            "(I/I_0)² of what the continuous curve permits at n_av, at least 1",
+            "(I/I_0)² dessen, was die Dauerkennlinie bei n_av zulässt, mindestens 1",
+        ),
+        Finding::EnergyReturned => (
+            "−∫ P dt where P = 1.5 R_LL I² + k_TM I ω_mot < 0, over the cycle",
+            "−∫ P dt wo P = 1,5 R_LL I² + k_TM I ω_mot < 0, im Zyklus",
+        ),
+        Finding::CubicMeanTorque => {
+            ("(∫|T_L|³ |n| dt / ∫|n| dt)^(1/3) over the cycle", "(∫|T_L|³ |n| dt / ∫|n| dt)^(1/3) im Zyklus")
+        }
+        Finding::AxialForceMax => ("max F_a over the segments", "max F_a über die Abschnitte"),
+        Finding::RadialForceMax => ("max F_r over the segments", "max F_r über die Abschnitte"),
+        Finding::LargestOverSegments => ("largest over the segments", "größte über die Abschnitte"),
+        Finding::LargestOfMechanism => (
+            "largest over the cycle, of the mechanism and of what is stated",
+            "größte im Zyklus, aus dem Mechanismus und dem, was angegeben ist",
+        ),
+        Finding::SegmentOfLargestMoment => ("in the segment of the largest M", "im Abschnitt mit dem größten M"),
+        Finding::EverySegmentInMotion => ("in every segment in motion", "in jedem Abschnitt mit Bewegung"),
+        Finding::RadialMeanOverCycle => {
+            ("(∫|ω| F_r^B dt / ∫|ω| dt)^(1/B) over the cycle", "(∫|ω| F_r^B dt / ∫|ω| dt)^(1/B) im Zyklus")
+        }
+        Finding::AxialMeanOverCycle => {
+            ("(∫|ω| F_a^B dt / ∫|ω| dt)^(1/B) over the cycle", "(∫|ω| F_a^B dt / ∫|ω| dt)^(1/B) im Zyklus")
+        }
+        Finding::MomentMeanOverCycle => {
+            ("(∫|ω| M_L^B dt / ∫|ω| dt)^(1/B) over the cycle", "(∫|ω| M_L^B dt / ∫|ω| dt)^(1/B) im Zyklus")
+        }
+        Finding::RadialMean => (
+            "(Σ |n_k| t_k F_rk^B / Σ |n_k| t_k)^(1/B) over the segments",
+            "(Σ |n_k| t_k F_rk^B / Σ |n_k| t_k)^(1/B) über die Abschnitte",
+        ),
+        Finding::AxialMean => (
+            "(Σ |n_k| t_k F_ak^B / Σ |n_k| t_k)^(1/B) over the segments",
+            "(Σ |n_k| t_k F_ak^B / Σ |n_k| t_k)^(1/B) über die Abschnitte",
+        ),
+        Finding::RadialMomentMean => (
+            "(Σ |n_k| t_k (F_rk (L_rk + R))^B / Σ |n_k| t_k)^(1/B) over the segments",
+            "(Σ |n_k| t_k (F_rk (L_rk + R))^B / Σ |n_k| t_k)^(1/B) über die Abschnitte",
+        ),
+        Finding::AxialMomentMean => (
+            "(Σ |n_k| t_k (F_ak L_ak)^B / Σ |n_k| t_k)^(1/B) over the segments",
+            "(Σ |n_k| t_k (F_ak L_ak)^B / Σ |n_k| t_k)^(1/B) über die Abschnitte",
+        ),
+        Finding::TiltBehindStage => (
+            "a tilt of the flange does not turn what is behind the stage",
+            "ein Kippen des Flansches dreht nicht, was hinter der Stufe liegt",
+        ),
+        Finding::NotKnown => ("not known: counted as 0", "nicht bekannt: mit 0 angesetzt"),
+        Finding::Brakings => {
+            ("dwells of one cycle that the brake holds", "Stillstände eines Zyklus, die die Bremse hält")
+        }
+        Finding::BatteryLife => ("life for t_op a day after t_store", "Lebensdauer bei t_op je Tag nach t_store"),
+    };
+    with_shown_symbols(match language {
+        Language::En => en,
+        Language::De => de,
+    })
 }
 
 /// The symbols among the words of a text as people write them: `theta_g` is ϑ_g.
@@ -187,20 +232,23 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("d_min", "distance advised", "empfohlener Abstand"),
     ("f", "first natural frequency", "erste Eigenfrequenz"),
     ("F_aav", "mean axial force", "mittlere Axialkraft"),
-    ("f_min", "natural frequency asked for", "geforderte Eigenfrequenz"),
+    ("f_min", "natural frequency required", "geforderte Eigenfrequenz"),
     ("F_rav", "mean radial force", "mittlere Radialkraft"),
     ("f_high", "natural frequency of the least inertia", "Eigenfrequenz des kleinsten Trägheitsmoments"),
     ("f_s", "static safety", "statische Sicherheit"),
-    ("f_s_min", "static safety asked for", "geforderte statische Sicherheit"),
+    ("f_s_min", "static safety required", "geforderte statische Sicherheit"),
     ("gamma", "tilt of the flange", "Kippwinkel des Flansches"),
     ("gamma_max", "tilt permitted", "zulässiger Kippwinkel"),
     ("i_s", "ratio of the stage", "Übersetzung der Stufe"),
+    ("I_D", "continuous current of the drive", "Dauerstrom des Reglers"),
+    ("I_D_max", "peak current of the drive", "Spitzenstrom des Reglers"),
+    ("I_rms", "effective motor current", "effektiver Motorstrom"),
     ("K_1", "torsional stiffness below T_1", "Torsionssteifigkeit unter T_1"),
     ("K_2", "torsional stiffness between T_1 and T_2", "Torsionssteifigkeit zwischen T_1 und T_2"),
     ("K_3", "torsional stiffness above T_2", "Torsionssteifigkeit über T_2"),
     ("K_s", "torsional stiffness of the stage", "Torsionssteifigkeit der Stufe"),
     ("L_10", "life that 90 % reach", "Lebensdauer, die 90 % erreichen"),
-    ("L_10_min", "life asked for", "geforderte Lebensdauer"),
+    ("L_10_min", "life required", "geforderte Lebensdauer"),
     ("L_50", "life that half reach", "Lebensdauer, die die Hälfte erreicht"),
     ("M", "tilting moment", "Kippmoment"),
     ("M_a", "moment of the axial force", "Moment der Axialkraft"),
@@ -242,15 +290,27 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("dU", "rise of the DC link voltage", "Anstieg der Zwischenkreisspannung"),
     ("b", "edge of the estimate's band", "Rand des Bandes der Schätzung"),
     ("c", "scale of the model to the published curves", "Faktor des Modells zu den veröffentlichten Kennlinien"),
-    ("I_20", "no-load starting current at 20 °C", "lastfreier Anlaufstrom bei 20 °C"),
+    ("I_p", "no-load starting current of the table", "lastfreier Anlaufstrom der Tabelle"),
     ("I_perm", "current permitted", "zulässiger Strom"),
     ("I_s", "starting current counted", "angerechneter Anlaufstrom"),
     ("K", "no-load current constant there", "Leerlaufstromkonstante dort"),
-    ("K_30", "no-load current constant at 30 °C", "Leerlaufstromkonstante bei 30 °C"),
-    ("K_80", "no-load current constant at 80 °C", "Leerlaufstromkonstante bei 80 °C"),
+    (
+        "K_cold",
+        "printed no-load current constant of the cold gear",
+        "abgedruckte Leerlaufstromkonstante des kalten Getriebes",
+    ),
+    (
+        "K_warm",
+        "printed no-load current constant of the warm gear",
+        "abgedruckte Leerlaufstromkonstante des warmen Getriebes",
+    ),
+    ("theta_cold", "colder temperature of the table", "kältere Temperatur der Tabelle"),
+    ("theta_warm", "warmer temperature of the table", "wärmere Temperatur der Tabelle"),
+    ("theta_p", "friction is printed from this temperature on", "ab dieser Temperatur ist die Reibung abgedruckt"),
     ("P_cu", "copper loss", "Kupferverlust"),
     ("theta_g", "temperature of the gear", "Temperatur des Getriebes"),
     ("theta_h", "temperature of the housing", "Temperatur des Gehäuses"),
+    ("theta_max", "largest temperature of the winding", "größte Temperatur der Wicklung"),
     ("theta_perm", "temperature certainly permitted", "sicher zulässige Temperatur"),
     ("y_perm", "filtered square permitted", "zulässiges gefiltertes Quadrat"),
     ("E_reg", "energy given back in one cycle", "in einem Zyklus zurückgegebene Energie"),
@@ -269,9 +329,10 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("J_L", "moment of inertia of the load", "Massenträgheitsmoment der Last"),
     ("J_L_min", "least moment of inertia of the load", "kleinstes Massenträgheitsmoment der Last"),
     ("J_L_rec", "recommended for high dynamics", "empfohlen für hohe Dynamik"),
+    ("k_J", "recommended inertia ratio", "empfohlenes Trägheitsverhältnis"),
     ("L", "inductance of a phase", "Stranginduktivität"),
     ("L_a", "distance of the axial force from the axis", "Abstand der Axialkraft von der Drehachse"),
-    ("L_asked", "life asked for", "geforderte Lebensdauer"),
+    ("L_asked", "life required", "geforderte Lebensdauer"),
     ("L_bat", "life of the battery", "Lebensdauer der Batterie"),
     ("L_r", "distance of the radial force from the flange", "Abstand der Radialkraft vom Flansch"),
     ("m", "modulation reserve", "Modulationsreserve"),
@@ -284,7 +345,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("N", "absolute turns of the encoder", "absolute Umdrehungen des Gebers"),
     ("N_life", "brakings over the service life", "Bremsungen über die Betriebszeit"),
     ("N_out", "absolute range at the output", "absoluter Bereich am Abtrieb"),
-    ("N_stops", "stops asked for", "geforderte Nothalte"),
+    ("N_stops", "stops required", "geforderte Nothalte"),
     ("omega_1", "speed when the brake takes hold", "Drehzahl, wenn die Bremse greift"),
     ("omega_e", "electrical angular frequency", "elektrische Kreisfrequenz"),
     ("P_f", "loss by friction", "Reibverlust"),
@@ -292,7 +353,7 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("P_reg", "mean power given back", "mittlere Rückspeiseleistung"),
     ("phi_stop", "stop by the brake alone", "Halt allein durch die Bremse"),
     ("psi", "flux linkage, peak of a phase", "Flussverkettung, Scheitelwert eines Strangs"),
-    ("R_hot", "resistance at 80 °C", "Widerstand bei 80 °C"),
+    ("R_hot", "resistance at the warning threshold", "Widerstand an der Warnschwelle"),
     ("rho", "correlation of acceleration and load torque", "Korrelation von Beschleunigung und Lastmoment"),
     ("S", "holding safety", "Haltesicherheit"),
     ("s_mot", "step at the motor", "Schritt am Motor"),
@@ -314,7 +375,9 @@ const TERMS: &[(&str, &str, &str)] = &[
     ("T_d", "torque that drives on", "antreibendes Moment"),
     ("T_hold", "torque to be held", "zu haltendes Moment"),
     ("T_j", "torque through the joint", "Moment durch die Verbindung"),
+    ("t_D", "duration of the drive's peak current", "Dauer des Spitzenstroms des Reglers"),
     ("t_life", "service life", "Betriebszeit"),
+    ("t_over", "longest time above the drive's continuous current", "längste Zeit über dem Dauerstrom des Reglers"),
     ("T_L", "torque of the load", "Lastmoment"),
     ("T_L_rms", "rms torque of the load", "effektives Lastmoment"),
     ("T_need", "torque to be held, with its safety", "zu haltendes Moment mit Sicherheit"),

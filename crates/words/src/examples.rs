@@ -50,6 +50,30 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("f_w, table 74.2", "f_w, Tabelle 74.2"),
     ("for the cables of the fixtures", "für die Leitungen der Aufnahmen"),
     ("DC link", "Zwischenkreis"),
+
+    // conveyor
+    ("A conveyor that moves on by one pitch and waits.", "Ein Förderer, der um eine Teilung weiterfährt und wartet."),
+    ("\"conveyor\"", "\"Förderer\""),
+    ("belt and goods", "Band und Fördergut"),
+    ("all rollers, referred to the driving one", "alle Rollen, auf die Antriebsrolle bezogen"),
+    ("one pitch", "eine Teilung"),
+    // slider-crank
+    (
+        "A slider-crank that pushes a slide upwards with each turn.",
+        "Eine Schubkurbel, die je Umdrehung einen Schlitten nach oben schiebt.",
+    ),
+    ("\"slider-crank\"", "\"Schubkurbel\""),
+    ("slide with the moving share of the rod", "Schlitten mit dem mitgehenden Anteil des Pleuels"),
+    ("crank with the rotating share of the rod", "Kurbel mit dem drehenden Anteil des Pleuels"),
+    ("outwards is upwards", "außen ist oben"),
+    ("farthest out", "am weitesten außen"),
+    // table
+    (
+        "A load whose inertia and torque are given point by point over one revolution.",
+        "Eine Last, deren Trägheit und Drehmoment über eine Umdrehung punktweise gegeben sind.",
+    ),
+    ("\"load by a table\"", "\"Last aus einer Tabelle\""),
+    ("position, moment of inertia, holding torque", "Stellung, Massenträgheitsmoment, Haltemoment"),
     // turntable
     (
         "A turntable of solid bodies that indexes by 60° with a cam law; the parts sit on a circle.",

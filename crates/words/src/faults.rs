@@ -1,9 +1,11 @@
 //! Words about the faults of what the user wrote.
 
 use super::{bodies, either, motion, quantity_fault, quantity_hint, recording};
+use crate::geometry::geometry;
 use actuator::{BatteryFault, CurveFault};
 use mechanism::{BodyError, TableFault};
-use project::{Diagnostic, Expected, Fault, FileTrouble, Hint, Range};
+use project::{Column, Diagnostic, Expected, Fault, FileTrouble, Hint, Range};
+use quantities::unit::DEGREE;
 use quantities::{Language, Unit, format_number, format_significant};
 use std::ops::Range as Span;
 
@@ -75,9 +77,10 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
             format!("with several axes `{key}` belongs inside [[axis]]"),
             format!("bei mehreren Achsen gehört `{key}` in [[axis]]"),
         ),
-        Fault::OneAxisOnly => {
-            t("one axis is asked for, the file has several", "gefragt ist eine Achse, die Datei hat mehrere")
-        }
+        Fault::OneAxisOnly => t(
+            "a single axis is required, the file has several",
+            "gefordert ist eine einzelne Achse, die Datei enthält mehrere",
+        ),
         Fault::More { count } => more(*count, language),
         Fault::Code(error) => super::describe_code_error(error, language),
         Fault::NoSuchCode { written } => e(
@@ -105,51 +108,6 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         Fault::InBody { path, fault } => format!("`{path}`: {}", fault_text(fault, language)),
         Fault::Body(error) => bodies::fault(error, language),
         Fault::ImpossibleWithin { values, why } => impossible(values, why.as_deref(), language),
-        Fault::BareNumber { .. }
-        | Fault::Quantity { .. }
-        | Fault::NumberOutOfRange { .. }
-        | Fault::QuantityOutOfRange { .. }
-        | Fault::BelowAbsoluteZero { .. }
-        | Fault::Implausible { .. }
-        | Fault::TextTooLong { .. }
-        | Fault::ControlCharacter { .. }
-        | Fault::WrongType { .. }
-        | Fault::NotAChoice { .. }
-        | Fault::TooManyEntries { .. }
-        | Fault::NotARow { .. }
-        | Fault::RatioCount { .. }
-        | Fault::ToleranceEnd { .. }
-        | Fault::TooManyTolerances { .. }
-        | Fault::NoTolerance
-        | Fault::UnknownUnit { .. } => value_text(fault, language),
-        Fault::RatioAndRatios
-        | Fault::NoRatioInACoupling { .. }
-        | Fault::WithoutEffect { .. }
-        | Fault::NoMechanism
-        | Fault::TooManyMechanisms
-        | Fault::NoLine { .. }
-        | Fault::RodTooShort
-        | Fault::NoFlangeLoads
-        | Fault::ReplacesEverything { .. }
-        | Fault::BeltOrTeeth
-        | Fault::ToothAngle { .. }
-        | Fault::JointWithoutTorque
-        | Fault::BodiesTwice => load_text(fault, language),
-        Fault::BodyMissing
-        | Fault::ShapeMissing
-        | Fault::NoShape { .. }
-        | Fault::NoKey { .. }
-        | Fault::KeyOfAnotherShape { .. }
-        | Fault::Twice { .. }
-        | Fault::Count { .. }
-        | Fault::BodyAxis { .. } => bodies::line_fault(fault, language),
-    }
-}
-
-/// Faults of single values.
-fn value_text(fault: &Fault, language: Language) -> String {
-    let e = |en: String, de: String| either(language, en, de);
-    match fault {
         Fault::BareNumber { path, dimension } => {
             let name = dimension.name(language);
             e(
@@ -207,8 +165,10 @@ fn value_text(fault: &Fault, language: Language) -> String {
         Fault::TooManyEntries { path, most } => {
             e(format!("`{path}` has more than {most} entries"), format!("`{path}` hat mehr als {most} Einträge"))
         }
-        Fault::NotARow { path, dimensions } => {
-            let row: Vec<String> = dimensions.iter().map(|each| format!("\"{}\"", each.name(language))).collect();
+        Fault::NotARow { path, columns } => {
+            let or = either(language, " or ", " oder ");
+            let of = |column: &Column| column.iter().map(|each| each.name(language)).collect::<Vec<_>>().join(&or);
+            let row: Vec<String> = columns.iter().map(|column| format!("\"{}\"", of(column))).collect();
             let row = row.join(", ");
             e(
                 format!("`{path}`: a point is written [{row}]"),
@@ -243,15 +203,6 @@ fn value_text(fault: &Fault, language: Language) -> String {
             "no tolerance here: the window of a recording is read once",
             "hier keine Toleranz: das Fenster einer Aufzeichnung wird einmal gelesen",
         ),
-        _ => String::new(),
-    }
-}
-
-/// Faults of the load, its stage and its flange.
-fn load_text(fault: &Fault, language: Language) -> String {
-    let e = |en: String, de: String| either(language, en, de);
-    let t = |en: &str, de: &str| either(language, en, de);
-    match fault {
         Fault::RatioAndRatios => t(
             "`stage.ratio` is one ratio, `stage.ratios` several to choose from: one of them",
             "`stage.ratio` ist eine Übersetzung, `stage.ratios` mehrere zur Auswahl: eines von beiden",
@@ -279,6 +230,15 @@ fn load_text(fault: &Fault, language: Language) -> String {
             "`mechanism.slider_crank.rod` must be longer than the crank",
             "`mechanism.slider_crank.rod` muss länger als der Kurbelradius sein",
         ),
+        Fault::Geometry(fault) => geometry(*fault, language).to_owned(),
+        Fault::BeyondRange { position_rad, range_rad: (low, high) } => {
+            let shown = |angle: f64| format!("{}°", format_significant(DEGREE.from_si(angle), 5, language));
+            let (reached, farthest) = (shown(*position_rad), shown(if position_rad > high { *high } else { *low }));
+            e(
+                format!("the motion reaches {reached} at the mechanism; its geometry ends at {farthest}"),
+                format!("die Bewegung erreicht {reached} am Mechanismus; seine Geometrie endet bei {farthest}"),
+            )
+        }
         Fault::NoFlangeLoads => t(
             "no loads on the flange follow from this load: its masses and their places are not described",
             "aus dieser Last folgen keine Flanschlasten: ihre Massen und deren Lage sind nicht beschrieben",
@@ -310,7 +270,26 @@ fn load_text(fault: &Fault, language: Language) -> String {
             "the torque of a joint comes with its motion: every [[motion]] must be recorded, with a column of torque",
             "das Moment eines Gelenks kommt mit seiner Bewegung: jedes [[motion]] muss aufgezeichnet sein und eine Momentenspalte haben",
         ),
-        _ => String::new(),
+        Fault::BodyMissing => t("a body is missing", "ein Körper fehlt"),
+        Fault::ShapeMissing => {
+            t("the shape of the body is missing; it stands first", "die Form des Körpers fehlt; sie steht zuerst")
+        }
+        Fault::NoShape { written } => e(format!("`{written}` is not a shape"), format!("`{written}` ist keine Form")),
+        Fault::NoKey { written } => e(
+            format!("`{written}` has no key; expected: key=value"),
+            format!("`{written}` hat keinen Schlüssel; erwartet: Schlüssel=Wert"),
+        ),
+        Fault::KeyOfAnotherShape { key, shape } => {
+            e(format!("`{key}` is not a key of `{shape}`"), format!("`{key}` ist kein Schlüssel von `{shape}`"))
+        }
+        Fault::Twice { key } => e(format!("`{key}` is given twice"), format!("`{key}` steht zweimal da")),
+        Fault::Count { written } => e(
+            format!("`count` must be a whole number from 1 to {}, not \"{written}\"", u32::MAX),
+            format!("`count` muss eine ganze Zahl von 1 bis {} sein, nicht „{written}“", u32::MAX),
+        ),
+        Fault::BodyAxis { written } => {
+            e(format!("`axis` cannot be \"{written}\""), format!("`axis` kann nicht „{written}“ sein"))
+        }
     }
 }
 
@@ -364,8 +343,8 @@ pub fn hint_text(hint: &Hint, language: Language) -> String {
         }
         Hint::MechanismsWithLoads => either(
             language,
-            "loads follow from turntable, arm, screw, belt, conveyor and slider_crank",
-            "Lasten folgen aus turntable, arm, screw, belt, conveyor und slider_crank",
+            "loads follow from every mechanism but table and joint",
+            "Lasten folgen aus jedem Mechanismus außer table und joint",
         ),
         Hint::CloseTheRecording => either(
             language,

@@ -27,8 +27,8 @@ pub fn glossary_page(language: Language) -> String {
     page
 }
 
-/// Every symbol beside those of the tables with its meaning, English and German: of the derivations, then of the values that
-/// a drive is told.
+/// Every symbol beside those of the tables with its meaning, English and German: of the derivations, then of the values for
+/// a drive.
 pub fn glossary_symbols() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     let of_tables = |symbol: &str| catalogue::glossary().iter().any(|term| term.symbol == symbol);
     let told = ParameterId::ALL.iter().filter(move |id| !of_tables(id.symbol()));

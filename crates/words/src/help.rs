@@ -6,6 +6,7 @@ pub mod values;
 use crate::texts::texts;
 
 texts! {
+    ordering_code = "Ordering code" | "Bestellbezeichnung";
     not_in_this_build = "not in this build" | "in dieser Ausführung nicht enthalten";
     project = "Project file (TOML); - reads standard input" | "Projektdatei (TOML); - liest die Standardeingabe";
     axis = "Only this axis of a project with several" | "Nur diese Achse eines Projekts mit mehreren";
@@ -135,7 +136,7 @@ texts! {
     bearing =
         "The output bearing of every size under a project's loads"
         | "Das Abtriebslager jeder Baugröße unter den Lasten eines Projekts";
-    battery = "Life of the battery of the M128S encoder" | "Lebensdauer der Batterie des Gebers M128S";
+    battery = "Life of the battery of a buffered encoder" | "Lebensdauer der Batterie eines gepufferten Gebers";
     battery_hours = "Hours of operation a day, 0 to 24" | "Betriebsstunden je Tag, 0 bis 24";
     battery_storage =
         "Storage before operation, for example \"1 a\"; none without it"
@@ -159,17 +160,17 @@ texts! {
         "Storage before service: a time such as \"1 a\" or \"6 months\", or the day on which it ends"
         | "Lagerung vor dem Betrieb: eine Zeit wie \"1 a\" oder \"6 Monate\", oder der Tag, an dem sie endet";
     upkeep_hours =
-        "Hours of operation a day, 0 to 24, for the battery of the M128S encoder"
-        | "Betriebsstunden je Tag, 0 bis 24, für die Batterie des Gebers M128S";
+        "Hours of operation a day, 0 to 24, for the battery of the encoder"
+        | "Betriebsstunden je Tag, 0 bis 24, für die Batterie des Gebers";
     upkeep_inspect =
-        "Interval of what the manual wants regularly, such as \"6 months\"; a year without it, told as assumed"
+        "Interval of what the manual wants regularly, such as \"6 months\"; a year without it, listed as assumed"
         | "Intervall für das, was die Anleitung regelmäßig verlangt, etwa \"6 Monate\"; ohne Angabe ein Jahr, als angenommen genannt";
     upkeep_today =
         "Day to look from: it marks what has passed, and the next date of each series"
         | "Tag der Betrachtung: er zeigt, was überschritten ist, und den nächsten Termin jeder Reihe";
     upkeep_ical = "Write the plan as iCalendar file (.ics)" | "Den Plan als iCalendar-Datei (.ics) schreiben";
     upkeep_name =
-        "Name of the actuator in the calendar: tells two of one code apart"
+        "Name of the actuator in the calendar: distinguishes two of one code"
         | "Name des Antriebs im Kalender: unterscheidet zwei mit gleichem Code";
     serve = "The web workbench, on this machine" | "Der Arbeitsplatz im Browser, auf dieser Maschine";
     serve_folder =
@@ -276,7 +277,7 @@ texts! {
         "With the derivation of every check, all sources and all codes as appendices"
         | "Mit Herleitung jedes Nachweises, allen Quellen und allen Bestellbezeichnungen im Anhang";
     report_installation =
-        "With wiring, mounting and commissioning of the code; with upkeep where --delivered tells its beginning"
+        "With wiring, mounting and commissioning of the code; with upkeep where --delivered states its beginning"
         | "Mit Verdrahtung, Montage und Inbetriebnahme zur Bestellbezeichnung; mit Wartung, wenn --delivered ihren Beginn nennt";
     report_delivered =
         "Day of delivery, 2026-03-01, from which the plan of upkeep counts"

@@ -1,9 +1,10 @@
 //! What antrieb says, in English and German: every sentence, title and term. Both languages stand side by side, so that
 //! none can be missing.
 //!
-//! Whoever has an identifier with its arguments asks here for the text: a check, a note, an assumption, a law, a rule, a fault.
+//! Returns the text for an identifier with its arguments: a check, a note, an assumption, a law, a rule, a fault.
 //! Nothing is computed here and nothing read.
 
+mod assumptions;
 mod bodies;
 mod codes;
 pub mod commission;
@@ -13,12 +14,13 @@ mod errata;
 mod examples;
 mod facts;
 mod faults;
-mod flange;
+mod geometry;
 mod glossary_page;
 pub mod help;
 mod keys;
 mod letters;
 mod measured_keys;
+mod mechanism_keys;
 mod motion;
 pub mod mounting;
 mod notes;
@@ -46,6 +48,7 @@ pub mod upkeep;
 mod usage;
 pub mod wiring;
 
+pub use assumptions::assumption_text;
 pub use bodies::shape_title;
 pub use codes::{describe_code_error, describe_field, describe_rule, describe_token, describe_uncovered};
 pub use commissioned::{
@@ -58,10 +61,11 @@ pub use examples::{EXAMPLE_TEXTS, example_text, how_to_run};
 pub use facts::{fact_source, fact_text, signal_word, step_title};
 pub use faults::{Told, battery_fault, fault_text, file_trouble, hint_text, told};
 pub use glossary_page::{glossary_page, glossary_symbol, glossary_symbols};
-pub use keys::about_text;
+pub use keys::{about_text, key_text};
 pub use letters::{is_vowel, stands_before_a_number};
 pub use measured_keys::{measured_key_text, measured_label};
 pub use motion::law_text;
+pub use notes::note_text;
 pub use print::{
     cell_text, decimal, document_note, erratum_readings, own_and_foreign, table_note, table_title, term_remark,
     word_meaning,
@@ -71,9 +75,9 @@ pub use project_page::project_page;
 pub use quantity::{quantity_fault, quantity_hint};
 pub use recording::{encoding_guess, role_text};
 pub use results::{
-    assumption_text, check_missing, check_title, condition_text, curve_title, evidence_text, figure_term, grade_about,
-    grade_word, note_text, ranking_rule, requirement_title, source_text, standing_text, symbol_term, unmet_text,
-    verdict_count, verdict_word,
+    check_missing, check_title, condition_text, curve_title, evidence_text, figure_term, grade_about, grade_word,
+    minutes, ranking_rule, requirement_title, source_text, standing_text, symbol_term, unmet_text, verdict_count,
+    verdict_word,
 };
 pub use saving::{SaveTrouble, save_trouble};
 pub use schema::schema_text;
@@ -98,7 +102,7 @@ pub fn capitalised(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// Every module of texts by name, for whoever looks at all of them.
+/// Every module of texts by name, for tests of all texts.
 pub const MODULES: &[(&str, &[Text])] = &[
     ("commission", commission::TEXTS),
     ("help", help::TEXTS),

@@ -3,6 +3,9 @@
 use crate::{commission, measurand_name, terms};
 use installation::commission::expected::Measurand;
 use project::MeasuredKey;
+use project::names::{
+    BrakeName, DirectionName, EmfName, MeasuredRootName, NoLoadName, SensorName, SpeedName, WindingName,
+};
 use quantities::Language;
 
 /// What a key of a record is called, or what its table is about.
@@ -12,24 +15,37 @@ pub const fn measured_label(key: MeasuredKey, language: Language) -> &'static st
         return measurand_name(what, language);
     }
     let (en, de) = match key {
-        MeasuredKey::NoLoad => return measurand_name(Measurand::NoLoadCurrent, language),
-        MeasuredKey::Winding => return terms::winding(language),
-        MeasuredKey::Format => ("format", "Format"),
-        MeasuredKey::WindingTemperature | MeasuredKey::SensorTemperature | MeasuredKey::NoLoadTemperature => {
+        MeasuredKey::Root(MeasuredRootName::no_load) => return measurand_name(Measurand::NoLoadCurrent, language),
+        MeasuredKey::Root(MeasuredRootName::winding) => return terms::winding(language),
+        MeasuredKey::Root(MeasuredRootName::format) => ("format", "Format"),
+        MeasuredKey::Winding(WindingName::temperature)
+        | MeasuredKey::Sensor(SensorName::temperature)
+        | MeasuredKey::NoLoad(NoLoadName::temperature) => {
             return commission::temperature(language);
         }
-        MeasuredKey::Emf => ("induced voltage", "induzierte Spannung"),
-        MeasuredKey::EmfSpeed | MeasuredKey::SpeedMotor => ("speed of the motor", "Drehzahl des Motors"),
-        MeasuredKey::Sensor => ("temperature sensors", "Temperatursensoren"),
-        MeasuredKey::Brake => ("brake", "Bremse"),
-        MeasuredKey::Direction => ("directions", "Drehrichtungen"),
-        MeasuredKey::DirectionMotor => ("motor shaft turns", "Motorwelle dreht"),
-        MeasuredKey::DirectionFlange => ("flange turns", "Flansch dreht"),
-        MeasuredKey::DirectionPosition => ("position is", "Position ist"),
-        MeasuredKey::Speed => return terms::rotary_speed(language),
-        MeasuredKey::SpeedFlange | MeasuredKey::NoLoadSpeed => ("speed of the flange", "Drehzahl des Flansches"),
-        MeasuredKey::SpeedFrequency => ("frequency of the motor current", "Frequenz des Motorstroms"),
-        _ => ("", ""),
+        MeasuredKey::Root(MeasuredRootName::emf) => ("induced voltage", "induzierte Spannung"),
+        MeasuredKey::Emf(EmfName::speed_motor) | MeasuredKey::Speed(SpeedName::motor) => {
+            ("speed of the motor", "Drehzahl des Motors")
+        }
+        MeasuredKey::Root(MeasuredRootName::sensor) => ("temperature sensors", "Temperatursensoren"),
+        MeasuredKey::Root(MeasuredRootName::brake) => ("brake", "Bremse"),
+        MeasuredKey::Root(MeasuredRootName::direction) => ("directions", "Drehrichtungen"),
+        MeasuredKey::Direction(DirectionName::motor) => ("motor shaft turns", "Motorwelle dreht"),
+        MeasuredKey::Direction(DirectionName::flange) => ("flange turns", "Flansch dreht"),
+        MeasuredKey::Direction(DirectionName::position) => ("position is", "Position ist"),
+        MeasuredKey::Root(MeasuredRootName::speed) => return terms::rotary_speed(language),
+        MeasuredKey::Speed(SpeedName::flange) | MeasuredKey::NoLoad(NoLoadName::speed_out) => {
+            ("speed of the flange", "Drehzahl des Flansches")
+        }
+        MeasuredKey::Speed(SpeedName::electrical_frequency) => {
+            ("frequency of the motor current", "Frequenz des Motorstroms")
+        }
+        // A measured value is named as its measurand.
+        MeasuredKey::Winding(WindingName::resistance_ll | WindingName::inductance_ll)
+        | MeasuredKey::Emf(EmfName::voltage_ll)
+        | MeasuredKey::Sensor(SensorName::kty | SensorName::ptc)
+        | MeasuredKey::Brake(_)
+        | MeasuredKey::NoLoad(NoLoadName::current) => ("", ""),
     };
     match language {
         Language::En => en,
@@ -41,63 +57,79 @@ pub const fn measured_label(key: MeasuredKey, language: Language) -> &'static st
 #[must_use]
 pub const fn measured_key_text(key: MeasuredKey, language: Language) -> &'static str {
     let (en, de) = match key {
-        MeasuredKey::Format => ("version of the file format, 1", "Version des Dateiformats, 1"),
-        MeasuredKey::Winding => ("winding, disconnected from the drive", "Wicklung, vom Regler getrennt"),
-        MeasuredKey::WindingTemperature => (
+        MeasuredKey::Root(MeasuredRootName::format) => ("version of the file format, 1", "Version des Dateiformats, 1"),
+        MeasuredKey::Root(MeasuredRootName::winding) => {
+            ("winding, disconnected from the drive", "Wicklung, vom Regler getrennt")
+        }
+        MeasuredKey::Winding(WindingName::temperature) => (
             "temperature of the winding, by the KTY or after hours at rest that of the air",
             "Temperatur der Wicklung, mit dem KTY oder nach Stunden im Stillstand die der Luft",
         ),
-        MeasuredKey::ResistanceLl => (
+        MeasuredKey::Winding(WindingName::resistance_ll) => (
             "between two of the three terminals, leads subtracted",
             "zwischen zwei der drei Klemmen, Messleitungen abgezogen",
         ),
-        MeasuredKey::InductanceLl => ("between two of the three terminals", "zwischen zwei der drei Klemmen"),
-        MeasuredKey::Emf => {
+        MeasuredKey::Winding(WindingName::inductance_ll) => {
+            ("between two of the three terminals", "zwischen zwei der drei Klemmen")
+        }
+        MeasuredKey::Root(MeasuredRootName::emf) => {
             ("induced voltage, motor driven, terminals open", "induzierte Spannung, Motor angetrieben, Klemmen offen")
         }
-        MeasuredKey::EmfVoltage => ("rms, between two terminals", "effektiv, zwischen zwei Klemmen"),
-        MeasuredKey::EmfSpeed | MeasuredKey::SpeedMotor => {
+        MeasuredKey::Emf(EmfName::voltage_ll) => ("rms, between two terminals", "effektiv, zwischen zwei Klemmen"),
+        MeasuredKey::Emf(EmfName::speed_motor) | MeasuredKey::Speed(SpeedName::motor) => {
             ("speed of the motor, not of the flange", "Drehzahl des Motors, nicht des Flansches")
         }
-        MeasuredKey::Sensor => ("sensors in the winding", "Sensoren in der Wicklung"),
-        MeasuredKey::SensorTemperature => (
+        MeasuredKey::Root(MeasuredRootName::sensor) => ("sensors in the winding", "Sensoren in der Wicklung"),
+        MeasuredKey::Sensor(SensorName::temperature) => (
             "temperature of the winding by another thermometer",
             "Temperatur der Wicklung nach einem anderen Thermometer",
         ),
-        MeasuredKey::Kty => {
+        MeasuredKey::Sensor(SensorName::kty) => {
             ("resistance at about 2 mA, with the right polarity", "Widerstand bei etwa 2 mA, richtig gepolt")
         }
-        MeasuredKey::Ptc => ("resistance; windings E and N only", "Widerstand; nur Wicklungen E und N"),
-        MeasuredKey::Brake => ("holding brake, at its own connector", "Haltebremse, an ihrem Stecker"),
-        MeasuredKey::BrakeVoltage => ("at the brake while it opens", "an der Bremse, während sie öffnet"),
-        MeasuredKey::OpeningCurrent => ("current while it opens", "Strom, während sie öffnet"),
-        MeasuredKey::HoldingCurrent => ("current that keeps it open", "Strom, der sie offen hält"),
-        MeasuredKey::OpeningTime => ("from voltage on to free", "vom Einschalten der Spannung bis frei"),
-        MeasuredKey::ClosingTime => ("from voltage off to held", "vom Abschalten der Spannung bis gehalten"),
-        MeasuredKey::Direction => (
+        MeasuredKey::Sensor(SensorName::ptc) => {
+            ("resistance; windings E and N only", "Widerstand; nur Wicklungen E und N")
+        }
+        MeasuredKey::Root(MeasuredRootName::brake) => {
+            ("holding brake, at its own connector", "Haltebremse, an ihrem Stecker")
+        }
+        MeasuredKey::Brake(BrakeName::voltage) => ("at the brake while it opens", "an der Bremse, während sie öffnet"),
+        MeasuredKey::Brake(BrakeName::opening_current) => ("current while it opens", "Strom, während sie öffnet"),
+        MeasuredKey::Brake(BrakeName::holding_current) => ("current that keeps it open", "Strom, der sie offen hält"),
+        MeasuredKey::Brake(BrakeName::opening_time) => {
+            ("from voltage on to free", "vom Einschalten der Spannung bis frei")
+        }
+        MeasuredKey::Brake(BrakeName::closing_time) => {
+            ("from voltage off to held", "vom Abschalten der Spannung bis gehalten")
+        }
+        MeasuredKey::Root(MeasuredRootName::direction) => (
             "seen from the front, uncoupled: cw clockwise, ccw counter-clockwise",
             "von vorne gesehen, ungekuppelt: cw rechts, ccw links",
         ),
-        MeasuredKey::DirectionMotor => ("of the motor shaft", "der Motorwelle"),
-        MeasuredKey::DirectionFlange => {
+        MeasuredKey::Direction(DirectionName::motor) => ("of the motor shaft", "der Motorwelle"),
+        MeasuredKey::Direction(DirectionName::flange) => {
             ("of the output flange at the same time", "des Abtriebsflansches zur selben Zeit")
         }
-        MeasuredKey::DirectionPosition => (
+        MeasuredKey::Direction(DirectionName::position) => (
             "of the motor's encoder at the same time: rising or falling",
             "des Motorgebers zur selben Zeit: rising steigend, falling fallend",
         ),
-        MeasuredKey::Speed => ("steady speed, read at the same time", "stetige Drehzahl, zur selben Zeit abgelesen"),
-        MeasuredKey::SpeedFlange => ("speed of the output flange", "Drehzahl des Abtriebsflansches"),
-        MeasuredKey::SpeedFrequency => ("frequency of the motor current", "Frequenz des Motorstroms"),
-        MeasuredKey::NoLoad => (
+        MeasuredKey::Root(MeasuredRootName::speed) => {
+            ("steady speed, read at the same time", "stetige Drehzahl, zur selben Zeit abgelesen")
+        }
+        MeasuredKey::Speed(SpeedName::flange) => ("speed of the output flange", "Drehzahl des Abtriebsflansches"),
+        MeasuredKey::Speed(SpeedName::electrical_frequency) => {
+            ("frequency of the motor current", "Frequenz des Motorstroms")
+        }
+        MeasuredKey::Root(MeasuredRootName::no_load) => (
             "current without load at a steady speed; several [[no_load]] for several speeds",
             "Strom ohne Last bei stetiger Drehzahl; mehrere [[no_load]] für mehrere Drehzahlen",
         ),
-        MeasuredKey::NoLoadSpeed => {
+        MeasuredKey::NoLoad(NoLoadName::speed_out) => {
             ("speed of the output flange, not of the motor", "Drehzahl des Abtriebsflansches, nicht des Motors")
         }
-        MeasuredKey::NoLoadCurrent => ("rms, torque-producing", "effektiv, drehmomentbildend"),
-        MeasuredKey::NoLoadTemperature => ("of the housing", "des Gehäuses"),
+        MeasuredKey::NoLoad(NoLoadName::current) => ("rms, torque-producing", "effektiv, drehmomentbildend"),
+        MeasuredKey::NoLoad(NoLoadName::temperature) => ("of the housing", "des Gehäuses"),
     };
     match language {
         Language::En => en,

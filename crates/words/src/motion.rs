@@ -1,7 +1,7 @@
 //! Words about motions that cannot be.
 
 use super::either;
-use motion::{Law, MoveFault, Needed, RecordedFault};
+use motion::{Law, MoveFault, Needed, PointsFault, RecordedFault};
 use project::SegmentLaw;
 use quantities::unit::{
     DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
@@ -156,6 +156,17 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
                 Some(single_move(language)),
             )
         }
+        MoveFault::PointsSpeedJumps { first, before } => (
+            either(
+                language,
+                format!("the points begin at {}, the axis has {} there", speed(first.si()), speed(before.si())),
+                format!("die Punkte beginnen mit {}, die Achse hat dort {}", speed(first.si()), speed(before.si())),
+            ),
+            Some(t(
+                "state the speed of the axis with ends = \"stated\" and start_speed",
+                "die Drehzahl der Achse mit ends = \"stated\" und start_speed angeben",
+            )),
+        ),
         MoveFault::RecordingSpeedJumps { first, before } => (
             either(
                 language,

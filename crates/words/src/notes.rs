@@ -1,17 +1,67 @@
-//! Remarks on the checks of heat, brake, feedback and accuracy.
+//! Remarks on the checks.
 
 use super::either;
-use super::results::with_unit;
+use super::results::{evidence_text, with_unit};
 use quantities::unit::{
     ARCMINUTE, DEGREE, DEGREE_CELSIUS, HERTZ, HOUR, JOULE, MILLIMETRE, MINUTE, NEWTON_METRE, REVOLUTION_PER_MINUTE,
     SECOND, VOLT, WATT, YEAR,
 };
-use quantities::{AngularVelocity, Language, Measure, Torque, format_number, format_significant};
+use quantities::{Angle, AngularVelocity, Language, Measure, Torque, format_number, format_significant};
 use sizing::{BrakeStop, Budget, Note, ResonanceSpeeds};
 
-/// Heat and energy.
-pub(super) fn heat(note: &Note, language: Language) -> String {
+/// A remark on a check.
+#[must_use]
+pub fn note_text(note: &Note, language: Language) -> String {
+    let celsius = |si| with_unit(si, &DEGREE_CELSIUS, 3, language);
     match note {
+        Note::CycleNotShort { cycle, time_constant } => {
+            let cycle = with_unit(cycle.si(), &SECOND, 3, language);
+            let tau = with_unit(time_constant.si(), &SECOND, 2, language);
+            either(
+                language,
+                format!(
+                    "the cycle of {cycle} is not short against the winding's time constant of about {tau}: the rms torque alone does not show whether the winding stays cool enough"
+                ),
+                format!(
+                    "der Zyklus von {cycle} ist nicht kurz gegen die Wicklungszeitkonstante von etwa {tau}: aus dem effektiven Drehmoment allein folgt nicht, ob die Wicklung kühl genug bleibt"
+                ),
+            )
+        }
+        Note::BrakingTorqueAssumed => either(
+            language,
+            "braking and accelerating times differ: eq. 69.2 would take T_3 from the accelerating time; the exact integral decides",
+            "Brems- und Beschleunigungszeit sind verschieden: Gl. 69.2 nähme T_3 aus der Beschleunigungszeit; es entscheidet das exakte Integral",
+        ),
+        Note::RecommendationForHighDynamics { factor } => {
+            let factor = format_number(*factor, usize::from(factor.fract() != 0.0), language);
+            either(
+                language,
+                format!("J_L ≤ {factor} J_out is a recommendation for highly dynamic duty, not a limit"),
+                format!("J_L ≤ {factor} J_out ist eine Empfehlung für hochdynamischen Betrieb, keine Grenze"),
+            )
+        }
+        Note::SwingTooSmall { swing, least } => {
+            let least = with_unit(least.si(), &DEGREE, 3, language);
+            let swing = with_unit(swing.si(), &DEGREE, 3, language);
+            either(
+                language,
+                format!("the axis swings by {swing} only; below {least} the bearing may fret, ask the maker"),
+                format!("die Achse schwenkt nur um {swing}; unter {least} droht Reibkorrosion, beim Hersteller fragen"),
+            )
+        }
+        Note::SmallSwings { count, largest, share, least } => {
+            small_swings(*count, [*largest, *least], *share, language)
+        }
+        Note::RatingOfInterchangeableGear => either(
+            language,
+            "the gear's rating is that of another maker's interchangeable gear with the same T_R; the manual states none",
+            "die Getriebewerte sind die eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung nennt keine",
+        ),
+        Note::LoadsOneAtATime => either(
+            language,
+            "the permissible forces hold one at a time; for several together life and static safety decide",
+            "die zulässigen Kräfte gelten je für sich; bei mehreren zugleich entscheiden Lebensdauer und statische Sicherheit",
+        ),
         Note::Housing(temperature) => {
             let housing = with_unit(temperature.si(), &DEGREE_CELSIUS, 3, language);
             either(
@@ -24,7 +74,7 @@ pub(super) fn heat(note: &Note, language: Language) -> String {
                 ),
             )
         }
-        Note::WarmUp(Some(time)) => {
+        Note::WarmUp(time) => {
             let time = with_unit(time.si(), &MINUTE, 2, language);
             either(
                 language,
@@ -75,14 +125,6 @@ pub(super) fn heat(note: &Note, language: Language) -> String {
                 ),
             )
         }
-        _ => String::new(),
-    }
-}
-
-/// Estimates: friction at which temperature, edges of a band.
-pub(super) fn estimate(note: &Note, language: Language) -> String {
-    let celsius = |si| with_unit(si, &DEGREE_CELSIUS, 3, language);
-    match note {
         Note::FrictionTemperatures { cold, settled: Some(settled) } => {
             let (cold, settled) = (celsius(cold.si()), celsius(settled.si()));
             either(
@@ -100,10 +142,10 @@ pub(super) fn estimate(note: &Note, language: Language) -> String {
             either(
                 language,
                 format!(
-                    "friction counts with a cold gear ({cold}) and with one of 80 °C, for want of a heat model; the larger current decides"
+                    "friction is calculated for a cold gear ({cold}) and, without a heat model, for a gear of 80 °C; the larger current counts"
                 ),
                 format!(
-                    "die Reibung zählt mit kaltem Getriebe ({cold}) und, mangels Wärmemodell, mit einem von 80 °C; der größere Strom entscheidet"
+                    "Reibung gerechnet mit kaltem Getriebe ({cold}) und, ohne Wärmemodell, mit 80 °C; der größere Strom ist maßgebend"
                 ),
             )
         }
@@ -122,8 +164,8 @@ pub(super) fn estimate(note: &Note, language: Language) -> String {
         }
         Note::UntilWarm => either(
             language,
-            "only the cold gear asks for more than the limit: until it is warm the drive will limit the current",
-            "nur das kalte Getriebe verlangt mehr als die Grenze: bis es warm ist, wird der Regler den Strom begrenzen",
+            "only the cold gear exceeds the limit: until it is warm the drive limits the current",
+            "nur mit kaltem Getriebe überschritten: bis es warm ist, begrenzt der Regler den Strom",
         ),
         Note::EstimatedUpTo(upper) => {
             let upper = with_unit(upper.si, upper.unit, 3, language);
@@ -150,13 +192,6 @@ pub(super) fn estimate(note: &Note, language: Language) -> String {
                 format!("die Auslastung ist die der Erwärmung über {ambient}"),
             )
         }
-        _ => String::new(),
-    }
-}
-
-/// The brake.
-pub(super) fn brake(note: &Note, language: Language) -> String {
-    match note {
         Note::HangingLoad => either(
             language,
             "the load hangs: a built-in holding brake is not a safety brake; persons under it need a further, mechanical one",
@@ -265,17 +300,10 @@ pub(super) fn brake(note: &Note, language: Language) -> String {
             "the motion is held by a brake, which this actuator does not have",
             "die Bewegung wird von einer Bremse gehalten, die dieser Antrieb nicht hat",
         ),
-        _ => String::new(),
-    }
-}
-
-/// Feedback, accuracy, application.
-pub(super) fn rest(note: &Note, language: Language) -> String {
-    match note {
         Note::ReferenceLost { turns } if *turns <= 1.0 => either(
             language,
-            "the axis turns endlessly: the encoder tells the angle within one turn of the motor only, and its absolute reference is lost, since 1/i is not a whole number",
-            "die Achse dreht endlos: der Geber kennt nur den Winkel innerhalb einer Motorumdrehung, der absolute Bezug geht verloren, da 1/i keine ganze Zahl ist",
+            "the axis turns endlessly: the encoder is absolute within one turn of the motor only, and the absolute reference is lost, since 1/i is not a whole number",
+            "die Achse dreht endlos: der Geber ist nur innerhalb einer Motorumdrehung absolut, der absolute Bezug geht verloren, da 1/i keine ganze Zahl ist",
         ),
         Note::ReferenceLost { turns } => {
             let turns = format_number(*turns, 0, language);
@@ -402,6 +430,24 @@ pub(super) fn rest(note: &Note, language: Language) -> String {
                 format!("Summe aller Beiträge{at_lever}; Wurzel der Quadratsumme {root}{open}"),
             )
         }
-        _ => String::new(),
+        Note::Erratum(id) => {
+            let evidence = evidence_text(id, language);
+            either(language, format!("erratum {id}: {evidence}"), format!("Druckfehler {id}: {evidence}"))
+        }
     }
+}
+
+/// The remark on small swings among larger ones.
+pub(super) fn small_swings(count: usize, angles: [Angle; 2], share: f64, language: Language) -> String {
+    let [largest, least] = angles.map(|angle| with_unit(angle.si(), &DEGREE, 3, language));
+    let share = format_number(share * 100.0, 0, language);
+    either(
+        language,
+        format!(
+            "{count} swings of up to {largest} in each cycle, {share} % of all travel; below {least} the bearing may fret, ask the maker"
+        ),
+        format!(
+            "{count} Schwenkungen bis {largest} je Zyklus, {share} % des gesamten Wegs; unter {least} droht Reibkorrosion, beim Hersteller fragen"
+        ),
+    )
 }

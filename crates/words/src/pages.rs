@@ -5,8 +5,8 @@ use crate::texts::texts;
 texts! {
     title = "Project file, key by key" | "Projektdatei, Schlüssel für Schlüssel";
     introduction =
-        "This page is made from the description by which the program reads a project file. The guide tells with examples how the keys work together: [project file](../guide/project-file.md). A key in bold must be there; what holds without another one is said with its meaning, and without such a word nothing follows: a check that needs the value is not checked and names it."
-        | "Diese Seite entsteht aus der Beschreibung, nach der das Programm eine Projektdatei liest. Wie die Schlüssel zusammenwirken, zeigt die Anleitung an Beispielen: [Projektdatei](../anleitung/project-file.md). Ein fetter Schlüssel muss da sein; was ohne einen anderen gilt, steht bei seiner Bedeutung, und ohne ein solches Wort folgt nichts: ein Nachweis, der den Wert braucht, ist nicht geprüft und nennt ihn.";
+        "This page is made from the description by which the program reads a project file. The guide shows with examples how the keys work together: [project file](../guide/project-file.md). A key in bold is required. The default of any other key is part of its meaning; without a default a check that needs the value is not checked and names it."
+        | "Diese Seite entsteht aus der Beschreibung, nach der das Programm eine Projektdatei liest. Wie die Schlüssel zusammenwirken, zeigt die Anleitung an Beispielen: [Projektdatei](../anleitung/project-file.md). Ein fetter Schlüssel ist Pflicht. Der Standardwert jedes anderen steht bei seiner Bedeutung; ohne Standardwert ist ein Nachweis, der den Wert braucht, nicht geprüft und nennt ihn.";
     root = "Root of the file" | "Wurzel der Datei";
     columns_of_keys =
         "| key | value | example | meaning |" | "| Schlüssel | Wert | Beispiel | Bedeutung |";
@@ -51,8 +51,8 @@ texts! {
     columns_of_steps = "| symbol | English | German |" | "| Formelzeichen | Englisch | Deutsch |";
     commands = "Commands" | "Befehle";
     commands_told =
-        "Every command with its arguments, as `antrieb help` tells them. This page is made from the command line itself; what the answers mean is told by the guide."
-        | "Jeder Befehl mit seinen Argumenten, wie `antrieb help` sie nennt. Diese Seite entsteht aus der Befehlszeile selbst; was die Antworten bedeuten, steht in der Anleitung.";
+        "Every command with its arguments, as in `antrieb help`. This page is generated from the command line; the guide explains the answers."
+        | "Jeder Befehl mit seinen Argumenten, wie in `antrieb help`. Diese Seite ist aus der Befehlszeile erzeugt; die Antworten erklärt die Anleitung.";
     every_command_takes = "Options of every command" | "Optionen jedes Befehls";
     columns_of_arguments = "| argument | meaning |" | "| Argument | Bedeutung |";
     one_of(words) = "one of {words}" | "eines von {words}";

@@ -1,4 +1,4 @@
-//! Words in pictures: axes, legends, captions, and what a picture tells in sentences.
+//! Words in pictures: axes, legends, captions, and descriptions.
 
 use crate::texts::texts;
 
@@ -75,9 +75,9 @@ texts! {
     quadrants_and_colours =
         "Driving in the first and third quadrant, braking in the others. Red: continuous duty; blue: acceleration and braking."
         | "Treiben im ersten und dritten Quadranten, Bremsen in den anderen. Rot: Dauerbetrieb; blau: Beschleunigen und Bremsen.";
-    s3_explained =
-        "S3: intermittent duty with a cycle of 1 min, lower edge."
-        | "S3: Aussetzbetrieb mit 1 min Spieldauer, unterer Rand.";
+    s3_explained(minutes) =
+        "S3: intermittent duty with a cycle of {minutes} min, lower edge."
+        | "S3: Aussetzbetrieb mit {minutes} min Spieldauer, unterer Rand.";
     hatching_explained =
         "Hatched: between the edges of an estimate; the checks use the lower one."
         | "Schraffiert: zwischen den Rändern einer Schätzung; die Nachweise nehmen den unteren.";

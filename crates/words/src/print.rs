@@ -66,7 +66,7 @@ pub const fn term_remark(term: &Term, language: Language) -> &'static str {
     }
 }
 
-/// Of a text in both languages that of the language asked for, then the other.
+/// A text in both languages: that of the requested language first.
 #[must_use]
 pub const fn own_and_foreign<'t>(en: &'t str, de: &'t str, language: Language) -> [&'t str; 2] {
     match language {

@@ -14,6 +14,7 @@ pub fn table_of_project(name: &str, language: Language) -> Option<&'static str> 
         "motion" => ("Motion, segment", "Bewegung, Abschnitt"),
         "bearing" => ("Loads on the output flange", "Lasten am Abtriebsflansch"),
         "requirements" => ("Requirements", "Anforderungen"),
+        "drive" => ("Drive", "Regler"),
         "actuator" => ("Own actuator", "Eigener Antrieb"),
         "curve" => ("Curve", "Kennlinie"),
         "columns" => ("columns", "Spalten"),
@@ -37,12 +38,12 @@ pub fn body_key(key: &str, language: Language) -> Option<&'static str> {
     Some(if language == Language::De { de } else { en })
 }
 
-/// What a key says to a reader; the rest of its description is for whoever writes the file.
+/// What a key says to a reader; the rest of its description is for authors of the file.
 #[must_use]
 pub fn short_label(label: &str) -> String {
     let label = label.split(';').next().unwrap_or(label).trim_start_matches("true: ");
     let label = label.replace(" (true)", "").replace(" (false)", "");
-    // The sign is told with the value.
+    // The sign is shown with the value.
     const TAILS: [&str; 5] = [
         ", rückwärts negativ",
         ", negative backwards",
@@ -62,6 +63,12 @@ const KEY_WORDS: &[(&str, &str, &str, &str)] = &[
     ("hold", "motor", "by the motor", "durch den Motor"),
     ("hold", "brake", "by the brake", "durch die Bremse"),
     ("hold", "free", "not held", "nicht gehalten"),
+    ("spline", "cubic", "third degree", "dritter Grad"),
+    ("spline", "quintic", "fifth degree", "fünfter Grad"),
+    ("ends", "rest", "rest", "Stillstand"),
+    ("ends", "natural", "free", "frei"),
+    ("ends", "periodic", "the same at both", "an beiden gleich"),
+    ("ends", "stated", "as stated", "wie angegeben"),
     ("operating_condition", "normal", "normal", "normal"),
     ("operating_condition", "shock", "shock", "Stöße"),
     ("operating_condition", "high_accuracy", "high accuracy", "hohe Genauigkeit"),

@@ -1,8 +1,8 @@
 //! The reference page of the project file, in Markdown: every key from the description that the reader uses.
 
-use super::about_text;
+use super::key_text;
 use crate::pages;
-use project::{KEYS, Key, Kind, Range, Variants};
+use project::{Column, KEYS, Key, Kind, Range, Variants};
 use quantities::{Dimension, Language, format_significant};
 
 /// The page in a language.
@@ -53,7 +53,7 @@ fn section(page: &mut String, heading: &str, keys: &[Key], language: Language) {
     page.push_str(&format!("\n## {heading}\n\n{}\n|---|---|---|---|\n", pages::columns_of_keys(language)));
     for key in keys {
         let name = if key.required { format!("**`{}`**", key.name) } else { format!("`{}`", key.name) };
-        let about = about_text(key.about, language).replace('|', "\\|");
+        let about = key_text(key, language).replace('|', "\\|");
         page.push_str(&format!("| {name} | {} | {} | {about} |\n", value(key, language), sample(key)));
     }
 }
@@ -106,9 +106,10 @@ fn value(key: &Key, language: Language) -> String {
         Kind::Text => pages::text(language).to_owned(),
         Kind::OneOf(words) => names(words.iter().copied()),
         Kind::ListOf(words) => format!("{} {}", pages::list_of(language), names(words.iter().copied())),
-        Kind::Rows(dimensions) => {
-            let parts: Vec<&str> = dimensions.iter().map(|dimension| name(*dimension)).collect();
-            format!("{} {}", pages::rows_of(language), parts.join(", "))
+        Kind::Rows(columns) => {
+            let or = format!(" {} ", pages::or(language));
+            let of = |column: &Column| column.iter().map(|each| name(*each)).collect::<Vec<_>>().join(&or);
+            format!("{} {}", pages::rows_of(language), columns.iter().map(of).collect::<Vec<_>>().join(", "))
         }
         Kind::Table(_) => pages::table(language).to_owned(),
         Kind::OneOrMany(..) => pages::table_or_tables(language).to_owned(),

@@ -6,58 +6,13 @@ use super::either;
 use beyond::{beyond, damage};
 use quantities::unit::SECOND;
 use quantities::{Dimension, Language, Measure, Time, Unit, format_significant};
-use recording::{Encoding, Fault, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Place, Role, STEP_MIN_S, Stamp};
+use recording::{Encoding, Fault, FileRow, GAP_FACTOR, KnownBy, MAGNITUDE_MAX, Role, STEP_MIN_S, Stamp};
 
 /// What is wrong with a recording, and what to do about it.
 pub(super) fn fault(fault: &Fault, language: Language) -> (String, Option<String>) {
-    match fault {
-        Fault::ColumnUnknown { .. }
-        | Fault::ColumnTwice { .. }
-        | Fault::TimeMissing { .. }
-        | Fault::CourseMissing { .. }
-        | Fault::Ambiguous { .. }
-        | Fault::UnitMissing { .. }
-        | Fault::UnitUnknown { .. }
-        | Fault::UnitWrong { .. }
-        | Fault::UnitContradiction { .. }
-        | Fault::CourseMixed { .. }
-        | Fault::ColumnType { .. } => column_fault(fault, language),
-        Fault::ValueMissing { .. }
-        | Fault::ValueUnreadable { .. }
-        | Fault::ValueNotFinite { .. }
-        | Fault::ValueImplausible { .. }
-        | Fault::TooClose { .. }
-        | Fault::DecimalMixed { .. }
-        | Fault::ThousandsGrouped { .. }
-        | Fault::Backwards { .. }
-        | Fault::SameTime { .. }
-        | Fault::Gap { .. } => sample_fault(fault, language),
-        Fault::Repeated { first, more } => {
-            let (message, hint) = self::fault(first, language);
-            let more = match language {
-                Language::En => format!("{message}; {more} more like it"),
-                Language::De => format!("{message}; {more} weitere dieser Art"),
-            };
-            (more, hint)
-        }
-        Fault::ReadFailed { .. }
-        | Fault::NoHeader
-        | Fault::LineTooLong { .. }
-        | Fault::QuoteOpen { .. }
-        | Fault::Ragged { .. }
-        | Fault::WindowReversed { .. }
-        | Fault::TooFewSamples { .. }
-        | Fault::TooManySamples { .. }
-        | Fault::ParquetUnreadable { .. }
-        | Fault::Beyond { .. }
-        | Fault::More { .. } => file_fault(fault, language),
-    }
-}
-
-/// Faults of the file as a whole and of its lines.
-fn file_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
     let e = |en: String, de: String| either(language, en, de);
     let t = |en: &str, de: &str| Some(either(language, en, de));
+    let q = |text: &str| quoted(text, language);
     match fault {
         Fault::ReadFailed { line, kind } => (
             e(
@@ -159,15 +114,6 @@ fn file_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
             },
             None,
         ),
-        _ => (either(language, "this is not a recording", "das ist keine Aufzeichnung"), None),
-    }
-}
-
-/// Faults of columns and their units.
-fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
-    let e = |en: String, de: String| either(language, en, de);
-    let q = |text: &str| quoted(text, language);
-    match fault {
         Fault::ColumnUnknown { role, name, nearest, headers } => (
             e(
                 format!("no column is named {} ({})", q(name), role_text(*role, language)),
@@ -286,15 +232,6 @@ fn column_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
                 "gelesen werden float, double und ganze Zahlen ohne Skalierung",
             )),
         ),
-        _ => file_fault(fault, language),
-    }
-}
-
-/// Faults of single samples.
-fn sample_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
-    let e = |en: String, de: String| either(language, en, de);
-    let q = |text: &str| quoted(text, language);
-    match fault {
         Fault::ValueMissing { at, column } => (
             e(
                 format!("{}: the value of {} is missing", place(*at, language), q(column)),
@@ -425,7 +362,14 @@ fn sample_fault(fault: &Fault, language: Language) -> (String, Option<String>) {
                 )),
             )
         }
-        _ => file_fault(fault, language),
+        Fault::Repeated { first, more } => {
+            let (message, hint) = self::fault(first, language);
+            let more = match language {
+                Language::En => format!("{message}; {more} more like it"),
+                Language::De => format!("{message}; {more} weitere dieser Art"),
+            };
+            (more, hint)
+        }
     }
 }
 
@@ -444,10 +388,10 @@ fn quoted(text: &str, language: Language) -> String {
     either(language, format!("\"{text}\""), format!("„{text}“"))
 }
 
-fn place(at: Place, language: Language) -> String {
+fn place(at: FileRow, language: Language) -> String {
     match at {
-        Place::Line(number) => either(language, format!("line {number}"), format!("Zeile {number}")),
-        Place::Row(number) => either(language, format!("row {number}"), format!("Reihe {number}")),
+        FileRow::Line(number) => either(language, format!("line {number}"), format!("Zeile {number}")),
+        FileRow::Row(number) => either(language, format!("row {number}"), format!("Reihe {number}")),
     }
 }
 
@@ -509,7 +453,7 @@ fn valid_units(role: Role, language: Language) -> String {
     )
 }
 
-/// The names of columns; more than these fill the screen and help nobody.
+/// The names of columns; more would only fill the screen.
 fn list(names: &[String], language: Language) -> String {
     const MOST: usize = 20;
     let mut list = names.iter().take(MOST).map(|name| quoted(name, language)).collect::<Vec<_>>().join(", ");

@@ -1,4 +1,4 @@
-//! Words of the report, by the keys under which its template asks for them.
+//! Words of the report, by the keys of its template.
 
 use crate::texts::{Word, texts};
 use crate::{capitalised, check_title, terms};
@@ -105,20 +105,11 @@ texts! {
     c_mechanism = "Mechanism" | "Mechanik";
     c_alternatives = "Alternatives" | "Alternativen";
     assumptions_text =
-        "Nobody stated these; the result holds only as far as they do."
-        | "Diese Punkte hat niemand angegeben; das Ergebnis gilt nur, soweit sie zutreffen.";
-    k_load = "Rotating load on the flange" | "Drehende Last am Flansch";
-    k_turntable = "Turntable of solid bodies" | "Drehtisch aus Körpern";
-    k_arm = "Unbalanced arm" | "Nicht ausgewogener Arm";
-    k_screw = "Screw with slide" | "Gewindetrieb mit Schlitten";
-    k_belt = "Belt or rack with slide" | "Riemen oder Zahnstange mit Schlitten";
-    k_conveyor = "Conveyor" | "Förderer";
-    k_slider_crank = "Crank, rod and slider" | "Schubkurbel";
-    k_joint = "Joint of a robot" | "Gelenk eines Roboters";
-    k_table = "Inertia and torque over the position" | "Trägheit und Drehmoment über der Lage";
+        "Not stated in the project; the result is valid only under these assumptions."
+        | "Im Projekt nicht angegeben; das Ergebnis gilt nur unter diesen Annahmen.";
     sketch_caption =
-        "Principle, not to scale. The numbers are those of the data below."
-        | "Prinzipskizze, nicht maßstäblich. Die Nummern sind die der folgenden Daten.";
+        "Principle, not to scale. The symbols are those of the data beside it."
+        | "Prinzipskizze, nicht maßstäblich. Die Formelzeichen sind die der nebenstehenden Daten.";
     sketch_alternative = "Principle sketch" | "Prinzipskizze";
     mechanism_data = "Data of the mechanism" | "Daten der Mechanik";
     no_data =
@@ -189,7 +180,7 @@ texts! {
     hash_project = "Fingerprint of the project" | "Prüfsumme des Projekts";
     hash_catalogue = "Fingerprint of the catalogue" | "Prüfsumme des Katalogs";
     disclaimer =
-        "Independent calculation, neither affiliated with nor endorsed by the maker of the actuators. Whoever signs is responsible for the inputs and for their use."
+        "Independent calculation, neither affiliated with nor endorsed by the maker of the actuators. The signatories are responsible for the inputs and for their use."
         | "Unabhängige Berechnung ohne Verbindung zum Hersteller der Antriebe und nicht von ihm geprüft. Die Verantwortung für Eingaben und Verwendung liegt bei den Unterzeichnenden.";
     v_open = "Fits as far as checked" | "Geeignet, soweit geprüft";
     v_fits_text =
@@ -250,8 +241,8 @@ texts! {
         "On the line: the same figure carried over by the travel per turn, without losses."
         | "Längs der Führung: dieselbe Größe, umgerechnet über den Weg je Umdrehung, ohne Verluste.";
     open_text =
-        "A datum is missing. These count neither as passed nor as failed; whoever signs settles them by other means."
-        | "Hier fehlt ein Kennwert. Sie gelten weder als erfüllt noch als nicht erfüllt; wer unterschreibt, klärt sie auf anderem Weg.";
+        "A datum is missing. These checks count neither as passed nor as failed; they must be settled by other means before signing."
+        | "Ein Kennwert fehlt. Diese Nachweise gelten weder als erfüllt noch als nicht erfüllt; sie sind vor der Unterschrift auf anderem Weg zu klären.";
     consequence = "If not met" | "Wenn nicht erfüllt";
     can_reject = "rules the actuator out" | "schließt den Antrieb aus";
     can_advise = "advice only" | "nur Hinweis";

@@ -22,9 +22,6 @@ texts! {
         | "json, csv oder parquet für eine Tabelle, xlsx für die Mappe; ohne Angabe json, wo eine Tabelle genannt ist, sonst xlsx";
     figure = "Which picture" | "Welches Bild";
     kind = "Kind of the project" | "Art des Projekts";
-    body =
-        "Body, for example “disc diameter=200mm length=20mm density=7850kg/m^3”"
-        | "Körper, etwa „disc diameter=200mm length=20mm density=7850kg/m^3“";
     moves =
         "The motion of an axis, every segment with what follows from it"
         | "Die Bewegung einer Achse, jeder Abschnitt mit dem, was aus ihm folgt";
@@ -67,10 +64,10 @@ texts! {
     token_missing =
         "the token is missing: open the address that `antrieb serve` has printed, or send it as a bearer token"
         | "das Token fehlt: die Adresse öffnen, die `antrieb serve` ausgegeben hat, oder es als Bearer-Token senden";
-    busy = "too many questions wait already; ask again in a moment" | "es warten schon zu viele Fragen; gleich noch einmal fragen";
+    busy = "too many requests are waiting; try again in a moment" | "zu viele Anfragen warten; gleich noch einmal versuchen";
     not_in_time(most) =
-        "not answered within {most} s; ask for less: fewer samples, a shorter cycle, one axis of several"
-        | "in {most} s keine Antwort; weniger fragen: weniger Stichproben, ein kürzerer Zyklus, eine Achse von mehreren";
+        "not answered within {most} s; reduce the work: fewer samples, a shorter cycle, one axis of several"
+        | "in {most} s keine Antwort; Umfang verringern: weniger Stichproben, kürzerer Zyklus, eine Achse von mehreren";
     failed_inside =
         "the answer failed inside the program; nothing was changed"
         | "die Antwort ist im Programm gescheitert; es wurde nichts geändert";
@@ -81,6 +78,6 @@ texts! {
         "{format} holds one table; name it with `table`"
         | "{format} enthält eine Tabelle; sie mit `table` nennen";
     workbook_has_all_tables =
-        "the workbook holds every table; leave `table` out, or ask for csv, json or parquet"
+        "the workbook holds every table; omit `table`, or request csv, json or parquet"
         | "die Mappe enthält alle Tabellen; `table` weglassen oder csv, json oder parquet verlangen";
 }

@@ -1,14 +1,13 @@
-//! Words about results: checks, notes, requirements, assumptions, sources.
+//! Words about results: checks, requirements, sources.
 
 use super::either;
 use actuator::CurveKind;
 use configurator::Unmet;
 use order_code::Brake;
-use project::Assumption;
 use provenance::{CellRef, Grade, MANUAL, Source};
-use quantities::unit::{DEGREE, KILOGRAM, MILLIMETRE, SECOND, VOLT};
-use quantities::{Language, Measure, Unit, format_number, format_significant};
-use sizing::{CheckId, Note, Verdict};
+use quantities::unit::{KILOGRAM, MILLIMETRE, MINUTE, VOLT};
+use quantities::{Language, Measure, Time, Unit, format_number, format_significant};
+use sizing::{CheckId, Verdict};
 
 /// The title of a check.
 #[must_use]
@@ -54,17 +53,25 @@ pub fn check_title(id: CheckId, language: Language) -> String {
     either(language, en, de)
 }
 
+/// The cycle of the curves of intermittent duty in minutes.
+#[must_use]
+pub fn minutes(cycle: Time, language: Language) -> String {
+    let minutes = cycle.in_unit(&MINUTE);
+    format_number(minutes, usize::from(minutes.fract() != 0.0), language)
+}
+
 /// The title of a curve of the torque-speed plane.
 #[must_use]
 pub fn curve_title(kind: &CurveKind, language: Language) -> String {
     match kind {
         CurveKind::Continuous => either(language, "continuous duty", "Dauerbetrieb"),
-        CurveKind::S3 { duty } => {
+        CurveKind::S3 { duty, cycle } => {
             let share = format_number(duty.si() * 100.0, 0, language);
+            let cycle = minutes(*cycle, language);
             either(
                 language,
-                format!("intermittent duty S3, {share} % of 1 min"),
-                format!("Aussetzbetrieb S3, {share} % von 1 min"),
+                format!("intermittent duty S3, {share} % of {cycle} min"),
+                format!("Aussetzbetrieb S3, {share} % von {cycle} min"),
             )
         }
         CurveKind::ShortTime => {
@@ -73,7 +80,7 @@ pub fn curve_title(kind: &CurveKind, language: Language) -> String {
     }
 }
 
-/// A verdict in one word; never told by colour alone.
+/// A verdict in one word; never shown by colour alone.
 #[must_use]
 pub fn verdict_word(verdict: Verdict, language: Language) -> String {
     let (en, de) = match verdict {
@@ -229,88 +236,6 @@ pub fn grade_word(grade: Grade, language: Language) -> &'static str {
     }
 }
 
-/// A remark on a check.
-#[must_use]
-pub fn note_text(note: &Note, language: Language) -> String {
-    match note {
-        Note::CycleNotShort { cycle } => {
-            let cycle = with_unit(cycle.si(), &SECOND, 3, language);
-            either(
-                language,
-                format!(
-                    "the cycle of {cycle} is not short against the winding's time constant of about 60 s: the rms torque alone does not show whether the winding stays cool enough"
-                ),
-                format!(
-                    "der Zyklus von {cycle} ist nicht kurz gegen die Wicklungszeitkonstante von etwa 60 s: aus dem effektiven Drehmoment allein folgt nicht, ob die Wicklung kühl genug bleibt"
-                ),
-            )
-        }
-        Note::BrakingTorqueAssumed => either(
-            language,
-            "braking and accelerating times differ: eq. 69.2 would take T_3 from the accelerating time; the exact integral decides",
-            "Brems- und Beschleunigungszeit sind verschieden: Gl. 69.2 nähme T_3 aus der Beschleunigungszeit; es entscheidet das exakte Integral",
-        ),
-        Note::RecommendationForHighDynamics => either(
-            language,
-            "J_L ≤ 3 J_out is a recommendation for highly dynamic duty, not a limit",
-            "J_L ≤ 3 J_out ist eine Empfehlung für hochdynamischen Betrieb, keine Grenze",
-        ),
-        Note::SwingTooSmall { swing } => {
-            let swing = with_unit(swing.si(), &DEGREE, 3, language);
-            either(
-                language,
-                format!("the axis swings by {swing} only; below 5° the bearing may fret, ask the maker"),
-                format!("die Achse schwenkt nur um {swing}; unter 5° droht Reibkorrosion, beim Hersteller fragen"),
-            )
-        }
-        Note::SmallSwings { count, largest, share } => super::flange::small_swings(*count, *largest, *share, language),
-        Note::RatingOfInterchangeableGear => either(
-            language,
-            "the gear's rating is that of another maker's interchangeable gear with the same T_R; the manual states none",
-            "die Getriebewerte sind die eines austauschbaren Getriebes eines anderen Herstellers mit gleichem T_R; die Anleitung nennt keine",
-        ),
-        Note::LoadsOneAtATime => either(
-            language,
-            "the permissible forces hold one at a time; for several together life and static safety decide",
-            "die zulässigen Kräfte gelten je für sich; bei mehreren zugleich entscheiden Lebensdauer und statische Sicherheit",
-        ),
-        note @ (Note::WarmUp(_)
-        | Note::Housing(_)
-        | Note::EnergyPerCycle { .. }
-        | Note::Capacitor { .. }
-        | Note::DcLinkRises { .. }) => super::notes::heat(note, language),
-        note @ (Note::FrictionTemperatures { .. }
-        | Note::FrictionExtrapolated { .. }
-        | Note::UntilWarm
-        | Note::EstimatedUpTo(_)
-        | Note::InsideBand
-        | Note::RiseAbove(_)) => super::notes::estimate(note, language),
-        note @ (Note::HangingLoad
-        | Note::Sag(_)
-        | Note::BrakeStop(_)
-        | Note::BrakeDoesNotStop
-        | Note::NoBrake
-        | Note::NothingHolds
-        | Note::NothingHoldsWithoutPower
-        | Note::DwellTooShortForBrake { .. }
-        | Note::BrakeTimesAssumed
-        | Note::BrakingsLast { .. }) => super::notes::brake(note, language),
-        note @ (Note::ReferenceLost { .. }
-        | Note::NeedsReferencing
-        | Note::BatteryExchange { .. }
-        | Note::ApprovalNeeded
-        | Note::ResonanceSpeeds(_)
-        | Note::FreeRotor(_)
-        | Note::Ratcheting { .. }
-        | Note::CollisionsPermitted(_)
-        | Note::Budget(_)) => super::notes::rest(note, language),
-        Note::Erratum(id) => {
-            let evidence = evidence_text(id, language);
-            either(language, format!("erratum {id}: {evidence}"), format!("Druckfehler {id}: {evidence}"))
-        }
-    }
-}
-
 /// The requirement that is not met, in a word or two.
 #[must_use]
 pub fn requirement_title(unmet: &Unmet, language: Language) -> String {
@@ -376,99 +301,6 @@ pub fn unmet_text(unmet: &Unmet, language: Language) -> String {
             either(language, format!("{symbol} ({term}) is not known"), format!("{symbol} ({term}) ist nicht bekannt"))
         }
     }
-}
-
-/// A default that the user did not confirm.
-#[must_use]
-pub fn assumption_text(assumption: Assumption, language: Language) -> String {
-    let (en, de) = match assumption {
-        Assumption::NoFriction => {
-            ("no friction torque given: 0 Nm assumed", "kein Reibmoment angegeben: 0 Nm angenommen")
-        }
-        Assumption::AmbientWithinRange => (
-            "no ambient temperature given: 0 °C to 40 °C assumed, the range that the maker's data hold for",
-            "keine Umgebungstemperatur angegeben: 0 °C bis 40 °C angenommen, dafür gelten die Herstellerangaben",
-        ),
-        Assumption::CoolingPlate => (
-            "mounted on the aluminium plate of table 13.3: continuous data hold for it only",
-            "auf der Aluminiumplatte nach Tabelle 13.3 montiert: nur dafür gelten die Dauerdaten",
-        ),
-        Assumption::ModulationReserve => (
-            "the drive gives 90 % of U_DC/√2 at the motor terminals (requirements.modulation_reserve)",
-            "der Regler stellt 90 % von U_DC/√2 an den Motorklemmen (requirements.modulation_reserve)",
-        ),
-        Assumption::NoSupply => (
-            "no DC link voltage given (requirements.supply): the terminal voltage is not checked",
-            "keine Zwischenkreisspannung angegeben (requirements.supply): die Klemmenspannung ist nicht geprüft",
-        ),
-        Assumption::OwnStallCurrentIncludesFriction => (
-            "I_0 of the own actuator taken to include its no-load starting current I_NLS",
-            "I_0 des eigenen Antriebs enthält annahmegemäß den lastfreien Anlaufstrom I_NLS",
-        ),
-        Assumption::NoFlangeLoads => (
-            "no loads on the flange given ([bearing]): the output bearing is not checked",
-            "keine Lasten am Flansch angegeben ([bearing]): das Abtriebslager ist nicht geprüft",
-        ),
-        Assumption::FlangeMomentsAligned => (
-            "radial and axial moment on the flange taken in the same direction",
-            "Momente aus Radial- und Axialkraft am Flansch gleichgerichtet angesetzt",
-        ),
-        Assumption::NoLosses => (
-            "no efficiency of the mechanism given: 1 assumed",
-            "kein Wirkungsgrad der Mechanik angegeben: 1 angenommen",
-        ),
-        Assumption::LossesDoNotHelp => (
-            "no efficiency_back given: while the load drives, the losses do not help to brake",
-            "kein efficiency_back angegeben: treibt die Last, so helfen die Verluste nicht beim Bremsen",
-        ),
-        Assumption::TrapezoidThirds => (
-            "a trapezoid given by two quantities accelerates, runs and brakes for a third of its time each",
-            "ein Trapez aus zwei Angaben beschleunigt, fährt und bremst je ein Drittel seiner Zeit",
-        ),
-        Assumption::SingleMoveRepeats => (
-            "the single move is judged as if it followed itself without a pause: which is on the safe side for the rms torque",
-            "die einmalige Bewegung ist beurteilt, als folgte sie sich ohne Pause: für das effektive Drehmoment ist das die sichere Seite",
-        ),
-        Assumption::OrdinaryApplication => (
-            "no field of application that needs the maker's approval (section 2.4)",
-            "kein Anwendungsbereich, der die Freigabe des Herstellers braucht (Abschnitt 2.4)",
-        ),
-        Assumption::UniformTolerances => (
-            "each quantity with a tolerance uniform within its band, independent of the others",
-            "jede Größe mit Toleranz in ihrem Band gleichverteilt, unabhängig von den anderen",
-        ),
-        Assumption::MotorHolds => {
-            ("in a dwell without hold the motor carries the load", "im Stillstand ohne hold trägt der Motor die Last")
-        }
-        Assumption::RecordedTorqueAdds => (
-            "the recorded torque is a process torque, added to what inertia, gravity and friction of the mechanism ask for",
-            "das aufgezeichnete Moment ist ein Prozessmoment und kommt zu dem hinzu, was Trägheit, Gewicht und Reibung des Mechanismus verlangen",
-        ),
-        Assumption::RecordedPositionDifferentiated => (
-            "speed and acceleration are differences of the recorded position, not smoothed: noise in it raises the torque",
-            "Drehzahl und Beschleunigung sind Differenzen der aufgezeichneten Lage, ungeglättet: ihr Rauschen erhöht das Moment",
-        ),
-        Assumption::FlangeLoadsConstant => (
-            "loads on the flange taken as constant over the cycle, radial and axial moment in the same direction",
-            "Lasten am Flansch über den Zyklus konstant, Momente aus Radial- und Axialkraft gleichgerichtet",
-        ),
-        Assumption::FlangeLoadsOfMechanism
-        | Assumption::FlangeLoadsAddUp
-        | Assumption::FlangeBearsAll
-        | Assumption::FlangeBodiesFlat
-        | Assumption::FlangeUpwards
-        | Assumption::PayloadInertiaWeightless
-        | Assumption::WheelWeightless
-        | Assumption::SpurTeeth => super::flange::assumed(assumption),
-        Assumption::StageNoLosses
-        | Assumption::StageLossesDoNotHelp
-        | Assumption::StageWithoutInertia
-        | Assumption::StageRigid
-        | Assumption::StageNoBacklash
-        | Assumption::StageRatioChosen
-        | Assumption::MechanismOnOwnBearings => super::stage::assumed(assumption),
-    };
-    either(language, en, de)
 }
 
 /// Where a number comes from.
@@ -561,7 +393,7 @@ pub fn grade_about(grade: Grade, language: Language) -> &'static str {
         (Language::De, Grade::Published) => "ein Wert eines anderen Dokuments oder des eigenen Datenblatts",
         (Language::En, Grade::Estimated) => "a model of antrieb with a stated band",
         (Language::De, Grade::Estimated) => "ein Modell von antrieb mit angegebenem Band",
-        (Language::En, Grade::Assumed) => "a default that nobody confirmed",
-        (Language::De, Grade::Assumed) => "ein Standardwert, den niemand bestätigt hat",
+        (Language::En, Grade::Assumed) => "a default value, not confirmed",
+        (Language::De, Grade::Assumed) => "ein nicht bestätigter Standardwert",
     }
 }

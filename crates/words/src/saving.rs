@@ -7,7 +7,7 @@ use quantities::Language;
 /// Why a file is not written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SaveTrouble {
-    /// It exists, and nobody asked for it to be replaced.
+    /// It exists, and replacing it was not requested.
     Exists,
     /// It is write-protected.
     WriteProtected,
@@ -15,7 +15,7 @@ pub enum SaveTrouble {
     NoRegularFile,
     /// There is no such folder.
     NoFolder,
-    /// A link leads out of the folder of the name asked for.
+    /// A link leads out of the folder of the given name.
     LinkLeadsAway {
         /// Where it leads.
         target: String,

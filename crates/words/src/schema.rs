@@ -1,6 +1,6 @@
 //! Words of the schema of the project file.
 
-use super::{about_text, either};
+use super::{either, key_text};
 use project::SchemaText;
 use quantities::{Dimension, Language};
 
@@ -8,7 +8,7 @@ use quantities::{Dimension, Language};
 #[must_use]
 pub fn schema_text(text: SchemaText, language: Language) -> String {
     match text {
-        SchemaText::Key(about) => about_text(about, language).to_owned(),
+        SchemaText::Key(key) => key_text(&key, language),
         SchemaText::Quantity(dimension) => quantity(dimension, language),
     }
 }

@@ -17,8 +17,8 @@ texts! {
         | "das System gibt keinen Zufall für ein Token her: {trouble}";
     how_to_end = "Ctrl+C ends it" | "Strg+C beendet es";
     reachable(address) =
-        "reachable in the network at {address}, without encryption; whoever has the token in the address may read and write the project files of the folder"
-        | "im Netz erreichbar unter {address}, unverschlüsselt; wer das Token aus der Adresse hat, darf die Projektdateien des Ordners lesen und schreiben";
+        "reachable in the network at {address}, without encryption; anyone with the token in the address can read and write the project files of the folder"
+        | "im Netz erreichbar unter {address}, unverschlüsselt; wer das Token aus der Adresse kennt, kann die Projektdateien des Ordners lesen und schreiben";
     no_browser(trouble) = "no browser could be opened: {trouble}" | "es ließ sich kein Browser öffnen: {trouble}";
     no_listening_address(written) =
         "\"{written}\" is no address of this machine to listen on"

@@ -16,8 +16,8 @@ texts! {
     inputs_about = "every value of the project file" | "jeder Wert der Projektdatei";
     number_about = "running number" | "laufende Nummer";
     assumption = "assumption" | "Annahme";
-    assumption_about = "what nobody stated" | "was niemand angegeben hat";
-    assumptions_about = "what was assumed since nobody stated it" | "was angenommen ist, weil es niemand angegeben hat";
+    assumption_about = "assumed instead of a statement" | "angenommen statt angegeben";
+    assumptions_about = "assumptions for values that are not stated" | "Annahmen für nicht angegebene Werte";
     at_the_output = "at the output" | "am Abtrieb";
     along_the_line = "along the line" | "entlang der Linie";
     segment_about = "number of the segment" | "Nummer des Abschnitts";
@@ -89,8 +89,8 @@ texts! {
     margin_about = "1 less the utilisation" | "1 weniger der Auslastung";
     open_questions = "open questions" | "offene Fragen";
     open_questions_about =
-        "how many could not be answered for want of a datum"
-        | "wie viele mangels Angabe nicht beantwortet sind";
+        "number of checks not made because a datum is missing"
+        | "Zahl der Nachweise, für die eine Angabe fehlt";
     on_request_about = "fields of the code that are on request only" | "Felder des Codes, die es nur auf Anfrage gibt";
     objections = "requirements not met" | "nicht erfüllt";
     objections_about = "requirements not met and rules broken" | "Anforderungen nicht erfüllt, Regeln verletzt";
@@ -102,7 +102,7 @@ texts! {
     check_title_about = "its title" | "ihr Titel";
     check_verdict_about = "pass, fail, advice or not_checked" | "pass, fail, advice oder not_checked";
     value_of_check_about = "what the axis asks" | "was die Achse verlangt";
-    limit_about = "what the actuator gives, or what is asked for" | "was der Antrieb hergibt oder was verlangt ist";
+    limit_about = "limit of the actuator, or the limit required" | "Grenze des Antriebs oder geforderte Grenze";
     unit_of_check_about = "unit of value and limit" | "Einheit von Wert und Grenze";
     direction = "direction" | "Richtung";
     direction_about =

@@ -4,8 +4,8 @@ use crate::texts::texts;
 
 texts! {
     battery(life, grade) =
-        "M128S battery: {life} a in use ({grade}, model battery)"
-        | "Batterie des M128S: {life} a im Betrieb ({grade}, Modell Batterie)";
+        "battery of the encoder: {life} a in use ({grade}, model battery)"
+        | "Batterie des Gebers: {life} a im Betrieb ({grade}, Modell Batterie)";
     battery_exchange(recommended, latest) =
         "exchange of the encoder: recommended after {recommended} a, at the latest {latest} a after delivery"
         | "Tausch des Gebers: empfohlen nach {recommended} a, spätestens {latest} a nach Lieferung";
@@ -85,6 +85,9 @@ texts! {
     built_without_report =
         "this antrieb was built without the typesetting engine and writes no report; `cargo install --path crates/cli` builds it with the report"
         | "dieses antrieb ist ohne Satzsystem gebaut und schreibt keinen Bericht; `cargo install --path crates/cli` baut es mit Bericht";
+    cargo_builds_the_report =
+        "the report needs the typesetting engine: cargo runs the program that includes it; the first build takes some minutes"
+        | "der Bericht braucht das Satzsystem: cargo startet das Programm, das es enthält; der erste Bau dauert einige Minuten";
     png_needs_a_file =
         "--png needs a file: pixels do not go to standard output"
         | "--png braucht eine Datei: Pixel gehen nicht auf die Standardausgabe";
@@ -105,7 +108,7 @@ texts! {
     checks_pass_up_to = "all checks pass up to, one at a time" | "alle Nachweise sind erfüllt bis zu, je für sich";
     would_fit_with_one_of = "would fit with one of" | "wäre geeignet mit einem von";
     checks_would_pass_with_one_of = "all checks would pass with one of" | "alle Nachweise wären erfüllt mit einem von";
-    would_fit_with_this_asked_for = "would fit with this asked for" | "wäre geeignet, wenn nur dies gefordert wäre";
+    would_fit_with_this_asked_for = "would fit if only this were required" | "wäre geeignet, wenn nur dies gefordert wäre";
     not_sought = "not sought" | "nicht gesucht";
     load_and_pace_not_sought(samples, most) =
         "other loads and other cycle times; each step of that search would find the load of {samples} samples anew, and of more than {most} only where --deadline of check, size or report says how long it may take"
@@ -130,11 +133,11 @@ texts! {
         "{title}: this check is not part of this axis and actuator"
         | "{title}: dieser Nachweis gehört nicht zu dieser Achse und diesem Antrieb";
     too_many_samples(asked, most) =
-        "{asked} samples of these tolerances take more than some ten seconds; at most {most} are judged unasked: state fewer with --samples, or how long the answer may take with --deadline"
-        | "{asked} Stichproben dieser Toleranzen dauern länger als etwa zehn Sekunden; ungefragt werden höchstens {most} beurteilt: mit --samples weniger angeben, oder mit --deadline, wie lange die Antwort dauern darf";
+        "{asked} samples of these tolerances take more than some ten seconds; at most {most} are judged by default: state fewer with --samples, or how long the answer may take with --deadline"
+        | "{asked} Stichproben dieser Toleranzen dauern länger als etwa zehn Sekunden; ohne Angabe werden höchstens {most} beurteilt: mit --samples weniger angeben, oder mit --deadline, wie lange die Antwort dauern darf";
     too_long(samples, most, seconds) =
-        "{samples} samples of recordings take more than some {seconds} seconds; unasked at most {most} are looked at, half as many under a load that hangs on the position or has losses: state how long the answer may take with --deadline, or use fewer with from and to"
-        | "{samples} Abtastwerte von Aufzeichnungen dauern länger als etwa {seconds} Sekunden; ungefragt werden höchstens {most} angesehen, halb so viele unter einer Last, die von der Stellung abhängt oder Verluste hat: mit --deadline angeben, wie lange die Antwort dauern darf, oder mit from und to weniger verwenden";
+        "{samples} samples of recordings take more than some {seconds} seconds; by default at most {most} are read, half as many under a load that hangs on the position or has losses: state how long the answer may take with --deadline, or use fewer with from and to"
+        | "{samples} Abtastwerte von Aufzeichnungen dauern länger als etwa {seconds} Sekunden; ohne Angabe werden höchstens {most} gelesen, halb so viele unter einer Last, die von der Stellung abhängt oder Verluste hat: mit --deadline angeben, wie lange die Antwort dauern darf, oder mit from und to weniger verwenden";
     too_many_axes(axes, seconds) =
         "{axes} axes take together more than some {seconds} seconds: name one with --axis, or state how long the answer may take with --deadline"
         | "{axes} Achsen dauern zusammen länger als etwa {seconds} Sekunden: mit --axis eine nennen oder mit --deadline angeben, wie lange die Antwort dauern darf";
@@ -145,8 +148,8 @@ texts! {
         "the table of the course has up to {rows} rows, which take {needed} MiB; {most} MiB are allowed: allow more with --memory, or use fewer samples with from and to"
         | "die Tabelle des Verlaufs hat bis zu {rows} Zeilen, die {needed} MiB belegen; erlaubt sind {most} MiB: mit --memory mehr erlauben oder mit from und to weniger Abtastwerte verwenden";
     not_in_time(most) =
-        "not answered within {most} s; allow more with --deadline, or ask for less: fewer samples, a shorter cycle, one axis with --axis"
-        | "in {most} s keine Antwort; mit --deadline mehr erlauben oder weniger fragen: weniger Stichproben, ein kürzerer Zyklus, mit --axis eine einzelne Achse";
+        "not answered within {most} s; allow more with --deadline, or reduce the work: fewer samples, a shorter cycle, one axis with --axis"
+        | "in {most} s keine Antwort; mit --deadline mehr erlauben oder den Umfang verringern: weniger Stichproben, kürzerer Zyklus, mit --axis eine einzelne Achse";
     on_no_sheet(most) =
         "on no sheet, for it has more than {most} rows" | "auf keinem Blatt, weil länger als {most} Zeilen";
     calculating_share(share) = "calculating {share} %" | "rechnet {share} %";
@@ -240,7 +243,6 @@ texts! {
     more_than_fifty_errors = "more than 50 errors" | "mehr als 50 Fehler";
     errors(count) = "1 error" | "1 Fehler", "{count} errors" | "{count} Fehler";
     nothing_was_calculated = "nothing was calculated" | "es wurde nichts gerechnet";
-    no_such_table(name, hint) = "there is no table \"{name}\"; {hint}" | "es gibt keine Tabelle „{name}“; {hint}";
     ending_says_the_format =
         "the ending of the file says the format: .xlsx, .csv, .json or .parquet"
         | "die Endung der Datei sagt das Format: .xlsx, .csv, .json oder .parquet";

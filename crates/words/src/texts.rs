@@ -3,12 +3,12 @@
 /// A text into which nothing is put, before its language is known.
 pub type Word = fn(crate::Language) -> &'static str;
 
-/// A text with its two languages as they are written, for whoever looks at all of them.
+/// A text with its two languages as they are written, for tests of all texts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Text {
     /// Its name, that of the function which gives it.
     pub name: &'static str,
-    /// English and German with what is put in as `{name}`; twice that where one thing is told otherwise than several, and
+    /// English and German with what is put in as `{name}`; separate pairs for singular and plural, and
     /// once where both languages say the same.
     pub forms: &'static [&'static str],
 }
@@ -38,8 +38,8 @@ impl Text {
 /// rows(count) = "1 row" | "1 Zeile", "{count} rows" | "{count} Zeilen";
 /// ```
 ///
-/// What is put in is shown as it is, so numbers come with the decimal mark of the language. Where one thing is told otherwise
-/// than several, the first argument is their number.
+/// What is put in is shown as it is, so numbers come with the decimal mark of the language. With separate texts for singular
+/// and plural, the first argument is the number.
 macro_rules! texts {
     ($($name:ident $(($($arg:ident),+))? = $($form:literal)|+ $(, $($many:literal)|+)? ;)+) => {
         $( $crate::texts::texts!(@one $name $(($($arg),+))? = $($form)|+ $(, $($many)|+)?); )+

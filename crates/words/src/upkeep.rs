@@ -56,7 +56,7 @@ fn every(interval: Interval, language: Language) -> String {
     }
 }
 
-/// What nobody stated, and what follows from it.
+/// The assumptions, with their consequences.
 #[must_use]
 pub const fn plan_note(note: PlanNote, language: Language) -> &'static str {
     match note {

@@ -68,7 +68,7 @@ pub enum UsageHint {
     WholeNumber,
     /// What an amount of memory looks like.
     Memory,
-    /// Where it is told.
+    /// Where it is described.
     Help,
 }
 
@@ -115,7 +115,7 @@ pub fn usage_hint(hint: &UsageHint, language: Language) -> String {
         UsageHint::Memory => {
             t("1 MiB to 64 GiB, for example \"512 MiB\"", "1 MiB bis 64 GiB, zum Beispiel \"512 MiB\"")
         }
-        UsageHint::Help => t("--help tells how it is called", "--help nennt den Aufruf"),
+        UsageHint::Help => t("--help shows the syntax", "--help zeigt den Aufruf"),
     }
 }
 

@@ -37,8 +37,8 @@ texts! {
     not_available = "what there is not" | "was es nicht gibt";
     rules = "rules and hazards" | "Regeln und Gefahren";
     sense_lines(supply, ground) =
-        "the sense lines (pins {supply} and {ground}) tell the drive the voltage at the encoder; a drive that uses them makes up for the loss on the wires, another one does not"
-        | "die Sense-Leitungen (Stifte {supply} und {ground}) melden dem Regler die Spannung am Geber; ein Regler, der sie auswertet, gleicht den Verlust auf den Adern aus, ein anderer nicht";
+        "the sense lines (pins {supply} and {ground}) report the voltage at the encoder to the drive; a drive that evaluates them compensates the voltage drop of the wires, other drives do not"
+        | "die Sense-Leitungen (Stifte {supply} und {ground}) melden dem Regler die Spannung am Geber; ein Regler, der sie auswertet, gleicht den Spannungsabfall der Adern aus, andere Regler nicht";
     empty_field(table, pin) = "table {table}, pin {pin}: empty field" | "Tabelle {table}, Stift {pin}: leeres Feld";
     held_brake = "brake while it is held open" | "Bremse beim Halten";
     voltage_drop(length) = "voltage lost on {length} m of cable, forth and back" | "Spannungsverlust auf {length} m Kabel, hin und zurück";

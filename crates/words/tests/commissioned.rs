@@ -5,8 +5,9 @@ use installation::commission::expected::{Band, Measurand};
 use installation::commission::recorded::{Cause, Unjudged};
 use installation::commission::sinamics::Choice;
 use installation::commission::{Conversion, Gap, ParameterId};
-use order_code::Ratio;
+use order_code::{Ratio, Series};
 use project::MeasuredKey;
+use project::names::{MeasuredRootName, NoLoadName, SensorName};
 use quantities::Language;
 use words::{
     band_text, cause_text, choice_text, conversion_text, gap_text, measurand_name, measured_key_text, parameter_name,
@@ -56,7 +57,12 @@ fn measurands_bands_and_reasons() {
     for why in [Unjudged::NotMeasured, Unjudged::NotStated, Unjudged::NotThere] {
         differ("unjudged", |language| unjudged_text(why, language).to_owned());
     }
-    for key in [MeasuredKey::Winding, MeasuredKey::Kty, MeasuredKey::Direction, MeasuredKey::NoLoadCurrent] {
+    for key in [
+        MeasuredKey::Root(MeasuredRootName::winding),
+        MeasuredKey::Sensor(SensorName::kty),
+        MeasuredKey::Root(MeasuredRootName::direction),
+        MeasuredKey::NoLoad(NoLoadName::current),
+    ] {
         differ("key", |language| measured_key_text(key, language).to_owned());
     }
 }
@@ -92,7 +98,7 @@ fn causes() {
         Cause::SpeedOfMotor,
         Cause::SameDirection,
         Cause::CountingReversed,
-        Cause::OtherRatio(Ratio::ALL[0]),
+        Cause::OtherRatio(Ratio::at(Series::default(), 0)),
         Cause::PolePairs(3.0),
     ];
     for cause in causes {

@@ -2,15 +2,15 @@
 
 use actuator::{BatteryFault, CurveFault, CurveKind};
 use configurator::{BrokenRule, Rule, Unmet};
-use mechanism::{BodyError, TableFault};
-use motion::{Law, MoveFault, Needed, RecordedFault};
-use order_code::{Brake, CodeError, Feedback, Field};
+use mechanism::{BodyError, Geometry, TableFault};
+use motion::{MoveFault, Needed, PointsFault, RecordedFault};
+use order_code::{Brake, CodeError, Field};
 use project::{Assumption, BODY_SHAPES, Expected, Fault, FileTrouble, Hint, Range, SegmentLaw};
 use provenance::{Grade, Source};
 use quantities::unit::{KILOGRAM, MILLIMETRE, NEWTON_METRE, SECOND};
 use quantities::{Dimension, Language, Measure, QuantityError};
-use recording::{Damage, Limit, Place};
-use sizing::{BrakeStop, Budget, CheckId, Figure, Note, ResonanceSpeeds, TooManyInstants, Verdict};
+use recording::{Damage, FileRow, Limit};
+use sizing::{Amount, BrakeStop, Budget, CheckId, Note, ResonanceSpeeds, TooManyInstants, Verdict};
 use std::io::ErrorKind;
 
 /// Both are there, and German is not English.
@@ -36,7 +36,7 @@ fn checks_and_verdicts() {
         differ(grade.id(), |language| words::grade_word(grade, language).to_owned());
         differ(grade.id(), |language| words::grade_about(grade, language).to_owned());
     }
-    for kind in [CurveKind::Continuous, CurveKind::S3 { duty: q(0.5) }, CurveKind::ShortTime] {
+    for kind in [CurveKind::Continuous, CurveKind::S3 { duty: q(0.5), cycle: q(60.0) }, CurveKind::ShortTime] {
         differ("curve", |language| words::curve_title(&kind, language));
     }
     for (fits, open) in [(true, 0), (true, 1), (true, 2), (false, 0)] {
@@ -50,8 +50,7 @@ fn assumptions_laws_shapes_and_fields() {
     for assumption in Assumption::ALL {
         differ(&format!("{assumption:?}"), |language| words::assumption_text(assumption, language));
     }
-    let laws = Law::ALL.into_iter().map(SegmentLaw::Law);
-    for law in laws.chain([SegmentLaw::Manual, SegmentLaw::Dwell, SegmentLaw::Recorded]) {
+    for law in SegmentLaw::all() {
         differ(law.id(), |language| words::law_text(law, language).to_owned());
     }
     for shape in &BODY_SHAPES {
@@ -76,14 +75,14 @@ fn terms_of_the_glossary() {
 #[test]
 fn rules_requirements_and_codes() {
     let code = order_code::parse("CHA-20A-50-H-C1024-B-K").unwrap().code;
-    let rules =
-        [Rule::NotForSize, Rule::PairNotListed, Rule::NotInOrderingTables, Rule::OnlyWithM512P, Rule::OnlyWithResolver];
+    let only_with = |longer| Rule::OnlyWith { feedback: code.feedback, longer };
+    let rules = [Rule::NotForSize, Rule::PairNotListed, Rule::NotInOrderingTables, only_with(""), only_with("1")];
     for rule in rules {
         let broken = BrokenRule { field: Field::Option2, rule, table: "12.1" };
         differ(&format!("{rule:?}"), |language| words::describe_rule(&code, &broken, language));
     }
     let unmet = [
-        Unmet::Feedback(Feedback::C1024),
+        Unmet::Feedback(code.feedback),
         Unmet::Brake(Brake::With),
         Unmet::Brake(Brake::Without),
         Unmet::HollowShaft { has: q(0.01), needs: q(0.02) },
@@ -108,7 +107,7 @@ fn rules_requirements_and_codes() {
 
 #[test]
 fn notes() {
-    let figure = Figure { si: 1.0, unit: &NEWTON_METRE };
+    let figure = Amount { si: 1.0, unit: &NEWTON_METRE };
     let speeds = [(q(1.0), q(2.0)); 3];
     let stop =
         |permitted| Note::BrakeStop(Box::new(BrakeStop { angle: q(1.0), time: q(1.0), energy: q(1.0), permitted }));
@@ -120,14 +119,14 @@ fn notes() {
         Note::EstimatedUpTo(figure),
         Note::InsideBand,
         Note::RiseAbove(q(313.0)),
-        Note::CycleNotShort { cycle: q(100.0) },
+        Note::CycleNotShort { cycle: q(100.0), time_constant: q(60.0) },
         Note::BrakingTorqueAssumed,
-        Note::RecommendationForHighDynamics,
-        Note::SwingTooSmall { swing: q(0.05) },
-        Note::SmallSwings { count: 3, largest: q(0.05), share: 0.5 },
+        Note::RecommendationForHighDynamics { factor: 3.0 },
+        Note::SwingTooSmall { swing: q(0.05), least: q(0.09) },
+        Note::SmallSwings { count: 3, largest: q(0.05), share: 0.5, least: q(0.09) },
         Note::RatingOfInterchangeableGear,
         Note::LoadsOneAtATime,
-        Note::WarmUp(Some(q(600.0))),
+        Note::WarmUp(q(600.0)),
         Note::Housing(q(330.0)),
         Note::HangingLoad,
         Note::Sag(q(0.01)),
@@ -183,6 +182,7 @@ fn move_faults() -> Vec<Fault> {
         MoveFault::RestToRestOnly,
         MoveFault::EndSpeedAboveLimit,
         MoveFault::StillMoving { speed: q(1.0) },
+        MoveFault::PointsSpeedJumps { first: q(1.0), before: q(2.0) },
         MoveFault::RecordingSpeedJumps { first: q(1.0), before: q(2.0) },
         MoveFault::RecordingPositionJumps { gap: q(1.0) },
         MoveFault::SpeedNotClosed { end: q(1.0), start: q(2.0) },
@@ -271,8 +271,8 @@ fn recording_faults() -> Vec<Fault> {
     let beyond = limits.map(|limit| recording::Fault::Beyond { limit, found: 2 << 20, most: 1 << 20 });
     let damaged = damages.map(|reason| recording::Fault::ParquetUnreadable { reason });
     let samples = [
-        recording::Fault::ValueImplausible { at: Place::Line(3), column: name(), text: name() },
-        recording::Fault::TooClose { at: Place::Row(3), length: q(1e-15) },
+        recording::Fault::ValueImplausible { at: FileRow::Line(3), column: name(), text: name() },
+        recording::Fault::TooClose { at: FileRow::Row(3), length: q(1e-15) },
     ];
     let made = beyond.into_iter().chain(damaged).chain(samples);
     all.extend(made.map(|fault| Fault::Recording { name: "run.parquet".to_owned(), fault }));
@@ -346,6 +346,7 @@ fn other_faults() -> Vec<Fault> {
     all.extend(
         [TableFault::TooFewPoints, TableFault::PositionsNotAscending, TableFault::NegativeInertia].map(Fault::Table),
     );
+    all.extend(Geometry::ALL.iter().map(|fault| Fault::Geometry(*fault)));
     all.extend([
         Fault::FileTooLarge { bytes: 2, most: 1 },
         Fault::FileOutOfReach { name: word() },
@@ -374,7 +375,13 @@ fn other_faults() -> Vec<Fault> {
         Fault::ControlCharacter { path: path() },
         Fault::NotAChoice { path: path(), written: word() },
         Fault::TooManyEntries { path: path(), most: 10 },
-        Fault::NotARow { path: path(), dimensions: &[Dimension::Angle, Dimension::Torque] },
+        Fault::Points(PointsFault::TooFew { points: 1, least: 2 }),
+        Fault::Points(PointsFault::NotFinite { index: 1 }),
+        Fault::Points(PointsFault::NotIncreasing { index: 1 }),
+        Fault::Points(PointsFault::Uneven),
+        Fault::UnlikeFirstPoint,
+        Fault::MasterOfTimes,
+        Fault::NotARow { path: path(), columns: &[&[Dimension::Angle], &[Dimension::Torque]] },
         Fault::RatioCount { most: 16 },
         Fault::RatioAndRatios,
         Fault::NoRatioInACoupling { key: "ratio" },
@@ -391,6 +398,7 @@ fn other_faults() -> Vec<Fault> {
         Fault::TooManyMechanisms,
         Fault::NoLine { path: path() },
         Fault::RodTooShort,
+        Fault::BeyondRange { position_rad: 9.0, range_rad: (-1.0, 8.0) },
         Fault::NoFlangeLoads,
         Fault::ReplacesEverything { key: "radial_force" },
         Fault::BeltOrTeeth,

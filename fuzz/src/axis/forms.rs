@@ -4,10 +4,10 @@ use super::Case;
 use crate::text::tells;
 use figures::{By, Figure, Style, draw};
 use parquet::file::reader::{FileReader, SerializedFileReader};
+use questions::{Candidate, Patience, Sampling, Sizing, answer, assess, reserve_of};
 use report::{AxisContent, Content, Settings};
 use serde_json::Value;
 use tables::{Front, NAMES, Subject, Table};
-use workbench::{Candidate, Patience, Sampling, Sizing, answer, assess, reserve_of};
 
 /// Every table is whole, and has as many rows in every form.
 pub(super) fn tables(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>) {
@@ -88,8 +88,8 @@ pub(super) fn dossier(case: &Case<'_>, sizing: &Sizing<'_>, best: &Candidate<'_>
     let rejected: usize = found.rejections.iter().map(|group| group.codes.len()).sum();
     assert_eq!(rejected, sizing.candidates.iter().filter(|each| !each.fits()).count());
     super::texts(&serde_json::to_value(&found).unwrap_or_default());
-    let figure = report::Figure {
-        place: report::Place::Motion,
+    let figure = report::Diagram {
+        place: report::DiagramPlace::Motion,
         svg: String::new(),
         caption: String::from("caption"),
         alternative_text: String::from("description"),

@@ -1,8 +1,10 @@
 //! What a verdict must be, whatever was asked.
 
 use super::Case;
-use workbench::quantities::Measure;
-use workbench::{Candidate, CandidateId, OrderCode, Verdict, check, inputs, reserve_of};
+use order_code::OrderCode;
+use project::inputs;
+use quantities::Measure;
+use questions::{Candidate, CandidateId, Verdict, check, reserve_of};
 
 /// What a check compares is finite, and the candidate fits if and only if nothing speaks against it.
 pub(crate) fn candidate(candidate: &Candidate<'_>) {
@@ -73,6 +75,6 @@ fn fits_with(case: &Case<'_>, code: &OrderCode, key: &str, value: &str) -> Optio
     let begin = format!("{key} = \"");
     let line = case.text.lines().find(|line| line.starts_with(&begin))?;
     let text = case.text.replacen(line, &format!("{begin}{value}\""), 1);
-    let project = workbench::read(&text).ok()?;
+    let project = questions::read(&text).ok()?;
     Some(check(&project, code).ok()?.judgement_fits())
 }

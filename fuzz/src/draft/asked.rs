@@ -1,4 +1,4 @@
-//! What a drafted project asks for, and the actuator and curves that it brings along.
+//! Requirements of a generated project, and its own actuator and curves.
 
 use super::page::{
     ANGLE, CURRENT, INERTIA, LENGTH, LIFE, MASS, Page, SPEED, TEMPERATURE, TIME, TORQUE, Units, VOLTAGE,

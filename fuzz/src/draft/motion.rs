@@ -180,7 +180,9 @@ fn carried(page: &mut Page<'_, '_>) -> Result<()> {
         page.key("payload_inertia", 1e-3, 2.0, INERTIA)?;
     }
     // A payload hangs somewhere: along a line, or at a distance from the axis.
-    if ["payload_distance", "screw", "mechanism.belt", "conveyor"].iter().any(|word| page.text.contains(word))
+    if ["payload_distance", "screw", "mechanism.belt", "conveyor", "hoist", "scissor_lift"]
+        .iter()
+        .any(|word| page.text.contains(word))
         && page.u.ratio(1, 8)?
     {
         page.key("payload", 0.05, 8.0, MASS)?;

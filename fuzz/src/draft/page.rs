@@ -24,7 +24,7 @@ pub(super) const VOLTAGE: Units = &[("V", 1.0)];
 pub(super) const CURRENT: Units = &[("A", 1.0)];
 pub(super) const TEMPERATURE: Units = &[("degC", 1.0)];
 
-/// Numbers at the edge of what a machine has, a file may say and a float can hold.
+/// Numbers at the limits of real machines, of the file format and of a float.
 const EDGES: [&str; 12] =
     ["0", "-1", "1e-300", "1e-12", "1e-6", "1e-3", "1e4", "1e6", "1e9", "1e12", "1e300", "1.7e308"];
 

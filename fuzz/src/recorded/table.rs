@@ -225,7 +225,7 @@ fn fill(
     .map(drop)
 }
 
-/// A file whose footer is these bytes, with its length told rightly, behind a little that it may point to.
+/// A file with these bytes as footer, its correct length, and some data before it to refer to.
 pub(super) fn with_footer(footer: &[u8]) -> Vec<u8> {
     let mut bytes = b"PAR1".to_vec();
     bytes.extend((0..64).map(|byte| byte * 3));

@@ -2,7 +2,7 @@
 
 use super::output::step;
 use super::tally::Tally;
-use super::view::{Entry, Span, View, brief, median};
+use super::view::{AuditedCell, Span, View, brief, median};
 use std::collections::BTreeMap;
 
 /// Heads of the sizes in the tables that print one column for each.
@@ -18,7 +18,7 @@ pub(super) const SIZES: [&str; 8] =
 pub(super) fn static_moment(view: &View, tally: &mut Tally) {
     for size in SIZES {
         let safety = if ["CHA-14A", "CHA-17A", "CHA-20A"].contains(&size) { 1.8 } else { 1.5 };
-        let span = |symbol| view.of_size("55.1", symbol, size).and_then(Entry::span);
+        let span = |symbol| view.of_size("55.1", symbol, size).and_then(AuditedCell::span);
         let moment = view.of_size("55.1", "M_0_max", size);
         let (Some(cell), Some(diameter), Some(rating)) = (moment, span("d_p"), span("C_0")) else {
             tally.absent(format_args!("M_0_max of {size}"));
@@ -44,7 +44,7 @@ pub(super) fn life(view: &View, tally: &mut Tally) {
         let kind = view.of_size("55.1", "bearing_type", size).map(|entry| format!("bearing_type={}", entry.text));
         let exponent = kind.and_then(|kind| view.row("74.5", "B").find(|entry| entry.cell.place.condition == kind));
         let exponent = exponent.and_then(|entry| quotient(&entry.text));
-        let rating = view.of_size("55.1", "C", size).and_then(Entry::number);
+        let rating = view.of_size("55.1", "C", size).and_then(AuditedCell::number);
         let (Some(b), Some(c), Some(y)) = (exponent, rating, y) else {
             tally.absent(format_args!("C, bearing_type, B or y of {size}"));
             continue;
@@ -88,13 +88,14 @@ pub(super) fn growth(view: &View, tally: &mut Tally) {
         }
     }
     for symbol in ["K_1", "K_2", "K_3", "T_1", "T_2"] {
-        let cells: Vec<&Entry> = stiffness(symbol).collect();
+        let cells: Vec<&AuditedCell> = stiffness(symbol).collect();
         for ratio in ["30", "50", "> 50", ""] {
-            let row: Vec<&Entry> = cells.iter().copied().filter(|entry| entry.cell.place.ratio == ratio).collect();
+            let row: Vec<&AuditedCell> =
+                cells.iter().copied().filter(|entry| entry.cell.place.ratio == ratio).collect();
             ascending(tally, &row);
         }
         for size in SIZES {
-            let row: Vec<&Entry> = cells.iter().copied().filter(|entry| entry.cell.place.drive == size).collect();
+            let row: Vec<&AuditedCell> = cells.iter().copied().filter(|entry| entry.cell.place.drive == size).collect();
             ascending(tally, &row);
         }
     }
@@ -103,7 +104,7 @@ pub(super) fn growth(view: &View, tally: &mut Tally) {
     }
     for symbol in ["transmission_accuracy", "hysteresis_loss"] {
         for size in SIZES {
-            let row: Vec<&Entry> = ["54.1", "54.2"]
+            let row: Vec<&AuditedCell> = ["54.1", "54.2"]
                 .iter()
                 .flat_map(|table| view.row(table, symbol))
                 .filter(|entry| entry.cell.place.drive == size)
@@ -117,7 +118,7 @@ pub(super) fn growth(view: &View, tally: &mut Tally) {
     }
 }
 
-fn ascending(tally: &mut Tally, row: &[&Entry]) {
+fn ascending(tally: &mut Tally, row: &[&AuditedCell]) {
     for pair in row.windows(2) {
         if let [first, second] = pair {
             step(tally, Some(first), Some(second), |a, b| a < b, "not below its neighbour");
@@ -131,14 +132,14 @@ fn ascending(tally: &mut Tally, row: &[&Entry]) {
 /// Tolerance: 3 % of the median force of a thread (the bolt circles are printed to full millimetres); the tightening torque
 /// is one value per thread. Blamed: transmissible torque, tightening torque.
 pub(super) fn screws(view: &View, tally: &mut Tally) {
-    let mut forces: BTreeMap<&str, Vec<(&Entry, f64)>> = BTreeMap::new();
-    let mut torques: BTreeMap<&str, Vec<&Entry>> = BTreeMap::new();
+    let mut forces: BTreeMap<&str, Vec<(&AuditedCell, f64)>> = BTreeMap::new();
+    let mut torques: BTreeMap<&str, Vec<&AuditedCell>> = BTreeMap::new();
     for size in SIZES {
         let strongest = catalogue::drives().iter().filter(|drive| drive.name.starts_with(size));
         let strongest = strongest
             .flat_map(|drive| view.drive(drive.name).entries)
             .filter(|entry| entry.cell.place.symbol == "T_max")
-            .filter_map(Entry::number)
+            .filter_map(AuditedCell::number)
             .fold(0.0, f64::max);
         for side in ["load", "housing"] {
             let get = |what: &str| {
@@ -146,7 +147,7 @@ pub(super) fn screws(view: &View, tally: &mut Tally) {
                     c.place.table == "79.1" && c.place.drive == size && c.place.symbol == format!("{what}_{side}")
                 })
             };
-            let number = |what: &str| get(what).and_then(Entry::number);
+            let number = |what: &str| get(what).and_then(AuditedCell::number);
             let cells = (get("screw_size"), get("transmissible_torque"), get("tightening_torque"));
             let (Some(thread), Some(torque), Some(tightening)) = cells else {
                 tally.absent(format_args!("screws of {size}, {side}"));

@@ -1,7 +1,7 @@
 //! Steps, turns and words of the feedback systems (tables 57.1 to 61.1 and 68.1).
 
 use super::tally::Tally;
-use super::view::{Entry, Span, View, brief};
+use super::view::{AuditedCell, Span, View, brief};
 
 /// Tables of the feedback systems, with the number of interpolation steps per period of the incremental signal.
 ///
@@ -30,7 +30,7 @@ pub(super) fn resolution(view: &View, tally: &mut Tally) {
             tally.absent(format_args!("resolution_motor_inc of table {table}"));
         }
         resolutions(view, tally, table, "resolution_out", steps);
-        if let Some(positions) = only(view, table, "positions_per_turn").and_then(Entry::number) {
+        if let Some(positions) = only(view, table, "positions_per_turn").and_then(AuditedCell::number) {
             resolutions(view, tally, table, "resolution_out_absolute", positions);
         }
     }
@@ -65,7 +65,7 @@ fn resolutions(view: &View, tally: &mut Tally, table: &str, symbol: &str, steps:
 /// Tolerance: none, all are counts. Blamed: the turns at the output, the numbers of bits.
 pub(super) fn turns(view: &View, tally: &mut Tally) {
     for table in ["58.1", "59.1"] {
-        let Some(turns) = only(view, table, "turns").and_then(Entry::number) else {
+        let Some(turns) = only(view, table, "turns").and_then(AuditedCell::number) else {
             tally.absent(format_args!("turns of table {table}"));
             continue;
         };
@@ -78,7 +78,7 @@ pub(super) fn turns(view: &View, tally: &mut Tally) {
     }
     let get = |symbol| only(view, "59.1", symbol);
     for (count, bits) in [("turns", "turns_bits"), ("positions_per_turn", "positions_per_turn_bits")] {
-        let Some((bits, count)) = get(bits).zip(get(count).and_then(Entry::number)) else {
+        let Some((bits, count)) = get(bits).zip(get(count).and_then(AuditedCell::number)) else {
             tally.absent(format_args!("{count} or {bits} of table 59.1"));
             continue;
         };
@@ -96,7 +96,7 @@ pub(super) fn turns(view: &View, tally: &mut Tally) {
     exact(tally, word, a + b, &[word, turn_bits, position_bits], "bits of turns and positions together");
 }
 
-fn exact(tally: &mut Tally, cell: &Entry, expected: f64, blamed: &[&Entry], how: &str) {
+fn exact(tally: &mut Tally, cell: &AuditedCell, expected: f64, blamed: &[&AuditedCell], how: &str) {
     let Some(number) = cell.number() else {
         tally.absent(cell.place());
         return;
@@ -107,7 +107,7 @@ fn exact(tally: &mut Tally, cell: &Entry, expected: f64, blamed: &[&Entry], how:
 }
 
 /// The incremental cell of a symbol that a table prints once.
-fn only<'a>(view: &'a View, table: &'a str, symbol: &'a str) -> Option<&'a Entry> {
+fn only<'a>(view: &'a View, table: &'a str, symbol: &'a str) -> Option<&'a AuditedCell> {
     view.row(table, symbol).next()
 }
 

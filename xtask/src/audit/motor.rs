@@ -1,7 +1,7 @@
 //! Currents, torque constants and time constants of the motors (tables 14.1 to 48.1).
 
 use super::tally::{Excuse, Tally};
-use super::view::{DriveView, Entry, Span, View, brief, median};
+use super::view::{AuditedCell, DriveView, Span, View, brief, median};
 use std::f64::consts::PI;
 
 /// tau_e = L_LL / R_LL
@@ -33,7 +33,7 @@ pub(super) fn electrical_time_constant(view: &View, tally: &mut Tally) {
 /// Tolerance: the rounding of all values; a zero behind the comma of tau_m may be padding (14,0 9,0 23,0 of table 14.1).
 pub(super) fn mechanical_time_constant(view: &View, tally: &mut Tally) {
     for drive in view.drives() {
-        let taus: Vec<&Entry> = drive.every("tau_m", "").collect();
+        let taus: Vec<&AuditedCell> = drive.every("tau_m", "").collect();
         if taus.is_empty() {
             tally.absent(format_args!("tau_m of {}", drive.name));
         }
@@ -53,7 +53,7 @@ pub(super) fn mechanical_time_constant(view: &View, tally: &mut Tally) {
     }
 }
 
-fn expected_tau_m(drive: &DriveView<'_>, tau: &Entry) -> Option<Span> {
+fn expected_tau_m(drive: &DriveView<'_>, tau: &AuditedCell) -> Option<Span> {
     let resistance = drive.once("R_LL")?.span()?;
     let inertia = inertia_beside(drive, tau)?.span()? * 1e-4;
     let k = if drive.is_small() {
@@ -74,7 +74,7 @@ fn expected_tau_m(drive: &DriveView<'_>, tau: &Entry) -> Option<Span> {
 pub(super) fn time_constant_and_inertia(view: &View, tally: &mut Tally) {
     for (base, other) in variants(view) {
         let pairs = [inertia_beside(&base.0, base.1), inertia_beside(&other.0, other.1)];
-        let [Some(j_base), Some(j_other)] = pairs.map(|cell| cell.and_then(Entry::span)) else {
+        let [Some(j_base), Some(j_other)] = pairs.map(|cell| cell.and_then(AuditedCell::span)) else {
             tally.absent(format_args!("J beside {}", other.1.place()));
             continue;
         };
@@ -89,7 +89,7 @@ pub(super) fn time_constant_and_inertia(view: &View, tally: &mut Tally) {
     }
 }
 
-type Variant<'a> = (DriveView<'a>, &'a Entry);
+type Variant<'a> = (DriveView<'a>, &'a AuditedCell);
 
 /// Pairs of tau_m on the same motor: of the feedback with the smallest rotor, and of each other one.
 fn variants(view: &View) -> Vec<(Variant<'_>, Variant<'_>)> {
@@ -113,11 +113,11 @@ fn variants(view: &View) -> Vec<(Variant<'_>, Variant<'_>)> {
     pairs
 }
 
-fn inertia_beside<'a>(drive: &DriveView<'a>, tau: &Entry) -> Option<&'a Entry> {
+fn inertia_beside<'a>(drive: &DriveView<'a>, tau: &AuditedCell) -> Option<&'a AuditedCell> {
     drive.every("J", "").find(|entry| entry.cell.feedback == tau.cell.feedback)
 }
 
-fn padding(cell: &Entry, expected: Span) -> Excuse {
+fn padding(cell: &AuditedCell, expected: Span) -> Excuse {
     let fits = Span::padded(&cell.text).is_some_and(|span| span.meets(expected));
     let rule = fits.then_some("the last zero of tau_m is padding: the value is known to full milliseconds");
     Excuse { rule, ..Excuse::default() }
@@ -168,14 +168,14 @@ pub(super) fn maximum_current(view: &View, tally: &mut Tally) {
 /// medians of the family's lower and upper ends. The widest honest spread is 3.0 % (17A-H/N, i = 80). Blamed: k_Tout.
 pub(super) fn torque_constant(view: &View, tally: &mut Tally) {
     for drive in view.drives() {
-        let Some(motor) = drive.once("k_TM").and_then(Entry::number) else {
+        let Some(motor) = drive.once("k_TM").and_then(AuditedCell::number) else {
             tally.absent(format_args!("k_TM of {}", drive.name));
             continue;
         };
         let mut family = Vec::new();
         for ratio in drive.ratios() {
             let cell = drive.at("k_Tout", ratio);
-            let span = cell.and_then(Entry::span).zip(ratio.parse().ok()).map(|(k, i): (_, f64)| k * (1.0 / i));
+            let span = cell.and_then(AuditedCell::span).zip(ratio.parse().ok()).map(|(k, i): (_, f64)| k * (1.0 / i));
             match cell.zip(span) {
                 Some(pair) => family.push(pair),
                 None => tally.absent(format_args!("k_Tout of {}, i = {ratio}", drive.name)),
@@ -196,18 +196,18 @@ pub(super) fn torque_constant(view: &View, tally: &mut Tally) {
     }
 }
 
-fn expect(tally: &mut Tally, cell: &Entry, printed: Span, expected: Span, excuse: Excuse, how: &str) {
+fn expect(tally: &mut Tally, cell: &AuditedCell, printed: Span, expected: Span, excuse: Excuse, how: &str) {
     tally.compare_or(printed.meets(expected), &[cell], excuse, || {
         format!("{} is {}, {how} gives {expected}", cell.place(), cell.text)
     });
 }
 
-/// Runs a check on the cell of a symbol at every ratio of every drive; `None` is told as a comparison not made.
+/// Runs a check on the cell of a symbol at every ratio of every drive; `None` is reported as a comparison not made.
 pub(super) fn each_ratio(
     view: &View,
     tally: &mut Tally,
     symbol: &str,
-    check: impl Fn(&DriveView<'_>, &'static str, &Entry, &mut Tally) -> Option<()>,
+    check: impl Fn(&DriveView<'_>, &'static str, &AuditedCell, &mut Tally) -> Option<()>,
 ) {
     for drive in view.drives() {
         for ratio in drive.ratios() {

@@ -74,15 +74,15 @@ pub(super) fn combinations(view: &View, tally: &mut Tally) {
             .map(|entry| entry.text.clone())
     };
     for size in SIZES {
-        for winding in order_code::Winding::ALL {
-            for feedback in order_code::Feedback::ALL {
+        for winding in order_code::Winding::all(order_code::Series::default()) {
+            for feedback in order_code::Feedback::all(order_code::Series::default()) {
                 let (w, f) = (winding.as_str(), feedback.as_str());
                 let marks = (mark(size, format!("winding={w}")), mark(size, format!("feedback={f}")));
                 let available = marks == (Some("●".to_owned()), Some("●".to_owned())) && listed.contains(&(w, f));
                 let head = catalogue::drives().iter().find(|drive| {
                     drive.name.starts_with(size)
-                        && drive.windings.contains(winding)
-                        && drive.feedbacks.contains(feedback)
+                        && drive.windings.contains(&winding)
+                        && drive.feedbacks.contains(&feedback)
                 });
                 // Tables 17.1 to 24.2 print H and N in one, with all feedback systems; 11.3 lists fewer pairs for H.
                 let shared = head.is_some_and(|drive| drive.name.ends_with("-H/N"));

@@ -2,7 +2,7 @@
 
 use super::motor::each_ratio;
 use super::tally::{Excuse, Tally};
-use super::view::{Entry, Span, View, brief};
+use super::view::{AuditedCell, Span, View, brief};
 use std::collections::BTreeMap;
 
 /// J_out = J i², and J_out_brake = J_brake i²
@@ -17,7 +17,7 @@ pub(super) fn inertia(view: &View, tally: &mut Tally) {
             for cell in drive.entries.iter().filter(|entry| entry.cell.place.symbol == out) {
                 let beside = drive.beside(motor, cell);
                 let square = cell.cell.place.ratio.parse::<f64>().ok().map(|i| i * i * 1e-4);
-                let spans = (cell.span(), beside.and_then(Entry::span), square);
+                let spans = (cell.span(), beside.and_then(AuditedCell::span), square);
                 let (Some(printed), Some(at_motor), Some(square)) = spans else {
                     tally.absent(cell.place());
                     continue;
@@ -61,10 +61,10 @@ pub(super) fn speed(view: &View, tally: &mut Tally) {
 /// Source: found in the tables; the manual states no formula.
 /// Tolerance: the rounding of T_Br. Blamed: T_Br.
 pub(super) fn brake(view: &View, tally: &mut Tally) {
-    let mut by_size: BTreeMap<&str, Vec<(&Entry, f64, f64)>> = BTreeMap::new();
+    let mut by_size: BTreeMap<&str, Vec<(&AuditedCell, f64, f64)>> = BTreeMap::new();
     for drive in view.drives() {
         for ratio in drive.ratios() {
-            let cells = drive.at("T_Br", ratio).zip(drive.at("T_max", ratio).and_then(Entry::number));
+            let cells = drive.at("T_Br", ratio).zip(drive.at("T_max", ratio).and_then(AuditedCell::number));
             match cells.zip(ratio.parse().ok()) {
                 Some(((cell, limit), i)) => by_size.entry(drive.size()).or_default().push((cell, limit, i)),
                 None => tally.absent(format_args!("T_Br of {}, i = {ratio}", drive.name)),
@@ -105,7 +105,7 @@ pub(super) fn brake(view: &View, tally: &mut Tally) {
 /// Source: found in the tables: T_b and rotor grow together from 14A to 50A; the manual states no rule.
 /// Tolerance: the rounding of both inertias. Blamed: J_brake of the stronger brake.
 pub(super) fn brake_rotor(view: &View, tally: &mut Tally) {
-    let mut brakes: Vec<(&Entry, f64, Span)> = Vec::new();
+    let mut brakes: Vec<(&AuditedCell, f64, Span)> = Vec::new();
     for drive in view.drives() {
         let torque = drive
             .ratios()
@@ -114,7 +114,7 @@ pub(super) fn brake_rotor(view: &View, tally: &mut Tally) {
             .fold(0.0, f64::max);
         for bare in drive.every("J", "") {
             let braked = drive.beside("J_brake", bare);
-            match braked.zip(braked.and_then(Entry::span).zip(bare.span())) {
+            match braked.zip(braked.and_then(AuditedCell::span).zip(bare.span())) {
                 Some((cell, (with, without))) => brakes.push((cell, torque, with - without)),
                 None => tally.absent(format_args!("J or J_brake of {}", drive.name)),
             }
@@ -181,20 +181,20 @@ pub(super) fn order(view: &View, tally: &mut Tally) {
 }
 
 /// I_NLS at the cold limit rises with i; only the value at 20 °C falls.
-fn cold(entry: &Entry) -> bool {
+fn cold(entry: &AuditedCell) -> bool {
     entry.cell.place.symbol == "I_NLS" && entry.cell.place.condition.starts_with('-')
 }
 
 /// Compares two numbers.
 pub(super) fn step(
     tally: &mut Tally,
-    first: Option<&Entry>,
-    second: Option<&Entry>,
+    first: Option<&AuditedCell>,
+    second: Option<&AuditedCell>,
     fits: impl Fn(f64, f64) -> bool,
     words: &str,
 ) {
     let (Some(first), Some(second)) = (first, second) else {
-        let known = first.or(second).map_or_else(String::new, Entry::place);
+        let known = first.or(second).map_or_else(String::new, AuditedCell::place);
         tally.absent(format_args!("no partner of {known}"));
         return;
     };

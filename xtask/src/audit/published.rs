@@ -2,7 +2,7 @@
 
 use super::output::step;
 use super::tally::Tally;
-use super::view::{Entry, View, brief};
+use super::view::{AuditedCell, View, brief};
 
 /// KTY 84-130: rising, and within 1.1 ohm of the data sheet's closed form
 ///
@@ -11,7 +11,7 @@ use super::view::{Entry, View, brief};
 /// Source: NXP data sheet KTY84 series rev. 06 (nxp-kty84).
 /// Tolerance: 1.1 ohm; the worst of the 36 points is 1.04 ohm off, at 300 °C.
 pub(super) fn temperature_sensor(view: &View, tally: &mut Tally) {
-    let row: Vec<&Entry> = view.row("kty84-130", "R_KTY").collect();
+    let row: Vec<&AuditedCell> = view.row("kty84-130", "R_KTY").collect();
     rising(tally, &row);
     for cell in row {
         let head =
@@ -35,13 +35,13 @@ pub(super) fn temperature_sensor(view: &View, tally: &mut Tally) {
 /// Source: DIN 44081 and DIN 44082 as siemens-1fw6 quotes them; three and one in series have four times the single limit.
 /// Tolerance: none.
 pub(super) fn thermistor(view: &View, tally: &mut Tally) {
-    let every: Vec<&Entry> = view.row("ptc-din44081", "R_PTC").collect();
-    let of = |kind: &str| -> Vec<&Entry> {
+    let every: Vec<&AuditedCell> = view.row("ptc-din44081", "R_PTC").collect();
+    let of = |kind: &str| -> Vec<&AuditedCell> {
         every.iter().copied().filter(|entry| entry.cell.place.condition.split(", ").any(|part| part == kind)).collect()
     };
     let single = of("single");
     for (kind, times) in [("single", 1.0), ("triple", 3.0), ("triple and single in series", 4.0)] {
-        let row: Vec<&Entry> = of(kind).into_iter().filter(|entry| !entry.text.is_empty()).collect();
+        let row: Vec<&AuditedCell> = of(kind).into_iter().filter(|entry| !entry.text.is_empty()).collect();
         rising(tally, &row);
         for cell in row {
             let one = single.iter().find(|entry| entry.cell.column == cell.cell.column);
@@ -61,7 +61,7 @@ pub(super) fn thermistor(view: &View, tally: &mut Tally) {
 /// Source: zd-shf-2uh, an interchangeable gear; that its T_R is the T_max of the CHA is the reason to use it.
 /// Tolerance: none.
 pub(super) fn gear_ratings(view: &View, tally: &mut Tally) {
-    let get = |symbol: &str, like: &Entry| {
+    let get = |symbol: &str, like: &AuditedCell| {
         view.row("gear-ratings", symbol)
             .find(|entry| {
                 (entry.cell.place.drive, entry.cell.place.ratio) == (like.cell.place.drive, like.cell.place.ratio)
@@ -102,7 +102,7 @@ pub(super) fn curves(view: &View, tally: &mut Tally) {
             tally.absent(cell.place());
             continue;
         };
-        let number = |symbol| drive.at(symbol, cell.cell.place.ratio).and_then(Entry::number);
+        let number = |symbol| drive.at(symbol, cell.cell.place.ratio).and_then(AuditedCell::number);
         let (Some(stall), Some(peak), Some(speed)) = (number("T_0"), number("T_max"), number("n_max")) else {
             tally.absent(cell.place());
             continue;
@@ -124,7 +124,7 @@ pub(super) fn curves(view: &View, tally: &mut Tally) {
     }
 }
 
-fn rising(tally: &mut Tally, row: &[&Entry]) {
+fn rising(tally: &mut Tally, row: &[&AuditedCell]) {
     if row.len() < 2 {
         tally.absent("a row that should rise has fewer than two values");
     }

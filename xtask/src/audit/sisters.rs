@@ -1,7 +1,7 @@
 //! Values that sister drives share: C1024 and M512P of one size, E and H/N of one size.
 
 use super::tally::{Excuse, Tally};
-use super::view::{DriveView, Entry, Span, View, brief};
+use super::view::{AuditedCell, DriveView, Span, View, brief};
 
 /// C1024 and M512P of a size have the same motor, gear and brake
 ///
@@ -12,7 +12,7 @@ use super::view::{DriveView, Entry, Span, View, brief};
 /// Tolerance: none. Blamed: both cells.
 pub(super) fn same_motor(view: &View, tally: &mut Tally) {
     for (coded, absolute) in pairs(view, "-C1024", "-M512P") {
-        let shared = |entry: &&&Entry| {
+        let shared = |entry: &&&AuditedCell| {
             let symbol = entry.cell.place.symbol;
             !symbol.starts_with("J") && !["m", "m_brake", "tau_m", "L", "L_brake"].contains(&symbol)
         };
@@ -61,7 +61,7 @@ pub(super) fn encoder_share(view: &View, tally: &mut Tally) {
             });
         }
         let brake = |drive: &DriveView<'_>| {
-            Some(drive.once("L_brake").and_then(Entry::number)? - drive.once("L").and_then(Entry::number)?)
+            Some(drive.once("L_brake").and_then(AuditedCell::number)? - drive.once("L").and_then(AuditedCell::number)?)
         };
         let Some((c, m)) = brake(&coded).zip(brake(&absolute)) else {
             tally.absent(format_args!("L and L_brake of {}", absolute.name));
@@ -117,7 +117,7 @@ fn pairs<'a>(view: &'a View, first: &str, second: &str) -> Vec<(DriveView<'a>, D
 }
 
 /// The same text but for spaces (`24 ±10 %` and `24 ± 10 %`); an empty cell must be matched by an empty one.
-fn same_text(tally: &mut Tally, cell: &Entry, twin: Option<&Entry>) {
+fn same_text(tally: &mut Tally, cell: &AuditedCell, twin: Option<&AuditedCell>) {
     match twin {
         Some(twin) => tally.compare(cell.text.replace(' ', "") == twin.text.replace(' ', ""), &[cell, twin], || {
             format!("{} is {}, but {} is {}", cell.place(), cell.text, twin.place(), twin.text)

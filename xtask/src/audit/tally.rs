@@ -1,6 +1,6 @@
 //! What the checks have compared, what deviates, and what explains it.
 
-use super::view::{Entry, Reading};
+use super::view::{AuditedCell, Reading};
 use catalogue::Cell;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -71,7 +71,7 @@ impl Tally {
     }
 
     /// One comparison. `blamed` are the cells whose erratum would explain a failure.
-    pub(super) fn compare(&mut self, fits: bool, blamed: &[&Entry], message: impl FnOnce() -> String) {
+    pub(super) fn compare(&mut self, fits: bool, blamed: &[&AuditedCell], message: impl FnOnce() -> String) {
         self.compare_or(fits, blamed, Excuse::default(), message);
     }
 
@@ -79,7 +79,7 @@ impl Tally {
     pub(super) fn compare_or(
         &mut self,
         fits: bool,
-        blamed: &[&Entry],
+        blamed: &[&AuditedCell],
         excuse: Excuse,
         message: impl FnOnce() -> String,
     ) {

@@ -53,14 +53,14 @@ impl Reading {
 
 /// One cell with the text that this reading gives it.
 #[derive(Clone, Debug)]
-pub(super) struct Entry {
+pub(super) struct AuditedCell {
     /// The cell.
     pub cell: &'static Cell,
     /// Its text.
     pub text: String,
 }
 
-impl Entry {
+impl AuditedCell {
     /// The value with half its last printed digit to both sides; `None` for dashes, ranges and texts.
     pub(super) fn span(&self) -> Option<Span> {
         Span::of(&self.text)
@@ -90,18 +90,18 @@ impl Entry {
 pub(super) struct View {
     /// The reading.
     pub reading: Reading,
-    entries: Vec<Entry>,
+    entries: Vec<AuditedCell>,
 }
 
 impl View {
     /// The embedded tables.
     pub(super) fn of(reading: Reading) -> Self {
-        let entries = catalogue::cells().iter().map(|cell| Entry { cell, text: reading.text(cell) }).collect();
+        let entries = catalogue::cells().iter().map(|cell| AuditedCell { cell, text: reading.text(cell) }).collect();
         Self { reading, entries }
     }
 
     /// The cells of a table.
-    pub(super) fn table<'a, 'b>(&'a self, id: &'b str) -> impl Iterator<Item = &'a Entry> + use<'a, 'b> {
+    pub(super) fn table<'a, 'b>(&'a self, id: &'b str) -> impl Iterator<Item = &'a AuditedCell> + use<'a, 'b> {
         self.entries.iter().filter(move |entry| entry.cell.place.table == id)
     }
 
@@ -110,17 +110,17 @@ impl View {
         &'a self,
         table: &'b str,
         symbol: &'b str,
-    ) -> impl Iterator<Item = &'a Entry> + use<'a, 'b> {
+    ) -> impl Iterator<Item = &'a AuditedCell> + use<'a, 'b> {
         self.table(table).filter(move |entry| entry.cell.place.symbol == symbol)
     }
 
     /// The cell of a symbol in a table with one column per size.
-    pub(super) fn of_size(&self, table: &str, symbol: &str, size: &str) -> Option<&Entry> {
+    pub(super) fn of_size(&self, table: &str, symbol: &str, size: &str) -> Option<&AuditedCell> {
         self.row(table, symbol).find(|entry| entry.cell.place.drive == size)
     }
 
     /// The first cell that a predicate accepts.
-    pub(super) fn find(&self, accept: impl Fn(&Cell) -> bool) -> Option<&Entry> {
+    pub(super) fn find(&self, accept: impl Fn(&Cell) -> bool) -> Option<&AuditedCell> {
         self.entries.iter().find(|entry| accept(entry.cell))
     }
 
@@ -154,7 +154,7 @@ pub(super) struct DriveView<'a> {
     /// Head of its section.
     pub name: &'static str,
     /// Its cells.
-    pub entries: Vec<&'a Entry>,
+    pub entries: Vec<&'a AuditedCell>,
 }
 
 impl<'a> DriveView<'a> {
@@ -169,24 +169,24 @@ impl<'a> DriveView<'a> {
 
     /// The cell of a symbol at a ratio; a value printed once holds for every ratio. Where a symbol is printed for
     /// several temperatures, the warm-room one: 20 °C.
-    pub(super) fn at(&self, symbol: &str, ratio: &str) -> Option<&'a Entry> {
+    pub(super) fn at(&self, symbol: &str, ratio: &str) -> Option<&'a AuditedCell> {
         self.every(symbol, ratio).find(|entry| ["", "20 degC"].contains(&entry.cell.place.condition))
     }
 
     /// The cells of a symbol at a ratio, under any condition and feedback.
-    pub(super) fn every(&self, symbol: &str, ratio: &str) -> impl Iterator<Item = &'a Entry> {
+    pub(super) fn every(&self, symbol: &str, ratio: &str) -> impl Iterator<Item = &'a AuditedCell> {
         self.entries.iter().copied().filter(move |entry| {
             entry.cell.place.symbol == symbol && (entry.cell.place.ratio.is_empty() || entry.cell.place.ratio == ratio)
         })
     }
 
     /// The cell of a symbol printed once for all ratios.
-    pub(super) fn once(&self, symbol: &str) -> Option<&'a Entry> {
+    pub(super) fn once(&self, symbol: &str) -> Option<&'a AuditedCell> {
         self.at(symbol, "")
     }
 
     /// The cell that stands like `other`, feedback, condition and ratio alike, under another symbol.
-    pub(super) fn beside(&self, symbol: &str, other: &Entry) -> Option<&'a Entry> {
+    pub(super) fn beside(&self, symbol: &str, other: &AuditedCell) -> Option<&'a AuditedCell> {
         self.entries.iter().copied().find(|entry| {
             entry.cell.place.symbol == symbol
                 && entry.cell.feedback == other.cell.feedback

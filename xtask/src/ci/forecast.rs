@@ -91,12 +91,12 @@ impl Forecast {
     }
 }
 
-/// Seconds below a minute and a half, else minutes: nobody waits by the second.
+/// Seconds below a minute and a half, else minutes.
 pub(super) fn duration(seconds: f64) -> String {
     if seconds < 90.0 { format!("{seconds:.0} s") } else { format!("{:.0} min", seconds / 60.0) }
 }
 
-/// How many programs want a core at this moment, where the system tells.
+/// Number of programs waiting for a core, if the system reports it.
 fn load() -> Option<f64> {
     fs::read_to_string("/proc/loadavg").ok()?.split_whitespace().next()?.parse().ok()
 }

@@ -5,18 +5,18 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use super::instrument::Count;
-use super::{Target, instrument, listed};
+use super::{Target, corpus, instrument, listed};
 use crate::Error;
 use crate::cargo::{Workspace, cargo, must_succeed, spelled};
 
-/// What is told: a name, and the folders and files under `crates/` that belong to it.
+/// A reported part: a name, and its folders and files under `crates/`.
 const PARTS: [(&str, &[&str]); 7] = [
     ("quantities", &["quantities/src/"]),
     ("order-code", &["order-code/src/"]),
     ("recording", &["recording/src/"]),
     ("project", &["project/src/"]),
     ("configurator, its reading of codes", &["configurator/src/codes.rs", "configurator/src/nearest.rs"]),
-    ("workbench, its reading", &["workbench/src/codes.rs", "workbench/src/reading.rs"]),
+    ("questions, its reading", &["questions/src/codes.rs", "questions/src/reading.rs"]),
     ("page and interface", &["page/src/"]),
 ];
 
@@ -27,7 +27,7 @@ struct Lines {
     run: u64,
 }
 
-/// Builds the targets with counters on their lines, replays what lies under `fuzz/`, and tells the share that was run.
+/// Builds the targets with counters on their lines, replays the cases under `fuzz/`, and prints the share of lines run.
 pub(super) fn tell(root: &Path, targets: &[&Target]) -> Result<(), Error> {
     let workspace = Workspace::ask(root)?;
     workspace.require("fuzz")?;
@@ -44,8 +44,10 @@ pub(super) fn tell(root: &Path, targets: &[&Target]) -> Result<(), Error> {
     let program = build(root, &workspace, &work)?;
     let mut cases = 0;
     for target in targets {
-        let of = |folder: &str| listed(&root.join("fuzz").join(folder).join(target.name));
-        let files: Vec<PathBuf> = ["corpus", "crashes"].into_iter().flat_map(of).collect();
+        let unpacked = work.join(target.name);
+        corpus::unpack(&target.corpus(root), &unpacked)?;
+        let crashes = root.join("fuzz").join("crashes").join(target.name);
+        let files: Vec<PathBuf> = [unpacked, crashes].iter().flat_map(|folder| listed(folder)).collect();
         cases += files.len();
         // Few enough for the command line of every system.
         for (part, files) in files.chunks(200).enumerate() {
@@ -82,7 +84,7 @@ fn print(name: &str, lines: Lines) {
     println!("{name:<36} {:>6} of {:>6} {share:>6.1} %", lines.run, lines.all);
 }
 
-/// Adds up what is told of the files of a part, in the form of lcov: `SF:` a file, `LF:` its lines, `LH:` those run.
+/// Adds up the counts for the files of a part, in the form of lcov: `SF:` a file, `LF:` its lines, `LH:` those run.
 fn counted(told: &str, paths: &[&str]) -> Lines {
     let (mut sum, mut is_part) = (Lines::default(), false);
     for line in told.lines() {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use super::instrument::Count;
-use super::{Target, instrument, listed};
+use super::{Target, corpus, instrument, listed};
 use crate::Error;
 use crate::cargo::{Workspace, cargo, must_succeed, spelled};
 
@@ -45,7 +45,7 @@ impl Run {
         }
     }
 
-    /// Takes from a line what it tells.
+    /// Reads the values in a line.
     fn hear(&mut self, line: &str) {
         let after = |mark: &str| {
             let rest = line.split_once(mark)?.1.trim_start();
@@ -91,8 +91,13 @@ impl Engine {
         Ok(Self { root: root.to_path_buf(), program, work: workspace.target.join("fuzz-work") })
     }
 
-    fn corpus(&self, target: &Target) -> PathBuf {
-        self.root.join("fuzz").join("corpus").join(target.name)
+    /// Lays out the cases of the corpus in a folder, as the engine reads them.
+    pub(super) fn unpack(&self, target: &Target) -> Result<(), Error> {
+        corpus::unpack(&target.corpus(&self.root), &self.unpacked(target))
+    }
+
+    fn unpacked(&self, target: &Target) -> PathBuf {
+        self.work.join(target.name).join("corpus")
     }
 
     fn crashes(&self, target: &Target) -> PathBuf {
@@ -143,11 +148,11 @@ impl Engine {
         // The schedule by rare features costs a fifth of the time where a case has thousands of them.
         command.args(["-len_control=0", "-entropic=0", "-print_final_stats=1", "-reload=10"]);
         command.arg(format!("-seed={seed}"));
-        command.arg(new).args([self.corpus(target), self.crashes(target)].iter().filter(|folder| folder.is_dir()));
+        command.arg(new).args([self.unpacked(target), self.crashes(target)].iter().filter(|folder| folder.is_dir()));
         self.run(command, target, &format!("{seed}.log"))
     }
 
-    /// Runs one case, told as what it is, all that is said passed on.
+    /// Runs one case and passes all output on.
     pub(super) fn repeat(&self, target: &Target, file: &Path) -> Result<(), Error> {
         let path = fs::canonicalize(file).map_err(|source| Error::File { path: file.to_path_buf(), source })?;
         must_succeed(self.command(target)?.env("ANTRIEB_FUZZ_SHOW", "1").arg(path))
@@ -155,34 +160,22 @@ impl Engine {
 
     /// Makes the corpus the fewest cases, old and new, that reach all that was reached.
     pub(super) fn merge(&self, target: &Target) -> Result<(), Error> {
-        let (merged, new, corpus) = (self.folder(target, "merged")?, self.folder(target, "new")?, self.corpus(target));
-        let file = |path: &Path| {
-            let path = path.to_path_buf();
-            move |source| Error::File { path, source }
-        };
+        let (merged, new) = (self.folder(target, "merged")?, self.folder(target, "new")?);
         for old in listed(&merged) {
-            fs::remove_file(&old).map_err(file(&old))?;
+            fs::remove_file(&old).map_err(|source| Error::File { path: old.clone(), source })?;
         }
-        fs::create_dir_all(&corpus).map_err(file(&corpus))?;
         let mut command = self.command(target)?;
-        command.arg("-set_cover_merge=1").args([&merged, &corpus, &new]);
+        command.arg("-set_cover_merge=1").args([&merged, &self.unpacked(target), &new]);
         self.run(command, target, "merge.log")?;
-        let kept = listed(&merged);
-        if kept.is_empty() {
+        if listed(&merged).is_empty() {
             return Err(Error::NoCases { target: target.name });
         }
-        for old in listed(&corpus) {
-            fs::remove_file(&old).map_err(file(&old))?;
-        }
-        for case in &kept {
-            let name = case.file_name().unwrap_or_default();
-            fs::copy(case, corpus.join(name)).map_err(file(case))?;
-        }
-        println!("fuzz: {:<9} {} cases in the corpus", target.name, kept.len());
+        let kept = corpus::pack(&merged, &target.corpus(&self.root))?;
+        println!("fuzz: {:<9} {kept} cases in the corpus", target.name);
         Ok(())
     }
 
-    /// Runs the binary, its talk in a log; where it ends with a find, the end of the log is told.
+    /// Runs the binary with its output in a log; after a failing case the end of the log is printed.
     fn run(&self, mut command: Command, target: &Target, log: &str) -> Result<Run, Error> {
         let log = self.folder(target, "logs")?.join(log);
         let told = |source| Error::File { path: log.clone(), source };
@@ -213,7 +206,7 @@ impl Engine {
     }
 }
 
-/// Lines of the log that are told of a find.
+/// Lines of the log printed for a failing case.
 const LINES_TOLD: usize = 30;
 
 /// libFuzzer is C++.

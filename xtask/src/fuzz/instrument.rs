@@ -45,8 +45,8 @@ impl Count {
     }
 }
 
-/// Counters on the edges, as cargo-fuzz sets them; faults of arithmetic end a case; places in the sources for what is told
-/// of one. One unit of code: with several, nothing is inlined across them.
+/// Counters on the edges, as cargo-fuzz sets them; faults of arithmetic end a case; source positions for the
+/// report. One unit of code: with several, nothing is inlined across them.
 const FLAGS: [&str; 10] = [
     "-Cpasses=sancov-module",
     "-Cllvm-args=-sanitizer-coverage-level=4",

@@ -101,7 +101,7 @@ fn figures(section: &Section) -> Vec<String> {
     found
 }
 
-/// What the first has more than the second; what stands there twice counts twice.
+/// Entries of the first that are missing in the second; duplicates count twice.
 fn without(first: &[String], second: &[String]) -> Vec<String> {
     let mut rest = second.to_vec();
     let mut found = Vec::new();

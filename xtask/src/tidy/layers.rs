@@ -11,6 +11,8 @@ use super::manifest::Members;
 pub(super) enum Room {
     /// Part of the product; may use lower layers.
     Layer(u8),
+    /// Serves build scripts and tests; is built from layer 0.
+    BuildOnly,
     /// Serves tests and nothing else.
     DevOnly,
     /// Looks at the product from outside.
@@ -18,9 +20,11 @@ pub(super) enum Room {
 }
 
 /// Every crate of the workspace by package name. A new crate is entered here first.
-const ROOMS: [(&str, Room); 34] = [
+const ROOMS: [(&str, Room); 37] = [
+    ("numeric", Room::Layer(0)),
     ("quantities", Room::Layer(0)),
     ("provenance", Room::Layer(0)),
+    ("series-files", Room::BuildOnly),
     ("order-code", Room::Layer(0)),
     ("catalogue", Room::Layer(1)),
     ("derivation", Room::Layer(1)),
@@ -38,7 +42,7 @@ const ROOMS: [(&str, Room); 34] = [
     ("project", Room::Layer(4)),
     ("answers", Room::Layer(4)),
     ("words", Room::Layer(5)),
-    ("workbench", Room::Layer(6)),
+    ("questions", Room::Layer(6)),
     ("figures", Room::Layer(7)),
     ("report", Room::Layer(7)),
     ("tables", Room::Layer(7)),
@@ -47,6 +51,7 @@ const ROOMS: [(&str, Room); 34] = [
     ("server", Room::Layer(9)),
     ("site", Room::Layer(9)),
     ("antrieb", Room::Layer(10)),
+    ("antrieb-quick", Room::Layer(10)),
     ("testkit", Room::DevOnly),
     ("xtask", Room::Outside),
     ("benches", Room::Outside),
@@ -100,6 +105,11 @@ fn objection(name: &str, from: Room, dependency: &Dependency) -> Option<String> 
     match (from, room(on)?) {
         // What looks at the product from outside is no part of it, and may be a test itself.
         (Room::Layer(_) | Room::DevOnly, Room::DevOnly) => Some(format!("`{on}` may only be a dev-dependency")),
+        (Room::Layer(_), Room::BuildOnly) => {
+            (dependency.kind != DependencyKind::Build).then(|| format!("`{on}` may only be a build-dependency"))
+        }
+        (Room::BuildOnly, Room::Layer(0)) => None,
+        (Room::BuildOnly, _) => Some(format!("`{name}` is built from layer 0 and may not use `{on}`")),
         (Room::Layer(_), Room::Outside) => Some(format!("`{name}` is part of the product and may not use `{on}`")),
         (Room::Layer(own), Room::Layer(other)) => {
             let served = SERVE_THEIR_LAYER.contains(&on) && !SERVE_THEIR_LAYER.contains(&name) && own == other;
@@ -129,12 +139,12 @@ mod tests {
         assert!(
             told(
                 "sizing",
-                "[dependencies]\nmotion = \"1\"\ntoml = \"1\"\n[dev-dependencies]\ntestkit = \"1\"\nworkbench = \"1\"\n"
+                "[dependencies]\nmotion = \"1\"\ntoml = \"1\"\n[dev-dependencies]\ntestkit = \"1\"\nquestions = \"1\"\n"
             )
             .is_empty()
         );
         assert!(told("actuator", "[dependencies]\nmotion = \"1\"\n").is_empty());
-        assert!(told("benches", "[dependencies]\nworkbench = \"1\"\n").is_empty());
+        assert!(told("benches", "[dependencies]\nquestions = \"1\"\n").is_empty());
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Who speaks: every sentence for a user stands in `words`, in both languages, and is asked for.
+//! Who speaks: every sentence for a user stands in `words`, in both languages, and is used by its name.
 
 use std::path::Path;
 
@@ -8,10 +8,11 @@ use super::tree::Tree;
 /// The room that writes prose.
 const WORDS: &str = "crates/words/src";
 
-/// Sources that may tell the languages apart or hold German, and what of theirs is no sentence to be chosen.
-const EXEMPT: [(&str, &str); 3] = [
+/// Sources that may tell the languages apart or hold German, and the part of each that is not a sentence.
+const EXEMPT: [(&str, &str); 4] = [
     ("crates/quantities/src/lib.rs", "what the languages are"),
     ("crates/quantities/src/format.rs", "numbers in the signs of a language"),
+    ("crates/series-files/src/facts.rs", "keys of the files of facts"),
     ("crates/quantities/src/dimension.rs", "names of dimensions, beside their units"),
 ];
 
@@ -53,13 +54,13 @@ pub(super) fn choices(root: &Path) -> Vec<Finding> {
 }
 
 fn choice(file: &str, line: usize, found: &str) -> Finding {
-    let message = format!("`{found}`: a text that depends on the language stands in {WORDS}, and is asked for");
+    let message = format!("`{found}`: a text that depends on the language stands in {WORDS} and is used by its name");
     Finding { path: file.to_owned(), line, rule: "one-voice", message }
 }
 
-/// Every text that `words` holds by name is asked for by its module and name. Those of the report are asked for by its
-/// template, which a test of the report holds.
-pub(super) fn unasked(root: &Path) -> Vec<Finding> {
+/// Every named text of `words` is used by its module and name. Those of the report are used by its
+/// template, which a test of the report checks.
+pub(super) fn unused(root: &Path) -> Vec<Finding> {
     let tree = Tree::read(root);
     let sources: Vec<(&str, String)> = tree
         .under("crates", ".rs")
@@ -74,12 +75,12 @@ pub(super) fn unasked(root: &Path) -> Vec<Finding> {
         }
         for (line, name) in names(&tree.text(file).unwrap_or_default()) {
             let outside = format!("{module}::{name}");
-            let asked = sources.iter().any(|(other, text)| {
+            let used = sources.iter().any(|(other, text)| {
                 holds(text, &outside) || (*other == file && text.lines().any(|line| holds(line, &format!("{name},"))))
             });
-            if !asked {
-                let message = format!("nobody asks for `{outside}`: delete it");
-                findings.push(Finding { path: file.to_owned(), line, rule: "unasked-text", message });
+            if !used {
+                let message = format!("`{outside}` is not used: delete it");
+                findings.push(Finding { path: file.to_owned(), line, rule: "unused-text", message });
             }
         }
     }
@@ -130,7 +131,7 @@ fn product_part(text: &str) -> &str {
 
 /// A piece of a source within one line.
 #[derive(Debug, PartialEq, Eq)]
-enum Part {
+pub(super) enum Part {
     /// Outside literals and comments.
     Code(String),
     /// Inside a literal.
@@ -138,14 +139,14 @@ enum Part {
 }
 
 /// A source taken apart: code and literals, without the comments.
-struct Parts {
+pub(super) struct Parts {
     parts: Vec<(usize, Part)>,
     line: usize,
     text: String,
 }
 
 impl Parts {
-    fn of(source: &str) -> Vec<(usize, Part)> {
+    pub(super) fn of(source: &str) -> Vec<(usize, Part)> {
         let mut parts = Self { parts: Vec::new(), line: 1, text: String::new() };
         let mut signs = source.chars().peekable();
         while let Some(sign) = signs.next() {
@@ -257,11 +258,11 @@ mod tests {
     }
 
     #[test]
-    fn a_text_that_nobody_asks_for_is_found() {
+    fn an_unused_text_is_found() {
         let words = "texts! {\n    asked = \"a\" | \"b\";\n    left(count) =\n        \"c\"\n        | \"d\";\n    half = \"e\";\n}\n";
         let face = "fn f() { terms::asked(l); terms::half_life(l) }\n";
         let scratch = Scratch::new(&[("crates/words/src/terms.rs", words), ("crates/cli/src/a.rs", face)]);
-        let found = unasked(scratch.root());
+        let found = unused(scratch.root());
         assert_eq!(places(&found), [("crates/words/src/terms.rs", 3), ("crates/words/src/terms.rs", 6)]);
     }
 }

@@ -1,8 +1,8 @@
-//! What the library of the command line says in its own language only, in the one that is asked for.
+//! Texts of the command-line library, which are English only, in the requested language.
 
 use clap::Command;
-use workbench::Language;
-use workbench::text::help::library;
+use quantities::Language;
+use words::help::library;
 
 /// The usage lines of a command in the language; the library writes its own words there.
 pub(super) fn usage(mut command: Command, language: Language) -> Command {

@@ -1,13 +1,13 @@
 //! Calls that the library of the command line refuses, as faults like all others.
 
-use crate::answer::Answer;
+use crate::answer::{Answer, written};
+use answers::{Fault, Faults};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use project::Hint;
+use quantities::{Language, seen};
 use std::error::Error as _;
-use workbench::answers::{Fault, Faults};
-use workbench::quantities::seen;
-use workbench::text::help::library;
-use workbench::text::{Usage, UsageHint, usage_hint, usage_text};
-use workbench::{Hint, Language};
+use words::help::library;
+use words::{Usage, UsageHint, usage_hint, usage_text};
 
 /// The answer to a call that cannot be understood.
 pub(crate) fn refused(error: &clap::Error, as_json: bool, language: Language) -> Answer {
@@ -30,7 +30,9 @@ pub(crate) fn refused(error: &clap::Error, as_json: bool, language: Language) ->
     };
     let fault =
         Fault { id: Some("usage"), option: option.filter(|name| !name.is_empty()), message, hint, ..Fault::default() };
-    Answer::refused(talk, Faults { errors: vec![fault] }, as_json)
+    let faults = Faults { errors: vec![fault] };
+    let data = if as_json { written(&faults) } else { String::new() };
+    Answer { data, talk, code: 2 }
 }
 
 fn context(error: &clap::Error, kind: ContextKind) -> Option<String> {

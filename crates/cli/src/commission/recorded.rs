@@ -1,30 +1,22 @@
 //! A recorded commissioning, judged.
 
 use crate::answer::Answer;
-use crate::fault::{Source, report};
+use crate::call::Call;
 use crate::table::{Align, Table, paragraph};
-use clap::ArgMatches;
-use std::path::Path;
-use workbench::answers::{Fit, Recorded};
-use workbench::text::{capitalised, commission, terms, told, verdict_word};
-use workbench::{Commissioning, Language, answer, chapter};
+use answers::{Fit, Recorded};
+use quantities::Language;
+use questions::chapter;
+use questions::list::{Asked, Unanswered, commission_record};
+use words::{capitalised, commission, terms, verdict_word};
 
 /// `antrieb commission CODE --record FILE`: 0 nothing is off, 1 something is, 2 the record cannot be read.
-pub(super) fn record(
-    about: &Commissioning,
-    path: &Path,
-    matches: &ArgMatches,
-    as_json: bool,
-    language: Language,
-) -> Result<Answer, Answer> {
-    let source = Source::read(path, matches, as_json, language)?;
-    let measured = workbench::measured(&source.text)
-        .map_err(|faults| report(&source.name, &source.text, &told(&faults, language), as_json, language))?;
-    let judged = workbench::judge(about, &measured);
-    let recorded = answer::recorded(about, &judged, language);
-    let fits = recorded.verdict == Fit::Fits;
-    let answer = if as_json { Answer::record(&recorded) } else { Answer::data(text(&recorded, language)) };
-    Ok(answer.fits(fits))
+pub(crate) fn recorded(call: &Call<'_>, asked: &Asked<'_>) -> Result<Answer, Unanswered> {
+    let has_file = |name: &&str| call.path(name).is_some();
+    if call.text("for").is_some() || ["out", "checklist", "blank"].iter().any(has_file) {
+        return Err(Unanswered::message(commission::record_alone(call.language)));
+    }
+    let found = commission_record::found(asked)?;
+    Ok(Answer::data(text(&found, call.language)).fits(found.verdict == Fit::Fits))
 }
 
 fn text(recorded: &Recorded, language: Language) -> String {

@@ -1,10 +1,10 @@
 //! How much memory the recordings of a project may take.
 
-use super::option_fault;
-use crate::answer::Answer;
 use clap::ArgMatches;
-use workbench::text::{Usage, UsageHint, usage_hint, usage_text};
-use workbench::{Language, MEMORY_USUAL};
+use quantities::Language;
+use questions::MEMORY_USUAL;
+use questions::list::Unanswered;
+use words::{Usage, UsageHint, usage_hint, usage_text};
 
 /// Says it for every call, where no option does.
 const VARIABLE: &str = "ANTRIEB_MEMORY";
@@ -17,13 +17,13 @@ const UNITS: [(&str, u64); 6] =
     [("KiB", 1 << 10), ("MiB", 1 << 20), ("GiB", 1 << 30), ("kB", 1_000), ("MB", 1_000_000), ("GB", 1_000_000_000)];
 
 /// The memory that `--memory` allows, else the variable, else the usual one.
-pub(crate) fn allowed(matches: &ArgMatches, as_json: bool, language: Language) -> Result<u64, Answer> {
+pub(crate) fn allowed(matches: &ArgMatches, language: Language) -> Result<u64, Unanswered> {
     let said = matches.try_get_one::<String>("memory").ok().flatten().cloned();
     let Some(written) = said.or_else(|| std::env::var(VARIABLE).ok()) else { return Ok(MEMORY_USUAL) };
     bytes(&written).ok_or_else(|| {
         let hint = usage_hint(&UsageHint::Memory, language);
         let message = usage_text(&Usage::NoMemory { written: written.chars().take(40).collect() }, language);
-        option_fault("memory", (message, Some(hint)), as_json, language)
+        Unanswered::option("memory", (message, Some(hint)))
     })
 }
 

@@ -1,17 +1,14 @@
-//! Check-lists: what the manual's prose asks for at a step, and the figures of this code to write a measured value beside.
+//! Check-lists: requirements of the manual for each step, and expected values of this code with room for the measured ones.
 
 use super::expected::{Expected, Measurand};
 use super::{Commissioning, Parameter, ParameterId};
 use crate::facts::{Order, facts_about};
 use catalogue::{Fact, Step, Topic};
-use quantities::unit::{DEGREE_CELSIUS, MINUTE, REVOLUTION_PER_MINUTE};
+use quantities::unit::{MINUTE, REVOLUTION_PER_MINUTE};
 use quantities::{AngularVelocity, Measure, ThermodynamicTemperature, Time};
 
 /// Speed of the motor in a test run (cha-manual section 9.5), in 1/min; the fact `test_run_short` has it.
 const TEST_SPEED: (&str, &str) = ("test_run_short", "speed_motor");
-
-/// Temperature of the warm gear at which the no-load current is printed.
-const WARM_CELSIUS: f64 = 80.0;
 
 /// The steps that have a list.
 pub const STEPS: [Step; 3] = [Step::BeforePower, Step::FirstMotion, Step::AfterADay];
@@ -121,11 +118,12 @@ fn first_motion(about: &Commissioning, ambient: ThermodynamicTemperature) -> Vec
 }
 
 fn after_a_day(about: &Commissioning) -> Vec<Item> {
-    let warm = ThermodynamicTemperature::new_in(WARM_CELSIUS, &DEGREE_CELSIUS);
+    let warm = about.warm_gear();
     let warning = about.get(ParameterId::WindingWarning).cloned().map(Item::Value);
     let test = test_run().zip(about.get(ParameterId::ReductionRatio));
     let current = test.and_then(|((speed_motor, _), ratio)| {
         let speed_out = AngularVelocity::from_si(speed_motor.si() / ratio.si);
+        let warm = warm?;
         let expected = about.expected_no_load(speed_out, warm)?;
         Some(Item::Measure { expected, at: Condition::SpeedOut(speed_out, warm) })
     });

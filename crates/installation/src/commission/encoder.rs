@@ -1,7 +1,8 @@
 //! What is printed about the encoders of a code: lines, protocol, supply, turns.
 
+use catalogue::SeriesData;
 use catalogue::{Cell, Footnote, Table};
-use order_code::{Option1, OrderCode};
+use order_code::OrderCode;
 
 /// On which side an encoder sits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,13 +40,15 @@ pub fn rows(code: &OrderCode) -> Vec<EncoderRow> {
         })
     };
     let mut rows = Vec::new();
-    for table in catalogue::tables() {
-        if table.section.starts_with("6.22") {
+    let series = SeriesData::of(code.series());
+    for table in catalogue::tables().iter().filter(|table| table.source == series.manual) {
+        if SeriesData::begins(series.feedback, table.section) {
             rows.extend(of(table, code.feedback.as_str(), EncoderSide::Motor));
         }
     }
-    if code.option_1 == Some(Option1::EC) {
-        rows.extend(catalogue::table("68.1").into_iter().flat_map(|table| of(table, "EC", EncoderSide::Output)));
+    if let Some(option) = code.option_1 {
+        let table = catalogue::table(series.output_encoder);
+        rows.extend(table.into_iter().flat_map(|table| of(table, option.as_str(), EncoderSide::Output)));
     }
     rows
 }

@@ -112,7 +112,7 @@ pub enum Band {
     /// What a joint with such a gear was identified to lie off its catalogue (table friction-identified): one share of the
     /// constant part, another of that which grows with the speed.
     Friction,
-    /// Nobody states one: ours.
+    /// No source states one: ours.
     Ours,
     /// There is one right answer; 2 % are ours, for reading two values.
     Exact,
@@ -137,7 +137,7 @@ impl Band {
         }
     }
 
-    /// Whether a value outside is wrong by itself; otherwise it asks for a look only.
+    /// Whether a value outside is wrong by itself; otherwise it is only advice.
     #[must_use]
     pub const fn is_firm(self) -> bool {
         matches!(self, Self::Printed | Self::ServoMotors | Self::KtySheet | Self::Din44081 | Self::Exact)
@@ -178,7 +178,7 @@ pub struct Expected {
 const RESISTANCE: f64 = 0.10;
 const VOLTAGE_CONSTANT: f64 = 0.075;
 const KTY: f64 = 0.03;
-/// Computed without saturation (cha-manual section 11.1), and nobody says how far off that is.
+/// Computed without saturation (cha-manual section 11.1), and no source states the deviation.
 const INDUCTANCE: f64 = 0.25;
 /// The supply may be 10 % off (printed), the coil as much as a winding.
 const BRAKE_CURRENT: f64 = 0.20;
@@ -280,10 +280,16 @@ impl Commissioning {
         self.about(what, id, (share, Band::Ours))
     }
 
+    /// The temperature of the warm gear, the warmest for which the no-load current is printed.
+    #[must_use]
+    pub fn warm_gear(&self) -> Option<ThermodynamicTemperature> {
+        NoLoadFriction::of(&self.actuator).ok().map(|law| law.warmest())
+    }
+
     /// I = I_NLS + K_INL(ϑ) |n|, n at the output, see [`NoLoadFriction`].
     ///
     /// # Valid
-    /// Uncoupled, steady speed. Below 20 °C by extrapolation, whose band widens the one here (docs/theory/current.md).
+    /// Uncoupled, steady speed. Below the coldest printed temperature by extrapolation, whose band widens the one here (docs/theory/current.md).
     #[must_use]
     pub fn expected_no_load(&self, speed_out: AngularVelocity, gear: ThermodynamicTemperature) -> Option<Expected> {
         let law = NoLoadFriction::of(&self.actuator).ok()?;

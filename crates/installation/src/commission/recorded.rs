@@ -7,7 +7,7 @@ pub use causes::Cause;
 use super::Commissioning;
 use super::expected::{Expected, Measurand};
 use catalogue::Fact;
-use order_code::{Feedback, OrderCode};
+use order_code::{FeedbackKind, OrderCode};
 use provenance::{Grade, Source};
 use quantities::{
     AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Frequency, Inductance, Measure,
@@ -93,7 +93,7 @@ pub enum Verdict {
     Pass,
     /// Off.
     Fail,
-    /// Outside a band that nobody guarantees: look at it.
+    /// Outside an estimated band: advice.
     Advice,
     /// Nothing to compare with, or nothing measured.
     NotChecked,
@@ -287,12 +287,12 @@ pub(super) const REVERSED: &str = "direction_reversed_by_gear";
 /// Section 6.22 states it for the absolute encoders and gives the signal sequence of C1024 and D2048 for the same direction; of
 /// the resolver it says nothing.
 pub(super) fn counting_fact(code: &OrderCode) -> Option<&'static Fact> {
-    let id = match code.feedback {
-        Feedback::M512P | Feedback::M128S => "position_rises_absolute",
-        Feedback::C1024 | Feedback::D2048 => "signals_valid_clockwise",
-        Feedback::RES => return None,
+    let id = match code.feedback.kind()? {
+        FeedbackKind::EndatMultiturn | FeedbackKind::SsiMultiturn => "position_rises_absolute",
+        FeedbackKind::SineIncremental | FeedbackKind::SquareIncremental => "signals_valid_clockwise",
+        FeedbackKind::Resolver => return None,
     };
-    catalogue::facts().iter().find(|fact| fact.id == id)
+    catalogue::facts().iter().find(|fact| fact.id == id && fact.holds_for.series == code.series())
 }
 
 fn position(about: &Commissioning, measured: &Measured) -> Judged {

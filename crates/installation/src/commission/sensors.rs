@@ -12,9 +12,12 @@ const RANGE_CELSIUS: std::ops::RangeInclusive<f64> = -40.000_000_001..=250.000_0
 ///
 /// R = 1000 (1 + 6.12e-3 (ϑ − 100) + 1.1e-5 (ϑ − 100)²)
 ///
-/// # Symbols  ϑ temperature \[°C\], R \[Ω\]
-/// # Source   nxp-kty84: 1000 Ω at 100 °C; the constants are held against the table kty84-130, worst 0.7 Ω
-/// # Valid    −40 °C to 250 °C, `None` outside
+/// # Symbols
+/// ϑ temperature \[°C\], R \[Ω\]
+/// # Source
+/// nxp-kty84: 1000 Ω at 100 °C; the constants are held against the table kty84-130, worst 0.7 Ω
+/// # Valid
+/// −40 °C to 250 °C, `None` outside
 #[must_use]
 pub fn kty_resistance(temperature: ThermodynamicTemperature) -> Option<ElectricalResistance> {
     let celsius = temperature.in_unit(&DEGREE_CELSIUS);
@@ -25,7 +28,8 @@ pub fn kty_resistance(temperature: ThermodynamicTemperature) -> Option<Electrica
 
 /// The temperature at which a KTY 84-130 has a resistance; the inverse of [`kty_resistance`].
 ///
-/// # Valid    −40 °C to 250 °C, `None` outside
+/// # Valid
+/// −40 °C to 250 °C, `None` outside
 #[must_use]
 pub fn kty_temperature(resistance: ElectricalResistance) -> Option<ThermodynamicTemperature> {
     let (linear, square) = (6.12e-3, 1.1e-5);
@@ -52,9 +56,10 @@ fn cell_celsius(cell: &Cell) -> Option<f64> {
 /// The cell of the response temperature T_NAT of the PTC of a size.
 #[must_use]
 pub fn ptc_response(code: &OrderCode) -> Option<&'static Cell> {
-    let head = format!("CHA-{}", code.size);
-    let cells = catalogue::table("62.1").map(catalogue::Table::cells).unwrap_or_default();
-    cells.iter().find(|cell| cell.place.symbol == "T_NAT" && cell.place.drive.split(" / ").any(|drive| drive == head))
+    let head = format!("{}-{}", code.series().as_str(), code.size);
+    catalogue::cells()
+        .iter()
+        .find(|cell| cell.place.symbol == "T_NAT" && cell.place.drive.split(" / ").any(|drive| drive == head))
 }
 
 /// The bounds of a single PTC (DIN 44081), as the table has them: up to T_NAT − 20 K, at −5 K, +5 K, +15 K.

@@ -1,7 +1,7 @@
 //! The parameter list of a SINAMICS drive: which parameter takes which value, in which unit.
 //!
-//! Only numbers that a public document names stand here; what else such a drive asks for is a [`Gap`](super::Gap), or is told
-//! to be looked up in its list manual.
+//! Only parameter numbers from public documents are listed; other required values are a [`Gap`](super::Gap) or are
+//! referred to the list manual of the drive.
 
 use super::{Commissioning, ParameterId, clean};
 use quantities::Unit;
@@ -41,7 +41,7 @@ impl Choice {
 
 /// One parameter of the drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Entry {
+pub struct DriveParameter {
     /// Number of the parameter; its index is that of the motor data set, 0.
     pub number: u16,
     /// What it is set to.
@@ -50,15 +50,15 @@ pub struct Entry {
     pub document: &'static str,
 }
 
-const fn entry(number: u16, id: ParameterId, unit: &'static Unit, document: &'static str) -> Entry {
-    Entry { number, setting: Setting::Value(id, unit), document }
+const fn entry(number: u16, id: ParameterId, unit: &'static Unit, document: &'static str) -> DriveParameter {
+    DriveParameter { number, setting: Setting::Value(id, unit), document }
 }
 
 /// Data list of a permanent-magnet synchronous motor.
 const MOTOR_DATA: &str = "sinamics-s150";
 
 /// The parameters in the order of their numbers.
-pub static ENTRIES: [Entry; 16] = [
+pub static ENTRIES: [DriveParameter; 16] = [
     entry(310, ParameterId::FrequencyRated, &HERTZ, MOTOR_DATA),
     entry(311, ParameterId::SpeedMotorRated, &REVOLUTION_PER_MINUTE, MOTOR_DATA),
     entry(314, ParameterId::PolePairs, &ONE, MOTOR_DATA),
@@ -70,8 +70,12 @@ pub static ENTRIES: [Entry; 16] = [
     entry(350, ParameterId::ResistancePhase, &OHM, MOTOR_DATA),
     entry(356, ParameterId::InductancePhase, &MILLIHENRY, MOTOR_DATA),
     entry(357, ParameterId::InductancePhase, &MILLIHENRY, MOTOR_DATA),
-    Entry { number: 600, setting: Setting::Choice(Choice::SensorAtEncoder), document: "sinamics-s120-functions" },
-    Entry { number: 601, setting: Setting::Choice(Choice::SensorKty), document: "sinamics-g220" },
+    DriveParameter {
+        number: 600,
+        setting: Setting::Choice(Choice::SensorAtEncoder),
+        document: "sinamics-s120-functions",
+    },
+    DriveParameter { number: 601, setting: Setting::Choice(Choice::SensorKty), document: "sinamics-g220" },
     entry(604, ParameterId::WindingWarning, &DEGREE_CELSIUS, "sinamics-g120xa"),
     entry(605, ParameterId::WindingShutdown, &DEGREE_CELSIUS, "sinamics-g120xa"),
     entry(640, ParameterId::CurrentLimit, &AMPERE, "sinamics-g120xa"),
@@ -81,7 +85,7 @@ pub static ENTRIES: [Entry; 16] = [
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// Which.
-    pub entry: &'static Entry,
+    pub entry: &'static DriveParameter,
     /// The number to write, in the unit of the entry.
     pub value: f64,
 }
@@ -89,13 +93,13 @@ pub struct Line {
 /// The parameters whose values are known. The numbers are those of the list to fifteen digits: nothing is rounded.
 #[must_use]
 pub fn lines(commissioning: &Commissioning) -> Vec<Line> {
-    let value = |entry: &Entry| match entry.setting {
+    let value = |entry: &DriveParameter| match entry.setting {
         Setting::Choice(choice) => Some(f64::from(choice.number())),
         Setting::Value(id, unit) => commissioning.get(id).map(|parameter| clean(unit.from_si(parameter.si))),
     };
     ENTRIES.iter().filter_map(|entry| Some(Line { entry, value: value(entry)? })).collect()
 }
 
-/// Values that such a drive asks for by a number that no document at hand names, for its list manual.
+/// Values that such a drive requires under a number that no available document names; see its list manual.
 pub static TO_LOOK_UP: [ParameterId; 3] =
     [ParameterId::VoltageConstant, ParameterId::StallCurrent, ParameterId::StallTorqueMotor];

@@ -1,8 +1,8 @@
 //! The cables that sections 6.24 and 6.25 list.
 
 use super::{Role, holds};
-use catalogue::{Cell, Table};
-use order_code::{Brake, Option1, OrderCode};
+use catalogue::{Cell, SeriesData, Table};
+use order_code::{Brake, OrderCode};
 
 /// A cable with its material number.
 #[derive(Clone, Copy, Debug)]
@@ -95,21 +95,19 @@ impl CableFor {
     }
 }
 
-/// Tables of cables.
-const TABLES: [&str; 6] = ["64.1", "64.2", "64.3", "65.7", "67.7", "68.4"];
-
 /// The cables of a code, in the order of the manual.
 pub(super) fn cables(code: &OrderCode) -> Vec<Cable> {
     let winding = format!("winding={}", code.winding);
-    let cells = TABLES.into_iter().filter_map(catalogue::table).flat_map(Table::cells);
+    let cells =
+        SeriesData::of(code.series()).cables.iter().filter_map(|table| catalogue::table(table)).flat_map(Table::cells);
     cells.filter_map(|cell| cable(cell, code, &winding)).collect()
 }
 
 fn cable(cell: &'static Cell, code: &OrderCode, winding: &str) -> Option<Cable> {
     let condition = cell.place.condition;
-    let of_output = cell.place.table == "68.4";
+    let of_output = SeriesData::of(code.series()).output_wiring.contains(&cell.place.table);
     let role = if of_output { Role::OutputEncoder } else { Role::Feedback };
-    if of_output && code.option_1 != Some(Option1::EC) || !holds(cell, role, code) {
+    if of_output && !code.has_output_encoder() || !holds(cell, role, code) {
         return None;
     }
     if !of_output && condition.split(", ").next() != Some(winding) {

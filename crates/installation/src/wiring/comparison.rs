@@ -59,7 +59,7 @@ pub struct Finding {
     pub line: Option<usize>,
     /// The pin as the print names it, or as written where there is none; empty where it is about the connector.
     pub pin: String,
-    /// What the print has there; empty where it is about the connector.
+    /// The printed value; empty if the finding is about the connector.
     pub expected: &'static str,
     /// What is different.
     pub difference: Difference,
@@ -235,7 +235,7 @@ pub fn compare(wiring: &Wiring, list: &PinList) -> Comparison {
     Comparison { findings, rows: list.pins.len(), agreeing }
 }
 
-/// An exchange of two pins is told at the first of them.
+/// An exchange of two pins is reported at the first of them.
 fn told_once(findings: &mut Vec<Finding>) {
     let exchanges: Vec<(Role, String, String)> = findings
         .iter()

@@ -1,11 +1,12 @@
 //! Voltage lost on the wires of brake and encoder supply.
 
+use catalogue::SeriesData;
 use catalogue::{Cell, Table, Value};
-use order_code::{Brake, Feedback, Option1, OrderCode};
+use order_code::{Brake, FeedbackKind, OrderCode};
 use provenance::{CellRef, Datum, Source, Sourced};
 use quantities::{Area, ElectricCurrent, ElectricPotential, ElectricalResistivity, Length, Measure};
 
-/// A warm wire: 70 °C, what PVC insulation bears in continuous operation (IEC 60364-5-52); nobody stated a temperature.
+/// A warm wire: 70 °C, the limit of PVC insulation in continuous operation (IEC 60364-5-52); assumed.
 pub const HOT: WireHot = WireHot { degrees_celsius: 70.0 };
 
 /// The temperature of a warm wire.
@@ -121,27 +122,25 @@ fn loss(rho: ElectricalResistivity, length: Length, current: ElectricCurrent, se
 /// currents and voltages: the brake table of the drive, tables 57.1 to 61.1 and 68.1
 /// # Valid
 /// Direct current in copper wires of one cross-section; the source holds the nominal voltage. The excitation of the
-/// resolver is an alternating voltage: only the ohmic part is told.
+/// resolver is an alternating voltage: only the ohmic part is returned.
 #[must_use]
 pub fn voltage_drops(code: &OrderCode, length: Length, section: Option<Area>) -> Vec<VoltageDrop> {
     let mut found = Vec::new();
     found.extend(brake(code, length, section));
-    let sense = matches!(code.feedback, Feedback::C1024 | Feedback::M512P | Feedback::M128S);
-    let table = match code.feedback {
-        Feedback::C1024 => "57.1",
-        Feedback::M512P => "58.1",
-        Feedback::RES => "58.2",
-        Feedback::M128S => "59.1",
-        Feedback::D2048 => "61.1",
+    let sense = match code.feedback.kind() {
+        Some(FeedbackKind::SineIncremental | FeedbackKind::EndatMultiturn | FeedbackKind::SsiMultiturn) => true,
+        Some(FeedbackKind::Resolver | FeedbackKind::SquareIncremental) | None => false,
     };
-    found.extend(encoder(Circuit::Feedback, table, length, section, sense));
-    if code.option_1 == Some(Option1::EC) {
-        found.extend(encoder(Circuit::OutputEncoder, "68.1", length, section, true));
+    let series = SeriesData::of(code.series());
+    let table = series.feedback_tables.get(code.feedback.place());
+    found.extend(table.and_then(|table| encoder(Circuit::Feedback, table, length, section, sense)));
+    if code.has_output_encoder() {
+        found.extend(encoder(Circuit::OutputEncoder, series.output_encoder, length, section, true));
     }
     found
 }
 
-/// The brake takes most current while it opens; where only the holding current is printed, the loss is told and not judged.
+/// The brake takes most current while it opens; if only the holding current is printed, the loss is reported, not judged.
 fn brake(code: &OrderCode, length: Length, section: Option<Area>) -> Option<VoltageDrop> {
     let drive = catalogue::drive(code.size, code.winding, code.feedback).filter(|_| code.brake == Brake::With)?;
     let supply = drive.cell("U_Br", "", code.feedback, code.ratio)?;

@@ -7,7 +7,7 @@ use std::ops::Range;
 /// Longest list that is read.
 pub const LISTED_BYTES_MAX: usize = 1 << 20;
 
-/// Most faults of a list that are told.
+/// Largest number of faults reported per list.
 const FAULTS_MAX: usize = 50;
 
 /// Pins as a user lists them.
@@ -128,7 +128,7 @@ pub enum ListFault {
     },
     /// There is a header and no row.
     NoRows,
-    /// More faults than are told.
+    /// More faults than are reported.
     More,
 }
 

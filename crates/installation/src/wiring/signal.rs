@@ -1,9 +1,9 @@
 //! What stands on a pin, and how people write it.
 
 use super::Role;
-use order_code::Feedback;
+use order_code::{Feedback, FeedbackKind};
 
-/// A signal as a table prints it, told apart from all others of its connector.
+/// A signal as printed in a table, distinct from all others of its connector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Signal {
     /// What it is.
@@ -158,13 +158,11 @@ impl Group {
     }
 }
 
-/// The tables of pins.
-const PIN_TABLES: [&str; 9] = ["63.3", "63.6", "65.3", "65.6", "66.3", "66.6", "67.3", "67.6", "68.4"];
-
 /// Every signal that a table of pins prints, each once.
 pub(super) fn printed_signals() -> Vec<&'static str> {
     let mut found: Vec<&'static str> = Vec::new();
-    for cell in PIN_TABLES.into_iter().filter_map(catalogue::table).flat_map(catalogue::Table::cells) {
+    let tables = catalogue::series().iter().flat_map(catalogue::SeriesData::pin_tables);
+    for cell in tables.filter_map(catalogue::table).flat_map(catalogue::Table::cells) {
         let carries = matches!(cell.place.symbol, "signal" | "motor_phase") && cell.corrected != "-";
         if carries && !found.contains(&cell.corrected) {
             found.push(cell.corrected);
@@ -177,10 +175,8 @@ impl Signal {
     /// The signal that a table prints; `None` where it prints nothing, or a dash.
     #[must_use]
     pub fn of_print(printed: &str, role: Role, feedback: Feedback) -> Option<Self> {
-        let serial = match (role, feedback) {
-            (Role::Feedback, Feedback::M128S) => Protocol::Ssi,
-            _ => Protocol::EnDat,
-        };
+        let is_motor_of = |kind| role == Role::Feedback && feedback.kind() == Some(kind);
+        let serial = if is_motor_of(FeedbackKind::SsiMultiturn) { Protocol::Ssi } else { Protocol::EnDat };
         let of = |meaning| Some(Self { meaning, polarity: None });
         match printed {
             "U" | "V" | "W" => return of(Meaning::Phase(printed.chars().next()?)),
@@ -200,7 +196,7 @@ impl Signal {
             (_, Some(base)) => (base, Polarity::Minus),
             _ => return None,
         };
-        let square = role == Role::Feedback && feedback == Feedback::D2048;
+        let square = is_motor_of(FeedbackKind::SquareIncremental);
         let form = match rest.get(..3) {
             Some("SIN") => Form::Sine,
             Some("COS") => Form::Cosine,

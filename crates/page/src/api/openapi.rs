@@ -1,12 +1,13 @@
 //! The list of endpoints as OpenAPI 3.1, whose schemas are those of the answers.
 
-use super::list::ENDPOINTS;
-use super::{Body, Endpoint, JSON, Kind, Output, Parameter, ROOT};
+use super::{ROOT, entries, method, parameters};
+use quantities::Language;
+use questions::list::media::JSON;
+use questions::list::{Argument, Entry, Gives, Kind, LANG, Reads};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
-use workbench::Language;
-use workbench::text::requests;
+use words::requests;
 
 /// A description of the interface.
 #[derive(Serialize)]
@@ -74,7 +75,7 @@ struct Content {
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Schema {
-    /// One that is told elsewhere.
+    /// One that is described elsewhere.
     Ref {
         #[serde(rename = "$ref")]
         path: String,
@@ -135,16 +136,16 @@ impl Schema {
 /// Where the records stand that the answers share.
 const PLACE: &str = "#/components/schemas/";
 
-/// The whole interface, told in a language.
+/// The whole interface, described in a language.
 pub(super) fn document(language: Language) -> Document {
-    let answers = moved(workbench::answers::schema());
+    let answers = moved(answers::schema());
     let mut paths: Map<String, Value> = Map::new();
-    for endpoint in ENDPOINTS {
-        let operations = paths.entry(format!("{ROOT}{}", endpoint.path)).or_insert_with(|| Value::Object(Map::new()));
+    for entry in entries() {
+        let operations = paths.entry(format!("{ROOT}{}", entry.path)).or_insert_with(|| Value::Object(Map::new()));
         // An operation has string keys only: nothing in it can fail.
-        let operation = serde_json::to_value(operation(endpoint, &answers, language)).unwrap_or_default();
+        let operation = serde_json::to_value(operation(entry, &answers, language)).unwrap_or_default();
         if let Some(operations) = operations.as_object_mut() {
-            operations.insert(endpoint.method.id().to_ascii_lowercase(), operation);
+            operations.insert(method(entry).id().to_ascii_lowercase(), operation);
         }
     }
     Document {
@@ -172,13 +173,14 @@ fn moved(schema: Value) -> Value {
     }
 }
 
-fn operation(endpoint: &Endpoint, answers: &Value, language: Language) -> Operation {
-    let lang = Parameter::of("lang", requests::lang, Kind::Word(|| Language::ALL.map(Language::id).to_vec()));
+fn operation(entry: &Entry, answers: &Value, language: Language) -> Operation {
+    let lang = Argument { repeated: false, ..LANG };
     let mut responses = BTreeMap::new();
-    responses.insert("200", Response { description: requests::answered(language), content: answer(endpoint, answers) });
-    let of_code = endpoint.parameters.iter().any(|parameter| parameter.name == "code");
-    for status in
-        ["422", "503"].into_iter().chain((endpoint.body != Body::None).then_some(["413", "415"]).into_iter().flatten())
+    responses.insert("200", Response { description: requests::answered(language), content: answer(entry, answers) });
+    let of_code = entry.arguments.iter().any(|parameter| parameter.name == "code");
+    for status in ["422", "503"]
+        .into_iter()
+        .chain((entry.reads != Reads::Nothing).then_some(["413", "415"]).into_iter().flatten())
     {
         let schema = match answers.get("properties").and_then(|all| all.get("faults of a code")) {
             // What is wrong with a code may be told as a record of its own.
@@ -192,19 +194,15 @@ fn operation(endpoint: &Endpoint, answers: &Value, language: Language) -> Operat
         responses.insert(status, Response { description: requests::not_answered(language), content });
     }
     Operation {
-        operation_id: format!(
-            "{}_{}",
-            endpoint.method.id().to_ascii_lowercase(),
-            endpoint.path.replace(['/', '.'], "_")
-        ),
-        summary: (endpoint.about)(language),
-        parameters: endpoint.parameters.iter().chain([&lang]).map(|parameter| named(parameter, language)).collect(),
-        request_body: sent(endpoint.body, language),
+        operation_id: format!("{}_{}", method(entry).id().to_ascii_lowercase(), entry.path.replace(['/', '.'], "_")),
+        summary: (entry.about)(language),
+        parameters: parameters(entry).iter().chain([&lang]).map(|parameter| named(parameter, language)).collect(),
+        request_body: sent(entry.reads, language),
         responses,
     }
 }
 
-fn answer(endpoint: &Endpoint, answers: &Value) -> BTreeMap<&'static str, Content> {
+fn answer(entry: &Entry, answers: &Value) -> BTreeMap<&'static str, Content> {
     let one = |schema| BTreeMap::from([(JSON, Content { schema })]);
     let record = |name| {
         let schema = answers.get("properties").and_then(|all| all.get(name)).cloned();
@@ -212,22 +210,21 @@ fn answer(endpoint: &Endpoint, answers: &Value) -> BTreeMap<&'static str, Conten
     };
     let bytes =
         |types: &[&'static str]| types.iter().map(|media| (*media, Content { schema: Schema::Any {} })).collect();
-    match endpoint.output {
-        Output::Record(name) => one(record(name)),
-        Output::RecordOr(name, types) => {
+    match entry.gives {
+        Gives::Record(name) => one(record(name)),
+        Gives::RecordOr(name, types) => {
             let mut both: BTreeMap<&'static str, Content> = bytes(types);
             both.extend(one(record(name)));
             both
         }
-        Output::Shared(name) => one(Schema::shared(name)),
-        Output::Json => one(Schema::Any {}),
-        Output::Media(types) => bytes(types),
+        Gives::Json => one(Schema::Any {}),
+        Gives::Media(types) => bytes(types),
     }
 }
 
-fn named(parameter: &Parameter, language: Language) -> Named {
+fn named(parameter: &Argument, language: Language) -> Named {
     let schema = match parameter.kind {
-        Kind::Text => Schema::plain("string"),
+        Kind::Text | Kind::Code => Schema::plain("string"),
         Kind::Date => Schema::Day { kind: "string", format: "date" },
         Kind::Flag => Schema::Flag { values: flag_values() },
         Kind::Whole(least, most) => {
@@ -250,19 +247,19 @@ fn flag_values() -> Vec<Value> {
     [true.into(), false.into(), 1.into(), 0.into()].into_iter().chain(texts).collect()
 }
 
-fn sent(body: Body, language: Language) -> Option<Sent> {
+fn sent(reads: Reads, language: Language) -> Option<Sent> {
     let of = |description, media, schema| Sent {
         description,
         required: true,
         content: BTreeMap::from([(media, Content { schema })]),
     };
     let text = || Schema::plain("string");
-    match body {
-        Body::None => None,
-        Body::Project => Some(of(requests::project_body(language), "application/toml", text())),
-        Body::Measured => Some(of(requests::measured_body(language), "application/toml", text())),
-        Body::Pins => Some(of(requests::pins_body(language), "text/csv", text())),
-        Body::TwoProjects => {
+    match reads {
+        Reads::Nothing => None,
+        Reads::Project => Some(of(requests::project_body(language), "application/toml", text())),
+        Reads::Measured => Some(of(requests::measured_body(language), "application/toml", text())),
+        Reads::Pins => Some(of(requests::pins_body(language), "text/csv", text())),
+        Reads::TwoProjects => {
             let required = ["old", "new"];
             let properties = required.map(|name| (name, text())).into();
             let both = Schema::Texts { kind: "object", properties, required, others: false };

@@ -1,8 +1,8 @@
 #![allow(clippy::indexing_slicing, reason = "JSON answers null for a missing key")]
 
 use super::*;
+use project::{Files, NoFiles, PROJECT_MAX_BYTES};
 use serde_json::Value;
-use workbench::{Files, NoFiles, PROJECT_MAX_BYTES};
 
 const PROJECT: &str = "format = 1\n[load]\ninertia = \"1.3 kg m^2\"\n[[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\n\
     accelerate = \"0.1 s\"\nrun = \"0.1 s\"\nbrake = \"0.1 s\"\npause = \"1 s\"\n";
@@ -49,7 +49,7 @@ fn messages(reply: &Reply) -> Vec<String> {
 fn a_path_that_is_none_and_a_method_that_is_not_answered_are_told() {
     for path in ["/api", "/api/", "/api/v1", "/api/v1/", "/api/v2/size", "/api/v1/sizes", "/api/v1/size/"] {
         let reply = get(path, "");
-        assert_eq!((reply.status, reply.media), (404, JSON), "{path}");
+        assert_eq!((reply.status, reply.media), (404, media::JSON), "{path}");
         assert!(messages(&reply)[0].contains(path), "{path}");
     }
     let reply = get("/api/v1/size", "");
@@ -105,7 +105,7 @@ fn a_project_comes_as_text_of_any_plain_type_and_as_no_other() {
 #[test]
 fn two_revisions_come_as_json() {
     let both = |old: &str, new: &str| serde_json::to_vec(&serde_json::json!({"old": old, "new": new})).unwrap();
-    let asked = |body: &[u8]| sent(Method::Post, "/api/v1/diff", "", Some(JSON), body);
+    let asked = |body: &[u8]| sent(Method::Post, "/api/v1/diff", "", Some(media::JSON), body);
     let changed = PROJECT.replace("1.3", "1.4");
     let reply = asked(&both(PROJECT, &changed));
     assert_eq!(reply.status, 200, "{:?}", String::from_utf8_lossy(&reply.body));
@@ -120,11 +120,11 @@ fn two_revisions_come_as_json() {
 #[test]
 fn tables_come_in_every_format() {
     for (query, begins, media) in [
-        ("", &b"PK"[..], list::XLSX),
-        ("format=xlsx", b"PK", list::XLSX),
-        ("table=checks", b"{", JSON),
-        ("table=checks&format=csv", b"code,", list::CSV),
-        ("table=course&format=parquet", b"PAR1", list::PARQUET),
+        ("", &b"PK"[..], media::XLSX),
+        ("format=xlsx", b"PK", media::XLSX),
+        ("table=checks", b"{", media::JSON),
+        ("table=checks&format=csv", b"code,", media::CSV),
+        ("table=course&format=parquet", b"PAR1", media::PARQUET),
     ] {
         let reply = post("/api/v1/export", query, PROJECT);
         assert_eq!((reply.status, reply.media), (200, media), "{query}: {}", String::from_utf8_lossy(&reply.body));
@@ -175,24 +175,20 @@ fn a_delivery_that_has_not_been_is_no_matter_of_a_shell_without_a_clock() {
     assert_eq!([asked(None), asked(Some(20_514)), asked(Some(20_511))], [200, 200, 422]);
 }
 
-/// What is told of the interface is whole: every endpoint with its parameters, and no schema that is nowhere.
+/// The description of the interface is complete: every endpoint with its parameters, and no missing schema.
 #[test]
 fn the_description_tells_every_endpoint_and_every_schema() {
     let document = json(&get("/api/v1/openapi.json", ""));
     assert_eq!(document["openapi"], "3.1.0");
-    for endpoint in list::ENDPOINTS {
-        let told = &document["paths"][format!("{ROOT}{}", endpoint.path)][endpoint.method.id().to_ascii_lowercase()];
-        assert!(told["summary"].as_str().is_some_and(|summary| summary.len() > 10), "{}", endpoint.path);
-        assert_eq!(told["parameters"].as_array().unwrap().len(), endpoint.parameters.len() + 1, "{}", endpoint.path);
-        assert_eq!(told["requestBody"].is_object(), endpoint.method == Method::Post, "{}", endpoint.path);
-        assert!(
-            told["responses"]["200"]["content"].as_object().is_some_and(|all| !all.is_empty()),
-            "{}",
-            endpoint.path
-        );
-        if let Output::Record(_) | Output::RecordOr(..) | Output::Shared(_) = endpoint.output {
-            let schema = &told["responses"]["200"]["content"][JSON]["schema"];
-            assert!(schema.as_object().is_some_and(|schema| !schema.is_empty()), "{}", endpoint.path);
+    for entry in entries() {
+        let told = &document["paths"][format!("{ROOT}{}", entry.path)][method(entry).id().to_ascii_lowercase()];
+        assert!(told["summary"].as_str().is_some_and(|summary| summary.len() > 10), "{}", entry.path);
+        assert_eq!(told["parameters"].as_array().unwrap().len(), parameters(entry).len() + 1, "{}", entry.path);
+        assert_eq!(told["requestBody"].is_object(), method(entry) == Method::Post, "{}", entry.path);
+        assert!(told["responses"]["200"]["content"].as_object().is_some_and(|all| !all.is_empty()), "{}", entry.path);
+        if let Gives::Record(_) | Gives::RecordOr(..) = entry.gives {
+            let schema = &told["responses"]["200"]["content"][media::JSON]["schema"];
+            assert!(schema.as_object().is_some_and(|schema| !schema.is_empty()), "{}", entry.path);
         }
     }
     let mut looked = 0;
@@ -206,6 +202,14 @@ fn the_description_tells_every_endpoint_and_every_schema() {
         .map(|operation| &operation["operationId"])
         .collect();
     assert!(ids.iter().enumerate().all(|(index, id)| !ids[..index].contains(id)));
+}
+
+/// Every question has an answer here: its own, or one that is drawn, typeset or written as tables.
+#[test]
+fn every_question_is_answered() {
+    for entry in entries() {
+        assert!(entry.answer.is_some() || made::is_made(entry.command), "{}", entry.command);
+    }
 }
 
 fn resolve(value: &Value, document: &Value, looked: &mut usize) {

@@ -1,17 +1,19 @@
 //! How the answers of the tools are shown: lines, tables and the picture where one is drawn.
 
-use crate::api::asked::Asked;
-use crate::api::{Unanswered, axis, code, library};
+use super::Scene;
 use crate::chapters::laid_out;
 use figures::{Drawing, Size, Style, Theme};
 use maud::{Markup, PreEscaped, html};
-use workbench::quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
-use workbench::quantities::{Language, Measure, Torque, format_significant};
-use workbench::text::{
-    body_key, capitalised, commission as words, curve_title, grade_word, help, page, shape_title, source_text,
+use project::BODY_SHAPES;
+use quantities::unit::{DEGREE, MILLIMETRE, NEWTON_METRE, REVOLUTION_PER_MINUTE, VOLT};
+use quantities::{Language, Measure, Torque, format_significant};
+use questions::list::{Asked, Unanswered};
+use questions::texts::{battery_lines, torsion_lines};
+use questions::{PerformanceCurve, answer, chapter, curve_rows, list};
+use words::{
+    body_key, capitalised, commission as commissioning, curve_title, grade_word, help, page, shape_title, source_text,
     terminal, terms,
 };
-use workbench::{BODY_SHAPES, PerformanceCurve, answer, battery_lines, chapter, curve_rows, torsion_lines};
 
 /// Width of a picture, in pixels.
 const WIDTH: f64 = 640.0;
@@ -22,11 +24,11 @@ pub(super) fn picture(drawing: &Drawing, name: &str, theme: Theme, language: Lan
     html! { figure.plot { (PreEscaped(drawing.render(&style).into_svg())) figcaption { (drawing.caption) } } }
 }
 
-pub(super) fn curve(asked: &Asked<'_>, theme: Theme) -> Result<Markup, Unanswered> {
+pub(super) fn curve(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
     let l = asked.language;
-    let (code, curves, plane) = code::curves_of(asked)?;
+    let (code, curves, plane) = list::curve::found(asked)?;
     Ok(html! {
-        (picture(&figures::curves(&code, &plane, l), "tool-curve", theme, l))
+        (picture(&figures::curves(&code, &plane, l), "tool-curve", scene.theme, l))
         @for curve in &curves { (curve_table(curve, l)) }
     })
 }
@@ -50,28 +52,28 @@ fn curve_table(curve: &PerformanceCurve, language: Language) -> Markup {
     }
 }
 
-pub(super) fn torsion(asked: &Asked<'_>, theme: Theme) -> Result<Markup, Unanswered> {
+pub(super) fn torsion(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
     let l = asked.language;
-    let (code, found) = code::torsion_of(asked)?;
+    let (code, found) = list::torsion::found(asked)?;
     let drawing = figures::torsion_curve(&code.to_string(), &found.at(), l);
     Ok(html! {
         @for (place, line) in torsion_lines(&code, &found, l).iter().enumerate() {
             p { @if place == 0 { strong { (line) } } @else { (capitalised(line)) } }
         }
         p.small { (answer::torsion(&code, &found).source) }
-        (picture(&drawing, "tool-torsion", theme, l))
+        (picture(&drawing, "tool-torsion", scene.theme, l))
     })
 }
 
-pub(super) fn battery(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
-    let found = library::battery_of(asked)?;
+pub(super) fn battery(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
+    let found = list::battery::found(asked)?;
     let source = source_text(&found.life.source, asked.language);
     Ok(html! { @for line in battery_lines(&found, asked.language) { p { (capitalised(&line)) } } p.small { (source) } })
 }
 
-pub(super) fn inertia(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
+pub(super) fn inertia(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
     let l = asked.language;
-    let found = library::inertia_of(asked)?;
+    let found = list::inertia::found(asked)?;
     let number = |value: f64| format_significant(value, 4, l);
     let total = &found.total;
     let heads = ["z", "m [kg]", "r [mm]", "φ [°]", "J_own [kgm²]", "m r² [kgm²]", "J [kgm²]"];
@@ -116,33 +118,33 @@ fn shapes(language: Language) -> Markup {
     }
 }
 
-pub(super) fn wiring(asked: &Asked<'_>, theme: Theme) -> Result<Markup, Unanswered> {
+pub(super) fn wiring(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
     let l = asked.language;
-    let (found, told) = code::wiring_of(asked)?;
+    let (found, told) = list::wiring::found(asked)?;
     let drawn = found.connectors.iter().filter(|connector| !connector.pins.is_empty());
     let drawings: Vec<Markup> = drawn
         .map(|connector| {
             let drawing = figures::mating_face(&found.code, connector, l);
-            let style = Style::new(drawing.size()).theme(theme).language(l).id(connector.role.id());
+            let style = Style::new(drawing.size()).theme(scene.theme).language(l).id(connector.role.id());
             html! { figure.plot.small { (PreEscaped(drawing.render(&style).into_svg())) figcaption { (drawing.caption) } } }
         })
         .collect();
     Ok(html! { div.faces { @for each in &drawings { (each) } } (laid_out(&chapter::wiring(&told, Vec::new(), l))) })
 }
 
-pub(super) fn mount(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
-    Ok(laid_out(&chapter::mount(&code::mount_alone(asked)?, asked.language)))
+pub(super) fn mount(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
+    Ok(laid_out(&chapter::mount(&list::mount::found(asked)?, asked.language)))
 }
 
 /// The same under the loads of the project.
-pub(super) fn mount_in_project(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
-    Ok(laid_out(&chapter::mount(&axis::mount_of(asked)?, asked.language)))
+pub(super) fn mount_in_project(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
+    Ok(laid_out(&chapter::mount(&list::mount_project::found(asked)?, asked.language)))
 }
 
-pub(super) fn commission(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
+pub(super) fn commission(asked: &Asked<'_>, scene: &Scene<'_>) -> Result<Markup, Unanswered> {
     let l = asked.language;
-    let (sheet, objects) = code::commission_of(asked)?;
-    let ambient = asked.text("ambient").map(|text| ("ambient", text));
+    let (sheet, objects) = list::commission::found(asked)?;
+    let ambient = asked.given.all("ambient").next().map(|text| ("ambient", text));
     let file = |what: &str, more: &[(&str, &str)]| {
         let place = format!("/api/v1/{what}?");
         let begin = place.len();
@@ -157,23 +159,23 @@ pub(super) fn commission(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswer
         p.downloads {
             a.button href=(file("commission/drive", &[("for", "sinamics")])) download { (page::drive_sinamics(l)) } " "
             a.button href=(file("commission/drive", &[("for", "cia402")])) download { (page::drive_eds(l)) } " "
-            @if asked.shell.checklist().is_some() {
+            @if scene.shell.checklist().is_some() {
                 a.button href=(file("commission/checklist", &lists)) download { (page::checklist_pdf(l)) }
             }
         }
-        p.small { (page::measured_elsewhere(&words::measured(l), l)) }
+        p.small { (page::measured_elsewhere(&commissioning::measured(l), l)) }
         (laid_out(&chapter::commission(&sheet, &objects, l)))
     })
 }
 
-pub(super) fn upkeep(asked: &Asked<'_>, _: Theme) -> Result<Markup, Unanswered> {
+pub(super) fn upkeep(asked: &Asked<'_>, _: &Scene<'_>) -> Result<Markup, Unanswered> {
     let l = asked.language;
-    let (_, found) = code::upkeep_of(asked)?;
+    let (_, found) = list::upkeep::found(asked)?;
     let place = String::from("/api/v1/upkeep/calendar?");
     let begin = place.len();
     let mut query = form_urlencoded::Serializer::for_suffix(place, begin);
     for name in ["code", "delivered", "storage", "hours-per-day", "inspect", "today"] {
-        if let Some(value) = asked.text(name) {
+        if let Some(value) = asked.given.all(name).next() {
             let _ = query.append_pair(name, value);
         }
     }

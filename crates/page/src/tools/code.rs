@@ -2,14 +2,19 @@
 
 use crate::chapters::symbol;
 use maud::{Markup, html};
-use workbench::quantities::Unit;
-use workbench::text::{
+use provenance::Grade;
+use quantities::{Language, Unit};
+use questions::list::code_complete::completion;
+use questions::list::code_list::{list_codes, read_pattern};
+use questions::list::code_parse::{explain_code, uncovered};
+use questions::list::data::{SheetMarks, SheetNote, SheetSection, sheet};
+use questions::list::errata::{ErrataRefusal, errata_about};
+use questions::list::glossary::glossary;
+use questions::texts::{sheet_value_text, uncovered_mark};
+use questions::{CodeRefusal, answer, read_code};
+use words::{
     Word, capitalised, condition_text, describe_field, describe_uncovered, evidence_text, grade_word, page,
     symbol_term, table_title, terminal, terms,
-};
-use workbench::{
-    CodeRefusal, ErrataRefusal, Grade, Language, SheetMarks, SheetNote, SheetSection, answer, completion, errata_about,
-    explain_code, glossary, list_codes, read_code, read_pattern, sheet, sheet_value_text, uncovered, uncovered_mark,
 };
 
 /// So many codes are proposed for a beginning of one.

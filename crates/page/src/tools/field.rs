@@ -1,10 +1,12 @@
 //! The fields of a tool: what the question takes, what was typed, what is wrong with it.
 
 use super::MARK;
-use crate::api::{self, Parameter, Unanswered};
+use answers::Fault;
 use maud::{Markup, html};
-use workbench::text::{key_word, page};
-use workbench::{Key, Language, example};
+use project::{Key, example};
+use quantities::Language;
+use questions::list::{self, Argument, Unanswered};
+use words::{key_word, page};
 
 /// A field.
 #[derive(Clone)]
@@ -16,21 +18,21 @@ pub(super) struct Field {
     pub(super) told: Option<String>,
     /// What stands in grey where nothing is typed.
     pub(super) ghost: Option<String>,
-    entry: Entry,
+    entry: FieldEntry,
     pub(super) value: String,
     pub(super) troubles: Vec<Trouble>,
 }
 
 /// How it is filled in.
 #[derive(Clone)]
-pub(super) enum Entry {
+pub(super) enum FieldEntry {
     Line,
     /// Several texts, a line each.
     Lines,
     Day,
     Whole,
     Mark,
-    /// One of these words, each with how it is told.
+    /// One of these words, each with its label.
     Choice(Vec<(String, String)>),
 }
 
@@ -57,36 +59,36 @@ impl Field {
     pub(super) fn of_key(path: &str, label: &str, key: &Key, language: Language) -> Self {
         let told = |word: &&str| ((*word).to_owned(), key_word(key.name, word, language).unwrap_or(word).to_owned());
         let entry = match key.kind {
-            workbench::Kind::OneOf(words) => Entry::Choice(words.iter().map(told).collect()),
-            _ => Entry::Line,
+            project::Kind::OneOf(words) => FieldEntry::Choice(words.iter().map(told).collect()),
+            _ => FieldEntry::Line,
         };
         let sample = example(key).and_then(|line| Some(line.split_once("= ")?.1.trim_matches('"').to_owned()));
         let ghost = sample.map(|sample| page::for_example(&sample, language));
         Self { ghost, ..Self::new(path, label, entry) }
     }
 
-    /// The field of a parameter; none for one that the page says itself.
-    pub(super) fn of_parameter(parameter: &Parameter, language: Language) -> Option<Self> {
-        if SAID_OTHERWISE.contains(&parameter.name) {
+    /// The field of an argument; none for one that the page gives itself.
+    pub(super) fn of_argument(argument: &Argument, language: Language) -> Option<Self> {
+        if SAID_OTHERWISE.contains(&argument.name) {
             return None;
         }
-        let entry = match parameter.kind {
-            api::Kind::Text if parameter.repeated => Entry::Lines,
-            api::Kind::Text => Entry::Line,
-            api::Kind::Date => Entry::Day,
-            api::Kind::Flag => Entry::Mark,
-            api::Kind::Whole(..) => Entry::Whole,
-            api::Kind::Word(words) => {
-                Entry::Choice(words().into_iter().map(|word| (word.to_owned(), word.to_owned())).collect())
+        let entry = match argument.kind {
+            list::Kind::Text if argument.repeated => FieldEntry::Lines,
+            list::Kind::Text | list::Kind::Code => FieldEntry::Line,
+            list::Kind::Date => FieldEntry::Day,
+            list::Kind::Flag => FieldEntry::Mark,
+            list::Kind::Whole(..) => FieldEntry::Whole,
+            list::Kind::Word(words) => {
+                FieldEntry::Choice(words().into_iter().map(|word| (word.to_owned(), word.to_owned())).collect())
             }
         };
-        let about = (parameter.about)(language);
-        let about = if parameter.repeated { page::one_a_line(&about, language) } else { about.to_owned() };
-        Some(Self::new(parameter.name, &about, entry))
+        let about = (argument.about)(language);
+        let about = if argument.repeated { page::one_a_line(&about, language) } else { about.to_owned() };
+        Some(Self::new(argument.name, &about, entry))
     }
 
     /// A field; what stands behind the first stop of its text is told below it.
-    pub(super) fn new(name: &str, about: &str, entry: Entry) -> Self {
+    pub(super) fn new(name: &str, about: &str, entry: FieldEntry) -> Self {
         let stop = [about.find("; "), about.find(": ")].into_iter().flatten().min();
         let (label, told) = match stop.and_then(|stop| about.split_at_checked(stop)) {
             Some((label, told)) => (label, told.get(2..).map(str::to_owned)),
@@ -105,7 +107,7 @@ impl Field {
 
     /// What is asked with it: nothing where nothing is typed.
     pub(super) fn values(&self) -> impl Iterator<Item = &str> {
-        let whole = !matches!(self.entry, Entry::Lines);
+        let whole = !matches!(self.entry, FieldEntry::Lines);
         let lines = self.value.lines().map(str::trim).filter(move |_| !whole);
         let one = Some(self.value.trim()).filter(|_| whole);
         one.into_iter().chain(lines).filter(|value| !value.is_empty())
@@ -124,15 +126,15 @@ impl Field {
             div.row {
                 label for=(id) { (self.label) }
                 @match &self.entry {
-                    Entry::Lines => textarea id=(id) name=(name) rows="4" spellcheck="false" aria-invalid=[invalid] aria-describedby=[by] { (self.value) },
-                    Entry::Mark => input id=(id) name=(name) type="checkbox" value="true" checked[self.value == "true"] data-checked=(self.value == "true") aria-describedby=[by];,
-                    Entry::Choice(words) => select id=(id) name=(name) data-chosen=(self.value) aria-invalid=[invalid] aria-describedby=[by] {
+                    FieldEntry::Lines => textarea id=(id) name=(name) rows="4" spellcheck="false" aria-invalid=[invalid] aria-describedby=[by] { (self.value) },
+                    FieldEntry::Mark => input id=(id) name=(name) type="checkbox" value="true" checked[self.value == "true"] data-checked=(self.value == "true") aria-describedby=[by];,
+                    FieldEntry::Choice(words) => select id=(id) name=(name) data-chosen=(self.value) aria-invalid=[invalid] aria-describedby=[by] {
                         option value="" selected[self.value.is_empty()] { (page::not_stated(language)) }
                         @for (value, told) in words { option value=(value) selected[self.value == *value] { (told) } }
                     },
-                    Entry::Day => input id=(id) name=(name) type="date" value=(self.value) aria-invalid=[invalid] aria-describedby=[by];,
-                    Entry::Whole => input id=(id) name=(name) type="text" inputmode="numeric" value=(self.value) autocomplete="off" aria-invalid=[invalid] aria-describedby=[by];,
-                    Entry::Line => input id=(id) name=(name) type="text" value=(self.value) placeholder=[self.ghost.as_ref()] autocomplete="off" spellcheck="false" aria-invalid=[invalid] aria-describedby=[by];,
+                    FieldEntry::Day => input id=(id) name=(name) type="date" value=(self.value) aria-invalid=[invalid] aria-describedby=[by];,
+                    FieldEntry::Whole => input id=(id) name=(name) type="text" inputmode="numeric" value=(self.value) autocomplete="off" aria-invalid=[invalid] aria-describedby=[by];,
+                    FieldEntry::Line => input id=(id) name=(name) type="text" value=(self.value) placeholder=[self.ghost.as_ref()] autocomplete="off" spellcheck="false" aria-invalid=[invalid] aria-describedby=[by];,
                 }
                 @if let Some(told) = &self.told { p.small id=(about) { (told) } }
                 @if wrong { div.fault id=(fault) { @for trouble in &self.troubles { (trouble.shown()) } } }
@@ -143,28 +145,17 @@ impl Field {
 
 /// What is wrong with a question.
 pub(super) fn troubles(unanswered: &Unanswered, language: Language) -> Vec<Trouble> {
-    match unanswered {
-        Unanswered::Faults(_, faults) => faults
-            .errors
-            .iter()
-            .map(|fault| Trouble {
-                field: fault.option.clone().or_else(|| fault.file.clone()),
-                // Of several texts in a field the line says which.
-                message: match &fault.place {
-                    Some(place) => {
-                        format!("{}: {}", page::at_line(&place.line, &place.column, language), fault.message)
-                    }
-                    None => fault.message.clone(),
-                },
-                hint: fault.hint.clone(),
-            })
-            .collect(),
-        Unanswered::Code(faults) => faults
-            .errors
-            .iter()
-            .map(|fault| Trouble { field: None, message: fault.message.clone(), hint: fault.hint.clone() })
-            .collect(),
-    }
+    let of_code = matches!(unanswered, Unanswered::Code { .. });
+    let trouble = |fault: Fault| Trouble {
+        field: fault.option.or(fault.file).filter(|_| !of_code),
+        // Of several texts in a field the line says which.
+        message: match fault.place.filter(|_| !of_code) {
+            Some(place) => format!("{}: {}", page::at_line(&place.line, &place.column, language), fault.message),
+            None => fault.message,
+        },
+        hint: fault.hint,
+    };
+    unanswered.faults(None, language).errors.into_iter().map(trouble).collect()
 }
 
 /// Puts each fault to its field; gives back those that have none. Before anything is typed, an empty field is no fault.

@@ -5,15 +5,17 @@ use super::{GOOD, MARK, Scene, fields_of};
 use crate::demand::{check_heads, verdict_class};
 use crate::state::placed;
 use maud::{Markup, html};
-use workbench::text::{
+use order_code::Size;
+use project::{Edit, Project, edit, key_at, written};
+use quantities::Language;
+use questions::list::bearing::{bearing_checks, bearing_of_each_size};
+use questions::texts::{figure_text, percent, unit_text};
+use questions::{Candidate, Unread, Verdict, read_all_watched, read_code};
+use words::{
     about_text, capitalised, check_title, grade_word, page, short_label, source_text, terminal, terms, verdict_word,
 };
-use workbench::{
-    Candidate, Edit, Language, Project, Size, Unread, Verdict, bearing_checks, bearing_of_each_size, edit, figure_text,
-    key_at, percent, read_all_watched, read_code, unit_text, written,
-};
 
-/// The keys that are asked for, and what stands there at first.
+/// The keys of the form, with their initial values.
 const KEYS: [(&str, &str); 8] = [
     ("bearing.radial_force", "1200 N"),
     ("bearing.radial_distance", "80 mm"),
@@ -39,7 +41,7 @@ pub(super) fn shown(scene: &Scene<'_>) -> Markup {
         Ok(projects) => (projects, Vec::new()),
         Err(Unread::Faults(found)) => {
             let told = placed(&found, (&text, &written(&text).unwrap_or_default()), key_at, l);
-            let trouble = |(field, told): (Option<String>, workbench::text::Told)| Trouble {
+            let trouble = |(field, told): (Option<String>, words::Told)| Trouble {
                 field,
                 message: told.message,
                 hint: told.hint,
@@ -111,7 +113,7 @@ fn of_size(size: Size, candidate: &Candidate<'_>, is_open: bool, language: Langu
                     td { (unit_text(check.value)) } td.number { (percent(check.utilisation, l)) }
                     td.small {
                         @if let (Some(source), Some(grade)) = (&check.limit_source, check.grade) { (grade_word(grade, l)) ", " (source_text(source, l)) }
-                        @if let Some(missing) = check.missing { (page::to_be_checked_state(l)) " " (workbench::text::check_missing(missing, l)) }
+                        @if let Some(missing) = check.missing { (page::to_be_checked_state(l)) " " (words::check_missing(missing, l)) }
                     }
                 } } }
             } }

@@ -7,13 +7,14 @@ use crate::demand::verdict_class;
 use crate::form::vals;
 use crate::state::placed;
 use maud::{Markup, html};
-use workbench::quantities::Unit;
-use workbench::text::{
-    Told, capitalised, commission as words, measured_key_text, measured_label, page, terminal, terms, verdict_word,
-};
-use workbench::{
-    About, Commissioning, DriveForm, Edit, Key, Kind, Language, MEASURED_KEYS, MeasuredKey, Written, answer, chapter,
-    commission, edit_measured, judge, measured, measured_key_at, read_code, usual_ambient, written,
+use project::{About, Edit, Key, Kind, MEASURED_KEYS, MeasuredKey, Written, edit_measured, measured_key_at, written};
+use quantities::{Language, Unit};
+use questions::list::commission::{Commissioning, DriveForm, commission, usual_ambient};
+use questions::list::commission_record::{judge, measured};
+use questions::{answer, chapter, read_code};
+use words::{
+    Told, capitalised, commission as commissioning, measured_key_text, measured_label, page, terminal, terms,
+    verdict_word,
 };
 
 /// Fields that belong to the record and not to its keys.
@@ -100,7 +101,7 @@ fn state(scene: &Scene<'_>, about: &Commissioning) -> (String, String, String) {
         return (found.to_owned(), opened, known);
     }
     if text.trim().is_empty() {
-        let title = capitalised(&words::title(&about.code, scene.language));
+        let title = capitalised(&commissioning::title(&about.code, scene.language));
         text = format!("# {title}\nformat = 1\n");
     } else if text == was {
         // Nothing was changed in the text itself: what the fields say otherwise is put into it.
@@ -157,7 +158,7 @@ fn records(scene: &Scene<'_>) -> Markup {
 struct Form<'f> {
     about: &'f Commissioning,
     /// Its check-lists, at the usual temperature.
-    sheet: &'f workbench::answers::Commissioning,
+    sheet: &'f answers::Commissioning,
     written: &'f [Written],
     faults: &'f [(Option<String>, Told)],
     language: Language,
@@ -257,12 +258,18 @@ fn trouble(told: &Told) -> Trouble {
     Trouble { field: None, message: told.message.clone(), hint: told.hint.clone() }
 }
 
-fn judgement(found: &workbench::answers::Recorded, language: Language) -> Markup {
+fn judgement(found: &answers::Recorded, language: Language) -> Markup {
     let l = language;
-    let heads =
-        [words::measured(l), terms::verdict(l), terms::value(l), words::expected(l), terms::unit(l), terms::remark(l)];
+    let heads = [
+        commissioning::measured(l),
+        terms::verdict(l),
+        terms::value(l),
+        commissioning::expected(l),
+        terms::unit(l),
+        terms::remark(l),
+    ];
     html! {
-        h3 { (capitalised(words::record_summary(&found.off, &found.not_checked, l).as_str())) }
+        h3 { (capitalised(commissioning::record_summary(&found.off, &found.not_checked, l).as_str())) }
         div.wide tabindex="0" { table.checks {
             thead { tr { @for head in heads { th scope="col" { (crate::tip::of_word(head, l)) } } } }
             tbody { @for line in chapter::recorded(found, l) { tr class=(verdict_class(line.verdict)) {

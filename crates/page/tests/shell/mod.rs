@@ -3,10 +3,12 @@
 #![allow(dead_code, unreachable_pub, reason = "each test takes what it needs")]
 
 use page::{Call, Entry, Folder, Method, Reply, SaveFault, Shell, respond};
+use project::{Files, NoFiles};
+use quantities::Language;
+use questions::Patience;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 pub use testkit::html::whole;
-use workbench::{Files, Language, NoFiles, Patience};
 
 /// A shell without a world.
 pub struct Alone;

@@ -1,12 +1,15 @@
 //! What can be wrong with a body as it is written.
 
-use super::{AXES, BODY_SHAPES, BodyShape, BodyTolerance, Keyed, Line};
+use super::{BODY_SHAPES, BodySection, BodyShape, BodyTolerance, Keyed, Line};
+use crate::section::Fields;
+use crate::stated::Field;
+use crate::value::Choice;
 use crate::{Diagnostic, Fault, Hint};
 use mechanism::{BodyError, Orientation};
 use quantities::{Dimension, HalfWidth};
 use std::ops::Range;
 
-/// More faults than this are counted, not told.
+/// Faults beyond this number are counted, not listed.
 const FAULTS_MOST: usize = 50;
 
 /// Longest excerpt of the text in a message, in characters.
@@ -23,25 +26,19 @@ pub(super) struct Faults<'t> {
     line: (usize, usize),
 }
 
-/// The keys that an error is about; empty where it is about the mass that is missing, or the whole body.
-pub(crate) const fn fields(error: &BodyError) -> &'static [&'static str] {
+/// The fields that an error is about; empty where it is about the mass that is missing, or the whole body.
+pub(crate) fn fields<'s>(error: &BodyError, body: &'s BodySection) -> Vec<&'s dyn Field> {
     match error {
-        BodyError::DimensionOutOfRange { field, .. } => match field.as_bytes() {
-            b"diameter" => &["diameter"],
-            b"length" => &["length"],
-            b"outer" => &["outer"],
-            b"inner" => &["inner"],
-            b"a" => &["a"],
-            b"b" => &["b"],
-            _ => &["height"],
-        },
-        BodyError::InnerNotBelowOuter { .. } => &["inner", "outer"],
-        BodyError::MassAndDensity { .. } | BodyError::NoVolume | BodyError::DensityOutOfRange { .. } => &["density"],
-        BodyError::MassOutOfRange { .. } => &["mass"],
-        BodyError::DistanceOutOfRange { .. } => &["distance"],
-        BodyError::AngleNotFinite => &["angle"],
-        BodyError::NoPiece => &["count"],
-        _ => &[],
+        BodyError::DimensionOutOfRange { field, .. } => body.field(field).into_iter().collect(),
+        BodyError::InnerNotBelowOuter { .. } => vec![&body.inner, &body.outer],
+        BodyError::MassAndDensity { .. } | BodyError::NoVolume | BodyError::DensityOutOfRange { .. } => {
+            vec![&body.density]
+        }
+        BodyError::MassOutOfRange { .. } => vec![&body.mass],
+        BodyError::DistanceOutOfRange { .. } => vec![&body.distance],
+        BodyError::AngleNotFinite => vec![&body.angle],
+        BodyError::NoPiece => vec![&body.count],
+        BodyError::NoMass | BodyError::BeyondNumbers => Vec::new(),
     }
 }
 
@@ -191,14 +188,12 @@ impl<'t> Faults<'t> {
 
     /// How a cylinder lies.
     pub(super) fn axis(&mut self, pair: &Keyed<'_>) -> Option<Orientation> {
-        match pair.value {
-            "parallel" => return Some(Orientation::Parallel),
-            "perpendicular" => return Some(Orientation::Perpendicular),
-            _ => {}
+        let found = Orientation::of_word(pair.value);
+        if found.is_none() {
+            let hint = self.nearest(pair.value, Orientation::WORDS);
+            self.fault(pair.value_span.clone(), Fault::BodyAxis { written: excerpt(pair.value) }, hint);
         }
-        let hint = self.nearest(pair.value, &AXES);
-        self.fault(pair.value_span.clone(), Fault::BodyAxis { written: excerpt(pair.value) }, hint);
-        None
+        found
     }
 
     /// A body that cannot be.

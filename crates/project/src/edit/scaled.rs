@@ -1,27 +1,13 @@
 //! A segment of the motion stretched in time and way: what is given of it is changed in proportion.
 
+use crate::Range;
 use crate::edit::{Edit, EditFault, edit, written};
+use crate::key::{Key, Kind};
+use crate::motion::{Segment, SegmentLaw};
+use crate::section::{OfKinds, Section};
+use ::motion::Law;
 
-/// How the quantities of a segment grow with its time and its way: power of the time, power of the way.
-///
-/// A law from rest to rest keeps its shape when time is stretched by k and way by m: s m, T k, v m/k, a m/k², j m/k³.
-const OF_A_LAW: [(&str, i32, i32); 6] = [
-    ("distance", 0, 1),
-    ("time", 1, 0),
-    ("speed", -1, 1),
-    ("acceleration", -2, 1),
-    ("jerk", -3, 1),
-    ("end_speed", -1, 1),
-];
-
-/// Those of the manual's move.
-const OF_THE_MANUAL: [(&str, i32, i32); 5] =
-    [("speed", -1, 1), ("accelerate", 1, 0), ("run", 1, 0), ("brake", 1, 0), ("pause", 1, 0)];
-
-/// At constant speed the way follows from the time.
-const OF_CONSTANT_SPEED: [(&str, i32, i32); 2] = [("time", 1, 0), ("distance", 1, 0)];
-
-/// Digits of what is written; more than a hand at a picture tells.
+/// Digits of what is written; more than a pointer in a picture resolves.
 const DIGITS: i32 = 6;
 
 /// The text with a segment that takes `time` times as long and goes `way` times as far.
@@ -39,25 +25,28 @@ pub fn stretch(text: &str, path: &str, time: f64, way: f64) -> Result<String, Ed
         let path = format!("{path}.{name}");
         all.iter().find(|key| key.path == path).and_then(|key| key.value.as_deref())
     };
-    let law = value("law").ok_or(EditFault::Path)?;
-    let of: &[(&str, i32, i32)] = match law {
-        "manual" => &OF_THE_MANUAL,
-        "constant" => &OF_CONSTANT_SPEED,
-        _ => &OF_A_LAW,
+    let law = value(Segment::VARIANTS.by).ok_or(EditFault::Path)?;
+    // At constant speed the way follows from the time.
+    let constant = SegmentLaw::of_id(law) == Some(SegmentLaw::Law(Law::Constant));
+    let powers = |key: &Key| match key.stretches? {
+        powers if !constant => Some(powers),
+        (-1, _) => None,
+        _ => Some((1, 0)),
     };
     // With a distance its sign is the direction, and of all else the magnitude counts.
-    let directed = value("distance").is_some();
+    let is_way = |key: &Key| key.stretches == Some((0, 1));
+    let directed = Segment::KEYS.iter().any(|key| is_way(key) && value(key.name).is_some());
     let mut changed = text.to_owned();
-    for (name, of_time, of_way) in of {
-        let Some(stated) = value(name) else { continue };
-        let magnitude = directed && *name != "distance" || matches!(*name, "acceleration" | "jerk");
+    for key in Segment::KEYS {
+        let (Some(stated), Some((of_time, of_way))) = (value(key.name), powers(key)) else { continue };
+        let magnitude = directed && !is_way(key) || matches!(key.kind, Kind::Along(_, _, Range::Positive));
         let way = if magnitude { way.abs() } else { way };
-        let factor = time.powi(*of_time) * way.powi(*of_way);
+        let factor = time.powi(of_time) * way.powi(of_way);
         if factor == 1.0 {
             continue;
         }
         let Some(scaled) = scaled(stated, factor) else { continue };
-        changed = edit(&changed, &format!("{path}.{name}"), Edit::Value(&scaled))?;
+        changed = edit(&changed, &format!("{path}.{}", key.name), Edit::Value(&scaled))?;
     }
     Ok(changed)
 }
@@ -82,7 +71,7 @@ fn scaled(stated: &str, factor: f64) -> Option<String> {
     }
 }
 
-/// A number with [`DIGITS`] digits, without zeros behind the last one that tells something.
+/// A number with [`DIGITS`] digits, without trailing zeros.
 fn shown(number: f64) -> Option<String> {
     if !number.is_finite() {
         return None;

@@ -1,6 +1,6 @@
 //! The footer of a Parquet file: schema, metadata and where the pages of a column lie.
 
-use super::thrift::{Broken, Kind, Stop, Thrift};
+use super::thrift::{Broken, Stop, Thrift, ThriftType};
 use crate::faults::{Damage, Fault};
 use crate::limits::{COLUMNS_MAX, Limit, NESTING_MAX, PATH_BYTES_MAX, ROW_GROUPS_MAX, ROWS_MAX};
 use ::parquet::basic::{ConvertedType, Type};
@@ -101,17 +101,17 @@ impl<'b> Footer<'b> {
         let mut has_schema = false;
         let footer = Thrift::new(footer).structure(|thrift, id, kind| {
             match (id, kind) {
-                (2, Kind::List) => {
+                (2, ThriftType::List) => {
                     read.columns = schema(thrift)?;
                     has_schema = true;
                 }
-                (3, Kind::Integer) => read.rows = natural(thrift.integer()?)?,
-                (4, Kind::List) => {
+                (3, ThriftType::Integer) => read.rows = natural(thrift.integer()?)?,
+                (4, ThriftType::List) => {
                     read.groups = Some(thrift.clone());
                     thrift.skip(kind)?;
                 }
-                (5, Kind::List) => units(thrift, &mut read.units)?,
-                (8, Kind::Struct) => return Err(damaged(Damage::Encrypted).into()),
+                (5, ThriftType::List) => units(thrift, &mut read.units)?,
+                (8, ThriftType::Struct) => return Err(damaged(Damage::Encrypted).into()),
                 _ => thrift.skip(kind)?,
             }
             Ok(())
@@ -133,7 +133,7 @@ impl<'b> Footer<'b> {
         let Some(mut thrift) = self.groups.clone() else { return Ok(()) };
         let mut each = || {
             let (kind, count) = thrift.list()?;
-            if kind != Kind::Struct && count > 0 {
+            if kind != ThriftType::Struct && count > 0 {
                 return Err(Stop::Broken);
             }
             Limit::RowGroups.hold(count as u64, ROW_GROUPS_MAX as u64)?;
@@ -153,9 +153,9 @@ impl<'b> Footer<'b> {
         let (mut rows, mut found) = (None, Vec::new());
         thrift.structure(|thrift, id, kind| {
             match (id, kind) {
-                (1, Kind::List) => {
+                (1, ThriftType::List) => {
                     let (kind, count) = thrift.list()?;
-                    if kind != Kind::Struct || count != self.columns.len() {
+                    if kind != ThriftType::Struct || count != self.columns.len() {
                         return Err(Stop::Broken);
                     }
                     for index in 0..count {
@@ -166,7 +166,7 @@ impl<'b> Footer<'b> {
                         }
                     }
                 }
-                (3, Kind::Integer) => rows = Some(natural(thrift.integer()?)?),
+                (3, ThriftType::Integer) => rows = Some(natural(thrift.integer()?)?),
                 _ => thrift.skip(kind)?,
             }
             Ok(())
@@ -189,15 +189,15 @@ impl<'b> Footer<'b> {
         let (mut data, mut dictionary) = (None, None);
         thrift.structure(|thrift, id, kind| {
             match (id, kind) {
-                (1, Kind::Binary) => return Err(damaged(Damage::Elsewhere).into()),
-                (8, Kind::Struct) => return Err(damaged(Damage::Encrypted).into()),
-                (3, Kind::Struct) => thrift.structure(|thrift, id, kind| {
+                (1, ThriftType::Binary) => return Err(damaged(Damage::Elsewhere).into()),
+                (8, ThriftType::Struct) => return Err(damaged(Damage::Encrypted).into()),
+                (3, ThriftType::Struct) => thrift.structure(|thrift, id, kind| {
                     match (id, kind) {
-                        (4, Kind::Integer) => codec = Some(thrift.integer()?),
-                        (5, Kind::Integer) => values = Some(natural(thrift.integer()?)?),
-                        (7, Kind::Integer) => length = Some(natural(thrift.integer()?)?),
-                        (9, Kind::Integer) => data = Some(natural(thrift.integer()?)?),
-                        (11, Kind::Integer) => dictionary = Some(natural(thrift.integer()?)?),
+                        (4, ThriftType::Integer) => codec = Some(thrift.integer()?),
+                        (5, ThriftType::Integer) => values = Some(natural(thrift.integer()?)?),
+                        (7, ThriftType::Integer) => length = Some(natural(thrift.integer()?)?),
+                        (9, ThriftType::Integer) => data = Some(natural(thrift.integer()?)?),
+                        (11, ThriftType::Integer) => dictionary = Some(natural(thrift.integer()?)?),
                         _ => thrift.skip(kind)?,
                     }
                     Ok(())
@@ -244,7 +244,7 @@ struct Group {
 /// The columns of the schema, which lists its tree in the order of a walk.
 fn schema(thrift: &mut Thrift<'_>) -> Result<Vec<Column>, Stop> {
     let (kind, count) = thrift.list()?;
-    if kind != Kind::Struct || count == 0 {
+    if kind != ThriftType::Struct || count == 0 {
         return Err(Stop::Broken);
     }
     let root = element(thrift)?;
@@ -293,12 +293,12 @@ fn element<'b>(thrift: &mut Thrift<'b>) -> Result<Element<'b>, Stop> {
     let mut read = Element::default();
     thrift.structure(|thrift, id, kind| {
         match (id, kind) {
-            (1, Kind::Integer) => read.physical = Some(thrift.integer()?),
-            (3, Kind::Integer) => read.repetition = thrift.integer()?,
-            (4, Kind::Binary) => read.name = thrift.binary()?,
-            (5, Kind::Integer) => read.children = Some(thrift.integer()?),
-            (6, Kind::Integer) => read.converted = Some(thrift.integer()?),
-            (10, Kind::Struct) => read.logical = Some(logical(thrift)?),
+            (1, ThriftType::Integer) => read.physical = Some(thrift.integer()?),
+            (3, ThriftType::Integer) => read.repetition = thrift.integer()?,
+            (4, ThriftType::Binary) => read.name = thrift.binary()?,
+            (5, ThriftType::Integer) => read.children = Some(thrift.integer()?),
+            (6, ThriftType::Integer) => read.converted = Some(thrift.integer()?),
+            (10, ThriftType::Struct) => read.logical = Some(logical(thrift)?),
             _ => thrift.skip(kind)?,
         }
         Ok(())
@@ -311,10 +311,10 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
     let mut found = Logical::Other;
     thrift.structure(|thrift, id, kind| {
         match (id, kind) {
-            (8, Kind::Struct) => {
+            (8, ThriftType::Struct) => {
                 let mut unit = None;
                 thrift.structure(|thrift, id, kind| match (id, kind) {
-                    (2, Kind::Struct) => thrift.structure(|thrift, id, kind| {
+                    (2, ThriftType::Struct) => thrift.structure(|thrift, id, kind| {
                         unit = match id {
                             1 => Some(TimeUnit::Millis),
                             2 => Some(TimeUnit::Micros),
@@ -327,10 +327,10 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
                 })?;
                 found = unit.map_or(Logical::Other, Logical::Timestamp);
             }
-            (10, Kind::Struct) => {
+            (10, ThriftType::Struct) => {
                 let mut signed = true;
                 thrift.structure(|thrift, id, kind| {
-                    if let (2, Kind::Bool(says)) = (id, kind) {
+                    if let (2, ThriftType::Bool(says)) = (id, kind) {
                         signed = says;
                     }
                     Ok(thrift.skip(kind)?)
@@ -348,14 +348,14 @@ fn logical(thrift: &mut Thrift<'_>) -> Result<Logical, Stop> {
 fn units(thrift: &mut Thrift<'_>, units: &mut Vec<(String, String)>) -> Result<(), Stop> {
     let (kind, count) = thrift.list()?;
     for _ in 0..count {
-        if kind != Kind::Struct {
+        if kind != ThriftType::Struct {
             return Err(Stop::Broken);
         }
         let (mut key, mut value): (&[u8], &[u8]) = (&[], &[]);
         thrift.structure(|thrift, id, kind| {
             match (id, kind) {
-                (1, Kind::Binary) => key = thrift.binary()?,
-                (2, Kind::Binary) => value = thrift.binary()?,
+                (1, ThriftType::Binary) => key = thrift.binary()?,
+                (2, ThriftType::Binary) => value = thrift.binary()?,
                 _ => thrift.skip(kind)?,
             }
             Ok(())

@@ -4,7 +4,7 @@
 //! is refused with a reason; and no page is unpacked that claims more than its values can need.
 
 use super::footer::{Chunk, Column};
-use super::thrift::{Broken, Kind, Stop, Thrift};
+use super::thrift::{Broken, Stop, Thrift, ThriftType};
 use super::unpack::Codec;
 use crate::faults::{Damage, Fault};
 use crate::limits::{DELTA_BLOCK_MAX, Limit, Memory, PAGE_BYTES_FREE, PAGE_RATIO_MAX, UNPACKED_BYTES_MAX};
@@ -160,7 +160,7 @@ impl Pages {
         Ok(())
     }
 
-    /// Counts what is done; a file may not ask for more than is worth it.
+    /// Counts the work; a file must not require more than its share.
     fn spend(&self, bytes: u64) -> std::result::Result<(), Fault> {
         let bytes = bytes.saturating_add(WORK_PER_PAGE);
         let spent = self.spent.fetch_add(bytes, Ordering::Relaxed).saturating_add(bytes);
@@ -275,27 +275,27 @@ fn head(thrift: &mut Thrift<'_>) -> std::result::Result<Head, Stop> {
     };
     thrift.structure(|thrift, id, kind| {
         match (id, kind) {
-            (1, Kind::Integer) => read.kind = thrift.integer()?,
-            (2, Kind::Integer) => read.unpacked = natural(thrift)?,
-            (3, Kind::Integer) => read.packed = usize::try_from(natural(thrift)?).map_err(|_| Broken)?,
-            (5 | 7, Kind::Struct) => thrift.structure(|thrift, id, kind| {
+            (1, ThriftType::Integer) => read.kind = thrift.integer()?,
+            (2, ThriftType::Integer) => read.unpacked = natural(thrift)?,
+            (3, ThriftType::Integer) => read.packed = usize::try_from(natural(thrift)?).map_err(|_| Broken)?,
+            (5 | 7, ThriftType::Struct) => thrift.structure(|thrift, id, kind| {
                 match (id, kind) {
-                    (1, Kind::Integer) => read.values = natural(thrift)?,
-                    (2, Kind::Integer) => read.encoding = thrift.integer()?,
-                    (3, Kind::Integer) => read.level_encoding = thrift.integer()?,
+                    (1, ThriftType::Integer) => read.values = natural(thrift)?,
+                    (2, ThriftType::Integer) => read.encoding = thrift.integer()?,
+                    (3, ThriftType::Integer) => read.level_encoding = thrift.integer()?,
                     _ => thrift.skip(kind)?,
                 }
                 Ok(())
             })?,
-            (8, Kind::Struct) => thrift.structure(|thrift, id, kind| {
+            (8, ThriftType::Struct) => thrift.structure(|thrift, id, kind| {
                 match (id, kind) {
-                    (1, Kind::Integer) => read.values = natural(thrift)?,
-                    (2, Kind::Integer) => read.nulls = natural(thrift)?,
-                    (3, Kind::Integer) => read.rows = natural(thrift)?,
-                    (4, Kind::Integer) => read.encoding = thrift.integer()?,
-                    (5, Kind::Integer) => read.defined_bytes = natural(thrift)?,
-                    (6, Kind::Integer) => read.repeated_bytes = natural(thrift)?,
-                    (7, Kind::Bool(is_packed)) => read.is_packed = is_packed,
+                    (1, ThriftType::Integer) => read.values = natural(thrift)?,
+                    (2, ThriftType::Integer) => read.nulls = natural(thrift)?,
+                    (3, ThriftType::Integer) => read.rows = natural(thrift)?,
+                    (4, ThriftType::Integer) => read.encoding = thrift.integer()?,
+                    (5, ThriftType::Integer) => read.defined_bytes = natural(thrift)?,
+                    (6, ThriftType::Integer) => read.repeated_bytes = natural(thrift)?,
+                    (7, ThriftType::Bool(is_packed)) => read.is_packed = is_packed,
                     _ => thrift.skip(kind)?,
                 }
                 Ok(())

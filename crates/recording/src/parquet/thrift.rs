@@ -14,7 +14,7 @@ const VARINT_BYTES_MAX: u32 = 10;
 
 /// What a field holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ThriftType {
     /// A field holds its truth itself, an element of a list takes a byte.
     Bool(bool),
     Byte,
@@ -28,7 +28,7 @@ pub(super) enum Kind {
     Uuid,
 }
 
-impl Kind {
+impl ThriftType {
     const fn of(code: u8) -> Option<Self> {
         Some(match code {
             1 => Self::Bool(true),
@@ -130,13 +130,13 @@ impl<'b> Thrift<'b> {
     }
 
     /// Begins a list: what its elements hold and how many there are. Each takes a byte at least.
-    pub(super) fn list(&mut self) -> Result<(Kind, usize), Broken> {
+    pub(super) fn list(&mut self) -> Result<(ThriftType, usize), Broken> {
         let head = self.byte()?;
         // Some writers give an empty list no kind.
         if head == 0 {
-            return Ok((Kind::Byte, 0));
+            return Ok((ThriftType::Byte, 0));
         }
-        let kind = Kind::of(head & 0x0f).ok_or(Broken)?;
+        let kind = ThriftType::of(head & 0x0f).ok_or(Broken)?;
         let count = match head >> 4 {
             15 => usize::try_from(self.varint()?).map_err(|_| Broken)?,
             count => usize::from(count),
@@ -147,7 +147,7 @@ impl<'b> Thrift<'b> {
     /// Reads a structure: every field is handed to `field`, which reads or passes over what it holds.
     pub(super) fn structure(
         &mut self,
-        mut field: impl FnMut(&mut Self, i64, Kind) -> Result<(), Stop>,
+        mut field: impl FnMut(&mut Self, i64, ThriftType) -> Result<(), Stop>,
     ) -> Result<(), Stop> {
         let mut id = 0_i64;
         loop {
@@ -155,7 +155,7 @@ impl<'b> Thrift<'b> {
             if head & 0x0f == 0 {
                 return Ok(());
             }
-            let kind = Kind::of(head & 0x0f).ok_or(Broken)?;
+            let kind = ThriftType::of(head & 0x0f).ok_or(Broken)?;
             id = match head >> 4 {
                 0 => self.integer()?,
                 step => id.saturating_add(i64::from(step)),
@@ -165,44 +165,44 @@ impl<'b> Thrift<'b> {
     }
 
     /// Passes over what a field holds.
-    pub(super) fn skip(&mut self, kind: Kind) -> Result<(), Broken> {
+    pub(super) fn skip(&mut self, kind: ThriftType) -> Result<(), Broken> {
         match kind {
             // The field said it.
-            Kind::Bool(_) => Ok(()),
+            ThriftType::Bool(_) => Ok(()),
             other => self.skip_element(other, DEPTH_MAX),
         }
     }
 
-    fn skip_element(&mut self, kind: Kind, depth: u8) -> Result<(), Broken> {
+    fn skip_element(&mut self, kind: ThriftType, depth: u8) -> Result<(), Broken> {
         let depth = depth.checked_sub(1).ok_or(Broken)?;
         match kind {
-            Kind::Bool(_) | Kind::Byte => drop(self.byte()?),
-            Kind::Integer => drop(self.varint()?),
-            Kind::Double => drop(self.take(8)?),
-            Kind::Uuid => drop(self.take(16)?),
-            Kind::Binary => drop(self.binary()?),
-            Kind::List => {
+            ThriftType::Bool(_) | ThriftType::Byte => drop(self.byte()?),
+            ThriftType::Integer => drop(self.varint()?),
+            ThriftType::Double => drop(self.take(8)?),
+            ThriftType::Uuid => drop(self.take(16)?),
+            ThriftType::Binary => drop(self.binary()?),
+            ThriftType::List => {
                 let (kind, count) = self.list()?;
                 for _ in 0..count {
                     self.skip_element(kind, depth)?;
                 }
             }
-            Kind::Map => {
+            ThriftType::Map => {
                 let count = self.varint()?;
                 if count > self.left() as u64 {
                     return Err(Broken);
                 }
                 if count > 0 {
                     let kinds = self.byte()?;
-                    let key = Kind::of(kinds >> 4).ok_or(Broken)?;
-                    let value = Kind::of(kinds & 0x0f).ok_or(Broken)?;
+                    let key = ThriftType::of(kinds >> 4).ok_or(Broken)?;
+                    let value = ThriftType::of(kinds & 0x0f).ok_or(Broken)?;
                     for _ in 0..count {
                         self.skip_element(key, depth)?;
                         self.skip_element(value, depth)?;
                     }
                 }
             }
-            Kind::Struct => loop {
+            ThriftType::Struct => loop {
                 let head = self.byte()?;
                 if head & 0x0f == 0 {
                     break;
@@ -210,8 +210,8 @@ impl<'b> Thrift<'b> {
                 if head >> 4 == 0 {
                     let _ = self.integer()?;
                 }
-                match Kind::of(head & 0x0f).ok_or(Broken)? {
-                    Kind::Bool(_) => {}
+                match ThriftType::of(head & 0x0f).ok_or(Broken)? {
+                    ThriftType::Bool(_) => {}
                     kind => self.skip_element(kind, depth)?,
                 }
             },
@@ -237,14 +237,14 @@ mod tests {
         // 2³¹ − 1 structures in six bytes.
         assert_eq!(Thrift::new(&[0xfc, 0xff, 0xff, 0xff, 0xff, 0x07]).list(), Err(Broken));
         assert_eq!(Thrift::new(&[0xff, 0xff, 0xff, 0xff, 0x0f, b'x']).binary(), Err(Broken));
-        assert_eq!(Thrift::new(&[0xff, 0x7f, 0x88]).skip(Kind::Map), Err(Broken));
+        assert_eq!(Thrift::new(&[0xff, 0x7f, 0x88]).skip(ThriftType::Map), Err(Broken));
     }
 
     #[test]
     fn structures_within_structures_are_passed_over_to_a_bounded_depth() {
         let nested = |depth: usize| [vec![0x1c; depth], vec![0; depth + 1]].concat();
-        assert_eq!(Thrift::new(&nested(20)).skip(Kind::Struct), Ok(()));
-        assert_eq!(Thrift::new(&nested(1_000_000)).skip(Kind::Struct), Err(Broken));
-        assert_eq!(Thrift::new(&[0x19; 1_000_000]).skip(Kind::List), Err(Broken));
+        assert_eq!(Thrift::new(&nested(20)).skip(ThriftType::Struct), Ok(()));
+        assert_eq!(Thrift::new(&nested(1_000_000)).skip(ThriftType::Struct), Err(Broken));
+        assert_eq!(Thrift::new(&[0x19; 1_000_000]).skip(ThriftType::List), Err(Broken));
     }
 }

@@ -1,4 +1,4 @@
-//! One axis with all that is told of it.
+//! The chapters of one axis.
 
 use super::alternatives::Alternatives;
 use super::checks::{Checks, Titles};
@@ -8,7 +8,7 @@ use super::inputs::{Inputs, Mechanism, groups};
 use super::laid_out::{LaidOut, laid_out};
 use super::origins::{Derived, Source, derived, sources};
 use super::shown::{Shown, tied};
-use crate::{AxisContent, Figure, Place};
+use crate::{AxisContent, Diagram, DiagramPlace};
 use answers::{Candidate, Check, CheckId, Dossier, Fit, Item, Number, ScrewJoint, Tolerance};
 use serde::Serialize;
 use words::capitalised;
@@ -32,7 +32,7 @@ pub(super) struct Axis {
     screws: Vec<ScrewJoint>,
     errata: Vec<Erratum>,
     figures: Vec<Placed>,
-    /// What follows from the code for those who build and run the machine, where it is asked for.
+    /// Chapters for building and running the machine, if requested.
     chapters: Vec<LaidOut>,
     /// Only of the full form.
     derivations: Vec<Derived>,
@@ -126,7 +126,7 @@ struct Erratum {
 
 #[derive(Serialize)]
 struct Placed {
-    place: Place,
+    place: DiagramPlace,
     file: String,
     caption: String,
     alternative: String,
@@ -170,7 +170,7 @@ fn tied_joint(joint: &ScrewJoint) -> ScrewJoint {
     ScrewJoint { circle: tied(&joint.circle), torque: tied(&joint.torque), text: tied(&joint.text), ..joint.clone() }
 }
 
-fn placed(axis: usize, index: usize, figure: &Figure) -> Placed {
+fn placed(axis: usize, index: usize, figure: &Diagram) -> Placed {
     Placed {
         place: figure.place,
         file: figure_file(axis, index),

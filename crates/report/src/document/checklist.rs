@@ -1,6 +1,6 @@
 //! The check-lists as their template reads them.
 
-use crate::form::{Field, Kind};
+use crate::form::{Field, FieldKind};
 use answers::{CommissionEntry, CommissionList, Commissioning, Fact};
 use quantities::{Language, Unit};
 use serde::Serialize;
@@ -19,12 +19,12 @@ pub(crate) struct CheckListDocument {
     measured: String,
     page: &'static str,
     disclaimer: &'static str,
-    hazards: Vec<Told>,
+    hazards: Vec<Hazard>,
     lists: Vec<List>,
 }
 
 #[derive(Serialize)]
-struct Told {
+struct Hazard {
     signal: Option<&'static str>,
     signal_word: &'static str,
     text: String,
@@ -65,7 +65,7 @@ impl CheckListDocument {
             grade: grade_word(*entry.grade, language),
             source: entry.source.clone(),
         };
-        let told = |fact: &Fact| Told {
+        let hazard = |fact: &Fact| Hazard {
             signal: fact.signal.map(|signal| signal.id()),
             signal_word: fact.signal.map_or("", |signal| word(*signal, language)),
             text: fact.text.to_owned(),
@@ -82,7 +82,7 @@ impl CheckListDocument {
             measured: capitalised(commission::measured(language)),
             page: commission::page(language),
             disclaimer: commission::not_affiliated(language),
-            hazards: sheet.hazards.iter().filter(|fact| fact.signal.is_some()).map(told).collect(),
+            hazards: sheet.hazards.iter().filter(|fact| fact.signal.is_some()).map(hazard).collect(),
             lists: sheet
                 .lists
                 .iter()
@@ -96,12 +96,15 @@ impl CheckListDocument {
 
     /// The fields of the form, in the order of the pages.
     pub(crate) fn fields(&self, language: Language) -> Vec<Field> {
-        let text =
-            |name: &str, tooltip: &str| Field { name: name.to_owned(), kind: Kind::Text, tooltip: tooltip.to_owned() };
+        let text = |name: &str, tooltip: &str| Field {
+            name: name.to_owned(),
+            kind: FieldKind::Text,
+            tooltip: tooltip.to_owned(),
+        };
         let mut fields = vec![text("serial_number", &self.serial_number), text("signature", &self.signature)];
         for line in self.lists.iter().flat_map(|list| &list.entries) {
             let tooltip = commission::field_done(&line.text, language);
-            fields.push(Field { name: line.tick.clone(), kind: Kind::Tick, tooltip });
+            fields.push(Field { name: line.tick.clone(), kind: FieldKind::Tick, tooltip });
             if !line.value.is_empty() {
                 let tooltip = match line.unit.as_str() {
                     "" => commission::field_measured(&line.text, language),

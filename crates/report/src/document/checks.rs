@@ -30,7 +30,7 @@ struct CheckRow {
     /// The sign that is true between value and limit.
     relation: &'static str,
     utilisation: Option<f64>,
-    /// Whether the utilisation tells a margin: that of a recommendation or of a voltage class does not.
+    /// Whether the utilisation is a margin: that of a recommendation or of a voltage class is not.
     margin: bool,
     percent: String,
     at: String,
@@ -58,11 +58,11 @@ pub(super) struct Counts {
     pub(super) open: usize,
     /// Those of the open ones that could keep the actuator out.
     pub(super) rejecting: usize,
-    /// With a value and without a limit: nobody asked.
+    /// With a value and without a limit: not required.
     pub(super) shown: usize,
 }
 
-/// Whether a check has no answer for want of a datum; with a value and without a limit it is shown, since nobody asked.
+/// Whether a check lacks a datum; with a value and without a limit it is only shown, since no limit is required.
 fn is_open(check: &Check) -> bool {
     *check.verdict == Verdict::NotChecked && check.value.is_none()
 }
@@ -112,8 +112,8 @@ fn missing(check: &Check, dossier: &Dossier) -> Open {
     }
 }
 
-/// What failed stands first, then what is advised, and what was not checked last; between them stands what tells a margin
-/// before what is met or not.
+/// Failed checks first, then advice, checks not made last; in between those with a margin
+/// before those that are only met or not.
 fn rank(check: &Check) -> u8 {
     match (*check.verdict, check.utilisation) {
         (Verdict::Fail, _) => 0,
@@ -138,7 +138,7 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
     let unit = check.unit.unwrap_or("1");
     let figure = |value: Option<Number>| value.map(|value| shown.figure(value, unit)).unwrap_or_default();
     let along = |value: Option<Number>| {
-        let travel = travel.filter(|_| is_at_the_output(*check.id));
+        let travel = travel.filter(|_| check.id.is_of_the_output());
         value.zip(travel).and_then(|(value, travel)| shown.along(value, unit, travel)).unwrap_or_default()
     };
     let passes = *check.verdict == Verdict::Pass;
@@ -159,20 +159,6 @@ fn row(check: &Check, notes: Vec<usize>, travel: Option<Number>, shown: &Shown) 
         sources: once(&check.sources),
         notes,
     }
-}
-
-/// Whether the figures of a check are those of the output shaft, so that a line behind it follows them.
-const fn is_at_the_output(id: CheckId) -> bool {
-    matches!(
-        id,
-        CheckId::PeakSpeed
-            | CheckId::MeanSpeed
-            | CheckId::Torsion
-            | CheckId::ErrorBudget
-            | CheckId::BrakeEmergency
-            | CheckId::FeedbackResolution
-            | CheckId::FeedbackRange
-    )
 }
 
 /// Each text once.

@@ -2,7 +2,7 @@
 
 use super::ends::{Ends, is_listed};
 use super::shown::{Shown, tied};
-use answers::{Dossier, InputTable, MechanismKind};
+use answers::{Dossier, InputTable, Sketch};
 use serde::Serialize;
 
 /// One table of the project file.
@@ -58,9 +58,8 @@ fn segment_of(table: &InputTable) -> Option<usize> {
 /// What hangs on the flange.
 #[derive(Serialize)]
 pub(super) struct Mechanism {
-    kind: MechanismKind,
-    /// Whether its line is nearer to the vertical than to the horizontal.
-    upright: bool,
+    title: String,
+    sketch: Sketch,
     /// Way along the line for one turn of the actuator.
     travel: String,
     data: Ends<Row>,
@@ -107,8 +106,8 @@ impl Mechanism {
             bodies = Ends::of(told, None);
         }
         Self {
-            kind: found.kind,
-            upright: found.inclination_deg.is_some_and(|angle| (angle.0.abs() % 180.0 - 90.0).abs() < 45.0),
+            title: found.title.clone(),
+            sketch: found.sketch.clone(),
             travel: found.travel_mm_per_rev.map(|travel| shown.figure(travel, "mm")).unwrap_or_default(),
             data: Ends::of(rows.into_iter(), None),
             bodies,

@@ -6,7 +6,7 @@ use answers::{Explained, Node};
 use serde::Serialize;
 use words::capitalised;
 
-/// A derivation as lines; depth tells what belongs to what.
+/// A derivation as lines, nested by depth.
 #[derive(Serialize)]
 pub(super) struct Derived {
     title: String,
@@ -27,11 +27,11 @@ struct Line {
     result: String,
     source: String,
     grade: &'static str,
-    figures: Vec<Figure>,
+    figures: Vec<SourcedNumber>,
 }
 
 #[derive(Serialize)]
-struct Figure {
+struct SourcedNumber {
     label: String,
     result: String,
     source: String,
@@ -62,7 +62,7 @@ pub(super) fn derived(explained: &[Explained], shown: &Shown) -> Vec<Derived> {
                 grade: node.grade.map_or("", |grade| shown.grade(*grade)),
                 figures: figures
                     .into_iter()
-                    .map(|each| Figure {
+                    .map(|each| SourcedNumber {
                         label: greek(&each.symbol),
                         result: shown.figure(each.value, each.unit),
                         source: if each.repeated { String::new() } else { each.source.clone() },

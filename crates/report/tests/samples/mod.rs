@@ -5,10 +5,11 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a sample that cannot be made shall fail")]
 
 use figures::{By, Style, Theme};
+use project::Project;
 use quantities::Language;
-use report::{AxisContent, Content, Figure, Place, Settings};
+use questions::{Candidate, Sampling, Sizing};
+use report::{AxisContent, Content, Diagram, DiagramPlace, Settings};
 use std::io::Read;
-use workbench::{Candidate, Project, Sampling, Sizing};
 
 /// A project to report on.
 #[derive(Clone, Copy)]
@@ -49,7 +50,7 @@ pub fn named(name: &str) -> Sample {
 /// The recordings of the examples.
 struct Recordings;
 
-impl workbench::Files for Recordings {
+impl project::Files for Recordings {
     fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
         assert_eq!(name, "robot-joint.csv");
         Ok(Box::new(&include_bytes!("../../../../examples/robot-joint.csv")[..]))
@@ -62,39 +63,39 @@ pub fn content(sample: Sample) -> Content {
 
 /// The report of a project, with its pictures or without.
 pub fn made(text: &str, code: Option<&str>, language: Language, pictures: bool) -> Content {
-    let projects = workbench::read_all(text, &Recordings).unwrap();
+    let projects = questions::read_all(text, &Recordings).unwrap();
     let axes = projects.iter().enumerate().map(|(place, project)| {
-        let ranked = workbench::size(project);
+        let ranked = questions::size(project);
         let code = code.map_or_else(|| ranked.candidates[0].id.to_string(), str::to_owned);
-        let code = workbench::read_code(&code, language).unwrap().parsed.code;
-        let chosen = workbench::check(project, &code).unwrap();
-        let reserve = workbench::reserve_of(project, &chosen);
-        let assessed = workbench::assess(project, &[&chosen], Sampling::default());
+        let code = questions::read_code(&code, language).unwrap().parsed.code;
+        let chosen = questions::check(project, &code).unwrap();
+        let reserve = questions::reserve_of(project, &chosen);
+        let assessed = questions::assess(project, &[&chosen], Sampling::default());
         let (text, program) = ((text, place, "antrieb of the tests"), (&reserve, assessed.first()));
-        let dossier = workbench::answer::dossier(project, &ranked, &chosen, program, text, language);
+        let dossier = questions::answer::dossier(project, &ranked, &chosen, program, text, language);
         let figures = if pictures { figures_of(project, &ranked, &chosen, language) } else { Vec::new() };
         AxisContent { dossier, figures, chapters: Vec::new() }
     });
     Content { language, axes: axes.collect() }
 }
 
-fn figures_of(project: &Project, ranked: &Sizing<'_>, chosen: &Candidate<'_>, language: Language) -> Vec<Figure> {
+fn figures_of(project: &Project, ranked: &Sizing<'_>, chosen: &Candidate<'_>, language: Language) -> Vec<Diagram> {
     let kinds = [
-        (Place::Motion, figures::Figure::Cycle),
-        (Place::TorqueSpeed, figures::Figure::TorqueSpeed),
-        (Place::OutputBearing, figures::Figure::BearingLoad),
-        (Place::Gear, figures::Figure::Torsion),
+        (DiagramPlace::Motion, figures::Figure::Cycle),
+        (DiagramPlace::TorqueSpeed, figures::Figure::TorqueSpeed),
+        (DiagramPlace::OutputBearing, figures::Figure::BearingLoad),
+        (DiagramPlace::Gear, figures::Figure::Torsion),
     ];
     let drawn = kinds.iter().filter_map(|(place, kind)| {
-        Some((*place, figures::draw(*kind, project, chosen, By::Mass, &workbench::Patience::endless(), language).ok()?))
+        Some((*place, figures::draw(*kind, project, chosen, By::Mass, &questions::Patience::endless(), language).ok()?))
     });
     let map = figures::candidate_map(ranked, By::Mass, Some(&chosen.id), language);
     drawn
-        .chain([(Place::Alternatives, map)])
+        .chain([(DiagramPlace::Alternatives, map)])
         .enumerate()
         .map(|(index, (place, drawing))| {
             let style = Style::new(drawing.size()).theme(Theme::Light).language(language).id(&format!("f{index}"));
-            Figure {
+            Diagram {
                 place,
                 svg: drawing.render(&style).into_svg(),
                 caption: drawing.caption.clone(),

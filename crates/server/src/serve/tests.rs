@@ -1,11 +1,11 @@
 use super::*;
 use page::{Call, Reply, Shell};
+use questions::Patience;
 use std::io::{Read, Write};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 use tokio::sync::oneshot;
-use workbench::Patience;
 
 /// A server for as long as a test holds it.
 struct Up {
@@ -82,7 +82,7 @@ fn panics(call: &Call<'_>, _: &dyn Shell, _: &Patience) -> Reply {
     Reply::text(200, "here")
 }
 
-/// Nothing of what went wrong inside is told outside, and the next request is answered.
+/// Internal errors are not disclosed, and the next request is answered.
 #[test]
 fn a_fault_inside_is_an_answer_without_detail() {
     let up = up(panics, None, Limits::default());
@@ -94,7 +94,7 @@ fn a_fault_inside_is_an_answer_without_detail() {
 
 static STOPPED: AtomicUsize = AtomicUsize::new(0);
 
-/// Works until nobody waits.
+/// Works until it is cancelled.
 fn endless(call: &Call<'_>, _: &dyn Shell, patience: &Patience) -> Reply {
     while call.path != "/" && !patience.is_over() {
         std::thread::sleep(Duration::from_millis(5));
@@ -154,7 +154,7 @@ fn so_many_are_computed_so_many_wait_and_the_rest_is_told_to_come_again() {
         while asked.iter().filter(|one| one.is_finished()).count() < 7 && begun.elapsed() < Duration::from_secs(10) {
             std::thread::sleep(Duration::from_millis(5));
         }
-        // Health is told however many wait.
+        // Health is answered regardless of the queue.
         drop(held);
         asked.into_iter().map(|one| one.join().unwrap()).collect()
     });
@@ -214,7 +214,7 @@ fn what_has_begun_is_finished_when_the_end_comes() {
     assert!(answer.starts_with("HTTP/1.1 200 "), "{answer}");
 }
 
-/// Says what it is told to: works until it is over, and tells why; else what a shell knows of works.
+/// A work that runs until it is stopped and returns the reason; else the list of known works.
 fn named(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     let work = call.field("work").unwrap_or_default();
     match call.path {
@@ -229,7 +229,7 @@ fn named(call: &Call<'_>, shell: &dyn Shell, patience: &Patience) -> Reply {
     }
 }
 
-/// A work with a name tells what is there when its time is over; it is cancelled by its name while all turns are taken.
+/// A named work returns its partial state on a timeout; it is cancelled by its name while all workers are busy.
 #[test]
 fn a_work_with_a_name_is_followed_and_cancelled() {
     let up_short = up(named, None, short());

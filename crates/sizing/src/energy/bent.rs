@@ -1,9 +1,9 @@
 //! Power over a panel in which the signals are no straight lines: cut where the torque or the power turns its sign.
 
 use super::{CyclePower, Returned};
-use motion::lobatto;
+use numeric::{highest, lobatto, root, vertex};
 use std::cell::OnceCell;
-use trace::{Node, Panel, Smooth, Sought, crossing};
+use trace::{Node, Panel, Smooth, Sought};
 
 /// Nodes of the rule for a part of a panel: exact for the power of signals of the sixth degree, and of those of the second.
 const NODES: [usize; 2] = [8, 4];
@@ -103,7 +103,7 @@ impl<'a, 'p> Walk<'a, 'p> {
     fn gap(&mut self, place: usize, (from, first, a): (f64, &Node, f64), (to, last, b): (f64, &Node, f64)) {
         let power = |node: &Node| self.course.power.with(node, true);
         if a * b < 0.0 {
-            let zero = crossing(|s| self.course.along_at(s), (from, a), (to, b), CLOSE * (to - from));
+            let zero = root(|s| self.course.along_at(s), (from, a), (to, b), CLOSE * (to - from));
             let (first, at, last) = (power(first), self.course.at(zero, true), power(last));
             self.stretch((from, first), (zero, at), None, a < 0.0);
             self.stretch((zero, at), (to, last), None, b < 0.0);
@@ -130,7 +130,7 @@ impl<'a, 'p> Walk<'a, 'p> {
         let close = CLOSE * (to - from);
         let at = |s: f64| self.course.at(s, true);
         if a * b < 0.0 {
-            let zero = crossing(at, (from, a), (to, b), close);
+            let zero = root(at, (from, a), (to, b), close);
             self.close(zero);
         } else {
             // Between two ends of one sign the power may have the other one: looked for half-way, else at the vertex of the
@@ -142,7 +142,7 @@ impl<'a, 'p> Walk<'a, 'p> {
                 Some((s, at(s))).filter(|(_, value)| a * value < 0.0)
             });
             if let Some(turned) = turned {
-                let zeros = [crossing(at, (from, a), turned, close), crossing(at, turned, (to, b), close)];
+                let zeros = [root(at, (from, a), turned, close), root(at, turned, (to, b), close)];
                 zeros.into_iter().for_each(|zero| self.close(zero));
             }
         }
@@ -202,31 +202,9 @@ impl<'a, 'p> Walk<'a, 'p> {
         let back = |s: f64| -power.with(&panel.at(s), self.driven);
         let mut peak = points.iter().fold(self.peak, |peak, (_, value)| peak.max(*value));
         for three in points.windows(3) {
-            let [mut a, mut b, mut c] = *three else { continue };
-            for _ in 0..4 {
-                let Some((s, height)) = vertex(a, b, c).filter(|(_, height)| *height > peak) else { break };
-                let found = (s, back(s));
-                peak = peak.max(found.1);
-                (a, b, c) = match (found.1 > b.1, s > b.0) {
-                    (true, true) => (b, found, c),
-                    (true, false) => (a, found, b),
-                    (false, true) => (a, b, found),
-                    (false, false) => (found, b, c),
-                };
-                if (height - found.1).abs() <= CLOSE * peak {
-                    break;
-                }
-            }
+            let Ok(three) = <[_; 3]>::try_from(three) else { continue };
+            peak = peak.max(highest(back, three, peak, CLOSE).1);
         }
         self.peak = peak;
     }
-}
-
-/// The vertex of the parabola through three points, strictly between the outer two.
-fn vertex(a: (f64, f64), b: (f64, f64), c: (f64, f64)) -> Option<(f64, f64)> {
-    let (left, right) = ((b.1 - a.1) / (b.0 - a.0), (c.1 - b.1) / (c.0 - b.0));
-    let bend = (right - left) / (c.0 - a.0);
-    let s = 0.5 * (a.0 + b.0 - left / bend);
-    let height = a.1 + left * (s - a.0) + bend * (s - a.0) * (s - b.0);
-    (bend < 0.0 && s > a.0 && s < c.0 && s != b.0).then_some((s, height))
 }

@@ -74,7 +74,7 @@ pub(super) struct Added {
     pub(super) beside: f64,
     /// −∫P dt where P < 0 \[J\]
     pub(super) back: f64,
-    /// Largest −P, if it is asked for \[W\].
+    /// Largest −P, if requested \[W\].
     pub(super) peak: f64,
 }
 
@@ -86,7 +86,7 @@ impl Sweep {
         Self { inertia, per_torque: [driving, driven], starting, per_speed, copper, constant }
     }
 
-    /// Passes some intervals. The largest power that comes back is found where it is asked for; a bank takes the parts of each
+    /// Passes some intervals. The largest regenerated power is computed on request; a bank takes the parts of each
     /// interval in their order.
     pub(super) fn pass(&self, ramps: &[Ramps], with_peak: bool, bank: Option<&mut Bank>) -> Added {
         match (bank, with_peak) {
@@ -189,7 +189,7 @@ mod tests {
         }
     }
 
-    /// The instants of an interval, taken apart as finely as is asked for: ∫(P − P_0) dt, −∫P dt where P < 0, the largest −P.
+    /// The instants of an interval, divided as finely as required: ∫(P − P_0) dt, −∫P dt where P < 0, the largest −P.
     fn brute(ramps: &Ramps, lane: usize, steps: u32, bank: &mut Bank) -> [f64; 3] {
         let (sigma, h) = (ramps.direction, ramps.duration_s[lane]);
         let step = h / f64::from(steps);

@@ -4,9 +4,9 @@ use super::Paper;
 use super::sheet::FIRST;
 use crate::error::WriteError;
 use crate::table::{Cell, Table};
+use quantities::Language;
 use rust_xlsxwriter::{Chart, ChartLine, ChartType, Worksheet};
-use workbench::Language;
-use workbench::text::tables;
+use words::tables;
 
 /// Most rows of a course that are drawn; a choice of this crate that keeps a workbook quick to open.
 const DRAWN_MOST: usize = 20_000;

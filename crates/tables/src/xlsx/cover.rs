@@ -6,13 +6,13 @@ use super::{Front, Paper, height, lines};
 use crate::error::WriteError;
 use crate::format;
 use crate::table::Table;
+use provenance::Grade;
+use quantities::unit::NEWTON_METRE;
+use quantities::{Language, Measure, format_number};
+use questions::texts::standing_text;
 use rust_xlsxwriter::utility::row_col_to_cell;
 use rust_xlsxwriter::{ExcelDateTime, Format, Formula, Url, Worksheet};
-use workbench::quantities::Measure;
-use workbench::quantities::format_number;
-use workbench::quantities::unit::NEWTON_METRE;
-use workbench::text::{Word, capitalised, check_title, grade_about, grade_word, standing_text, tables, terms};
-use workbench::{Grade, Language};
+use words::{Word, capitalised, check_title, grade_about, grade_word, tables, terms};
 
 const GRADES: [Grade; 5] = [Grade::Printed, Grade::Computed, Grade::Published, Grade::Estimated, Grade::Assumed];
 
@@ -121,7 +121,7 @@ fn answer(page: &mut Page<'_>, front: &Front<'_>) -> Result<(), WriteError> {
         page.pair(terms::tightest_check, &format!("{}, {share} %", check_title(check.id, l)))?;
     }
     page.pair(tables::open_questions, &chosen.open_questions().to_string())?;
-    for objection in workbench::answer::objections(chosen, l) {
+    for objection in questions::answer::objections(chosen, l) {
         page.pair(terms::requirement_not_met, &objection)?;
     }
     page.pair(tables::project_file, front.file)?;

@@ -3,12 +3,13 @@
 use super::style::{MARGIN, NEAR, SHARE, Styles, decimals, single};
 use super::{Paper, height, lines};
 use crate::error::WriteError;
-use crate::table::{Cell, Column, Derived, Kind, Table};
+use crate::table::{Cell, Column, ColumnContent, Derived, Table};
+use quantities::Language;
+use questions::{Direction, Verdict};
 use rust_xlsxwriter::utility::{column_number_to_name, row_col_to_cell};
 use rust_xlsxwriter::{ConditionalFormatFormula, Format, Formula, Url, Worksheet};
 use std::collections::BTreeMap;
-use workbench::text::{terms, verdict_word};
-use workbench::{Direction, Language, Verdict};
+use words::{terms, verdict_word};
 
 /// The row of the first record: heading and unit stand above it.
 pub(super) const FIRST: u32 = 2;
@@ -73,7 +74,7 @@ pub(super) fn sheet(
         let format = column_format(table, index, column, derived, styles);
         for (row, cells) in (FIRST..).zip(table.rows.iter()) {
             let Some(cell) = cells.get(index) else { continue };
-            let place = Place { row, at, cells: &cells };
+            let place = RowCells { row, at, cells: &cells };
             write(&mut sheet, &place, cell, (column, derived), format.as_ref(), (table.name, links), styles)?;
         }
         colour(&mut sheet, column, derived, (at, last), styles, language)?;
@@ -107,7 +108,7 @@ impl Derived {
 /// What stands under the heading.
 fn unit(column: &Column) -> &'static str {
     match (column.kind, column.unit) {
-        (Kind::Share, _) => "%",
+        (ColumnContent::Share, _) => "%",
         (_, Some(unit)) if unit.symbol != "1" => unit.symbol,
         _ => "",
     }
@@ -140,10 +141,10 @@ fn column_format(
     styles: &Styles,
 ) -> Option<Format> {
     match (column.kind, derived) {
-        (Kind::Share, Some(Derived::Margin { .. })) => Some(styles.number(MARGIN)),
-        (Kind::Share, _) => Some(styles.number(SHARE)),
-        (Kind::Count, _) => Some(styles.number("0")),
-        (Kind::Number, _) if column.unit.is_some() => {
+        (ColumnContent::Share, Some(Derived::Margin { .. })) => Some(styles.number(MARGIN)),
+        (ColumnContent::Share, _) => Some(styles.number(SHARE)),
+        (ColumnContent::Count, _) => Some(styles.number("0")),
+        (ColumnContent::Number, _) if column.unit.is_some() => {
             let largest = table.numbers(index).flatten().fold(0.0, |most: f64, number| most.max(number.abs()));
             Some(styles.number(&decimals(largest, DIGITS.0)))
         }
@@ -152,7 +153,7 @@ fn column_format(
 }
 
 /// A cell with the row it belongs to.
-struct Place<'t> {
+struct RowCells<'t> {
     row: u32,
     at: u16,
     cells: &'t [Cell],
@@ -160,7 +161,7 @@ struct Place<'t> {
 
 fn write(
     sheet: &mut Worksheet,
-    place: &Place<'_>,
+    place: &RowCells<'_>,
     cell: &Cell,
     (column, derived): (&Column, Option<&Derived>),
     format: Option<&Format>,
@@ -202,7 +203,7 @@ fn write(
 }
 
 /// The formula that gives a derived number, if one does.
-fn formula(place: &Place<'_>, number: f64, derived: Derived) -> Option<String> {
+fn formula(place: &RowCells<'_>, number: f64, derived: Derived) -> Option<String> {
     let cell = |index: usize| Some(row_col_to_cell(place.row, u16::try_from(index).ok()?));
     let figure = |index: usize| place.cells.get(index).and_then(Cell::as_number);
     let gives = |found: f64| (found - number).abs() <= 1e-9 * number.abs().max(1e-3);
@@ -232,15 +233,15 @@ fn colour(
     let cell = format!("${}{}", column_number_to_name(at), FIRST + 1);
     let mut rules: Vec<(String, &Format)> = Vec::new();
     match (column.kind, derived) {
-        (Kind::Share, Some(Derived::Margin { .. })) => {
+        (ColumnContent::Share, Some(Derived::Margin { .. })) => {
             rules.push((format!("=AND(ISNUMBER({cell}),{cell}<0)"), &styles.over));
         }
-        (Kind::Share, _) => {
+        (ColumnContent::Share, _) => {
             rules.push((format!("=AND(ISNUMBER({cell}),{cell}>1)"), &styles.over));
             rules.push((format!("=AND(ISNUMBER({cell}),{cell}>{NEAR},{cell}<=1)"), &styles.near));
             rules.push((format!("=AND(ISNUMBER({cell}),{cell}<={NEAR})"), &styles.fine));
         }
-        (Kind::Verdict, _) => {
+        (ColumnContent::Verdict, _) => {
             let word = |verdict| verdict_word(verdict, language);
             for (text, format) in [
                 (word(Verdict::Pass), &styles.fine),

@@ -1,4 +1,4 @@
-//! The looks of a workbook: quiet, told apart without colour too.
+//! The styles of a workbook, distinct without colour too.
 
 use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder};
 

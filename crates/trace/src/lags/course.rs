@@ -1,8 +1,9 @@
 //! Where within a panel the sum of several lags turns from rising to falling.
 
 use super::Lag;
+use crate::Panel;
 use crate::rule::{MOST, PARTS, Values, dot, lagged, rule};
-use crate::{Panel, crossing};
+use numeric::root;
 
 /// A lag over one panel.
 pub(super) struct Course {
@@ -104,7 +105,7 @@ pub(super) fn turn(courses: &[Course], states: &[f64], duration: f64, least: f64
         let s = f64::from(part) / f64::from(PARTS);
         let here = (s, slope(s));
         if last.1 > 0.0 && here.1 < 0.0 {
-            let at = crossing(slope, last, here, CLOSE);
+            let at = root(slope, last, here, CLOSE);
             let value = sum(&|course, start| course.at(start, at));
             if value > most {
                 most = value;
@@ -132,7 +133,7 @@ fn turn_by_nodes(courses: &[Course], states: &[f64], least: f64) -> Option<(f64,
     for (part, here) in (0..=PARTS).zip(rule.at_parts(&slopes)).skip(1) {
         let here = (f64::from(part) / f64::from(PARTS), here);
         if last.1 > 0.0 && here.1 < 0.0 {
-            let s = crossing(|s| dot(&rule.shares(s), &slopes), last, here, CLOSE);
+            let s = root(|s| dot(&rule.shares(s), &slopes), last, here, CLOSE);
             // What lies clearly below is not worth the closed form.
             if dot(&rule.shares(s), &sums) > most - 1e-6 * most.abs() {
                 let value = courses.iter().zip(states).map(|(course, state)| course.at(*state, s)).sum();

@@ -23,7 +23,7 @@ pub(super) struct Lot {
 /// All panels of a trace, and the lots that they make.
 #[derive(Debug)]
 pub(super) struct Lots {
-    /// None where the trace is changed: it is asked for the lags of one actuator, and what its panels are passed by costs less
+    /// None for a modified trace: only the lags of one actuator are requested, and passing its panels costs less
     /// than to keep this.
     panels: Vec<LagBlock>,
     lots: Vec<Lot>,

@@ -2,9 +2,9 @@
 //! the corners of the load, with as many nodes as it turns far.
 
 use super::{NODES, Node, Panel, Strip, parts};
-use crate::crossing;
 use mechanism::{Extra, Output};
-use motion::{Interval, lobatto};
+use motion::Interval;
+use numeric::{lobatto, root};
 use quantities::{Measure, Torque};
 use std::f64::consts::{PI, TAU};
 
@@ -140,7 +140,7 @@ fn crossings(value: &impl Fn(f64) -> f64, from: f64, to: f64, cuts: &mut Vec<f64
     let halves = [(from, middle), (middle, to)].into_iter().zip(at.iter().zip(at.iter().skip(1)));
     for ((low, high), (first, second)) in halves {
         if first * second < 0.0 {
-            cuts.push(crossing(value, (low, *first), (high, *second), CLOSE * (high - low)));
+            cuts.push(root(value, (low, *first), (high, *second), CLOSE * (high - low)));
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{SHARED_FROM, Strip, in_two};
 use crate::gains::{Gain, LagBlock, Lagging, Products, largest};
-use crate::{Block, Place};
+use crate::{Block, BlockPanels};
 use std::ops::Range;
 
 /// A part of a block has so many intervals.
@@ -16,11 +16,11 @@ pub(crate) struct LagPart {
 }
 
 impl Strip {
-    /// What lags need of each block, found when the first lag is asked for.
+    /// Data of each block for lags, computed on first use.
     pub(crate) fn lag_blocks(&self) -> &[LagBlock] {
         self.survey.lags.get_or_init(|| {
             in_two(&self.survey.blocks, self.placed.intervals() >= SHARED_FROM, &|block| {
-                let Place::Recorded { intervals, .. } = &block.place else { return LagBlock::default() };
+                let BlockPanels::Recorded { intervals, .. } = &block.place else { return LagBlock::default() };
                 self.lag_block(block.duration_s, block.extent.direction, intervals)
             })
         })
@@ -43,7 +43,7 @@ impl Strip {
             return &[];
         };
         parts.get_or_init(|| {
-            let Place::Recorded { intervals, .. } = &whole.place else { return Vec::new() };
+            let BlockPanels::Recorded { intervals, .. } = &whole.place else { return Vec::new() };
             let part = |from: usize| {
                 let intervals = from..(from + PART).min(intervals.end);
                 let each = || intervals.clone().filter_map(|index| self.surveyed.interval(index));
@@ -64,7 +64,7 @@ impl Strip {
     pub(crate) fn gains(&self, tau_s: f64) -> Vec<Gain> {
         let mut lagging = Lagging::of(tau_s);
         let gain = |(number, (block, lag)): (usize, (&Block, &LagBlock))| {
-            // Not even asked for where they cannot be short enough.
+            // Not computed if they cannot be short enough.
             let parts = self.block_intervals().div_ceil(PART) as f64;
             if lag.is_short(tau_s) || !lag.is_short(parts * tau_s) || !self.has_short_parts(number, tau_s) {
                 return lag.gain(&mut lagging, |look| self.raw_panels(block, look));

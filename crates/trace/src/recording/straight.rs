@@ -1,7 +1,7 @@
 //! Blocks of straight intervals: their sums and bounds without a node.
 
 use super::{LANES, Strip, range};
-use crate::{Block, Extent, Gram, Panel, Place};
+use crate::{Block, BlockPanels, Extent, Gram, Panel};
 use mechanism::Plain;
 use motion::Interval;
 use std::ops::Range;
@@ -9,7 +9,7 @@ use wide::f64x4;
 
 impl Strip {
     pub(crate) fn block(&self, intervals: Range<usize>) -> Block {
-        let place = Place::Recorded { strip: 0, intervals: intervals.clone() };
+        let place = BlockPanels::Recorded { strip: 0, intervals: intervals.clone() };
         let mut block = Block::empty(place.clone());
         block.from_s = self.surveyed.interval(intervals.start).map_or(0.0, |interval| interval.start_s);
         let mut from = intervals.start;
@@ -49,7 +49,7 @@ impl Strip {
     /// With α constant, ω and τ straight over an interval of length h the products of the four signals integrate to
     /// ∫α² = α Δω, ∫ω² = h (s² − ω_0 ω_1)/3, ∫ω = h s/2 with s = ω_0 + ω_1, and alike for τ; those of α with ω and with a
     /// constant add up to what lies between the ends of the block. R = τ + T_h mixes them.
-    fn quick(&self, plain: &Plain, place: &Place, intervals: Range<usize>) -> Option<Block> {
+    fn quick(&self, plain: &Plain, place: &BlockPanels, intervals: Range<usize>) -> Option<Block> {
         let recorded = &*self.placed.recorded;
         let samples = intervals.start..intervals.end + 1;
         let time = recorded.time_s().get(samples.clone())?;

@@ -2,7 +2,7 @@
 
 use super::loads::{Piece, direction};
 use super::{LANES, Strip, parts};
-use crate::{Block, Panel, Place};
+use crate::{Block, BlockPanels, Panel};
 use mechanism::Plain;
 use motion::Interval;
 use std::ops::Range;
@@ -40,7 +40,7 @@ pub enum Swept<'p> {
 impl Strip {
     /// Passes the intervals of a block in the order of time, as [`Strip::panels`] does.
     pub fn sweep(&self, block: &Block, look: &mut impl FnMut(Swept<'_>)) {
-        let Place::Recorded { intervals, .. } = &block.place else { return };
+        let BlockPanels::Recorded { intervals, .. } = &block.place else { return };
         let mut gathered = Gathered::of(intervals.len());
         match self.straight() {
             Some(plain) => self.straight_intervals(plain, block, intervals.clone(), &mut gathered),

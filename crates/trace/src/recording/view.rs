@@ -8,9 +8,11 @@ use motion::Interval;
 ///
 /// α = α_0/f², ω = ω_0/f, T_L = w R + J α + T_c σ + b ω, t = t_0 + f t'
 ///
-/// # Symbols  f stretch of the time; R recorded torque, what does not change over the motion and what the weight asks for at
+/// # Symbols
+/// f stretch of the time; R recorded torque, constant torque, and torque of the weight at
 /// each position \[Nm\]; w factor on R, other than one only where it is the weight alone
-/// # Source   docs/theory/moments.md
+/// # Source
+/// docs/theory/moments.md
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct View {
     pub(super) weight: f64,

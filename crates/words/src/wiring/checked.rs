@@ -130,7 +130,7 @@ pub const fn difference_action(finding: &Finding, language: Language) -> &'stati
             ("exchange them before the brake is supplied", "tauschen, bevor die Bremse versorgt wird")
         }
         (Difference::Reversed { group: Group::Kty, .. }, _) => (
-            "exchange them: a reversed KTY tells a wrong temperature, and the winding is not protected",
+            "exchange them: a reversed KTY reports a wrong temperature, and the winding is not protected",
             "tauschen: ein verpolter KTY meldet eine falsche Temperatur, und die Wicklung ist nicht geschützt",
         ),
         (Difference::Swapped { group: Group::Phase, .. } | Difference::WrongPin { group: Group::Phase, .. }, _) => (
@@ -219,7 +219,7 @@ pub fn list_fault(fault: &ListFault, language: Language) -> String {
             format!("`{written}` sagt nicht, ob die Ader geschirmt ist"),
         ),
         ListFault::More => {
-            e("there are more faults than are told here".into(), "es gibt mehr Fehler, als hier stehen".into())
+            e("there are more faults than are listed here".into(), "es gibt mehr Fehler, als hier stehen".into())
         }
     }
 }

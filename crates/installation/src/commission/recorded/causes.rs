@@ -159,7 +159,7 @@ pub(super) fn of(about: &Commissioning, value: f64, expected: &Expected) -> Opti
                 .or_else(|| (quotient > DRAGGING).then_some(Cause::Dragging))
         }
         Measurand::Ratio => {
-            let other = Ratio::ALL.iter().copied().find(|ratio| near(value, f64::from(ratio.value()), 0.02));
+            let other = Ratio::all(about.code.series()).find(|ratio| near(value, f64::from(ratio.value()), 0.02));
             other.map(Cause::OtherRatio)
         }
         Measurand::PolePairs => Some(Cause::PolePairs(value)),

@@ -1,0 +1,172 @@
+//! What a series states of its tables and of the words of its code.
+
+use order_code::{Feedback, Series, Size, Winding};
+
+/// Tables of a series by their purpose, the marks of its matrix, and what its windings and feedback systems have.
+#[derive(Clone, Copy, Debug)]
+pub struct SeriesData {
+    /// Identifier of its manual.
+    pub manual: &'static str,
+    /// Table with the calibrations of the models.
+    pub family: &'static str,
+    /// Table of what exists at each size.
+    pub matrix: &'static str,
+    /// Table of the pairs of winding and feedback.
+    pub pairs: &'static str,
+    /// Table with the thresholds of the winding temperature; empty: none.
+    pub thresholds: &'static str,
+    /// Table with the conditions of the preselection; empty: none.
+    pub preselection: &'static str,
+    /// Table of the encoder at the output; empty: none.
+    pub output_encoder: &'static str,
+    /// Connector and pins of the encoder at the output; empty: none.
+    pub output_wiring: &'static [&'static str],
+    /// Tables of cables.
+    pub cables: &'static [&'static str],
+    /// Beginnings of the sections whose tables are headed by the size.
+    pub by_size: &'static [&'static str],
+    /// Beginnings of the sections whose tables are about a feedback.
+    pub feedback: &'static [&'static str],
+    /// Sections of ordering and wiring.
+    pub ordering: &'static [&'static str],
+    /// Beginnings of the sections whose cells hold for every actuator.
+    pub of_all: &'static [&'static str],
+    /// Tables of published curves.
+    pub curves: &'static [&'static str],
+    /// Table with the life of the gear; empty: none.
+    pub gear_life: &'static str,
+    /// Series of gears whose rows of that table hold.
+    pub gear_series: &'static str,
+    /// What the cells of the matrix say.
+    pub marks: &'static [Mark],
+    /// What the tables of each winding have of their own, in the order of its words.
+    pub windings: &'static [WindingData],
+    /// Table of each feedback, in the order of its words; empty: none.
+    pub feedback_tables: &'static [&'static str],
+    /// Heads of the drives.
+    pub drives: &'static [Head],
+    /// Tables of connectors.
+    pub wirings: &'static [WiringTables],
+}
+
+/// What a cell of the matrix says: the first mark that it begins with counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mark {
+    /// How the text begins.
+    pub begins: &'static str,
+    /// What it says.
+    pub entry: MarkEntry,
+    /// Only together with this feedback.
+    pub feedback: Option<Feedback>,
+    /// Mark of the footnote that says that the actuator becomes longer; empty: it does not.
+    pub longer: &'static str,
+}
+
+/// Whether a word exists at a size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkEntry {
+    /// It does.
+    Available,
+    /// On request.
+    OnRequest,
+    /// It does not.
+    NotAvailable,
+}
+
+/// What the tables of a winding have of their own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WindingData {
+    /// Table of general data.
+    pub general: &'static str,
+    /// Head of its columns.
+    pub general_head: &'static str,
+    /// Condition of the row of I_NLS that holds within the range of temperatures in operation.
+    pub starting_current: &'static str,
+    /// Whether I_0 = T_0/k_Tout + I_NLS, or T_0/k_Tout.
+    pub stall_current_includes_friction: bool,
+    /// Whether the winding has a PTC.
+    pub ptc: bool,
+}
+
+/// A drive that tables are headed by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Head {
+    /// The head.
+    pub name: &'static str,
+    /// Frame size.
+    pub size: Size,
+    /// Windings that its tables hold for.
+    pub windings: &'static [Winding],
+    /// Feedback systems that its tables hold for.
+    pub feedbacks: &'static [Feedback],
+}
+
+/// Tables of connectors by winding and feedback.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WiringTables {
+    /// Windings.
+    pub windings: &'static [Winding],
+    /// Feedback systems.
+    pub feedbacks: &'static [Feedback],
+    /// Connector and pins of the motor, then of the feedback.
+    pub tables: [&'static str; 4],
+}
+
+impl SeriesData {
+    /// A series without tables.
+    const NONE: Self = Self {
+        manual: "",
+        family: "",
+        matrix: "",
+        pairs: "",
+        thresholds: "",
+        preselection: "",
+        output_encoder: "",
+        output_wiring: &[],
+        cables: &[],
+        by_size: &[],
+        feedback: &[],
+        ordering: &[],
+        of_all: &[],
+        curves: &[],
+        gear_life: "",
+        gear_series: "",
+        marks: &[],
+        windings: &[],
+        feedback_tables: &[],
+        drives: &[],
+        wirings: &[],
+    };
+
+    /// That of a series.
+    #[must_use]
+    pub fn of(series: Series) -> &'static Self {
+        static NONE: SeriesData = SeriesData::NONE;
+        crate::series().get(series.place()).unwrap_or(&NONE)
+    }
+
+    /// Every table of pins, each once.
+    #[must_use]
+    pub fn pin_tables(&self) -> Vec<&'static str> {
+        let wired = self.wirings.iter().flat_map(|each| [each.tables[1], each.tables[3]]);
+        let mut found: Vec<&'static str> = Vec::new();
+        for table in wired.chain(self.output_wiring.get(1).copied()) {
+            if !found.contains(&table) {
+                found.push(table);
+            }
+        }
+        found
+    }
+
+    /// Whether a section begins like one of those.
+    #[must_use]
+    pub fn begins(sections: &[&str], section: &str) -> bool {
+        sections.iter().any(|begin| section.starts_with(begin))
+    }
+}
+
+/// What the tables of a winding have of their own.
+#[must_use]
+pub fn winding_data(winding: Winding) -> Option<&'static WindingData> {
+    SeriesData::of(winding.series()).windings.get(winding.place())
+}

@@ -1,0 +1,206 @@
+//! A call of a command as a question: its files are read, its arguments become texts for the list.
+
+use crate::answer::Answer;
+use crate::fault::{memory, path_text, read_bytes, unanswered};
+use crate::layout::Layout;
+use crate::save::not_to_stdout;
+use crate::waiting::{patience, time_limit};
+use clap::ArgMatches;
+use clap::parser::ValueSource;
+use disk::{Beside, Links};
+use project::{Grant, Project, Reach};
+use quantities::{Language, seen};
+use questions::list::{Asked, Entry, Form, Given, Kind, LIST, Reads, Source, Unanswered};
+use questions::read_code;
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
+use words::{Usage, file_trouble, terminal, usage_text};
+
+/// Seconds of a day.
+const DAY_S: u64 = 86_400;
+
+/// A call of a command.
+pub(crate) struct Call<'m> {
+    pub(crate) entry: &'static Entry,
+    matches: &'m ArgMatches,
+    pub(crate) as_json: bool,
+    pub(crate) language: Language,
+    files: Vec<File>,
+}
+
+/// A file that a question is about.
+struct File {
+    path: PathBuf,
+    name: String,
+    bytes: Vec<u8>,
+    beside: Beside,
+}
+
+/// How the terminal shows the answer to a question.
+pub(crate) type Show = fn(&Call<'_>, &Asked<'_>) -> Result<Answer, Unanswered>;
+
+/// The answer to a question of the list: its record, or as the terminal shows it.
+pub(crate) fn answer(matches: &ArgMatches, as_json: bool, language: Language) -> Option<Answer> {
+    let (command, mut found) = matches.subcommand()?;
+    let mut command = command.to_owned();
+    while let Some((below, matches)) = found.subcommand() {
+        command = format!("{command} {below}");
+        found = matches;
+    }
+    let is_given = |option: &str| found.try_contains_id(option).unwrap_or(false);
+    let mut entries = LIST.iter().copied().filter(|entry| entry.command() == command);
+    let first = entries.next()?;
+    let other = entries.find(|entry| entry.reads != Reads::Nothing && entry.option().is_some_and(is_given));
+    let entry = other.unwrap_or(first);
+    let answered = || {
+        // What cannot be written is refused before anything is read.
+        let path = |option| found.try_get_one::<PathBuf>(option).ok().flatten();
+        let mut pdfs = entry.files().filter(|file| file.is_pdf()).filter_map(|file| path(file.option));
+        if let Some(path) = pdfs.find(|path| path.as_os_str() == "-") {
+            return Err(not_to_stdout(path, language));
+        }
+        let files = read(entry, found, language)?;
+        let call = Call { entry, matches: found, as_json, language, files };
+        let asked = call.asked()?;
+        let show = Layout::of(entry).map(|layout| layout.show);
+        let shown = match (entry.answer, show) {
+            (Some(answer), _) if as_json && entry.gives.is_record() && !call.writes() => record(&answer(&asked)?),
+            (_, Some(show)) => show(&call, &asked)?,
+            (Some(answer), None) => record(&answer(&asked)?),
+            (None, None) => Answer::none(),
+        };
+        Ok(Answer { talk: call.understood(&asked) + &shown.talk, ..shown })
+    };
+    Some(answered().unwrap_or_else(|why: Unanswered| unanswered(&why, as_json, language)))
+}
+
+/// An answer of the list.
+pub(crate) fn record(answer: &questions::list::Answer) -> Answer {
+    Answer { talk: answer.remarks.clone(), ..Answer::data(answer.text.clone()) }.fits(answer.fits)
+}
+
+/// Reads the files that a question is about.
+fn read(entry: &Entry, matches: &ArgMatches, language: Language) -> Result<Vec<File>, Unanswered> {
+    let names: &[&str] = match (entry.reads, entry.option()) {
+        (Reads::Nothing, _) => return Ok(Vec::new()),
+        (Reads::Project | Reads::Pins | Reads::Measured | Reads::TwoProjects, Some(option)) => &[option],
+        (Reads::TwoProjects, None) => &["old", "new"],
+        (Reads::Project | Reads::Pins | Reads::Measured, None) => &["project"],
+    };
+    let memory = memory::allowed(matches, language)?;
+    let each = |name: &&str| {
+        let path = matches.get_one::<PathBuf>(name).cloned().unwrap_or_default();
+        let piped = path.as_os_str() == "-";
+        let name = if piped { "stdin".to_owned() } else { path_text(&path) };
+        let bytes = read_bytes(&path).map_err(|error| Unanswered::File {
+            name: name.clone(),
+            message: file_trouble(&error, language),
+            is_too_large: false,
+        })?;
+        let path = if piped { PathBuf::new() } else { path };
+        // As in a shell, any path is taken that the caller may read.
+        let grant = Grant { memory, reach: Reach::Anywhere };
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        Ok(File { path, name, bytes, beside: Beside { folder, links: Links::Followed, grant } })
+    };
+    names.iter().map(each).collect()
+}
+
+impl Call<'_> {
+    /// The question.
+    fn asked(&self) -> Result<Asked<'_>, Unanswered> {
+        let mut pairs: Vec<(Cow<'_, str>, Cow<'_, str>)> = Vec::new();
+        for argument in self.entry.arguments {
+            // Of what is written in JSON the format is said.
+            let is_said = self.as_json && argument.name == "format";
+            if !self.is_given(argument.name) || is_said {
+                continue;
+            }
+            let values = self.matches.get_raw(argument.name).into_iter().flatten();
+            let values: Vec<String> = values.map(|value| value.to_string_lossy().into_owned()).collect();
+            match (argument.kind, argument.form) {
+                (Kind::Flag, _) => pairs.push((argument.name.into(), "true".into())),
+                (_, Form::Words) => pairs.push((argument.name.into(), values.join(" ").into())),
+                (_, Form::Option | Form::Bare | Form::Each) => {
+                    pairs.extend(values.into_iter().map(|value| (argument.name.into(), value.into())));
+                }
+            }
+        }
+        let given = Given::of(self.entry.arguments, pairs, self.language)?;
+        let sources = self.files.iter().map(|file| Source {
+            name: file.name.clone(),
+            bytes: Cow::Borrowed(&file.bytes),
+            files: &file.beside,
+        });
+        Ok(Asked {
+            given,
+            sources: sources.collect(),
+            days_since_1970: SystemTime::now().duration_since(UNIX_EPOCH).ok().map(|time| time.as_secs() / DAY_S),
+            patience: patience(),
+            refuses_long: time_limit().is_none(),
+            language: self.language,
+        })
+    }
+
+    fn is_given(&self, name: &str) -> bool {
+        matches!(self.matches.try_contains_id(name), Ok(true))
+            && self.matches.value_source(name) == Some(ValueSource::CommandLine)
+    }
+
+    /// The file of an option.
+    pub(crate) fn path(&self, name: &str) -> Option<&Path> {
+        self.matches.try_get_one::<PathBuf>(name).ok().flatten().map(PathBuf::as_path)
+    }
+
+    /// The text of an option.
+    pub(crate) fn text(&self, name: &str) -> Option<&str> {
+        self.matches.try_get_one::<String>(name).ok().flatten().map(String::as_str)
+    }
+
+    /// The text of an option, of a bounded length and without invisible signs.
+    pub(crate) fn label(&self, name: &'static str) -> Result<Option<String>, Unanswered> {
+        // As many as a text of a project may have.
+        const MOST: usize = 200;
+        let Some(text) = self.text(name) else { return Ok(None) };
+        if text.chars().count() > MOST {
+            let message = usage_text(&Usage::TooLong { most: MOST }, self.language);
+            return Err(Unanswered::option(name, (message, None)));
+        }
+        Ok(Some(seen(text).into_owned()))
+    }
+
+    /// Whether an option is set.
+    pub(crate) fn flag(&self, name: &str) -> bool {
+        self.matches.try_get_one::<bool>(name).ok().flatten().copied().unwrap_or(false)
+    }
+
+    /// Whether files are written.
+    fn writes(&self) -> bool {
+        self.entry.files().any(|file| self.path(file.option).is_some())
+    }
+
+    /// The files that are read: the project and its recordings. None of them is written.
+    pub(crate) fn inputs<'p>(&self, projects: impl IntoIterator<Item = &'p Project>) -> Vec<PathBuf> {
+        let Some(file) = self.files.first() else { return Vec::new() };
+        let recordings = projects.into_iter().flat_map(|project| &project.recordings);
+        let recordings = recordings.map(|read| file.beside.folder.join(&read.file));
+        [file.path.clone()].into_iter().chain(recordings).collect()
+    }
+
+    /// Bytes of memory that the project is allowed.
+    pub(crate) fn memory(&self) -> u64 {
+        self.files.first().map_or(questions::MEMORY_USUAL, |file| file.beside.grant.memory)
+    }
+
+    /// A remark on each code that was not written canonically.
+    fn understood(&self, asked: &Asked<'_>) -> String {
+        let codes = self.entry.arguments.iter().filter(|argument| matches!(argument.kind, Kind::Code));
+        let read = codes.flat_map(|argument| asked.given.all(argument.name)).filter_map(|text| {
+            let reading = read_code(text, self.language).ok()?;
+            (!reading.parsed.is_canonical())
+                .then(|| format!("{}\n", terminal::understood_as(&reading.parsed.code, self.language)))
+        });
+        read.collect()
+    }
+}

@@ -1,0 +1,120 @@
+//! Options and help that only the command line has, beside the arguments of a question and the files that it writes.
+
+use super::question;
+use clap::builder::{PossibleValuesParser, ValueParser};
+use clap::{Arg, ArgAction, ArgGroup, Command, value_parser};
+use quantities::Language;
+use questions::list::{plot, report, wiring};
+use words::help;
+use words::help::values;
+
+/// Nothing.
+pub(crate) fn nothing(command: Command, _: Language) -> Command {
+    command
+}
+
+/// The title page of the report of the best.
+pub(crate) fn size(command: Command, language: Language) -> Command {
+    title_page(command.arg(question::of(&report::DATE, language)), language)
+}
+
+/// The title page, and the day of delivery from which the upkeep follows.
+pub(crate) fn report(command: Command, language: Language) -> Command {
+    let delivered = text("delivered", values::date(language), help::report_delivered(language));
+    title_page(command.arg(delivered.requires("installation")), language)
+}
+
+/// The fields of the title page beside its day.
+fn title_page(command: Command, language: Language) -> Command {
+    let l = language;
+    let fields = [
+        ("revision", help::revision(l)),
+        ("title", help::title(l)),
+        ("number", help::number(l)),
+        ("author", help::author(l)),
+        ("company", help::company(l)),
+    ];
+    let archive = Arg::new("archive").long("archive").action(ArgAction::SetTrue).help(help::archive(l));
+    command.args(fields.map(|(name, help)| text(name, values::text(l), help))).arg(archive)
+}
+
+/// Any name of a table: the list itself says which are right.
+pub(crate) fn export(command: Command, _: Language) -> Command {
+    command.mut_arg("table", |table| table.value_parser(ValueParser::string()))
+}
+
+/// A table as CSV where no format is requested.
+pub(crate) fn catalogue(command: Command, _: Language) -> Command {
+    command.mut_arg("format", |format| format.default_value("csv"))
+}
+
+/// Where a picture without a file goes.
+pub(crate) fn plot(command: Command, language: Language) -> Command {
+    command.after_help(help::plot_without_files(language))
+}
+
+/// How a picture looks.
+pub(crate) fn picture(command: Command, language: Language) -> Command {
+    command.args([plot::THEME, plot::WIDTH, plot::HEIGHT].map(|argument| question::of(&argument, language)))
+}
+
+/// Which connector is drawn, and how the picture looks.
+pub(crate) fn wiring(command: Command, language: Language) -> Command {
+    let roles = PossibleValuesParser::new(wiring::Role::ALL.iter().map(|role| role.id()));
+    let connector = text("connector", values::connector(language), help::wiring_connector(language));
+    picture(command.arg(connector.value_parser(roles)), language)
+}
+
+/// One of the four that a call is about.
+pub(crate) fn commission(command: Command, language: Language) -> Command {
+    let wanted = ArgGroup::new("wanted").args(["for", "checklist", "record", "blank"]);
+    command.group(wanted.multiple(true).required(true)).after_help(help::commission_exit(language))
+}
+
+/// The shapes that a body may have, below the options.
+pub(crate) fn shapes(command: Command, language: Language) -> Command {
+    let mut shapes = String::new();
+    for shape in &project::BODY_SHAPES {
+        let axis = if shape.may_lie { " axis" } else { "" };
+        let line = format!("  {:<9} {}{axis}", shape.name, shape.dimensions.join(" "));
+        shapes.push_str(line.trim_end());
+        shapes.push('\n');
+    }
+    command.after_help(format!("{}\n{shapes}{}", help::shapes(language), help::shapes_all(language)))
+}
+
+fn text(name: &'static str, value: &'static str, help: &'static str) -> Arg {
+    Arg::new(name).long(name).value_name(value).help(help)
+}
+
+pub(super) fn serve(language: Language) -> Command {
+    let [one, all] = crate::serve::EXAMPLES;
+    Command::new("serve")
+        .about(help::serve(language))
+        .arg(
+            Arg::new("folder")
+                .value_name(values::folder(language))
+                .value_parser(value_parser!(std::path::PathBuf))
+                .help(help::serve_folder(language)),
+        )
+        .arg(
+            Arg::new("port")
+                .long("port")
+                .value_name(values::n(language))
+                .value_parser(value_parser!(u16))
+                .help(help::serve_port(language)),
+        )
+        .arg(Arg::new("open").long("open").action(ArgAction::SetTrue).help(help::serve_open(language)))
+        .arg(
+            Arg::new("listen")
+                .long("listen")
+                .value_name(values::address(language))
+                .help(help::serve_listen(&one, &all, language)),
+        )
+        .arg(memory(language))
+}
+
+/// How much memory the recordings of a project may take.
+pub(super) fn memory(language: Language) -> Arg {
+    Arg::new("memory").long("memory").value_name(values::size(language)).help(help::memory(language))
+}

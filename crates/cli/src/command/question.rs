@@ -1,0 +1,135 @@
+//! The command of a question: its arguments and files from the list, and what its layout adds.
+
+use crate::layout::Layout;
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, ArgAction, Command, value_parser};
+use quantities::Language;
+use questions::list::{Argument, Entry, Form, Gives, Kind, LIST, OutputFile, Reads, media};
+use words::help::{self, values};
+
+/// The command of a question.
+pub(super) fn command(entry: &Entry, language: Language) -> Command {
+    let others = LIST.iter().copied().filter(|other| other.option().is_some() && other.command() == entry.command());
+    let questions: Vec<&Entry> = std::iter::once(entry).chain(others).collect();
+    // Where the ending of a file decides its format, no argument does.
+    let by_ending = entry.files().any(|file| file.media.len() > 1);
+    let mut arguments: Vec<&Argument> = Vec::new();
+    for argument in questions.iter().flat_map(|question| question.arguments) {
+        let is_known = arguments.iter().any(|known| known.name == argument.name);
+        let is_said_by_ending = by_ending && argument.name == "format";
+        if !is_known && !is_said_by_ending {
+            arguments.push(argument);
+        }
+    }
+    let is_pdf = matches!(entry.gives, Gives::Media(media) if media.contains(&media::PDF));
+    let mut command = Command::new(super::last(entry)).about(with_report(is_pdf, (entry.about)(language), language));
+    command = command.args(sources(entry, language));
+    for argument in &arguments {
+        let option = of(argument, language);
+        let option = match arguments.iter().find(|other| other.instead_of == Some(argument.name)) {
+            Some(other) => option.required_unless_present(other.name),
+            None => option,
+        };
+        command = command.arg(option);
+    }
+    command = command.args(questions.iter().skip(1).flat_map(|other| sources(other, language)));
+    command = command.args(entry.files().map(|file| output(file, language)));
+    if let Some(layout) = Layout::of(entry) {
+        command = (layout.own)(command, language);
+    }
+    if entry.files().next().is_some() {
+        command = command.arg(Arg::new("force").long("force").action(ArgAction::SetTrue).help(help::force(language)));
+    }
+    command
+}
+
+/// A help text; of a PDF with a remark where the program was built without the typesetting engine.
+fn with_report(is_pdf: bool, help: &str, language: Language) -> String {
+    if is_pdf && cfg!(not(feature = "report")) {
+        format!("{help} ({})", help::not_in_this_build(language))
+    } else {
+        help.to_owned()
+    }
+}
+
+fn file(name: &'static str, value: &'static str, help: &str) -> Arg {
+    Arg::new(name).value_name(value).value_parser(value_parser!(std::path::PathBuf)).help(help.to_owned())
+}
+
+/// A file that is written.
+fn output(written: &OutputFile, language: Language) -> Arg {
+    let help = with_report(written.is_pdf(), (written.about)(language), language);
+    let mut option =
+        file(written.option, values::file(language), &help).long(written.option).required(written.required);
+    if written.option == "out" {
+        option = option.short('o');
+    }
+    match written.needs {
+        Some(needs) => option.requires(needs),
+        None => option,
+    }
+}
+
+/// The files that a question is about: those of an option, else the words behind the command.
+fn sources(entry: &Entry, language: Language) -> Vec<Arg> {
+    let l = language;
+    if let Some(option) = entry.option() {
+        let help = match entry.reads {
+            Reads::Project => help::mount_project(l),
+            Reads::Pins => help::wiring_check(l),
+            Reads::Measured => help::commission_record(l),
+            // The option names a file that is written.
+            Reads::Nothing | Reads::TwoProjects => return Vec::new(),
+        };
+        return vec![file(option, values::file(l), help).long(option)];
+    }
+    let words = match entry.reads {
+        Reads::Project => vec![file("project", values::project(l), help::project(l))],
+        Reads::TwoProjects => vec![
+            file("old", values::old(l), help::diff_old(l)),
+            file("new", values::new(l), help::diff_new(l)).display_order(2),
+        ],
+        Reads::Nothing | Reads::Pins | Reads::Measured => Vec::new(),
+    };
+    words.into_iter().map(|word| word.required(true)).collect()
+}
+
+/// An argument as the library of the command line has it.
+pub(super) fn of(argument: &Argument, language: Language) -> Arg {
+    let words = argument.words();
+    let about = if argument.required && !words.is_empty() {
+        // A call without a right word fails, so the help lists them.
+        format!("{}: {}", (argument.about)(language), words.join(", "))
+    } else {
+        (argument.about)(language).to_owned()
+    };
+    let mut arg = Arg::new(argument.name).help(about).required(argument.required);
+    arg = match argument.form {
+        Form::Option => arg.long(argument.name),
+        Form::Bare => arg,
+        Form::Words | Form::Each if argument.required => arg.num_args(1..),
+        Form::Words | Form::Each => arg.num_args(0..),
+    };
+    if let Kind::Flag = argument.kind {
+        return arg.action(ArgAction::SetTrue);
+    }
+    arg = arg.value_name((argument.value)(language)).allow_hyphen_values(argument.signed);
+    arg = match argument.kind {
+        Kind::Whole(least, most) => arg.value_parser(value_parser!(u64).range(least..=most)),
+        Kind::Word(_) => arg.value_parser(PossibleValuesParser::new(words)),
+        Kind::Text | Kind::Code | Kind::Date | Kind::Flag => arg,
+    };
+    if argument.repeated && argument.form == Form::Option {
+        arg = arg.action(ArgAction::Append);
+    }
+    if let Some(usual) = argument.usual {
+        arg = arg.default_value(usual);
+    }
+    if let Some(needs) = argument.needs {
+        arg = arg.requires(needs);
+    }
+    match argument.instead_of {
+        Some(other) => arg.conflicts_with(other),
+        None => arg,
+    }
+}

@@ -1,0 +1,66 @@
+//! What the command line adds to the questions of the list: a line for each that the terminal shows otherwise than as its record.
+
+use crate::call::Show;
+use crate::command::own;
+use crate::{
+    chapter, code, commission, compare, data, diff, errata, explain, export, glossary, inertia, judge, licences, mount,
+    moves, plot, report, upkeep, wiring,
+};
+use clap::Command;
+use quantities::Language;
+use questions::list::{self, Entry};
+
+/// How the terminal shows the answer to a question, and what its command has beside the arguments of the question.
+pub(crate) struct Layout {
+    entry: &'static Entry,
+    pub(crate) show: Show,
+    pub(crate) own: fn(Command, Language) -> Command,
+}
+
+const LAYOUTS: &[Layout] = &[
+    shown(&list::size::ENTRY, judge::size).with(own::size),
+    shown(&list::check::ENTRY, judge::check),
+    shown(&list::report::ENTRY, report::report).with(own::report),
+    shown(&list::explain::ENTRY, explain::explain),
+    shown(&list::compare::ENTRY, compare::compare),
+    shown(&list::diff::ENTRY, diff::diff),
+    shown(&list::export::ENTRY, export::export).with(own::export),
+    shown(&list::code_parse::ENTRY, code::parse),
+    shown(&list::code_list::ENTRY, code::list),
+    shown(&list::code_complete::ENTRY, code::complete),
+    shown(&list::data::ENTRY, data::sheet),
+    shown(&list::wiring::ENTRY, wiring::wiring).with(own::wiring),
+    shown(&list::wiring_check::ENTRY, wiring::check),
+    shown(&list::errata::ENTRY, errata::errata),
+    shown(&list::catalogue::ENTRY, data::catalogue).with(own::catalogue),
+    shown(&list::curve::ENTRY, chapter::curve).with(own::picture),
+    shown(&list::plot::ENTRY, plot::plot).with(own::plot),
+    shown(&list::bearing::ENTRY, chapter::bearing),
+    shown(&list::moves::ENTRY, moves::moves),
+    shown(&list::battery::ENTRY, chapter::battery),
+    shown(&list::mount::ENTRY, mount::alone),
+    shown(&list::mount_project::ENTRY, mount::under_project),
+    shown(&list::upkeep::ENTRY, upkeep::upkeep),
+    shown(&list::new::ENTRY, chapter::template),
+    shown(&list::commission::ENTRY, commission::commission).with(own::commission),
+    shown(&list::commission_record::ENTRY, commission::recorded),
+    shown(&list::torsion::ENTRY, data::torsion),
+    shown(&list::inertia::ENTRY, inertia::inertia).with(own::shapes),
+    shown(&list::glossary::ENTRY, glossary::glossary),
+    shown(&list::licences::ENTRY, licences::licences),
+];
+
+const fn shown(entry: &'static Entry, show: Show) -> Layout {
+    Layout { entry, show, own: own::nothing }
+}
+
+impl Layout {
+    const fn with(self, own: fn(Command, Language) -> Command) -> Self {
+        Self { own, ..self }
+    }
+
+    /// The layout of a question.
+    pub(crate) fn of(entry: &Entry) -> Option<&'static Self> {
+        LAYOUTS.iter().find(|layout| layout.entry.command == entry.command)
+    }
+}

@@ -1,0 +1,220 @@
+//! A drawing as SVG: each part bears the class of its look, so that a page can colour it; a picture by itself brings a
+//! style sheet along.
+
+use super::{CallOut, Drawing, Look, Part, Point, Step};
+use std::fmt::Write;
+
+/// The looks of a picture by itself; its text is in the family Inter.
+const STYLE: &str = "<style>.l-line,.l-thin,.l-hidden,.l-axis,.l-arrow,.l-dimension,.l-leader{fill:none}\
+    .l-housing,.l-body,.l-line,.l-hole,.l-centre{stroke:#18222c;stroke-width:1.5;stroke-linejoin:round;stroke-linecap:round}\
+    .l-housing{fill:#e9eef1}.l-body{fill:#cfe0e3;stroke:#0c5160;stroke-width:1.7}.l-hole,.l-centre{fill:#fff}\
+    .l-thin,.l-hidden,.l-axis,.l-dimension,.l-leader{stroke:#56636f;stroke-width:.9}.l-hidden{stroke-dasharray:3 2.4}\
+    .l-axis{stroke-dasharray:9 3 2 3}.l-leader{stroke-width:.6}.l-arrow{stroke:#0c5160;stroke-width:1.8}\
+    .l-tip{fill:#0c5160;stroke:none}.l-end{fill:#56636f;stroke:none}.l-mark{fill:#18222c;stroke:none}\
+    text{fill:#0c5160;font-family:Inter;font-weight:600;font-size:13px;text-anchor:middle}</style>";
+
+impl Look {
+    /// The class of its elements.
+    #[must_use]
+    pub const fn class(self) -> &'static str {
+        match self {
+            Self::Housing => "l-housing",
+            Self::Body => "l-body",
+            Self::Line => "l-line",
+            Self::Thin => "l-thin",
+            Self::Hidden => "l-hidden",
+            Self::Axis => "l-axis",
+            Self::Arrow => "l-arrow",
+            Self::Dimension => "l-dimension",
+            Self::Hole => "l-hole",
+        }
+    }
+}
+
+/// A coordinate to hundredths.
+fn shown(value: f64) -> f64 {
+    (value * 100.0).round() / 100.0 + 0.0
+}
+
+fn pair([x, y]: Point) -> String {
+    format!("{} {}", shown(x), shown(y))
+}
+
+/// A point beside another one in a direction, as a share along it and across it.
+fn beside([x, y]: Point, [dx, dy]: Point, along: f64, across: f64) -> Point {
+    [x + along * dx - across * dy, y + along * dy + across * dx]
+}
+
+fn direction([ax, ay]: Point, [bx, by]: Point) -> Point {
+    let length = (bx - ax).hypot(by - ay).max(f64::MIN_POSITIVE);
+    [(bx - ax) / length, (by - ay) / length]
+}
+
+/// In which direction a step arrives.
+fn arrival(from: Point, step: &Step) -> Option<(Point, Point)> {
+    match step {
+        Step::Line(to) => Some((*to, direction(from, *to))),
+        Step::Curve(_, before, to) => Some((*to, direction(*before, *to))),
+        Step::Arc(radius, right, to) => {
+            // The chord turns by half of the angle of the arc.
+            let half = (0.5 * (to[0] - from[0]).hypot(to[1] - from[1]) / radius).min(1.0).asin();
+            let (sin, cos) = if *right { half } else { -half }.sin_cos();
+            let chord = direction(from, *to);
+            Some((*to, [cos * chord[0] - sin * chord[1], sin * chord[0] + cos * chord[1]]))
+        }
+        Step::Move(_) | Step::Close => None,
+    }
+}
+
+fn path(class: &str, steps: &[Step]) -> String {
+    let mut data = String::new();
+    for step in steps {
+        // Writing to a text cannot fail.
+        let _ = match step {
+            Step::Move(to) => write!(data, "M{}", pair(*to)),
+            Step::Line(to) => write!(data, "L{}", pair(*to)),
+            Step::Arc(radius, right, to) => {
+                let r = shown(*radius);
+                write!(data, "A{r} {r} 0 0 {} {}", u8::from(*right), pair(*to))
+            }
+            Step::Curve(a, b, to) => write!(data, "C{} {} {}", pair(*a), pair(*b), pair(*to)),
+            Step::Close => write!(data, "Z"),
+        };
+    }
+    format!("<path class='{class}' d='{data}'/>")
+}
+
+/// A head whose point is at a place.
+fn head(class: &str, at: Point, to: Point, [length, half]: [f64; 2]) -> String {
+    let (left, right) = (beside(at, to, -length, half), beside(at, to, -length, -half));
+    path(class, &[Step::Move(at), Step::Line(left), Step::Line(right), Step::Close])
+}
+
+fn part(part: &Part) -> String {
+    match part {
+        Part::Circle(look, [x, y], radius) => {
+            format!("<circle class='{}' cx='{}' cy='{}' r='{}'/>", look.class(), shown(*x), shown(*y), shown(*radius))
+        }
+        Part::Path(look, steps) => {
+            let mut text = path(look.class(), steps);
+            let ends = match steps.as_slice() {
+                [Step::Move(from), .., Step::Move(before) | Step::Line(before), last]
+                | [Step::Move(from @ before), last] => Some((*from, *before, *last, steps.get(1).copied())),
+                _ => None,
+            };
+            let Some((from, before, last, first)) = ends else { return text };
+            let Some((at, to)) = arrival(before, &last) else { return text };
+            match look {
+                Look::Arrow => text.push_str(&head("l-tip", at, to, [9.0, 4.0])),
+                Look::Dimension => {
+                    text.push_str(&head("l-end", at, to, [7.0, 2.2]));
+                    if let Some(Step::Line(next)) = first {
+                        text.push_str(&head("l-end", from, direction(next, from), [7.0, 2.2]));
+                    }
+                }
+                Look::Housing | Look::Body | Look::Line | Look::Thin | Look::Hidden | Look::Axis | Look::Hole => {}
+            }
+            text
+        }
+        Part::Centre([x, y]) => {
+            let (x, y) = (shown(*x), shown(*y));
+            format!(
+                "<circle class='l-centre' cx='{x}' cy='{y}' r='6'/>\
+                <path class='l-mark' d='M{x} {y}v-6a6 6 0 0 1 6 6zM{x} {y}v6a6 6 0 0 1 -6 -6z'/>"
+            )
+        }
+        Part::Symbol(text, [x, y]) => format!("<text x='{}' y='{}'>{text}</text>", shown(*x), shown(y + 4.5)),
+    }
+}
+
+impl CallOut {
+    /// The line from the symbol to what it points at, as SVG; it ends short of the symbol.
+    #[must_use]
+    pub fn leader(&self) -> String {
+        let from = beside(self.label, direction(self.label, self.at), 9.0, 0.0);
+        let line = path("l-leader", &[Step::Move(from), Step::Line(self.at)]);
+        format!("{line}<circle class='l-mark' cx='{}' cy='{}' r='1.5'/>", shown(self.at[0]), shown(self.at[1]))
+    }
+
+    /// Where the foot of the symbol stands.
+    #[must_use]
+    pub fn foot(&self) -> Point {
+        [shown(self.label[0]), shown(self.label[1] + 4.5)]
+    }
+}
+
+impl Drawing {
+    /// The box of the sheet, for the attribute `viewBox`.
+    #[must_use]
+    pub fn view_box(&self) -> String {
+        format!("0 0 {}", pair(self.size))
+    }
+
+    /// Its parts as SVG, without the call-outs.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        self.parts.iter().map(part).collect()
+    }
+
+    /// A picture by itself with the call-outs of some keys.
+    #[must_use]
+    pub fn picture(&self, shows: impl Fn(&str) -> bool) -> String {
+        let [width, height] = self.size;
+        let mut text = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='{width}' height='{height}' viewBox='{}'>{STYLE}{}",
+            self.view_box(),
+            self.svg()
+        );
+        for call_out in self.call_outs.iter().filter(|it| shows(it.key)) {
+            let [x, y] = call_out.foot();
+            let (symbol, index) = call_out.symbol.split_once('_').unwrap_or((call_out.symbol, ""));
+            let _ = write!(text, "{}<text x='{x}' y='{y}'>{symbol}", call_out.leader());
+            if !index.is_empty() {
+                let _ = write!(text, "<tspan dy='3' font-size='9'>{index}</tspan>");
+            }
+            text.push_str("</text>");
+        }
+        text.push_str("</svg>");
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::MechanismId;
+
+    /// All call-outs lie on the sheet, none on another one, and each key once; so too where the line stands upright.
+    #[test]
+    fn the_call_outs_keep_apart() {
+        for id in MechanismId::ALL {
+            for inclination in [0.0, 1.57, -1.57] {
+                let drawing = id.drawing().inclined(inclination);
+                for (index, one) in drawing.call_outs.iter().enumerate() {
+                    let inside =
+                        |[x, y]: [f64; 2]| x >= 4.0 && y >= 4.0 && x <= drawing.size[0] && y <= drawing.size[1];
+                    assert!(inside(one.at) && inside(one.label), "{id:?}: {}", one.key);
+                    for other in drawing.call_outs.iter().skip(index + 1) {
+                        assert_ne!(one.key, other.key, "{id:?}");
+                        let [dx, dy] = [one.label[0] - other.label[0], one.label[1] - other.label[1]];
+                        assert!(dx.abs() >= 15.0 || dy.abs() >= 13.0, "{id:?}: {} {}", one.key, other.key);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Where an environment variable names a folder the pictures are put there, to be looked at.
+    #[test]
+    fn every_mechanism_has_a_picture() {
+        for id in MechanismId::ALL {
+            let drawing = id.drawing();
+            let picture = drawing.picture(|_| true);
+            assert!(picture.matches("<text").count() >= drawing.call_outs.len() && !picture.contains("NaN"), "{id:?}");
+            if let Ok(folder) = std::env::var("SKETCHES") {
+                std::fs::write(format!("{folder}/{}.svg", id.key()), picture).unwrap();
+                let upright = id.drawing().inclined(1.57).picture(|_| true);
+                std::fs::write(format!("{folder}/{}-upright.svg", id.key()), upright).unwrap();
+            }
+        }
+    }
+}

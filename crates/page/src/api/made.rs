@@ -1,0 +1,141 @@
+//! The answers that are drawn, typeset or written as tables.
+
+use crate::{Reply, ReportAsked, Shell};
+use figures::{By, Figure, NoFigure, Size, Theme};
+use quantities::Language;
+use questions::Refusal;
+use questions::answer::written;
+use questions::list::plot::Args as Looks;
+use questions::list::{Asked, Unanswered, commission_checklist, export, media, plot, report, upkeep_calendar};
+use tables::{Format, Front, Subject};
+use words::{requests, terminal};
+
+/// How an answer is made.
+type Makes = fn(&Asked<'_>, &dyn Shell) -> Result<Reply, Unanswered>;
+
+/// The questions whose answers are made here, by their commands.
+const MADE: [(&str, Makes); 6] = [
+    (super::OPENAPI.command, openapi),
+    (plot::ENTRY.command, drawn),
+    (report::ENTRY.command, typeset),
+    (commission_checklist::ENTRY.command, checklist),
+    (export::ENTRY.command, tabled),
+    (upkeep_calendar::ENTRY.command, calendar),
+];
+
+/// The reply to a question whose answer is made here.
+pub(super) fn reply(command: &str, asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
+    let made = MADE.iter().find(|(made, _)| *made == command);
+    made.map_or(Err(Refusal::NoData.into()), |(_, make)| make(asked, shell))
+}
+
+/// Whether the answer to a question is made here.
+#[cfg(test)]
+pub(super) fn is_made(command: &str) -> bool {
+    MADE.iter().any(|(made, _)| *made == command)
+}
+
+fn openapi(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
+    Ok(Reply::of(200, media::JSON, written(&super::openapi::document(asked.language))))
+}
+
+fn drawn(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
+    let args = plot::Args::read(&asked.given)?;
+    let project = args.drawn(asked)?;
+    let candidate = args.candidate(&project, asked)?;
+    let figure = args.figure.as_deref().and_then(Figure::of_id).ok_or(Refusal::NoData)?;
+    let by = if args.by == Some(true) { By::Length } else { By::Mass };
+    let drawing = figures::draw(figure, &project, &candidate, by, asked.patience, asked.language);
+    let drawing = drawing.map_err(|fault| match fault {
+        NoFigure::Refused(refusal) => refusal.into(),
+        other => Unanswered::message(other.message(None, asked.language)),
+    })?;
+    let size = size(&args, drawing.size_mm, asked.language)?;
+    let theme = if args.theme == Some(true) { Theme::Dark } else { Theme::Light };
+    let svg = drawing.render(&drawing.style(size, theme, asked.language)).into_svg();
+    Ok(Reply::of(200, media::SVG, svg))
+}
+
+fn size(args: &Looks, usual: (f64, f64), language: Language) -> Result<Size, Unanswered> {
+    let side = |name, length: Option<_>, usual| {
+        let side = length.map_or(Ok(usual), |length| figures::side_mm(length, language));
+        side.map_err(|what| Unanswered::option(name, (what, None)))
+    };
+    Ok(Size::millimetres(side("width", args.width, usual.0)?, side("height", args.height, usual.1)?))
+}
+
+fn typeset(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
+    let language = asked.language;
+    let write = shell.report().ok_or_else(|| Unanswered::message(terminal::built_without_report(language)))?;
+    let args = report::Args::read(&asked.given)?;
+    let axes = args.axes(asked)?;
+    let bytes = write(&ReportAsked {
+        text: asked.source()?.text(language)?,
+        axes: &axes,
+        code: args.code,
+        full: args.full,
+        installation: args.installation,
+        date: args.date.as_deref(),
+        language,
+        patience: asked.patience,
+    });
+    Ok(Reply::of(200, media::PDF, bytes.map_err(Unanswered::message)?).saved_as("antrieb.pdf"))
+}
+
+fn checklist(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
+    let language = asked.language;
+    let write = shell.checklist().ok_or_else(|| Unanswered::message(terminal::built_without_report(language)))?;
+    let sheet = commission_checklist::found(asked)?;
+    let bytes = write(&sheet, language).map_err(Unanswered::message)?;
+    Ok(Reply::of(200, media::PDF, bytes).saved_as(&format!("{}.pdf", sheet.code)))
+}
+
+fn calendar(asked: &Asked<'_>, _: &dyn Shell) -> Result<Reply, Unanswered> {
+    let (plan, found, name) = upkeep_calendar::found(asked)?;
+    let text = tables::calendar(&plan, &found, name.as_deref(), asked.language);
+    Ok(Reply::of(200, media::CALENDAR, text).saved_as(&format!("{}.ics", found.code)))
+}
+
+fn tabled(asked: &Asked<'_>, shell: &dyn Shell) -> Result<Reply, Unanswered> {
+    let language = asked.language;
+    let args = export::Args::read(&asked.given)?;
+    let table = args.table.as_deref();
+    let usual = if table.is_some() { Format::Json } else { Format::Workbook };
+    let format = args.format.as_deref().and_then(Format::of_ending).unwrap_or(usual);
+    match (format, table) {
+        (Format::Workbook, Some(_)) => return Err(Unanswered::message(requests::workbook_has_all_tables(language))),
+        (Format::Json | Format::Csv | Format::Parquet, None) => {
+            return Err(Unanswered::message(requests::format_needs_a_table(&format.ending(), language)));
+        }
+        (Format::Workbook, None) | (Format::Json | Format::Csv | Format::Parquet, Some(_)) => {}
+    }
+    let (axis, project) = args.axis(asked)?;
+    format.within(&project, table, shell.files().grant().memory)?;
+    let sizing = questions::list::size::sized(&project, args.top, asked.patience)?;
+    let chosen = questions::candidate_of_tables(&project, args.code.as_ref(), &sizing)?;
+    let source = asked.source()?;
+    let (text, top) = (source.text(language)?, args.top);
+    let subject = Subject { text, axis, project: &project, sizing: &sizing, chosen: &chosen, top, language };
+    let not_written = |error: tables::WriteError| Unanswered::message(error.message(language));
+    let Some(name) = table else {
+        let front = Front {
+            file: &source.name,
+            revision: args.revision.as_deref(),
+            date: args.date.as_deref(),
+            project: &project,
+            chosen: &chosen,
+            language,
+        };
+        let bytes = tables::xlsx(&subject.tables(), &front).map_err(not_written)?;
+        return Ok(Reply::of(200, media::XLSX, bytes).saved_as("antrieb.xlsx"));
+    };
+    let table = subject.table(name, format).ok_or(Refusal::NoData)?;
+    Ok(match format {
+        Format::Csv => Reply::of(200, media::CSV, tables::csv(&table)).saved_as(&format!("{name}.csv")),
+        Format::Parquet => {
+            let bytes = tables::parquet(&table).map_err(not_written)?;
+            Reply::of(200, media::PARQUET, bytes).saved_as(&format!("{name}.parquet"))
+        }
+        Format::Json | Format::Workbook => super::record(200, &tables::record(&table)),
+    })
+}

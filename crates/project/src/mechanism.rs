@@ -1,0 +1,246 @@
+//! The mechanisms of the project file: each is a module with its section and what it is built into.
+
+mod parts;
+
+use crate::about::About;
+use crate::bodies::BodySection;
+use crate::flange::Bearing;
+use crate::read::Reader;
+use crate::root::Parts;
+use crate::section::{Fields, section};
+use crate::stated::{Field, Stated};
+use crate::{Assumption, Fault, Hint};
+use mechanism::{Geometry, Kind, Mechanism, Rotor};
+use parts::{Friction, Guide, Losses};
+use quantities::{Angle, Force, Measure, MomentOfInertia};
+
+/// Makes the table of the mechanisms and the names of their keys from the list of them.
+macro_rules! mechanisms {
+    ($($name:ident: $Section:ident, $Name:ident;)+) => {
+        $(
+            mod $name;
+            use $name::$Section;
+        )+
+
+        /// The names of their keys.
+        pub(crate) mod names {
+            $(pub use super::$name::$Name;)+
+            pub use super::parts::{
+                CounterweightName, FrictionName, GuideName, LossesName, ProcessForceName, SlideName, StartAngleName,
+            };
+            pub use super::{LoadName, MechanismName, MechanismsName};
+        }
+
+        section! {
+            /// What lies between output and load.
+            Mechanisms, MechanismsName of About::Mechanisms {
+                $($name: $Section;)+
+            }
+        }
+
+        /// A key of a mechanism.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum MechanismName {
+            $(
+                #[allow(missing_docs, reason = "each is named as its mechanism")]
+                $Section(names::$Name),
+            )+
+        }
+
+        impl Mechanisms {
+            /// Those that are stated.
+            fn given(&self) -> impl Iterator<Item = &dyn Driven> {
+                [$(self.$name.get().map(|section| section as &dyn Driven)),+].into_iter().flatten()
+            }
+        }
+    };
+}
+
+mechanisms! {
+    turntable: Turntable, TurntableName;
+    arm: Arm, ArmName;
+    screw: Screw, ScrewName;
+    belt: Belt, BeltName;
+    conveyor: Conveyor, ConveyorName;
+    slider_crank: SliderCrank, SliderCrankName;
+    joint: Joint, JointName;
+    table: Table, TableName;
+}
+
+/// What loads the flange.
+pub(crate) enum OnFlange<'s> {
+    /// Bodies that turn with it; the tilt of its axis.
+    Bodies(&'s Stated<Angle>),
+    /// A pulley, pinion or crank.
+    Wheel,
+    /// The shaft of a mechanism with bearings of its own, whose share of the forces must be stated.
+    Shaft,
+}
+
+/// A load, or a mechanism with its load, as the file states it.
+pub(crate) trait Driven: Fields {
+    /// What it is built into; `None` where a fault stands in the way or a value is missing.
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind>;
+
+    /// The keys from which its inertia follows.
+    fn inertia(&self) -> Vec<&dyn Field>;
+
+    /// Friction at the output.
+    fn friction(&self) -> Option<&Friction> {
+        None
+    }
+
+    /// Friction of a guide.
+    fn guide(&self) -> Option<&Guide> {
+        None
+    }
+
+    /// Efficiencies.
+    fn losses(&self) -> Option<&Losses> {
+        None
+    }
+
+    /// Efficiency of what lies in series with the stated one, while the actuator drives.
+    fn series_efficiency(&self) -> f64 {
+        1.0
+    }
+
+    /// Where the motion begins.
+    fn start_angle(&self) -> Option<&Stated<Angle>> {
+        None
+    }
+
+    /// Force along the line.
+    fn process_force(&self) -> Option<&Stated<Force>> {
+        None
+    }
+
+    /// The key from which the way of the line per turn follows, where it is the same everywhere.
+    fn travel(&self) -> Option<&dyn Field> {
+        None
+    }
+
+    /// Its solid bodies; `None` where it turns something else.
+    fn bodies(&self) -> Option<&[BodySection]> {
+        None
+    }
+
+    /// Whether its torque is recorded with the motion, so that friction and losses are in it.
+    fn torque_is_recorded(&self) -> bool {
+        false
+    }
+
+    /// What loads the flange; `None` where no loads follow.
+    fn on_flange(&self) -> Option<OnFlange<'_>> {
+        None
+    }
+
+    /// The keys of `[bearing]` from which its loads on the flange follow.
+    fn flange_keys<'b>(&self, _bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+        Vec::new()
+    }
+}
+
+section! {
+    /// What is moved, referred to the output.
+    DirectLoad, LoadName of About::Load {
+        inertia: MomentOfInertia => not_negative, needed;
+        ..friction: Friction;
+    }
+}
+
+impl Driven for DirectLoad {
+    fn kind(&self, _: &mut Reader<'_>) -> Option<Kind> {
+        Some(Kind::Rotor(Rotor::balanced(self.inertia.value()?)))
+    }
+
+    fn inertia(&self) -> Vec<&dyn Field> {
+        vec![&self.inertia]
+    }
+
+    fn friction(&self) -> Option<&Friction> {
+        Some(&self.friction)
+    }
+}
+
+/// Reports what is wrong with the lengths and angles of a mechanism, all of it.
+fn sound(section: &impl Fields, faults: Vec<Geometry>, reader: &mut Reader<'_>) -> Option<()> {
+    let is_sound = faults.is_empty();
+    for fault in faults {
+        let span = section.field(fault.key()).map_or_else(|| section.head().span.clone(), Field::span);
+        reader.fault(span, Fault::Geometry(fault), None);
+    }
+    is_sound.then_some(())
+}
+
+/// What is moved, and where it stands when the motion begins.
+pub(crate) struct Load {
+    pub(crate) mechanism: Mechanism,
+    pub(crate) start: Option<Angle>,
+    /// Process force that acts in every segment.
+    pub(crate) force: Force,
+}
+
+impl Parts {
+    /// Every load that is stated: `[load]` and the tables of `[mechanism]`, in the order of the file.
+    fn loads(&self) -> Vec<&dyn Driven> {
+        let direct = self.load.get().map(|load| load as &dyn Driven);
+        let mut through: Vec<&dyn Driven> = self.mechanism.get().into_iter().flat_map(Mechanisms::given).collect();
+        through.sort_by_key(|each| each.head().span.start);
+        direct.into_iter().chain(through).collect()
+    }
+
+    /// The load: `[load]`, or the table of the mechanism.
+    pub(crate) fn driven(&self) -> Option<&dyn Driven> {
+        self.loads().into_iter().next()
+    }
+}
+
+/// Builds the one load of the axis.
+pub(crate) fn load(parts: &Parts, reader: &mut Reader<'_>) -> Option<Load> {
+    match parts.loads().as_slice() {
+        [driven] => build(*driven, reader),
+        [] => {
+            // A load that is there but faulty is reported already, and one that could not be read may be there.
+            let misread = |all: &Mechanisms| all.head().has_strays || all.fields().iter().any(|each| each.is_written());
+            let there = parts.load.is_written() || parts.mechanism.get().is_some_and(misread);
+            if !there && !reader.is_damaged() {
+                let hint = Hint::Example("[load] inertia = \"1.3 kg m^2\"".to_owned());
+                reader.fault(parts.mechanism.span(), Fault::NoMechanism, Some(hint));
+            }
+            None
+        }
+        [_, second, ..] => {
+            reader.fault(second.head().span.clone(), Fault::TooManyMechanisms, None);
+            None
+        }
+    }
+}
+
+fn build(driven: &dyn Driven, reader: &mut Reader<'_>) -> Option<Load> {
+    let kind = driven.kind(reader)?;
+    let mechanism = Mechanism {
+        kind,
+        friction: driven.friction().map_or_else(mechanism::Friction::none, Friction::build),
+        efficiency_driving: driven.losses().map_or(1.0, Losses::efficiency) * driven.series_efficiency(),
+        efficiency_driven: driven.losses().map_or(1.0, Losses::efficiency_back),
+        stage: None,
+    };
+    let start = driven.start_angle().and_then(Stated::value);
+    let force = driven.process_force().map_or_else(|| Force::from_si(0.0), Stated::or_zero);
+    Some(Load { mechanism, start, force })
+}
+
+/// Defaults about the load that the file leaves open.
+pub(crate) fn assumptions(driven: &dyn Driven, found: &mut Vec<Assumption>) {
+    if let Some(friction) = driven.friction() {
+        let mut fields: Vec<&dyn Field> = vec![&friction.friction_torque, &friction.viscous_friction];
+        fields.extend(driven.guide().into_iter().flat_map(Fields::fields));
+        if !fields.iter().any(|field| field.is_given()) {
+            found.extend(friction.friction_torque.note());
+        }
+    }
+    if let Some(losses) = driven.losses() {
+        found.extend(losses.efficiency.note().or_else(|| losses.efficiency_back.note()));
+    }
+}

@@ -1,0 +1,63 @@
+//! An unbalanced arm.
+
+use super::parts::{Friction, Losses, StartAngle};
+use super::{Driven, MechanismName, OnFlange};
+use crate::about::About;
+use crate::flange::Bearing;
+use crate::read::Reader;
+use crate::section::section;
+use crate::stated::{Field, Stated};
+use mechanism::{Kind, Rotor, RotorKind};
+use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
+
+section! {
+    /// An arm whose centre of mass lies beside the axis.
+    Arm, ArmName of About::Mechanism, MechanismName::Arm {
+        inertia: MomentOfInertia => not_negative, needed;
+        mass: Mass => not_negative, needed;
+        centre_distance: Length => not_negative, needed;
+        payload_distance: Length => not_negative;
+        axis_tilt: Angle => needed;
+        ..start: StartAngle;
+        ..friction: Friction;
+        ..losses: Losses;
+    }
+}
+
+impl Driven for Arm {
+    fn kind(&self, _: &mut Reader<'_>) -> Option<Kind> {
+        Some(Kind::Rotor(Rotor {
+            kind: RotorKind::Arm,
+            inertia: self.inertia.value()?,
+            mass: self.mass.value()?,
+            radius: self.centre_distance.value()?,
+            payload_radius: self.payload_distance.or_zero(),
+            angle: Angle::from_si(0.0),
+            tilt: self.axis_tilt.value()?,
+        }))
+    }
+
+    fn inertia(&self) -> Vec<&dyn Field> {
+        vec![&self.inertia]
+    }
+
+    fn friction(&self) -> Option<&Friction> {
+        Some(&self.friction)
+    }
+
+    fn losses(&self) -> Option<&Losses> {
+        Some(&self.losses)
+    }
+
+    fn start_angle(&self) -> Option<&Stated<Angle>> {
+        Some(&self.start.start_angle)
+    }
+
+    fn on_flange(&self) -> Option<OnFlange<'_>> {
+        Some(OnFlange::Bodies(&self.axis_tilt))
+    }
+
+    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+        vec![&bearing.overhang, &bearing.payload_overhang, &bearing.flange_share]
+    }
+}

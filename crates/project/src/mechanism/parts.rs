@@ -1,0 +1,90 @@
+//! Keys that several mechanisms have.
+
+use crate::Assumption;
+use crate::about::About;
+use crate::section::section;
+use mechanism::{Kind, Linear, LinearKind};
+use quantities::{Angle, Force, Mass, Measure, MomentOfInertia, Torque, ViscousFriction};
+
+section! {
+    /// Friction and constant torque at the output.
+    Friction, FrictionName of About::Friction {
+        friction_torque: Torque => not_negative, noted(Assumption::NoFriction);
+        viscous_friction: ViscousFriction => not_negative;
+        external_torque: Torque;
+    }
+}
+
+impl Friction {
+    pub(crate) fn build(&self) -> mechanism::Friction {
+        mechanism::Friction {
+            coulomb: self.friction_torque.or_zero(),
+            viscous: self.viscous_friction.or_zero(),
+            external: self.external_torque.or_zero(),
+        }
+    }
+}
+
+section! {
+    /// Efficiencies of what lies between output and load.
+    Losses, LossesName of About::Losses {
+        efficiency: f64 = 1.0 => within(0.01, 1.0), example("0.9"), noted(Assumption::NoLosses);
+        efficiency_back: f64 = 1.0 => within(0.0, 1.0), example("0.8"), noted(Assumption::LossesDoNotHelp);
+    }
+}
+
+section! {
+    /// A mass on a line, and what turns with the output.
+    Slide, SlideName of About::Slide {
+        mass: Mass => not_negative, needed;
+        inertia: MomentOfInertia => not_negative;
+        inclination: Angle;
+    }
+}
+
+section! {
+    /// A counterweight.
+    Counterweight, CounterweightName of About::Counterweight {
+        counterweight: Mass => not_negative;
+    }
+}
+
+section! {
+    /// Friction along a line.
+    Guide, GuideName of About::Guide {
+        friction_force: Force => not_negative;
+        friction_coefficient: f64 = 0.0 => within(0.0, 10.0), example("0.05");
+    }
+}
+
+section! {
+    /// A force along a line.
+    ProcessForce, ProcessForceName of About::ProcessForce {
+        process_force: Force;
+    }
+}
+
+section! {
+    /// A position that must be known.
+    StartAngle, StartAngleName of About::StartAngle {
+        start_angle: Angle => needed;
+    }
+}
+
+/// A drive that moves a slide in proportion to the angle.
+pub(super) fn linear(
+    (kind, travel_m_per_rad): (LinearKind, f64),
+    (slide, guide): (&Slide, &Guide),
+    counterweight: Option<Mass>,
+) -> Option<Kind> {
+    Some(Kind::Linear(Linear {
+        kind,
+        travel_m_per_rad,
+        inertia: slide.inertia.or_zero(),
+        mass: slide.mass.value()?,
+        counterweight: counterweight.unwrap_or_else(|| Mass::from_si(0.0)),
+        inclination: slide.inclination.or_zero(),
+        friction_force: guide.friction_force.or_zero(),
+        friction_coefficient: guide.friction_coefficient(),
+    }))
+}

@@ -1,0 +1,71 @@
+//! Crank, rod and slider.
+
+use super::parts::{Friction, Losses, ProcessForce, Slide, StartAngle};
+use super::{Driven, MechanismName, OnFlange};
+use crate::Fault;
+use crate::about::About;
+use crate::flange::Bearing;
+use crate::read::Reader;
+use crate::section::section;
+use crate::stated::{Field, Stated};
+use mechanism::Kind;
+use quantities::{Angle, Force, Length, Measure};
+
+section! {
+    /// A crank that moves a slider by a rod.
+    SliderCrank, SliderCrankName of About::Mechanism, MechanismName::SliderCrank {
+        crank: Length => positive, needed, example("50 mm");
+        rod: Length => positive, needed, example("200 mm");
+        ..slide: Slide;
+        ..start: StartAngle;
+        ..process: ProcessForce;
+        ..friction: Friction;
+        ..losses: Losses;
+    }
+}
+
+impl Driven for SliderCrank {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+        let (crank, rod) = (self.crank.value()?, self.rod.value()?);
+        if rod.si() <= crank.si() {
+            reader.fault(self.rod.span(), Fault::RodTooShort, None);
+            return None;
+        }
+        Some(Kind::SliderCrank(mechanism::SliderCrank {
+            crank,
+            rod,
+            inertia: self.slide.inertia.or_zero(),
+            mass: self.slide.mass.value()?,
+            inclination: self.slide.inclination.or_zero(),
+            angle: Angle::from_si(0.0),
+        }))
+    }
+
+    fn inertia(&self) -> Vec<&dyn Field> {
+        vec![&self.slide.inertia]
+    }
+
+    fn friction(&self) -> Option<&Friction> {
+        Some(&self.friction)
+    }
+
+    fn losses(&self) -> Option<&Losses> {
+        Some(&self.losses)
+    }
+
+    fn start_angle(&self) -> Option<&Stated<Angle>> {
+        Some(&self.start.start_angle)
+    }
+
+    fn process_force(&self) -> Option<&Stated<Force>> {
+        Some(&self.process.process_force)
+    }
+
+    fn on_flange(&self) -> Option<OnFlange<'_>> {
+        Some(OnFlange::Wheel)
+    }
+
+    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+        vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
+    }
+}

@@ -1,0 +1,51 @@
+//! Inertia and torque over the position.
+
+use super::parts::{Friction, Losses, StartAngle};
+use super::{Driven, MechanismName};
+use crate::Fault;
+use crate::about::About;
+use crate::read::Reader;
+use crate::section::section;
+use crate::stated::{Field, Stated};
+use crate::value::Rows;
+use mechanism::{Kind, TablePoint};
+use quantities::Angle;
+
+section! {
+    /// A mechanism that is known point by point.
+    Table, TableName of About::Mechanism, MechanismName::Table {
+        points: Rows<TablePoint> => needed,
+            example("[[\"0 deg\", \"1.3 kg m^2\", \"5 N m\"], [\"90 deg\", \"1.6 kg m^2\", \"0 N m\"]]");
+        ..start: StartAngle;
+        ..friction: Friction;
+        ..losses: Losses;
+    }
+}
+
+impl Driven for Table {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+        match mechanism::Table::new(self.points.get()?.values()) {
+            Ok(table) => Some(Kind::Table(table)),
+            Err(fault) => {
+                reader.fault(self.points.span(), Fault::Table(fault), None);
+                None
+            }
+        }
+    }
+
+    fn inertia(&self) -> Vec<&dyn Field> {
+        Vec::new()
+    }
+
+    fn friction(&self) -> Option<&Friction> {
+        Some(&self.friction)
+    }
+
+    fn losses(&self) -> Option<&Losses> {
+        Some(&self.losses)
+    }
+
+    fn start_angle(&self) -> Option<&Stated<Angle>> {
+        Some(&self.start.start_angle)
+    }
+}

@@ -1,0 +1,114 @@
+//! A turntable or drum of solid bodies.
+
+use super::parts::{Friction, Losses};
+use super::{Driven, MechanismName, OnFlange};
+use crate::about::About;
+use crate::bodies::{BodySection, fields};
+use crate::flange::Bearing;
+use crate::read::Reader;
+use crate::section::{Fields, Section, section};
+use crate::stated::{Field, Stated};
+use crate::value::{BodyLines, Tables};
+use crate::{Fault, Hint};
+use mechanism::{Body, BodyError, Kind, Rotor, RotorKind};
+use quantities::{Angle, Length};
+use std::ops::Range;
+
+section! {
+    /// Solid bodies that turn with the output.
+    Turntable, TurntableName of About::Mechanism, MechanismName::Turntable {
+        body: Tables<BodySection>;
+        bodies: BodyLines;
+        axis_tilt: Angle;
+        start_angle: Angle;
+        payload_distance: Length => not_negative;
+        ..friction: Friction;
+        ..losses: Losses;
+    }
+}
+
+impl Turntable {
+    /// Whether the bodies can be known; a fault says why not.
+    fn knows_bodies(&self, reader: &mut Reader<'_>) -> bool {
+        if self.bodies.is_written() && self.body.is_written() {
+            reader.fault(self.bodies.span(), Fault::BodiesTwice, None);
+            return false;
+        }
+        let some = self.bodies.is_given() || self.body.get().is_some_and(|all| !all.0.is_empty());
+        // What was refused is reported already.
+        if !some && self.is_whole() && !reader.is_damaged() {
+            let fault = Fault::MissingKey { path: self.body.path(), list: true };
+            let hint = Hint::Example(format!("[[{}]] shape = \"disc\"", self.body.path()));
+            reader.fault(self.head().start(), fault, Some(hint));
+        }
+        some
+    }
+
+    /// The place of what is wrong with a body; where nothing is written of it, that of its shape.
+    fn place(&self, index: usize, error: &BodyError) -> Range<usize> {
+        match self.body.get().and_then(|all| all.0.get(index)) {
+            Some(body) => {
+                let named = fields(error, body).into_iter().find(|field| field.is_given());
+                named.map_or_else(|| body.shape.span(), Field::span)
+            }
+            // The bodies as written are sound; with other values within their tolerance they need not be.
+            None => self.bodies.span(),
+        }
+    }
+}
+
+impl Driven for Turntable {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+        if !self.knows_bodies(reader) {
+            return None;
+        }
+        let bodies: Vec<Body> = self.bodies()?.iter().map(BodySection::body).collect::<Option<_>>()?;
+        let bodies = match mechanism::inertia(&bodies) {
+            Ok(total) => total,
+            Err(errors) => {
+                for each in errors {
+                    reader.fault(self.place(each.body, &each.error), Fault::Body(each.error), None);
+                }
+                return None;
+            }
+        };
+        Some(Kind::Rotor(Rotor {
+            kind: RotorKind::Turntable,
+            inertia: bodies.inertia,
+            mass: bodies.mass,
+            radius: bodies.centre_radius,
+            payload_radius: self.payload_distance.or_zero(),
+            angle: bodies.centre_angle,
+            tilt: self.axis_tilt.or_zero(),
+        }))
+    }
+
+    fn inertia(&self) -> Vec<&dyn Field> {
+        vec![&self.bodies, &self.body]
+    }
+
+    fn friction(&self) -> Option<&Friction> {
+        Some(&self.friction)
+    }
+
+    fn losses(&self) -> Option<&Losses> {
+        Some(&self.losses)
+    }
+
+    fn start_angle(&self) -> Option<&Stated<Angle>> {
+        Some(&self.start_angle)
+    }
+
+    fn bodies(&self) -> Option<&[BodySection]> {
+        let lines = self.bodies.get().map(|all| all.0.as_slice());
+        lines.or_else(|| self.body.get().map(|all| all.0.as_slice()))
+    }
+
+    fn on_flange(&self) -> Option<OnFlange<'_>> {
+        Some(OnFlange::Bodies(&self.axis_tilt))
+    }
+
+    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+        vec![&bearing.overhang, &bearing.payload_overhang, &bearing.flange_share]
+    }
+}

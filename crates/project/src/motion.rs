@@ -1,0 +1,438 @@
+//! The segments of the motion: their keys, the laws with those that belong to each, and the motion at the output.
+
+use crate::about::About;
+use crate::flange::{FlangeLoads, needs};
+use crate::key::{Column, Variants};
+use crate::mechanism::{Driven, Load};
+use crate::read::Reader;
+use crate::recorded::{Columns, File, Units};
+use crate::root::AxisSection;
+use crate::section::{Fields, OfKinds, Section, names, section};
+use crate::stated::{Field, Stated};
+use crate::value::{Along, Cell, Choice, Row, Rows, Turning, Written, choice, choices};
+use crate::{Assumption, Fault, Hint, Project};
+use ::motion::{
+    Closing, EndState, Ends, Given, Hold, Law, ManualMove, Motion, MotionFault, MoveFault, Points, PointsFault,
+    SegmentSpec, Spline,
+};
+use mechanism::{Effects, Extra, Kind, Mechanism};
+use quantities::{
+    Angle, AngularAcceleration, AngularJerk, AngularVelocity, Dimension, Force, Mass, Measure, MomentOfInertia, Time,
+    Torque,
+};
+use sizing::Axis;
+use std::ops::Range as Span;
+use std::sync::Arc;
+
+section! {
+    /// A segment of the motion.
+    Segment, SegmentName of About::Segment {
+        law: SegmentLaw => needed;
+        speed: Along<AngularVelocity> => stretches(-1, 1);
+        accelerate: Time => not_negative, stretches(1, 0);
+        run: Time => not_negative, stretches(1, 0);
+        brake: Time => not_negative, stretches(1, 0);
+        pause: Time => not_negative, stretches(1, 0);
+        distance: Along<Angle> => stretches(0, 1);
+        time: Time => not_negative, stretches(1, 0);
+        acceleration: Along<AngularAcceleration> => positive, stretches(-2, 1);
+        jerk: Along<AngularJerk> => positive, stretches(-3, 1);
+        end_speed: Along<AngularVelocity> => stretches(-1, 1);
+        hold: Hold = Hold::Motor => noted(Assumption::MotorHolds);
+        file: File => example("lift.csv");
+        columns: Columns;
+        units: Units;
+        from: Time;
+        to: Time;
+        smoothing: Time => positive, example("20 ms");
+        standstill: Along<AngularVelocity> => positive, example("0.1 1/min");
+        gaps: Gaps;
+        payload: Mass => not_negative;
+        payload_inertia: MomentOfInertia => not_negative;
+        process_force: Force;
+        process_torque: Torque;
+        bearing: FlangeLoads;
+    }
+}
+
+/// Word, law, keys that it needs, keys that it may have besides those of every segment.
+type Entry = (&'static str, SegmentLaw, &'static [&'static str], &'static [&'static str]);
+
+/// Any two of these determine a move from rest to rest.
+const MOVE: &[&str] = names!(Segment: distance time speed acceleration);
+const MOVE_ON: &[&str] = names!(Segment: distance time speed acceleration end_speed);
+
+/// The laws of motion.
+#[rustfmt::skip] // one line per law
+const LAWS: [Entry; 13] = [
+    ("manual", SegmentLaw::Manual, names!(Segment: speed accelerate run brake pause), &[]),
+    ("trapezoid", SegmentLaw::Law(Law::Trapezoid), &[], MOVE_ON),
+    ("triangle", SegmentLaw::Law(Law::Triangle), &[], MOVE),
+    ("jerk", SegmentLaw::Law(Law::Jerk), names!(Segment: distance speed acceleration jerk), names!(Segment: end_speed)),
+    ("polynomial_5", SegmentLaw::Law(Law::Polynomial5), &[], MOVE_ON),
+    ("modified_sine", SegmentLaw::Law(Law::ModifiedSine), &[], MOVE),
+    ("modified_trapezoid", SegmentLaw::Law(Law::ModifiedTrapezoid), &[], MOVE),
+    ("simple_sine", SegmentLaw::Law(Law::SimpleSine), &[], MOVE),
+    ("inclined_sine", SegmentLaw::Law(Law::InclinedSine), &[], MOVE),
+    // VDI 2143 calls the triangle so.
+    ("parabola", SegmentLaw::Law(Law::Triangle), &[], MOVE),
+    ("constant", SegmentLaw::Law(Law::Constant), names!(Segment: speed), names!(Segment: time distance)),
+    ("dwell", SegmentLaw::Dwell, names!(Segment: time), names!(Segment: hold)),
+    ("recorded", SegmentLaw::Recorded, names!(Segment: file), names!(Segment: columns units from to smoothing standstill gaps)),
+];
+
+impl OfKinds for Segment {
+    #[allow(clippy::indexing_slicing, reason = "read while compiling: an index out of bounds does not compile")]
+    const VARIANTS: &'static Variants = &Variants {
+        keys: Self::KEYS,
+        by: "law",
+        kinds: &{
+            let mut kinds: [(&str, &[&str], &[&str]); LAWS.len()] = [("", &[], &[]); LAWS.len()];
+            let mut index = 0;
+            while index < LAWS.len() {
+                kinds[index] = (LAWS[index].0, LAWS[index].2, LAWS[index].3);
+                index += 1;
+            }
+            kinds
+        },
+        shared: names!(Segment: payload payload_inertia process_force process_torque bearing),
+    };
+}
+
+/// What a segment follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SegmentLaw {
+    /// A law of motion.
+    Law(Law),
+    /// The manual's move: a trapezoid with a pause.
+    Manual,
+    /// Rest.
+    Dwell,
+    /// A recording.
+    Recorded,
+}
+
+impl SegmentLaw {
+    /// The identifier used in project files and data exchange.
+    #[must_use]
+    pub fn id(self) -> &'static str {
+        LAWS.iter().find(|(_, law, ..)| *law == self).map_or("", |(word, ..)| word)
+    }
+
+    /// Every law, in the order of the project file.
+    pub fn all() -> impl Iterator<Item = Self> {
+        LAWS.iter().filter(|(word, law, ..)| law.id() == *word).map(|(_, law, ..)| *law)
+    }
+
+    /// Whether a move by it can be made longer in time and way by its keys.
+    #[must_use]
+    pub fn stretches(self) -> bool {
+        let needed = LAWS.iter().find(|(_, law, ..)| *law == self).map_or(&[][..], |(_, _, needed, _)| needed);
+        let grows = |name: &&str| Segment::KEYS.iter().any(|key| key.name == *name && key.stretches.is_some());
+        needed.iter().all(grows)
+    }
+
+    /// A move by it over one radian in one second, from rest to rest where it has an end, for its picture; none of a
+    /// recording. Limited jerk is shown in thirds, the manual's move with a pause of the length of its run and ramps.
+    #[must_use]
+    pub fn sample(self) -> Option<SegmentSpec> {
+        let second = Time::from_si;
+        let far = Given { distance: Some(Angle::from_si(1.0)), ..Given::default() };
+        let long = Given { time: Some(second(1.0)), ..Given::default() };
+        match self {
+            Self::Law(Law::Jerk) => Some(SegmentSpec::Move(
+                Law::Jerk,
+                Given {
+                    speed: Some(AngularVelocity::from_si(1.5)),
+                    acceleration: Some(AngularAcceleration::from_si(6.0)),
+                    jerk: Some(AngularJerk::from_si(54.0)),
+                    ..far
+                },
+            )),
+            Self::Law(Law::Constant) => {
+                Some(SegmentSpec::Move(Law::Constant, Given { speed: Some(AngularVelocity::from_si(1.0)), ..long }))
+            }
+            Self::Law(law) => Some(SegmentSpec::Move(law, Given { distance: far.distance, ..long })),
+            Self::Manual => Some(SegmentSpec::Manual(ManualMove {
+                speed: AngularVelocity::from_si(1.0),
+                accelerate: second(0.2),
+                run: second(0.2),
+                brake: second(0.2),
+                pause: second(0.4),
+            })),
+            Self::Dwell => Some(SegmentSpec::Dwell(second(1.0), Hold::Motor)),
+            Self::Recorded => None,
+        }
+    }
+
+    /// What a word of the project file names; the quadratic parabola of VDI 2143 is the triangle.
+    #[must_use]
+    pub fn of_id(id: &str) -> Option<Self> {
+        LAWS.iter().find(|(word, ..)| *word == id).map(|(_, law, ..)| *law)
+    }
+}
+
+impl Project {
+    /// The law of a segment, counted from zero.
+    #[must_use]
+    pub fn law(&self, segment: usize) -> Option<SegmentLaw> {
+        self.root.segments().get(segment)?.law.value()
+    }
+}
+
+impl Choice for SegmentLaw {
+    #[allow(clippy::indexing_slicing, reason = "read while compiling: an index out of bounds does not compile")]
+    const WORDS: &'static [&'static str] = &{
+        let mut words = [""; LAWS.len()];
+        let mut index = 0;
+        while index < LAWS.len() {
+            words[index] = LAWS[index].0;
+            index += 1;
+        }
+        words
+    };
+
+    fn of_word(word: &str) -> Option<Self> {
+        Self::of_id(word)
+    }
+}
+
+choice! { SegmentLaw }
+
+/// What is permitted of gaps between the samples of a recording.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Gaps {
+    Allow,
+}
+
+choices! {
+    Hold { Motor = "motor", Brake = "brake", Free = "free" }
+    Gaps { Allow = "allow" }
+}
+
+impl Segment {
+    /// Whether it is a trapezoid that two quantities determine.
+    fn has_thirds(&self) -> bool {
+        let stated: [&dyn Field; 4] = [&self.distance, &self.time, &self.speed, &self.acceleration];
+        let is_trapezoid = self.law.value() == Some(SegmentLaw::Law(Law::Trapezoid));
+        is_trapezoid && stated.iter().filter(|field| field.is_given()).count() == 2
+    }
+
+    /// Whether its torque is recorded.
+    fn has_torque(&self) -> bool {
+        self.recording().is_some_and(|read| read.recording.torque.is_some())
+    }
+
+    /// Whether it states its motion along the line of the mechanism.
+    fn is_along_a_line(&self) -> bool {
+        self.fields().iter().any(|field| field.is_of_a_line())
+    }
+
+    /// The fields that the largest speed of a move by a law follows from, which reaches its stated speed or not.
+    pub(crate) fn speed_follows_from(&self, reaches_its_speed: bool) -> Vec<&dyn Field> {
+        let all: Vec<&dyn Field> = match self.law.value() {
+            Some(SegmentLaw::Recorded) => vec![&self.file],
+            Some(SegmentLaw::Manual) => vec![&self.speed],
+            Some(SegmentLaw::Law(_) | SegmentLaw::Dwell) | None if reaches_its_speed => vec![&self.speed],
+            Some(SegmentLaw::Law(_) | SegmentLaw::Dwell) | None => {
+                vec![&self.distance, &self.time, &self.speed, &self.acceleration, &self.jerk, &self.end_speed]
+            }
+        };
+        all.into_iter().filter(|field| field.is_given()).collect()
+    }
+
+    /// The place of the value that a fault is about.
+    fn place(&self, fault: &MoveFault) -> Span<usize> {
+        match fault {
+            MoveFault::NoTimeToChangeSpeed { braking: true } => self.brake.span(),
+            MoveFault::NoTimeToChangeSpeed { braking: false } => self.accelerate.span(),
+            MoveFault::SpeedTooLow { .. } | MoveFault::SpeedTooHigh { .. } | MoveFault::EndSpeedAboveLimit => {
+                self.speed.span()
+            }
+            MoveFault::AccelerationTooLow { .. } => self.acceleration.span(),
+            MoveFault::NoSegment
+            | MoveFault::PointsSpeedJumps { .. }
+            | MoveFault::NoDuration
+            | MoveFault::NotDetermined { .. }
+            | MoveFault::OutOfRange
+            | MoveFault::RestToRestOnly
+            | MoveFault::StillMoving { .. }
+            | MoveFault::RecordingSpeedJumps { .. }
+            | MoveFault::RecordingPositionJumps { .. }
+            | MoveFault::SpeedNotClosed { .. }
+            | MoveFault::PositionNotClosed { .. } => self.law.span(),
+        }
+    }
+
+    fn extra(&self, load: &Load) -> Extra {
+        Extra {
+            mass: self.payload.or_zero(),
+            inertia: self.payload_inertia.or_zero(),
+            force: load.force + self.process_force.or_zero(),
+            torque: self.process_torque.or_zero(),
+        }
+    }
+
+    /// What it is at the output; `travel`: way along the line per angle [m/rad], where the mechanism has one.
+    fn spec(&self, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<SegmentSpec> {
+        let before = reader.fault_count();
+        let given = Given {
+            distance: turned(&self.distance, travel, reader),
+            time: self.time.value(),
+            speed: turned(&self.speed, travel, reader),
+            acceleration: turned(&self.acceleration, travel, reader),
+            jerk: turned(&self.jerk, travel, reader),
+            end_speed: turned(&self.end_speed, travel, reader),
+        };
+        if reader.fault_count() > before {
+            return None;
+        }
+        match self.law.value()? {
+            SegmentLaw::Manual => Some(SegmentSpec::Manual(ManualMove {
+                speed: given.speed?,
+                accelerate: self.accelerate.value()?,
+                run: self.run.value()?,
+                brake: self.brake.value()?,
+                pause: self.pause.value()?,
+            })),
+            SegmentLaw::Recorded => crate::recorded::motion(self, travel, reader).map(SegmentSpec::Recorded),
+            SegmentLaw::Dwell => Some(SegmentSpec::Dwell(given.time?, self.hold())),
+            // A value that was refused is reported; without it the move would only seem undetermined.
+            SegmentLaw::Law(law) => self.is_whole().then_some(SegmentSpec::Move(law, given)),
+        }
+    }
+}
+
+/// A quantity at the output.
+fn turned<Q: Turning>(stated: &Stated<Along<Q>>, travel: Option<f64>, reader: &mut Reader<'_>) -> Option<Q> {
+    let along = stated.value()?;
+    match (along.is_of_a_line, travel) {
+        (false, _) => Some(Q::from_si(along.si)),
+        (true, Some(travel)) => Some(Q::from_si(along.si / travel)),
+        (true, None) => {
+            reader.fault(stated.span(), Fault::NoLine { path: stated.name().to_owned() }, None);
+            None
+        }
+    }
+}
+
+/// Motion and what each segment adds to the load.
+pub(crate) fn motion(axis: &AxisSection, load: &Load, reader: &mut Reader<'_>) -> Option<(Motion, Vec<Extra>)> {
+    let segments = axis.parts.motion.get()?.0.as_slice();
+    let travel = load.mechanism.travel_m_per_rad();
+    let specs: Vec<Option<SegmentSpec>> = segments.iter().map(|segment| segment.spec(travel, reader)).collect();
+    for segment in segments {
+        without_effect(segment, load, reader);
+        if matches!(load.mechanism.kind, Kind::Joint(_)) && !segment.has_torque() && segment.is_whole() {
+            reader.fault(segment.law.span(), Fault::JointWithoutTorque, None);
+        }
+    }
+    let specs: Vec<SegmentSpec> = specs.into_iter().collect::<Option<_>>()?;
+    let closing = if axis.single_move { Closing::SingleMove } else { Axis::closing(&load.mechanism) };
+    let place_of_all = || axis.parts.motion.span();
+    match Motion::new(&specs, load.start, closing) {
+        Ok(motion) => {
+            if let Some(found) = Axis::too_many_instants(&load.mechanism, &motion) {
+                let span = segments.get(found.segment).map_or_else(place_of_all, |segment| segment.law.span());
+                reader.fault(span, Fault::Instants(found), None);
+                return None;
+            }
+            let beyond = beyond_range(&load.mechanism, &motion);
+            for (segment, fault) in &beyond {
+                let span =
+                    segments.get(*segment).map_or_else(|| axis.parts.motion.span(), |segment| segment.law.span());
+                reader.fault(span, fault.clone(), None);
+            }
+            if !beyond.is_empty() {
+                return None;
+            }
+            Some((motion, segments.iter().map(|segment| segment.extra(load)).collect()))
+        }
+        Err(faults) => {
+            let recorded = segments.iter().any(|segment| segment.law.value() == Some(SegmentLaw::Recorded));
+            for MotionFault { segment, fault } in faults {
+                let unclosed = recorded && matches!(fault, MoveFault::SpeedNotClosed { .. });
+                let hint = unclosed.then_some(Hint::CloseTheRecording);
+                let segment = segment.and_then(|index| segments.get(index));
+                let span = segment.map_or_else(place_of_all, |segment| segment.place(&fault));
+                let along =
+                    segment.map_or_else(|| segments.iter().any(Segment::is_along_a_line), Segment::is_along_a_line);
+                let travel_m_per_rad = travel.filter(|_| along);
+                reader.fault(span, Fault::Move { fault, travel_m_per_rad }, hint);
+            }
+            None
+        }
+    }
+}
+
+/// The segments in which the motion leaves the range of the mechanism.
+fn beyond_range(mechanism: &Mechanism, motion: &Motion) -> Vec<(usize, Fault)> {
+    let Some((low, high)) = mechanism.range_rad() else { return Vec::new() };
+    let ratio = mechanism.stage_ratio();
+    // Where a segment begins is where the one before it ends.
+    let first = motion.pieces().first().map(|piece| (piece.segment, piece.at(0.0).position_rad));
+    let of_pieces = motion.pieces().iter().filter(|piece| !piece.is_rest()).flat_map(|piece| {
+        let turns = piece.reversals().into_iter().chain([piece.duration_s]);
+        turns.map(|t| (piece.segment, piece.at(t).position_rad)).collect::<Vec<_>>()
+    });
+    let of_recordings = motion
+        .recordings()
+        .iter()
+        .flat_map(|placed| placed.recorded.position_rad().iter().map(|q| (placed.segment, q + placed.offset_rad)));
+    let mut found: Vec<(usize, f64)> = Vec::new();
+    // The last turn may end where the range does, up to rounding.
+    let slack = 1e-9 * (1.0 + low.abs().min(high.abs()));
+    for (segment, q) in first.into_iter().chain(of_pieces).chain(of_recordings) {
+        let excess = |q: f64| (low - q).max(q - high);
+        if excess(q) <= slack {
+            continue;
+        }
+        match found.iter_mut().find(|(known, _)| *known == segment) {
+            Some((_, worst)) if excess(q) > excess(*worst) => *worst = q,
+            Some(_) => {}
+            None => found.push((segment, q)),
+        }
+    }
+    let of_mechanism = |q: f64| q / ratio;
+    let (from, to) = (of_mechanism(low), of_mechanism(high));
+    let range_rad = (from.min(to), from.max(to));
+    let fault = |(segment, q)| (segment, Fault::BeyondRange { position_rad: of_mechanism(q), range_rad });
+    found.into_iter().map(fault).collect()
+}
+
+/// A payload that nothing carries and a force along no line would be left out in silence: they are refused.
+fn without_effect(segment: &Segment, load: &Load, reader: &mut Reader<'_>) {
+    let Effects { payload: carries, payload_inertia: turns, process_force: has_line } = load.mechanism.effects();
+    let of_payload = if turns { "payload_inertia, or payload_distance" } else { "process_torque" };
+    let fields: [(&dyn Field, bool, &str); 3] = [
+        (&segment.payload, carries, of_payload),
+        (&segment.payload_inertia, turns, "process_torque"),
+        (&segment.process_force, has_line, "process_torque"),
+    ];
+    for (field, _, instead) in fields.into_iter().filter(|(field, effect, _)| field.is_given() && !effect) {
+        let hint = Hint::DidYouMean(instead.to_owned());
+        reader.fault(field.span(), Fault::WithoutEffect { key: field.name() }, Some(hint));
+    }
+}
+
+/// Defaults about the motion that the file leaves open.
+pub(crate) fn assumptions(axis: &AxisSection, driven: Option<&dyn Driven>, found: &mut Vec<Assumption>) {
+    let segments = axis.segments();
+    if segments.iter().any(Segment::has_thirds) {
+        found.push(Assumption::TrapezoidThirds);
+    }
+    if axis.single_move {
+        found.push(Assumption::SingleMoveRepeats);
+    }
+    if !driven.is_some_and(Driven::torque_is_recorded) && segments.iter().any(Segment::has_torque) {
+        found.push(Assumption::RecordedTorqueAdds);
+    }
+    let differences = |segment: &Segment| {
+        segment.recording().is_some_and(|read| read.recording.course.speed.is_none()) && !segment.smoothing.is_given()
+    };
+    if segments.iter().any(differences) {
+        found.push(Assumption::RecordedPositionDifferentiated);
+    }
+    let rests = |segment: &&Segment| segment.law.value() == Some(SegmentLaw::Dwell);
+    found.extend(segments.iter().filter(rests).find_map(|segment| segment.hold.note()));
+}

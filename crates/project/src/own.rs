@@ -1,0 +1,122 @@
+//! An actuator that the catalogue lacks.
+
+use crate::about::About;
+use crate::curves::{CURVE, curve};
+use crate::read::Reader;
+use crate::section::section;
+use crate::stated::{Field, Stated};
+use crate::value::Rows;
+use actuator::{CurvePoint, Parameters};
+use provenance::{Datum, Grade, Source, Sourced};
+use quantities::{
+    AngularVelocity, ElectricCurrent, ElectricPotential, ElectricalResistance, Inductance, Length, Mass, Measure,
+    MomentOfInertia, NoLoadCurrentConstant, ThermodynamicTemperature, Torque, TorqueConstant, VoltageConstant,
+};
+
+/// An actuator that the user describes.
+#[derive(Clone, Debug)]
+pub struct OwnActuator {
+    /// Its name.
+    pub name: String,
+    /// What is known of it.
+    pub parameters: Parameters,
+}
+
+section! {
+    /// An actuator that the catalogue lacks.
+    ActuatorSection, ActuatorName of About::Actuator {
+        name: String => needed;
+        ratio: f64 => within(1.0, 10_000.0), example("50");
+        torque_max: Torque => positive;
+        speed_max: AngularVelocity => positive;
+        speed_motor_max: AngularVelocity => positive, example("6000 1/min");
+        speed_motor_rated: AngularVelocity => positive, example("3500 1/min");
+        inertia_out: MomentOfInertia => not_negative;
+        stall_torque: Torque => positive;
+        stall_current: ElectricCurrent => positive;
+        current_max: ElectricCurrent => positive;
+        current_demagnetisation: ElectricCurrent => positive;
+        no_load_starting_current: ElectricCurrent => not_negative;
+        no_load_current_constant_30: NoLoadCurrentConstant => not_negative;
+        no_load_current_constant_80: NoLoadCurrentConstant => not_negative;
+        torque_constant_out: TorqueConstant => positive;
+        torque_constant_motor: TorqueConstant => positive;
+        voltage_constant_motor: VoltageConstant => positive;
+        resistance_ll: ElectricalResistance => positive;
+        winding_temperature_max: ThermodynamicTemperature;
+        inductance_ll: Inductance => positive;
+        pole_pairs: u32 => whole(1, 100), example("5");
+        mass: Mass => positive;
+        length: Length => positive, example("120 mm");
+        hollow_shaft: Length => not_negative, example("18 mm");
+        dc_link_max: ElectricPotential => positive;
+        terminal_voltage_min: ElectricPotential => positive;
+        short_time_curve: Rows<CurvePoint> => example(CURVE);
+        continuous_curve: Rows<CurvePoint> => example(CURVE);
+    }
+}
+
+/// The temperatures in the names of the keys `no_load_current_constant_30` and `no_load_current_constant_80`.
+const NAMED_CELSIUS: [f64; 2] = [30.0, 80.0];
+
+fn celsius(temperature: f64) -> ThermodynamicTemperature {
+    ThermodynamicTemperature::new_in(temperature, &quantities::unit::DEGREE_CELSIUS)
+}
+
+impl ActuatorSection {
+    pub(crate) fn build(&self, reader: &mut Reader<'_>) -> Option<OwnActuator> {
+        let mut parameters = Parameters::unknown();
+        let assumed = configurator::assumed();
+        parameters.friction_printed_from = assumed.friction_printed_from;
+        parameters.friction_cold_growth = assumed.friction_cold_growth;
+        parameters.output_bearing.swing_min = assumed.swing_min;
+        parameters.inertia_ratio_recommended = assumed.inertia_ratio_recommended;
+        parameters.heat.winding_shutdown = match own(&self.winding_temperature_max) {
+            Datum::Known(stated) => Datum::Known(stated),
+            Datum::NotPrinted | Datum::NotApplicable => assumed.winding_shutdown,
+        };
+        parameters.torque_max = own(&self.torque_max);
+        parameters.speed_max = own(&self.speed_max);
+        parameters.speed_motor_max = own(&self.speed_motor_max);
+        parameters.speed_motor_rated = own(&self.speed_motor_rated);
+        parameters.inertia_out = own(&self.inertia_out);
+        parameters.stall_torque = own(&self.stall_torque);
+        parameters.stall_current = own(&self.stall_current);
+        parameters.current_max = own(&self.current_max);
+        parameters.current_demagnetisation = own(&self.current_demagnetisation);
+        parameters.no_load_starting_current = own(&self.no_load_starting_current);
+        parameters.no_load_current_constant_cold = own(&self.no_load_current_constant_30);
+        parameters.no_load_current_constant_warm = own(&self.no_load_current_constant_80);
+        parameters.no_load_temperatures = known(&self.no_load_current_constant_30, NAMED_CELSIUS.map(celsius));
+        parameters.torque_constant_out = own(&self.torque_constant_out);
+        parameters.torque_constant_motor = own(&self.torque_constant_motor);
+        parameters.voltage_constant_motor = own(&self.voltage_constant_motor);
+        parameters.resistance_ll = own(&self.resistance_ll);
+        parameters.inductance_ll = own(&self.inductance_ll);
+        parameters.mass = own(&self.mass);
+        parameters.length = own(&self.length);
+        parameters.hollow_shaft = own(&self.hollow_shaft);
+        parameters.dc_link_max = own(&self.dc_link_max);
+        parameters.terminal_voltage_min = own(&self.terminal_voltage_min);
+        parameters.ratio = own(&self.ratio);
+        parameters.pole_pairs =
+            self.pole_pairs.value().map_or(Datum::NotPrinted, |pairs| known(&self.pole_pairs, f64::from(pairs)));
+        if let Some(curve) = curve(&self.continuous_curve, reader) {
+            parameters.continuous_curve = known(&self.continuous_curve, curve);
+        }
+        if let Some(curve) = curve(&self.short_time_curve, reader) {
+            parameters.short_time_curve = known(&self.short_time_curve, curve);
+        }
+        Some(OwnActuator { name: self.name.get()?.clone(), parameters })
+    }
+}
+
+/// A value that the user wrote: graded as published, since it stands in some document of the user's.
+fn known<T>(field: &dyn Field, value: T) -> Datum<T> {
+    let source = Source::Project { key: field.path().into() };
+    Datum::Known(Sourced { value, source, grade: Grade::Published, errata: &[] })
+}
+
+fn own<T: crate::value::Value + Copy>(field: &Stated<T>) -> Datum<T> {
+    field.value().map_or(Datum::NotPrinted, |value| known(field, value))
+}

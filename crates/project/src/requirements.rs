@@ -1,0 +1,168 @@
+//! What the actuator must have.
+
+use crate::about::About;
+use crate::read::Reader;
+use crate::section::section;
+use crate::stated::Field;
+use crate::value::{Choice, Choices, choice, choices};
+use crate::{Assumption, Fault};
+use actuator::BatteryFault;
+use configurator::Requirements;
+use order_code::{Feedback, Option1, Option2, Series};
+use quantities::{
+    Angle, ElectricCurrent, ElectricPotential, Frequency, Length, Mass, Power, ThermodynamicTemperature, Time, Torque,
+};
+use sizing::{Asked, Axis, SpecialApplication};
+
+/// Share of U_DC/√2 that a drive can use unless the user says otherwise: room for dead times and current control.
+const MODULATION_RESERVE: f64 = 0.9;
+
+section! {
+    /// What the actuator must have.
+    RequirementsSection, RequirementsName of About::Requirements {
+        feedback: Choices<Feedback>;
+        brake: bool;
+        hollow_shaft_min: Length => not_negative, example("18 mm");
+        length_max: Length => positive, example("200 mm");
+        mass_max: Mass => positive, example("10 kg");
+        supply: ElectricPotential => positive, noted(Assumption::NoSupply);
+        modulation_reserve: f64 = MODULATION_RESERVE => within(0.5, 1.0), example("0.9"), noted(Assumption::ModulationReserve);
+        ambient: ThermodynamicTemperature => noted(Assumption::AmbientWithinRange);
+        bearing_life_min: Time => positive, example("20000 h");
+        gear_life_min: Time => positive, example("20000 h");
+        torsion_max: Angle => positive, example("2 arcmin");
+        natural_frequency_min: Frequency => positive, example("25 Hz");
+        tilt_angle_max: Angle => positive, example("2 arcmin");
+        angle_error_max: Angle => positive, example("2 arcmin");
+        lever_arm: Length => positive, example("500 mm");
+        deviation_max: Length => positive, example("0.2 mm");
+        resolution_max: Angle => positive, example("5 arcsec");
+        absolute: bool;
+        stop_angle_max: Angle => positive;
+        emergency_stops: u32 => whole(0, 1_000_000), example("200");
+        holding_safety: f64 => within(1.0, 100.0), example("1.5");
+        service_life: Time => positive, example("20000 h");
+        regeneration_power_max: Power => positive;
+        operation_per_day: Time => not_negative, example("10 h");
+        storage: Time => not_negative, example("720 h");
+        battery_life_min: Time => positive, example("20000 h");
+        collision_torque: Torque => positive;
+        collision_time: Time => positive;
+        collisions: u32 => whole(0, 1_000_000), example("10");
+        position_loop: PositionLoop;
+        dc_link_rise: ElectricPotential => positive, example("40 V");
+        special_application: SpecialApplication => noted(Assumption::OrdinaryApplication);
+        option_1: Option1;
+        option_2: Option2;
+    }
+}
+
+section! {
+    /// The drive that supplies the motor.
+    DriveSection, DriveName of About::Drive {
+        current_continuous: ElectricCurrent => positive, example("5 A");
+        current_peak: ElectricCurrent => positive, example("10 A");
+        peak_time: Time => positive, example("2 s");
+    }
+}
+
+impl DriveSection {
+    /// What the check of the drive is judged by.
+    pub(crate) fn apply(&self, axis: &mut Axis) {
+    }
+}
+
+/// The words of a field of the ordering code, each of the first series that has it.
+macro_rules! words_of_the_code {
+    ($($Choice:ident of $WORDS:ident),+) => {$(
+        impl Choice for $Choice {
+            const WORDS: &'static [&'static str] = order_code::$WORDS;
+
+            fn of_word(word: &str) -> Option<Self> {
+                Series::all().find_map(|series| Self::of(series, word))
+            }
+        }
+    )+};
+}
+
+words_of_the_code!(Feedback of FEEDBACKS, Option1 of OPTIONS_1, Option2 of OPTIONS_2);
+choice!(Option1);
+choice!(Option2);
+
+/// The encoder that closes the position loop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PositionLoop {
+    Motor,
+    Output,
+}
+
+choices! {
+    PositionLoop { Motor = "motor", Output = "output" }
+    SpecialApplication {
+        Aerospace = "aerospace",
+        ExplosiveAtmosphere = "explosive_atmosphere",
+        Nuclear = "nuclear",
+        Vacuum = "vacuum",
+        Household = "household",
+        Medical = "medical",
+        HumanContact = "human_contact",
+        LiftingOfPersons = "lifting_of_persons",
+        Amusement = "amusement",
+    }
+}
+
+impl RequirementsSection {
+    /// What the choice of an actuator must meet.
+    pub(crate) fn build(&self) -> Requirements {
+        Requirements {
+            feedback: self.feedback.get().map(|all| all.0.clone()).unwrap_or_default(),
+            brake: self.brake.value(),
+            hollow_shaft_min: self.hollow_shaft_min.value(),
+            length_max: self.length_max.value(),
+            mass_max: self.mass_max.value(),
+            supply: self.supply.value(),
+        }
+    }
+
+    /// What the checks are judged by.
+    pub(crate) fn apply(&self, axis: &mut Axis) {
+        axis.ambient = self.ambient.value();
+        axis.supply = self.supply.value().map(|supply| (supply, self.modulation_reserve()));
+        axis.asked = Asked {
+            gear_life_min: self.gear_life_min.value(),
+            torsion_max: self.torsion_max.value(),
+            natural_frequency_min: self.natural_frequency_min.value(),
+            angle_error_max: self.angle_error_max.value(),
+            lever_arm: self.lever_arm.value(),
+            deviation_max: self.deviation_max.value(),
+            stop_angle_max: self.stop_angle_max.value(),
+            emergency_stops: self.emergency_stops.value().map(f64::from),
+            holding_safety: self.holding_safety.value(),
+            service_life: self.service_life.value(),
+            regeneration_power_max: self.regeneration_power_max.value(),
+            absolute: self.absolute.value(),
+            resolution_max: self.resolution_max.value(),
+            operation_per_day: self.operation_per_day.value(),
+            storage: self.storage.value(),
+            battery_life_min: self.battery_life_min.value(),
+            collision_torque: self.collision_torque.value(),
+            collision_time: self.collision_time.value(),
+            collisions: self.collisions.value().map(f64::from),
+            loop_at_output: self.position_loop.value() == Some(PositionLoop::Output),
+            dc_link_rise: self.dc_link_rise.value(),
+            special_application: self.special_application.value(),
+            ..Asked::default()
+        };
+    }
+
+    /// Reports an operation for which the life of the battery is not known.
+    pub(crate) fn battery(&self, reader: &mut Reader<'_>) {
+        let battery = configurator::battery();
+        let Some((operation, model)) = self.operation_per_day.value().zip(battery.known()) else { return };
+        if let Err(fault) = model.value.life(operation, self.storage.or_zero()) {
+            let operation = matches!(fault, BatteryFault::OperationOutOfRange { .. });
+            let span = if operation { self.operation_per_day.span() } else { self.storage.span() };
+            reader.fault(span, Fault::Battery(fault), None);
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! Where in the file a value of an axis is stated.
+//!
+//! The engine knows no key of a file: it names what it was given by a role, such as `load.inertia` or `motion.speed`. Here a
+//! role becomes the keys as they are written: `axis[2].mechanism.turntable.body`, `motion[1].distance, motion[1].time`.
+
+use crate::Project;
+use crate::mechanism::Driven;
+use crate::motion::Segment;
+use crate::section::Fields;
+use crate::stated::Field;
+use ::motion::{Hold, Solved};
+use quantities::{Measure, Time};
+
+/// What a value belongs to, where several segments have the like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Within {
+    /// The segment that is under way at an instant of the cycle.
+    At(Time),
+    /// A segment, counted from zero.
+    Segment(usize),
+}
+
+impl Project {
+    /// The keys of the file that state a value, separated by commas; what is not written there has the key where it would be.
+    /// `None` where the role is the key itself.
+    ///
+    /// `role`: the engine's name for it. `si`: the value, which distinguishes the loads of several segments.
+    #[must_use]
+    pub fn stated_at(&self, role: &str, si: Option<f64>, within: Within) -> Option<String> {
+        let root = &self.root;
+        let of_segment = |field: fn(&Segment) -> &dyn Field| {
+            self.segment(within).map_or_else(|| root.path(role), |segment| field(segment).path())
+        };
+        Some(match role {
+            "motion.speed" | "motion.file" => self.speed_keys(within),
+            "motion.accelerate" => of_segment(|segment| &segment.accelerate),
+            "motion.run" => of_segment(|segment| &segment.run),
+            "motion.brake" => of_segment(|segment| &segment.brake),
+            "motion.pause" => of_segment(|segment| &segment.pause),
+            "motion.hold" => {
+                let held = root.segments().iter().filter(|segment| segment.hold.value() == Some(Hold::Brake));
+                listed(held.map(|segment| segment.hold.path()))
+            }
+            "load.inertia" => self.inertia_keys(),
+            "load.friction_torque" | "friction_torque" => {
+                let friction = root.driven().and_then(Driven::friction);
+                friction.map_or_else(|| root.path(role), |friction| friction.friction_torque.path())
+            }
+            "stage.ratio" if !self.ratios.is_empty() => root.path("stage.ratios"),
+            _ => match role.strip_prefix("bearing.").filter(|_| self.segment_bearings) {
+                Some(name) => self.bearing_keys(name, si),
+                None if root.head().path.is_empty() => return None,
+                None => root.path(role),
+            },
+        })
+    }
+
+    fn segment(&self, within: Within) -> Option<&Segment> {
+        self.root.segments().get(self.index(within)?)
+    }
+
+    fn index(&self, within: Within) -> Option<usize> {
+        match within {
+            Within::Segment(index) => Some(index),
+            Within::At(at) => {
+                let near = 1e-9 * self.axis.motion.duration().si();
+                let stretches = self.axis.motion.stretches().iter().enumerate();
+                let under_way = stretches.filter(|(_, stretch)| {
+                    let start = stretch.start.si();
+                    (start - near..=start + stretch.duration.si() + near).contains(&at.si())
+                });
+                // Where one ends and the next begins, the faster one counts; a recording has its speed there itself.
+                let speed = |index: usize| self.solved(index).map_or(0.0, |solved| solved.speed.si());
+                under_way.map(|(index, _)| index).max_by(|a, b| speed(*a).total_cmp(&speed(*b)).then(b.cmp(a)))
+            }
+        }
+    }
+
+    fn solved(&self, index: usize) -> Option<Solved> {
+        self.axis.motion.stretches().get(index)?.solved
+    }
+
+    /// What the largest speed of a segment follows from.
+    fn speed_keys(&self, within: Within) -> String {
+        let found = self.index(within).and_then(|index| Some((index, self.root.segments().get(index)?)));
+        let Some((index, segment)) = found else { return self.root.parts.motion.path() };
+        if segment.recording().is_some() {
+            return segment.file.path();
+        }
+        let given = segment.speed_follows_from(self.reaches_its_speed(index, segment));
+        listed(given.iter().map(|field| field.path()).chain(self.gearing(&given)))
+    }
+
+    /// Whether a segment gets as fast as its `speed` says: a limit that is not reached decides nothing.
+    fn reaches_its_speed(&self, index: usize, segment: &Segment) -> bool {
+        let travel = self.axis.mechanism.travel_m_per_rad();
+        let stated = segment.speed.value().map(|speed| match travel.filter(|_| speed.is_of_a_line) {
+            Some(travel) => speed.si / travel,
+            None => speed.si,
+        });
+        self.solved(index).zip(stated).is_some_and(|(solved, stated)| {
+            let stated = stated.abs() * self.axis.mechanism.stage_ratio();
+            (solved.speed.si() - stated).abs() <= 1e-9 * stated
+        })
+    }
+
+    /// What makes a motion that is stated at the load one at the output: travel per turn, and the ratio of a stage.
+    fn gearing(&self, stated: &[&dyn Field]) -> Vec<String> {
+        let along = stated.iter().any(|field| field.is_of_a_line());
+        let travel = self.root.driven().filter(|_| along).and_then(Driven::travel).map(|field| field.path());
+        #[allow(clippy::float_cmp, reason = "a ratio that is written as one, or none")]
+        let geared = self.axis.mechanism.stage_ratio() != 1.0;
+        let ratio = geared.then(|| self.root.path(if self.ratios.is_empty() { "stage.ratio" } else { "stage.ratios" }));
+        travel.into_iter().chain(ratio).collect()
+    }
+
+    /// What the moment of inertia of the load follows from; with a payload the engine cites its model of mechanisms.
+    fn inertia_keys(&self) -> String {
+        let Some(driven) = self.root.driven() else { return self.root.path("load.inertia") };
+        listed(driven.inertia().into_iter().filter(|field| field.is_given()).map(|field| field.path()))
+    }
+
+    /// Where a load on the flange is stated: under `[bearing]`, or by the segments that have it so.
+    fn bearing_keys(&self, name: &str, si: Option<f64>) -> String {
+        let segments = self.root.segments();
+        let common = self.root.parts.bearing.get();
+        let common = common.filter(|_| segments.iter().any(|segment| !segment.bearing.is_given()));
+        let own = segments.iter().filter_map(|segment| segment.bearing.get()).filter_map(|loads| loads.field(name));
+        let stating: Vec<&dyn Field> = common
+            .and_then(|bearing| bearing.field(name))
+            .into_iter()
+            .chain(own)
+            .filter(|each| each.is_given())
+            .collect();
+        let has = |field: &&&dyn Field| si.is_some_and(|si| field.si() == Some(si));
+        let mut equal = stating.iter().filter(has).peekable();
+        if equal.peek().is_some() {
+            return listed(equal.map(|field| field.path()));
+        }
+        match stating.as_slice() {
+            [] => self.root.path(&format!("bearing.{name}")),
+            several => listed(several.iter().map(|field| field.path())),
+        }
+    }
+}
+
+/// More keys than these are not named.
+const LISTED_MOST: usize = 8;
+
+fn listed(keys: impl Iterator<Item = String>) -> String {
+    let mut keys: Vec<String> = keys.take(LISTED_MOST + 1).collect();
+    if let Some(last) = keys.get_mut(LISTED_MOST) {
+        "…".clone_into(last);
+    }
+    keys.join(", ")
+}

@@ -1,0 +1,438 @@
+//! The types whose values may stand behind a key.
+
+use crate::Range;
+use crate::bodies::BodySection;
+use crate::key::{Column, Kind};
+use crate::read::{Found, Reader};
+use crate::section::{Fields, OfKinds, Section, set};
+use actuator::CurvePoint;
+use mechanism::TablePoint;
+use quantities::unit::ONE;
+use quantities::{
+    Acceleration, Angle, AngularAcceleration, AngularJerk, AngularVelocity, Dimension, ElectricCurrent,
+    ElectricPotential, ElectricalResistance, Force, Frequency, Inductance, Jerk, Length, Mass, MassDensity, Measure,
+    MomentOfInertia, NoLoadCurrentConstant, Power, ThermodynamicTemperature, Time, Torque, TorqueConstant,
+    TorsionalStiffness, Unit, Velocity, ViscousFriction, VoltageConstant,
+};
+use std::marker::PhantomData;
+use std::ops::Range as Span;
+use toml::de::DeValue;
+
+/// A number in its unit.
+type Amount = Option<(f64, &'static Unit)>;
+
+/// What may stand behind a key.
+pub(crate) trait Value: Sized {
+    /// How it is written, unless its key says more.
+    const KIND: Kind;
+
+    /// Reads it; a fault is reported to the reader.
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self>;
+
+    /// The quantity with this value in SI; `None` for what is no quantity.
+    fn of_si(_si: f64) -> Option<Self> {
+        None
+    }
+
+    /// The value of a quantity in SI; `None` of what is no quantity.
+    fn as_si(&self) -> Option<f64> {
+        None
+    }
+
+    /// As [`Field::set`](crate::stated::Field::set).
+    fn set(&mut self, _index: &[usize], _rest: &str, si: f64) -> Option<()> {
+        *self = Self::of_si(si)?;
+        Some(())
+    }
+
+    /// Whether it is stated along the line of a mechanism.
+    fn is_of_a_line(&self) -> bool {
+        false
+    }
+
+    /// What is noted of it as an input besides the text: its number, if it is one. `None` where it notes itself, or its
+    /// parts.
+    fn noted(&self) -> Option<Amount> {
+        None
+    }
+}
+
+/// What a key may have for a value that is not stated, as it is written.
+pub(crate) trait Written {
+    fn written(&self) -> String;
+}
+
+impl Written for f64 {
+    fn written(&self) -> String {
+        self.to_string()
+    }
+}
+
+impl Written for u32 {
+    fn written(&self) -> String {
+        self.to_string()
+    }
+}
+
+impl Written for bool {
+    fn written(&self) -> String {
+        self.to_string()
+    }
+}
+
+macro_rules! quantities {
+    ($($Quantity:ty)*) => {$(
+        impl Value for $Quantity {
+            const KIND: Kind = Kind::Quantity(<Self as Measure>::DIMENSION, Range::Any);
+
+            fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+                reader.quantity_of(found).map(Self::from_si)
+            }
+
+            fn of_si(si: f64) -> Option<Self> {
+                Some(Self::from_si(si))
+            }
+
+            fn as_si(&self) -> Option<f64> {
+                Some(self.si())
+            }
+        }
+    )*};
+}
+
+quantities! {
+    Angle AngularVelocity ElectricCurrent ElectricPotential ElectricalResistance Force Frequency Inductance Length Mass
+    MassDensity MomentOfInertia NoLoadCurrentConstant Power ThermodynamicTemperature Time Torque TorqueConstant
+    TorsionalStiffness ViscousFriction VoltageConstant
+}
+
+/// A quantity of the rotation that may be stated along the line of a mechanism.
+pub(crate) trait Turning: Measure {
+    /// The quantity of the line.
+    type Line: Measure;
+}
+
+impl Turning for Angle {
+    type Line = Length;
+}
+
+impl Turning for AngularVelocity {
+    type Line = Velocity;
+}
+
+impl Turning for AngularAcceleration {
+    type Line = Acceleration;
+}
+
+impl Turning for AngularJerk {
+    type Line = Jerk;
+}
+
+/// A quantity of the rotation, or of the line of a linear mechanism.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Along<Q> {
+    /// Whether it is one of the line.
+    pub(crate) is_of_a_line: bool,
+    /// Its value in SI.
+    pub(crate) si: f64,
+    turning: PhantomData<Q>,
+}
+
+impl<Q: Turning> Value for Along<Q> {
+    const KIND: Kind = Kind::Along(Q::DIMENSION, <Q::Line as Measure>::DIMENSION, Range::Any);
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        let (dimension, si) = reader.along(found)?;
+        Some(Self { is_of_a_line: dimension == <Q::Line as Measure>::DIMENSION, si, turning: PhantomData })
+    }
+
+    fn set(&mut self, _: &[usize], _: &str, si: f64) -> Option<()> {
+        self.si = si;
+        Some(())
+    }
+
+    fn is_of_a_line(&self) -> bool {
+        self.is_of_a_line
+    }
+}
+
+impl Value for f64 {
+    const KIND: Kind = Kind::Number(Self::MIN, Self::MAX);
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        reader.number(found)
+    }
+
+    fn noted(&self) -> Option<Amount> {
+        Some(Some((*self, &ONE)))
+    }
+}
+
+impl Value for u32 {
+    const KIND: Kind = Kind::Integer(0, Self::MAX as i64);
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        reader.integer(found)
+    }
+
+    fn noted(&self) -> Option<Amount> {
+        Some(Some((f64::from(*self), &ONE)))
+    }
+}
+
+impl Value for bool {
+    const KIND: Kind = Kind::Bool;
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        match found.value {
+            DeValue::Boolean(value) => Some(*value),
+            _ => reader.wrong_type(found),
+        }
+    }
+
+    fn noted(&self) -> Option<Amount> {
+        Some(None)
+    }
+}
+
+impl Value for String {
+    const KIND: Kind = Kind::Text;
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        reader.free_text(found)
+    }
+
+    fn noted(&self) -> Option<Amount> {
+        Some(None)
+    }
+}
+
+/// Plain numbers.
+#[derive(Clone, Debug)]
+pub(crate) struct Numbers(pub(crate) Vec<f64>);
+
+impl Value for Numbers {
+    const KIND: Kind = Kind::Numbers(f64::MIN, f64::MAX, usize::MAX);
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        reader.numbers(found).map(Self)
+    }
+
+    fn noted(&self) -> Option<Amount> {
+        Some(None)
+    }
+}
+
+/// One of a fixed set of words.
+pub(crate) trait Choice: Sized {
+    const WORDS: &'static [&'static str];
+
+    /// What a word means.
+    fn of_word(word: &str) -> Option<Self>;
+}
+
+/// The words of a choice, each with what it means. Every variant stands here, or it does not compile.
+macro_rules! choices {
+    ($($Choice:ty { $($Variant:ident = $word:literal),+ $(,)? })+) => {$(
+        impl $crate::value::Choice for $Choice {
+            const WORDS: &'static [&'static str] = &[$($word),+];
+
+            fn of_word(word: &str) -> Option<Self> {
+                match word {
+                    $($word => Some(Self::$Variant),)+
+                    _ => None,
+                }
+            }
+        }
+
+        impl $crate::value::Written for $Choice {
+            fn written(&self) -> String {
+                match self { $(Self::$Variant => $word.to_owned(),)+ }
+            }
+        }
+
+        $crate::value::choice! { $Choice }
+    )+};
+}
+
+/// Makes what is a [`Choice`] a [`Value`].
+macro_rules! choice {
+    ($Choice:ty) => {
+        impl $crate::value::Value for $Choice {
+            const KIND: $crate::key::Kind = $crate::key::Kind::OneOf(<Self as $crate::value::Choice>::WORDS);
+
+            fn read(found: &$crate::read::Found<'_, '_>, reader: &mut $crate::read::Reader<'_>) -> Option<Self> {
+                reader.choice(found)
+            }
+
+            fn noted(&self) -> Option<Option<(f64, &'static quantities::Unit)>> {
+                Some(None)
+            }
+        }
+    };
+}
+
+pub(crate) use {choice, choices};
+
+/// Several words of a choice.
+#[derive(Clone, Debug)]
+pub(crate) struct Choices<W>(pub(crate) Vec<W>);
+
+impl<W: Choice> Value for Choices<W> {
+    const KIND: Kind = Kind::ListOf(W::WORDS);
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        reader.choices(found).map(Self)
+    }
+
+    fn noted(&self) -> Option<Amount> {
+        Some(None)
+    }
+}
+
+/// What a row of quantities is.
+pub(crate) trait Row: Copy {
+    const COLUMNS: &'static [Column];
+
+    /// From what stands in its columns.
+    fn of(cells: &[Cell]) -> Option<Self>;
+
+    /// What stands in its columns.
+    fn cells(&self) -> Vec<Cell>;
+
+    /// Whether it states something along the line of a mechanism.
+    fn is_of_a_line(&self) -> bool {
+        false
+    }
+}
+
+/// What a cell of a row measures, and its value in SI.
+pub(crate) type Cell = (Dimension, f64);
+
+impl Row for TablePoint {
+    const COLUMNS: &'static [Column] = &[&[Dimension::Angle], &[Dimension::MomentOfInertia], &[Dimension::Torque]];
+
+    fn of(cells: &[Cell]) -> Option<Self> {
+        let [(_, position), (_, inertia), (_, torque)] = *<&[Cell; 3]>::try_from(cells).ok()?;
+        Some(Self {
+            position: Angle::from_si(position),
+            inertia: MomentOfInertia::from_si(inertia),
+            torque: Torque::from_si(torque),
+        })
+    }
+
+    fn cells(&self) -> Vec<Cell> {
+        vec![cell(self.position), cell(self.inertia), cell(self.torque)]
+    }
+}
+
+impl Row for CurvePoint {
+    const COLUMNS: &'static [Column] = &[&[Dimension::AngularVelocity], &[Dimension::Torque]];
+
+    fn of(cells: &[Cell]) -> Option<Self> {
+        let [(_, speed), (_, torque)] = *<&[Cell; 2]>::try_from(cells).ok()?;
+        Some(Self { speed: AngularVelocity::from_si(speed), torque: Torque::from_si(torque) })
+    }
+
+    fn cells(&self) -> Vec<Cell> {
+        vec![cell(self.speed), cell(self.torque)]
+    }
+}
+
+fn cell<Q: Measure>(quantity: Q) -> Cell {
+    (Q::DIMENSION, quantity.si())
+}
+
+/// Rows of quantities, each with its place.
+#[derive(Clone, Debug)]
+pub(crate) struct Rows<P>(pub(crate) Vec<(P, Span<usize>)>);
+
+impl<P: Copy> Rows<P> {
+    pub(crate) fn values(&self) -> Vec<P> {
+        self.0.iter().map(|(row, _)| *row).collect()
+    }
+}
+
+impl<P: Row> Value for Rows<P> {
+    const KIND: Kind = Kind::Rows(P::COLUMNS);
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        reader.rows(found).map(Self)
+    }
+
+    fn set(&mut self, index: &[usize], _: &str, si: f64) -> Option<()> {
+        let [row, column] = *<&[usize; 2]>::try_from(index).ok()?;
+        let (row, _) = self.0.get_mut(row)?;
+        let mut cells = row.cells();
+        cells.get_mut(column)?.1 = si;
+        *row = P::of(&cells)?;
+        Some(())
+    }
+
+    fn is_of_a_line(&self) -> bool {
+        self.0.iter().any(|(row, _)| row.is_of_a_line())
+    }
+}
+
+/// Solid bodies, one text each.
+#[derive(Clone, Debug)]
+pub(crate) struct BodyLines(pub(crate) Vec<BodySection>);
+
+impl Value for BodyLines {
+    const KIND: Kind = Kind::Bodies;
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        reader.bodies(found).map(Self)
+    }
+
+    fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()> {
+        let [line] = *<&[usize; 1]>::try_from(index).ok()?;
+        set(self.0.get_mut(line)?, rest, si)
+    }
+}
+
+/// An array of tables, each of one of several kinds.
+#[derive(Clone, Debug)]
+pub(crate) struct Tables<S>(pub(crate) Vec<S>);
+
+impl<S: OfKinds> Value for Tables<S> {
+    const KIND: Kind = Kind::Variants(S::VARIANTS);
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        reader.tables(found, Some(S::VARIANTS)).map(Self)
+    }
+
+    fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()> {
+        set_in(&mut self.0, index, rest, si)
+    }
+}
+
+/// A table, or an array of tables with more in them.
+#[derive(Clone, Debug)]
+pub(crate) enum OneOrMany<A, B> {
+    One(A),
+    Many(Vec<B>),
+}
+
+impl<A: Section, B: Section> Value for OneOrMany<A, B> {
+    const KIND: Kind = Kind::OneOrMany(A::KEYS, B::KEYS);
+
+    fn read(found: &Found<'_, '_>, reader: &mut Reader<'_>) -> Option<Self> {
+        match found.value {
+            DeValue::Array(_) => reader.tables(found, None).map(Self::Many),
+            _ => reader.table(found).map(Self::One),
+        }
+    }
+
+    fn set(&mut self, index: &[usize], rest: &str, si: f64) -> Option<()> {
+        match self {
+            Self::One(section) => set(section, rest, si),
+            Self::Many(sections) => set_in(sections, index, rest, si),
+        }
+    }
+}
+
+fn set_in<S: Fields>(sections: &mut [S], index: &[usize], rest: &str, si: f64) -> Option<()> {
+    let [place] = *<&[usize; 1]>::try_from(index).ok()?;
+    set(sections.get_mut(place)?, rest, si)
+}

@@ -1,0 +1,114 @@
+//! A check, and what an axis demands, as records.
+
+use crate::explain::derivation;
+use crate::sizing_use::Candidate;
+use answers::{DemandFigures, DemandMode, Id, IntegralDemand, MoveTorques, Number, Units};
+use project::Project;
+use quantities::unit::{NEWTON_METRE, PERCENT, REVOLUTION_PER_MINUTE, SECOND};
+use quantities::{Language, Measure};
+use sizing::{Amount, Check, Demand, ManualDemand, Note};
+use words::{assumption_text, check_title, note_text, source_text};
+
+/// One check.
+#[must_use]
+pub fn check(check: &Check, language: Language) -> answers::Check {
+    let number = |figure: Option<Amount>| figure.map(|figure| Number(figure.value()));
+    let sources: Vec<String> = [&check.limit_source, &check.value_source]
+        .into_iter()
+        .flatten()
+        .map(|source| source_text(source, language))
+        .collect();
+    answers::Check {
+        id: Id(check.id),
+        title: check_title(check.id, language),
+        verdict: Id(check.verdict),
+        value: number(check.value),
+        limit: number(check.limit),
+        unit: check.value.or(check.limit).map(|figure| figure.unit.json),
+        direction: Id(check.direction()),
+        part: Id(check.id.part()),
+        utilisation: check.utilisation.map(Number),
+        margin: check.id.has_margin(),
+        at: check.at.map(|at| Number::in_unit(at.si(), &SECOND)),
+        grade: check.grade.map(Id),
+        source: (!sources.is_empty()).then(|| sources.join("; ")),
+        sources,
+        missing: check.missing.map(str::to_owned),
+        notes: check.notes.iter().map(|note| note_text(note, language)).collect(),
+        errata: check
+            .notes
+            .iter()
+            .filter_map(|note| if let Note::Erratum(id) = note { Some(*id) } else { None })
+            .collect(),
+    }
+}
+
+/// A check with the derivation of its value and its limit.
+#[must_use]
+pub fn explained(found: &Check, language: Language) -> answers::Explained {
+    answers::Explained { check: check(found, language), derivation: derivation(found, language) }
+}
+
+/// Checks of an actuator with their derivations.
+#[must_use]
+pub fn explanations(
+    project: &Project,
+    candidate: &Candidate<'_>,
+    checks: &[&Check],
+    language: Language,
+) -> answers::Explanations {
+    answers::Explanations {
+        axis: project.name.clone(),
+        code: candidate.id.to_string(),
+        checks: checks.iter().map(|check| explained(check, language)).collect(),
+        assumptions: assumptions(&project.assumptions, language),
+    }
+}
+
+/// The assumptions in words.
+pub(super) fn assumptions(assumptions: &[project::Assumption], language: Language) -> Vec<String> {
+    assumptions.iter().map(|assumption| assumption_text(*assumption, language)).collect()
+}
+
+fn figures(demand: &Demand) -> DemandFigures {
+    DemandFigures {
+        torque_rms: Number::in_unit(demand.torque_rms.si(), &NEWTON_METRE),
+        torque_peak: Number::in_unit(demand.torque_peak.si(), &NEWTON_METRE),
+        speed_mean: Number::in_unit(demand.speed_mean.si(), &REVOLUTION_PER_MINUTE),
+        speed_peak: Number::in_unit(demand.speed_peak.si(), &REVOLUTION_PER_MINUTE),
+        duty_factor: Number(demand.duty_factor * 100.0),
+    }
+}
+
+fn torques(torques: &sizing::MoveTorques) -> MoveTorques {
+    let [accelerate, run, brake] =
+        [torques.accelerate, torques.run, torques.brake].map(|torque| Number::in_unit(torque.si(), &NEWTON_METRE));
+    MoveTorques { accelerate, run, brake }
+}
+
+/// The demand: the manual's figures with T_1, T_2, T_3 of the governing move, the exact integrals beside them.
+pub(super) fn demand(manual: Option<&ManualDemand>, integral: Option<&Demand>) -> Option<answers::Demand> {
+    let units = Units::of(&[("T", &NEWTON_METRE), ("n", &REVOLUTION_PER_MINUTE), ("ED", &PERCENT)]);
+    let exact = integral.map(figures);
+    let Some(manual) = manual else {
+        return exact.map(|figures| answers::Demand {
+            mode: DemandMode::Integral,
+            figures,
+            torques: None,
+            units,
+            moves: Vec::new(),
+            governing_move: None,
+            integral: None,
+        });
+    };
+    let several = manual.moves.len() > 1;
+    Some(answers::Demand {
+        mode: DemandMode::Manual,
+        figures: figures(&manual.demand),
+        torques: manual.moves.get(manual.governing).map(torques),
+        units,
+        moves: if several { manual.moves.iter().map(torques).collect() } else { Vec::new() },
+        governing_move: several.then_some(manual.governing + 1),
+        integral: exact.map(|figures| IntegralDemand { figures, mode: DemandMode::Integral }),
+    })
+}

@@ -1,0 +1,217 @@
+//! Everything that a report lays out, as one record.
+
+use super::check::explained;
+use super::inputs::{inputs_of_axis, mechanism, tables};
+use super::judged::{judgement, sizing};
+use crate::fingerprint::{catalogue_fingerprint, project_fingerprint};
+use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
+use crate::tolerance::Assessment;
+use actuator::ScrewJoint;
+use answers::{CitedErratum, Document, Dossier, ErratumUsed, Fingerprints, Id, Item, Missing, RejectionGroup};
+use configurator::Unmet;
+use order_code::Field;
+use project::Project;
+use provenance::{Datum, MANUAL, Source};
+use quantities::unit::{MILLIMETRE, NEWTON_METRE};
+use quantities::{Language, Measure, Unit, format_number, format_significant};
+use sizing::{Checks, Reserve};
+use words::{
+    check_missing, check_title, describe_token, document_note, evidence_text, records, source_text, terms, unmet_text,
+};
+
+/// An axis with everything there is to tell of it and of the actuator chosen.
+///
+/// `text` is that of the project file, `place` the number of the axis in it from zero, `program` the name and version of
+/// the program.
+#[must_use]
+pub fn dossier(
+    project: &Project,
+    ranked: &Sizing<'_>,
+    chosen: &Candidate<'_>,
+    (found, assessment): (&Reserve, Option<&Assessment>),
+    (text, place, program): (&str, usize, &str),
+    language: Language,
+) -> Dossier {
+    let workings = match &chosen.id {
+        CandidateId::Code(code) => crate::explain(project, code),
+        CandidateId::Own(_) => crate::explain_own(project),
+    };
+    // Where the rules of the code refuse the judgement, the ranking has judged it without workings.
+    let checks: &Checks = workings.as_ref().map_or(&chosen.judgement.checks, |found| &found.judgement.checks);
+    let inputs = inputs_of_axis(text, place);
+    Dossier {
+        judgement: judgement(project, chosen, found, assessment, language),
+        sizing: sizing(ranked, project, &[], usize::MAX, language),
+        rejections: rejections(ranked, language),
+        mechanism: mechanism(project, &inputs, language),
+        inputs: tables(&inputs, language),
+        explained: checks.iter().map(|check| explained(check, language)).collect(),
+        missing: missing(chosen, language),
+        bill_of_material: bill_of_material(chosen, language),
+        screws: screws(chosen, language),
+        documents: documents(checks, language),
+        errata: errata(checks, language),
+        fingerprints: Fingerprints {
+            program: program.to_owned(),
+            project: project_fingerprint(text, &project.recordings),
+            catalogue: catalogue_fingerprint(),
+        },
+    }
+}
+
+/// What each check lacks.
+fn missing(chosen: &Candidate<'_>, language: Language) -> Vec<Missing> {
+    let lacking = chosen.judgement.checks.iter().filter_map(|check| Some((check.id, check.missing?)));
+    lacking.map(|(id, symbol)| Missing { check: Id(id), text: check_missing(symbol, language) }).collect()
+}
+
+/// Every rejected actuator of the catalogue at its first reason.
+fn rejections(ranked: &Sizing<'_>, language: Language) -> Vec<RejectionGroup> {
+    let mut groups: Vec<RejectionGroup> = Vec::new();
+    for candidate in ranked.candidates.iter().filter(|candidate| !candidate.fits()) {
+        let (reason, is_check) = match (candidate.objections.first(), candidate.worst_failure()) {
+            (Some(objection), _) => (reason(objection, language), false),
+            (None, Some(check)) => (check_title(check.id, language), true),
+            (None, None) => continue,
+        };
+        let code = candidate.id.to_string();
+        match groups.iter_mut().find(|group| group.reason == reason && group.is_check == is_check) {
+            Some(group) => group.codes.push(code),
+            None => groups.push(RejectionGroup { reason, is_check, codes: vec![code] }),
+        }
+    }
+    groups.sort_by_key(|group| std::cmp::Reverse(group.codes.len()));
+    for group in &mut groups {
+        group.codes.sort();
+    }
+    groups
+}
+
+/// An objection without the figures of the one actuator.
+fn reason(objection: &Objection, language: Language) -> String {
+    let reason = match objection {
+        Objection::Unmet(Unmet::Feedback(_)) => records::feedback_not_permitted,
+        Objection::Unmet(Unmet::HollowShaft { .. }) => records::hollow_shaft_too_narrow,
+        Objection::Unmet(Unmet::Length { .. }) => records::too_long,
+        Objection::Unmet(Unmet::Mass { .. }) => records::too_heavy,
+        Objection::Unmet(Unmet::SupplyTooLow { .. }) => records::supply_too_low,
+        Objection::Unmet(unmet) => return unmet_text(unmet, language),
+        Objection::Rule(rule) => return records::rule_of_table(&rule.table, language),
+    };
+    reason(language).to_owned()
+}
+
+/// The documents that the figures of the checks are from, the manual first.
+fn documents(checks: &Checks, language: Language) -> Vec<Document> {
+    let mut ids: Vec<&'static str> = vec![MANUAL];
+    let sources = checks.iter().flat_map(|check| {
+        let own = [&check.limit_source, &check.value_source].into_iter().flatten();
+        own.chain(check.workings.iter().map(|step| &step.source))
+    });
+    for source in sources {
+        if let Source::Cell(cell) | Source::Published(cell) = source
+            && !ids.contains(&cell.document)
+        {
+            ids.push(cell.document);
+        }
+    }
+    ids.into_iter().filter_map(catalogue::document).map(|found| document(found, language)).collect()
+}
+
+/// A document as a reference.
+pub(crate) fn document(found: &catalogue::Document, language: Language) -> Document {
+    Document {
+        id: found.id.to_owned(),
+        title: found.title.to_owned(),
+        edition: found.edition.to_owned(),
+        publisher: found.publisher.to_owned(),
+        note: document_note(found, language).to_owned(),
+    }
+}
+
+/// Every erratum that a figure of the checks rests on, once, with the first check that does.
+fn errata(checks: &Checks, language: Language) -> Vec<ErratumUsed> {
+    let mut found: Vec<ErratumUsed> = Vec::new();
+    for check in checks {
+        let noted = check.notes.iter().filter_map(|note| match note {
+            sizing::Note::Erratum(id) => Some(*id),
+            _ => None,
+        });
+        for id in check.workings.iter().flat_map(|step| step.errata.iter().copied()).chain(noted) {
+            if found.iter().all(|known| known.erratum.id != id) {
+                let evidence = evidence_text(id, language).to_owned();
+                let erratum = CitedErratum { id: id.to_owned(), evidence };
+                found.push(ErratumUsed { erratum, check: check_title(check.id, language) });
+            }
+        }
+    }
+    found
+}
+
+/// The actuator and the screws of both joints, as far as the tables name them.
+fn bill_of_material(candidate: &Candidate<'_>, language: Language) -> Vec<Item> {
+    let mut rows: Vec<Item> = Vec::new();
+    let mut add = |quantity: String, code: String, text: String, source: Option<String>| {
+        let item = (rows.len() + 1).to_string();
+        rows.push(Item { item, quantity, code, text, source });
+    };
+    let parts = match &candidate.id {
+        CandidateId::Code(code) => [Field::Size, Field::Ratio, Field::Winding, Field::Feedback]
+            .into_iter()
+            .chain(
+                [Field::Brake, Field::Option1, Field::Option2].into_iter().filter(|field| code.token(*field).is_some()),
+            )
+            .map(|field| describe_token(code, field, language))
+            .collect::<Vec<_>>()
+            .join("; "),
+        CandidateId::Own(_) => terms::own_actuator(language).to_owned(),
+    };
+    let series = terms::actuator_with_hollow_shaft(language);
+    add("1".into(), candidate.id.to_string(), format!("{series}; {parts}"), None);
+    let joints = [(records::screws_at_the_load(language), true), (records::screws_at_the_housing(language), false)];
+    for (text, load) in joints {
+        let parameters = candidate.parameters;
+        let joint = if load { &parameters.screw_joint_load } else { &parameters.screw_joint_housing };
+        let (Some(count), Some(size)) = (joint.count.known(), joint.size.known()) else { continue };
+        let class = joint.grade.known().map_or_else(String::new, |class| format!(", {}", class.value));
+        let length = records::length_after_the_joined_part(language);
+        let source = source_text(&count.source, language);
+        let count = format_number(count.value, 0, language);
+        add(count, format!("{}{class}", size.value), format!("{text}; {length}"), Some(source));
+    }
+    rows
+}
+
+/// Both joints: number and size of the screws, circle, tightening torque and what the joint transmits.
+fn screws(candidate: &Candidate<'_>, language: Language) -> Vec<answers::ScrewJoint> {
+    let joints = [
+        (records::load(language), &candidate.parameters.screw_joint_load),
+        (terms::housing(language), &candidate.parameters.screw_joint_housing),
+    ];
+    joints.into_iter().map(|(name, joint)| screw_joint(name, joint, language)).collect()
+}
+
+fn screw_joint(name: &str, joint: &ScrewJoint, language: Language) -> answers::ScrewJoint {
+    fn shown<Q: Measure>(datum: &Datum<Q>, unit: &Unit, language: Language) -> String {
+        // A printed figure in no more digits than it has.
+        let number = |value: f64| {
+            let text = format_significant(unit.from_si(value), 4, language);
+            let point = language.decimal_mark();
+            let short = if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point) } else { &text };
+            short.to_owned()
+        };
+        datum.known().map_or_else(|| "–".to_owned(), |known| format!("{} {}", number(known.value.si()), unit.symbol))
+    }
+    let count = joint.count.known().map_or_else(String::new, |count| format!("{:.0} × ", count.value));
+    let size = joint.size.known().map_or("–", |size| size.value.as_ref());
+    let class = joint.grade.known().map_or_else(String::new, |class| format!(", {}", class.value));
+    let transmitted = shown(&joint.transmissible_torque, &NEWTON_METRE, language);
+    answers::ScrewJoint {
+        joint: name.to_owned(),
+        screws: format!("{count}{size}{class}"),
+        circle: shown(&joint.bolt_circle, &MILLIMETRE, language),
+        torque: shown(&joint.tightening_torque, &NEWTON_METRE, language),
+        text: records::transmits_degreased(&transmitted, language),
+        source: joint.transmissible_torque.known().map(|known| source_text(&known.source, language)),
+    }
+}

@@ -1,0 +1,46 @@
+//! Errata as records.
+
+use crate::errata::ErrataFound;
+use answers::{Errata, ErratumCell, ErratumKind, ErratumStatus};
+use catalogue::Erratum;
+use quantities::Language;
+use words::evidence_text;
+
+/// The requested errata.
+#[must_use]
+pub fn errata(found: &ErrataFound, language: Language) -> Errata {
+    Errata { about: found.about.clone(), errata: found.errata.iter().map(|each| erratum(each, language)).collect() }
+}
+
+/// One erratum.
+#[must_use]
+pub fn erratum(erratum: &'static Erratum, language: Language) -> answers::Erratum {
+    let cell = erratum.cell();
+    let (recovered, [printed, corrected]) = words::erratum_readings(erratum, language);
+    answers::Erratum {
+        id: erratum.id,
+        table: Some(erratum.table).filter(|table| !table.is_empty()),
+        cell: cell.map(|cell| ErratumCell {
+            symbol: cell.place.symbol,
+            drive: cell.place.drive,
+            feedback: cell.feedback,
+            ratio: cell.place.ratio,
+            condition: cell.place.condition,
+        }),
+        place: words::erratum_place(erratum, language),
+        kind: match erratum.kind {
+            catalogue::ErratumKind::Recovery => ErratumKind::Recovery,
+            catalogue::ErratumKind::PrintError => ErratumKind::PrintError,
+            catalogue::ErratumKind::Contradiction => ErratumKind::Contradiction,
+            catalogue::ErratumKind::Rounding => ErratumKind::Rounding,
+            catalogue::ErratumKind::Edition => ErratumKind::Edition,
+        },
+        status: if erratum.corrected_here { ErratumStatus::Corrected } else { ErratumStatus::Flagged },
+        recovered,
+        printed,
+        corrected,
+        checks_use: erratum.checks_use,
+        unit: cell.map_or("", |cell| cell.unit),
+        evidence: evidence_text(erratum.id, language),
+    }
+}

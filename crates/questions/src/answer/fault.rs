@@ -1,0 +1,83 @@
+//! Faults of an input as records.
+
+use crate::codes::CodeRefusal;
+use crate::sizing_use::Refusal;
+use answers::{Fault, Faults, Place};
+use quantities::{Language, format_significant, seen};
+use words::{Told, check_title, terminal};
+
+/// Faults of an input file.
+#[must_use]
+pub fn faults(file: &str, faults: &[Told]) -> Faults {
+    let fault = |fault: &Told| Fault {
+        id: Some(fault.id),
+        file: Some(seen(file).into_owned()),
+        place: Some(Place { line: fault.line, column: fault.column, span: [fault.span.start, fault.span.end] }),
+        message: seen(&fault.message).into_owned(),
+        hint: fault.hint.as_deref().map(|hint| seen(hint).into_owned()),
+        ..Fault::default()
+    };
+    Faults { errors: faults.iter().map(fault).collect() }
+}
+
+/// A file that cannot be read or written, and why.
+#[must_use]
+pub fn file_fault(file: &str, what: &str) -> Faults {
+    let fault = Fault { file: Some(seen(file).into_owned()), message: seen(what).into_owned(), ..Fault::default() };
+    Faults { errors: vec![fault] }
+}
+
+/// A fault of an option: what is wrong with it, and what would help.
+#[must_use]
+pub fn option_fault(option: &str, (message, hint): (String, Option<String>)) -> Faults {
+    let fault = Fault {
+        option: Some(option.to_owned()),
+        message: seen(&message).into_owned(),
+        hint: hint.map(|hint| seen(&hint).into_owned()),
+        ..Fault::default()
+    };
+    Faults { errors: vec![fault] }
+}
+
+/// A fault in one sentence.
+#[must_use]
+pub fn fault(what: &str) -> Faults {
+    Faults::of(seen(what))
+}
+
+/// Why a text is no code, each fault with its place in it.
+#[must_use]
+pub fn code_told(text: &str, refusal: &CodeRefusal) -> Vec<Told> {
+    let told = |fault: &crate::codes::CodeFault| {
+        Told::at(text, fault.span.clone(), fault.id(), fault.message.clone(), fault.hint.clone())
+    };
+    refusal.faults.iter().map(told).collect()
+}
+
+/// Why an actuator cannot be judged, in one sentence; `waited_s` is the deadline of the caller.
+#[must_use]
+pub fn refusal_text(refusal: &Refusal, waited_s: Option<f64>, language: Language) -> String {
+    match refusal {
+        Refusal::NotAsked(id) => terminal::check_not_asked(&check_title(*id, language), language),
+        Refusal::NoActuator => terminal::no_own_actuator(language).to_owned(),
+        Refusal::TooManySamples { asked, most } => terminal::too_many_samples(asked, most, language),
+        Refusal::TooLong { samples, most, seconds } => terminal::too_long(samples, most, seconds, language),
+        Refusal::TooManyAxes { axes, seconds } => terminal::too_many_axes(axes, seconds, language),
+        Refusal::TooManyRatios { ratios, seconds } => terminal::too_many_ratios(ratios, seconds, language),
+        Refusal::TooManyRows { rows, needed, most } => {
+            let whole = |bytes: u64| bytes.div_ceil(1 << 20);
+            terminal::too_many_rows(rows, &whole(*needed), &(most >> 20), language)
+        }
+        Refusal::Stopped => terminal::not_in_time(&format_significant(waited_s.unwrap_or(0.0), 3, language), language),
+        Refusal::NoData | Refusal::Broken(_) => terminal::no_data(language).to_owned(),
+    }
+}
+
+/// Nothing in the glossary: what was looked for, and what is near.
+#[must_use]
+pub fn not_in_glossary(wanted: &str, nearest: &[String], language: Language) -> (String, Option<String>) {
+    // A term is a word or two: more of a text than this is not repeated.
+    let wanted: String = wanted.chars().filter(|sign| !sign.is_control()).take(60).collect();
+    let hint = (!nearest.is_empty()).then(|| terminal::near(&nearest.join(", "), language));
+    (terminal::nothing_in_the_glossary(&wanted, language), hint)
+}

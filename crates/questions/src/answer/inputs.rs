@@ -1,0 +1,231 @@
+//! The project as it was written, in the words of a language, and the mechanism that it describes.
+
+use super::chapters::inertia;
+use answers::{InputTable, Mechanism, Number, Sketch, SketchSymbol};
+use mechanism::MechanismId;
+use project::{BODY_SHAPES, Input, Project, SegmentLaw, input_label};
+use quantities::unit::MILLIMETRE;
+use quantities::{Language, Unit, format_significant};
+use std::f64::consts::TAU;
+use words::{body_key, capitalised, key_word, law_text, schema_text, shape_title, short_label, table_of_project};
+
+/// The values of one axis of a project file, with the keys as if it stood alone.
+pub(super) fn inputs_of_axis(text: &str, place: usize) -> Vec<Input> {
+    let own = format!("axis[{}].", place + 1);
+    let of_axis = |input: Input| {
+        let path = match input.path.strip_prefix(own.as_str()) {
+            None if input.path.starts_with("axis[") || input.path == "format" => return None,
+            Some("name") => "axis.name".to_owned(),
+            inside => inside.unwrap_or(&input.path).to_owned(),
+        };
+        Some(Input { path, ..input })
+    };
+    project::inputs(text).into_iter().filter_map(of_axis).collect()
+}
+
+/// The values by table, in words.
+pub(super) fn tables(inputs: &[Input], language: Language) -> Vec<InputTable> {
+    let mut tables: Vec<InputTable> = Vec::new();
+    for input in inputs {
+        let (table, name) = input.path.rsplit_once('.').unwrap_or(("", &input.path));
+        let place = tables.iter().position(|known| known.key == table).unwrap_or_else(|| {
+            tables.push(InputTable {
+                key: table.to_owned(),
+                title: table_title(table, language),
+                of_mechanism: table.starts_with("mechanism.") || table == "load",
+                values: Vec::new(),
+            });
+            tables.len() - 1
+        });
+        let Some(table) = tables.get_mut(place) else { continue };
+        // `points[2][1]`: the values of a row stand on one line.
+        let row = name.rfind("][").map(|end| &name[..=end]);
+        let value = value(input, row.unwrap_or(name), language);
+        match table.values.last_mut().filter(|last| row.is_some_and(|row| last.name == row)) {
+            Some(last) => last.text = format!("{}; {}", last.text, value.text),
+            None => table.values.push(value),
+        }
+    }
+    tables
+}
+
+fn value(input: &Input, name: &str, language: Language) -> answers::Input {
+    let short = |value: f64| {
+        let text = format_significant(value, 4, language);
+        let point = language.decimal_mark();
+        if text.contains(point) { text.trim_end_matches('0').trim_end_matches(point).to_owned() } else { text }
+    };
+    let half = input.half_width.zip(input.amount);
+    let label = label(&input.path, language).map(|label| short_label(&label)).unwrap_or_default();
+    answers::Input {
+        name: name.to_owned(),
+        label,
+        tolerance: half.map(|(half, (_, unit))| format!("± {}", with_unit(&short(half), half_unit(unit), language))),
+        text: input.amount.map_or_else(
+            || written(&input.path, &input.written, language),
+            |(value, unit)| with_unit(&format!("{value}"), unit.symbol, language),
+        ),
+    }
+}
+
+/// What a key is for.
+fn label(path: &str, language: Language) -> Option<String> {
+    input_label(path).map(|text| schema_text(text, language))
+}
+
+/// The unit of a difference: temperatures differ by kelvins.
+fn half_unit(unit: &'static Unit) -> &'static str {
+    if unit.symbol == "°C" { "K" } else { unit.symbol }
+}
+
+/// A number with all its digits and its unit, in the signs of the language.
+fn with_unit(digits: &str, unit: &str, language: Language) -> String {
+    let digits = digits.replace('.', language.decimal_mark().encode_utf8(&mut [0; 4])).replace('-', "−");
+    match unit {
+        "" | "1" => digits,
+        "°" => format!("{digits}°"),
+        unit => format!("{digits} {unit}"),
+    }
+}
+
+/// What is no quantity: words of a fixed set in those of the language, lists without their brackets.
+fn written(path: &str, text: &str, language: Language) -> String {
+    if path.contains(".bodies[") {
+        return body(text, language);
+    }
+    let name = path.rsplit('.').next().unwrap_or(path);
+    if name == "law" {
+        let law = SegmentLaw::all().find(|law| law.id() == text);
+        return law.map_or_else(|| text.to_owned(), |law| law_text(law, language).into());
+    }
+    if let Some(shape) = BODY_SHAPES.iter().find(|shape| name == "shape" && shape.name == text) {
+        return shape_title(shape, language).to_owned();
+    }
+    let list = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+    if let Some(list) = list {
+        return list.replace(['"', '\''], "").trim().trim_end_matches(',').to_owned();
+    }
+    if let Some(word) = key_word(name, text, language) {
+        return word.to_owned();
+    }
+    match text.parse::<f64>() {
+        Ok(_) => with_unit(text, "", language),
+        Err(_) => text.to_owned(),
+    }
+}
+
+/// A body as it is written, in words: `disc diameter=420mm` as “disc, diameter 420 mm”.
+fn body(text: &str, language: Language) -> String {
+    let parts = text.split_whitespace().map(|part| match part.split_once('=') {
+        None => BODY_SHAPES
+            .iter()
+            .find(|shape| shape.name == part)
+            .map_or(part, |shape| shape_title(shape, language))
+            .into(),
+        Some((key, value)) => {
+            let key = body_key(key, language).unwrap_or(key);
+            let end = value.find(|sign: char| !matches!(sign, '0'..='9' | '.' | '-')).unwrap_or(value.len());
+            let (digits, unit) = value.split_at(end);
+            let value = match (Unit::of(unit), digits.is_empty()) {
+                (Some(unit), false) => with_unit(digits, unit.symbol, language),
+                (None, false) if unit.is_empty() => with_unit(digits, "", language),
+                _ => value.to_owned(),
+            };
+            format!("{key} {value}")
+        }
+    });
+    parts.collect::<Vec<String>>().join(", ")
+}
+
+/// What a table of the project file is about.
+fn table_title(table: &str, language: Language) -> String {
+    let parts = table.split('.').filter(|part| *part != "mechanism").map(|part| {
+        let number = part.split_once('[').map_or("", |(_, rest)| rest.trim_end_matches(']'));
+        let known = table_of_project(part.split('[').next().unwrap_or(part), language).map(str::to_owned);
+        let known = known.or_else(|| label(&format!("mechanism.{part}"), language).map(|label| capitalised(&label)));
+        let words = known.unwrap_or_else(|| part.to_owned());
+        if number.is_empty() { words } else { format!("{words} {number}") }
+    });
+    parts.collect::<Vec<String>>().join(", ")
+}
+
+/// What hangs on the flange.
+pub(super) fn mechanism(project: &Project, inputs: &[Input], language: Language) -> Mechanism {
+    let load = &project.axis.mechanism;
+    let key = load.id().key();
+    let table = if load.id() == MechanismId::Load { key.to_owned() } else { format!("mechanism.{key}") };
+    // `body` and `bodies` state the same.
+    let is_stated = |key: &str| {
+        let named = |name: &str| {
+            name.split(['.', '[']).next().is_some_and(|name| name == key || name == "body" && key == "bodies")
+        };
+        let inside = |path: &str| path.strip_prefix(&table).and_then(|rest| rest.strip_prefix('.')).is_some_and(named);
+        inputs.iter().any(|input| inside(&input.path))
+    };
+    let drawing = load.id().drawing().inclined(load.inclination_rad().unwrap_or(0.0));
+    let symbols = drawing.call_outs.iter().filter(|it| is_stated(it.key));
+    let symbols = symbols.map(|it| SketchSymbol { key: it.key.to_owned(), symbol: it.symbol.to_owned() });
+    Mechanism {
+        kind: key.to_owned(),
+        title: table_title(&table, language),
+        sketch: Sketch {
+            symbols: symbols.collect(),
+            is_upright: drawing.size[1] > drawing.size[0],
+            svg: drawing.picture(is_stated),
+        },
+        travel_mm_per_rev: load.travel_m_per_rad().map(|travel| Number::in_unit(travel * TAU, &MILLIMETRE)),
+        bodies: project.bodies().map(|answer| inertia(&answer)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inputs_are_told_in_the_words_of_the_language() {
+        let text = "format = 1\n[axis]\nname = \"x\"\n[mechanism.turntable]\n\
+            bodies = [\"disc diameter=420mm length=12mm density=2700kg/m^3\", \"point mass=1.5kg distance=0.5m count=2\"]\n\
+            [[motion]]\nlaw = \"dwell\"\ntime = \"1.5 s ± 10 %\"\nhold = \"motor\"\n\
+            [requirements]\nbrake = true\nfeedback = [\"C1024\", \"M512P\"]\nambient = \"-5 degC ± 5 K\"\n";
+        let found = tables(&inputs_of_axis(text, 0), Language::De);
+        let lines: Vec<String> = found
+            .iter()
+            .flat_map(|table| {
+                let line = |value: &answers::Input| {
+                    let tolerance = value.tolerance.as_ref().map(|text| format!(" {text}")).unwrap_or_default();
+                    format!("{}|{}|{}{tolerance}", table.title, value.name, value.text)
+                };
+                table.values.iter().map(line).collect::<Vec<_>>()
+            })
+            .collect();
+        assert_eq!(
+            lines,
+            [
+                "Achse|name|x",
+                "Drehtisch oder Trommel aus Vollkörpern|bodies[1]|Scheibe, Durchmesser 420 mm, Länge 12 mm, Dichte 2700 kg/m³",
+                "Drehtisch oder Trommel aus Vollkörpern|bodies[2]|Punktmasse, Masse 1,5 kg, Abstand 0,5 m, Anzahl 2",
+                "Bewegung, Abschnitt 1|law|Rast",
+                "Bewegung, Abschnitt 1|time|1,5 s ± 0,15 s",
+                "Bewegung, Abschnitt 1|hold|durch den Motor",
+                "Anforderungen|brake|mit",
+                "Anforderungen|feedback|C1024, M512P",
+                "Anforderungen|ambient|−5 °C ± 5 K",
+            ]
+        );
+        let labels: Vec<&str> =
+            found.iter().flat_map(|table| &table.values).map(|value| value.label.as_str()).collect();
+        assert!(labels.iter().all(|label| !label.contains([';', '('])), "{labels:?}");
+    }
+
+    #[test]
+    fn values_of_a_row_stand_on_one_line() {
+        let text = "format = 1\n[[axis]]\nname = \"a\"\n[[axis]]\nname = \"b\"\n[axis.mechanism.table]\n\
+            points = [[\"0 deg\", \"1 kg m^2\", \"2 N m\"], [\"90 deg\", \"1.5 kg m^2\", \"0 N m\"]]\n";
+        let found = tables(&inputs_of_axis(text, 1), Language::En);
+        let rows: Vec<(&str, &str)> =
+            found.iter().flat_map(|table| &table.values).map(|each| (each.name.as_str(), each.text.as_str())).collect();
+        let points = [("points[1]", "0°; 1 kgm²; 2 Nm"), ("points[2]", "90°; 1.5 kgm²; 0 Nm")];
+        assert_eq!(rows, [("name", "b"), points[0], points[1]]);
+    }
+}

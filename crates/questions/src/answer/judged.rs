@@ -1,0 +1,208 @@
+//! Judged actuators as records.
+
+use super::check::{assumptions, check, demand};
+use super::motion;
+use crate::limits::{NeededLimit, limits_needed};
+use crate::sizing_use::{Candidate, CandidateId, Objection, Sizing};
+use crate::texts::unsought_text;
+use crate::tolerance::{Assessment, Place};
+use answers::{
+    Assessed, Fit, Id, Influence, Judgement, NotSought, Number, Quantiles, Ranked, Rejection, Stage, StageRatio,
+    Tolerance, ToleratedValue, Units, WorstCorner,
+};
+use order_code::Field;
+use project::{ALL_CORNERS_MOST, Project};
+use quantities::unit::{DEGREE_CELSIUS, KILOGRAM, SECOND};
+use quantities::{Language, Measure};
+use sizing::{Reserve, SAMPLES_ANEW, Verdict};
+use words::{describe_field, describe_rule, ranking_rule, unmet_text};
+
+fn objection(candidate: &Candidate<'_>, objection: &Objection, language: Language) -> String {
+    match (objection, &candidate.id) {
+        (Objection::Unmet(unmet), _) => unmet_text(unmet, language),
+        (Objection::Rule(rule), CandidateId::Code(code)) => describe_rule(code, rule, language),
+        (Objection::Rule(rule), CandidateId::Own(_)) => rule.table.to_owned(),
+    }
+}
+
+/// What speaks against a candidate besides a failing check, in words.
+#[must_use]
+pub fn objections(candidate: &Candidate<'_>, language: Language) -> Vec<String> {
+    candidate.objections.iter().map(|each| objection(candidate, each, language)).collect()
+}
+
+fn names(fields: &[Field], language: Language) -> Vec<String> {
+    fields.iter().map(|field| describe_field(*field, language).to_owned()).collect()
+}
+
+/// The verdict on a whole candidate.
+#[must_use]
+pub const fn fit(candidate: &Candidate<'_>) -> Fit {
+    Fit::of(candidate.fits())
+}
+
+/// One judged actuator.
+#[must_use]
+pub fn candidate(candidate: &Candidate<'_>, language: Language) -> answers::Candidate {
+    let (code, name) = match &candidate.id {
+        CandidateId::Code(code) => (Some(code.to_string()), None),
+        CandidateId::Own(name) => (None, Some(name.clone())),
+    };
+    let judgement = &candidate.judgement;
+    answers::Candidate {
+        code,
+        name,
+        verdict: fit(candidate),
+        utilisation: Number(candidate.standing.utilisation),
+        tightest: judgement.tightest().map(|check| Id(check.id)),
+        mass_kg: candidate.parameters.mass.known().map(|mass| Number::in_unit(mass.value.si(), &KILOGRAM)),
+        on_request: names(&candidate.on_request, language),
+        demand: demand(judgement.manual.as_ref(), judgement.demand.as_ref()),
+        checks: judgement.checks.iter().map(|each| check(each, language)).collect(),
+        objections: objections(candidate, language),
+        open_questions: candidate.open_questions(),
+    }
+}
+
+/// One actuator with the motion, the reserve and the tolerances of the project.
+#[must_use]
+pub fn judgement(
+    project: &Project,
+    judged: &Candidate<'_>,
+    found: &Reserve,
+    assessment: Option<&Assessment>,
+    language: Language,
+) -> Judgement {
+    Judgement {
+        candidate: candidate(judged, language),
+        axis: project.name.clone(),
+        motion: motion(&crate::moves(project), language),
+        reserve: reserve(found, judged, language),
+        tolerance: assessment.map(|found| tolerance(project, found)),
+        assumptions: assumptions(&project.assumptions, language),
+    }
+}
+
+/// Why a candidate is rejected, in short.
+fn rejection(candidate: &Candidate<'_>, language: Language) -> Rejection {
+    let worst = candidate.worst_failure();
+    let failing = candidate.judgement.checks.iter().filter(|check| check.verdict == Verdict::Fail);
+    Rejection {
+        code: candidate.id.to_string(),
+        check: worst.map(|check| Id(check.id)),
+        value: worst.and_then(|check| check.value).map(|figure| Number(figure.value())),
+        limit: worst.and_then(|check| check.limit).map(|figure| Number(figure.value())),
+        unit: worst.and_then(|check| check.value).map(|figure| figure.unit.json),
+        utilisation: worst.and_then(|check| check.utilisation).map(Number),
+        failing: failing.map(|check| Id(check.id)).collect(),
+        objections: objections(candidate, language),
+    }
+}
+
+/// The catalogue judged for an axis: the best `top` in full, the rejected ones with their reason.
+#[must_use]
+pub fn sizing(
+    sizing: &Sizing<'_>,
+    project: &Project,
+    assessed: &[(CandidateId, Assessment)],
+    top: usize,
+    language: Language,
+) -> answers::Sizing {
+    let judged = |each: &Candidate<'_>| Assessed {
+        candidate: candidate(each, language),
+        tolerance: assessed.iter().find(|(of, _)| *of == each.id).map(|(_, found)| tolerance(project, found)),
+    };
+    let fitting = || sizing.candidates.iter().enumerate().filter(|(_, candidate)| candidate.fits());
+    answers::Sizing {
+        axis: sizing.name.to_owned(),
+        verdict: Fit::of(sizing.fits()),
+        answer: sizing.answer().map(|answer| answer.id.to_string()),
+        judged: sizing.candidates.len(),
+        fitting: fitting().count(),
+        rule: ranking_rule(language),
+        ranking: fitting().take(top).map(|(index, each)| Ranked { of: judged(each), rank: index + 1 }).collect(),
+        rejected: sizing.candidates.iter().filter(|each| !each.fits()).map(|each| rejection(each, language)).collect(),
+        own: sizing.own.as_ref().map(judged),
+        assumptions: assumptions(sizing.assumptions, language),
+        stage: stage(project),
+        motion: motion(&crate::moves(project), language),
+    }
+}
+
+/// The ratio of the stage between actuator and mechanism, and what others of the project would give.
+fn stage(project: &Project) -> Option<Stage> {
+    let stage = project.axis.mechanism.stage.as_ref()?;
+    let ratios = project.ratios.iter().map(|each| StageRatio {
+        ratio: Number(each.ratio),
+        answer: each.answer.as_ref().map(ToString::to_string),
+        utilisation: Number(each.utilisation),
+        fitting: each.fitting,
+    });
+    Some(Stage { ratio: Number(stage.ratio), ratios: ratios.collect() })
+}
+
+/// How far the axis may be changed, or the limits of its project.
+#[must_use]
+pub fn reserve(reserve: &Reserve, candidate: &Candidate<'_>, language: Language) -> answers::Reserve {
+    let limit = |needed: NeededLimit| {
+        let unit = needed.enough.unit;
+        answers::NeededLimit { key: needed.key, value: Number::in_unit(needed.enough.si, unit), unit: unit.json }
+    };
+    answers::Reserve {
+        limits: limits_needed(candidate).map(|limits| limits.into_iter().map(limit).collect()),
+        load_factor: reserve.load_factor.map(Number),
+        payload_factor: reserve.payload_factor.map(Number),
+        cycle_time: reserve.cycle_time.map(|time| Number::in_unit(time.si(), &SECOND)),
+        ambient: reserve.ambient.map(|ambient| Number::in_unit(ambient.si(), &DEGREE_CELSIUS)),
+        units: Units::of(&[("cycle_time", &SECOND), ("ambient", &DEGREE_CELSIUS)]),
+        not_sought: reserve.unsought.map(|unsought| NotSought {
+            quantities: ["load_factor", "payload_factor"]
+                .into_iter()
+                .chain(unsought.pace.then_some("cycle_time"))
+                .collect(),
+            samples: unsought.samples,
+            most: SAMPLES_ANEW,
+            text: unsought_text(&unsought, language),
+        }),
+    }
+}
+
+/// Samples, worst point and influences.
+#[must_use]
+pub fn tolerance(project: &Project, assessment: &Assessment) -> Tolerance {
+    let found = &assessment.utilisation;
+    let worst = &assessment.worst;
+    let values = project.tolerances.iter().zip(&worst.values).map(|(each, si)| ToleratedValue {
+        quantity: each.path.clone(),
+        value: Number::in_unit(*si, each.unit),
+        unit: each.unit.json,
+    });
+    let influence = assessment.influence.iter().filter_map(|each| {
+        let quantity = project.tolerances.get(each.quantity)?.path.clone();
+        Some(Influence { quantity, share: Number(each.share) })
+    });
+    Tolerance {
+        samples: assessment.sampling.samples,
+        seed: assessment.sampling.seed,
+        distribution: "uniform",
+        passes: assessment.passes,
+        impossible: assessment.impossible,
+        share: Number(assessment.share()),
+        interval: [Number(assessment.interval.0), Number(assessment.interval.1)],
+        utilisation: Quantiles {
+            p05: Number(found.p05),
+            p50: Number(found.p50),
+            p95: Number(found.p95),
+            max: Number(found.max),
+        },
+        worst_corner: WorstCorner {
+            verdict: Fit::of(worst.fits),
+            utilisation: Number(worst.utilisation),
+            check: worst.check.map(Id),
+            values: values.collect(),
+            is_corner: worst.place != Place::Sample,
+            exhaustive: project.tolerances.len() <= ALL_CORNERS_MOST,
+        },
+        influence: influence.collect(),
+    }
+}

@@ -1,0 +1,147 @@
+//! Answers laid out as chapters, for terminal, page and report.
+
+mod commission;
+mod mount;
+mod recorded;
+mod upkeep;
+mod wiring;
+
+pub use commission::commission;
+pub use mount::mount;
+pub use recorded::{RecordedLine, recorded};
+pub use upkeep::upkeep;
+pub use wiring::wiring;
+
+use crate::answer::document;
+use answers::{Chapter, Document, Fact, Hazard, Number};
+use quantities::{Language, Unit, format_significant};
+use words::signal_word;
+
+/// Facts as hazards and rules, in their order.
+fn hazards(facts: &[Fact], language: Language) -> Vec<Hazard> {
+    let hazard = |fact: &Fact| Hazard {
+        level: fact.signal.map_or("", |signal| signal.id()),
+        word: fact.signal.map_or("", |signal| signal_word(*signal, language)),
+        text: fact.text.to_owned(),
+        source: fact.source.clone(),
+    };
+    facts.iter().map(hazard).collect()
+}
+
+/// The documents that chapters cite by name, in the order of the catalogue; a report lists each of its documents once.
+#[must_use]
+pub fn documents(chapters: &[Chapter], language: Language) -> Vec<Document> {
+    let texts: Vec<&str> = chapters.iter().flat_map(Chapter::texts).collect();
+    let cited = |found: &&catalogue::Document| texts.iter().any(|text| names(text, found.id));
+    catalogue::documents().iter().filter(cited).map(|found| document(found, language)).collect()
+}
+
+/// Whether a text has an identifier as a word of its own: `cha-manual` is not in `cha-manual-en-v03`.
+fn names(text: &str, id: &str) -> bool {
+    let part = |sign: Option<char>| sign.is_some_and(|sign| sign.is_ascii_alphanumeric() || sign == '-');
+    text.match_indices(id).any(|(at, _)| {
+        let (before, after) = (text.get(..at).unwrap_or_default(), text.get(at + id.len()..).unwrap_or_default());
+        !part(before.chars().next_back()) && !part(after.chars().next())
+    })
+}
+
+/// What stands for nothing.
+const NOTHING: &str = "–";
+
+/// A number with so many digits that count.
+fn significant(value: Option<Number>, digits: usize, language: Language) -> String {
+    value.map_or_else(|| NOTHING.to_owned(), |value| format_significant(value.0, digits, language))
+}
+
+/// A number as the print has it: no more digits than it needs.
+fn plain(value: Option<Number>, language: Language) -> String {
+    let text = value.and_then(|value| value.written()).map_or_else(|| NOTHING.to_owned(), |value| value.to_string());
+    text.replace('.', &language.decimal_mark().to_string())
+}
+
+/// A unit of the records as people write it; nothing for a pure number.
+fn unit_shown(unit: &str) -> String {
+    if unit == "1" { String::new() } else { Unit::of(unit).map_or(unit, |unit| unit.symbol).to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer;
+    use crate::codes::list_codes;
+    use crate::commission::{DriveForm, usual_ambient};
+    use crate::upkeep::read_date;
+    use catalogue::Topic;
+    use installation::mount::MountAsked;
+    use installation::upkeep::UpkeepAsked;
+    use order_code::OrderCode;
+
+    #[test]
+    fn a_document_is_cited_by_its_whole_name_only() {
+        assert!(names("see cha-manual section 9.3", "cha-manual") && names("(kty-c-lib)", "kty-c-lib"));
+        assert!(!names("cha-manual-en-v03 section 9.3", "cha-manual") && !names("a-kty-c-lib", "kty-c-lib"));
+    }
+
+    #[test]
+    fn every_document_that_the_chapters_of_a_code_cite_is_listed() {
+        let code = order_code::parse("CHA-25A-100-H-M512P-B").unwrap().code;
+        let mounted = {
+            let asked = MountAsked::default();
+            mount(
+                &answer::mount(&crate::mount::mount(&code, &asked).unwrap(), &asked, None, Language::En),
+                Language::En,
+            )
+        };
+        let about = crate::commission::commission(&code).unwrap();
+        let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), Language::En);
+        let chapters = [mounted, commission(&sheet, &[], Language::En)];
+        let listed: Vec<String> = documents(&chapters, Language::En).into_iter().map(|found| found.id).collect();
+        for wanted in ["cha-manual", "cha-manual-en-v03", "zd-shf-2uh", "kty-c-lib"] {
+            assert!(listed.iter().any(|id| id == wanted), "{wanted}: {listed:?}");
+        }
+        assert!(!listed.iter().any(|id| id == "csd-2a-engineering-data"), "{listed:?}");
+    }
+
+    /// What a chapter says, all of it.
+    fn said(topic: Topic, code: &OrderCode, language: Language) -> Option<String> {
+        let chapter = match topic {
+            Topic::Wiring => {
+                wiring(&answer::wiring(&installation::wiring::wiring(code)?, None, language), Vec::new(), language)
+            }
+            Topic::Mount => {
+                let asked = MountAsked::default();
+                mount(&answer::mount(&crate::mount::mount(code, &asked)?, &asked, None, language), language)
+            }
+            Topic::Commission => {
+                let about = crate::commission::commission(code)?;
+                let sheet = answer::commissioning(&about, DriveForm::Plain, usual_ambient(), language);
+                commission(&sheet, &[], language)
+            }
+            Topic::Upkeep => {
+                let delivered = read_date("2026-03-01", language).ok()?;
+                let asked = UpkeepAsked { delivered, storage: None, hours_per_day: None, inspect: None, today: None };
+                upkeep(&answer::upkeep(&crate::upkeep::upkeep(code, &asked, language).ok()?, language), language)
+            }
+            Topic::Safety => return None,
+        };
+        serde_json::to_string(&chapter).ok()
+    }
+
+    #[test]
+    fn every_fact_is_said_in_a_chapter_on_each_of_its_topics_in_both_languages() {
+        let codes = list_codes(None);
+        for fact in catalogue::facts() {
+            let topics = Topic::ALL.iter().filter(|topic| **topic != Topic::Safety);
+            for topic in topics.filter(|topic| fact.topics.contains(topic)) {
+                for (language, text) in [(Language::En, fact.en), (Language::De, fact.de)] {
+                    let text = serde_json::to_string(text).unwrap();
+                    let holds = codes.iter().filter(|(code, _)| fact.is_shown(*topic, code));
+                    let told = |code: &OrderCode| {
+                        said(*topic, code, language).is_some_and(|said| said.contains(text.trim_matches('"')))
+                    };
+                    assert!(holds.map(|(code, _)| code).any(told), "{}: not said on {topic:?}, {language:?}", fact.id);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Values of a motor for the drive, and checks of the first run.
+
+use super::{hazards, unit_shown};
+use answers::{
+    Chapter, Column, CommissionEntry, CommissionParameter, Commissioning, DriveObject, DriveParameter, EncoderValue,
+    Hazard, OverloadSupervision, SensorThreshold, Task,
+};
+use quantities::{Language, format_significant};
+use words::{capitalised, commission, decimal, grade_word, signal_word, terms};
+
+/// The commissioning of a code; with the objects of CiA 402 if requested.
+#[must_use]
+pub fn commission(record: &Commissioning, objects: &[DriveObject], language: Language) -> Chapter {
+    let mut chapter = Chapter::new(capitalised(&commission::title(&record.code, language)));
+    chapter.section(capitalised(commission::hazards(language)));
+    chapter.hazards(hazards(&record.hazards, language));
+    if !objects.is_empty() {
+        chapter.section(capitalised(commission::objects(language)));
+        drive_objects(&mut chapter, objects, language);
+    }
+    chapter.section(capitalised(commission::parameters(language)));
+    if record.sinamics.is_empty() {
+        parameters(&mut chapter, &record.parameters, language);
+    } else {
+        sinamics(&mut chapter, &record.sinamics, language);
+    }
+    chapter.section(capitalised(commission::gaps(language)));
+    chapter.points(record.gaps.iter().map(|gap| gap.text.clone()).collect());
+    chapter.section(capitalised(commission::encoder(language)));
+    encoder(&mut chapter, &record.encoder, language);
+    chapter.section(capitalised(commission::commutation(language)));
+    chapter.steps(record.commutation.clone());
+    chapter.section(capitalised(commission::thresholds(language)));
+    thresholds(&mut chapter, &record.thresholds, language);
+    if !record.thresholds.iter().any(|threshold| threshold.sensor == "ptc") {
+        chapter.text(commission::no_ptc(language));
+    }
+    chapter.section(capitalised(commission::overload(language)));
+    overload(&mut chapter, &record.overload, language);
+    for list in &record.lists {
+        chapter.section(capitalised(&list.title));
+        chapter.tasks(list.entries.iter().map(|entry| task(entry, language)).collect());
+    }
+    chapter
+}
+
+/// As many digits as the value has, four at the least.
+pub(super) fn shown(value: f64, language: Language) -> String {
+    let plain = value.to_string();
+    let digits = plain.trim_start_matches(['0', '.', '-']).chars().filter(char::is_ascii_digit).count();
+    if digits <= 4 {
+        plain.replace('.', &language.decimal_mark().to_string())
+    } else {
+        format_significant(value, 5, language)
+    }
+}
+
+fn parameters(chapter: &mut Chapter, parameters: &[CommissionParameter], language: Language) {
+    let row = |each: &CommissionParameter| {
+        vec![
+            format!("{} {}", each.symbol, each.name),
+            shown(each.value.0, language),
+            unit_shown(each.unit),
+            each.conversion_text.clone(),
+            grade_word(*each.grade, language).to_owned(),
+            each.source.clone(),
+        ]
+    };
+    let columns = vec![
+        Column::wide(commission::parameter(language)),
+        Column::numbers(terms::value(language)),
+        Column::text(terms::unit(language)),
+        Column::wide(commission::conversion(language)),
+        Column::text(terms::grade(language)),
+        Column::wide(terms::source(language)),
+    ];
+    chapter.grid(columns, parameters.iter().map(row).collect());
+}
+
+fn sinamics(chapter: &mut Chapter, parameters: &[DriveParameter], language: Language) {
+    let row = |each: &DriveParameter| {
+        vec![
+            each.number.clone(),
+            shown(each.value.0, language),
+            unit_shown(each.unit),
+            each.name.clone(),
+            each.conversion_text.clone(),
+            format!("{} ({})", each.source, grade_word(*each.grade, language)),
+        ]
+    };
+    let columns = vec![
+        Column::text(terms::number(language)),
+        Column::numbers(terms::value(language)),
+        Column::text(terms::unit(language)),
+        Column::wide(commission::parameter(language)),
+        Column::wide(commission::conversion(language)),
+        Column::wide(terms::source(language)),
+    ];
+    chapter.grid(columns, parameters.iter().map(row).collect());
+}
+
+fn drive_objects(chapter: &mut Chapter, objects: &[DriveObject], language: Language) {
+    let row = |each: &DriveObject| {
+        vec![
+            format!("{}:{} {}", each.index, each.sub, each.name),
+            each.data_type.to_owned(),
+            each.value.to_string(),
+            unit_shown(each.unit),
+            shown(each.exact.0, language),
+            each.source.clone(),
+        ]
+    };
+    let columns = vec![
+        Column::wide(commission::object(language)),
+        Column::text(commission::type_of_data(language)),
+        Column::numbers(terms::value(language)),
+        Column::text(terms::unit(language)),
+        Column::numbers(commission::rounding(language)),
+        Column::wide(terms::source(language)),
+    ];
+    chapter.grid(columns, objects.iter().map(row).collect());
+}
+
+fn encoder(chapter: &mut Chapter, values: &[EncoderValue], language: Language) {
+    let row = |each: &EncoderValue| {
+        let side =
+            if each.side == "output" { commission::side_output(language) } else { commission::side_motor(language) };
+        let condition = if each.condition.is_empty() { String::new() } else { format!(" ({})", each.condition) };
+        vec![
+            format!("{side}: {}{condition}", each.name),
+            decimal(&each.text, language),
+            unit_shown(each.unit),
+            each.notes.join("; "),
+        ]
+    };
+    let columns = vec![
+        Column::wide(commission::parameter(language)),
+        Column::text(terms::value(language)),
+        Column::text(terms::unit(language)),
+        Column::wide(terms::remark(language)),
+    ];
+    chapter.grid(columns, values.iter().map(row).collect());
+}
+
+fn thresholds(chapter: &mut Chapter, thresholds: &[SensorThreshold], language: Language) {
+    let row = |each: &SensorThreshold| {
+        let sign = match each.bound {
+            "at_most" => "≤ ",
+            "at_least" => "≥ ",
+            _ => "",
+        };
+        vec![
+            format!("{} {}", each.sensor.to_uppercase(), each.name),
+            format!("{} °C", shown(each.temperature.0, language)),
+            format!("{sign}{} Ω", format_significant(each.resistance.0, 4, language)),
+            format!("{} ({})", each.source, grade_word(*each.grade, language)),
+        ]
+    };
+    let columns = vec![
+        Column::text(commission::threshold(language)),
+        Column::numbers(commission::temperature(language)),
+        Column::numbers(commission::resistance(language)),
+        Column::wide(terms::source(language)),
+    ];
+    chapter.grid(columns, thresholds.iter().map(row).collect());
+}
+
+fn overload(chapter: &mut Chapter, overload: &OverloadSupervision, language: Language) {
+    let number = |value: f64| shown(format!("{value:.2e}").parse().unwrap_or(value), language);
+    if let (Some(current), Some(constant)) = (overload.stall_current, overload.time_constant) {
+        let line = commission::overload_line(&number(current.0), &number(constant.0), language);
+        chapter.text(format!("{line} ({})", grade_word(*overload.grade, language)));
+    }
+    let trip = |trip: &answers::OverloadTrip| {
+        commission::overload_trip(&number(trip.factor.0), &number(trip.time.0), language)
+    };
+    chapter.points(overload.trips.iter().map(trip).collect());
+    chapter.text(overload.text.clone());
+}
+
+fn task(entry: &CommissionEntry, language: Language) -> Task {
+    let unit = entry.unit.map(unit_shown).unwrap_or_default();
+    let grade = grade_word(*entry.grade, language);
+    Task {
+        what: Hazard {
+            level: entry.signal.map_or("", |signal| signal.id()),
+            word: entry.signal.map_or("", |signal| signal_word(*signal, language)),
+            text: entry.text.clone(),
+            source: format!("{grade}; {}", entry.source),
+        },
+        expected: format!("{} {unit}", entry.shown).trim().to_owned(),
+        unit: entry.field.then_some(unit),
+    }
+}

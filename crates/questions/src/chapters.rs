@@ -1,0 +1,70 @@
+//! Single chapters answered alone: torque-speed curves, output bearing, battery.
+
+use crate::sizing_use::{Candidate, check};
+use actuator::{BatteryLife, PerformanceCurve};
+use configurator::catalogue_actuators;
+use order_code::{OrderCode, Size};
+use project::Project;
+use provenance::Missing;
+use quantities::unit::HOUR;
+use quantities::{ElectricPotential, Language, Measure, Time, parse_as};
+use sizing::{Check, Part};
+
+/// The torque-speed curves of a code at a terminal voltage; the limits at the printed ones without.
+///
+/// # Errors
+/// The first datum that is missing if no curve can be drawn.
+pub(crate) fn curves(
+    code: &OrderCode,
+    terminal: Option<ElectricPotential>,
+) -> Option<Result<Vec<PerformanceCurve>, Missing>> {
+    Some(actuator::performance_curves(&configurator::parameters(code)?.drivetrain, terminal))
+}
+
+/// Reads a quantity of the command line.
+///
+/// # Errors
+/// What is wrong with the text, and a hint.
+pub fn read_quantity<Q: Measure>(text: &str, language: Language) -> Result<Q, (String, Option<String>)> {
+    parse_as(text).map_err(|error| (words::quantity_fault(&error, language), words::quantity_hint(&error, language)))
+}
+
+/// Reads hours a day; they may go without a unit: their name says it.
+///
+/// # Errors
+/// What is wrong with the text, and a hint.
+pub(crate) fn read_hours(text: &str, language: Language) -> Result<Time, (String, Option<String>)> {
+    match text.trim().parse::<f64>() {
+        Ok(hours) => Ok(Time::new_in(hours, &HOUR)),
+        Err(_) => read_quantity(text, language),
+    }
+}
+
+/// Life of the battery of a buffered encoder for hours of operation a day, after a storage.
+///
+/// # Errors
+/// What is out of range.
+pub(crate) fn battery(operation_per_day: Time, storage: Time, language: Language) -> Result<BatteryLife, String> {
+    let battery = configurator::battery();
+    let model = battery.require("battery_capacity").map_err(|missing| missing.symbol.to_owned())?;
+    model.value.life(operation_per_day, storage).map_err(|fault| words::battery_fault(&fault, language))
+}
+
+/// The checks of the output bearing for one code.
+pub fn bearing_checks<'c>(candidate: &'c Candidate<'_>) -> impl Iterator<Item = &'c Check> {
+    candidate.judgement.checks.iter().filter(|check| check.id.part() == Part::OutputBearing)
+}
+
+/// One code of each size: the bearing is the same for all of a size.
+#[must_use]
+pub fn bearing_of_each_size(project: &Project) -> Vec<(Size, Candidate<'_>)> {
+    let mut found: Vec<(Size, Candidate<'_>)> = Vec::new();
+    for (code, _) in catalogue_actuators() {
+        if found.iter().all(|(size, _)| *size != code.size)
+            && let Ok(candidate) = check(project, code)
+        {
+            found.push((code.size, candidate));
+        }
+    }
+    found
+}

@@ -1,0 +1,87 @@
+//! The keys of the file in the place of the engine's names for what it was given.
+
+use project::{Project, Within};
+use provenance::{Key, Source};
+use sizing::{Check, CheckId};
+
+/// Cached keys of a project: the same few for every candidate.
+#[derive(Debug)]
+pub(crate) struct Cited<'p> {
+    project: &'p Project,
+    known: Vec<Known>,
+}
+
+/// Where a role is stated that has a value and belongs to a place of the motion.
+#[derive(Debug)]
+struct Known {
+    role: Key,
+    /// The value that distinguishes it from others of its role; `None` if no value does.
+    si: Option<Option<f64>>,
+    within: Within,
+    /// `None` where the role is the key itself.
+    key: Option<Key>,
+}
+
+impl<'p> Cited<'p> {
+    pub(crate) const fn of(project: &'p Project) -> Self {
+        Self { project, known: Vec::new() }
+    }
+
+    /// Lets a check, and every step of its workings, cite the keys of the project as they are written; by the manual that
+    /// move governs.
+    pub(crate) fn cite(&mut self, check: &mut Check, governing: usize) {
+        let is_key = |source: &Option<Source>| matches!(source, Some(Source::Project { .. }));
+        if check.workings.is_empty() && !is_key(&check.value_source) && !is_key(&check.limit_source) {
+            return;
+        }
+        let within = within(check, governing);
+        let (value, limit) = (check.value.map(|figure| figure.si), check.limit.map(|figure| figure.si));
+        check.value_source.iter_mut().for_each(|source| self.rename(source, value, within));
+        check.limit_source.iter_mut().for_each(|source| self.rename(source, limit, within));
+        for step in &mut check.workings {
+            self.rename(&mut step.source, Some(step.si), within);
+        }
+    }
+
+    fn rename(&mut self, source: &mut Source, si: Option<f64>, within: Within) {
+        let Source::Project { key } = source else { return };
+        let fits = |known: &&Known| known.within == within && known.si.is_none_or(|known| known == si);
+        // Most names of the engine are the same few texts, in the same place of the memory.
+        let is_same = |known: &&Known| std::ptr::eq(&*known.role, &**key) && fits(known);
+        let is_equal = |known: &&Known| known.role == *key && fits(known);
+        let known = self.known.iter();
+        let stated = match known.clone().find(is_same).or_else(|| known.clone().find(is_equal)) {
+            Some(known) => known.key.clone(),
+            None if is_final(key) => return,
+            None => {
+                // Only loads on the flange are distinguished by their value.
+                let by_value = key.starts_with("bearing.");
+                let stated = self.project.stated_at(key, si.filter(|_| by_value), within).map(Key::from);
+                if self.known.len() < KNOWN_MOST {
+                    let si = by_value.then_some(si);
+                    self.known.push(Known { role: key.clone(), si, within, key: stated.clone() });
+                }
+                stated
+            }
+        };
+        if let Some(stated) = stated {
+            *key = stated;
+        }
+    }
+}
+
+/// More are not kept: where every candidate has its own instant, looking for it costs more than asking anew.
+const KNOWN_MOST: usize = 64;
+
+/// The peak speed is that of an instant; what else belongs to one segment is of the move that governs by the manual.
+fn within(check: &Check, governing: usize) -> Within {
+    match check.at {
+        Some(at) if check.id == CheckId::PeakSpeed => Within::At(at),
+        _ => Within::Segment(governing),
+    }
+}
+
+/// What the reader itself wrote there: the data of an own actuator and of curves have their keys already.
+fn is_final(key: &str) -> bool {
+    ["actuator.", "curve[", "axis["].iter().any(|own| key.starts_with(own))
+}

@@ -1,0 +1,157 @@
+//! Reading, listing and completing ordering codes.
+
+use configurator::{Availability, BrokenRule, Choice, availability};
+use order_code::{CodeError, CodeErrors, Field, OrderCode, Parsed, Pattern, Size};
+use project::Hint;
+use quantities::Language;
+use std::ops::Range;
+use words::{describe_code_error, describe_field, describe_rule, describe_token, hint_text};
+
+/// A code as it was understood.
+#[derive(Clone, Debug)]
+pub struct CodeReading {
+    /// The code with its spans and departures from the canonical spelling.
+    pub parsed: Parsed,
+    /// Whether it can be had without asking.
+    pub availability: Availability,
+}
+
+/// One fault of a code: of its spelling, or of its combination.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CodeFault {
+    /// Offending part of the text, in bytes.
+    pub span: Range<usize>,
+    /// What is wrong.
+    pub message: String,
+    /// What is valid here.
+    pub hint: Option<String>,
+    /// The table whose rule is broken, if it is a rule.
+    pub table: Option<&'static str>,
+}
+
+impl CodeFault {
+    /// Stable id of its kind.
+    #[must_use]
+    pub const fn id(&self) -> &'static str {
+        if self.table.is_some() { "code_rule" } else { "code_spelling" }
+    }
+}
+
+/// Why a text is no code.
+#[derive(Clone, Debug)]
+pub struct CodeRefusal {
+    /// Every fault, each with its place in the text.
+    pub faults: Vec<CodeFault>,
+    /// The nearest valid codes with data.
+    pub nearest: Vec<&'static (OrderCode, Availability)>,
+}
+
+/// How many codes are proposed in place of one that does not exist.
+const PROPOSALS: usize = 3;
+
+/// Reads a code and holds it to the rules of the ordering tables.
+///
+/// # Errors
+/// Every fault, each with its place in the text, and the nearest valid codes.
+pub fn read_code(text: &str, language: Language) -> Result<CodeReading, CodeRefusal> {
+    let parsed = order_code::parse(text).map_err(|errors| CodeRefusal {
+        faults: spelling_faults(&errors, language),
+        nearest: configurator::nearest(text, PROPOSALS),
+    })?;
+    match availability(&parsed.code) {
+        Ok(availability) => Ok(CodeReading { parsed, availability }),
+        Err(broken) => {
+            let broken: Vec<(OrderCode, BrokenRule)> = broken.into_iter().map(|rule| (parsed.code, rule)).collect();
+            Err(rules_broken(text, &broken, &parsed.spans, language))
+        }
+    }
+}
+
+/// Reads a partial code that allows at least one code.
+///
+/// # Errors
+/// Every fault of its spelling, or the rules that no code with its words can keep.
+pub fn read_pattern(text: &str, language: Language) -> Result<Pattern, CodeRefusal> {
+    let (pattern, spans) = Pattern::parse_with_spans(text)
+        .map_err(|errors| CodeRefusal { faults: spelling_faults(&errors, language), nearest: Vec::new() })?;
+    let broken = configurator::broken_by_all(&pattern);
+    if broken.is_empty() { Ok(pattern) } else { Err(rules_broken(text, &broken, &spans, language)) }
+}
+
+/// The rules broken, each at the place of its field, and the codes nearest to the first that breaks them.
+fn rules_broken(
+    text: &str,
+    broken: &[(OrderCode, BrokenRule)],
+    spans: &[(Field, Range<usize>)],
+    language: Language,
+) -> CodeRefusal {
+    let faults = broken.iter().map(|(code, rule)| {
+        let span = spans.iter().find(|(field, _)| *field == rule.field);
+        CodeFault {
+            span: span.map_or(0..text.len(), |(_, span)| span.clone()),
+            message: describe_rule(code, rule, language),
+            hint: None,
+            table: Some(rule.table),
+        }
+    });
+    let nearest = broken.first().map(|(code, _)| configurator::nearest_to(code, PROPOSALS)).unwrap_or_default();
+    CodeRefusal { faults: faults.collect(), nearest }
+}
+
+pub(crate) fn spelling_faults(errors: &CodeErrors, language: Language) -> Vec<CodeFault> {
+    let understood = errors.understood(Field::Size);
+    let size = understood.and_then(|word| Size::of(errors.series(), word));
+    errors
+        .iter()
+        .map(|error| {
+            let valid = valid_here(error, size);
+            let hint = match error.nearest().filter(|near| valid.contains(near)) {
+                Some(near) => Some(hint_text(&Hint::DidYouMean(near.to_owned()), language)),
+                None if valid.is_empty() => None,
+                None => {
+                    let valid = valid.into_iter().map(str::to_owned).collect();
+                    Some(hint_text(&Hint::ValidAre(valid), language))
+                }
+            };
+            CodeFault { span: error.span(), message: describe_code_error(error, language), hint, table: None }
+        })
+        .collect()
+}
+
+/// The words that may stand at a fault: where the size is understood, only those that it can have.
+fn valid_here(error: &CodeError, size: Option<Size>) -> Vec<&'static str> {
+    let Some(size) = size.filter(|_| !error.expected_fields().contains(&Field::Series)) else {
+        return error.expected();
+    };
+    error.expected_fields().iter().flat_map(|field| configurator::tokens_of_size(*field, size)).copied().collect()
+}
+
+/// Each field of a code with its token and what it means.
+#[must_use]
+pub fn explain_code(code: &OrderCode, language: Language) -> Vec<(Field, String, String)> {
+    Field::ALL
+        .iter()
+        .copied()
+        .map(|field| {
+            let token = code.token(field).unwrap_or("").to_owned();
+            (field, token, describe_token(code, field, language))
+        })
+        .collect()
+}
+
+/// Every valid code with its availability, optionally only those that a partial code allows.
+pub fn list_codes(pattern: Option<&Pattern>) -> Vec<&'static (OrderCode, Availability)> {
+    match pattern {
+        Some(pattern) => configurator::complete(pattern).collect(),
+        None => configurator::all().iter().collect(),
+    }
+}
+
+/// For each field of a partial code, what may stand there.
+#[must_use]
+pub fn completion(pattern: &Pattern, language: Language) -> Vec<(Field, &'static str, Vec<Choice>)> {
+    configurator::choices(pattern)
+        .into_iter()
+        .map(|(field, choices)| (field, describe_field(field, language), choices))
+        .collect()
+}

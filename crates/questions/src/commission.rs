@@ -1,0 +1,306 @@
+//! The commissioning of a code: its values as a drive takes them, and a record of what was measured.
+
+use installation::commission as room;
+use installation::commission::cia402::{self, Object};
+use installation::commission::sinamics::{self, Setting};
+use order_code::OrderCode;
+use quantities::unit::DEGREE_CELSIUS;
+use quantities::{Language, Measure, ThermodynamicTemperature};
+use std::fmt::Write as _;
+use words::{commission, conversion_text, gap_text, measured_key_text, object_name, parameter_name};
+
+pub use project::measured;
+pub use room::Commissioning;
+pub use room::recorded::judge;
+
+/// What a list of values is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DriveForm {
+    /// The parameter list of a SINAMICS drive.
+    Sinamics,
+    /// The objects of CiA 402.
+    Cia402,
+    /// The neutral list.
+    Plain,
+}
+
+impl DriveForm {
+    /// Every form.
+    pub const ALL: [Self; 3] = [Self::Sinamics, Self::Cia402, Self::Plain];
+
+    /// Its identifier.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Sinamics => "sinamics",
+            Self::Cia402 => "cia402",
+            Self::Plain => "plain",
+        }
+    }
+
+    /// The form of an identifier.
+    #[must_use]
+    pub fn of_id(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|form| form.id() == id)
+    }
+}
+
+/// The temperature at which winding and sensors are measured by default: that of the printed resistance.
+#[must_use]
+pub fn usual_ambient() -> ThermodynamicTemperature {
+    ThermodynamicTemperature::new_in(20.0, &DEGREE_CELSIUS)
+}
+
+/// What is known for the commissioning of a code; `None` where the manual prints no data for it.
+#[must_use]
+pub fn commission(code: &OrderCode) -> Option<Commissioning> {
+    room::commission(code)
+}
+
+/// The parameters of a SINAMICS drive, one a line: `p350[0] = 2.95`, with what each is behind a semicolon.
+///
+/// The numbers are written so that they read back as the same value: phase values are half of those between terminals, in the
+/// unit of the parameter. What is not known stands below, each line a remark.
+#[must_use]
+pub fn sinamics_script(about: &Commissioning, language: Language) -> String {
+    let mut out = String::new();
+    let remark = |out: &mut String, text: &str| {
+        let _ = writeln!(out, "; {text}");
+    };
+    remark(&mut out, &commission::script_purpose(&about.code, language));
+    remark(&mut out, commission::script_use(language));
+    remark(&mut out, commission::script_identify(language));
+    out.push('\n');
+    for line in sinamics::lines(about) {
+        let number = format!("p{}[0] = {}", line.entry.number, line.value);
+        let told = match line.entry.setting {
+            Setting::Value(id, unit) => {
+                let unit = if unit.json == "1" { String::new() } else { format!("{}  ", unit.json) };
+                format!("{unit}{}; {}", parameter_name(id, language), conversion_text(id.conversion(), language))
+            }
+            Setting::Choice(choice) => words::choice_text(choice, language).to_owned(),
+        };
+        let _ = writeln!(out, "{number:<28} ; {told}");
+    }
+    out.push('\n');
+    remark(&mut out, commission::script_missing(language));
+    for id in sinamics::TO_LOOK_UP {
+        if let Some(parameter) = about.get(id) {
+            let unit = id.unit().json;
+            remark(&mut out, &commission::look_up(&id.symbol(), &parameter.value(), &unit, language));
+        }
+    }
+    for gap in about.gaps.iter().filter(|gap| **gap != room::Gap::OwnObjects) {
+        remark(&mut out, &gap_text(*gap, language));
+    }
+    out
+}
+
+/// The objects of CiA 402 in the layout of an electronic data sheet (CiA 306): a section for each object and sub-object.
+///
+/// It holds no date, so that the same call gives the same bytes, and no identity of a device, which is that of the drive.
+///
+/// # Source
+/// cia-306
+#[must_use]
+pub fn eds(about: &Commissioning, language: Language) -> String {
+    let objects = cia402::objects(about);
+    let mut out = format!("; {}: {}\n", about.code, commission::eds_not_the_drive(language));
+    let _ = write!(
+        out,
+        "[FileInfo]\nFileName={}.eds\nFileVersion=1\nFileRevision=0\nEDSVersion=4.0\nDescription={}\nCreatedBy=antrieb\n\n",
+        about.code,
+        commission::eds_description(language)
+    );
+    let _ = write!(out, "[DeviceInfo]\nProductName={}\nOrderCode={}\n\n", about.code, about.code);
+    out.push_str("[MandatoryObjects]\nSupportedObjects=3\n1=0x1000\n2=0x1001\n3=0x1018\n\n");
+    let mut indices: Vec<u16> = objects.iter().map(|object| object.index).collect();
+    indices.dedup();
+    let _ = writeln!(out, "[OptionalObjects]\nSupportedObjects={}", indices.len());
+    for (number, index) in (1..).zip(&indices) {
+        let _ = writeln!(out, "{number}=0x{index:04X}");
+    }
+    out.push_str("\n[ManufacturerObjects]\nSupportedObjects=0\n");
+    mandatory(&mut out, language);
+    for index in indices {
+        let of_index: Vec<&Object> = objects.iter().filter(|object| object.index == index).collect();
+        match of_index.as_slice() {
+            [only] if only.sub == 0 => object_section(&mut out, &format!("{index:04X}"), only, language),
+            several => {
+                let name = several.first().map_or("", |object| group_name(object, language));
+                let last = several.last().map_or(0, |object| object.sub);
+                let _ = write!(
+                    out,
+                    "\n[{index:04X}]\nParameterName={name}\nObjectType=0x8\nSubNumber={}\n",
+                    several.len() + 1
+                );
+                let _ = write!(
+                    out,
+                    "\n[{index:04X}sub0]\nParameterName={}\nObjectType=0x7\nDataType=0x0005\nAccessType=const\nDefaultValue={last}\nPDOMapping=0\n",
+                    commission::highest_sub_index(language)
+                );
+                for object in several {
+                    object_section(&mut out, &format!("{index:04X}sub{:X}", object.sub), object, language);
+                }
+            }
+        }
+    }
+    out
+}
+
+/// The objects that every device of CiA 301 has, with the types of the standard; their values are those of the drive.
+///
+/// # Source
+/// cia-306
+fn mandatory(out: &mut String, language: Language) {
+    let (unsigned_8, unsigned_32) = (cia402::DataType::Unsigned8.number(), cia402::DataType::Unsigned32.number());
+    let mut variable = |head: &str, name: &str, data_type: u16| {
+        let _ = write!(
+            out,
+            "\n[{head}]\nParameterName={name}\nObjectType=0x7\nDataType=0x{data_type:04X}\nAccessType=ro\nPDOMapping=0\n"
+        );
+    };
+    variable("1000", commission::object_device_type(language), unsigned_32);
+    variable("1001", commission::object_error_register(language), unsigned_8);
+    let _ = write!(
+        out,
+        "\n[1018]\nParameterName={}\nObjectType=0x9\nSubNumber=2\n\n[1018sub0]\nParameterName={}\nObjectType=0x7\nDataType=0x{unsigned_8:04X}\nAccessType=const\nDefaultValue=1\nPDOMapping=0\n\n[1018sub1]\nParameterName={}\nObjectType=0x7\nDataType=0x{unsigned_32:04X}\nAccessType=ro\nPDOMapping=0\n",
+        commission::object_identity(language),
+        commission::highest_sub_index(language),
+        commission::object_vendor(language)
+    );
+}
+
+fn group_name(object: &Object, language: Language) -> &'static str {
+    use cia402::ObjectId::{EncoderIncrements, EncoderRevolutions, GearMotorRevolutions, GearShaftRevolutions};
+    match object.id {
+        EncoderIncrements | EncoderRevolutions => commission::object_encoder(language),
+        GearMotorRevolutions | GearShaftRevolutions => commission::object_gear(language),
+        other => object_name(other, language),
+    }
+}
+
+fn object_section(out: &mut String, head: &str, object: &Object, language: Language) {
+    let _ = write!(
+        out,
+        "\n[{head}]\nParameterName={}\nObjectType=0x7\nDataType=0x{:04X}\nAccessType=rw\nDefaultValue={}\nPDOMapping=0\n",
+        object_name(object.id, language),
+        object.data_type.number(),
+        object.value
+    );
+}
+
+/// An empty record to fill in, with a remark on each key; the brake and the PTC only where the code has them.
+#[must_use]
+pub fn blank_record(about: &Commissioning, file: &str, language: Language) -> String {
+    use project::MeasuredKey as K;
+    use project::names::{MeasuredRootName, SensorName};
+    let mut out = format!("# {}\n", commission::blank_purpose(&about.code, language));
+    let _ = writeln!(
+        out,
+        "# {}\nformat = {}",
+        commission::blank_use(&about.code, &file, language),
+        project::MEASURED_FORMAT
+    );
+    let of_brake = |key| matches!(key, K::Root(MeasuredRootName::brake) | K::Brake(_));
+    let of_ptc = |key| key == K::Sensor(SensorName::ptc);
+    for line in project::measured_lines() {
+        let absent = (!about.has_brake() && of_brake(line.key)) || (!about.has_ptc() && of_ptc(line.key));
+        if absent || line.key == K::Root(MeasuredRootName::format) {
+            continue;
+        }
+        let told = measured_key_text(line.key, language);
+        let needed = if line.required { format!(" ({})", commission::needed(language)) } else { String::new() };
+        if line.is_table {
+            let _ = writeln!(out, "\n# {told}\n#{}", line.text);
+        } else {
+            let _ = writeln!(out, "#{:<32} # {told}{needed}", line.text);
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(code: &str) -> Commissioning {
+        commission(&order_code::parse(code).unwrap().code).unwrap()
+    }
+
+    /// What a drive reads: lines of numbers, everything else a remark.
+    fn read(script: &str) -> Vec<(u16, f64)> {
+        let line = |line: &str| {
+            let (head, _) = line.split_once(';').unwrap_or((line, ""));
+            let (number, value) = head.split_once('=')?;
+            let number = number.trim().strip_prefix('p')?.strip_suffix("[0]")?.parse().ok()?;
+            Some((number, value.trim().parse().ok()?))
+        };
+        script.lines().filter_map(line).collect()
+    }
+
+    #[test]
+    fn the_script_reads_back_as_the_lines_in_either_language() {
+        for (code, _) in crate::codes::list_codes(None) {
+            let Some(about) = commission(code) else { continue };
+            let lines: Vec<(u16, f64)> =
+                sinamics::lines(&about).iter().map(|line| (line.entry.number, line.value)).collect();
+            assert!(lines.len() >= 15, "{code}");
+            for language in Language::ALL {
+                assert_eq!(read(&sinamics_script(&about, language)), lines, "{code}");
+            }
+        }
+    }
+
+    /// An INI file as any tool reads it: sections with keys.
+    #[test]
+    fn the_data_sheet_has_a_section_for_each_object_and_its_value_reads_back() {
+        let about = of("CHA-25A-100-H-M512P-B");
+        let text = eds(&about, Language::En);
+        let mut sections: Vec<(String, Vec<(String, String)>)> = Vec::new();
+        for line in text.lines().filter(|line| !line.is_empty() && !line.starts_with(';')) {
+            match line.strip_prefix('[').and_then(|line| line.strip_suffix(']')) {
+                Some(name) => sections.push((name.to_owned(), Vec::new())),
+                None => {
+                    let (key, value) = line.split_once('=').unwrap();
+                    sections.last_mut().unwrap().1.push((key.to_owned(), value.to_owned()));
+                }
+            }
+        }
+        let get = |section: &str, key: &str| {
+            let (_, keys) = sections.iter().find(|(name, _)| name == section).unwrap_or_else(|| panic!("{section}"));
+            keys.iter().find(|(name, _)| name == key).map(|(_, value)| value.clone())
+        };
+        for object in cia402::objects(&about) {
+            let plain = format!("{:04X}", object.index);
+            let section = if object.sub == 0 { plain } else { format!("{plain}sub{}", object.sub) };
+            assert_eq!(get(&section, "DefaultValue"), Some(object.value.to_string()));
+            assert_eq!(get(&section, "DataType"), Some(format!("0x{:04X}", object.data_type.number())));
+        }
+        assert_eq!(get("OptionalObjects", "SupportedObjects").as_deref(), Some("8"));
+        assert_eq!(get("MandatoryObjects", "SupportedObjects").as_deref(), Some("3"));
+        // The types are those of CiA 301; the values are those of the drive, and none is made up.
+        for (section, data_type) in [("1000", "0x0007"), ("1001", "0x0005"), ("1018sub1", "0x0007")] {
+            assert_eq!(get(section, "DataType").as_deref(), Some(data_type), "{section}");
+            assert_eq!(get(section, "DefaultValue"), None, "{section}");
+        }
+        assert_eq!(get("607E", "DefaultValue").as_deref(), Some("192"));
+        assert_eq!(get("608Fsub0", "DefaultValue").as_deref(), Some("2"));
+    }
+
+    #[test]
+    fn an_empty_record_is_one_that_can_be_read_and_filled_in() {
+        for code in ["CHA-25A-100-H-M512P-B", "CHA-14A-50-E-M128S"] {
+            let about = of(code);
+            for language in Language::ALL {
+                let blank = blank_record(&about, "values.toml", language);
+                assert_eq!(measured(&blank).unwrap(), Default::default());
+                let filled = blank.replace("\n#", "\n").replace("\n ", "\n# ");
+                let found = measured(&filled).unwrap_or_else(|faults| panic!("{filled}\n{faults:?}"));
+                assert!(found.resistance_ll.is_some() && !found.no_load.is_empty());
+                assert_eq!(found.brake_voltage.is_some(), about.has_brake());
+                assert_eq!(found.ptc.is_some(), about.has_ptc());
+            }
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! Several actuators on one axis, and one actuator on two revisions of it.
+
+use crate::list::size::sized;
+use crate::patience::{Patience, Stopped};
+use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own};
+use order_code::OrderCode;
+use project::Project;
+use provenance::Datum;
+use quantities::unit::{
+    AMPERE, KILOGRAM, KILOGRAM_SQUARE_METRE, MILLIMETRE, NEWTON_METRE, NEWTON_METRE_PER_AMPERE, ONE,
+};
+use quantities::unit::{PERCENT, REVOLUTION_PER_MINUTE};
+use quantities::{Measure, Unit};
+use sizing::{Check, CheckId, Verdict, Watch as _};
+
+/// Utilisations that differ by less are the same: more than a double carries, less than a line shows.
+const SAME: f64 = 1e-9;
+
+/// A figure of several actuators.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DatumRow {
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// Its unit.
+    pub unit: &'static Unit,
+    /// Its values in that unit, one for each actuator; `None` where it is not known.
+    pub values: Vec<Option<f64>>,
+}
+
+impl DatumRow {
+    /// Whether the values are the same.
+    #[must_use]
+    pub fn is_same(&self) -> bool {
+        self.values.windows(2).all(|pair| match pair {
+            [Some(a), Some(b)] => (a - b).abs() <= SAME * a.abs().max(b.abs()),
+            [a, b] => a.is_none() && b.is_none(),
+            _ => true,
+        })
+    }
+}
+
+/// One check of several actuators.
+#[derive(Clone, Debug)]
+pub struct CheckRow {
+    /// Which check.
+    pub id: CheckId,
+    /// Its answers, one for each actuator; `None` where it is not part of the judgement.
+    pub checks: Vec<Option<Check>>,
+    /// The actuator with the most room, if one has more than all others.
+    pub better: Option<usize>,
+}
+
+/// Several actuators on one axis.
+#[derive(Clone, Debug)]
+pub struct Comparison<'p> {
+    /// The actuators in the requested order.
+    pub candidates: Vec<Candidate<'p>>,
+    /// The actuator that stands first in the ranking, if one fits.
+    pub better: Option<usize>,
+    /// What the axis demands of each, with its own inertia.
+    pub demand: Vec<DatumRow>,
+    /// Their data.
+    pub data: Vec<DatumRow>,
+    /// Every check that one of them has, in the fixed order.
+    pub checks: Vec<CheckRow>,
+}
+
+/// Lays the judgements of several actuators side by side.
+///
+/// # Errors
+/// [`Refusal`] of the first code that cannot be judged, with its place in the list, or [`Refusal::Stopped`] at its place.
+pub fn compare<'p>(
+    project: &'p Project,
+    codes: &[OrderCode],
+    patience: &Patience,
+) -> Result<Comparison<'p>, (usize, Refusal)> {
+    let judged = |(index, code): (usize, &OrderCode)| {
+        let goes_on = patience.step().map_err(|Stopped| Refusal::Stopped);
+        goes_on.and_then(|()| check(project, code)).map_err(|refusal| (index, refusal))
+    };
+    let candidates: Vec<Candidate<'p>> = codes.iter().enumerate().map(judged).collect::<Result<_, _>>()?;
+    let all: Vec<&Candidate<'p>> = candidates.iter().collect();
+    let (demand, data, checks) = (demand_rows(&all), data_rows(&all), check_rows(&all));
+    let fitting = candidates.iter().enumerate().filter(|(_, candidate)| candidate.fits());
+    let better = fitting.min_by(|(_, a), (_, b)| sizing::rank(&a.standing, &b.standing)).map(|(index, _)| index);
+    Ok(Comparison { candidates, better, demand, data, checks })
+}
+
+fn check_rows(candidates: &[&Candidate<'_>]) -> Vec<CheckRow> {
+    let of = |candidate: &Candidate<'_>, id: CheckId| {
+        candidate.judgement.checks.iter().find(|check| check.id == id).cloned()
+    };
+    CheckId::ALL
+        .iter()
+        .map(|id| (*id, candidates.iter().map(|candidate| of(candidate, *id)).collect::<Vec<_>>()))
+        .filter(|(_, checks)| checks.iter().any(Option::is_some))
+        .map(|(id, checks)| CheckRow { id, better: better(&checks), checks })
+        .collect()
+}
+
+/// The one with the lowest utilisation, if all have one.
+fn better(checks: &[Option<Check>]) -> Option<usize> {
+    let shares: Vec<f64> = checks.iter().map(|check| check.as_ref()?.utilisation).collect::<Option<_>>()?;
+    let (index, least) = shares.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
+    let alone = shares.iter().enumerate().all(|(other, share)| other == index || share - least > SAME);
+    (alone && shares.len() > 1).then_some(index)
+}
+
+fn demand_rows(candidates: &[&Candidate<'_>]) -> Vec<DatumRow> {
+    let row = |symbol, unit: &'static Unit, of: fn(&sizing::Demand) -> f64| DatumRow {
+        symbol,
+        unit,
+        values: candidates
+            .iter()
+            .map(|each| each.judgement.demand.as_ref().map(|demand| unit.from_si(of(demand))))
+            .collect(),
+    };
+    vec![
+        row("T_rms", &NEWTON_METRE, |demand| demand.torque_rms.si()),
+        row("T_peak", &NEWTON_METRE, |demand| demand.torque_peak.si()),
+        row("n_av", &REVOLUTION_PER_MINUTE, |demand| demand.speed_mean.si()),
+        row("n_peak", &REVOLUTION_PER_MINUTE, |demand| demand.speed_peak.si()),
+        row("ED", &PERCENT, |demand| demand.duty_factor),
+    ]
+}
+
+fn data_rows(candidates: &[&Candidate<'_>]) -> Vec<DatumRow> {
+    fn known<Q: Measure>(datum: &Datum<Q>) -> Option<f64> {
+        datum.known().map(|known| known.value.si())
+    }
+    let row = |symbol, unit: &'static Unit, of: fn(&actuator::Parameters) -> Option<f64>| DatumRow {
+        symbol,
+        unit,
+        values: candidates.iter().map(|each| of(each.parameters).map(|si| unit.from_si(si))).collect(),
+    };
+    vec![
+        row("i", &ONE, |data| data.ratio.known().map(|ratio| ratio.value)),
+        row("T_max", &NEWTON_METRE, |data| known(&data.torque_max)),
+        row("T_0", &NEWTON_METRE, |data| known(&data.stall_torque)),
+        row("I_max", &AMPERE, |data| known(&data.current_max)),
+        row("I_0", &AMPERE, |data| known(&data.stall_current)),
+        row("k_Tout", &NEWTON_METRE_PER_AMPERE, |data| known(&data.torque_constant_out)),
+        row("J_out", &KILOGRAM_SQUARE_METRE, |data| known(&data.inertia_out)),
+        row("d_H", &MILLIMETRE, |data| known(&data.hollow_shaft)),
+        row("L", &MILLIMETRE, |data| known(&data.length)),
+        row("m", &KILOGRAM, |data| known(&data.mass)),
+    ]
+}
+
+/// What became of one check.
+#[derive(Clone, Debug)]
+pub struct CheckChange {
+    /// Which check.
+    pub id: CheckId,
+    /// Its answer before; `None` where it was not part of the judgement.
+    pub before: Option<Check>,
+    /// Its answer after.
+    pub after: Option<Check>,
+}
+
+impl CheckChange {
+    /// Utilisation after less that before.
+    #[must_use]
+    pub fn change(&self) -> Option<f64> {
+        Some(self.after.as_ref()?.utilisation? - self.before.as_ref()?.utilisation?)
+    }
+
+    /// Whether the verdict is another one.
+    #[must_use]
+    pub fn is_other_verdict(&self) -> bool {
+        self.before.as_ref().map(|check| check.verdict) != self.after.as_ref().map(|check| check.verdict)
+    }
+
+    /// Whether verdict, value and limit are the same.
+    #[must_use]
+    pub fn is_same(&self) -> bool {
+        let figure = |check: &Option<Check>, of: fn(&Check) -> Option<sizing::Amount>| {
+            check.as_ref().and_then(of).map(|figure| figure.si)
+        };
+        let near = |of: fn(&Check) -> Option<sizing::Amount>| match (figure(&self.before, of), figure(&self.after, of))
+        {
+            (Some(a), Some(b)) => (a - b).abs() <= SAME * a.abs().max(b.abs()),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        !self.is_other_verdict() && near(|check| check.value) && near(|check| check.limit)
+    }
+
+    /// Rank in the list: new failures, then other verdicts, then the larger change of utilisation.
+    fn order(&self) -> (bool, bool, f64) {
+        let fails = self.after.as_ref().is_some_and(|check| check.verdict == Verdict::Fail);
+        let other = self.is_other_verdict();
+        // What differs by rounding alone stays in its order.
+        let change = self.change().filter(|_| !self.is_same());
+        (!(fails && other), !other, -change.map_or(0.0, f64::abs))
+    }
+}
+
+/// One actuator on two revisions of an axis.
+#[derive(Clone, Debug)]
+pub struct Difference<'p> {
+    /// The actuator on the first.
+    pub before: Candidate<'p>,
+    /// The actuator on the second.
+    pub after: Candidate<'p>,
+    /// What the axis demands of it, before and after.
+    pub demand: Vec<DatumRow>,
+    /// Every check, other verdicts first, then by the change of utilisation.
+    pub checks: Vec<CheckChange>,
+    /// The best of the catalogue before, if one fits.
+    pub best_before: Option<CandidateId>,
+    /// The best of the catalogue after, if one fits.
+    pub best_after: Option<CandidateId>,
+}
+
+/// What another revision of an axis does to an actuator: the code given, else the project's own where both have one,
+/// else the best for the first revision, be it the nearest miss.
+///
+/// # Errors
+/// [`Refusal`] where the code cannot be judged, [`Refusal::Stopped`].
+pub fn difference<'p>(
+    old: &'p Project,
+    new: &'p Project,
+    code: Option<&OrderCode>,
+    patience: &Patience,
+) -> Result<Difference<'p>, Refusal> {
+    let (sized_before, sized_after) = (sized(old, 0, patience)?, sized(new, 0, patience)?);
+    let best = |sizing: &Sizing<'_>| sizing.answer().map(|answer| answer.id.clone());
+    let own = code.is_none() && old.actuator.is_some() && new.actuator.is_some();
+    let first = match sized_before.candidates.first().map(|candidate| &candidate.id) {
+        Some(CandidateId::Code(code)) => Some(*code),
+        _ => None,
+    };
+    let (before, after) = if own {
+        (check_own(old)?, check_own(new)?)
+    } else {
+        let code = code.copied().or(first).ok_or(Refusal::NoActuator)?;
+        (check(old, &code)?, check(new, &code)?)
+    };
+    let pair = [&before, &after];
+    let mut checks: Vec<CheckChange> = check_rows(&pair)
+        .into_iter()
+        .map(|row| {
+            let mut found = row.checks.into_iter();
+            CheckChange { id: row.id, before: found.next().flatten(), after: found.next().flatten() }
+        })
+        .collect();
+    checks.sort_by(|a, b| {
+        let ((fails_a, other_a, change_a), (fails_b, other_b, change_b)) = (a.order(), b.order());
+        fails_a.cmp(&fails_b).then(other_a.cmp(&other_b)).then(change_a.total_cmp(&change_b))
+    });
+    let demand = demand_rows(&pair);
+    Ok(Difference { before, after, demand, checks, best_before: best(&sized_before), best_after: best(&sized_after) })
+}

@@ -1,0 +1,121 @@
+//! The derivation of a check as a tree: formula, figures put in, value, source and grade of everything.
+
+use answers::{CitedErratum, Derivation, Id, Node, Number};
+use provenance::{Grade, Source};
+use quantities::{Language, Unit, format_significant};
+use sizing::Check;
+use sizing::derivation::{Formula, How, Part, Step};
+use words::{evidence_text, found_text, grade_word, source_text, step_term, symbol_shown, symbol_term};
+
+/// Digits of the figures in a derivation: as many as a pocket calculator needs to come to the same answer.
+const DIGITS: usize = 6;
+
+/// Value of a figure with its unit, as people write it.
+#[must_use]
+pub fn node_amount(node: &Node, language: Language) -> String {
+    amount(node.value.0, Unit::of(node.unit).map_or(node.unit, |unit| unit.symbol), language)
+}
+
+/// Where value and limit of a check that was judged with its workings come from.
+#[must_use]
+pub fn derivation(check: &Check, language: Language) -> Derivation {
+    let steps = &check.workings;
+    let mut seen = vec![false; steps.len()];
+    let mut of = |part: Part| {
+        let root = steps.iter().rposition(|step| step.part == part)?;
+        node(steps, root, &mut seen, language)
+    };
+    Derivation { value: of(Part::Value), limit: of(Part::Limit) }
+}
+
+fn amount(value: f64, unit: &str, language: Language) -> String {
+    let number = trimmed(&format_significant(value, DIGITS, language), language);
+    if unit == "1" { number } else { format!("{number} {unit}") }
+}
+
+/// Without the zeros that end a decimal fraction.
+fn trimmed(number: &str, language: Language) -> String {
+    let point = language.decimal_mark();
+    if !number.contains(point) {
+        return number.to_owned();
+    }
+    number.trim_end_matches('0').trim_end_matches(point).to_owned()
+}
+
+fn node(steps: &[Step], index: usize, seen: &mut [bool], language: Language) -> Option<Node> {
+    let step = steps.get(index)?;
+    let flag = seen.get_mut(index)?;
+    let repeated = *flag && !step.operands().is_empty();
+    *flag = true;
+    let (formula, figures) = match &step.how {
+        How::Formula { text, operands } => written(text, operands, steps, language),
+        How::Found { what, .. } => (Some(found_text(*what, language)), None),
+        _ => (None, None),
+    };
+    let operands = if repeated { &[][..] } else { step.operands() };
+    Some(Node {
+        symbol: step.symbol.to_owned(),
+        term: term(step, language),
+        formula,
+        figures,
+        value: Number(step.value()),
+        unit: step.unit.json,
+        source: source_text(&step.source, language),
+        grade: (!is_stated(step)).then_some(Id(step.grade)),
+        errata: step
+            .errata
+            .iter()
+            .map(|id| CitedErratum { id: (*id).to_owned(), evidence: evidence_text(id, language).to_owned() })
+            .collect(),
+        operands: operands.iter().filter_map(|index| node(steps, *index, seen, language)).collect(),
+        repeated,
+    })
+}
+
+/// A formula in symbols, and with its figures.
+fn written(text: &str, operands: &[usize], steps: &[Step], language: Language) -> (Option<String>, Option<String>) {
+    let Ok(formula) = Formula::parse(text) else { return (Some(text.to_owned()), None) };
+    let number = |value: f64| trimmed(&format_significant(value, DIGITS, language), language);
+    let symbols = formula.shown(&symbol_shown, &number);
+    let figure = |name: &str| {
+        let step = operands.iter().filter_map(|index| steps.get(*index)).find(|step| step.symbol == name);
+        step.map_or_else(
+            || symbol_shown(name),
+            |step| {
+                let text = amount(step.value(), step.unit.symbol, language);
+                if step.value() < 0.0 { format!("({text})") } else { text }
+            },
+        )
+    };
+    (Some(symbols), Some(formula.shown(&figure, &number)))
+}
+
+/// Grade in words, for people.
+#[must_use]
+pub fn trust(node: &Node, language: Language) -> String {
+    match node.grade {
+        Some(grade) => format!("{}, {}", grade_word(*grade, language), node.source),
+        None => node.source.clone(),
+    }
+}
+
+/// Whether the user stated a figure.
+fn is_stated(step: &Step) -> bool {
+    step.how == How::Given && matches!(step.source, Source::Project { .. }) && step.grade == Grade::Printed
+}
+
+/// The field's word for a symbol: of a printed cell that of the glossary, which another figure of the same name in a
+/// derivation must not take over.
+fn term(step: &Step, language: Language) -> String {
+    if let Source::Cell(cell) | Source::Published(cell) = &step.source
+        && step.how == How::Given
+        && cell.symbol.strip_prefix(step.symbol).is_some_and(|rest| matches!(rest, "" | "_brake"))
+    {
+        return symbol_term(cell.symbol, language);
+    }
+    match step_term(step.symbol, step.unit.json, language) {
+        // What the user gave of an own actuator has the word of the glossary.
+        "" => Some(symbol_term(step.symbol, language)).filter(|term| term != step.symbol).unwrap_or_default(),
+        term => term.to_owned(),
+    }
+}

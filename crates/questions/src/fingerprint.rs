@@ -1,0 +1,40 @@
+//! What a result was made from, as fingerprints: the project with its recordings, and the catalogue.
+
+use crate::export::{EXPORT_COLUMNS, export_rows};
+use project::RecordingRead;
+
+/// Digits of a fingerprint: sixteen of BLAKE3's, 64 bits.
+const DIGITS: usize = 16;
+
+fn shown(hasher: &blake3::Hasher) -> String {
+    hasher.finalize().to_hex().chars().take(DIGITS).collect()
+}
+
+/// Fingerprint of a project: its text, and the samples of its recordings.
+#[must_use]
+pub fn project_fingerprint(text: &str, recordings: &[RecordingRead]) -> String {
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(text.as_bytes());
+    for read in recordings {
+        let recording = &read.recording;
+        let course = [&recording.course.position, &recording.course.speed].into_iter().flatten();
+        let columns = course.map(|series| &series.values).chain(recording.torque.as_ref().map(|effort| &effort.values));
+        for column in columns.chain([&recording.time_s]) {
+            for value in column.iter() {
+                hasher.update(&value.to_le_bytes());
+            }
+        }
+    }
+    shown(&hasher)
+}
+
+/// Fingerprint of the catalogue: every cell as it is exported, errata included.
+#[must_use]
+pub(crate) fn catalogue_fingerprint() -> String {
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(EXPORT_COLUMNS.join("\t").as_bytes());
+    for row in export_rows() {
+        hasher.update(format!("{row:?}\n").as_bytes());
+    }
+    shown(&hasher)
+}

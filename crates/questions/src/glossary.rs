@@ -1,0 +1,156 @@
+//! Words and symbols of the field and of the product, looked up.
+
+use answers::{Glossary, GlossarySymbol, GlossaryTerm, GlossaryWord};
+use quantities::Language;
+use words::{glossary_symbols, symbol_shown, term_remark, word_meaning};
+
+/// The glossary, or its entries for a symbol, an identifier or a word; whole names go before parts of words.
+///
+/// # Errors
+/// The nearest names where nothing is found.
+pub fn glossary(wanted: Option<&str>, language: Language) -> Result<Glossary, Vec<String>> {
+    let all = whole(language);
+    let Some(wanted) = wanted.map(str::trim).filter(|wanted| !wanted.is_empty()) else { return Ok(all) };
+    let exact = chosen(&all, &|names, _| names.contains(&wanted));
+    if !exact.is_empty() {
+        return Ok(exact);
+    }
+    let small = wanted.to_lowercase();
+    let by_name = chosen(&all, &|names, _| names.iter().any(|name| name.to_lowercase() == small));
+    if !by_name.is_empty() {
+        return Ok(by_name);
+    }
+    let found = chosen(&all, &|_, texts| texts.iter().any(|text| text.to_lowercase().contains(&small)));
+    if found.is_empty() { Err(nearest(&all, wanted)) } else { Ok(found) }
+}
+
+/// What a symbol means, with its unit and what is to be known of it; `None` for what is none of the glossary.
+#[must_use]
+pub fn meaning_of_symbol(symbol: &str, language: Language) -> Option<String> {
+    if let Some(term) = catalogue::term(symbol) {
+        let name = words::symbol_term(symbol, language);
+        let unit = if term.unit.is_empty() { String::new() } else { format!(" [{}]", shown_unit(term.unit)) };
+        let remark = term_remark(term, language);
+        return Some(if remark.is_empty() { format!("{name}{unit}") } else { format!("{name}{unit}: {remark}") });
+    }
+    words::glossary_symbol(symbol, language).map(str::to_owned)
+}
+
+fn shown_unit(unit: &'static str) -> &'static str {
+    quantities::Unit::of(unit).map_or(unit, |unit| unit.symbol)
+}
+
+/// What a word means, in either language; `None` for what is none of the glossary.
+#[must_use]
+pub fn meaning_of_word(word: &str, language: Language) -> Option<&'static str> {
+    let small = word.to_lowercase();
+    let found =
+        catalogue::words().iter().find(|known| [known.en, known.de].iter().any(|each| each.to_lowercase() == small));
+    found.map(|found| word_meaning(found, language))
+}
+
+fn whole(language: Language) -> Glossary {
+    Glossary {
+        words: catalogue::words()
+            .iter()
+            .map(|word| GlossaryWord {
+                id: word.id.to_owned(),
+                en: word.en.to_owned(),
+                de: word.de.to_owned(),
+                meaning: word_meaning(word, language).to_owned(),
+            })
+            .collect(),
+        terms: catalogue::glossary()
+            .iter()
+            .map(|term| GlossaryTerm {
+                symbol: term.symbol.to_owned(),
+                identifier: term.identifier.to_owned(),
+                unit: term.unit.to_owned(),
+                en: term.en.to_owned(),
+                de: term.de.to_owned(),
+                remark: term_remark(term, language).to_owned(),
+            })
+            .collect(),
+        symbols: glossary_symbols()
+            .map(|(symbol, en, de)| GlossarySymbol {
+                symbol: symbol.to_owned(),
+                shown: symbol_shown(symbol),
+                en: en.to_owned(),
+                de: de.to_owned(),
+            })
+            .collect(),
+    }
+}
+
+/// What a choice by names (symbol, identifier, word) and by texts keeps.
+fn chosen(all: &Glossary, keeps: &dyn Fn(&[&str], &[&str]) -> bool) -> Glossary {
+    let mut found = all.clone();
+    found.words.retain(|word| keeps(&[&word.id, &word.en, &word.de], &[&word.en, &word.de]));
+    found.terms.retain(|term| {
+        keeps(&[&term.symbol, &term.identifier, &term.en, &term.de], &[&term.en, &term.de, &term.remark])
+    });
+    found
+        .symbols
+        .retain(|symbol| keeps(&[&symbol.symbol, &symbol.shown, &symbol.en, &symbol.de], &[&symbol.en, &symbol.de]));
+    found
+}
+
+/// Number of nearest names proposed.
+const NEAREST: usize = 3;
+
+fn nearest(all: &Glossary, wanted: &str) -> Vec<String> {
+    let names = all.words.iter().flat_map(|word| [&word.en, &word.de]);
+    let names = names.chain(all.terms.iter().flat_map(|term| [&term.symbol, &term.identifier, &term.en, &term.de]));
+    let mut rated: Vec<(f64, &String)> = names
+        .chain(all.symbols.iter().map(|symbol| &symbol.symbol))
+        .map(|name| (strsim::jaro_winkler(&name.to_lowercase(), &wanted.to_lowercase()), name))
+        .filter(|(likeness, _)| *likeness > 0.75)
+        .collect();
+    rated.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.cmp(b.1)));
+    rated.dedup_by(|a, b| a.1 == b.1);
+    rated.into_iter().take(NEAREST).map(|(_, name)| name.clone()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_symbol_an_identifier_and_a_word_are_found() {
+        let found = glossary(Some("T_max"), Language::De).unwrap();
+        assert_eq!(found.terms.len(), 1);
+        assert_eq!(found.terms[0].de, "maximales Drehmoment");
+        assert_eq!(glossary(Some("torque_max"), Language::De).unwrap().terms, found.terms);
+        assert_eq!(glossary(Some("nachweis"), Language::En).unwrap().words[0].en, "check");
+        let losses = glossary(Some("P_0"), Language::En).unwrap();
+        assert_eq!(losses.symbols.len(), 2, "{losses:?}");
+        assert!(glossary(Some("demagnetisation"), Language::En).unwrap().terms.len() == 1);
+    }
+
+    #[test]
+    fn a_symbol_and_a_word_tell_what_they_mean() {
+        let torque = meaning_of_symbol("T_max", Language::De).unwrap();
+        assert!(torque.starts_with("maximales Drehmoment [Nm]"), "{torque}");
+        assert!(meaning_of_symbol("T_rms", Language::En).is_some() && meaning_of_symbol("x_y", Language::En).is_none());
+        assert_eq!(meaning_of_word("Nachweis", Language::En), meaning_of_word("check", Language::En));
+        assert!(meaning_of_word("check", Language::En).is_some());
+    }
+
+    #[test]
+    fn what_is_not_there_has_its_nearest() {
+        let nearest = glossary(Some("torque_maxx"), Language::En).unwrap_err();
+        assert!(nearest.contains(&"torque_max".to_owned()), "{nearest:?}");
+        assert!(glossary(Some("qqqqqq"), Language::En).unwrap_err().is_empty());
+    }
+
+    #[test]
+    fn the_whole_glossary_has_every_word_once() {
+        let all = glossary(None, Language::De).unwrap();
+        assert!(all.words.len() > 20 && all.terms.len() > 150 && all.symbols.len() > 150);
+        let mut words: Vec<&String> = all.words.iter().map(|word| &word.de).collect();
+        words.sort();
+        let count = words.len();
+        words.dedup();
+        assert_eq!(words.len(), count);
+    }
+}

@@ -1,0 +1,63 @@
+//! What a law of motion looks like, for its picture in a choice.
+
+use motion::{Closing, Motion};
+use project::SegmentLaw;
+
+/// One instant of a shape: time, position, speed and acceleration, each as a share of its largest.
+pub(crate) type Shape = Vec<[f64; 4]>;
+
+/// Points in one piece.
+const PER_PIECE: u32 = 12;
+
+/// How a law goes from rest to rest, each quantity as a share of its largest magnitude; empty of a recording, which has no
+/// shape of its own.
+#[must_use]
+pub fn law_shape(law: SegmentLaw) -> Shape {
+    let motion = law.sample().and_then(|segment| Motion::new(&[segment], None, Closing::SingleMove).ok());
+    motion.map(|motion| shape(&motion)).unwrap_or_default()
+}
+
+fn shape(motion: &Motion) -> Shape {
+    let mut points = Shape::new();
+    for piece in motion.pieces() {
+        for part in 0..=PER_PIECE {
+            let t = piece.duration_s * f64::from(part) / f64::from(PER_PIECE);
+            let state = piece.at(t);
+            points.push([piece.start_s + t, state.position_rad, state.speed_rad_s, state.acceleration_rad_s2]);
+        }
+    }
+    for place in 0..4 {
+        let of = |point: &[f64; 4]| point.get(place).map_or(0.0, |value| value.abs());
+        let largest = points.iter().map(of).fold(0.0, f64::max);
+        if largest > 0.0 {
+            points.iter_mut().filter_map(|point| point.get_mut(place)).for_each(|value| *value /= largest);
+        }
+    }
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use motion::Law;
+
+    #[test]
+    fn every_law_has_a_shape_of_its_own_from_rest_to_rest() {
+        let mut seen: Vec<Shape> = Vec::new();
+        for law in SegmentLaw::all().filter(|law| *law != SegmentLaw::Recorded) {
+            let shape = law_shape(law);
+            assert!(shape.len() > usize::try_from(PER_PIECE).unwrap_or(0), "{law:?}");
+            assert!(shape.iter().flatten().all(|value| value.is_finite() && value.abs() <= 1.0), "{law:?}");
+            assert!(!seen.contains(&shape), "{law:?}");
+            let moves = !matches!(law, SegmentLaw::Dwell);
+            let last = shape.last().copied().unwrap_or_default();
+            assert!((last[0] - 1.0).abs() < 1e-9, "{law:?}");
+            assert_eq!((last[1] - 1.0).abs() < 1e-9, moves, "{law:?}");
+            if !matches!(law, SegmentLaw::Law(Law::Constant)) {
+                assert!(last[2].abs() < 1e-9, "{law:?} ends at rest");
+            }
+            seen.push(shape);
+        }
+        assert!(law_shape(SegmentLaw::Recorded).is_empty());
+    }
+}

@@ -1,0 +1,104 @@
+//! The facade: every question with its answer ([`list`]), and what a face needs to lay an answer out.
+//!
+//! Results come as data ([`Sizing`], [`Candidate`]) and as records ([`answer`]), their sentences as [`texts`] in English and
+//! German. What belongs to one question alone is in its module of [`list`]. Nothing here touches a file, the clock, the
+//! environment or the terminal.
+
+pub mod answer;
+pub mod chapter;
+mod chapters;
+mod cited;
+mod codes;
+mod commission;
+mod compare;
+mod errata;
+mod explain;
+mod export;
+mod fingerprint;
+mod flange;
+mod glossary;
+mod grips;
+mod law_shape;
+mod licences;
+mod limits;
+pub mod list;
+mod mount;
+mod moves;
+mod patience;
+mod plane;
+mod preview;
+mod reading;
+mod sheet;
+mod sizing_use;
+mod subject;
+mod templates;
+pub mod texts;
+mod together;
+mod tolerance;
+mod torsion;
+mod upkeep;
+mod wiring;
+
+// Reading: projects, codes, quantities; how long an answer may take; which actuator is meant.
+pub use chapters::read_quantity;
+pub use codes::{CodeRefusal, read_code};
+pub use fingerprint::project_fingerprint;
+pub use patience::Patience;
+pub use reading::{Unread, read, read_all, read_all_watched};
+pub use subject::{candidate_for, candidate_of_tables};
+
+// The judgement of an axis.
+pub use configurator::Unmet;
+pub use limits::limits_needed;
+pub use sizing::{Amount, Check, CheckId, Demand, Direction, Reserve, Verdict};
+pub use sizing_use::{
+    Candidate, CandidateId, Objection, Refusal, Sizing, check, check_own, explain, explain_own, reserve_of, size,
+};
+pub use tolerance::{Assessment, Draw, SAMPLES_MOST, SAMPLES_USUAL, Sampling, assess};
+
+// What a picture needs.
+pub use actuator::{CurveKind, CurvePoint, PerformanceCurve};
+pub use flange::flange_course;
+pub use grips::grips;
+pub use law_shape::law_shape;
+pub use mechanism::MechanismId;
+pub use mechanism::drawing::Drawing;
+pub use moves::{Move, Moves, moves};
+pub use plane::{Plane, curve_rows, plane, plane_of};
+pub use preview::{recording_preview, recording_roles};
+pub use recording::{MEMORY_USUAL, Preview, Role as ColumnRole};
+pub use sizing::{Course, FlangeSample, Sample};
+pub use sizing_use::{course, course_rows, course_seen};
+pub use together::{power_over_cycle, sum_of_known};
+pub use torsion::{TorsionCurve, torsion_of};
+
+#[cfg(test)]
+mod tests {
+    use crate::list::code_list::list_codes;
+    use crate::sheet::sheet;
+    use quantities::Language;
+
+    /// Every condition on every German data sheet is symbols, numbers and German words.
+    #[test]
+    fn no_english_condition_is_left_on_a_german_data_sheet() {
+        let mut seen: Vec<String> = Vec::new();
+        // Every feedback and option at one ratio: the conditions of the others are the same.
+        for (code, _) in list_codes(None).into_iter().filter(|(code, _)| code.ratio.value() == 100) {
+            let Some(sheet) = sheet(code) else { continue };
+            for row in sheet.sections.iter().flat_map(|section| &section.rows) {
+                let text = words::condition_text(row.cell.place.condition, Language::De);
+                if !seen.contains(&text) {
+                    seen.push(text);
+                }
+            }
+        }
+        assert!(seen.len() > 20, "{seen:?}");
+        let english = [
+            "no ", "joint", "friction", "grease", "load", "max. no", "above", "part", "with", "and", "side", "turn",
+            "ing", "level",
+        ];
+        for text in &seen {
+            assert!(!english.iter().any(|word| text.contains(word)), "{text}");
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! `bearing PROJECT`: the output bearing of every size under the loads of a project.
+
+use super::given::{arguments, text};
+use super::{AXIS, Cost, Entry, Gives, Reads, Unanswered};
+use crate::answer;
+pub use crate::chapters::{bearing_checks, bearing_of_each_size};
+use crate::sizing_use::Candidate;
+use order_code::Size;
+use project::Project;
+use quantities::Language;
+use sizing::Verdict;
+use words::{help, terms};
+
+arguments! {
+    /// Which axis.
+    pub struct Args {
+        /// The axis of a project with several.
+        axis: Option<String> = AXIS => text,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "bearing",
+    path: "bearing",
+    about: help::bearing,
+    reads: Reads::Project,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("bearing"),
+    writes: &[],
+    example: "axis.toml",
+    answer: Some(|asked| {
+        let args = Args::read(&asked.given)?;
+        let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
+        asked.record_of_each(&axes, |project| {
+            let found = sizes(project, asked.language)?;
+            Ok((answer::bearings(&found, asked.language), fits(&found)))
+        })
+    }),
+};
+
+/// One actuator of each size, judged.
+///
+/// # Errors
+/// Where the project has no loads on the flange.
+pub fn sizes(project: &Project, language: Language) -> Result<Vec<(Size, Candidate<'_>)>, Unanswered> {
+    let sizes = bearing_of_each_size(project);
+    if sizes.iter().all(|(_, candidate)| bearing_checks(candidate).next().is_none()) {
+        return Err(Unanswered::message(terms::no_flange_loads(language)));
+    }
+    Ok(sizes)
+}
+
+/// Whether the bearing of one size carries the loads.
+#[must_use]
+pub fn fits(sizes: &[(Size, Candidate<'_>)]) -> bool {
+    let fails = |candidate| bearing_checks(candidate).any(|check| check.verdict == Verdict::Fail);
+    sizes.iter().any(|(_, candidate)| !fails(candidate))
+}

@@ -1,0 +1,35 @@
+//! `catalogue export`: every cell of the maker's tables.
+
+use super::given::{arguments, word};
+use super::{Answer, Argument, Entry, Gives, Kind, Reads, media};
+use crate::answer;
+pub use crate::export::export_csv;
+use words::help;
+use words::help::values;
+
+arguments! {
+    /// In which format.
+    pub struct Args {
+        /// Whether as CSV.
+        format: Option<bool> = Argument::option("format", values::format, help::catalogue_format)
+            .of(Kind::Word(|| vec!["json", "csv"])) => word(|format| Some(format == "csv")),
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "catalogue export",
+    path: "catalogue",
+    about: help::catalogue_export,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::RecordOr("catalogue export", &[media::CSV]),
+    writes: &[],
+    example: "--format csv",
+    answer: Some(|asked| {
+        if Args::read(&asked.given)?.format.unwrap_or_default() {
+            return Ok(Answer::text(media::CSV, export_csv()));
+        }
+        Ok(Answer::record(&answer::catalogue_cells()))
+    }),
+};

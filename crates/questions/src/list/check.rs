@@ -1,0 +1,154 @@
+//! `check PROJECT`: one actuator judged for an axis.
+
+use super::given::{arguments, number, some_code_among, text};
+use super::size::{SAMPLES, SEED, draw};
+use super::{AXIS, Cost, Entry, Gives, Reads, argument};
+use crate::answer;
+use crate::patience::{Patience, Stopped};
+use crate::sizing_use::{Candidate, Refusal, check, check_own, reserve_of_watched};
+use crate::tolerance::{Assessment, Draw, assess_watched};
+use order_code::OrderCode;
+use project::Project;
+use quantities::Language;
+use sizing::{Reserve, SAMPLES_ANEW};
+use words::help;
+
+arguments! {
+    /// Which axis, which actuator, how tolerances are sampled.
+    pub struct Args {
+        /// The axis of a project with several.
+        axis: Option<String> = AXIS => text,
+        /// The actuator; without it the project's own.
+        code: Option<OrderCode> = argument::code(help::check_code) => some_code_among,
+        /// How many samples.
+        samples: Option<usize> = SAMPLES => number,
+        /// From which the samples follow.
+        seed: Option<u64> = SEED => number,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "check",
+    path: "check",
+    about: help::check,
+    reads: Reads::Project,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("check"),
+    writes: &[],
+    example: "axis.toml --code CHA-25A-50-H-C1024",
+    answer: Some(|asked| {
+        let args = Args::read(&asked.given)?;
+        let axes = asked.axes(args.axis.as_deref(), args.cost())?;
+        asked.record_of_each(&axes, |project| {
+            let found = args.verification(project, asked.patience)?;
+            Ok((found.record(asked.language), found.candidate.fits()))
+        })
+    }),
+};
+
+impl Args {
+    /// What the answer costs.
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        Cost::Check { draw: draw(self.samples, self.seed) }
+    }
+
+    /// The actuator judged for an axis.
+    ///
+    /// # Errors
+    /// As [`verification`].
+    pub fn verification<'p>(&self, project: &'p Project, patience: &Patience) -> Result<Verification<'p>, Refusal> {
+        verification(project, self.code.as_ref(), draw(self.samples, self.seed), patience)
+    }
+}
+
+/// One actuator judged for an axis, with its reserve and what the tolerances mean.
+#[derive(Clone, Debug)]
+pub struct Verification<'p> {
+    /// The axis.
+    pub project: &'p Project,
+    /// The actuator with every check.
+    pub candidate: Candidate<'p>,
+    /// How far one thing may be changed.
+    pub reserve: Reserve,
+    /// What the tolerances mean; `None` without tolerances.
+    pub assessment: Option<Assessment>,
+}
+
+/// Judges one actuator for an axis; without a code the project's own.
+///
+/// # Errors
+/// Why it cannot be judged.
+pub fn verification<'p>(
+    project: &'p Project,
+    code: Option<&OrderCode>,
+    draw: Draw,
+    patience: &Patience,
+) -> Result<Verification<'p>, Refusal> {
+    let candidate = match code {
+        Some(code) => check(project, code)?,
+        None => check_own(project)?,
+    };
+    let (reserve, assessment) = margins(project, &candidate, draw, patience)?;
+    Ok(Verification { project, candidate, reserve, assessment })
+}
+
+/// How far one thing may be changed until a candidate just fits, and what the tolerances mean for it.
+///
+/// # Errors
+/// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
+pub fn margins(
+    project: &Project,
+    candidate: &Candidate<'_>,
+    draw: Draw,
+    patience: &Patience,
+) -> Result<(Reserve, Option<Assessment>), Refusal> {
+    // First what may be refused.
+    draw.sampling(project, 1, patience.is_limited())?;
+    let reserve = reserve_within(project, candidate, patience)?;
+    Ok((reserve, scatter(project, candidate, draw, patience)?))
+}
+
+/// What the tolerances of a project mean for a candidate; `None` without tolerances.
+///
+/// # Errors
+/// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
+pub fn scatter(
+    project: &Project,
+    candidate: &Candidate<'_>,
+    draw: Draw,
+    patience: &Patience,
+) -> Result<Option<Assessment>, Refusal> {
+    let sampling = draw.sampling(project, 1, patience.is_limited())?;
+    let assessed = assess_watched(project, &[candidate], sampling, patience).map_err(|Stopped| Refusal::Stopped)?;
+    Ok(assessed.into_iter().next())
+}
+
+/// How far one thing may be changed until a candidate just fits: whatever it costs for somebody who has said how long it may
+/// take, else as far as that is sought unasked.
+///
+/// # Errors
+/// [`Refusal::Stopped`].
+pub fn reserve_within(project: &Project, candidate: &Candidate<'_>, patience: &Patience) -> Result<Reserve, Refusal> {
+    if !patience.is_limited() {
+        return reserve_unasked(project, candidate, patience);
+    }
+    reserve_of_watched(project, candidate, usize::MAX, patience).map_err(|Stopped| Refusal::Stopped)
+}
+
+/// The same as far as it is sought unasked.
+///
+/// # Errors
+/// [`Refusal::Stopped`].
+pub fn reserve_unasked(project: &Project, candidate: &Candidate<'_>, patience: &Patience) -> Result<Reserve, Refusal> {
+    reserve_of_watched(project, candidate, SAMPLES_ANEW, patience).map_err(|Stopped| Refusal::Stopped)
+}
+
+impl Verification<'_> {
+    /// The record of it.
+    #[must_use]
+    pub fn record(&self, language: Language) -> answers::Judgement {
+        answer::judgement(self.project, &self.candidate, &self.reserve, self.assessment.as_ref(), language)
+    }
+}

@@ -1,0 +1,43 @@
+//! `code complete CODE`: what a partial code may become.
+
+use super::given::{arguments, pattern};
+use super::{Answer, Argument, CODE, Entry, Gives, Kind, Reads, Unanswered};
+use crate::answer;
+pub use crate::codes::completion;
+use crate::codes::list_codes;
+use order_code::Pattern;
+use words::help;
+
+arguments! {
+    /// A partial code.
+    pub struct Args {
+        /// It.
+        code: Option<Pattern> =
+            Argument { about: help::code_complete_pattern, ..CODE }.of(Kind::Text) => pattern,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "code complete",
+    path: "code/complete",
+    about: help::code_complete,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("code complete"),
+    writes: &[],
+    example: "CHA-14A-100-N",
+    answer: Some(|asked| {
+        let pattern = pattern_of(&asked.given)?;
+        let codes = list_codes(Some(&pattern));
+        Ok(Answer::record(&answer::completion(&pattern, &codes, asked.language)))
+    }),
+};
+
+/// The partial code.
+///
+/// # Errors
+/// Why it is none.
+pub fn pattern_of(given: &super::Given) -> Result<Pattern, Unanswered> {
+    Args::read(given)?.code.ok_or(Unanswered::Refused(crate::Refusal::NoData, None))
+}

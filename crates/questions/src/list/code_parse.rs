@@ -1,0 +1,39 @@
+//! `code parse CODE`: what an ordering code says, field by field.
+
+use super::given::{arguments, text};
+use super::{Answer, Asked, CODE, Entry, Gives, Reads, Unanswered};
+use crate::answer;
+pub use crate::codes::explain_code;
+use crate::codes::{CodeReading, read_code};
+pub use configurator::uncovered;
+use words::help;
+
+arguments! {
+    /// A code.
+    pub struct Args {
+        /// The code as it is written.
+        code: Option<String> = super::Argument { about: help::code_example, ..CODE } => text,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "code parse",
+    path: "code/parse",
+    about: help::code_parse,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("code parse"),
+    writes: &[],
+    example: "CHA-20A-100-H-C1024-B",
+    answer: Some(|asked| Ok(Answer::record(&answer::code_reading(&reading(asked)?, asked.language)))),
+};
+
+/// The code that is read.
+///
+/// # Errors
+/// Why it is none.
+pub fn reading(asked: &Asked<'_>) -> Result<CodeReading, Unanswered> {
+    let text = Args::read(&asked.given)?.code.unwrap_or_default();
+    read_code(&text, asked.language).map_err(|refusal| Unanswered::Code { text, refusal, among: false })
+}

@@ -1,0 +1,43 @@
+//! `commission CODE --checklist FILE`: the check-lists as a form to fill in; a face typesets it.
+
+use super::given::{arguments, code, some};
+use super::{Asked, CODE, Entry, Gives, OutputFile, Reads, Unanswered, commission, media};
+use crate::answer;
+use crate::chapters::read_quantity;
+use crate::commission::{DriveForm, usual_ambient};
+use order_code::OrderCode;
+use quantities::ThermodynamicTemperature;
+use words::{help, requests};
+
+arguments! {
+    /// An actuator, and where it is measured.
+    pub struct Args {
+        /// Its code.
+        code: OrderCode = CODE => code,
+        /// Temperature of winding and sensors.
+        ambient: Option<ThermodynamicTemperature> = commission::AMBIENT => some(read_quantity),
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "commission --checklist",
+    path: "commission/checklist",
+    about: requests::commission_checklist,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Media(&[media::PDF]),
+    writes: &[OutputFile::of("checklist", &[media::PDF], help::commission_checklist)],
+    example: "",
+    answer: None,
+};
+
+/// The sheet whose lists they are.
+///
+/// # Errors
+/// Every fault of the arguments; no printed data.
+pub fn found(asked: &Asked<'_>) -> Result<answers::Commissioning, Unanswered> {
+    let Args { code, ambient } = Args::read(&asked.given)?;
+    let ambient = ambient.unwrap_or_else(usual_ambient);
+    Ok(answer::commissioning(&commission::about(&code)?, DriveForm::Plain, ambient, asked.language))
+}

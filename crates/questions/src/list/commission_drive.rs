@@ -1,0 +1,41 @@
+//! `commission CODE --for FORM --out FILE`: the values as a drive reads them.
+
+use super::given::{arguments, code, word};
+use super::{Answer, CODE, Entry, Gives, Kind, OutputFile, Reads, commission, media};
+use crate::commission::DriveForm;
+pub use crate::commission::{eds, sinamics_script};
+use order_code::OrderCode;
+use words::{help, requests};
+
+arguments! {
+    /// An actuator and the drive.
+    pub struct Args {
+        /// Its code.
+        code: OrderCode = CODE => code,
+        /// The form of the values.
+        form: Option<DriveForm> = commission::FORM
+            .of(Kind::Word(|| [DriveForm::Sinamics, DriveForm::Cia402].map(DriveForm::id).to_vec())).required()
+            => word(DriveForm::of_id),
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "commission --out",
+    path: "commission/drive",
+    about: requests::commission_drive,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Media(&[media::PLAIN]),
+    writes: &[OutputFile::of("out", &[media::PLAIN, media::JSON], help::commission_out).with("for")],
+    example: "",
+    answer: Some(|asked| {
+        let Args { code, form } = Args::read(&asked.given)?;
+        let about = commission::about(&code)?;
+        let (text, ending) = match form {
+            Some(DriveForm::Cia402) => (eds(&about, asked.language), "eds"),
+            Some(DriveForm::Sinamics | DriveForm::Plain) | None => (sinamics_script(&about, asked.language), "txt"),
+        };
+        Ok(Answer::text(media::PLAIN, text).saved_as(format!("{code}.{ending}")))
+    }),
+};

@@ -1,0 +1,48 @@
+//! `commission CODE --record FILE`: measured values, judged.
+
+use super::given::{arguments, code};
+use super::{Answer, Asked, CODE, Entry, Gives, Reads, Unanswered, commission};
+use crate::answer;
+pub use crate::commission::{judge, measured};
+use answers::{Fit, Recorded};
+use order_code::OrderCode;
+use words::{requests, told};
+
+arguments! {
+    /// An actuator.
+    pub struct Args {
+        /// Its code.
+        code: OrderCode = CODE => code,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "commission --record",
+    path: "commission",
+    about: requests::measured_judged,
+    reads: Reads::Measured,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("commission --record"),
+    writes: &[],
+    example: "",
+    answer: Some(|asked| {
+        let found = found(asked)?;
+        Ok(Answer::record(&found).fits(found.verdict == Fit::Fits))
+    }),
+};
+
+/// The measured values, judged.
+///
+/// # Errors
+/// Faults of the code and of the record.
+pub fn found(asked: &Asked<'_>) -> Result<Recorded, Unanswered> {
+    let about = commission::about(&Args::read(&asked.given)?.code)?;
+    let source = asked.source()?;
+    let text = source.text(asked.language)?;
+    let measured = measured(text).map_err(|found| {
+        let faults = told(&found, asked.language);
+        Unanswered::Text { name: source.name.clone(), text: text.to_owned(), faults }
+    })?;
+    Ok(answer::recorded(&about, &judge(&about, &measured), asked.language))
+}

@@ -1,0 +1,70 @@
+//! `compare PROJECT`: several actuators side by side.
+
+use super::given::{arguments, codes, text};
+use super::{AXIS, Asked, Axis, Cost, Entry, Gives, Reads, Unanswered, argument};
+use crate::answer;
+pub use crate::compare::{CheckRow, Comparison, DatumRow, compare};
+use crate::sizing_use::{Candidate, Refusal};
+use order_code::OrderCode;
+use project::Project;
+use words::{help, terminal};
+
+/// How many are compared.
+const COMPARED: std::ops::RangeInclusive<usize> = 2..=5;
+
+arguments! {
+    /// Which axis, which actuators.
+    pub struct Args {
+        /// The axis of a project with several.
+        axis: Option<String> = AXIS => text,
+        /// The actuators.
+        codes: Vec<OrderCode> = argument::code(help::compare_code).required().repeated() => codes,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "compare",
+    path: "compare",
+    about: help::compare,
+    reads: Reads::Project,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("compare"),
+    writes: &[],
+    example: "axis.toml --code CHA-25A-50-H-C1024 --code CHA-32A-50-H-C1024",
+    answer: Some(|asked| {
+        let (args, axes) = put(asked)?;
+        asked.record_of_each(&axes, |project| {
+            let found = args.comparison(project, asked)?;
+            let fits = found.candidates.iter().any(Candidate::fits);
+            Ok((answer::comparison(&found, &project.name, asked.language), fits))
+        })
+    }),
+};
+
+/// The arguments and the axes.
+///
+/// # Errors
+/// Every fault of them.
+pub fn put(asked: &Asked<'_>) -> Result<(Args, Vec<Axis>), Unanswered> {
+    let count = asked.given.all("code").count();
+    if !COMPARED.contains(&count) {
+        return Err(Unanswered::message(terminal::two_to_five_codes(&count, asked.language)));
+    }
+    let args = Args::read(&asked.given)?;
+    let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
+    Ok((args, axes))
+}
+
+impl Args {
+    /// The actuators side by side for an axis.
+    ///
+    /// # Errors
+    /// Why one of them cannot be judged, and which.
+    pub fn comparison<'p>(&self, project: &'p Project, asked: &Asked<'_>) -> Result<Comparison<'p>, Unanswered> {
+        compare(project, &self.codes, asked.patience).map_err(|(index, refusal)| {
+            let code = self.codes.get(index).filter(|_| refusal != Refusal::Stopped);
+            Unanswered::Refused(refusal, code.copied())
+        })
+    }
+}

@@ -1,0 +1,138 @@
+//! What an answer costs, by its question: known before the work for it begins.
+
+use super::size::ASSESSED_MOST;
+use crate::sizing_use::Refusal;
+use crate::tolerance::{Draw, work};
+use project::Project;
+use sizing::INSTANTS_MOST;
+
+/// What is asked about the axes of a project, as far as its cost depends on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cost {
+    /// The catalogue ranked.
+    Ranking {
+        /// How many are told in full.
+        told: usize,
+        /// How the tolerances of the best of them are judged.
+        draw: Draw,
+    },
+    /// One actuator judged.
+    Check {
+        /// How its tolerances are.
+        draw: Draw,
+    },
+    /// A report.
+    Report,
+    /// Anything else.
+    Other,
+}
+
+impl Cost {
+    /// How long an answer takes at most, about, on one core, where nobody has said how long it may take \[s\].
+    const fn seconds(self) -> usize {
+        match self {
+            Self::Ranking { .. } | Self::Check { .. } => 5,
+            Self::Report | Self::Other => 10,
+        }
+    }
+
+    /// The samples of recordings that are looked at within it, of all axes together; those under a load that hangs on the
+    /// position or has losses count twice.
+    #[must_use]
+    pub const fn samples(self) -> usize {
+        match self {
+            Self::Ranking { .. } | Self::Check { .. } | Self::Report => 1 << 21,
+            Self::Other => 1 << 22,
+        }
+    }
+
+    /// So many axes are answered within it whose cycles are nothing: what is told of each takes time and memory.
+    #[allow(clippy::cast_precision_loss, reason = "the catalogue has no more")]
+    fn axes(self) -> f64 {
+        match self {
+            Self::Report => 50.0,
+            Self::Ranking { told, .. } => 500.0 / (1.0 + told.min(300) as f64 / 60.0),
+            Self::Check { .. } | Self::Other => 500.0,
+        }
+    }
+
+    /// The share of that time which an axis takes.
+    #[allow(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+    fn share(self, project: &Project) -> f64 {
+        let [recorded, samples] = project.axis.samples();
+        let nodes = project.axis.instants().saturating_sub(recorded);
+        let (instants, tolerances) = match self {
+            Self::Ranking { told, draw } => (INSTANTS_MOST, work::share(project, told.min(ASSESSED_MOST), draw)),
+            Self::Check { draw } => (INSTANTS_MOST, work::share(project, 1, draw)),
+            Self::Report => (INSTANTS_MOST, work::share(project, 1, Draw::default())),
+            Self::Other => (2.0 * INSTANTS_MOST, 0.0),
+        };
+        1.0 / self.axes() + samples as f64 / self.samples() as f64 + nodes as f64 / instants + tolerances
+    }
+
+    /// Whether the catalogue is judged in that time for each of several ratios of a stage, of which the axis has one.
+    ///
+    /// # Errors
+    /// [`Refusal::TooManyRatios`]
+    pub(crate) fn is_quick_for(self, project: &Project, ratios: usize) -> Result<(), Refusal> {
+        #[allow(clippy::cast_precision_loss, reason = "at most sixteen")]
+        let share = self.share(project) * ratios as f64;
+        if share > 1.0 { Err(Refusal::TooManyRatios { ratios, seconds: self.seconds() }) } else { Ok(()) }
+    }
+
+    /// Whether an answer about some axes takes no longer than is waited unasked.
+    ///
+    /// # Errors
+    /// [`Refusal::TooLong`] for recordings, [`Refusal::TooManyAxes`] for several axes that take longer together. What a single
+    /// axis is besides its recordings is bounded where it is read.
+    pub fn is_quick<'p>(self, projects: impl IntoIterator<Item = &'p Project> + Clone) -> Result<(), Refusal> {
+        let (most, seconds) = (self.samples(), self.seconds());
+        let each = projects.clone().into_iter().map(|project| project.axis.samples());
+        let [samples, cost] = each.fold([0; 2], |[samples, cost], [a, b]| [samples + a, cost + b]);
+        if cost > most {
+            return Err(Refusal::TooLong { samples, most, seconds });
+        }
+        let shares: Vec<f64> = projects.into_iter().map(|project| self.share(project)).collect();
+        let axes = shares.len();
+        if axes > 1 && shares.iter().sum::<f64>() > 1.0 {
+            return Err(Refusal::TooManyAxes { axes, seconds });
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn project(inertia: &str, segments: usize) -> Project {
+        let segment = "[[motion]]\nlaw = \"manual\"\nspeed = \"40 1/min\"\naccelerate = \"0.1 s\"\nrun = \"0.1 s\"\n\
+            brake = \"0.1 s\"\npause = \"1 s\"\n";
+        let text = format!("format = 1\n[load]\ninertia = \"{inertia}\"\n{}", segment.repeat(segments));
+        crate::read(&text).unwrap()
+    }
+
+    #[test]
+    fn several_axes_are_counted_together() {
+        let draw = Draw::default();
+        let ranking = Cost::Ranking { told: 10, draw };
+        let few = project("1 kg m^2", 1);
+        let of =
+            |question: Cost, project: &Project, count: usize| question.is_quick(std::iter::repeat_n(project, count));
+        for (question, most) in [(ranking, 400), (Cost::Report, 48), (Cost::Other, 480)] {
+            assert_eq!(of(question, &few, most), Ok(()), "{question:?}");
+            let refused = of(question, &few, most + 60);
+            assert!(matches!(refused, Err(Refusal::TooManyAxes { axes, .. }) if axes == most + 60), "{question:?}");
+        }
+        let all = Cost::Ranking { told: usize::MAX, draw };
+        assert!(of(all, &few, 20).is_ok() && of(all, &few, 100).is_err());
+        // A long cycle and a tolerance cost more than nothing.
+        let (long, uncertain) = (project("1 kg m^2", 4000), project("1 kg m^2 ± 5 %", 1));
+        assert!(of(ranking, &long, 2).is_ok() && of(ranking, &long, 20).is_err());
+        assert!(of(ranking, &uncertain, 4).is_ok() && of(ranking, &uncertain, 40).is_err());
+        assert!(of(Cost::Check { draw }, &uncertain, 40).is_ok());
+        let many = Draw { samples: Some(100_000), ..draw };
+        assert!(of(Cost::Check { draw: many }, &uncertain, 1).is_ok());
+        assert!(of(Cost::Check { draw: many }, &uncertain, 40).is_err());
+    }
+}

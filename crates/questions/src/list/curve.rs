@@ -1,0 +1,51 @@
+//! `curve CODE`: the curves of the torque-speed plane.
+
+use super::given::{arguments, code, some};
+use super::{Answer, Argument, Asked, CODE, Entry, Form, Gives, PICTURE, Reads, Unanswered};
+use crate::answer;
+use crate::chapters::{curves, read_quantity};
+use crate::plane::{Plane, plane_of};
+use crate::sizing_use::Refusal;
+use actuator::PerformanceCurve;
+use order_code::OrderCode;
+use quantities::ElectricPotential;
+use words::{help, help::values};
+
+arguments! {
+    /// An actuator and its supply.
+    pub struct Args {
+        /// Its code.
+        code: OrderCode = CODE.form(Form::Bare) => code,
+        /// Terminal voltage of the motor.
+        voltage: Option<ElectricPotential> =
+            Argument::option("voltage", values::voltage, help::curve_voltage) => some(read_quantity),
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "curve",
+    path: "curve",
+    about: help::curve,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("curve"),
+    writes: &PICTURE,
+    example: "CHA-20A-100-H-C1024 --voltage \"220 V\"",
+    answer: Some(|asked| {
+        let (code, curves, _) = found(asked)?;
+        Ok(Answer::record(&answer::curves(&code, &curves, asked.language)))
+    }),
+};
+
+/// The curves of an actuator, and the plane that they bound.
+///
+/// # Errors
+/// Every fault of the arguments; no printed data.
+pub fn found(asked: &Asked<'_>) -> Result<(OrderCode, Vec<PerformanceCurve>, Plane), Unanswered> {
+    let Args { code, voltage } = Args::read(&asked.given)?;
+    match (curves(&code, voltage), plane_of(&code, voltage)) {
+        (Some(Ok(curves)), Some(Ok(plane))) => Ok((code, curves, plane)),
+        _ => Err(Refusal::NoData.into()),
+    }
+}

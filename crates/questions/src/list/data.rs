@@ -1,0 +1,38 @@
+//! `data CODE`: the data sheet of an actuator.
+
+use super::given::{arguments, code};
+use super::{Answer, Asked, CODE, Entry, Gives, Reads, Unanswered};
+use crate::answer;
+pub use crate::sheet::{Sheet, SheetMarks, SheetNote, SheetSection, sheet};
+use crate::sizing_use::Refusal;
+use order_code::OrderCode;
+use words::help;
+
+arguments! {
+    /// An actuator.
+    pub struct Args {
+        /// Its code.
+        code: OrderCode = CODE => code,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "data",
+    path: "data",
+    about: help::data,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("data"),
+    writes: &[],
+    example: "CHA-20A-100-H-C1024",
+    answer: Some(|asked| Ok(Answer::record(&answer::sheet(&found(asked)?, asked.language)))),
+};
+
+/// The data sheet.
+///
+/// # Errors
+/// Faults of the code; no printed data.
+pub fn found(asked: &Asked<'_>) -> Result<Sheet, Unanswered> {
+    Ok(sheet(&Args::read(&asked.given)?.code).ok_or(Refusal::NoData)?)
+}

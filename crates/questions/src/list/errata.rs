@@ -1,0 +1,47 @@
+//! `errata`: what is wrong or in doubt in the print, and what is used.
+
+use super::given::{arguments, text};
+use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Unanswered};
+use crate::answer;
+use crate::errata::ErrataFound;
+pub use crate::errata::{ErrataRefusal, errata_about};
+use crate::sizing_use::Refusal;
+use words::help;
+use words::help::values;
+
+arguments! {
+    /// About what.
+    pub struct Args {
+        /// A code, the number of a table, the id of an erratum; all errata without it.
+        about: Option<String> = Argument::option("about", values::code_table_or_id, help::errata_about)
+            .form(Form::Words) => text,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "errata",
+    path: "errata",
+    about: help::errata,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("errata"),
+    writes: &[],
+    example: "CHA-25A-50-H-M512P",
+    answer: Some(|asked| Ok(Answer::record(&answer::errata(&found(asked)?, asked.language)))),
+};
+
+/// The errata.
+///
+/// # Errors
+/// Where the text names nothing that has errata.
+pub fn found(asked: &Asked<'_>) -> Result<ErrataFound, Unanswered> {
+    let text = Args::read(&asked.given)?.about.unwrap_or_default();
+    errata_about(Some(&text), asked.language).map_err(|refusal| match refusal {
+        ErrataRefusal::Code(refusal) => Unanswered::Code { text, refusal, among: false },
+        ErrataRefusal::NoData => Refusal::NoData.into(),
+        ErrataRefusal::Unknown { message, hint } => {
+            Unanswered::message(hint.map_or(message.clone(), |hint| format!("{message}; {hint}")))
+        }
+    })
+}

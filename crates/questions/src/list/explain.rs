@@ -1,0 +1,109 @@
+//! `explain PROJECT`: how value and limit of the checks of an actuator came about.
+
+use super::given::{arguments, some_code_among, text, word};
+use super::{AXIS, Argument, Cost, Entry, Gives, Kind, Reads, argument};
+use crate::answer;
+pub use crate::explain::derivation;
+use crate::patience::{Patience, Stopped};
+use crate::sizing_use::{Candidate, Refusal, explain, explain_own};
+use order_code::OrderCode;
+use project::Project;
+use quantities::Language;
+use sizing::{Check, CheckId, Watch as _};
+use words::help;
+use words::help::values;
+
+arguments! {
+    /// Which axis, which actuator, which of its checks.
+    pub struct Args {
+        /// The axis of a project with several.
+        axis: Option<String> = AXIS => text,
+        /// The actuator; without it the project's own.
+        code: Option<OrderCode> = argument::code(help::explain_code) => some_code_among,
+        /// One check; without it all.
+        check: Option<CheckId> = Argument::option("check", values::check, help::explain_check)
+            .of(Kind::Word(|| CheckId::ALL.iter().map(|check| check.id()).collect())) => word(check_of),
+    }
+}
+
+fn check_of(id: &str) -> Option<CheckId> {
+    CheckId::ALL.iter().find(|check| check.id() == id).copied()
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "explain",
+    path: "explain",
+    about: help::explain,
+    reads: Reads::Project,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("explain"),
+    writes: &[],
+    example: "axis.toml --code CHA-25A-50-H-C1024 --check continuous_torque",
+    answer: Some(|asked| {
+        let args = Args::read(&asked.given)?;
+        let axes = asked.axes(args.axis.as_deref(), Cost::Other)?;
+        asked.record_of_each(&axes, |project| {
+            let found = args.explanation(project, asked.patience)?;
+            Ok((found.record(asked.language), found.candidate.fits()))
+        })
+    }),
+};
+
+impl Args {
+    /// The actuator judged with its workings.
+    ///
+    /// # Errors
+    /// As [`explanation`].
+    pub fn explanation<'p>(&self, project: &'p Project, patience: &Patience) -> Result<Explanation<'p>, Refusal> {
+        explanation(project, self.code.as_ref(), self.check, patience)
+    }
+}
+
+/// One actuator judged with the workings of its checks.
+#[derive(Clone, Debug)]
+pub struct Explanation<'p> {
+    /// The axis.
+    pub project: &'p Project,
+    /// The actuator.
+    pub candidate: Candidate<'p>,
+    /// The check asked for; `None` for all.
+    wanted: Option<CheckId>,
+}
+
+/// Judges one actuator with its workings; without a code the project's own.
+///
+/// # Errors
+/// Why it cannot be judged, [`Refusal::NotAsked`] where the check is not part of the judgement, [`Refusal::Stopped`].
+pub fn explanation<'p>(
+    project: &'p Project,
+    code: Option<&OrderCode>,
+    wanted: Option<CheckId>,
+    patience: &Patience,
+) -> Result<Explanation<'p>, Refusal> {
+    patience.step().map_err(|Stopped| Refusal::Stopped)?;
+    let candidate = match code {
+        Some(code) => explain(project, code)?,
+        None => explain_own(project)?,
+    };
+    let found = Explanation { project, candidate, wanted };
+    match wanted {
+        Some(id) if found.checks().is_empty() => Err(Refusal::NotAsked(id)),
+        _ => Ok(found),
+    }
+}
+
+impl Explanation<'_> {
+    /// The checks asked for.
+    #[must_use]
+    pub fn checks(&self) -> Vec<&Check> {
+        let asked = |check: &&Check| self.wanted.is_none_or(|id| check.id == id);
+        self.candidate.judgement.checks.iter().filter(asked).collect()
+    }
+
+    /// The record of it.
+    #[must_use]
+    pub fn record(&self, language: Language) -> answers::Explanations {
+        answer::explanations(self.project, &self.candidate, &self.checks(), language)
+    }
+}

@@ -1,0 +1,60 @@
+//! `export PROJECT`: the results as a workbook or one table; a face writes it.
+
+use super::given::{arguments, count, label, some_code, text};
+use super::{AXIS, Argument, Asked, Axis, Cost, Entry, Gives, Kind, OutputFile, Reads, Unanswered, argument, media};
+use order_code::OrderCode;
+use words::{help, help::values, requests, terminal};
+
+/// The names of the tables, in the order of a workbook.
+pub const TABLES: [&str; 7] = ["inputs", "assumptions", "demand", "motion", "candidates", "checks", "course"];
+
+/// The formats, by the endings of their files.
+pub const FORMATS: [&str; 4] = ["json", "csv", "parquet", "xlsx"];
+
+arguments! {
+    /// Which axis, which actuator, which tables.
+    pub struct Args {
+        /// The axis of a project with several.
+        axis: Option<String> = AXIS => text,
+        /// The actuator; without it the project's own, else the best.
+        code: Option<OrderCode> = argument::code(help::export_code) => some_code,
+        /// One table; without it the workbook.
+        table: Option<String> = Argument::option("table", values::name, help::export_table)
+            .of(Kind::Word(|| TABLES.to_vec())) => text,
+        /// The format; on the command line the ending of the file.
+        format: Option<String> = Argument::option("format", values::format, requests::format)
+            .of(Kind::Word(|| FORMATS.to_vec())) => text,
+        /// How many of the ranking the tables hold.
+        top: usize = argument::top("20", help::export_top) => count,
+        /// The revision for the first sheet.
+        revision: Option<String> = Argument::option("revision", values::text, help::export_revision) => label,
+        /// The day for the first sheet.
+        date: Option<String> = Argument::option("date", values::date, help::export_date) => label,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "export",
+    path: "export",
+    about: help::export,
+    reads: Reads::Project,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::RecordOr("export --table", &[media::XLSX, media::CSV, media::PARQUET]),
+    writes: &[OutputFile::of("out", &[media::XLSX, media::CSV, media::JSON, media::PARQUET], help::export_out)],
+    example: "axis.toml --out axis.xlsx",
+    answer: None,
+};
+
+impl Args {
+    /// The axis that is written.
+    ///
+    /// # Errors
+    /// Faults of the project, several axes where none is named.
+    pub fn axis(&self, asked: &Asked<'_>) -> Result<Axis, Unanswered> {
+        let axes = asked.axes_of(asked.source()?, self.axis.as_deref())?;
+        let axis = asked.only(axes, |names| terminal::export_is_of_one_axis(&names, asked.language))?;
+        asked.within(Cost::Other, [&axis])?;
+        Ok(axis)
+    }
+}

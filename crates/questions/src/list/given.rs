@@ -1,0 +1,254 @@
+//! The texts that a call or a request gives for the arguments of a question, and how they become values.
+
+use super::argument::{Argument, FILE, LANG, TRUE, near};
+use super::unanswered::Unanswered;
+use crate::codes::{read_code, read_pattern};
+use answers::Fault;
+use order_code::{OrderCode, Pattern};
+use quantities::{Language, seen};
+use std::borrow::Cow;
+use words::{Usage, UsageHint, usage_hint, usage_text};
+
+/// As many characters as a text of a project may have.
+const TEXT_MOST: usize = 200;
+
+/// What is wrong with a text, and a hint.
+pub type Hinted = (String, Option<String>);
+
+/// Texts for arguments, each of the kind that its argument takes.
+#[derive(Clone, Debug)]
+pub struct Given {
+    values: Vec<(&'static str, String)>,
+    language: Language,
+}
+
+impl Given {
+    /// Checks what is given against what a question takes.
+    ///
+    /// # Errors
+    /// Every name that is unknown, missing or given twice, and every value that is not of its kind.
+    pub fn of<'g>(
+        arguments: &[Argument],
+        pairs: impl IntoIterator<Item = (Cow<'g, str>, Cow<'g, str>)>,
+        language: Language,
+    ) -> Result<Self, Unanswered> {
+        let mut given = Self { values: Vec::new(), language };
+        let mut errors: Vec<Fault> = Vec::new();
+        for (name, value) in pairs {
+            let known = arguments.iter().chain([&LANG]).find(|argument| argument.name == name);
+            let Some(argument) = known else {
+                errors.push(unknown(&name, arguments, language));
+                continue;
+            };
+            if !argument.repeated && given.all(argument.name).next().is_some() {
+                let twice = Usage::Twice { name: argument.name.to_owned() };
+                errors.push(usage(argument.name, &twice, None, language));
+                continue;
+            }
+            match argument.checked(&value) {
+                Ok(value) => given.values.push((argument.name, value.into_owned())),
+                Err(hint) => {
+                    let what = Usage::BadValue { written: shown(&value), name: argument.name.to_owned() };
+                    errors.push(usage(argument.name, &what, hint, language));
+                }
+            }
+        }
+        let needed = arguments.iter().filter(|argument| given.text(argument).is_some()).filter_map(|given| given.needs);
+        let needed = needed.filter(|needs| arguments.iter().any(|argument| argument.name == *needs));
+        let required = arguments.iter().filter(|argument| argument.required).map(|argument| argument.name);
+        for missing in required.chain(needed) {
+            let is_there = given.all(missing).next().is_some();
+            if !is_there && !errors.iter().any(|fault| fault.option.as_deref() == Some(missing)) {
+                errors.push(usage(missing, &Usage::Missing { names: missing.to_owned() }, None, language));
+            }
+        }
+        if errors.is_empty() { Ok(given) } else { Err(Unanswered::Usage(errors)) }
+    }
+
+    /// The value of an argument, or its usual one.
+    #[must_use]
+    pub fn text(&self, argument: &Argument) -> Option<&str> {
+        self.all(argument.name).next().or(argument.usual)
+    }
+
+    /// Every value of a name.
+    pub fn all(&self, name: &str) -> impl Iterator<Item = &str> {
+        self.values.iter().filter(move |(known, _)| *known == name).map(|(_, value)| value.as_str())
+    }
+
+    /// The language of the faults.
+    #[must_use]
+    pub const fn language(&self) -> Language {
+        self.language
+    }
+
+    /// What the project is called.
+    ///
+    /// # Errors
+    /// A name that is too long.
+    pub fn file(&self) -> Result<Option<String>, Unanswered> {
+        label(self, &FILE)
+    }
+}
+
+/// A text as it is.
+pub(super) fn text(given: &Given, argument: &Argument) -> Result<Option<String>, Unanswered> {
+    Ok(given.text(argument).map(str::to_owned))
+}
+
+/// Every text of an argument, a line each.
+pub(super) fn lines(given: &Given, argument: &Argument) -> Result<String, Unanswered> {
+    Ok(given.all(argument.name).collect::<Vec<_>>().join("\n"))
+}
+
+/// A text of a bounded length, without invisible signs.
+pub(super) fn label(given: &Given, argument: &Argument) -> Result<Option<String>, Unanswered> {
+    let Some(text) = given.text(argument) else { return Ok(None) };
+    if text.chars().count() > TEXT_MOST {
+        let message = usage_text(&Usage::TooLong { most: TEXT_MOST }, given.language);
+        return Err(Unanswered::option(argument.name, (message, None)));
+    }
+    Ok(Some(seen(text).into_owned()))
+}
+
+/// Whether a flag is set.
+pub(super) fn flag(given: &Given, argument: &Argument) -> Result<bool, Unanswered> {
+    Ok(given.text(argument) == Some(TRUE))
+}
+
+/// A whole number that may be given.
+pub(super) fn number<N: std::str::FromStr>(given: &Given, argument: &Argument) -> Result<Option<N>, Unanswered> {
+    Ok(given.text(argument).and_then(|value| value.parse().ok()))
+}
+
+/// A whole number, the usual one where none is given.
+pub(super) fn count(given: &Given, argument: &Argument) -> Result<usize, Unanswered> {
+    number(given, argument).map(Option::unwrap_or_default)
+}
+
+/// One of the words of an argument.
+pub(super) fn word<T>(of: impl Fn(&str) -> Option<T>) -> impl Fn(&Given, &Argument) -> Result<Option<T>, Unanswered> {
+    move |given, argument| Ok(given.text(argument).and_then(&of))
+}
+
+/// A value that may be given, read by its reader.
+pub(super) fn some<T>(
+    read: impl Fn(&str, Language) -> Result<T, Hinted>,
+) -> impl Fn(&Given, &Argument) -> Result<Option<T>, Unanswered> {
+    move |given, argument| {
+        let value = given.text(argument).map(|text| read(text, given.language));
+        value.transpose().map_err(|fault| Unanswered::option(argument.name, fault))
+    }
+}
+
+/// A value that is required, read by its reader.
+pub(super) fn one<T>(
+    read: impl Fn(&str, Language) -> Result<T, Hinted>,
+) -> impl Fn(&Given, &Argument) -> Result<T, Unanswered> {
+    move |given, argument| {
+        let text = given.text(argument).unwrap_or_default();
+        read(text, given.language).map_err(|fault| Unanswered::option(argument.name, fault))
+    }
+}
+
+/// The ordering code that is required; its faults are a record of their own.
+pub(super) fn code(given: &Given, argument: &Argument) -> Result<OrderCode, Unanswered> {
+    code_of(given.text(argument).unwrap_or_default(), false, given.language)
+}
+
+/// The same with its faults among those of other arguments.
+pub(super) fn code_among(given: &Given, argument: &Argument) -> Result<OrderCode, Unanswered> {
+    code_of(given.text(argument).unwrap_or_default(), true, given.language)
+}
+
+/// An ordering code that may be given.
+pub(super) fn some_code(given: &Given, argument: &Argument) -> Result<Option<OrderCode>, Unanswered> {
+    given.text(argument).map(|text| code_of(text, false, given.language)).transpose()
+}
+
+/// The same with its faults among those of the axes.
+pub(super) fn some_code_among(given: &Given, argument: &Argument) -> Result<Option<OrderCode>, Unanswered> {
+    given.text(argument).map(|text| code_of(text, true, given.language)).transpose()
+}
+
+/// Ordering codes, in their order.
+pub(super) fn codes(given: &Given, argument: &Argument) -> Result<Vec<OrderCode>, Unanswered> {
+    given.all(argument.name).map(|text| code_of(text, false, given.language)).collect()
+}
+
+fn code_of(text: &str, among: bool, language: Language) -> Result<OrderCode, Unanswered> {
+    let reading = read_code(text, language);
+    reading.map(|reading| reading.parsed.code).map_err(|refusal| Unanswered::Code {
+        text: text.to_owned(),
+        refusal,
+        among,
+    })
+}
+
+/// A partial code that may be given.
+pub(super) fn pattern(given: &Given, argument: &Argument) -> Result<Option<Pattern>, Unanswered> {
+    let Some(text) = given.text(argument) else { return Ok(None) };
+    let refused = |refusal| Unanswered::Code { text: text.to_owned(), refusal, among: false };
+    read_pattern(text, given.language).map(Some).map_err(refused)
+}
+
+fn usage(option: &str, usage: &Usage, hint: Option<UsageHint>, language: Language) -> Fault {
+    Fault {
+        id: Some("usage"),
+        option: Some(option.to_owned()),
+        message: usage_text(usage, language),
+        hint: hint.map(|hint| usage_hint(&hint, language)),
+        ..Fault::default()
+    }
+}
+
+/// As many characters of a value are repeated in a fault.
+const SHOWN_MOST: usize = 60;
+
+fn shown(text: &str) -> String {
+    let short: String = text.chars().take(SHOWN_MOST).collect();
+    seen(&short).into_owned()
+}
+
+fn unknown(name: &str, arguments: &[Argument], language: Language) -> Fault {
+    let names: Vec<&str> = arguments.iter().map(|argument| argument.name).chain([LANG.name]).collect();
+    let hint = UsageHint::Words(near(name, &names));
+    usage(&shown(name), &Usage::UnknownOption { written: shown(name) }, Some(hint), language)
+}
+
+/// The arguments of a question: a plain struct, the list of its arguments, and the reader that reports every fault at once.
+macro_rules! arguments {
+    (
+        $(#[$about:meta])*
+        pub struct Args {
+            $($(#[$field_about:meta])* $field:ident: $of:ty = $argument:expr => $read:expr,)*
+        }
+    ) => {
+        $(#[$about])*
+        #[derive(Clone, Debug)]
+        pub struct Args {
+            $($(#[$field_about])* pub $field: $of,)*
+        }
+
+        impl Args {
+            /// What a face knows of them.
+            pub const ARGUMENTS: &'static [$crate::list::Argument] = &[$($argument),*];
+
+            /// Reads them.
+            ///
+            /// # Errors
+            /// Every fault at once.
+            #[allow(unused_mut, unused_variables, reason = "a question may take nothing")]
+            pub fn read(given: &$crate::list::Given) -> Result<Self, $crate::list::Unanswered> {
+                let mut faults = Vec::new();
+                $(let $field = ($read)(given, &$argument).map_err(|fault| faults.push(fault)).ok();)*
+                match ($($field,)*) {
+                    ($(Some($field),)*) if faults.is_empty() => Ok(Self { $($field),* }),
+                    _ => Err($crate::list::Unanswered::together(faults)),
+                }
+            }
+        }
+    };
+}
+
+pub(super) use arguments;

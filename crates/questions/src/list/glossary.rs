@@ -1,0 +1,41 @@
+//! `glossary`: words and symbols with their meaning.
+
+use super::given::{arguments, text};
+use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Unanswered};
+use crate::answer::not_in_glossary;
+pub use crate::glossary::{glossary, meaning_of_symbol, meaning_of_word};
+use answers::Glossary;
+use words::help;
+use words::help::values;
+
+arguments! {
+    /// Which term.
+    pub struct Args {
+        /// A symbol, a name or a word; all terms without it.
+        term: Option<String> = Argument::option("term", values::term, help::glossary_term).form(Form::Bare) => text,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "glossary",
+    path: "glossary",
+    about: help::glossary,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("glossary"),
+    writes: &[],
+    example: "T_rms",
+    answer: Some(|asked| Ok(Answer::record(&found(asked)?))),
+};
+
+/// The terms.
+///
+/// # Errors
+/// Where there is none of this name.
+pub fn found(asked: &Asked<'_>) -> Result<Glossary, Unanswered> {
+    let term = Args::read(&asked.given)?.term;
+    let wanted = term.as_deref();
+    glossary(wanted, asked.language)
+        .map_err(|nearest| Unanswered::Message(not_in_glossary(wanted.unwrap_or_default(), &nearest, asked.language)))
+}

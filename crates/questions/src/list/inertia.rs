@@ -1,0 +1,40 @@
+//! `inertia BODY…`: the moment of inertia of solid bodies.
+
+use super::given::{arguments, lines};
+use super::{Answer, Argument, Asked, Entry, Form, Gives, Reads, Unanswered};
+use crate::answer;
+use project::{InertiaAnswer, inertia};
+use words::{help, help::values, told};
+
+arguments! {
+    /// Bodies about an axis.
+    pub struct Args {
+        /// One a line: the line of a fault is the number of the body.
+        body: String = Argument::option("body", values::body, help::inertia_body).form(Form::Each).required() => lines,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "inertia",
+    path: "inertia",
+    about: help::inertia,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("inertia"),
+    writes: &[],
+    example: "\"disc diameter=200mm length=20mm density=7850kg/m^3\"",
+    answer: Some(|asked| Ok(Answer::record(&answer::inertia(&found(asked)?)))),
+};
+
+/// The moment of inertia.
+///
+/// # Errors
+/// Every fault of the bodies.
+pub fn found(asked: &Asked<'_>) -> Result<InertiaAnswer, Unanswered> {
+    let text = Args::read(&asked.given)?.body;
+    inertia(&text).map_err(|faults| {
+        let faults = told(&faults, asked.language);
+        Unanswered::Text { name: "body".to_owned(), text, faults }
+    })
+}

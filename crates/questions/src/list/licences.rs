@@ -1,0 +1,25 @@
+//! `licences`: whose work the program is, and under which terms.
+
+use super::given::arguments;
+use super::{Answer, Entry, Gives, Reads};
+pub use crate::licences::licences;
+use words::help;
+
+arguments! {
+    /// Nothing.
+    pub struct Args {
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "licences",
+    path: "licences",
+    about: help::licences,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("licences"),
+    writes: &[],
+    example: "",
+    answer: Some(|_| Ok(Answer::record(&licences()))),
+};

@@ -1,0 +1,76 @@
+//! `mount CODE`: how an actuator is mounted, under the limits of the manual.
+
+use super::given::{arguments, code_among, some};
+use super::{Answer, Argument, Asked, CODE, Entry, Gives, Reads, Unanswered};
+use crate::answer;
+use crate::mount::read_bore;
+pub use crate::mount::{joint_loads, mount};
+use crate::sizing_use::Refusal;
+use answers::{Fit, Mount};
+use installation::fit::Bore;
+pub use installation::mount::MountAsked;
+use order_code::OrderCode;
+use quantities::Language;
+use words::help;
+use words::help::values;
+
+pub(super) const BORE: Argument = Argument::option("bore", values::bore, help::mount_bore).signed();
+pub(super) const BORE_LOAD: Argument = Argument::option("bore-load", values::bore, help::mount_bore_load).signed();
+pub(super) const BORE_HOUSING: Argument =
+    Argument::option("bore-housing", values::bore, help::mount_bore_housing).signed();
+
+arguments! {
+    /// An actuator and the bores that it is mounted in.
+    pub struct Args {
+        /// Its code.
+        code: OrderCode = CODE => code_among,
+        /// Bore over both pilots.
+        bore: Option<Bore> = BORE => some(read_bore),
+        /// Bore of the load.
+        bore_load: Option<Bore> = BORE_LOAD => some(read_bore),
+        /// Bore of the machine.
+        bore_housing: Option<Bore> = BORE_HOUSING => some(read_bore),
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "mount",
+    path: "mount",
+    about: help::mount,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("mount"),
+    writes: &[],
+    example: "CHA-25A-100-H-M512P-B --bore K7",
+    answer: Some(|asked| found(asked).map(|found| mounted(&found))),
+};
+
+pub(super) fn bores(both: Option<Bore>, load: Option<Bore>, housing: Option<Bore>, under: MountAsked) -> MountAsked {
+    MountAsked { bore_load: load.or(both), bore_housing: housing.or(both), ..under }
+}
+
+pub(super) fn mounted(found: &Mount) -> Answer {
+    Answer::record(found).fits(found.verdict == Fit::Fits)
+}
+
+/// How the actuator is mounted.
+///
+/// # Errors
+/// Every fault of the arguments; no printed data.
+pub fn found(asked: &Asked<'_>) -> Result<Mount, Unanswered> {
+    let Args { code, bore, bore_load, bore_housing } = Args::read(&asked.given)?;
+    let question = bores(bore, bore_load, bore_housing, MountAsked::default());
+    under(&code, &question, None, asked.language)
+}
+
+/// How an actuator is mounted, under the loads of an axis where one is named.
+pub(super) fn under(
+    code: &OrderCode,
+    question: &MountAsked,
+    axis: Option<&str>,
+    language: Language,
+) -> Result<Mount, Unanswered> {
+    let found = mount(code, question).ok_or(Refusal::NoData)?;
+    Ok(answer::mount(&found, question, axis, language))
+}

@@ -1,0 +1,52 @@
+//! `mount CODE --project FILE`: how an actuator is mounted, under the loads of a project.
+
+use super::given::{arguments, code_among, some, text};
+use super::mount::{BORE, BORE_HOUSING, BORE_LOAD, bores, mounted};
+use super::{AXIS, Asked, CODE, Cost, Entry, Gives, Reads, Unanswered};
+use crate::mount::{joint_loads, read_bore};
+use answers::Mount;
+use installation::fit::Bore;
+use installation::mount::MountAsked;
+use order_code::OrderCode;
+use words::requests;
+
+arguments! {
+    /// An actuator, the bores that it is mounted in, which axis.
+    pub struct Args {
+        /// Its code.
+        code: OrderCode = CODE => code_among,
+        /// Bore over both pilots.
+        bore: Option<Bore> = BORE => some(read_bore),
+        /// Bore of the load.
+        bore_load: Option<Bore> = BORE_LOAD => some(read_bore),
+        /// Bore of the machine.
+        bore_housing: Option<Bore> = BORE_HOUSING => some(read_bore),
+        /// The axis of a project with several.
+        axis: Option<String> = AXIS.with("project") => text,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "mount --project",
+    path: "mount",
+    about: requests::mounted_in_project,
+    reads: Reads::Project,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("mount"),
+    writes: &[],
+    example: "",
+    answer: Some(|asked| found(asked).map(|found| mounted(&found))),
+};
+
+/// How the actuator is mounted.
+///
+/// # Errors
+/// Every fault of the arguments, else those of the project.
+pub fn found(asked: &Asked<'_>) -> Result<Mount, Unanswered> {
+    let Args { code, bore, bore_load, bore_housing, axis } = Args::read(&asked.given)?;
+    let (_, project) = asked.axis(axis.as_deref(), Cost::Other)?;
+    let loads = MountAsked { axis: joint_loads(&project, &code)?, ..MountAsked::default() };
+    let question = bores(bore, bore_load, bore_housing, loads);
+    super::mount::under(&code, &question, Some(&project.name), asked.language)
+}

@@ -1,0 +1,32 @@
+//! `moves PROJECT`: the motion of an axis, every segment with what follows from it.
+
+use super::given::{arguments, text};
+use super::{AXIS, Answer, Cost, Entry, Gives, Reads};
+use crate::answer;
+use crate::moves::moves;
+use words::requests;
+
+arguments! {
+    /// Which axis.
+    pub struct Args {
+        /// The axis of a project with several.
+        axis: Option<String> = AXIS => text,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "moves",
+    path: "moves",
+    about: requests::moves,
+    reads: Reads::Project,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("moves"),
+    writes: &[],
+    example: "axis.toml",
+    answer: Some(|asked| {
+        let args = Args::read(&asked.given)?;
+        let (_, project) = asked.axis(args.axis.as_deref(), Cost::Other)?;
+        Ok(Answer::record(&answer::motion(&moves(&project), asked.language)))
+    }),
+};

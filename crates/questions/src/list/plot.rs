@@ -1,0 +1,81 @@
+//! `plot PROJECT`: a picture of an axis with an actuator; a face draws it.
+
+use super::given::{arguments, some, some_code, text, word};
+use super::{AXIS, Argument, Asked, Cost, Entry, Gives, Kind, PICTURE, Reads, Unanswered, argument, media};
+use crate::chapters::read_quantity;
+use crate::sizing_use::Candidate;
+use crate::subject::candidate_for;
+use order_code::OrderCode;
+use project::Project;
+use quantities::Length;
+use words::{help, help::values, requests};
+
+/// The pictures of a project, by their identifiers.
+pub const FIGURES: [&str; 6] = ["torque_speed", "cycle", "utilisation", "torsion", "bearing_load", "candidate_map"];
+
+/// The colours of a picture.
+pub const THEME: Argument =
+    Argument::option("theme", values::theme, help::theme).of(Kind::Word(|| vec!["light", "dark"])).usually("light");
+/// How wide a picture is.
+pub const WIDTH: Argument = Argument::option("width", values::length, help::width);
+/// How high a picture is.
+pub const HEIGHT: Argument = Argument::option("height", values::length, help::height);
+
+arguments! {
+    /// Which axis, which actuator, which picture, and how it looks.
+    pub struct Args {
+        /// The axis of a project with several.
+        axis: Option<String> = AXIS => text,
+        /// The actuator; without it the project's own, else the best.
+        code: Option<OrderCode> = argument::code(help::own_or_best_code) => some_code,
+        /// The picture.
+        figure: Option<String> = Argument::option("figure", values::figure, requests::figure)
+            .of(Kind::Word(|| FIGURES.to_vec())).required() => text,
+        /// Whether the map of the candidates is laid out by length, not by mass.
+        by: Option<bool> = Argument::option("by", values::what, help::plot_by)
+            .of(Kind::Word(|| vec!["mass", "length"])).usually("mass") => word(|by| Some(by == "length")),
+        /// Dark colours.
+        theme: Option<bool> = THEME => word(|theme| Some(theme == "dark")),
+        /// Width of the picture.
+        width: Option<Length> = WIDTH => some(read_quantity),
+        /// Height of the picture.
+        height: Option<Length> = HEIGHT => some(read_quantity),
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "plot",
+    path: "plot",
+    about: help::plot,
+    reads: Reads::Project,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Media(&[media::SVG]),
+    writes: &PICTURE,
+    example: "axis.toml --figure torque_speed --svg plane.svg",
+    answer: None,
+};
+
+impl Args {
+    /// The actuator that is drawn.
+    ///
+    /// # Errors
+    /// Why it cannot be judged.
+    pub fn candidate<'p>(&self, project: &'p Project, asked: &Asked<'_>) -> Result<Candidate<'p>, Unanswered> {
+        // The best is sought only where neither a code nor an actuator of the project's own is drawn.
+        let best = if self.code.is_none() && project.actuator.is_none() {
+            super::size::sized(project, 0, asked.patience)?.candidates.first().map(|best| best.id.clone())
+        } else {
+            None
+        };
+        Ok(candidate_for(project, self.code.as_ref(), || best)?)
+    }
+
+    /// The axis that is drawn.
+    ///
+    /// # Errors
+    /// Faults of the project, several axes where none is named.
+    pub fn drawn(&self, asked: &Asked<'_>) -> Result<Project, Unanswered> {
+        asked.axis(self.axis.as_deref(), Cost::Other).map(|(_, project)| project)
+    }
+}

@@ -1,0 +1,30 @@
+//! `schema`: the JSON Schema of the project file, or of the answers.
+
+use super::given::{arguments, flag};
+use super::{Answer, Argument, Entry, Gives, Reads};
+use crate::reading::schema;
+use words::help;
+
+arguments! {
+    /// Of what.
+    pub struct Args {
+        /// Of the answers.
+        answers: bool = Argument::flag("answers", help::schema_answers) => flag,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "schema",
+    path: "schema",
+    about: help::schema,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Json,
+    writes: &[],
+    example: "",
+    answer: Some(|asked| {
+        let of_answers = Args::read(&asked.given)?.answers;
+        Ok(if of_answers { Answer::record(&answers::schema()) } else { Answer::record(&schema(asked.language)) })
+    }),
+};

@@ -1,0 +1,138 @@
+//! `size PROJECT`: the whole catalogue ranked for an axis.
+
+use super::given::{arguments, count, flag, number, text};
+use super::{AXIS, Argument, Cost, Entry, Gives, Kind, OutputFile, Reads, argument, media};
+use crate::answer;
+use crate::patience::{Patience, Stopped};
+use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, size_watched};
+use crate::tolerance::{Assessment, Draw, SAMPLES_MOST, SEED_USUAL, assess_watched};
+use project::Project;
+use quantities::Language;
+use words::{help, help::values};
+
+#[allow(clippy::cast_possible_truncation, reason = "a million")]
+pub(super) const SAMPLES: Argument =
+    Argument::option("samples", values::n, help::samples).of(Kind::Whole(1, SAMPLES_MOST as u64));
+pub(super) const SEED: Argument = Argument::option("seed", values::n, help::seed).of(Kind::Whole(0, u64::MAX));
+
+arguments! {
+    /// Which axis, how many candidates, how tolerances are sampled.
+    pub struct Args {
+        /// The axis of a project with several.
+        axis: Option<String> = AXIS => text,
+        /// How many candidates are reported in full.
+        top: usize = argument::top("10", help::size_top) => count,
+        /// Every candidate.
+        all: bool = Argument::flag("all", help::size_all) => flag,
+        /// How many samples.
+        samples: Option<usize> = SAMPLES => number,
+        /// From which the samples follow.
+        seed: Option<u64> = SEED => number,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "size",
+    path: "size",
+    about: help::size,
+    reads: Reads::Project,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("size"),
+    writes: &[OutputFile::of("report", &[media::PDF], help::size_report)],
+    example: "axis.toml --top 5",
+    answer: Some(|asked| {
+        let args = Args::read(&asked.given)?;
+        let axes = asked.axes(args.axis.as_deref(), args.cost())?;
+        asked.record_of_each(&axes, |project| {
+            let found = args.ranking(project, asked.patience)?;
+            Ok((found.record(asked.language), found.sizing.fits()))
+        })
+    }),
+};
+
+impl Args {
+    /// How many candidates are reported in full.
+    #[must_use]
+    pub const fn told(&self) -> usize {
+        if self.all { usize::MAX } else { self.top }
+    }
+
+    fn draw(&self) -> Draw {
+        draw(self.samples, self.seed)
+    }
+
+    /// What the answer costs.
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        Cost::Ranking { told: self.told(), draw: self.draw() }
+    }
+
+    /// The catalogue ranked for an axis.
+    ///
+    /// # Errors
+    /// As [`ranking`].
+    pub fn ranking<'p>(&self, project: &'p Project, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
+        ranking(project, self.told(), self.draw(), patience)
+    }
+}
+
+/// How tolerances are sampled.
+pub(super) fn draw(samples: Option<usize>, seed: Option<u64>) -> Draw {
+    Draw { samples, seed: seed.unwrap_or(SEED_USUAL) }
+}
+
+/// Of so many candidates of a ranking at most the tolerances are judged.
+pub(crate) const ASSESSED_MOST: usize = 10;
+
+/// The catalogue ranked for an axis, with what the tolerances mean for the best.
+#[derive(Clone, Debug)]
+pub struct Ranking<'p> {
+    /// The axis.
+    pub project: &'p Project,
+    /// Every candidate, best first, and the project's own actuator.
+    pub sizing: Sizing<'p>,
+    /// How many are told in full.
+    pub top: usize,
+    /// The tolerances judged for the first of those and for the project's own actuator; empty without tolerances.
+    pub assessed: Vec<(CandidateId, Assessment)>,
+}
+
+/// Ranks the catalogue for an axis.
+///
+/// # Errors
+/// [`Refusal::TooManySamples`], [`Refusal::Stopped`].
+pub fn ranking<'p>(project: &'p Project, top: usize, draw: Draw, patience: &Patience) -> Result<Ranking<'p>, Refusal> {
+    let told = top.min(ASSESSED_MOST) + usize::from(project.actuator.is_some());
+    let sampling = draw.sampling(project, told, patience.is_limited())?;
+    let sizing = sized(project, top, patience)?;
+    let fitting = sizing.candidates.iter().filter(|candidate| candidate.fits());
+    let chosen: Vec<&Candidate<'_>> = fitting.take(top.min(ASSESSED_MOST)).chain(&sizing.own).collect();
+    // Without tolerances there is no assessment, and so no pair.
+    let found = assess_watched(project, &chosen, sampling, patience).map_err(|Stopped| Refusal::Stopped)?;
+    let assessed = chosen.iter().map(|candidate| candidate.id.clone()).zip(found).collect();
+    Ok(Ranking { project, sizing, top, assessed })
+}
+
+/// The catalogue judged and ranked for an axis, without its tolerances, for somebody who may stop it. The first `told` are
+/// judged by every check where they fit; of the others is left out how much energy comes back, unless a limit is asked for.
+///
+/// # Errors
+/// [`Refusal::Stopped`].
+pub fn sized<'p>(project: &'p Project, told: usize, patience: &Patience) -> Result<Sizing<'p>, Refusal> {
+    size_watched(project, told, patience).map_err(|Stopped| Refusal::Stopped)
+}
+
+impl Ranking<'_> {
+    /// The candidates whose tolerances are judged.
+    pub fn assessed(&self) -> impl Iterator<Item = (&Candidate<'_>, &Assessment)> {
+        let candidates = || self.sizing.candidates.iter().chain(&self.sizing.own);
+        self.assessed.iter().filter_map(move |(id, found)| Some((candidates().find(|each| each.id == *id)?, found)))
+    }
+
+    /// The record of it.
+    #[must_use]
+    pub fn record(&self, language: Language) -> answers::Sizing {
+        answer::sizing(&self.sizing, self.project, &self.assessed, self.top, language)
+    }
+}

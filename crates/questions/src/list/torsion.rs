@@ -1,0 +1,49 @@
+//! `torsion CODE`: the torsion of a gear under a torque, or the torque of an angle.
+
+use super::given::{arguments, code, text};
+use super::{Answer, Argument, Asked, CODE, Entry, Form, Gives, Reads, Unanswered};
+use crate::answer;
+use crate::sizing_use::Refusal;
+use crate::torsion::{TorsionAnswer, read_twist, torsion};
+use order_code::OrderCode;
+use words::{help, help::values};
+
+arguments! {
+    /// A gear, and a torque or an angle.
+    pub struct Args {
+        /// The actuator of the gear.
+        code: OrderCode = CODE.form(Form::Bare) => code,
+        /// The torque at the output.
+        torque: Option<String> = Argument::option("torque", values::torque, help::torsion_torque).signed() => text,
+        /// The angle of torsion.
+        angle: Option<String> =
+            Argument::option("angle", values::angle, help::torsion_angle).signed().instead_of("torque") => text,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "torsion",
+    path: "torsion",
+    about: help::torsion,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("torsion"),
+    writes: &[],
+    example: "CHA-20A-100-H-C1024 --torque \"60 N m\"",
+    answer: Some(|asked| {
+        let (code, found) = found(asked)?;
+        Ok(Answer::record(&answer::torsion(&code, &found)))
+    }),
+};
+
+/// A gear under a torque, or twisted by an angle.
+///
+/// # Errors
+/// Every fault of the arguments; no printed stiffness.
+pub fn found(asked: &Asked<'_>) -> Result<(OrderCode, TorsionAnswer), Unanswered> {
+    let Args { code, torque, angle } = Args::read(&asked.given)?;
+    let twist = read_twist(torque.as_deref(), angle.as_deref(), asked.language)
+        .map_err(|(option, fault)| Unanswered::option(option, fault))?;
+    Ok((code, torsion(&code, twist).ok_or(Refusal::NoData)?))
+}

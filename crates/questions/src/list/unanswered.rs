@@ -1,0 +1,152 @@
+//! Why a question has no answer, before a face puts it into its form.
+
+use crate::answer::{code_faults, code_told, fault, faults, file_fault, option_fault, refusal_text, written};
+use crate::codes::CodeRefusal;
+use crate::list::given::Hinted;
+use crate::reading::Unread;
+use crate::sizing_use::Refusal;
+use answers::{Fault, Faults};
+use order_code::OrderCode;
+use quantities::Language;
+use words::{Told, terminal, told};
+
+/// Why a question has no answer.
+#[derive(Clone, Debug)]
+pub enum Unanswered {
+    /// Faults of a text, each at its place.
+    Text {
+        /// What the text is called.
+        name: String,
+        /// The text.
+        text: String,
+        /// Its faults.
+        faults: Vec<Told>,
+    },
+    /// A text is no ordering code.
+    Code {
+        /// The text.
+        text: String,
+        /// Why, and what is near.
+        refusal: CodeRefusal,
+        /// Whether its faults stand among those of others; alone they are a record with the nearest codes.
+        among: bool,
+    },
+    /// A file or a body is not read.
+    File {
+        /// What it is called.
+        name: String,
+        /// Why.
+        message: String,
+        /// Whether it is too large.
+        is_too_large: bool,
+    },
+    /// A value of an argument is wrong.
+    Option {
+        /// The argument.
+        name: &'static str,
+        /// What is wrong with it, and a hint.
+        fault: Hinted,
+    },
+    /// Something else, in one sentence, and a hint.
+    Message(Hinted),
+    /// Names and values that the question does not take.
+    Usage(Vec<Fault>),
+    /// The project is not judged, and which actuator where it is one of several.
+    Refused(Refusal, Option<OrderCode>),
+    /// Several reasons.
+    Together(Vec<Self>),
+}
+
+impl Unanswered {
+    /// A value of an argument is wrong.
+    #[must_use]
+    pub const fn option(name: &'static str, fault: Hinted) -> Self {
+        Self::Option { name, fault }
+    }
+
+    /// One sentence.
+    #[must_use]
+    pub fn message(text: impl Into<String>) -> Self {
+        Self::Message((text.into(), None))
+    }
+
+    /// Several reasons, one alone as it is.
+    #[must_use]
+    pub fn together(mut all: Vec<Self>) -> Self {
+        match (all.len(), all.pop()) {
+            (1, Some(one)) => one,
+            (_, last) => {
+                all.extend(last);
+                Self::Together(all)
+            }
+        }
+    }
+
+    /// Why a project was not read.
+    #[must_use]
+    pub fn unread(unread: Unread, name: &str, text: &str, language: Language) -> Self {
+        match unread {
+            Unread::Faults(found) => {
+                Self::Text { name: name.to_owned(), text: text.to_owned(), faults: told(&found, language) }
+            }
+            Unread::Refused(refusal) => refusal.into(),
+        }
+    }
+
+    /// Whether the work was stopped because its time was over.
+    #[must_use]
+    pub fn is_stopped(&self) -> bool {
+        match self {
+            Self::Refused(refusal, _) => *refusal == Refusal::Stopped,
+            Self::Together(all) => all.iter().any(Self::is_stopped),
+            Self::Text { .. }
+            | Self::Code { .. }
+            | Self::File { .. }
+            | Self::Option { .. }
+            | Self::Message(_)
+            | Self::Usage(_) => false,
+        }
+    }
+
+    /// Whether a text is too large.
+    #[must_use]
+    pub const fn is_too_large(&self) -> bool {
+        matches!(self, Self::File { is_too_large: true, .. })
+    }
+
+    /// The faults; `waited_s` is the time limit of the answer.
+    #[must_use]
+    pub fn faults(&self, waited_s: Option<f64>, language: Language) -> Faults {
+        match self {
+            Self::Text { name, faults: found, .. } => faults(name, found),
+            Self::Code { text, refusal, .. } => faults(terminal::code(language), &code_told(text, refusal)),
+            Self::File { name, message, .. } => file_fault(name, message),
+            Self::Option { name, fault } => option_fault(name, fault.clone()),
+            Self::Message((message, hint)) => {
+                let mut found = fault(message);
+                if let Some(fault) = found.errors.first_mut() {
+                    fault.hint.clone_from(hint);
+                }
+                found
+            }
+            Self::Usage(errors) => Faults { errors: errors.clone() },
+            Self::Refused(refusal, _) => fault(&refusal_text(refusal, waited_s, language)),
+            Self::Together(all) => Faults::together(all.iter().map(|one| one.faults(waited_s, language))),
+        }
+    }
+
+    /// The record of the faults.
+    #[must_use]
+    pub fn record(&self, waited_s: Option<f64>, language: Language) -> String {
+        match self {
+            Self::Code { text, refusal, among: false } => written(&code_faults(text, refusal, language)),
+            other => written(&other.faults(waited_s, language)),
+        }
+    }
+}
+
+impl From<Refusal> for Unanswered {
+    fn from(refusal: Refusal) -> Self {
+        Self::Refused(refusal, None)
+    }
+}

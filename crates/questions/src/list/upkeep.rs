@@ -1,0 +1,91 @@
+//! `upkeep CODE`: what is to be done with an actuator, and by when.
+
+use super::given::{arguments, code_among, one, some};
+use super::{Answer, Argument, Asked, CODE, Entry, Gives, Kind, Reads, Unanswered};
+use crate::answer;
+use crate::chapters::read_hours;
+use crate::sheet::sheet;
+use crate::sizing_use::Refusal;
+use crate::upkeep::read_storage;
+pub use crate::upkeep::{day_of_clock, read_date, read_interval, upkeep};
+use answers::Fit;
+pub use chrono::NaiveDate as Date;
+pub use installation::calendar::Interval;
+use installation::upkeep::Storage;
+pub use installation::upkeep::{Planned, Upkeep, UpkeepAsked};
+use order_code::OrderCode;
+use quantities::Time;
+use words::help;
+use words::help::values;
+
+pub(super) const DELIVERED: Argument =
+    Argument::option("delivered", values::date, help::upkeep_delivered).of(Kind::Date).required();
+pub(super) const STORAGE: Argument = Argument::option("storage", values::interval, help::upkeep_storage);
+pub(super) const HOURS: Argument = Argument::option("hours-per-day", values::hours, help::upkeep_hours).signed();
+pub(super) const INSPECT: Argument = Argument::option("inspect", values::interval, help::upkeep_inspect);
+pub(super) const TODAY: Argument = Argument::option("today", values::date, help::upkeep_today).of(Kind::Date);
+
+arguments! {
+    /// An actuator and the days of its life.
+    pub struct Args {
+        /// Its code.
+        code: OrderCode = CODE => code_among,
+        /// Day of delivery.
+        delivered: Date = DELIVERED => one(read_date),
+        /// Storage before service.
+        storage: Option<Storage> = STORAGE => some(read_storage),
+        /// Hours of operation a day.
+        hours_per_day: Option<Time> = HOURS => some(read_hours),
+        /// Interval of what the manual requires regularly.
+        inspect: Option<Interval> = INSPECT => some(read_interval),
+        /// Day to look from.
+        today: Option<Date> = TODAY => some(read_date),
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "upkeep",
+    path: "upkeep",
+    about: help::upkeep,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("upkeep"),
+    writes: &[],
+    example: "CHA-14A-50-E-M128S --delivered 2026-03-01 --storage \"6 months\" --hours-per-day 10",
+    answer: Some(|asked| {
+        let (_, found) = found(asked)?;
+        Ok(Answer::record(&found).fits(found.verdict == Fit::Fits))
+    }),
+};
+
+/// The plan, and its record.
+///
+/// # Errors
+/// Every fault of the arguments; a delivery that has not been yet.
+pub fn found(asked: &Asked<'_>) -> Result<(Upkeep, answers::Upkeep), Unanswered> {
+    let language = asked.language;
+    let Args { code, delivered, storage, hours_per_day, inspect, today } = Args::read(&asked.given)?;
+    let earlier = |day: Date| (delivered > day).then_some(day);
+    if let Some(now) = today.map_or_else(|| before(delivered, asked), earlier) {
+        let [day, now] = [delivered, now].map(words::upkeep::date_text);
+        let hint = words::upkeep::give_today(language).to_owned();
+        let fault = (words::upkeep::delivered_in_the_future(&day, &now, language), Some(hint));
+        return Err(Unanswered::option("delivered", fault));
+    }
+    if sheet(&code).is_none() {
+        return Err(Refusal::NoData.into());
+    }
+    let question = UpkeepAsked { delivered, storage, hours_per_day, inspect, today };
+    let plan = upkeep(&code, &question, language)
+        .map_err(|(name, message, hint)| Unanswered::option(name, (message, hint)))?;
+    let record = answer::upkeep(&plan, language);
+    Ok((plan, record))
+}
+
+/// The day of the clock where another has not come yet anywhere on earth: far east of it it may be tomorrow.
+fn before(day: Date, asked: &Asked<'_>) -> Option<Date> {
+    let days = asked.days_since_1970?;
+    let tomorrow = day_of_clock(days.checked_add(1)?)?;
+    if day > tomorrow { day_of_clock(days) } else { None }
+}

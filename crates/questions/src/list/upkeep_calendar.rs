@@ -1,0 +1,40 @@
+//! `upkeep CODE --ical FILE`: the plan of upkeep as a calendar; a face writes it.
+
+use super::given::{arguments, label};
+use super::upkeep::{DELIVERED, HOURS, INSPECT, STORAGE, TODAY};
+use super::{Argument, Asked, CODE, Entry, Gives, OutputFile, Reads, Unanswered, media};
+use installation::upkeep::Upkeep;
+use words::{help, help::values, requests};
+
+const NAME: Argument = Argument::option("name", values::text, help::upkeep_name);
+
+arguments! {
+    /// What the plan takes, and a name.
+    pub struct Args {
+        /// The name of the actuator in the calendar.
+        name: Option<String> = NAME => label,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "upkeep --ical",
+    path: "upkeep/calendar",
+    about: requests::upkeep_calendar,
+    reads: Reads::Nothing,
+    arguments: &[CODE, DELIVERED, STORAGE, HOURS, INSPECT, TODAY, NAME],
+    gives: Gives::Media(&[media::CALENDAR]),
+    writes: &[OutputFile::of("ical", &[media::CALENDAR], help::upkeep_ical)],
+    example: "",
+    answer: None,
+};
+
+/// The plan, its record, and the name of the actuator.
+///
+/// # Errors
+/// Every fault of the arguments; a delivery that has not been yet.
+pub fn found(asked: &Asked<'_>) -> Result<(Upkeep, answers::Upkeep, Option<String>), Unanswered> {
+    let name = Args::read(&asked.given)?.name;
+    let (plan, record) = super::upkeep::found(asked)?;
+    Ok((plan, record, name))
+}

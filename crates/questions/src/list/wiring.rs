@@ -1,0 +1,49 @@
+//! `wiring CODE`: connectors, pins and cables.
+
+use super::given::{arguments, code, some};
+use super::{Answer, Argument, Asked, CODE, Entry, Gives, PICTURE, Reads, Unanswered};
+use crate::answer;
+use crate::sizing_use::Refusal;
+use crate::wiring::{cable_length, cross_section};
+pub use installation::wiring::{Connector, Group as SignalGroup, Role, Wiring, wiring};
+use order_code::OrderCode;
+use quantities::{Area, Length};
+use words::help;
+use words::help::values;
+
+arguments! {
+    /// An actuator and its cable.
+    pub struct Args {
+        /// Its code.
+        code: OrderCode = CODE => code,
+        /// Length of the cable.
+        length: Option<Length> = Argument::option("length", values::length, help::wiring_length) => some(cable_length),
+        /// Cross-section of its wires.
+        cross_section: Option<Area> = Argument::option("cross-section", values::area, help::wiring_section)
+            .with("length") => some(cross_section),
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "wiring",
+    path: "wiring",
+    about: help::wiring,
+    reads: Reads::Nothing,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("wiring"),
+    writes: &PICTURE,
+    example: "CHA-25A-100-H-M512P-B --check pins.csv",
+    answer: Some(|asked| Ok(Answer::record(&found(asked)?.1))),
+};
+
+/// What is known of the wiring, and its record.
+///
+/// # Errors
+/// Every fault of the arguments; no printed data.
+pub fn found(asked: &Asked<'_>) -> Result<(Wiring, answers::Wiring), Unanswered> {
+    let Args { code, length, cross_section } = Args::read(&asked.given)?;
+    let found = wiring(&code).ok_or(Refusal::NoData)?;
+    let record = answer::wiring(&found, length.map(|length| (length, cross_section)), asked.language);
+    Ok((found, record))
+}

@@ -1,0 +1,58 @@
+//! `wiring CODE --check FILE`: a list of pins compared with the print.
+
+use super::given::{arguments, code};
+use super::{Answer, Asked, CODE, Entry, Gives, Reads, Unanswered};
+use crate::answer;
+use crate::sizing_use::Refusal;
+use crate::wiring::read_list;
+use answers::WiringCheck;
+use installation::wiring::{LISTED_BYTES_MAX, wiring};
+use order_code::OrderCode;
+use words::{file_trouble, requests};
+
+arguments! {
+    /// An actuator.
+    pub struct Args {
+        /// Its code.
+        code: OrderCode = CODE => code,
+    }
+}
+
+/// The question.
+pub const ENTRY: Entry = Entry {
+    command: "wiring --check",
+    path: "wiring",
+    about: requests::pins_compared,
+    reads: Reads::Pins,
+    arguments: Args::ARGUMENTS,
+    gives: Gives::Record("wiring --check"),
+    writes: &[],
+    example: "",
+    answer: Some(|asked| {
+        let found = found(asked)?;
+        let agrees = found.agrees;
+        Ok(Answer::record(&found).fits(agrees))
+    }),
+};
+
+/// The list compared with the print.
+///
+/// # Errors
+/// Faults of the code and of the list.
+pub fn found(asked: &Asked<'_>) -> Result<WiringCheck, Unanswered> {
+    let found = wiring(&Args::read(&asked.given)?.code).ok_or(Refusal::NoData)?;
+    let source = asked.source()?;
+    let refused = |message, is_too_large| Unanswered::File { name: source.name.clone(), message, is_too_large };
+    if source.bytes.len() > LISTED_BYTES_MAX {
+        return Err(refused(words::wiring::pin_list_too_large(&LISTED_BYTES_MAX, asked.language), true));
+    }
+    let read =
+        read_list(&found, &source.bytes).map_err(|error| refused(file_trouble(&error, asked.language), false))?;
+    match &read.outcome {
+        Ok(comparison) => Ok(answer::wiring_check(&found, comparison, asked.language)),
+        Err(_) => {
+            let faults = read.told(asked.language);
+            Err(Unanswered::Text { name: source.name.clone(), text: read.text, faults })
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! How an actuator is mounted: the question from outside, and the loads that a project brings.
+
+use crate::sizing_use::{Refusal, check};
+use installation::fit::{Bore, read_bore as read};
+use installation::joint::{AxisLoads, FlangeLoads};
+use installation::mount::{Mount, MountAsked};
+use order_code::OrderCode;
+use project::Project;
+use provenance::{Grade, Source, Sourced};
+use quantities::{Language, Measure, Torque};
+use sizing::{Check, CheckId, Depth};
+use words::mounting::bore_fault;
+
+/// How an actuator is mounted; `None` where the manual prints no data for its code.
+#[must_use]
+pub fn mount(code: &OrderCode, asked: &MountAsked) -> Option<Mount> {
+    installation::mount::mount(code, asked)
+}
+
+/// Reads the bore over a pilot from the command line.
+///
+/// # Errors
+/// What is wrong with the text, and a hint.
+pub(crate) fn read_bore(text: &str, language: Language) -> Result<Bore, (String, Option<String>)> {
+    read(text).map_err(|fault| bore_fault(&fault, language))
+}
+
+/// What a project puts on the joints of an actuator, as its checks have it.
+///
+/// # Errors
+/// Why the actuator cannot be judged.
+pub fn joint_loads(project: &Project, code: &OrderCode) -> Result<AxisLoads, Refusal> {
+    let candidate = check(project, code)?;
+    let collision = project.axis.asked.collision_torque;
+    // A collision stands in a row of its own: the loads of the cycle are judged without it.
+    let without = collision.map(|_| {
+        let mut axis = project.axis.clone();
+        axis.asked.collision_torque = None;
+        sizing::judge(&axis, candidate.parameters, Depth::Full)
+    });
+    let cycle = without.as_ref().unwrap_or(&candidate.judgement);
+    let found = |id: CheckId| candidate.judgement.checks.iter().find(|check| check.id == id);
+    let flange = || {
+        Some(FlangeLoads {
+            tilting_moment: asked(found(CheckId::BearingTiltingMoment)?)?,
+            axial: asked(found(CheckId::BearingAxial)?)?,
+            radial: asked(found(CheckId::BearingRadial)?)?,
+        })
+    };
+    let torque = |id: CheckId| cycle.checks.iter().find(|check| check.id == id).and_then(asked);
+    Ok(AxisLoads {
+        torque_load: torque(CheckId::ScrewJointLoad),
+        torque_housing: torque(CheckId::ScrewJointHousing),
+        collision: collision.map(|torque: Torque| Sourced {
+            value: torque,
+            source: Source::Project { key: "requirements.collision_torque".into() },
+            grade: Grade::Printed,
+            errata: &[],
+        }),
+        flange: flange(),
+    })
+}
+
+/// What a check compares with its limit, with where it is from.
+fn asked<Q: Measure>(check: &Check) -> Option<Sourced<Q>> {
+    let value = check.value.filter(|figure| figure.unit.dimension == Q::DIMENSION)?;
+    Some(Sourced { value: Q::from_si(value.si), source: check.value_source.clone()?, grade: check.grade?, errata: &[] })
+}

@@ -1,0 +1,66 @@
+//! The motion as it came out: every segment with what was given and what followed from it.
+
+use project::{Project, RecordingRead, SegmentLaw};
+use quantities::unit::{
+    DEGREE, METRE_PER_SECOND, METRE_PER_SECOND_SQUARED, MILLIMETRE, RADIAN_PER_SECOND_SQUARED, REVOLUTION_PER_MINUTE,
+};
+use quantities::{Measure, Time, Unit};
+
+/// One segment of the motion.
+#[derive(Clone, Debug)]
+pub struct Move<'p> {
+    /// Instant of its beginning.
+    pub start: Time,
+    /// Duration.
+    pub duration: Time,
+    /// What it is: a law, the manual's move, rest, or a recording.
+    pub law: SegmentLaw,
+    /// Distance, largest speed and largest acceleration, in SI at the output or along the line; `None` at rest.
+    pub course: Option<[f64; 3]>,
+    /// The recording, where it is one.
+    pub recording: Option<&'p RecordingRead>,
+}
+
+/// The segments of a motion.
+#[derive(Clone, Debug)]
+pub struct Moves<'p> {
+    /// Whether the course is that of the output; else it is that along the line.
+    pub turns: bool,
+    /// Units of distance, speed and acceleration.
+    pub units: [&'static Unit; 3],
+    /// What is along the line, or behind a stage, per what is at the output, both in SI.
+    pub per_output: f64,
+    /// The segments in their order.
+    pub moves: Vec<Move<'p>>,
+}
+
+/// The segments of a project's motion, solved; along the line where the mechanism has one.
+#[must_use]
+pub fn moves(project: &Project) -> Moves<'_> {
+    let travel = project.axis.mechanism.travel_m_per_rad();
+    let units = match travel {
+        Some(_) => [&MILLIMETRE, &METRE_PER_SECOND, &METRE_PER_SECOND_SQUARED],
+        None => [&DEGREE, &REVOLUTION_PER_MINUTE, &RADIAN_PER_SECOND_SQUARED],
+    };
+    // The file states the motion of the mechanism, behind a stage.
+    let factor = travel.unwrap_or_else(|| 1.0 / project.axis.mechanism.stage_ratio());
+    let motion = &project.axis.motion;
+    let mut recordings = project.recordings.iter();
+    let course = |index: usize| {
+        let solved = motion.stretches().get(index).and_then(|stretch| stretch.solved);
+        solved.map(|solved| [solved.distance.si(), solved.speed.si(), solved.acceleration.si()])
+    };
+    let moves = motion.stretches().iter().enumerate().filter_map(|(index, stretch)| {
+        let placed = motion.recordings().iter().find(|placed| placed.segment == index);
+        let at_output = placed.map(motion::Placed::course).or_else(|| course(index));
+        let recording = placed.and_then(|_| recordings.next());
+        Some(Move {
+            law: project.law(index)?,
+            start: stretch.start,
+            duration: stretch.duration,
+            course: at_output.map(|values| values.map(|value| value * factor)),
+            recording,
+        })
+    });
+    Moves { turns: travel.is_none(), units, per_output: factor, moves: moves.collect() }
+}

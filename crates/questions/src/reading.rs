@@ -1,0 +1,110 @@
+//! Reading a project file, with the best of several ratios.
+
+#[cfg(test)]
+mod bodies_tests;
+#[cfg(test)]
+mod flange_tests;
+#[cfg(test)]
+mod project_tests;
+#[cfg(test)]
+mod stage_tests;
+
+use crate::list::Cost;
+use crate::patience::{Patience, Stopped};
+use crate::sizing_use::{Refusal, size_watched};
+use project::{Diagnostic, Files, Project, RatioAnswer};
+use quantities::Language;
+use serde_json::Value;
+use sizing::{Unwatched, Watch, finished, rank};
+use std::cell::Cell;
+
+/// Reads a project file with one axis that refers to no other file.
+///
+/// # Errors
+/// Every fault of the file, each with its place, in the order of the file; [`words::told`] words them.
+pub fn read(text: &str) -> Result<Project, Vec<Diagnostic>> {
+    Project::read(text, &|ratios, with| finished(best_ratio(ratios, with, &Unwatched)))
+}
+
+/// Reads a project file with one axis or several, in their order, and the files that it refers to.
+///
+/// # Errors
+/// Every fault of the file, each with its place, in the order of the file; [`words::told`] words them.
+pub fn read_all(text: &str, files: &dyn Files) -> Result<Vec<Project>, Vec<Diagnostic>> {
+    Project::read_all(text, files, &|ratios, with| finished(best_ratio(ratios, with, &Unwatched)))
+}
+
+/// Why there is no project.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unread {
+    /// Every fault of the file, each with its place, in the order of the file.
+    Faults(Vec<Diagnostic>),
+    /// The best of several ratios was not sought: nobody waits any longer, or it takes longer than is waited unasked.
+    Refused(Refusal),
+}
+
+/// Reads as [`read_all`] does, for somebody who may stop it: among several ratios of a stage the best is sought, and the
+/// catalogue judged for each.
+///
+/// # Errors
+/// [`Unread`].
+pub fn read_all_watched(text: &str, files: &dyn Files, patience: &Patience) -> Result<Vec<Project>, Unread> {
+    let refused = Cell::new(None);
+    let choose = |ratios: &[f64], with: &dyn Fn(f64) -> Option<Project>| {
+        let first = ratios.iter().find_map(|ratio| with(*ratio)).filter(|_| !patience.is_limited());
+        let quick = first.map_or(Ok(()), |first| Cost::Other.is_quick_for(&first, ratios.len()));
+        let found = quick.and_then(|()| best_ratio(ratios, with, patience).map_err(|Stopped| Refusal::Stopped));
+        found.unwrap_or_else(|refusal| {
+            refused.set(Some(refusal));
+            None
+        })
+    };
+    let read = Project::read_all(text, files, &choose);
+    refused.take().map_or_else(|| read.map_err(Unread::Faults), |refusal| Err(Unread::Refused(refusal)))
+}
+
+/// The JSON Schema of the project file (draft 2020-12).
+#[must_use]
+pub(crate) fn schema(language: Language) -> Value {
+    project::schema(&|text| words::schema_text(text, language))
+}
+
+/// The project with the ratio that gives the best actuator of the catalogue, by the rule of the ranking: a smaller actuator
+/// first, then the wider margin. Of equals the first in the file.
+///
+/// Each ratio is judged by itself, because it changes the axis and not the actuator: all that is told of the axis (demand,
+/// motion, checks, report) is then of one ratio, and each candidate of the ranking is judged under the same.
+///
+/// # Errors
+/// Where it was stopped.
+fn best_ratio<W: Watch>(
+    ratios: &[f64],
+    with: &dyn Fn(f64) -> Option<Project>,
+    watch: &W,
+) -> Result<Option<Project>, W::Stop> {
+    let mut answers: Vec<RatioAnswer> = Vec::new();
+    let mut best: Option<(Project, sizing::Standing, usize)> = None;
+    for ratio in ratios {
+        let Some(trial) = with(*ratio) else { continue };
+        let sizing = size_watched(&trial, 0, watch)?;
+        let Some(first) = sizing.candidates.first() else { continue };
+        let standing = first.standing;
+        answers.push(RatioAnswer {
+            ratio: *ratio,
+            answer: sizing.answer().map(|answer| answer.id.to_string()),
+            utilisation: standing.utilisation,
+            fitting: sizing.candidates.iter().filter(|candidate| candidate.fits()).count(),
+            chosen: false,
+        });
+        drop(sizing);
+        if best.as_ref().is_none_or(|(_, other, _)| rank(&standing, other).is_lt()) {
+            best = Some((trial, standing, answers.len() - 1));
+        }
+    }
+    let Some((mut chosen, _, index)) = best else { return Ok(None) };
+    if let Some(answer) = answers.get_mut(index) {
+        answer.chosen = true;
+    }
+    chosen.ratios = answers;
+    Ok(Some(chosen))
+}

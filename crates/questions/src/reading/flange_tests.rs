@@ -1,0 +1,182 @@
+//! Loads on the flange out of project files: what is read, what is refused, and what the checks say.
+
+use crate::{CandidateId, Check, CheckId, Verdict, check, size};
+use project::Project;
+use quantities::Language;
+
+const ARM: &str = r#"format = 1
+[mechanism.arm]
+inertia = "0.42 kg m^2"
+mass = "5 kg"
+centre_distance = "180 mm"
+payload_distance = "420 mm"
+axis_tilt = "90 deg"
+start_angle = "-60 deg"
+[[motion]]
+law = "modified_sine"
+distance = "120 deg"
+time = "0.9 s"
+PAYLOAD
+[[motion]]
+law = "modified_sine"
+distance = "-120 deg"
+time = "0.9 s"
+SEGMENT
+[bearing]
+load_factor = 1.2
+operating_condition = "normal"
+BEARING
+[requirements]
+bearing_life_min = "1000 h"
+tilt_angle_max = "2 arcmin"
+"#;
+
+fn text(payload: &str, segment: &str, bearing: &str) -> String {
+    ARM.replace("PAYLOAD", payload).replace("SEGMENT", segment).replace("BEARING", bearing)
+}
+
+fn read(text: &str) -> Project {
+    crate::read(text).unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+fn messages(text: &str) -> Vec<String> {
+    let faults = words::told(&crate::read(text).map(|_| ()).unwrap_err(), Language::En);
+    faults.into_iter().map(|fault| fault.message).collect()
+}
+
+fn checks(project: &Project) -> Vec<Check> {
+    let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
+    check(project, &code).unwrap().judgement.checks.iter().cloned().collect()
+}
+
+fn of(project: &Project, id: CheckId) -> Check {
+    checks(project).into_iter().find(|check| check.id == id).unwrap()
+}
+
+fn value(project: &Project, id: CheckId) -> f64 {
+    of(project, id).value.unwrap().si
+}
+
+/// At the lower end of its swing the arm starts from rest; F_r is above its weight, 49.033 N, by what the motion adds, and M is
+/// F_r (L + R) with R = 18 mm of 25A.
+#[test]
+fn an_arm_loads_its_flange() {
+    let project = read(&text("", "", "mechanism = \"add\"\noverhang = \"45 mm\""));
+    let radial = value(&project, CheckId::BearingRadial);
+    assert!(radial > 49.033 && radial < 80.0, "{radial}");
+    assert!((value(&project, CheckId::BearingTiltingMoment) - radial * 0.063).abs() < 1e-9);
+    assert_eq!(value(&project, CheckId::BearingAxial), 0.0);
+    assert!(of(&project, CheckId::BearingRadial).at.is_some());
+    assert_eq!(of(&project, CheckId::BearingLife).verdict, Verdict::Pass);
+    // Static safety by hand: C_0 = 45000 N, d_p = 88 mm.
+    let expected = 45_000.0 / (radial + 2.0 * radial * 0.063 / 0.088);
+    assert!((value(&project, CheckId::BearingStatic) - expected).abs() < 1e-9 * expected);
+}
+
+#[test]
+fn what_is_not_stated_is_told_and_not_guessed() {
+    let missing = |text: &str, id| of(&read(text), id).missing;
+    let open = text("", "", "mechanism = \"add\"");
+    assert_eq!(missing(&open, CheckId::BearingTiltingMoment), Some("bearing.overhang"));
+    assert_eq!(missing(&open, CheckId::BearingLife), Some("bearing.overhang"));
+    assert_eq!(missing(&open, CheckId::BearingStatic), Some("bearing.overhang"));
+    assert_eq!(missing(&open, CheckId::BearingRadial), None, "forces need no lever");
+    let carried = text("payload = \"2 kg\"", "", "mechanism = \"add\"\noverhang = \"45 mm\"");
+    assert_eq!(missing(&carried, CheckId::TiltAngle), Some("bearing.payload_overhang"));
+    assert_eq!(words::check_missing("bearing.overhang", Language::En), "not stated: bearing.overhang");
+}
+
+#[test]
+fn stated_loads_add_replace_or_stand_alone() {
+    let own = "[motion.bearing]\nradial_force = \"500 N\"\nradial_distance = \"45 mm\"";
+    let derived = value(&read(&text("", "", "mechanism = \"add\"\noverhang = \"45 mm\"")), CheckId::BearingRadial);
+    let radial = |how: &str| value(&read(&text("", own, how)), CheckId::BearingRadial);
+    let added = radial("mechanism = \"add\"\noverhang = \"45 mm\"");
+    assert!((added - derived - 500.0).abs() < 1e-6, "{added} {derived}");
+    assert!((radial("mechanism = \"replace\"\noverhang = \"45 mm\"") - 500.0).abs() < 1e-12);
+    assert!((radial("mechanism = \"ignore\"") - 500.0).abs() < 1e-12 && (radial("") - 500.0).abs() < 1e-12);
+    let alone = read(&text("", "", "mechanism = \"ignore\""));
+    assert!(checks(&alone).iter().all(|check| check.id != CheckId::BearingRadial), "no loads are known");
+}
+
+#[test]
+fn heavier_loads_bear_harder_in_the_reserve() {
+    let project = read(
+        &text("", "", "mechanism = \"add\"\noverhang = \"45 mm\"")
+            .replace("bearing_life_min = \"1000 h\"", "tilt_angle_max = \"0.06 arcmin\"")
+            .replace("tilt_angle_max = \"2 arcmin\"\n", ""),
+    );
+    let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
+    let candidate = check(&project, &code).unwrap();
+    assert!(candidate.fits(), "{:?}", candidate.worst_failure());
+    // The tilt is in proportion to the mass: M ≤ 114 Nm/′ · 0.06′.
+    let moment = value(&project, CheckId::BearingTiltingMoment);
+    let factor = crate::reserve_of(&project, &candidate).load_factor.unwrap();
+    assert!(factor <= 114.0 * 0.06 / moment * (1.0 + 1e-9), "{factor}");
+}
+
+#[test]
+fn faults_of_the_geometry_are_told_at_once() {
+    let found = messages(&text(
+        "",
+        "",
+        "mechanism = \"add\"\nbelt_tension = \"100 N\"\nwheel_mass = \"1 kg\"\nflange_share = 2.0\nradial_force = \"5 N\"",
+    ));
+    assert_eq!(found.len(), 4, "{found:?}");
+    assert!(found.iter().any(|message| message == "`belt_tension` has no effect on this load"), "{found:?}");
+    assert!(found.iter().any(|message| message == "`bearing.flange_share` must be a number from 0 to 1"));
+    let found = messages(&text("", "", "overhang = \"45 mm\""));
+    assert_eq!(found, ["`overhang` has no effect on this load"]);
+    let found = messages(&text("", "", "mechanism = \"replace\"\nradial_force = \"5 N\"\nradial_distance = \"1 mm\""));
+    assert!(found[0].contains("would replace the loads"), "{found:?}");
+    let belt = "format = 1\n[mechanism.belt]\npulley_diameter = \"120 mm\"\nmass = \"18 kg\"\n[[motion]]\nlaw = \"dwell\"\n\
+        time = \"1 s\"\n[bearing]\nmechanism = \"add\"\nbelt_tension = \"90 N\"\npressure_angle = \"75 deg\"\naxis_tilt = \"0 deg\"\n";
+    assert_eq!(messages(belt).len(), 3, "{:?}", messages(belt));
+    let load = "format = 1\n[load]\ninertia = \"1 kg m^2\"\n[[motion]]\nlaw = \"dwell\"\ntime = \"1 s\"\n[bearing]\n\
+        mechanism = \"add\"\n";
+    assert!(messages(load)[0].contains("not described"), "{:?}", messages(load));
+}
+
+/// The reproducer of the review: 90° and two hundred swings of 2° are reported, independent of the life by rolling.
+#[test]
+fn many_small_swings_are_told() {
+    let swing = |angle: f64| format!("[[motion]]\nlaw = \"triangle\"\ndistance = \"{angle} deg\"\ntime = \"0.5 s\"\n");
+    let moves = |moves: &[f64]| moves.iter().map(|angle| swing(*angle)).collect::<String>();
+    let mut many = vec![90.0];
+    many.extend([-2.0, 2.0].repeat(200));
+    many.push(-90.0);
+    let project = |moves: String, asked: &str| {
+        read(&format!(
+            "format = 1\n[load]\ninertia = \"0.1 kg m^2\"\nfriction_torque = \"1 N m\"\n{moves}[bearing]\n\
+             radial_force = \"100 N\"\nradial_distance = \"50 mm\"\nload_factor = 1.2\n[requirements]\n{asked}"
+        ))
+    };
+    for asked in ["", "bearing_life_min = \"1000 h\"\n"] {
+        let life = of(&project(moves(&many), asked), CheckId::BearingLife);
+        assert_eq!(life.verdict, Verdict::Advice, "{asked}");
+        let told = words::note_text(life.notes.first().unwrap(), Language::En);
+        assert!(told.starts_with("200 swings of up to 2.00 ° in each cycle, 82 % of all travel"), "{told}");
+        let small = of(&project(moves(&[4.0, -4.0]), asked), CheckId::BearingLife);
+        assert_eq!(small.verdict, Verdict::Advice, "below 5°");
+        let large = of(&project(moves(&[40.0, -40.0]), asked), CheckId::BearingLife);
+        assert!(large.notes.is_empty() && large.verdict != Verdict::Advice);
+    }
+}
+
+/// The largest radial force and the largest moment of different segments count together.
+#[test]
+fn static_safety_takes_the_largest_loads_together() {
+    let swing = |loads: &str| {
+        format!("[[motion]]\nlaw = \"triangle\"\ndistance = \"90 deg\"\ntime = \"1 s\"\n[motion.bearing]\n{loads}\n")
+    };
+    let text = format!(
+        "format = 1\n[load]\ninertia = \"0.1 kg m^2\"\n{}{}[bearing]\noperating_condition = \"normal\"\n",
+        swing("radial_force = \"4000 N\"\nradial_distance = \"0 mm\""),
+        swing("axial_force = \"1000 N\"\naxial_distance = \"150 mm\"")
+    );
+    // d_p 88 mm, R 18 mm: M = max(4000·0.018, 150) = 150 Nm.
+    let expected = 45_000.0 / (4_000.0 + 300.0 / 0.088 + 440.0);
+    let found = of(&read(&text), CheckId::BearingStatic);
+    assert!((found.value.unwrap().si - expected).abs() < 1e-9, "{:?}", found.value);
+    assert!(matches!(size(&read(&text)).candidates.first().unwrap().id, CandidateId::Code(_)));
+}

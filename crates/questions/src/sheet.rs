@@ -1,0 +1,270 @@
+//! The data sheet of one ordering code: every printed value that concerns it, with its table and the notes on both.
+
+use catalogue::{Cell, Footnote};
+use configurator::Uncovered;
+use order_code::{Brake, Field, OrderCode};
+use quantities::Language;
+use words::{cell_text, decimal, terminal};
+
+/// A remark on a value or a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SheetNote {
+    /// A note on the table.
+    Table(&'static Footnote),
+    /// What the table does not cover of the code.
+    Uncovered(Uncovered),
+}
+
+impl SheetNote {
+    /// Whether it is a conclusion of ours; otherwise the manual says so.
+    #[must_use]
+    pub const fn is_ours(&self) -> bool {
+        match self {
+            Self::Table(note) => note.ours,
+            Self::Uncovered(_) => true,
+        }
+    }
+
+    /// The mark as printed; empty where it has none.
+    #[must_use]
+    pub const fn mark(&self) -> &'static str {
+        match self {
+            Self::Table(note) => note.mark,
+            Self::Uncovered(_) => "",
+        }
+    }
+}
+
+/// One printed value.
+#[derive(Clone, Debug)]
+pub struct SheetRow {
+    /// The cell.
+    pub cell: &'static Cell,
+    /// Whether the value holds for the standard actuator only, so that none is printed for this code.
+    pub of_standard_only: bool,
+    /// Remarks on it.
+    pub notes: Vec<SheetNote>,
+}
+
+/// The values of one printed table.
+#[derive(Clone, Debug)]
+pub struct SheetSection {
+    /// The table.
+    pub table: &'static catalogue::Table,
+    /// Its values for this code.
+    pub rows: Vec<SheetRow>,
+    /// Notices on the table as a whole.
+    pub notices: Vec<SheetNote>,
+    /// Errata of the table that name no single cell; slips of the recovered text are left out.
+    pub errata: Vec<&'static str>,
+}
+
+/// The data sheet of one ordering code.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    /// The code.
+    pub code: OrderCode,
+    /// What the tables do not cover of it.
+    pub uncovered: Vec<Uncovered>,
+    /// Its values by table, in the order of the manual.
+    pub sections: Vec<SheetSection>,
+}
+
+/// The data sheet of a code; `None` where the manual prints no data for it.
+///
+/// Values that hold for the other brake variant only are left out, and so are the sections of other feedback systems.
+#[must_use]
+pub fn sheet(code: &OrderCode) -> Option<Sheet> {
+    catalogue::drive(code.size, code.winding, code.feedback)?;
+    let uncovered = configurator::uncovered(code);
+    let mut cells = catalogue::cells_about(code.size, code.winding, code.feedback, code.ratio);
+    cells.retain(|cell| concerns(cell, code));
+    if code.has_output_encoder() {
+        let series = catalogue::SeriesData::of(code.series());
+        let tables = [series.output_encoder].into_iter().chain(series.output_wiring.first().copied());
+        cells.extend(tables.filter_map(catalogue::table).flat_map(catalogue::Table::cells));
+    }
+    let mut sections: Vec<SheetSection> = Vec::new();
+    for cell in cells {
+        let Some(table) = catalogue::table(cell.place.table) else { continue };
+        let row = row(table, cell, &uncovered);
+        match sections.last_mut().filter(|section| section.table.id == table.id) {
+            Some(section) => section.rows.push(row),
+            None => sections.push(SheetSection {
+                table,
+                rows: vec![row],
+                notices: table.notices().map(SheetNote::Table).collect(),
+                errata: errata_of_table(table.id),
+            }),
+        }
+    }
+    Some(Sheet { code: *code, uncovered, sections })
+}
+
+fn row(table: &'static catalogue::Table, cell: &'static Cell, uncovered: &[Uncovered]) -> SheetRow {
+    let symbol = cell.place.symbol;
+    let printed = table.notes_on(cell).map(SheetNote::Table);
+    let open = uncovered.iter().filter(|each| each.concerns().contains(&symbol)).copied().map(SheetNote::Uncovered);
+    SheetRow {
+        cell,
+        of_standard_only: uncovered.iter().any(|each| each.not_printed().contains(&symbol)),
+        notes: printed.chain(open).collect(),
+    }
+}
+
+/// The errata of a table that name no cell and are more than a slip of the recovered text.
+fn errata_of_table(table: &str) -> Vec<&'static str> {
+    catalogue::errata()
+        .iter()
+        .filter(|erratum| erratum.table == table && erratum.kind != catalogue::ErratumKind::Recovery)
+        .filter(|erratum| erratum.cell().is_none())
+        .map(|erratum| erratum.id)
+        .collect()
+}
+
+/// Whether a cell holds for this code's brake variant.
+fn concerns(cell: &Cell, code: &OrderCode) -> bool {
+    let of_the_other_variant = match code.brake {
+        Brake::With => ["J_out", "J", "m", "L"].contains(&cell.place.symbol),
+        Brake::Without => {
+            cell.place.symbol.ends_with("_brake")
+                || ["U_Br", "T_Br", "I_OBr", "I_HBr", "N_brakings", "N_emergency", "t_o", "t_c"]
+                    .contains(&cell.place.symbol)
+        }
+    };
+    !of_the_other_variant
+}
+
+/// The marks of the notes in a table: the printed ones, else the next small letter. What the tables do not cover of the code
+/// has the token that brings it.
+#[derive(Clone, Debug, Default)]
+pub struct SheetMarks(Vec<(String, SheetNote)>);
+
+impl SheetMarks {
+    /// The mark of a note, the same one each time.
+    pub fn of(&mut self, note: SheetNote) -> String {
+        if let SheetNote::Uncovered(what) = note {
+            return uncovered_mark(what).to_owned();
+        }
+        if let Some((mark, _)) = self.0.iter().find(|(_, known)| *known == note) {
+            return mark.clone();
+        }
+        let letters = self.0.iter().filter(|(_, known)| known.mark().is_empty()).count();
+        let mark = match note.mark() {
+            "" => ('a'..='z').nth(letters).unwrap_or('z').to_string(),
+            mark => mark.to_owned(),
+        };
+        self.0.push((mark.clone(), note));
+        mark
+    }
+
+    /// Every note that has got a mark, by their marks.
+    #[must_use]
+    pub fn sorted(mut self) -> Vec<(String, SheetNote)> {
+        self.0.sort_by(|(one, _), (other, _)| one.cmp(other));
+        self.0
+    }
+}
+
+/// The token of the code that brings what the tables do not cover.
+#[must_use]
+pub fn uncovered_mark(what: Uncovered) -> &'static str {
+    match what {
+        Uncovered::LongerWith { option, .. } => option.as_str(),
+        Uncovered::SpecialDesign(series) => series.words(Field::Special).first().copied().unwrap_or_default(),
+        Uncovered::OutputEncoder(option) => option.as_str(),
+    }
+}
+
+/// The value after errata, with the print where it differs; a value of the standard only is none of this code.
+#[must_use]
+pub fn sheet_value_text(row: &SheetRow, language: Language) -> String {
+    let cell = row.cell;
+    let value = decimal(cell_text(cell, language), language);
+    if row.of_standard_only {
+        return terminal::value_of_the_standard(&value, language);
+    }
+    if cell.corrected == cell.printed {
+        return value;
+    }
+    let printed = decimal(cell.printed, language);
+    terminal::value_and_print(&value, &printed, language)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(text: &str) -> Sheet {
+        sheet(&order_code::parse(text).unwrap().code).unwrap()
+    }
+
+    fn rows<'s>(sheet: &'s Sheet, symbol: &str) -> Vec<&'s SheetRow> {
+        sheet.sections.iter().flat_map(|section| &section.rows).filter(|row| row.cell.place.symbol == symbol).collect()
+    }
+
+    #[test]
+    fn what_is_printed_once_for_all_sizes_is_on_every_sheet() {
+        for (code, _) in configurator::all().iter().step_by(37) {
+            let Some(sheet) = sheet(code) else { continue };
+            for (symbol, count) in [("fit_inner_ring_zone", 1), ("fit_housing_zone", 1), ("T_KTY", 2)] {
+                assert_eq!(rows(&sheet, symbol).len(), count, "{code} {symbol}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_note_of_the_tables_on_the_sheets_is_shown_somewhere() {
+        let mut shown: Vec<SheetNote> = Vec::new();
+        let mut tables: Vec<&catalogue::Table> = Vec::new();
+        let hundred = configurator::all().iter().filter(|(code, _)| code.ratio.value() == 100);
+        for (code, _) in hundred {
+            for section in sheet(code).iter().flat_map(|sheet| &sheet.sections) {
+                let notes = section.rows.iter().flat_map(|row| &row.notes).chain(&section.notices);
+                let new: Vec<SheetNote> = notes.filter(|note| !shown.contains(note)).copied().collect();
+                shown.extend(new);
+                if !tables.iter().any(|table| table.id == section.table.id) {
+                    tables.push(section.table);
+                }
+            }
+        }
+        assert!(tables.len() > 70, "{}", tables.len());
+        for table in tables {
+            for note in table.footnotes {
+                assert!(shown.contains(&SheetNote::Table(note)), "table {}: {}", table.id, note.en);
+            }
+        }
+    }
+
+    #[test]
+    fn option_k_and_special_designs_have_no_printed_length() {
+        let longer = of("CHA-14A-50-E-RES-K");
+        assert!(rows(&longer, "L").iter().all(|row| row.of_standard_only && !row.notes.is_empty()));
+        assert!(rows(&longer, "m").iter().all(|row| !row.of_standard_only));
+        assert!(rows(&of("CHA-20A-50-H-C1024-K"), "L").iter().all(|row| !row.of_standard_only));
+        let special = of("CHA-20A-50-H-C1024-SP");
+        assert!(["L", "m"].iter().all(|symbol| rows(&special, symbol).iter().all(|row| row.of_standard_only)));
+    }
+
+    #[test]
+    fn no_german_text_is_left_on_an_english_sheet() {
+        let german = ["ä", "ö", "ü", "ß", "Rechteck", "binär", "batterie", "ca. ", "Geber", "Stecker"];
+        let mut texts = 0;
+        for code in ["CHA-20A-50-H-C1024-EC", "CHA-14A-50-E-M128S", "CHA-17A-80-N-D2048-B", "CHA-58A-50-H-M512P-EC-R"] {
+            let sheet = of(code);
+            for row in sheet.sections.iter().flat_map(|section| &section.rows) {
+                let shown = row.cell.corrected_en();
+                assert!(!german.iter().any(|word| shown.contains(word)), "{code}: {shown}");
+                texts += usize::from(shown != row.cell.corrected);
+            }
+        }
+        assert!(texts >= 8, "{texts}");
+    }
+
+    #[test]
+    fn errata_of_a_whole_table_are_named() {
+        let sheet = of("CHA-17A-50-H-RES");
+        let named: Vec<&str> = sheet.sections.iter().flat_map(|section| &section.errata).copied().collect();
+        assert_eq!(named, ["T50.6-length", "T77.1-fit-name", "T79.1-securing"]);
+    }
+}

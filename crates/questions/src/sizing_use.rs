@@ -1,0 +1,450 @@
+//! Ranking the catalogue for an axis, and judging one actuator.
+
+use crate::cited::Cited;
+use actuator::Parameters;
+use configurator::{BrokenRule, Unmet, actuators, availability};
+use order_code::{Field, Option1, Option2, OrderCode};
+use project::{Assumption, OwnActuator, Project};
+use quantities::Measure;
+use rayon::prelude::*;
+use sizing::{
+    Check, CheckId, Course, Depth, Judge, Judgement, RankKey, Reserve, SAMPLES_ANEW, Standing, Unwatched, Verdict,
+    Watch, energies, finished, reserve_watched,
+};
+use std::sync::Arc;
+
+/// What a candidate is called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CandidateId {
+    /// An actuator of the catalogue.
+    Code(OrderCode),
+    /// The user's own actuator.
+    Own(String),
+}
+
+impl std::fmt::Display for CandidateId {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Code(code) => write!(f, "{code}"),
+            Self::Own(name) => f.write_str(name),
+        }
+    }
+}
+
+/// What speaks against a candidate besides a failing check.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Objection {
+    /// A requirement of the project is not met.
+    Unmet(Unmet),
+    /// With the options asked for, the code breaks a rule of the ordering tables.
+    Rule(BrokenRule),
+}
+
+/// One judged actuator.
+#[derive(Clone, Debug)]
+pub struct Candidate<'p> {
+    /// What it is called; a code is complete and can be ordered.
+    pub id: CandidateId,
+    /// Fields of the code that are on request only.
+    pub on_request: Vec<Field>,
+    /// Its data.
+    pub parameters: &'p Parameters,
+    /// Every check.
+    pub judgement: Judgement,
+    /// What else speaks against it.
+    pub objections: Vec<Objection>,
+    /// What the ranking looks at.
+    pub standing: Standing,
+}
+
+impl Candidate<'_> {
+    /// Whether nothing speaks against it.
+    #[must_use]
+    pub const fn fits(&self) -> bool {
+        self.standing.fits
+    }
+
+    /// Whether no check fails, whatever else speaks against it.
+    #[must_use]
+    pub fn judgement_fits(&self) -> bool {
+        self.judgement.fits()
+    }
+
+    /// The failing check that is exceeded most.
+    #[must_use]
+    pub fn worst_failure(&self) -> Option<&Check> {
+        self.judgement.worst_failure()
+    }
+
+    /// How many questions could not be answered for want of a datum: checks without a value, requirements left open.
+    #[must_use]
+    pub fn open_questions(&self) -> usize {
+        let checks = self.not_checked().filter(|check| check.value.is_none()).count();
+        let open = |objection: &&Objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. }));
+        checks + self.objections.iter().filter(open).count()
+    }
+
+    /// The checks that could not be answered.
+    pub fn not_checked(&self) -> impl Iterator<Item = &Check> {
+        self.judgement.checks.iter().filter(|check| check.verdict == Verdict::NotChecked)
+    }
+}
+
+/// The catalogue judged for one axis.
+#[derive(Clone, Debug)]
+pub struct Sizing<'p> {
+    /// Name of the axis.
+    pub name: &'p str,
+    /// Every candidate, best first.
+    pub candidates: Vec<Candidate<'p>>,
+    /// The user's own actuator, judged beside the catalogue.
+    pub own: Option<Candidate<'p>>,
+    /// Defaults that were taken.
+    pub assumptions: &'p [Assumption],
+}
+
+impl<'p> Sizing<'p> {
+    /// The rejected candidate that misses by least, among those that meet what the project requires and are of the right
+    /// class: no other actuator's voltage or temperature range is near.
+    #[must_use]
+    pub fn nearest_miss(&self) -> Option<&Candidate<'p>> {
+        let of_the_place = |check: &Check| check.verdict == Verdict::Fail && check.id.is_of_the_place();
+        self.candidates.iter().find(|candidate| {
+            !candidate.fits() && candidate.objections.is_empty() && !candidate.judgement.checks.iter().any(of_the_place)
+        })
+    }
+
+    /// The best candidate, if one fits.
+    #[must_use]
+    pub fn answer(&self) -> Option<&Candidate<'_>> {
+        self.candidates.first().filter(|candidate| candidate.fits())
+    }
+
+    /// Whether any candidate fits, the user's own included.
+    #[must_use]
+    pub fn fits(&self) -> bool {
+        self.answer().is_some() || self.own.as_ref().is_some_and(Candidate::fits)
+    }
+}
+
+/// Why an actuator cannot be judged.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// The code breaks rules of the ordering tables.
+    Broken(Vec<BrokenRule>),
+    /// The manual prints no data for this code.
+    NoData,
+    /// The project describes no actuator of its own, and no code is given.
+    NoActuator,
+    /// This check is not part of the judgement of this axis and actuator.
+    NotAsked(CheckId),
+    /// So many samples of the tolerances cost more than is done where no time is named.
+    TooManySamples {
+        /// Asked for.
+        asked: usize,
+        /// At most, for this axis and these actuators.
+        most: usize,
+    },
+    /// So long recordings cost more than is done where no time is named.
+    TooLong {
+        /// Samples in use.
+        samples: usize,
+        /// At most; half as many under a load that hangs on the position or has losses.
+        most: usize,
+        /// How long those take, about \[s\].
+        seconds: usize,
+    },
+    /// Several axes take longer together than is done where no time is named.
+    TooManyAxes {
+        /// How many.
+        axes: usize,
+        /// How long is waited, about \[s\].
+        seconds: usize,
+    },
+    /// The catalogue is not judged for each of several ratios of a stage where no time is named.
+    TooManyRatios {
+        /// How many.
+        ratios: usize,
+        /// How long is waited, about \[s\].
+        seconds: usize,
+    },
+    /// A table of the course takes more memory than the project is allowed.
+    TooManyRows {
+        /// Rows, at most.
+        rows: usize,
+        /// Bytes that they take.
+        needed: u64,
+        /// Bytes that are allowed.
+        most: u64,
+    },
+    /// Whoever asked does not wait any longer.
+    Stopped,
+}
+
+/// The actuators of the catalogue with the curves of a project.
+fn actuators_of(project: &Project, output_encoder: bool) -> &[(OrderCode, Parameters)] {
+    match &project.own_catalogue {
+        Some(own) => own.actuators(output_encoder),
+        None => actuators(output_encoder),
+    }
+}
+
+/// Judges the whole catalogue for the axis of a project and ranks it; whatever fits by every check.
+///
+/// Cost: O(ramps) to prepare the motion, O(ramps) per actuator, O(n log n) to rank.
+#[must_use]
+pub fn size(project: &Project) -> Sizing<'_> {
+    finished(size_watched(project, usize::MAX, &Unwatched))
+}
+
+/// The same for somebody who may stop it and tells the first `told` in full: of the others is known what a place in the
+/// ranking hangs on ([`Depth::Ranking`]).
+///
+/// # Errors
+/// Where it was stopped.
+pub(crate) fn size_watched<'p, W: Watch>(project: &'p Project, told: usize, watch: &W) -> Result<Sizing<'p>, W::Stop> {
+    let actuators = actuators_of(project, project.option_1.is_some());
+    // Of a short cycle the energy costs less than to look at some of them twice.
+    let is_long = !project.axis.is_short();
+    let depth = if is_long { Depth::Ranking } else { Depth::Survivors };
+    let parts = by_drivetrain(actuators);
+    let begin = || {
+        let mut judging = Judging::of(project, depth);
+        move |part: &&'p [(OrderCode, Parameters)]| judged(&mut judging, part, watch)
+    };
+    let mut candidates = Vec::with_capacity(actuators.len());
+    in_parallel(&parts, begin)?.into_iter().for_each(|part| candidates.extend(part));
+    // Where a limit is asked for the order hangs on it.
+    let is_limited = project.axis.asked.regeneration_power_max.is_some();
+    if is_long && is_limited {
+        complete(project, &mut candidates, watch)?;
+    }
+    let mut candidates = ranked(candidates);
+    if is_long && !is_limited {
+        let told = told.min(candidates.len());
+        complete(project, candidates.get_mut(..told).unwrap_or_default(), watch)?;
+    }
+    Ok(Sizing {
+        name: &project.name,
+        candidates,
+        own: project.actuator.as_ref().map(|own| own_candidate(project, own)),
+        assumptions: &project.assumptions,
+    })
+}
+
+/// So many actuators pass a long cycle together at most: what is kept of them stays near the processor.
+const TOGETHER: usize = 64;
+
+/// Adds to the judgements of those that fit what a ranking leaves out.
+fn complete<W: Watch>(project: &Project, candidates: &mut [Candidate<'_>], watch: &W) -> Result<(), W::Stop> {
+    let mut open: Vec<&mut Candidate<'_>> = candidates
+        .iter_mut()
+        .filter(|candidate| candidate.judgement_fits() && !candidate.judgement.tells_energy())
+        .collect();
+    let actuators: Vec<&Parameters> = open.iter().map(|candidate| candidate.parameters).collect();
+    let parts: Vec<_> = actuators.chunks(actuators.len().div_ceil(2).clamp(1, TOGETHER)).collect();
+    let found = in_parallel(&parts, || |part: &&[&Parameters]| energies(&project.axis, part, watch))?;
+    let mut cited = Cited::of(project);
+    for (candidate, energy) in open.iter_mut().zip(found.into_iter().flatten()) {
+        candidate.judgement.complete(energy, &mut |check, governing| cited.cite(check, governing));
+        let Standing { size, mass_kg, .. } = candidate.standing;
+        let mass = Some(mass_kg).filter(|mass| mass.is_finite());
+        candidate.standing = Standing::of(&candidate.judgement, candidate.objections.is_empty(), size, mass);
+    }
+    Ok(())
+}
+
+/// Work on each of several parts, by as many threads as there are; the answers stand in the order of the parts. Those that fit
+/// are judged by more checks and stand together in the catalogue, so a thread that is done takes over parts of another.
+fn in_parallel<'t, T: Sync, R: Send, S: Send, F: FnMut(&'t T) -> Result<R, S>>(
+    parts: &'t [T],
+    begin: impl Fn() -> F + Sync + Send,
+) -> Result<Vec<R>, S> {
+    parts.par_iter().map_init(begin, |one, part| one(part)).collect()
+}
+
+/// Candidates, best first.
+fn ranked(candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
+    let mut order: Vec<(RankKey, usize)> = candidates.iter().map(|c| RankKey::of(&c.standing)).zip(0..).collect();
+    order.sort_unstable();
+    let mut open: Vec<Option<Candidate<'_>>> = candidates.into_iter().map(Some).collect();
+    order.into_iter().filter_map(|(_, was)| open.get_mut(was)?.take()).collect()
+}
+
+/// A part has at least so many actuators.
+const PART: usize = 8;
+
+/// The catalogue in parts for the threads, cut where one drivetrain ends: neighbours share what is found of it.
+fn by_drivetrain(actuators: &[(OrderCode, Parameters)]) -> Vec<&[(OrderCode, Parameters)]> {
+    let mut parts = Vec::with_capacity(actuators.len() / PART + 1);
+    let mut rest = actuators;
+    while let Some((_, last)) = rest.get(PART - 1) {
+        let drivetrain = &last.drivetrain;
+        let same = |(_, parameters): &&(OrderCode, Parameters)| Arc::ptr_eq(&parameters.drivetrain, drivetrain);
+        let (part, further) = rest.split_at(PART + rest.iter().skip(PART).take_while(same).count());
+        parts.push(part);
+        rest = further;
+    }
+    if !rest.is_empty() {
+        parts.push(rest);
+    }
+    parts
+}
+
+/// Each actuator as a candidate, with the options that the project asks for.
+fn judged<'p, W: Watch>(
+    judging: &mut Judging<'p>,
+    actuators: &'p [(OrderCode, Parameters)],
+    watch: &W,
+) -> Result<Vec<Candidate<'p>>, W::Stop> {
+    let project = judging.project;
+    let mut candidates = Vec::with_capacity(actuators.len());
+    for (code, parameters) in actuators {
+        watch.step()?;
+        let series = code.series();
+        let option_1 = project.option_1.and_then(|option| Option1::of(series, option.as_str()));
+        let option_2 = project.option_2.and_then(|option| Option2::of(series, option.as_str()));
+        if (option_1.is_none(), option_2.is_none()) != (project.option_1.is_none(), project.option_2.is_none()) {
+            continue;
+        }
+        let code = OrderCode { option_1, option_2, ..*code };
+        candidates.push(candidate(judging, code, parameters));
+    }
+    Ok(candidates)
+}
+
+/// Judges one code for the axis of a project.
+///
+/// # Errors
+/// [`Refusal`] where the code cannot be ordered or has no printed data.
+pub fn check<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
+    availability(code).map_err(Refusal::Broken)?;
+    let bare = OrderCode { option_1: None, option_2: None, special: false, ..*code };
+    let mut known = actuators_of(project, code.has_output_encoder()).iter();
+    let (_, parameters) = known.find(|(known, _)| *known == bare).ok_or(Refusal::NoData)?;
+    Ok(candidate(&mut Judging::of(project, Depth::Full), *code, parameters))
+}
+
+/// Judges one code as [`check`] does, each check with the workings of its value and its limit.
+///
+/// # Errors
+/// As [`check`].
+pub fn explain<'p>(project: &'p Project, code: &OrderCode) -> Result<Candidate<'p>, Refusal> {
+    let mut candidate = check(project, code)?;
+    candidate.judgement = Judging::explaining(project).judge(candidate.parameters);
+    Ok(candidate)
+}
+
+/// Judges the user's own actuator as [`check_own`] does, each check with its workings.
+///
+/// # Errors
+/// As [`check_own`].
+pub fn explain_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
+    let mut candidate = check_own(project)?;
+    candidate.judgement = Judging::explaining(project).judge(candidate.parameters);
+    Ok(candidate)
+}
+
+/// Judges the user's own actuator.
+///
+/// # Errors
+/// [`Refusal::NoActuator`] if the project describes none.
+pub fn check_own(project: &Project) -> Result<Candidate<'_>, Refusal> {
+    project.actuator.as_ref().map(|own| own_candidate(project, own)).ok_or(Refusal::NoActuator)
+}
+
+/// The cycle of a project's axis on a candidate as time series, with every sample of its recordings.
+#[must_use]
+pub fn course(project: &Project, candidate: &Candidate<'_>) -> Course {
+    Course::of(&project.axis, candidate.parameters)
+}
+
+/// How many instants that course has at most: what a table of it has as rows.
+#[must_use]
+pub fn course_rows(project: &Project) -> usize {
+    Course::instants_most(&project.axis)
+}
+
+/// The same as a picture of it shows, or as one of the time between two instants \[s\].
+#[must_use]
+pub fn course_seen(project: &Project, candidate: &Candidate<'_>, window: Option<(f64, f64)>) -> Course {
+    Course::seen(&project.axis, candidate.parameters, window)
+}
+
+/// How far the axis of a project may be changed until a candidate just fits, as far as that is sought unasked.
+#[must_use]
+pub fn reserve_of(project: &Project, candidate: &Candidate<'_>) -> Reserve {
+    finished(reserve_of_watched(project, candidate, SAMPLES_ANEW, &Unwatched))
+}
+
+/// The same for somebody who may stop it, with the samples whose load the steps of the search may find anew.
+///
+/// # Errors
+/// Where it was stopped.
+pub(crate) fn reserve_of_watched<W: Watch>(
+    project: &Project,
+    candidate: &Candidate<'_>,
+    most: usize,
+    watch: &W,
+) -> Result<Reserve, W::Stop> {
+    reserve_watched(&project.axis, candidate.parameters, most, watch)
+}
+
+/// Judges one actuator after the other for the axis of a project, whose keys the checks cite as its file has them.
+struct Judging<'p> {
+    project: &'p Project,
+    judge: Judge<'p>,
+    cited: Cited<'p>,
+}
+
+impl<'p> Judging<'p> {
+    fn of(project: &'p Project, depth: Depth) -> Self {
+        Self { project, judge: Judge::of(&project.axis, depth), cited: Cited::of(project) }
+    }
+
+    fn explaining(project: &'p Project) -> Self {
+        Self { project, judge: Judge::explaining(&project.axis), cited: Cited::of(project) }
+    }
+
+    fn judge(&mut self, parameters: &Parameters) -> Judgement {
+        let Self { judge, cited, .. } = self;
+        judge.next(parameters, &mut |check, governing| cited.cite(check, governing))
+    }
+}
+
+fn candidate<'p>(judging: &mut Judging<'p>, code: OrderCode, parameters: &'p Parameters) -> Candidate<'p> {
+    let project = judging.project;
+    let judgement = judging.judge(parameters);
+    let mut objections: Vec<Objection> = project.requirements.unmet(&code, parameters).map(Objection::Unmet).collect();
+    // Without options the code stands in the catalogue because it is available; only options can change that.
+    let optional = code.option_1.is_some() || code.option_2.is_some() || code.special;
+    let on_request = match optional.then(|| availability(&code)) {
+        None => Vec::new(),
+        Some(Ok(found)) => found.on_request,
+        Some(Err(broken)) => {
+            objections.extend(broken.into_iter().map(Objection::Rule));
+            Vec::new()
+        }
+    };
+    let mass = parameters.mass.known().map(|mass| mass.value.si());
+    let standing = Standing::of(&judgement, objections.is_empty(), code.size.number(), mass);
+    Candidate { id: CandidateId::Code(code), on_request, parameters, judgement, objections, standing }
+}
+
+fn own_candidate<'p>(project: &'p Project, own: &'p OwnActuator) -> Candidate<'p> {
+    let judgement = Judging::of(project, Depth::Full).judge(&own.parameters);
+    let objections: Vec<Objection> =
+        project.requirements.unmet_by_data(&own.parameters).map(Objection::Unmet).collect();
+    let mass = own.parameters.mass.known().map(|mass| mass.value.si());
+    // Of a user's actuator little may be known: an unknown datum leaves a requirement open, it does not break it.
+    let met = objections.iter().all(|objection| matches!(objection, Objection::Unmet(Unmet::NotKnown { .. })));
+    let standing = Standing::of(&judgement, met, 0, mass);
+    Candidate {
+        id: CandidateId::Own(own.name.clone()),
+        on_request: Vec::new(),
+        parameters: &own.parameters,
+        judgement,
+        objections,
+        standing,
+    }
+}

@@ -1,0 +1,105 @@
+//! What a question is about where it names less than it could: which axis, which actuator, which axes of two projects.
+
+use crate::sizing_use::{Candidate, CandidateId, Refusal, Sizing, check, check_own};
+use order_code::OrderCode;
+use project::Project;
+use quantities::Language;
+use words::terminal;
+
+/// The axes of a project, or the one of a name, each with its place in the file.
+///
+/// # Errors
+/// Where there is no axis of that name: what there is.
+pub(crate) fn picked(
+    projects: Vec<Project>,
+    wanted: Option<&str>,
+    language: Language,
+) -> Result<Vec<(usize, Project)>, String> {
+    let names = names(&projects);
+    let mut found: Vec<(usize, Project)> = projects.into_iter().enumerate().collect();
+    if let Some(wanted) = wanted {
+        found.retain(|(_, project)| project.name == wanted);
+        if found.is_empty() {
+            return Err(terminal::no_such_axis(&wanted, &names, language));
+        }
+    }
+    Ok(found)
+}
+
+/// The names of axes, as a sentence has them.
+pub(crate) fn names<'p>(projects: impl IntoIterator<Item = &'p Project>) -> String {
+    let names: Vec<&str> = projects.into_iter().map(|project| project.name.as_str()).collect();
+    names.join(", ")
+}
+
+/// The actuator of a code, else the project's own, else the best of the catalogue, which `best` names.
+///
+/// # Errors
+/// Why it cannot be judged.
+pub fn candidate_for<'p>(
+    project: &'p Project,
+    code: Option<&OrderCode>,
+    best: impl FnOnce() -> Option<CandidateId>,
+) -> Result<Candidate<'p>, Refusal> {
+    if let Some(code) = code {
+        return check(project, code);
+    }
+    if let Ok(own) = check_own(project) {
+        return Ok(own);
+    }
+    match best() {
+        // Ranked by the checks that decide; shown with all of them.
+        Some(CandidateId::Code(code)) => check(project, &code),
+        _ => Err(Refusal::NoData),
+    }
+}
+
+/// The actuator of the tables: that of a code, else the project's own, else the best of the catalogue, be it the nearest
+/// miss.
+///
+/// # Errors
+/// Why it cannot be judged.
+pub fn candidate_of_tables<'p>(
+    project: &'p Project,
+    code: Option<&OrderCode>,
+    sizing: &Sizing<'p>,
+) -> Result<Candidate<'p>, Refusal> {
+    let first = sizing.candidates.first();
+    let judged = match (code, first.map(|best| &best.id)) {
+        (Some(code), _) => return check(project, code),
+        (None, _) if project.actuator.is_some() => check_own(project),
+        (None, Some(CandidateId::Code(code))) => check(project, code),
+        (None, _) => Err(Refusal::NoActuator),
+    };
+    // A code of the ranking may break a rule with the required options: then it is judged as in the ranking.
+    judged.or_else(|refusal| first.cloned().ok_or(refusal))
+}
+
+/// The axes of two revisions that belong together, by their places: those of the same name, and the only one of each
+/// whatever its name.
+#[must_use]
+pub(crate) fn paired(old: &[(usize, Project)], new: &[(usize, Project)]) -> Vec<(usize, usize)> {
+    let names = |axes: &'_ [(usize, Project)]| axes.iter().map(|(_, project)| project.name.clone()).collect::<Vec<_>>();
+    pairs(&names(old), &names(new))
+}
+
+fn pairs(old: &[String], new: &[String]) -> Vec<(usize, usize)> {
+    if old.len() == 1 && new.len() == 1 {
+        return vec![(0, 0)];
+    }
+    let partner = |name: &String| new.iter().position(|other| other == name);
+    old.iter().enumerate().filter_map(|(index, name)| Some((index, partner(name)?))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_of_two_revisions_are_paired_by_name_and_single_ones_whatever_theirs() {
+        let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
+        assert_eq!(pairs(&names(&["a"]), &names(&["b"])), [(0, 0)]);
+        assert_eq!(pairs(&names(&["a", "b", "c"]), &names(&["c", "a"])), [(0, 1), (2, 0)]);
+        assert_eq!(pairs(&names(&["a"]), &names(&["b", "c"])), []);
+    }
+}

@@ -1,0 +1,109 @@
+//! What tolerances mean for an actuator, in short words and as a table.
+
+use crate::tolerance::{Assessment, Place, Sampling, Worst};
+use project::{ALL_CORNERS_MOST, Project};
+use quantities::{Language, Unit, format_number, format_significant};
+use words::{check_title, terminal, terms};
+
+/// A share in percent with one digit, infinite where no axis is possible.
+#[must_use]
+pub fn share_text(share: f64, language: Language) -> String {
+    if share.is_finite() { format_number(share * 100.0, 1, language) } else { "∞".to_owned() }
+}
+
+/// The share of samples that pass; 100 % only where every sample passes.
+#[must_use]
+pub fn passing_text(assessment: &Assessment, language: Language) -> String {
+    format_number((assessment.share() * 1e4).floor() / 1e2, 2, language)
+}
+
+/// How was sampled.
+#[must_use]
+pub fn sampling_text(sampling: Sampling, language: Language) -> String {
+    let Sampling { samples, seed } = sampling;
+    terminal::tolerances_head(&samples, &seed, language)
+}
+
+/// Whether it fits at the worst point, and by which check.
+#[must_use]
+pub fn worst_text(worst: &Worst, language: Language) -> String {
+    let verdict = if worst.fits { terms::fits(language) } else { terms::does_not_fit(language) };
+    let check = worst
+        .check
+        .map_or_else(|| terminal::no_axis_possible(language).to_owned(), |check| check_title(check, language));
+    let word = format!("{verdict}: {check}");
+    if worst.place == Place::Sample {
+        return format!("{word} ({})", terminal::inside_the_band(language));
+    }
+    word
+}
+
+/// The quantity that dominates and its share.
+#[must_use]
+pub fn dominating(project: &Project, assessment: &Assessment, language: Language) -> [String; 2] {
+    let found = assessment.influence.first().and_then(|first| Some((first, project.tolerances.get(first.quantity)?)));
+    match found {
+        Some((first, tolerance)) => [tolerance.path.clone(), share_text(first.share, language)],
+        None => [terminal::none(language).to_owned(), "–".to_owned()],
+    }
+}
+
+/// Everything about the tolerances of one actuator but its quantities, a sentence each.
+#[must_use]
+pub fn tolerance_lines(project: &Project, assessment: &Assessment, language: Language) -> Vec<String> {
+    let (low, high) = assessment.interval;
+    let passes = passing_text(assessment, language);
+    let [low, high] = [low, high].map(|share| format_number(share * 100.0, 2, language));
+    let found = &assessment.utilisation;
+    let [p05, p50, p95, max] = [found.p05, found.p50, found.p95, found.max].map(|share| share_text(share, language));
+    let worst = share_text(assessment.worst.utilisation, language);
+    let word = worst_text(&assessment.worst, language);
+    let mut lines = vec![
+        terminal::share_passing(&passes, &low, &high, language),
+        terminal::quantiles(&p05, &p50, &p95, &max, language),
+        terminal::worst_corner(&worst, &word, language),
+    ];
+    if assessment.impossible > 0 {
+        let count = assessment.impossible;
+        lines.push(terminal::impossible_samples(&count, language));
+    }
+    if project.tolerances.len() > ALL_CORNERS_MOST {
+        lines.push(terminal::corner_searched(&ALL_CORNERS_MOST, language));
+    }
+    lines
+}
+
+/// What stands above the columns of [`tolerance_rows`].
+#[must_use]
+pub fn tolerance_heads(language: Language) -> [&'static str; 6] {
+    [
+        terminal::quantity(language),
+        terminal::from(language),
+        terminal::to(language),
+        terms::unit(language),
+        terminal::worst(language),
+        terminal::influence_percent(language),
+    ]
+}
+
+/// Each quantity with its band, its value at the worst point and its influence: by influence; where nothing depends on any, as
+/// in the file.
+#[must_use]
+pub fn tolerance_rows(project: &Project, assessment: &Assessment, language: Language) -> Vec<[String; 6]> {
+    let shown = |si: f64, unit: &Unit| format_significant(unit.from_si(si), 5, language);
+    let listed: Vec<usize> = assessment.influence.iter().map(|each| each.quantity).collect();
+    let order = if listed.is_empty() { (0..project.tolerances.len()).collect() } else { listed };
+    let row = |index: usize| {
+        let (each, at) = (project.tolerances.get(index)?, assessment.worst.values.get(index)?);
+        let share = assessment.influence.iter().find(|found| found.quantity == index).map(|found| found.share);
+        Some([
+            each.path.clone(),
+            shown(each.at(-1.0), each.unit),
+            shown(each.at(1.0), each.unit),
+            each.unit.symbol.to_owned(),
+            shown(*at, each.unit),
+            share.map_or_else(|| "–".into(), |share| share_text(share, language)),
+        ])
+    };
+    order.into_iter().filter_map(row).collect()
+}

@@ -1,0 +1,436 @@
+//! What the tolerances of a project mean for an actuator: the worst corner of their bands, the share of samples with
+//! which it fits, and the quantity on which that depends most.
+
+mod corners;
+mod draws;
+mod statistics;
+pub(crate) mod work;
+
+use crate::sizing_use::{Candidate, CandidateId, Objection, Refusal};
+use draws::Draws;
+use project::{Project, Variant, Varied};
+use rayon::prelude::*;
+use sizing::{CheckId, Depth, Judgement, Unwatched, Watch, finished, judge};
+use statistics::{Ranks, wilson};
+use std::ops::Range;
+
+/// Most samples of one question.
+pub const SAMPLES_MOST: usize = 1_000_000;
+
+/// Samples unless the user says otherwise.
+pub const SAMPLES_USUAL: usize = 10_000;
+
+/// Seed unless the user says otherwise.
+pub(crate) const SEED_USUAL: u64 = 1;
+
+/// Into so many parts the samples are divided among the threads; with one the results have the same bits.
+const PARTS: usize = 8;
+
+/// How is sampled: every quantity uniform within its band, independent of the others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sampling {
+    /// How many samples, 1 to [`SAMPLES_MOST`].
+    pub samples: usize,
+    /// From which the numbers follow.
+    pub seed: u64,
+}
+
+/// How tolerances shall be sampled, as it was asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Draw {
+    /// How many samples; `None` for as many as some seconds allow, [`SAMPLES_USUAL`] at most.
+    pub samples: Option<usize>,
+    /// From which the numbers follow.
+    pub seed: u64,
+}
+
+impl Default for Draw {
+    fn default() -> Self {
+        Self { samples: None, seed: SEED_USUAL }
+    }
+}
+
+impl Draw {
+    /// The samples for a project and some actuators.
+    ///
+    /// # Errors
+    /// [`Refusal::TooManySamples`] where they are more than is done without a word about the time they may take; with a
+    /// limit of time [`SAMPLES_MOST`] may be asked for.
+    pub fn sampling(self, project: &Project, actuators: usize, in_time: bool) -> Result<Sampling, Refusal> {
+        let most = if in_time { SAMPLES_MOST } else { work::samples_most(project, actuators) };
+        let samples = self.samples.unwrap_or_else(|| work::samples_usual(project, actuators));
+        if samples > most && !project.tolerances.is_empty() {
+            return Err(Refusal::TooManySamples { asked: samples, most });
+        }
+        Ok(Sampling { samples, seed: self.seed })
+    }
+
+    /// Whether that takes no longer than somebody who types would wait unasked.
+    #[must_use]
+    pub fn is_quick(self, project: &Project, actuators: usize) -> bool {
+        let sampling = self.sampling(project, actuators, false);
+        sampling.is_ok_and(|sampling| work::is_quick(project, actuators, sampling.samples))
+    }
+}
+
+impl Default for Sampling {
+    fn default() -> Self {
+        Self { samples: SAMPLES_USUAL, seed: SEED_USUAL }
+    }
+}
+
+/// The largest utilisation of the samples, by its distribution; infinite where an axis is not possible or a limit of
+/// zero is exceeded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantiles {
+    /// 5 %.
+    pub p05: f64,
+    /// 50 %.
+    pub p50: f64,
+    /// 95 %.
+    pub p95: f64,
+    /// The largest.
+    pub max: f64,
+}
+
+/// What kind of point the worst one is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The worst of all corners.
+    Corner,
+    /// The worst corner that a search found; there are too many to look at each.
+    SearchedCorner,
+    /// A sample: worse than every corner, so the dependence is not monotone.
+    Sample,
+}
+
+/// The worst point within the bands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worst {
+    /// What kind of point it is.
+    pub place: Place,
+    /// The value of each toleranced quantity there, in SI and in the order of [`Project::tolerances`].
+    pub values: Vec<f64>,
+    /// Whether nothing speaks against the actuator there.
+    pub fits: bool,
+    /// The largest utilisation there.
+    pub utilisation: f64,
+    /// The failing check that is exceeded most, else the tightest; `None` where no axis is possible.
+    pub check: Option<CheckId>,
+}
+
+/// How much of the spread of the utilisation a quantity explains.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Influence {
+    /// Index in [`Project::tolerances`].
+    pub quantity: usize,
+    /// ρ² of this quantity by the sum of all, ρ the rank correlation with the utilisation.
+    pub share: f64,
+}
+
+/// The tolerances judged for one actuator.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assessment {
+    /// How was sampled.
+    pub sampling: Sampling,
+    /// Samples with which nothing speaks against the actuator.
+    pub passes: usize,
+    /// Samples with which no axis is possible; none of them passes.
+    pub impossible: usize,
+    /// 95 % interval of the share of passes, by Wilson.
+    pub interval: (f64, f64),
+    /// The largest utilisation over the samples.
+    pub utilisation: Quantiles,
+    /// The worst point.
+    pub worst: Worst,
+    /// Every quantity, the one that dominates first; empty where the utilisation does not depend on any.
+    pub influence: Vec<Influence>,
+}
+
+impl Assessment {
+    /// Share of the samples that pass.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss, reason = "counts are bounded by SAMPLES_MOST")]
+    pub fn share(&self) -> f64 {
+        self.passes as f64 / self.sampling.samples as f64
+    }
+}
+
+/// Judges the tolerances of a project for actuators that were judged at the nominal values; one answer for each, in
+/// their order. No answer where the project has no tolerance.
+///
+/// # Source
+/// docs/theory/tolerances.md
+/// # Valid
+/// corners are the extremes where the utilisation is monotone in each quantity; a sample that is worse than
+/// every corner is told instead
+#[must_use]
+pub fn assess(project: &Project, candidates: &[&Candidate<'_>], sampling: Sampling) -> Vec<Assessment> {
+    finished(assess_watched(project, candidates, sampling, &Unwatched))
+}
+
+/// The same for somebody who may stop it.
+///
+/// # Errors
+/// Where it was stopped.
+pub(crate) fn assess_watched<W: Watch>(
+    project: &Project,
+    candidates: &[&Candidate<'_>],
+    sampling: Sampling,
+    watch: &W,
+) -> Result<Vec<Assessment>, W::Stop> {
+    assess_with(project, candidates, sampling, (PARTS, watch))
+}
+
+fn assess_with<W: Watch>(
+    project: &Project,
+    candidates: &[&Candidate<'_>],
+    sampling: Sampling,
+    (parts, watch): (usize, &W),
+) -> Result<Vec<Assessment>, W::Stop> {
+    let Some(varied) = Varied::new(project) else { return Ok(Vec::new()) };
+    let samples = sampling.samples.clamp(1, SAMPLES_MOST);
+    let sampling = Sampling { samples, ..sampling };
+    let judged: Vec<Judged<'_>> = candidates.iter().map(|each| Judged::of(project, each)).collect();
+    let draws = Draws { seed: sampling.seed, quantities: project.tolerances.len() };
+    watch.expect(samples);
+    let sampled = sample(&varied, &judged, (draws, samples), (parts, watch))?;
+
+    let ranks: Vec<Ranks> =
+        sampled.iter().map(|each| Ranks::of(each.utilisations.iter().map(|u| u.to_bits()))).collect();
+    let correlations: Vec<Vec<f64>> = (0..draws.quantities)
+        .map(|quantity| {
+            let own = Ranks::of(draws.column(quantity, samples));
+            ranks.iter().map(|of| own.correlation(of)).collect()
+        })
+        .collect();
+    let of_candidate =
+        |index: usize| -> Vec<f64> { correlations.iter().map(|row| row.get(index).copied().unwrap_or(0.0)).collect() };
+    let rising: Vec<Vec<f64>> = (0..judged.len()).map(of_candidate).collect();
+    let corners = corners::worst((project, &varied), &judged, &rising, watch)?;
+
+    let mut answers = Vec::with_capacity(judged.len());
+    for ((((judged, sampled), ranks), rising), corner) in
+        judged.iter().zip(sampled).zip(&ranks).zip(&rising).zip(corners)
+    {
+        let mut worst = corner;
+        // A sample that is worse by no more than rounding is no news.
+        let beyond = (!sampled.worst.fits, sampled.worst.utilisation) > (!worst.fits, worst.utilisation * (1.0 + 1e-9));
+        if beyond {
+            let values = draws.sample(sampled.worst.index, &project.tolerances);
+            worst = Point::look(&mut varied.clone(), judged, &values).at(values, Place::Sample);
+        }
+        let quantile = |share: f64| ranks.quantile(share).map_or(0.0, f64::from_bits);
+        answers.push(Assessment {
+            sampling,
+            passes: sampled.passes,
+            impossible: sampled.impossible,
+            interval: wilson(sampled.passes, samples),
+            utilisation: Quantiles {
+                p05: quantile(0.05),
+                p50: quantile(0.50),
+                p95: quantile(0.95),
+                max: quantile(1.0),
+            },
+            worst,
+            influence: influence(rising),
+        });
+    }
+    Ok(answers)
+}
+
+/// The shares of the explained variance, the largest first; equal ones keep the order of the file.
+fn influence(correlations: &[f64]) -> Vec<Influence> {
+    let total: f64 = correlations.iter().map(|rho| rho * rho).sum();
+    if total <= 0.0 {
+        return Vec::new();
+    }
+    let mut found: Vec<Influence> = correlations
+        .iter()
+        .enumerate()
+        .map(|(quantity, rho)| Influence { quantity, share: rho * rho / total })
+        .collect();
+    found.sort_by(|a, b| b.share.total_cmp(&a.share));
+    found
+}
+
+/// An actuator and what speaks against it whatever the values are.
+#[derive(Clone, Debug)]
+struct Judged<'c> {
+    candidate: &'c Candidate<'c>,
+    /// Whether a requirement that no tolerance touches is not met, or a rule is broken.
+    hopeless: bool,
+}
+
+impl<'c> Judged<'c> {
+    fn of(project: &Project, candidate: &'c Candidate<'c>) -> Self {
+        let own = matches!(candidate.id, CandidateId::Own(_));
+        let touched = |table: &str| project.tolerances.iter().any(|each| each.path.starts_with(table));
+        let varies = touched("requirements.") || (own && touched("actuator."));
+        let speaks = |objection: &Objection| match objection {
+            Objection::Unmet(unmet) => !varies && speaks(own, unmet),
+            Objection::Rule(_) => true,
+        };
+        Self { candidate, hopeless: candidate.objections.iter().any(speaks) }
+    }
+
+    /// The judgement for a variant, and whether nothing speaks against the actuator.
+    fn judge(&self, project: &Project, variant: &Variant) -> (Judgement, bool) {
+        let own = variant.actuator.as_ref().filter(|_| matches!(self.candidate.id, CandidateId::Own(_)));
+        let parameters = own.map_or(self.candidate.parameters, |own| &own.parameters);
+        let judgement = judge(&variant.axis, parameters, Depth::Margins);
+        let fits = !self.hopeless && judgement.fits() && self.meets(project, variant, parameters);
+        (judgement, fits)
+    }
+
+    fn meets(&self, project: &Project, variant: &Variant, parameters: &actuator::Parameters) -> bool {
+        if variant.requirements.is_none() && variant.actuator.is_none() {
+            return true;
+        }
+        let requirements = variant.requirements.as_ref().unwrap_or(&project.requirements);
+        match &self.candidate.id {
+            CandidateId::Code(code) => requirements.unmet(code, parameters).next().is_none(),
+            CandidateId::Own(_) => requirements.unmet_by_data(parameters).all(|unmet| !speaks(true, &unmet)),
+        }
+    }
+}
+
+/// Of a user's actuator an unknown datum leaves a requirement open, it does not break it.
+const fn speaks(own: bool, unmet: &crate::Unmet) -> bool {
+    !(own && matches!(unmet, crate::Unmet::NotKnown { .. }))
+}
+
+/// What is found at one point of the bands.
+#[derive(Clone, Copy, Debug)]
+struct Point {
+    fits: bool,
+    utilisation: f64,
+    check: Option<CheckId>,
+}
+
+impl Point {
+    const IMPOSSIBLE: Self = Self { fits: false, utilisation: f64::INFINITY, check: None };
+
+    fn of(judged: &Judged<'_>, project: &Project, variant: &Variant) -> Self {
+        let (judgement, fits) = judged.judge(project, variant);
+        let check = judgement.worst_failure().or_else(|| judgement.tightest()).map(|check| check.id);
+        Self { fits, utilisation: number(judgement.utilisation()), check }
+    }
+
+    fn look(varied: &mut Varied<'_>, judged: &Judged<'_>, values: &[f64]) -> Self {
+        let project = varied.project();
+        varied.at(values).map_or(Self::IMPOSSIBLE, |variant| Self::of(judged, project, &variant))
+    }
+
+    /// Whether it is worse: it does not fit and the other does, or the utilisation is larger.
+    fn is_worse_than(&self, other: &Self) -> bool {
+        (!self.fits, self.utilisation) > (!other.fits, other.utilisation)
+    }
+
+    const fn at(self, values: Vec<f64>, place: Place) -> Worst {
+        Worst { place, values, fits: self.fits, utilisation: self.utilisation, check: self.check }
+    }
+}
+
+/// What is no number is worse than every number.
+const fn number(utilisation: f64) -> f64 {
+    if utilisation.is_nan() { f64::INFINITY } else { utilisation }
+}
+
+/// The worst sample.
+#[derive(Clone, Copy, Debug)]
+struct WorstSample {
+    index: usize,
+    fits: bool,
+    utilisation: f64,
+}
+
+/// The samples of one actuator.
+#[derive(Clone, Debug)]
+struct Sampled {
+    utilisations: Vec<f64>,
+    passes: usize,
+    impossible: usize,
+    worst: WorstSample,
+}
+
+impl Sampled {
+    fn empty(samples: usize) -> Self {
+        let worst = WorstSample { index: 0, fits: true, utilisation: -1.0 };
+        Self { utilisations: Vec::with_capacity(samples), passes: 0, impossible: 0, worst }
+    }
+
+    fn add(&mut self, index: usize, fits: bool, utilisation: f64) {
+        self.utilisations.push(utilisation);
+        self.passes += usize::from(fits);
+        if (!fits, utilisation) > (!self.worst.fits, self.worst.utilisation) {
+            self.worst = WorstSample { index, fits, utilisation };
+        }
+    }
+
+    /// The samples behind these; of equally bad ones the first stays the worst.
+    fn append(&mut self, mut later: Self) {
+        self.utilisations.append(&mut later.utilisations);
+        self.passes += later.passes;
+        self.impossible += later.impossible;
+        if (!later.worst.fits, later.worst.utilisation) > (!self.worst.fits, self.worst.utilisation) {
+            self.worst = later.worst;
+        }
+    }
+}
+
+/// Judges every sample, in fixed parts that are joined in their order. A sample follows from the seed and its number alone, so
+/// that nothing depends on how many threads there are or which is ahead.
+fn sample<W: Watch>(
+    varied: &Varied<'_>,
+    judged: &[Judged<'_>],
+    (draws, samples): (Draws, usize),
+    (parts, watch): (usize, &W),
+) -> Result<Vec<Sampled>, W::Stop> {
+    let part = samples.div_ceil(parts);
+    let ranges: Vec<Range<usize>> =
+        (0..parts).map(|index| (index * part).min(samples)..((index + 1) * part).min(samples)).collect();
+    let run = |range: Range<usize>| judge_samples(varied.clone(), judged, draws, range, watch);
+    let found: Vec<Vec<Sampled>> = ranges.into_par_iter().map(run).collect::<Result<_, _>>()?;
+    let join = |mut all: Vec<Sampled>, later: Vec<Sampled>| {
+        all.iter_mut().zip(later).for_each(|(all, later)| all.append(later));
+        all
+    };
+    Ok(found.into_iter().reduce(join).unwrap_or_default())
+}
+
+fn judge_samples<W: Watch>(
+    mut varied: Varied<'_>,
+    judged: &[Judged<'_>],
+    draws: Draws,
+    range: Range<usize>,
+    watch: &W,
+) -> Result<Vec<Sampled>, W::Stop> {
+    let project = varied.project();
+    let mut all: Vec<Sampled> = judged.iter().map(|_| Sampled::empty(range.len())).collect();
+    let mut values = vec![0.0; draws.quantities];
+    let mut stream = draws.from(range.start);
+    for index in range {
+        watch.step()?;
+        stream.next_into(&project.tolerances, &mut values);
+        match varied.at(&values) {
+            None => {
+                for sampled in &mut all {
+                    sampled.impossible += 1;
+                    sampled.add(index, false, f64::INFINITY);
+                }
+            }
+            Some(variant) => {
+                for (sampled, judged) in all.iter_mut().zip(judged) {
+                    let (judgement, fits) = judged.judge(project, &variant);
+                    sampled.add(index, fits, number(judgement.utilisation()));
+                }
+            }
+        }
+    }
+    Ok(all)
+}
+
+#[cfg(test)]
+#[path = "tolerance_tests.rs"]
+mod tests;

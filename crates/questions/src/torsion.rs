@@ -1,0 +1,146 @@
+//! The torsion of a gear under a torque, alone.
+
+use crate::sizing_use::Candidate;
+use actuator::Torsion;
+use order_code::OrderCode;
+use project::Project;
+use provenance::Datum;
+use quantities::{Angle, Language, Measure, QuantityError, Torque, parse_as};
+
+/// The known quantity of a twisted gear; the other one is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Twist {
+    /// The torque on it.
+    Torque(Torque),
+    /// The angle by which it yields.
+    Angle(Angle),
+}
+
+/// The torsion of one code's gear under a torque.
+#[derive(Clone, Debug)]
+pub struct TorsionAnswer {
+    /// The curve: T_1, T_2, K_1, K_2, K_3.
+    pub curve: Torsion,
+    /// The torque.
+    pub torque: Torque,
+    /// The angle.
+    pub angle: Angle,
+    /// Stiffness region of the torque: 1, 2 or 3.
+    pub region: u8,
+    /// Width of the curve at no torque after full torque to both sides: an upper bound.
+    pub hysteresis_loss: Datum<Angle>,
+    /// Width of the curve under a few per cent of the rated torque: an upper bound.
+    pub lost_motion: Datum<Angle>,
+}
+
+impl TorsionAnswer {
+    /// The curve with the point that is asked about.
+    #[must_use]
+    pub const fn at(&self) -> TorsionCurve {
+        TorsionCurve { curve: self.curve, torque: self.torque, angle: self.angle }
+    }
+}
+
+/// Why a twist cannot be read: the option, what is wrong, and a hint.
+type TwistFault = (&'static str, (String, Option<String>));
+
+/// Reads a torque such as `60 N m` or an angle such as `1 arcmin`; one of the two, not both.
+///
+/// # Errors
+/// What is wrong with the texts, in a language.
+pub(crate) fn read_twist(torque: Option<&str>, angle: Option<&str>, language: Language) -> Result<Twist, TwistFault> {
+    let told = |error: QuantityError| (words::quantity_fault(&error, language), words::quantity_hint(&error, language));
+    match (torque, angle) {
+        (Some(torque), None) => parse_as(torque).map(Twist::Torque).map_err(|error| ("torque", told(error))),
+        (None, Some(angle)) => parse_as(angle).map(Twist::Angle).map_err(|error| ("angle", told(error))),
+        _ => Err(("torque", (words::terminal::torque_or_angle(language).to_owned(), None))),
+    }
+}
+
+/// The torsion of a code's gear under a torque, or the torque that twists it by an angle; `None` where the stiffness is not
+/// printed.
+///
+/// # Source
+/// cha-manual eq. 73.1 to 73.4, tables 54.1 to 54.4
+#[must_use]
+pub(crate) fn torsion(code: &OrderCode, twist: Twist) -> Option<TorsionAnswer> {
+    let parameters = configurator::parameters(code)?;
+    let curve = parameters.gear.torsion()?;
+    let (torque, angle) = match twist {
+        Twist::Torque(torque) => (torque, curve.angle(torque)),
+        Twist::Angle(angle) => (curve.torque(angle), angle),
+    };
+    let size = torque.si().abs();
+    let region = if size <= curve.torque_1.si() {
+        1
+    } else if size <= curve.torque_2.si() {
+        2
+    } else {
+        3
+    };
+    let (hysteresis_loss, lost_motion) =
+        (parameters.accuracy.hysteresis_loss.clone(), parameters.accuracy.lost_motion.clone());
+    Some(TorsionAnswer { curve, torque, angle, region, hysteresis_loss, lost_motion })
+}
+
+/// The torsion curve of a gear with the point at which an axis works.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TorsionCurve {
+    /// The curve: T_1, T_2, K_1, K_2, K_3.
+    pub curve: Torsion,
+    /// Largest torque on the gear.
+    pub torque: Torque,
+    /// Torsion under it.
+    pub angle: Angle,
+}
+
+impl TorsionCurve {
+    /// The corners of the curve from `−end` to `end`.
+    #[must_use]
+    pub fn points(&self, end: Torque) -> Vec<(Torque, Angle)> {
+        let (one, two, end) = (self.curve.torque_1.si(), self.curve.torque_2.si(), end.si().abs());
+        let corners = [-end, -two, -one, 0.0, one, two, end];
+        let inside = corners.into_iter().filter(|torque| torque.abs() <= end).map(Torque::from_si);
+        inside.map(|torque| (torque, self.curve.angle(torque))).collect()
+    }
+}
+
+/// The torsion curve of a candidate's gear and its working point; `None` where the stiffness is not known.
+///
+/// # Source
+/// cha-manual eq. 73.1 to 73.3; the torque is that of the torsion check, without the actuator's own inertia
+#[must_use]
+pub fn torsion_of(project: &Project, candidate: &Candidate<'_>) -> Option<TorsionCurve> {
+    let curve = candidate.parameters.gear.torsion()?;
+    let torque = project.axis.moments().load_peak;
+    Some(TorsionCurve { curve, torque, angle: curve.angle(torque) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_angle_leads_back_to_its_torque_in_every_region() {
+        let code = order_code::parse("CHA-20A-100-H-C1024").unwrap().code;
+        for (torque, region) in [(3.0, 1), (-20.0, 2), (60.0, 3)] {
+            let there = torsion(&code, Twist::Torque(Torque::from_si(torque))).unwrap();
+            let back = torsion(&code, Twist::Angle(there.angle)).unwrap();
+            assert!((back.torque.si() - torque).abs() < 1e-9 && back.region == region, "{back:?}");
+            assert_eq!(there.region, region);
+        }
+        // Table 54.1: size 20, ratio 100.
+        let play = torsion(&code, Twist::Torque(Torque::from_si(1.0))).unwrap().hysteresis_loss;
+        let minutes = play.known().unwrap().value.in_unit(&quantities::unit::ARCMINUTE);
+        assert!((minutes - 1.0).abs() < 1e-9, "{minutes}");
+    }
+
+    #[test]
+    fn torque_and_angle_exclude_each_other_and_one_is_needed() {
+        assert_eq!(read_twist(Some("60 N m"), None, Language::En), Ok(Twist::Torque(Torque::from_si(60.0))));
+        for both in [(None, None), (Some("1 N m"), Some("1 arcmin"))] {
+            assert!(read_twist(both.0, both.1, Language::En).is_err());
+        }
+        assert_eq!(read_twist(None, Some("1 N m"), Language::De).unwrap_err().0, "angle");
+    }
+}

@@ -1,0 +1,109 @@
+//! A list of pins and the sizes of a cable, as a user gives them.
+
+use crate::chapters::read_quantity;
+use installation::wiring::{Comparison, ListFault, Wiring, compare, read_pin_list};
+use quantities::unit::{METRE, SQUARE_MILLIMETRE};
+use quantities::{Area, Language, Length, Measure};
+use words::{Told, wiring};
+
+/// A cable is no longer than this \[m\].
+pub(crate) const CABLE_LENGTH_MAX_M: f64 = 1000.0;
+
+/// A wire is no thicker than this \[mm²\].
+pub(crate) const CROSS_SECTION_MAX_MM2: f64 = 1000.0;
+
+/// A list that was read: its text, and what the comparison found or why there is none.
+pub(crate) struct ListRead {
+    /// The text as it was understood.
+    pub text: String,
+    /// The comparison, or the faults of the list.
+    pub outcome: Result<Comparison, Vec<ListFault>>,
+}
+
+impl ListRead {
+    /// The faults in words, with their places.
+    #[must_use]
+    pub(crate) fn told(&self, language: Language) -> Vec<Told> {
+        let faults = self.outcome.as_ref().err().map(Vec::as_slice).unwrap_or_default();
+        let told = |fault: &ListFault| {
+            let (message, hint) = (wiring::list_fault(fault, language), wiring::list_fault_hint(fault, language));
+            Told::at(&self.text, fault.span(), fault.id(), message, hint)
+        };
+        faults.iter().map(told).collect()
+    }
+}
+
+/// Reads a list of pins, in whatever encoding a spreadsheet wrote it, and compares it with the wiring.
+///
+/// # Errors
+/// Of the source; bytes in memory have none.
+pub(crate) fn read_list(wiring: &Wiring, bytes: &[u8]) -> std::io::Result<ListRead> {
+    let (text, _) = recording::read_text(bytes)?;
+    let outcome = read_pin_list(&text).map(|list| compare(wiring, &list));
+    Ok(ListRead { text, outcome })
+}
+
+/// The length of a cable.
+///
+/// # Errors
+/// What is wrong with the text, and a hint.
+pub(crate) fn cable_length(text: &str, language: Language) -> Result<Length, (String, Option<String>)> {
+    let length: Length = read_quantity(text, language)?;
+    let metres = length.in_unit(&METRE);
+    if metres > 0.0 && metres <= CABLE_LENGTH_MAX_M {
+        return Ok(length);
+    }
+    Err((wiring::length_must_be_positive(&CABLE_LENGTH_MAX_M, language), None))
+}
+
+/// The cross-section of a wire.
+///
+/// # Errors
+/// What is wrong with the text, and a hint.
+pub(crate) fn cross_section(text: &str, language: Language) -> Result<Area, (String, Option<String>)> {
+    let area: Area = read_quantity(text, language)?;
+    let section = area.in_unit(&SQUARE_MILLIMETRE);
+    if section > 0.0 && section <= CROSS_SECTION_MAX_MM2 {
+        return Ok(area);
+    }
+    Err((wiring::section_must_be_positive(&CROSS_SECTION_MAX_MM2, language), None))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::codes::list_codes;
+    use catalogue::Topic;
+    use installation::facts::{Order, facts_about};
+
+    #[test]
+    fn every_fact_on_wiring_and_safety_is_in_the_answer_of_some_code() {
+        let codes = list_codes(None);
+        for fact in catalogue::facts().iter().filter(|fact| fact.topics.contains(&Topic::Wiring)) {
+            let told = |code: &order_code::OrderCode| {
+                let wiring = installation::wiring::wiring(code);
+                let record = wiring.map(|wiring| crate::answer::wiring(&wiring, None, Language::De));
+                record.is_some_and(|record| record.rules.iter().any(|rule| rule.id == fact.id && rule.text == fact.de))
+            };
+            let with = codes
+                .iter()
+                .find(|(code, _)| facts_about(Topic::Wiring, code, Order::Data).iter().any(|f| f.id == fact.id));
+            assert!(with.is_some_and(|(code, _)| told(code)), "{}", fact.id);
+        }
+    }
+
+    #[test]
+    fn a_list_in_utf_16_and_one_in_windows_1252_are_read() {
+        let code = order_code::parse("CHA-25A-100-H-M512P").unwrap().code;
+        let wiring = installation::wiring::wiring(&code).unwrap();
+        let list = "Stecker;Stift;Signal;Farbe\r\nMotor;6;W;weiß\r\n";
+        let wide: Vec<u8> = [0xfeff].into_iter().chain(list.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+        let narrow: Vec<u8> = list.chars().map(|sign| u8::try_from(u32::from(sign)).unwrap()).collect();
+        for bytes in [list.as_bytes(), &wide, &narrow] {
+            let read = read_list(&wiring, bytes).unwrap();
+            let comparison = read.outcome.unwrap();
+            assert_eq!((comparison.rows, comparison.agreeing), (1, 1), "{:?}", comparison.findings);
+            assert!(!comparison.findings.iter().any(|finding| finding.difference.id() == "colour"));
+        }
+    }
+}

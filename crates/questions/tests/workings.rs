@@ -1,0 +1,262 @@
+//! Every check of every example is explained, and every formula gives the number beside it.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail")]
+
+use answers::Node;
+use configurator::catalogue_actuators;
+use project::{Files, Project};
+use provenance::{CellRef, Source};
+use quantities::Language;
+use questions::list::explain::derivation;
+use questions::{Check, explain};
+use sizing::derivation::{How, Part, evaluate};
+use std::collections::BTreeMap;
+use std::io::Read;
+use std::path::PathBuf;
+
+fn examples() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples")
+}
+
+struct Beside;
+
+impl Files for Beside {
+    fn open(&self, name: &str) -> std::io::Result<Box<dyn Read>> {
+        Ok(Box::new(std::fs::File::open(examples().join(name))?))
+    }
+}
+
+/// Every example, and one with all requirements.
+fn projects() -> Vec<Project> {
+    let mut names: Vec<PathBuf> = std::fs::read_dir(examples()).unwrap().map(|entry| entry.unwrap().path()).collect();
+    names.sort();
+    let mut found = Vec::new();
+    for path in names.iter().filter(|path| path.extension().is_some_and(|kind| kind == "toml")) {
+        let text = std::fs::read_to_string(path).unwrap();
+        found.extend(questions::read_all(&text, &Beside).unwrap());
+    }
+    let asked = std::fs::read_to_string(examples().join("tilting-arm.toml")).unwrap();
+    let (head, _) = asked.split_once("[requirements]").unwrap();
+    let everything = format!(
+        "{head}[requirements]\nbrake = true\nsupply = \"560 V\"\nambient = \"35 degC\"\nlever_arm = \"500 mm\"\n\
+         deviation_max = \"2 mm\"\nabsolute = true\nresolution_max = \"10 arcsec\"\noperation_per_day = \"8 h\"\n\
+         battery_life_min = \"5 a\"\ncollision_torque = \"40 N m\"\ncollision_time = \"0.1 s\"\ncollisions = 20\n\
+         gear_life_min = \"20000 h\"\nbearing_life_min = \"20000 h\"\ntorsion_max = \"5 arcmin\"\n\
+         natural_frequency_min = \"3 Hz\"\ntilt_angle_max = \"1 arcmin\"\nstop_angle_max = \"90 deg\"\n\
+         emergency_stops = 20\nholding_safety = 1.5\nregeneration_power_max = \"50 W\"\ndc_link_rise = \"60 V\"\n\
+         special_application = \"medical\"\n"
+    );
+    found.push(questions::read(&everything).unwrap());
+    // The brake holds often and over a long life, the link rises above its limit, nothing is carried.
+    let often = "format = 1\n[mechanism.arm]\ninertia = \"1 kg m^2\"\nmass = \"10 kg\"\ncentre_distance = \"0.1 m\"\n\
+        axis_tilt = \"90 deg\"\nstart_angle = \"0 deg\"\n\
+        [[motion]]\nlaw = \"jerk\"\ndistance = \"360 deg\"\nspeed = \"20 1/min\"\nacceleration = \"20 rad/s^2\"\njerk = \"400 rad/s^3\"\n\
+        [[motion]]\nlaw = \"dwell\"\ntime = \"50 ms\"\nhold = \"brake\"\n\
+        [requirements]\nbrake = true\nsupply = \"560 V\"\ndc_link_rise = \"200 V\"\nservice_life = \"90000 h\"\n\
+        collision_torque = \"900 N m\"\n";
+    found.push(questions::read(often).unwrap());
+    let idle = "format = 1\n[load]\ninertia = \"1 kg m^2\"\n\
+        [[motion]]\nlaw = \"constant\"\nspeed = \"10 1/min\"\ntime = \"1 s\"\n";
+    found.push(questions::read(idle).unwrap());
+    found
+}
+
+/// What is wrong with the workings of a check.
+fn faults(check: &Check) -> Vec<String> {
+    let mut faults = Vec::new();
+    let steps = &check.workings;
+    for (part, figure) in [(Part::Value, check.value), (Part::Limit, check.limit)] {
+        let marked: Vec<f64> = steps.iter().filter(|step| step.part == part).map(|step| step.si).collect();
+        match (figure, marked.as_slice()) {
+            (None, _) => {}
+            (Some(figure), [only]) if (only - figure.si).abs() <= 1e-9 * figure.si.abs() => {}
+            (Some(figure), found) => faults.push(format!("{part:?} {} stands as {found:?}", figure.si)),
+        }
+    }
+    for (index, step) in steps.iter().enumerate() {
+        if !step.si.is_finite() {
+            faults.push(format!("{} is {}", step.symbol, step.si));
+        }
+        match evaluate(steps, index) {
+            None => {}
+            Some(Ok(value)) if (value - step.value()).abs() <= 1e-9 * (1e-6 + step.value().abs()) => {}
+            Some(found) => {
+                let How::Formula { text, .. } = &step.how else { continue };
+                faults.push(format!("{} = {text} gives {found:?}, not {}", step.symbol, step.value()));
+            }
+        }
+    }
+    // Everything that is noted leads to value or limit.
+    let mut used = vec![false; steps.len()];
+    for (index, step) in steps.iter().enumerate().rev() {
+        if step.part != Part::Step || used[index] {
+            used[index] = true;
+            step.operands().iter().for_each(|operand| used[*operand] = true);
+        }
+    }
+    for (step, used) in steps.iter().zip(used) {
+        if !used {
+            faults.push(format!("{} leads nowhere", step.symbol));
+        }
+    }
+    faults
+}
+
+#[test]
+fn every_check_is_explained_and_every_formula_gives_its_number() {
+    let mut found: BTreeMap<&str, String> = BTreeMap::new();
+    let mut checks = 0;
+    for project in projects() {
+        for (code, _) in catalogue_actuators().iter().step_by(5) {
+            let Ok(candidate) = explain(&project, code) else { continue };
+            for check in &candidate.judgement.checks {
+                checks += 1;
+                let faults = faults(check);
+                if !faults.is_empty() {
+                    let place = format!("{code}, {}: {}", project.name, faults.join("; "));
+                    found.entry(check.id.id()).or_insert(place);
+                }
+            }
+        }
+    }
+    assert!(checks > 10_000, "{checks}");
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+/// The cells that derivations cite are in the catalogue.
+#[test]
+fn every_cell_that_is_cited_exists() {
+    let exists = |place: &CellRef| {
+        let cells = catalogue::table(place.table).map(catalogue::Table::cells).unwrap_or_default();
+        cells.iter().any(|cell| {
+            let there = &cell.place;
+            let rest = (place.condition, place.drive, place.ratio);
+            place.document == there.document
+                && place.symbol == there.symbol
+                && [(rest.0, there.condition), (rest.1, there.drive), (rest.2, there.ratio)]
+                    .iter()
+                    .all(|(cited, printed)| cited.is_empty() || cited == printed)
+        })
+    };
+    let (mut missing, mut cited) = (Vec::new(), 0);
+    for project in projects() {
+        for (code, _) in catalogue_actuators().iter().step_by(7) {
+            let Ok(candidate) = explain(&project, code) else { continue };
+            for check in &candidate.judgement.checks {
+                let steps = check.workings.iter().map(|step| (&step.source, step.symbol));
+                let both = [&check.value_source, &check.limit_source].into_iter().flatten();
+                for (source, symbol) in steps.chain(both.map(|source| (source, check.id.id()))) {
+                    let (Source::Cell(place) | Source::Published(place)) = source else { continue };
+                    cited += 1;
+                    // The ratios are the heads of the columns of table 12.1.
+                    let head = place.table == "12.1" && place.symbol == "i";
+                    if !head && !exists(place) {
+                        missing.push(format!("{} {symbol}: {source}", check.id.id()));
+                    }
+                }
+            }
+        }
+    }
+    missing.sort();
+    missing.dedup();
+    assert!(cited > 1000, "{cited}");
+    assert!(missing.is_empty(), "{missing:#?}");
+}
+
+/// Searched and integrated quantities have German texts too, and every symbol that is no printed cell has its word.
+#[test]
+fn every_step_has_its_words_in_both_languages() {
+    let mut english: Vec<String> = Vec::new();
+    let mut wordless: Vec<String> = Vec::new();
+    let mut raw: Vec<String> = Vec::new();
+    for project in projects() {
+        for (code, _) in catalogue_actuators().iter().step_by(17) {
+            let Ok(candidate) = explain(&project, code) else { continue };
+            for check in &candidate.judgement.checks {
+                let explained = derivation(check, Language::De);
+                for root in [&explained.value, &explained.limit].into_iter().flatten() {
+                    look(root, &mut english, &mut wordless);
+                    look_for_raw_names(root, &mut raw);
+                }
+            }
+        }
+    }
+    assert!(english.is_empty(), "still English in German: {english:#?}");
+    assert!(wordless.is_empty(), "symbols without a word: {wordless:?}");
+    assert!(raw.is_empty(), "names of figures instead of symbols: {raw:?}");
+}
+
+/// One symbol with two meanings has that of its place.
+#[test]
+fn a_symbol_means_what_it_is_where_it_stands() {
+    let mut terms: BTreeMap<(String, &str), Vec<(String, String)>> = BTreeMap::new();
+    for project in projects() {
+        for (code, _) in catalogue_actuators().iter().step_by(29) {
+            let Ok(candidate) = explain(&project, code) else { continue };
+            for check in &candidate.judgement.checks {
+                let explained = derivation(check, Language::En);
+                for root in [&explained.value, &explained.limit].into_iter().flatten() {
+                    collect(root, check.id.id(), &mut terms);
+                }
+            }
+        }
+    }
+    let meaning = |symbol: &str, unit: &str, check: &str| {
+        let found = terms.get(&(symbol.to_owned(), unit)).into_iter().flatten().find(|(id, _)| id == check);
+        found.map_or_else(String::new, |(_, term)| term.clone())
+    };
+    for (symbol, unit, check, expected) in [
+        ("P_0", "W", "thermal", "loss borne at standstill"),
+        ("P_0", "N", "bearing_static", "static equivalent load"),
+        ("phi", "arcmin", "torsion", "torsion of the gear"),
+        ("phi", "rad", "mean_speed", "angle travelled over the cycle"),
+        ("resolution", "arcsec", "error_budget", "resolution of the feedback at the motor"),
+        ("T_1", "Nm", "torsion", "limit torque between stiffness regions 1 and 2"),
+        ("T_1", "Nm", "peak_torque", "torque while accelerating"),
+        ("R", "m", "bearing_static", "offset of the bearing centre from the output flange"),
+        ("R", "ohm", "voltage", "resistance of a phase, hot"),
+    ] {
+        assert_eq!(meaning(symbol, unit, check), expected, "{symbol} in {unit}, {check}");
+    }
+}
+
+fn collect(node: &Node, check: &str, terms: &mut BTreeMap<(String, &'static str), Vec<(String, String)>>) {
+    let found = terms.entry((node.symbol.clone(), node.unit)).or_default();
+    if !found.iter().any(|(id, term)| id == check && *term == node.term) {
+        found.push((check.to_owned(), node.term.clone()));
+    }
+    node.operands.iter().for_each(|operand| collect(operand, check, terms));
+}
+
+/// A figure's name in code (`transmission_accuracy`, `dtheta`) is no symbol.
+fn look_for_raw_names(node: &Node, raw: &mut Vec<String>) {
+    let shown = words::symbol_shown(&node.symbol);
+    let texts = [Some(&shown), node.formula.as_ref(), node.figures.as_ref()];
+    for word in texts.into_iter().flatten().flat_map(|text| text.split(|c: char| !c.is_alphanumeric() && c != '_')) {
+        let head = word.split('_').next().unwrap_or_default();
+        let spelled = ["alpha", "dtheta", "gamma", "omega", "phi", "psi", "rho", "sigma", "tau", "theta"];
+        let is_name = word.contains('_') && head.is_ascii() && head.len() > 3;
+        if (is_name || spelled.contains(&head)) && !raw.contains(&word.to_owned()) {
+            raw.push(word.to_owned());
+        }
+    }
+    node.operands.iter().for_each(|operand| look_for_raw_names(operand, raw));
+}
+
+const ENGLISH: [&str; 14] = [
+    "the ", "over", "over ", " of ", "largest", "load", " at ", " is ", "mean", "for ", "with", "where", "between",
+    "life",
+];
+
+fn look(node: &Node, english: &mut Vec<String>, wordless: &mut Vec<String>) {
+    if let Some(formula) = &node.formula
+        && node.figures.is_none()
+        && ENGLISH.iter().any(|word| formula.contains(word))
+        && !english.contains(formula)
+    {
+        english.push(formula.clone());
+    }
+    if node.term.is_empty() && !wordless.contains(&node.symbol) {
+        wordless.push(node.symbol.clone());
+    }
+    node.operands.iter().for_each(|operand| look(operand, english, wordless));
+}

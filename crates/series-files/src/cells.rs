@@ -1,0 +1,393 @@
+//! From table files to flat cells, with errata applied and every rule of `data/README.md` held.
+
+use crate::read::{Data, Erratum, Row, Table};
+use std::collections::BTreeMap;
+
+/// The keys of a cell, in the order of [`Cell::keys`].
+pub const KEYS: [&str; 5] = ["drive", "feedback", "ratio", "symbol", "condition"];
+const MERGED: &str = "<<";
+
+/// One printed cell with everything that distinguishes it from the others.
+pub struct Cell<'a> {
+    /// Place of its table.
+    pub table: usize,
+    /// Row of the table, from zero.
+    pub row: usize,
+    /// First column on which it stands, from zero.
+    pub column: usize,
+    /// Drive, feedback, ratio, symbol and condition.
+    pub keys: [String; 5],
+    /// Unit as printed.
+    pub unit: &'a str,
+    /// Text as printed.
+    pub printed: &'a str,
+    /// Text after errata.
+    pub corrected: &'a str,
+    /// What checks must use instead.
+    pub checks_use: Option<&'a str>,
+    /// Places of the errata about it.
+    pub errata: Vec<usize>,
+}
+
+/// The meaning of a cell's text; its names are those of the type in `catalogue`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// A dash.
+    NotPrinted,
+    /// A number.
+    Number(f64),
+    /// `a ... b`
+    Range {
+        /// Lower end.
+        low: f64,
+        /// Upper end.
+        high: f64,
+    },
+    /// `< a`, `≤ a`, `< ±a`
+    UpperBound(f64),
+    /// `> a`, `≥ a`
+    LowerBound(f64),
+    /// `±a`
+    PlusMinus(f64),
+    /// `a ±b %`
+    Tolerance {
+        /// Nominal value.
+        nominal: f64,
+        /// Tolerance in per cent.
+        plus_minus_percent: f64,
+    },
+    /// No number.
+    Text,
+}
+
+/// The meaning of a cell's text.
+#[must_use]
+pub fn value_of(text: &str) -> Value {
+    let number = |text: &str| quantities::parse_german(text.trim());
+    let text = text.trim();
+    if text.is_empty() || text == "-" {
+        return Value::NotPrinted;
+    }
+    if let Some(value) = number(text) {
+        return Value::Number(value);
+    }
+    if let Some((low, high)) = text.split_once("...")
+        && let (Some(low), Some(high)) = (number(low), number(high))
+    {
+        return Value::Range { low, high };
+    }
+    if let Some(bound) = text.strip_prefix('<').or_else(|| text.strip_prefix('≤')) {
+        let bound = bound.trim_start();
+        if let Some(value) = number(bound.strip_prefix('±').unwrap_or(bound)) {
+            return Value::UpperBound(value);
+        }
+    }
+    if let Some(value) = text.strip_prefix('≥').or_else(|| text.strip_prefix('>')).and_then(number) {
+        return Value::LowerBound(value);
+    }
+    if let Some(value) = text.strip_prefix('±').and_then(number) {
+        return Value::PlusMinus(value);
+    }
+    if let Some((nominal, percent)) = text.split_once('±')
+        && let (Some(nominal), Some(percent)) = (number(nominal), percent.trim().strip_suffix('%').and_then(number))
+    {
+        return Value::Tolerance { nominal, plus_minus_percent: percent };
+    }
+    Value::Text
+}
+
+/// Splits a column head into its keys: `CHA-14A | 30` with keys drive and ratio.
+fn column_keys<'a>(table: &'a Table, column: &'a str) -> Vec<(&'a str, &'a str)> {
+    table.keys.iter().map(String::as_str).zip(column.split(" | ").map(str::trim)).collect()
+}
+
+/// What the head of a column says about one key.
+fn head_of(table: &Table, column: &str, key: &str) -> String {
+    column_keys(table, column).into_iter().filter(|(k, _)| *k == key).map(|(_, v)| v).collect::<Vec<_>>().join(", ")
+}
+
+/// The keys of a cell that stands on the columns `from..to`: what the table says, overridden by the row,
+/// and by the column where all its columns agree.
+fn cell_keys(table: &Table, row: &Row, columns: &[String]) -> [String; 5] {
+    let defaults = |key: &str| match key {
+        "drive" => row.drive.as_deref().or(table.drive.as_deref()),
+        "feedback" => row.feedback.as_deref().or(table.feedback.as_deref()),
+        "ratio" => row.ratio.as_deref(),
+        "symbol" => row.symbol.as_deref(),
+        _ => row.condition.as_deref(),
+    };
+    KEYS.map(|key| {
+        let heads: Vec<String> = columns.iter().map(|column| head_of(table, column, key)).collect();
+        let mut distinct = heads.clone();
+        distinct.dedup();
+        let common = match distinct.as_slice() {
+            [only] => only.clone(),
+            // Printed once for some of the drives: it holds for each of them. For all: it holds for whatever comes.
+            some if key == "drive" && columns.len() < table.columns.len() => some.join(" / "),
+            _ => String::new(),
+        };
+        match (defaults(key), common.is_empty()) {
+            (None, _) => common,
+            (Some(own), true) => own.to_owned(),
+            (Some(own), false) if key == "condition" => format!("{own}, {common}"),
+            (Some(_), false) => common,
+        }
+    })
+}
+
+fn cells_of<'a>(index: usize, table: &'a Table, faults: &mut Vec<String>) -> Vec<Cell<'a>> {
+    let mut cells = Vec::new();
+    let at = |row: usize| format!("table {}, row {}", table.table, row + 1);
+    for key in &table.keys {
+        if !KEYS.contains(&key.as_str()) {
+            faults.push(format!("table {}: unknown key `{key}`", table.table));
+        }
+    }
+    for column in &table.columns {
+        if column.split(" | ").count() != table.keys.len() {
+            faults.push(format!("table {}: column `{column}` does not have {} keys", table.table, table.keys.len()));
+        }
+    }
+    for (row_index, row) in table.rows.iter().enumerate() {
+        let width = table.columns.len().max(1);
+        let single = row.cells.len() == 1;
+        if !single && row.cells.len() != width {
+            faults.push(format!("{}: {} cells on {width} columns", at(row_index), row.cells.len()));
+            continue;
+        }
+        if let Some(unit) = row.unit.as_deref()
+            && quantities::Unit::of(unit).is_none()
+        {
+            faults.push(format!("{}: unknown unit `{unit}`", at(row_index)));
+        }
+        for (column, text) in row.cells.iter().enumerate() {
+            if text == MERGED {
+                if column == 0 {
+                    faults.push(format!("{}: nothing to merge with on the left", at(row_index)));
+                }
+                continue;
+            }
+            if text.is_empty() {
+                continue;
+            }
+            let merged = row.cells.iter().skip(column + 1).take_while(|next| *next == MERGED).count();
+            let span = if single { table.columns.len() } else { merged + 1 };
+            let columns = table.columns.get(column..(column + span).min(table.columns.len())).unwrap_or_default();
+            let keys = cell_keys(table, row, columns);
+            if keys.get(3).is_none_or(String::is_empty) {
+                faults.push(format!("{}: a row needs a symbol", at(row_index)));
+            }
+            cells.push(Cell {
+                table: index,
+                row: row_index,
+                column,
+                keys,
+                unit: row.unit.as_deref().unwrap_or(""),
+                printed: text,
+                corrected: text,
+                checks_use: None,
+                errata: Vec::new(),
+            });
+        }
+    }
+    cells
+}
+
+/// Finds the one cell that an erratum names and applies it.
+fn apply<'a>(number: usize, erratum: &'a Erratum, tables: &[Table], cells: &mut [Cell<'a>], faults: &mut Vec<String>) {
+    let id = &erratum.id;
+    if !["recovery", "print_error", "contradiction", "rounding", "edition"].contains(&erratum.kind.as_str()) {
+        faults.push(format!("erratum {id}: unknown kind `{}`", erratum.kind));
+    }
+    if !["corrected", "flagged"].contains(&erratum.status.as_str()) {
+        faults.push(format!("erratum {id}: unknown status `{}`", erratum.status));
+    }
+    if erratum.status == "flagged" && erratum.corrected != erratum.printed {
+        faults.push(format!("erratum {id}: flagged, so `corrected` must equal `printed`"));
+    }
+    if (erratum.kind == "recovery") != erratum.recovered.is_some() {
+        faults.push(format!("erratum {id}: `recovered` belongs to kind recovery, and only there"));
+    }
+    if erratum.place.is_some() != erratum.place_de.is_some() {
+        faults.push(format!("erratum {id}: `where` and `where_de` belong together"));
+    }
+    let Some(table) = erratum.table.as_deref() else {
+        if erratum.place.is_none() {
+            faults.push(format!("erratum {id}: needs `table` or `where`"));
+        }
+        return;
+    };
+    if !tables.iter().any(|t| t.table == table) {
+        faults.push(format!("erratum {id}: there is no table {table}"));
+        return;
+    }
+    if erratum.cell.is_empty() {
+        if erratum.place.is_none() {
+            faults.push(format!("erratum {id}: needs `cell` or `where`"));
+        }
+        return;
+    }
+    for key in erratum.cell.keys() {
+        if !KEYS.contains(&key.as_str()) {
+            faults.push(format!("erratum {id}: unknown key `{key}`"));
+        }
+    }
+    let mut found: Vec<&mut Cell<'a>> = cells
+        .iter_mut()
+        .filter(|cell| tables.get(cell.table).is_some_and(|t| t.table == table))
+        .filter(|cell| {
+            KEYS.iter().zip(&cell.keys).all(|(key, value)| erratum.cell.get(*key).is_none_or(|want| want == value))
+        })
+        .collect();
+    match found.as_mut_slice() {
+        [cell] => {
+            if cell.printed != erratum.printed {
+                faults.push(format!(
+                    "erratum {id}: says `{}` is printed, the table has `{}`",
+                    erratum.printed, cell.printed
+                ));
+            }
+            cell.errata.push(number);
+            if erratum.status == "corrected" {
+                cell.corrected = &erratum.corrected;
+            }
+            if let Some(limit) = &erratum.checks_use {
+                cell.checks_use = Some(limit);
+            }
+        }
+        none_or_many => faults.push(format!("erratum {id}: names {} cells, must name one", none_or_many.len())),
+    }
+}
+
+/// The cells of all tables, and where those of each table begin and end.
+pub struct Cells<'a> {
+    /// Every cell, in the order of the tables, rows and columns.
+    pub cells: Vec<Cell<'a>>,
+    /// First cell of each table, and the one behind its last.
+    pub ranges: Vec<(usize, usize)>,
+}
+
+/// The cells of the tables with their errata applied, and every rule that the data break.
+pub fn cells<'a>(data: &'a Data, faults: &mut Vec<String>) -> Cells<'a> {
+    let mut cells: Vec<Cell<'_>> = Vec::new();
+    let mut ranges = Vec::new();
+    for (index, table) in data.tables.iter().enumerate() {
+        let first = cells.len();
+        cells.extend(cells_of(index, table, faults));
+        ranges.push((first, cells.len()));
+        if !data.sources.iter().any(|source| source.id == table.source) {
+            faults.push(format!("table {}: source `{}` is not in sources.toml", table.table, table.source));
+        }
+    }
+    for (number, erratum) in data.errata.iter().enumerate() {
+        apply(number, erratum, &data.tables, &mut cells, faults);
+    }
+    unique(data, &cells, faults);
+    notes(data, faults);
+    texts(data, &cells, faults);
+    roles(data, faults);
+    Cells { cells, ranges }
+}
+
+/// Every table that a code names is there.
+fn roles(data: &Data, faults: &mut Vec<String>) {
+    for code in &data.codes {
+        let tables = &code.tables;
+        let single = [
+            &tables.family,
+            &tables.matrix,
+            &tables.pairs,
+            &tables.thresholds,
+            &tables.preselection,
+            &tables.output_encoder,
+        ];
+        let named = single
+            .into_iter()
+            .chain(&tables.output_wiring)
+            .chain(&tables.cables)
+            .chain(&tables.curves)
+            .chain([&tables.gear_life])
+            .chain(code.windings.iter().map(|winding| &winding.general))
+            .chain(code.feedbacks.iter().map(|feedback| &feedback.table))
+            .chain(code.wirings.iter().flat_map(|wiring| &wiring.tables));
+        for table in named.filter(|named| !named.is_empty() && !data.tables.iter().any(|each| each.table == **named)) {
+            faults.push(format!("code.toml of {}: there is no table {table}", code.series));
+        }
+    }
+}
+
+fn unique(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
+    let mut seen = BTreeMap::new();
+    for erratum in &data.errata {
+        if seen.insert(("erratum", erratum.id.clone()), ()).is_some() {
+            faults.push(format!("erratum {} stands twice", erratum.id));
+        }
+    }
+    for table in &data.tables {
+        if seen.insert(("table", table.table.clone()), ()).is_some() {
+            faults.push(format!("table {} stands twice", table.table));
+        }
+    }
+    for term in &data.glossary {
+        if seen.insert(("term", term.symbol.clone()), ()).is_some() {
+            faults.push(format!("glossary: {} stands twice", term.symbol));
+        }
+    }
+    for word in &data.words {
+        if seen.insert(("word", word.id.clone()), ()).is_some() {
+            faults.push(format!("glossary: the word {} stands twice", word.id));
+        }
+    }
+    let mut keys: BTreeMap<(usize, &[String; 5]), usize> = BTreeMap::new();
+    for cell in cells {
+        if let Some(row) = keys.insert((cell.table, &cell.keys), cell.row) {
+            let table = data.tables.get(cell.table).map_or("", |t| t.table.as_str());
+            faults.push(format!(
+                "table {table}: rows {} and {} name the same cell {:?}",
+                row + 1,
+                cell.row + 1,
+                cell.keys
+            ));
+        }
+        let symbol = &cell.keys[3];
+        if !symbol.is_empty() && !data.glossary.iter().any(|term| &term.symbol == symbol) {
+            let table = data.tables.get(cell.table).map_or("", |t| t.table.as_str());
+            faults.push(format!("table {table}: symbol `{symbol}` is not in glossary.toml"));
+        }
+    }
+}
+
+/// Every mark and symbol that binds a note to its rows is there.
+fn notes(data: &Data, faults: &mut Vec<String>) {
+    for table in &data.tables {
+        let name = &table.table;
+        for note in &table.footnotes {
+            if note.by.as_deref().is_some_and(|by| by != "antrieb") {
+                faults.push(format!("table {name}: a note is by the source, or `by = \"antrieb\"`"));
+            }
+            let symbol = note.symbol.as_deref();
+            if symbol.is_some_and(|symbol| !table.rows.iter().any(|row| row.symbol.as_deref() == Some(symbol))) {
+                faults.push(format!("table {name}: a note names `{}`, which no row has", symbol.unwrap_or_default()));
+            }
+            if note.mark.is_some() && symbol.is_some() {
+                faults.push(format!("table {name}: a note has a mark or a symbol, not both"));
+            }
+        }
+        for (index, row) in table.rows.iter().enumerate() {
+            for mark in row.note.iter().flat_map(|marks| marks.split(", ")) {
+                if !table.footnotes.iter().any(|note| note.mark.as_deref() == Some(mark)) {
+                    faults.push(format!("table {name}, row {}: there is no note `{mark}`", index + 1));
+                }
+            }
+        }
+    }
+}
+
+/// Every translated text is printed somewhere.
+fn texts(data: &Data, cells: &[Cell<'_>], faults: &mut Vec<String>) {
+    for text in &data.texts {
+        if !cells.iter().any(|cell| cell.corrected == text.printed) {
+            faults.push(format!("texts.toml: `{}` stands in no cell", text.printed));
+        }
+    }
+}

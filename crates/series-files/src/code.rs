@@ -1,0 +1,304 @@
+//! `code.toml` of a series: the grammar of its ordering code, and where the rules of combination stand.
+
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// The fields that a code may have; the order is that of the file.
+pub const FIELDS: [(&str, &str); 9] = [
+    ("series", "Series"),
+    ("size", "Size"),
+    ("ratio", "Ratio"),
+    ("winding", "Winding"),
+    ("feedback", "Feedback"),
+    ("brake", "Brake"),
+    ("option_1", "Option1"),
+    ("option_2", "Option2"),
+    ("special", "Special"),
+];
+
+/// The kinds of feedback that the engine knows, with their names in `order-code`.
+pub const FEEDBACK_KINDS: [(&str, &str); 5] = [
+    ("sine_incremental", "SineIncremental"),
+    ("endat_multiturn", "EndatMultiturn"),
+    ("resolver", "Resolver"),
+    ("square_incremental", "SquareIncremental"),
+    ("ssi_multiturn", "SsiMultiturn"),
+];
+
+/// One `code.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Code {
+    /// Word that every code of the series begins with.
+    pub series: String,
+    /// Identifier of its manual in `sources.toml`.
+    pub manual: String,
+    /// Fields in their order.
+    #[serde(rename = "field")]
+    pub fields: Vec<Field>,
+    /// Tables by their purpose.
+    pub tables: Tables,
+    /// Marks of the matrix.
+    #[serde(rename = "mark")]
+    pub marks: Vec<Mark>,
+    /// Windings.
+    #[serde(rename = "winding")]
+    pub windings: Vec<Winding>,
+    /// Feedback systems.
+    #[serde(rename = "feedback")]
+    pub feedbacks: Vec<Feedback>,
+    /// Drives that tables are headed by.
+    #[serde(rename = "drive")]
+    pub drives: Vec<Drive>,
+    /// Tables of connectors.
+    #[serde(default, rename = "wiring")]
+    pub wirings: Vec<Wiring>,
+}
+
+/// One field.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Field {
+    /// Which one, by its identifier.
+    pub id: String,
+    /// Where its words stand.
+    pub source: String,
+    /// Whether it may be left out.
+    #[serde(default)]
+    pub optional: bool,
+    /// Its words, in the order of the ordering tables.
+    pub words: Vec<String>,
+    /// What its words mean: the first that fits counts.
+    #[serde(default, rename = "meaning")]
+    pub meanings: Vec<Meaning>,
+}
+
+/// What a word means.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Meaning {
+    /// The word; absent: every word, and the absence of one.
+    pub word: Option<String>,
+    /// Words of other fields, one of which must stand in the code.
+    #[serde(default)]
+    pub when: BTreeMap<String, Vec<String>>,
+    /// English text; `{}` is the word.
+    pub en: String,
+    /// German text; `{}` is the word.
+    pub de: String,
+}
+
+/// Tables by their number, and sections of the manual, by their purpose.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tables {
+    /// Calibrations of the models.
+    pub family: String,
+    /// What exists at each size.
+    pub matrix: String,
+    /// Pairs of winding and feedback.
+    pub pairs: String,
+    /// Thresholds of the winding temperature; empty: none.
+    #[serde(default)]
+    pub thresholds: String,
+    /// Conditions of the preselection; empty: none.
+    #[serde(default)]
+    pub preselection: String,
+    /// The encoder at the output; empty: none.
+    #[serde(default)]
+    pub output_encoder: String,
+    /// Connector and pins of the encoder at the output; empty: none.
+    #[serde(default)]
+    pub output_wiring: Vec<String>,
+    /// Tables of cables.
+    #[serde(default)]
+    pub cables: Vec<String>,
+    /// Sections whose tables are headed by the size.
+    pub by_size: Vec<String>,
+    /// Sections whose tables are about a feedback.
+    pub feedback: Vec<String>,
+    /// Sections of ordering and wiring.
+    pub ordering: Vec<String>,
+    /// Sections whose cells hold for every actuator.
+    pub of_all: Vec<String>,
+    /// Tables of published curves.
+    #[serde(default)]
+    pub curves: Vec<String>,
+    /// Table with the life of the gear; empty: none.
+    #[serde(default)]
+    pub gear_life: String,
+    /// Series of gears whose rows of that table hold.
+    #[serde(default)]
+    pub gear_series: String,
+}
+
+/// What a cell of the matrix says.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mark {
+    /// How its text begins.
+    pub begins: String,
+    /// `available`, `on_request` or `not_available`.
+    pub entry: String,
+    /// Only together with this feedback.
+    pub feedback: Option<String>,
+    /// Mark of the footnote that says that the actuator becomes longer; empty: it does not.
+    #[serde(default)]
+    pub longer: String,
+}
+
+/// What the tables of a winding have of their own.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Winding {
+    /// The windings.
+    pub words: Vec<String>,
+    /// Table of general data.
+    pub general: String,
+    /// Head of its columns.
+    pub general_head: String,
+    /// Condition of the row of I_NLS.
+    pub starting_current: String,
+    /// Whether I_0 = T_0/k_Tout + I_NLS.
+    pub stall_current_includes_friction: bool,
+    /// Whether it has a PTC.
+    pub ptc: bool,
+}
+
+/// What a feedback is.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Feedback {
+    /// The feedback.
+    pub word: String,
+    /// One of [`FEEDBACK_KINDS`].
+    pub kind: String,
+    /// Table of its data; empty: none.
+    #[serde(default)]
+    pub table: String,
+}
+
+/// Drives that tables are headed by.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Drive {
+    /// Heads, each with its size behind the series.
+    pub heads: Vec<String>,
+    /// Windings that they hold for.
+    pub windings: Vec<String>,
+    /// Feedback systems that they hold for.
+    pub feedbacks: Vec<String>,
+}
+
+/// Tables of connectors.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Wiring {
+    /// Windings.
+    pub windings: Vec<String>,
+    /// Feedback systems.
+    pub feedbacks: Vec<String>,
+    /// Connector and pins of the motor, then of the feedback.
+    pub tables: [String; 4],
+}
+
+impl Code {
+    /// The words of a field.
+    #[must_use]
+    pub fn words(&self, field: &str) -> &[String] {
+        self.fields.iter().find(|known| known.id == field).map_or(&[], |known| &known.words)
+    }
+
+    /// The place of a word in its field.
+    #[must_use]
+    pub fn place(&self, field: &str, word: &str) -> Option<usize> {
+        self.words(field).iter().position(|known| known == word)
+    }
+
+    /// The size that a head names behind the series: `20A` of `CHA-20A-C1024`.
+    #[must_use]
+    pub fn size_of<'h>(&self, head: &'h str) -> Option<&'h str> {
+        head.strip_prefix(&self.series)?.strip_prefix('-')?.split('-').next()
+    }
+
+    /// Every rule that the file breaks.
+    pub(crate) fn check(&self, faults: &mut Vec<String>) {
+        let at = format!("code.toml of {}", self.series);
+        let mut seen: Vec<&str> = Vec::new();
+        for field in &self.fields {
+            if !FIELDS.iter().any(|(id, _)| *id == field.id) || seen.contains(&field.id.as_str()) {
+                faults.push(format!("{at}: field `{}` is unknown or stands twice", field.id));
+            }
+            seen.push(&field.id);
+            let known = |word: &String| field.words.contains(word);
+            if field.words.is_empty() || field.words.len() > 64 || field.source.is_empty() {
+                faults.push(format!("{at}: field `{}` needs a source, and 1 to 64 words", field.id));
+            }
+            let spelt =
+                |word: &String| !word.is_empty() && word.bytes().all(|b| b.is_ascii_uppercase() || b.is_ascii_digit());
+            for word in field.words.iter().filter(|word| !spelt(word)) {
+                faults.push(format!("{at}: `{word}` has other characters than capitals and digits"));
+            }
+            for meaning in &field.meanings {
+                let when =
+                    meaning.when.iter().all(|(of, words)| words.iter().all(|word| self.words(of).contains(word)));
+                if !meaning.word.as_ref().is_none_or(known) || !when {
+                    faults.push(format!("{at}: a meaning of `{}` names an unknown word", field.id));
+                }
+            }
+            let means = |word: Option<&String>| {
+                field
+                    .meanings
+                    .iter()
+                    .any(|each| each.when.is_empty() && (each.word.is_none() || each.word.as_ref() == word))
+            };
+            let absent = field.optional.then_some(None);
+            if !field.words.iter().map(Some).chain(absent).all(means) {
+                faults.push(format!("{at}: a word of `{}`, or its absence, has no meaning", field.id));
+            }
+        }
+        for (needed, _) in FIELDS.iter().take(5) {
+            if self.fields.iter().find(|field| field.id == *needed).is_none_or(|field| field.optional) {
+                faults.push(format!("{at}: every code needs the field `{needed}`"));
+            }
+        }
+        if self.fields.first().is_none_or(|first| first.words != [self.series.clone()]) {
+            faults.push(format!("{at}: the first field is the series, with its one word"));
+        }
+        let mut all_known = |field: &str, words: &[String]| {
+            for word in words.iter().filter(|word| !self.words(field).contains(word)) {
+                faults.push(format!("{at}: unknown {field} `{word}`"));
+            }
+        };
+        for drive in &self.drives {
+            all_known("winding", &drive.windings);
+            all_known("feedback", &drive.feedbacks);
+            for head in &drive.heads {
+                all_known("size", &[self.size_of(head).unwrap_or_default().to_owned()]);
+            }
+        }
+        for wiring in &self.wirings {
+            all_known("winding", &wiring.windings);
+            all_known("feedback", &wiring.feedbacks);
+        }
+        for mark in &self.marks {
+            all_known("feedback", mark.feedback.as_slice());
+            let known = ["available", "on_request", "not_available"].contains(&mark.entry.as_str());
+            if !known || mark.begins.is_empty() {
+                all_known("entry of the matrix", std::slice::from_ref(&mark.entry));
+            }
+        }
+        for word in self.words("winding") {
+            if self.windings.iter().filter(|winding| winding.words.contains(word)).count() != 1 {
+                faults.push(format!("{at}: winding `{word}` needs one entry"));
+            }
+        }
+        for word in self.words("feedback") {
+            let of = self.feedbacks.iter().filter(|feedback| feedback.word == *word);
+            let kinds = of.map(|feedback| FEEDBACK_KINDS.iter().any(|(kind, _)| *kind == feedback.kind));
+            if kinds.collect::<Vec<_>>() != [true] {
+                faults.push(format!("{at}: feedback `{word}` needs one entry of a known kind"));
+            }
+        }
+    }
+}

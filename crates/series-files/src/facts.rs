@@ -1,0 +1,258 @@
+//! Facts that a source states in prose: held to their form, written as static records.
+
+use crate::read::Data;
+use serde::Deserialize;
+use std::collections::BTreeSet;
+
+/// One fact, as `data/README.md` describes it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fact {
+    id: String,
+    section: String,
+    source: String,
+    kind: Option<String>,
+    topics: Vec<String>,
+    signal: Option<String>,
+    step: Option<String>,
+    #[serde(default)]
+    holds_for: HoldsFor,
+    value: Option<Value>,
+    #[serde(default)]
+    values: Vec<Value>,
+    en: String,
+    de: String,
+    /// File that it stands in, for faults.
+    #[serde(skip)]
+    pub file: String,
+    /// Place of its series among the codes of the data.
+    #[serde(skip)]
+    pub series: usize,
+}
+
+/// The codes that a fact holds for; an absent key leaves the field open.
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+struct HoldsFor {
+    #[serde(default)]
+    feedback: Vec<String>,
+    #[serde(default)]
+    winding: Vec<String>,
+    #[serde(default)]
+    size: Vec<String>,
+    brake: Option<bool>,
+    ec: Option<bool>,
+}
+
+/// A figure of the sentence in machine form.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Value {
+    id: Option<String>,
+    number: f64,
+    unit: Option<String>,
+    bound: String,
+}
+
+/// One file of facts.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct FactsFile {
+    /// Its facts.
+    pub fact: Vec<Fact>,
+}
+
+/// Word of the file and variant of `catalogue`'s type.
+type Words = &'static [(&'static str, &'static str)];
+
+const GRADES: Words = &[("printed", "Printed"), ("published", "Published"), ("assumed", "Assumed")];
+const TOPICS: Words = &[
+    ("wiring", "Wiring"),
+    ("mount", "Mount"),
+    ("commission", "Commission"),
+    ("upkeep", "Upkeep"),
+    ("safety", "Safety"),
+];
+const SIGNALS: Words =
+    &[("danger", "Danger"), ("warning", "Warning"), ("caution", "Caution"), ("notice", "Notice"), ("info", "Info")];
+const STEPS: Words = &[
+    ("transport", "Transport"),
+    ("mounting", "Mounting"),
+    ("wiring", "Wiring"),
+    ("before_power", "BeforePower"),
+    ("first_motion", "FirstMotion"),
+    ("after_a_day", "AfterADay"),
+    ("in_service", "InService"),
+    ("shutdown", "Shutdown"),
+    ("disposal", "Disposal"),
+];
+const BOUNDS: Words = &[
+    ("above", "Above"),
+    ("below", "Below"),
+    ("at_least", "AtLeast"),
+    ("at_most", "AtMost"),
+    ("about", "About"),
+    ("exactly", "Exactly"),
+];
+
+/// The variant of a word; an unknown word is a fault that lists the known ones.
+fn variant(what: &str, word: &str, words: Words, at: &str, faults: &mut Vec<String>) -> &'static str {
+    if let Some((_, variant)) = words.iter().find(|(known, _)| *known == word) {
+        return variant;
+    }
+    let known: Vec<&str> = words.iter().map(|(known, _)| *known).collect();
+    faults.push(format!("{at}: unknown {what} `{word}`, known are {}", known.join(", ")));
+    words.first().map_or("", |(_, variant)| variant)
+}
+
+fn is_snake_case(id: &str) -> bool {
+    id.starts_with(|c: char| c.is_ascii_lowercase())
+        && id.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+}
+
+/// A text without the spaces that group digits, so that `10 000 Pa` has the figure 10000.
+fn ungrouped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut characters = text.chars().peekable();
+    while let Some(c) = characters.next() {
+        let space = matches!(c, ' ' | '\u{a0}' | '\u{202f}' | '\u{2009}');
+        let between =
+            out.ends_with(|c: char| c.is_ascii_digit()) && characters.peek().is_some_and(char::is_ascii_digit);
+        if !(space && between) {
+            out.push(c);
+        }
+    }
+    out
+}
+
+/// Whether the figure stands in the text and is no part of a longer one.
+fn has_figure(text: &str, figure: &str) -> bool {
+    let text = ungrouped(text);
+    text.match_indices(figure).any(|(start, _)| {
+        let digit = |c: char| c.is_ascii_digit();
+        let before = text.get(..start).unwrap_or_default();
+        let after = text.get(start + figure.len()..).unwrap_or_default();
+        let decimals = after.strip_prefix(['.', ',']).is_some_and(|rest| rest.starts_with(digit));
+        !before.ends_with(digit) && !after.starts_with(digit) && !decimals
+    })
+}
+
+/// Holds the facts to their form and writes them as `FACTS`, in the types of `catalogue`.
+pub fn embed(data: &Data, faults: &mut Vec<String>) -> String {
+    let mut seen = BTreeSet::new();
+    let mut out = String::from("pub(crate) static FACTS: &[Fact] = &[\n");
+    for fact in &data.facts {
+        let at = format!("{}: fact `{}`", fact.file, fact.id);
+        if !seen.insert(fact.id.as_str()) {
+            faults.push(format!("{at} stands twice"));
+        }
+        if !is_snake_case(&fact.id) {
+            faults.push(format!("{at}: an identifier has small letters, digits and _"));
+        }
+        if !data.sources.iter().any(|source| source.id == fact.source) {
+            faults.push(format!("{at}: source `{}` is not in sources.toml", fact.source));
+        }
+        for (key, text) in [("section", &fact.section), ("en", &fact.en), ("de", &fact.de)] {
+            if text.trim().is_empty() {
+                faults.push(format!("{at}: `{key}` is empty"));
+            }
+        }
+        if fact.en == fact.de {
+            faults.push(format!("{at}: both languages have the same text"));
+        }
+        if fact.topics.is_empty() {
+            faults.push(format!("{at}: without a topic no answer shows it"));
+        }
+        out.push_str(&record(fact, data, &at, faults));
+        out.push_str(",\n");
+    }
+    out.push_str("];\n");
+    out
+}
+
+/// One record as Rust source.
+fn record(fact: &Fact, data: &Data, at: &str, faults: &mut Vec<String>) -> String {
+    let grade = variant("kind", fact.kind.as_deref().unwrap_or("printed"), GRADES, at, faults);
+    let topics: Vec<String> =
+        fact.topics.iter().map(|topic| format!("Topic::{}", variant("topic", topic, TOPICS, at, faults))).collect();
+    let mut optional = |kind: &str, what: &str, word: &Option<String>, words: Words| {
+        word.as_ref().map_or_else(
+            || "None".to_owned(),
+            |word| format!("Some({kind}::{})", variant(what, word, words, at, faults)),
+        )
+    };
+    let signal = optional("Signal", "signal word", &fact.signal, SIGNALS);
+    let step = optional("Step", "step", &fact.step, STEPS);
+    let values = values(fact, at, faults);
+    format!(
+        "Fact {{ id: {:?}, section: {:?}, document: {:?}, grade: provenance::Grade::{grade}, topics: &[{}], \
+         signal: {signal}, step: {step}, holds_for: {}, values: &[{values}], en: {:?}, de: {:?} }}",
+        fact.id,
+        fact.section,
+        fact.source,
+        topics.join(", "),
+        holds_for(fact, data, at, faults),
+        fact.en,
+        fact.de,
+    )
+}
+
+fn holds_for(fact: &Fact, data: &Data, at: &str, faults: &mut Vec<String>) -> String {
+    let codes = &fact.holds_for;
+    let Some(code) = data.codes.get(fact.series) else { return String::new() };
+    let series = format!("order_code::Series::at({})", fact.series);
+    let mut list = |field: &str, kind: &str, words: &[String]| {
+        let mut values = Vec::new();
+        for word in words {
+            match code.place(field, word) {
+                Some(place) => values.push(format!("order_code::{kind}::at({series}, {place})")),
+                None => {
+                    let known = code.words(field).join(", ");
+                    faults.push(format!("{at}: unknown {field} `{word}`, known are {known}"));
+                }
+            }
+        }
+        values.join(", ")
+    };
+    format!(
+        "HoldsFor {{ series: {series}, sizes: &[{}], windings: &[{}], feedbacks: &[{}], brake: {:?}, output_encoder: {:?} }}",
+        list("size", "Size", &codes.size),
+        list("winding", "Winding", &codes.winding),
+        list("feedback", "Feedback", &codes.feedback),
+        codes.brake,
+        codes.ec,
+    )
+}
+
+fn values(fact: &Fact, at: &str, faults: &mut Vec<String>) -> String {
+    if fact.value.is_some() && !fact.values.is_empty() {
+        faults.push(format!("{at}: has `value` and `values`; several figures all stand in `values`"));
+    }
+    let mut ids = BTreeSet::new();
+    let mut out = Vec::new();
+    for value in fact.value.iter().chain(&fact.values) {
+        let id = value.id.as_deref().unwrap_or("");
+        if !fact.values.is_empty() && !is_snake_case(id) {
+            faults.push(format!("{at}: each of several values has an `id` of its own, not `{id}`"));
+        }
+        if !ids.insert(id) {
+            faults.push(format!("{at}: the value `{id}` stands twice"));
+        }
+        let unit = value.unit.as_deref().unwrap_or("");
+        if !unit.is_empty() && quantities::Unit::of(unit).is_none() {
+            faults.push(format!("{at}: unknown unit `{unit}`"));
+        }
+        let en = format!("{}", value.number);
+        for (language, text, figure) in [("en", &fact.en, en.clone()), ("de", &fact.de, en.replace('.', ","))] {
+            if !has_figure(text, &figure) {
+                faults.push(format!("{at}: the figure {figure} does not stand in the text `{language}`"));
+            }
+        }
+        out.push(format!(
+            "FactValue {{ id: {id:?}, number: {:?}, unit: {unit:?}, bound: Bound::{} }}",
+            value.number,
+            variant("bound", &value.bound, BOUNDS, at, faults),
+        ));
+    }
+    out.join(", ")
+}

@@ -1,0 +1,317 @@
+//! The files of `data/` as they are written: one struct per file format.
+#![allow(missing_docs, reason = "data/README.md describes every key")]
+
+use crate::code::Code;
+use crate::facts::{Fact, FactsFile};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// A text in both languages.
+#[derive(Deserialize, Default, Clone)]
+#[serde(deny_unknown_fields)]
+pub struct Bilingual {
+    pub en: String,
+    pub de: String,
+}
+
+/// A note on a table, in our own words.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Footnote {
+    pub mark: Option<String>,
+    pub symbol: Option<String>,
+    pub by: Option<String>,
+    pub en: String,
+    pub de: String,
+}
+
+/// One row of a table file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Row {
+    pub symbol: Option<String>,
+    pub condition: Option<String>,
+    pub drive: Option<String>,
+    pub feedback: Option<String>,
+    pub ratio: Option<String>,
+    pub unit: Option<String>,
+    pub note: Option<String>,
+    pub cells: Vec<String>,
+}
+
+/// One table file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Table {
+    pub table: String,
+    pub section: Option<String>,
+    pub page: Option<u16>,
+    pub title: Bilingual,
+    pub source: String,
+    pub drive: Option<String>,
+    pub feedback: Option<String>,
+    #[serde(default)]
+    pub keys: Vec<String>,
+    #[serde(default)]
+    pub columns: Vec<String>,
+    #[serde(default, rename = "footnote")]
+    pub footnotes: Vec<Footnote>,
+    #[serde(rename = "row")]
+    pub rows: Vec<Row>,
+}
+
+/// One entry of `errata.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Erratum {
+    pub id: String,
+    pub table: Option<String>,
+    #[serde(default)]
+    pub cell: BTreeMap<String, String>,
+    #[serde(rename = "where")]
+    pub place: Option<String>,
+    #[serde(rename = "where_de")]
+    pub place_de: Option<String>,
+    pub recovered: Option<String>,
+    pub recovered_de: Option<String>,
+    pub printed: String,
+    pub printed_de: Option<String>,
+    pub corrected: String,
+    pub corrected_de: Option<String>,
+    pub checks_use: Option<String>,
+    pub kind: String,
+    pub status: String,
+    pub evidence: String,
+    pub evidence_de: String,
+}
+
+/// One entry of `sources.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Source {
+    pub id: String,
+    pub title: String,
+    pub edition: Option<String>,
+    pub language: Option<String>,
+    pub publisher: Option<String>,
+    pub kind: Option<String>,
+    #[serde(rename = "where")]
+    pub place: Option<String>,
+    pub note: Option<String>,
+}
+
+/// One entry of `glossary.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Term {
+    pub symbol: String,
+    pub identifier: String,
+    pub unit: Option<String>,
+    pub en: String,
+    pub de: String,
+    pub note_en: Option<String>,
+    pub note_de: Option<String>,
+}
+
+/// One entry of `cha/texts.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Text {
+    pub printed: String,
+    pub en: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TextsFile {
+    text: Vec<Text>,
+}
+
+/// One word of the product in `glossary.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Word {
+    pub id: String,
+    pub en: String,
+    pub de: String,
+    pub about_en: String,
+    pub about_de: String,
+    pub not_en: Vec<String>,
+    pub not_de: Vec<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ErrataFile {
+    erratum: Vec<Erratum>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SourcesFile {
+    source: Vec<Source>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct GlossaryFile {
+    term: Vec<Term>,
+    word: Vec<Word>,
+}
+
+/// All files of `data/`.
+#[derive(Default)]
+pub struct Data {
+    pub tables: Vec<Table>,
+    pub errata: Vec<Erratum>,
+    pub sources: Vec<Source>,
+    pub glossary: Vec<Term>,
+    pub texts: Vec<Text>,
+    pub words: Vec<Word>,
+    pub facts: Vec<Fact>,
+    pub codes: Vec<Code>,
+}
+
+fn read_file<T: for<'de> Deserialize<'de>>(path: &Path, faults: &mut Vec<String>) -> Option<T> {
+    let text = match std::fs::read_to_string(path) {
+        Ok(text) => text,
+        Err(fault) => {
+            faults.push(format!("{}: {fault}", path.display()));
+            return None;
+        }
+    };
+    match toml::from_str(&text) {
+        Ok(value) => Some(value),
+        Err(fault) => {
+            let line = fault.span().map_or(0, |span| text.get(..span.start).unwrap_or("").lines().count());
+            faults.push(format!("{}:{line}: {}", path.display(), fault.message()));
+            None
+        }
+    }
+}
+
+/// The TOML files below `folder`, in the order of their names read as numbers.
+fn table_paths(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
+    let entries = match std::fs::read_dir(folder) {
+        Ok(entries) => entries,
+        Err(fault) => {
+            faults.push(format!("{}: {fault}", folder.display()));
+            return Vec::new();
+        }
+    };
+    let mut paths: Vec<PathBuf> = entries
+        .flatten()
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|e| e == "toml"))
+        .collect();
+    paths.sort_by_key(|path| {
+        let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+        let numbers: Option<Vec<u32>> = stem.split('.').map(|part| part.parse().ok()).collect();
+        (numbers.is_none(), numbers.unwrap_or_default(), stem)
+    });
+    paths
+}
+
+/// The folders of series below `data/`, in the order of their names: each has a `code.toml`.
+pub fn series_folders(root: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
+    match std::fs::read_dir(root) {
+        Ok(entries) => {
+            let mut folders: Vec<PathBuf> =
+                entries.flatten().map(|entry| entry.path()).filter(|path| path.join("code.toml").is_file()).collect();
+            folders.sort();
+            folders
+        }
+        Err(fault) => {
+            faults.push(format!("{}: {fault}", root.display()));
+            Vec::new()
+        }
+    }
+}
+
+/// The ordering codes of the series below `data/`.
+pub fn codes(root: &Path, faults: &mut Vec<String>) -> Vec<Code> {
+    series_folders(root, faults).iter().filter_map(|folder| code(folder, faults)).collect()
+}
+
+fn code(folder: &Path, faults: &mut Vec<String>) -> Option<Code> {
+    let code = read_file::<Code>(&folder.join("code.toml"), faults)?;
+    code.check(faults);
+    Some(code)
+}
+
+/// Reads every file of `data/`; what cannot be read is a fault, not an end.
+pub fn read_all(root: &Path, faults: &mut Vec<String>) -> Data {
+    let folders = series_folders(root, faults);
+    let mut data = Data::default();
+    for folder in &folders {
+        read_tables(&folder.join("tables"), &mut data, faults);
+    }
+    for folder in &folders {
+        read_series(folder, &mut data, faults);
+    }
+    read_tables(&root.join("published"), &mut data, faults);
+    read_shared(root, &mut data, faults);
+    data
+}
+
+/// Reads one series from a folder that lies elsewhere, with the sources and the glossary of `data/`.
+pub fn read_one(root: &Path, folder: &Path, faults: &mut Vec<String>) -> Data {
+    let mut data = Data::default();
+    read_tables(&folder.join("tables"), &mut data, faults);
+    read_series(folder, &mut data, faults);
+    read_shared(root, &mut data, faults);
+    if let Some(file) = optional::<SourcesFile>(&folder.join("sources.toml"), faults) {
+        data.sources.extend(file.source);
+    }
+    data
+}
+
+fn read_tables(folder: &Path, data: &mut Data, faults: &mut Vec<String>) {
+    for path in table_paths(folder, faults) {
+        let Some(table) = read_file::<Table>(&path, faults) else { continue };
+        if path.file_stem().is_none_or(|stem| stem.to_string_lossy() != table.table) {
+            faults.push(format!("{}: the file must be named after its table {}", path.display(), table.table));
+        }
+        data.tables.push(table);
+    }
+}
+
+/// Everything of a series but its printed tables.
+fn read_series(folder: &Path, data: &mut Data, faults: &mut Vec<String>) {
+    data.codes.extend(code(folder, faults));
+    data.tables.extend(read_file::<Table>(&folder.join("family.toml"), faults));
+    if let Some(file) = optional::<ErrataFile>(&folder.join("errata.toml"), faults) {
+        data.errata.extend(file.erratum);
+    }
+    if let Some(file) = optional::<TextsFile>(&folder.join("texts.toml"), faults) {
+        data.texts.extend(file.text);
+    }
+    if !folder.join("facts").is_dir() {
+        return;
+    }
+    for path in table_paths(&folder.join("facts"), faults) {
+        let Some(file) = read_file::<FactsFile>(&path, faults) else { continue };
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        for mut fact in file.fact {
+            fact.file.clone_from(&name);
+            fact.series = data.codes.len().saturating_sub(1);
+            data.facts.push(fact);
+        }
+    }
+}
+
+fn read_shared(root: &Path, data: &mut Data, faults: &mut Vec<String>) {
+    if let Some(file) = read_file::<SourcesFile>(&root.join("sources.toml"), faults) {
+        data.sources = file.source;
+    }
+    if let Some(file) = read_file::<GlossaryFile>(&root.join("glossary.toml"), faults) {
+        data.glossary = file.term;
+        data.words = file.word;
+    }
+}
+
+/// A file that a series need not have.
+fn optional<T: for<'de> Deserialize<'de>>(path: &Path, faults: &mut Vec<String>) -> Option<T> {
+    if path.is_file() { read_file(path, faults) } else { None }
+}

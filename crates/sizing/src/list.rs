@@ -1,0 +1,450 @@
+//! The list of checks: what is the same for every answer of a check stands in its entry and nowhere else.
+
+use crate::axis::Axis;
+use crate::bearing_checks::{self, Borne};
+use crate::brake_checks;
+use crate::check::{Check, Direction, Margin, Part};
+use crate::checks;
+use crate::currents::{self, Currents};
+use crate::demand::{Demand, ManualDemand};
+use crate::electric_checks;
+use crate::electrics::Electrics;
+use crate::energy;
+use crate::feedback_checks;
+use crate::gear_checks;
+use crate::heat_checks;
+use crate::joint_checks;
+use crate::resonance;
+use actuator::{Drivetrain, Parameters};
+use derivation::Workings;
+use provenance::Missing;
+use quantities::{Angle, ElectricCurrent, ElectricPotential, Frequency, Length, Power, Time, Torque};
+
+/// What the project requires of the actuator beyond carrying the load; without a limit a value is shown and not judged.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Asked {
+    /// Life required of the gear.
+    pub gear_life_min: Option<Time>,
+    /// Torsion of the gear permitted.
+    pub torsion_max: Option<Angle>,
+    /// Least first natural frequency.
+    pub natural_frequency_min: Option<Frequency>,
+    /// Sum of all angular errors permitted at the output.
+    pub angle_error_max: Option<Angle>,
+    /// Distance from the axis at which an error is looked at.
+    pub lever_arm: Option<Length>,
+    /// Deviation permitted there.
+    pub deviation_max: Option<Length>,
+    /// Angle permitted for a stop by the brake alone.
+    pub stop_angle_max: Option<Angle>,
+    /// Number of stops by the brake alone over the life of the axis.
+    pub emergency_stops: Option<f64>,
+    /// Factor by which the brake must hold more than the load asks.
+    pub holding_safety: Option<f64>,
+    /// Time that the axis is in operation over its life.
+    pub service_life: Option<Time>,
+    /// Mean power that supply or brake resistor take back.
+    pub regeneration_power_max: Option<Power>,
+    /// Whether the position must be absolute over the whole travel.
+    pub absolute: Option<bool>,
+    /// Largest step of the position at the output.
+    pub resolution_max: Option<Angle>,
+    /// Operation per day, for the battery.
+    pub operation_per_day: Option<Time>,
+    /// Storage before operation, for the battery.
+    pub storage: Option<Time>,
+    /// Life required of the battery.
+    pub battery_life_min: Option<Time>,
+    /// Largest torque of a collision.
+    pub collision_torque: Option<Torque>,
+    /// Duration of a collision.
+    pub collision_time: Option<Time>,
+    /// Number of collisions over the life of the axis.
+    pub collisions: Option<f64>,
+    /// Whether the position loop is closed over the encoder at the output.
+    pub loop_at_output: bool,
+    /// Rise of the DC link voltage that a capacitor bank may take.
+    pub dc_link_rise: Option<ElectricPotential>,
+    /// A field of application that needs the maker's approval.
+    pub special_application: Option<SpecialApplication>,
+}
+
+/// Fields of application that need a risk assessment and the maker's approval.
+///
+/// # Source
+/// cha-manual section 2.4
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names say it")]
+pub enum SpecialApplication {
+    Aerospace,
+    ExplosiveAtmosphere,
+    Nuclear,
+    Vacuum,
+    Household,
+    Medical,
+    HumanContact,
+    LiftingOfPersons,
+    Amusement,
+}
+
+/// One actuator on one axis, with what several checks look at.
+pub(crate) struct Case<'c> {
+    pub(crate) axis: &'c Axis,
+    pub(crate) actuator: &'c Parameters,
+    /// The demand by exact integrals, if the own inertia is known.
+    pub(crate) demand: Option<&'c Demand>,
+    /// The demand by the manual's equations, if they describe the axis.
+    pub(crate) manual: Option<&'c ManualDemand>,
+    pub(crate) electrics: &'c Electrics,
+    pub(crate) currents: Result<&'c Currents<'c>, &'c Missing>,
+    /// The output bearing with its loads, if any are known.
+    pub(crate) bearing: Option<&'c Borne<'c>>,
+}
+
+/// The function that answers a check, and which actuators share its answer.
+#[derive(Clone, Copy)]
+pub(crate) enum Answer {
+    /// Each actuator has its own answer.
+    Actuator(fn(&Case<'_>, &mut Workings) -> Check),
+    /// As above; no answer where the check does not concern the actuator, such as one without a brake.
+    Concerned(fn(&Case<'_>, &mut Workings) -> Option<Check>),
+    /// All actuators with the same drivetrain share the answer.
+    Drivetrain(fn(&Axis, &Drivetrain, &mut Workings) -> Check),
+    /// All actuators with the same output bearing share the answer; none where no loads are known.
+    Bearing(fn(&Borne<'_>, &mut Workings) -> Check),
+}
+
+impl Answer {
+    pub(crate) fn of(self, case: &Case<'_>, work: &mut Workings) -> Option<Check> {
+        match self {
+            Self::Actuator(answer) => Some(answer(case, work)),
+            Self::Concerned(answer) => answer(case, work),
+            Self::Drivetrain(answer) => Some(answer(case.axis, case.actuator, work)),
+            Self::Bearing(answer) => Some(answer(case.bearing?, work)),
+        }
+    }
+}
+
+/// When a check is judged. The stages follow each other, and within one the order is that of the list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Stage {
+    /// Of every actuator.
+    First,
+    /// Of an actuator that no earlier check rejects: by the heat of the whole cycle.
+    Heat,
+    /// As above, in one pass over the cycle for all actuators of a ranking.
+    Pass,
+    /// Of an actuator that no earlier check rejects: the rest.
+    Further,
+}
+
+/// What can mend a check that fails.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mended {
+    /// A smaller load or another pace of the motion may.
+    LoadOrPace,
+    /// Another pace alone.
+    Pace,
+    /// Neither of them.
+    Neither,
+}
+
+/// The role of the project in a check.
+#[derive(Clone, Copy)]
+enum Requirement {
+    /// The check is always made and its limit belongs to the actuator.
+    None,
+    /// The check is made only where the key is stated.
+    Switch(&'static str, fn(&Axis) -> bool),
+    /// The key states the limit; without it the value is shown.
+    Limit(&'static str, fn(&Axis) -> bool),
+}
+
+/// What there is to say of a check before it is answered.
+#[derive(Clone, Copy)]
+struct ListedCheck {
+    id: &'static str,
+    part: Part,
+    stage: Stage,
+    answer: Answer,
+    direction: Direction,
+    margin: Margin,
+    mended: Mended,
+    requirement: Requirement,
+    turns: bool,
+}
+
+impl ListedCheck {
+    /// A value at most its limit, with a margin, that a smaller load or another pace may mend.
+    const fn new(id: &'static str, part: Part, stage: Stage, answer: Answer) -> Self {
+        Self {
+            id,
+            part,
+            stage,
+            answer,
+            direction: Direction::AtMost,
+            margin: Margin::Share,
+            mended: Mended::LoadOrPace,
+            requirement: Requirement::None,
+            turns: false,
+        }
+    }
+
+    const fn at_least(self) -> Self {
+        Self { direction: Direction::AtLeast, ..self }
+    }
+
+    const fn margin(self, margin: Margin) -> Self {
+        Self { margin, ..self }
+    }
+
+    const fn mended_by(self, mended: Mended) -> Self {
+        Self { mended, ..self }
+    }
+
+    const fn only_with(self, key: &'static str, stated: fn(&Axis) -> bool) -> Self {
+        Self { requirement: Requirement::Switch(key, stated), ..self }
+    }
+
+    /// `stated`: whether the project limits the check, by the key or another one.
+    const fn limited_by(self, key: &'static str, stated: fn(&Axis) -> bool) -> Self {
+        Self { requirement: Requirement::Limit(key, stated), ..self }
+    }
+
+    /// Value and limit are a turn or a speed of the output shaft, which a line behind it follows.
+    const fn of_the_output(self) -> Self {
+        Self { turns: true, ..self }
+    }
+}
+
+macro_rules! checks {
+    ($($(#[$about:meta])* $name:ident: $entry:expr;)*) => {
+        /// Identifier of a check, part of the contract with scripts.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum CheckId {
+            $($(#[$about])* $name,)*
+        }
+
+        impl CheckId {
+            /// Every check.
+            pub const ALL: &[Self] = &[$(Self::$name),*];
+
+            const fn entry(self) -> ListedCheck {
+                match self {
+                    $(Self::$name => const { $entry },)*
+                }
+            }
+        }
+    };
+}
+
+use Answer::{Actuator, Bearing, Concerned, Drivetrain as OfDrivetrain};
+use Part::{Brake, Drive, Energy, Feedback, Gear, OutputBearing, Screws, Thermal};
+use Stage::{First, Further, Heat, Pass};
+
+checks! {
+    /// Peak torque against T_max.
+    PeakTorque: ListedCheck::new("peak_torque", Drive, First, Actuator(checks::peak_torque));
+    /// Peak speed against n_mot,max/i.
+    PeakSpeed: ListedCheck::new("peak_speed", Drive, First, OfDrivetrain(checks::peak_speed))
+        .mended_by(Mended::Pace).of_the_output();
+    /// Mean speed against n_N/i.
+    MeanSpeed: ListedCheck::new("mean_speed", Drive, First, OfDrivetrain(checks::mean_speed))
+        .mended_by(Mended::Pace).of_the_output();
+    /// Effective torque against the continuous torque at the mean speed.
+    ContinuousTorque: ListedCheck::new("continuous_torque", Thermal, First, Actuator(heat_checks::continuous_torque));
+    /// Peak motor current against I_max.
+    PeakCurrent: ListedCheck::new("peak_current", Drive, First, Actuator(currents::peak_current));
+    /// Peak motor current against I_E.
+    Demagnetisation: ListedCheck::new("demagnetisation", Drive, First, Actuator(currents::demagnetisation));
+    /// Terminal voltage of the motor against what the DC link gives.
+    Voltage: ListedCheck::new("voltage", Energy, First, Actuator(currents::voltage))
+        .only_with("requirements.supply", |axis| axis.supply.is_some());
+    /// Load inertia against three times the own inertia.
+    InertiaRatio: ListedCheck::new("inertia_ratio", Drive, First, Actuator(checks::inertia_ratio))
+        .margin(Margin::Recommendation);
+    /// Cubic mean torque against T_A.
+    GearMeanTorque: ListedCheck::new("gear_mean_torque", Gear, First, OfDrivetrain(gear_checks::mean_torque));
+    /// Life of the wave-generator bearing against the life required.
+    GearLife: ListedCheck::new("gear_life", Gear, First, OfDrivetrain(gear_checks::life))
+        .at_least().limited_by("requirements.gear_life_min", |axis| axis.asked.gear_life_min.is_some());
+    /// Torsion of the gear under the largest torque against the torsion permitted.
+    Torsion: ListedCheck::new("torsion", Gear, First, OfDrivetrain(gear_checks::torsion))
+        .of_the_output().limited_by("requirements.torsion_max", |axis| axis.asked.torsion_max.is_some());
+    /// First natural frequency against the least required.
+    NaturalFrequency: ListedCheck::new("natural_frequency", Gear, First, Actuator(resonance::natural_frequency))
+        .at_least()
+        .limited_by("requirements.natural_frequency_min", |axis| axis.asked.natural_frequency_min.is_some());
+    /// Axial force on the flange against the permissible one.
+    BearingAxial: ListedCheck::new("bearing_axial", OutputBearing, First, Bearing(bearing_checks::axial));
+    /// Radial force on the flange against the permissible one.
+    BearingRadial: ListedCheck::new("bearing_radial", OutputBearing, First, Bearing(bearing_checks::radial));
+    /// Tilting moment against the permissible one.
+    BearingTiltingMoment:
+        ListedCheck::new("bearing_tilting_moment", OutputBearing, First, Bearing(bearing_checks::tilting_moment));
+    /// Life of the output bearing against the life required.
+    BearingLife: ListedCheck::new("bearing_life", OutputBearing, First, Bearing(bearing_checks::life))
+        .at_least().limited_by("requirements.bearing_life_min", |axis| limits_bearing(axis, |duty| duty.life_min.is_some()));
+    /// Static safety of the output bearing against that of the operating condition.
+    BearingStatic: ListedCheck::new("bearing_static", OutputBearing, First, Bearing(bearing_checks::static_safety))
+        .at_least()
+        .limited_by("bearing.operating_condition", |axis| limits_bearing(axis, |duty| duty.operating_condition.is_some()));
+    /// Tilt of the flange against the tilt permitted.
+    TiltAngle: ListedCheck::new("tilt_angle", OutputBearing, First, Bearing(bearing_checks::tilt_angle))
+        .limited_by("requirements.tilt_angle_max", |axis| limits_bearing(axis, |duty| duty.tilt_max.is_some()));
+    /// Ambient temperature against the operating range.
+    Ambient: ListedCheck::new("ambient", Thermal, First, OfDrivetrain(checks::ambient))
+        .margin(Margin::Range).mended_by(Mended::Neither)
+        .only_with("requirements.ambient", |axis| axis.ambient.is_some());
+    /// Every instant of the cycle against the short-time torque at its speed.
+    TorqueSpeedTrace: ListedCheck::new("torque_speed_trace", Drive, Heat, Actuator(electric_checks::torque_speed_trace));
+    /// Temperature of the winding in the steady cycle against its warning threshold.
+    Thermal: ListedCheck::new("thermal", Part::Thermal, Heat, Actuator(heat_checks::thermal));
+    /// Filtered square of the current against that of I_0.
+    OverloadI2t: ListedCheck::new("overload_i2t", Part::Thermal, Heat, Actuator(heat_checks::overload));
+    /// Mean input speed of the gear against its limit.
+    GearMeanInputSpeed: ListedCheck::new("gear_mean_input_speed", Gear, Further, Actuator(gear_checks::mean_input_speed))
+        .mended_by(Mended::Pace);
+    /// Torque of a collision against T_M.
+    CollisionTorque: ListedCheck::new("collision_torque", Gear, Further, Actuator(gear_checks::collision))
+        .only_with("requirements.collision_torque", |axis| axis.asked.collision_torque.is_some());
+    /// Distance of the speeds that the cycle holds from those at which the wave generator excites the load.
+    ResonanceSpeed: ListedCheck::new("resonance_speed", Gear, Further, Actuator(resonance::resonance))
+        .at_least().margin(Margin::Recommendation);
+    /// Sum of all angular errors against what is permitted.
+    ErrorBudget: ListedCheck::new("error_budget", Feedback, Further, Actuator(gear_checks::error_budget))
+        .of_the_output()
+        .limited_by("requirements.angle_error_max", |Axis { asked, .. }| {
+            asked.angle_error_max.is_some() || asked.deviation_max.is_some()
+        });
+    /// Torque that holds the load against the holding torque of the brake.
+    BrakeHolding: ListedCheck::new("brake_holding", Brake, Further, Concerned(brake_checks::holding));
+    /// Stop by the brake alone: its angle and number. A brake that does not stop the load fails without a limit.
+    BrakeEmergency: ListedCheck::new("brake_emergency", Brake, Further, Concerned(brake_checks::emergency))
+        .of_the_output().limited_by("requirements.stop_angle_max", |_| true);
+    /// DC link voltage against U_DCmax.
+    DcLink: ListedCheck::new("dc_link", Energy, First, OfDrivetrain(electric_checks::dc_link))
+        .margin(Margin::Class).mended_by(Mended::Neither)
+        .only_with("requirements.supply", |axis| axis.supply.is_some());
+    /// Mean regenerated power against what supply or resistor take.
+    Regeneration: ListedCheck::new("regeneration", Energy, Pass, Actuator(energy::regeneration))
+        .limited_by("requirements.regeneration_power_max", |axis| axis.asked.regeneration_power_max.is_some());
+    /// Travel against the absolute range of the feedback.
+    FeedbackRange: ListedCheck::new("feedback_range", Feedback, Further, Concerned(feedback_checks::range))
+        .of_the_output().limited_by("requirements.absolute", |axis| axis.asked.absolute == Some(true));
+    /// Step of the position at the output against the largest permitted.
+    FeedbackResolution: ListedCheck::new("feedback_resolution", Feedback, Further, Actuator(feedback_checks::resolution))
+        .mended_by(Mended::Neither).of_the_output()
+        .limited_by("requirements.resolution_max", |axis| axis.asked.resolution_max.is_some());
+    /// Life of the encoder's battery against the life required.
+    Battery: ListedCheck::new("battery", Feedback, Further, Concerned(feedback_checks::battery))
+        .at_least().mended_by(Mended::Neither)
+        .limited_by("requirements.battery_life_min", |axis| axis.asked.battery_life_min.is_some());
+    /// Peak torque against what the screws of the load transmit.
+    ScrewJointLoad: ListedCheck::new("screw_joint_load", Screws, Further, Actuator(joint_checks::load));
+    /// Peak torque against what the screws of the housing transmit.
+    ScrewJointHousing: ListedCheck::new("screw_joint_housing", Screws, Further, Actuator(joint_checks::housing));
+    /// Field of application against those that need approval.
+    Application: ListedCheck::new("application", Drive, Further, Actuator(joint_checks::application))
+        .only_with("requirements.special_application", |axis| axis.asked.special_application.is_some());
+}
+
+/// Whether the output bearing has a limit that the project states.
+fn limits_bearing(axis: &Axis, stated: fn(&crate::axis::BearingDuty) -> bool) -> bool {
+    axis.bearing.as_ref().is_some_and(stated)
+}
+
+impl CheckId {
+    /// The identifier used in data exchange.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        self.entry().id
+    }
+
+    /// The part of the actuator that it is about.
+    #[must_use]
+    pub const fn part(self) -> Part {
+        self.entry().part
+    }
+
+    /// How its value must lie to its limit; a range has two limits, see [`Check::direction`].
+    #[must_use]
+    pub const fn direction(self) -> Direction {
+        self.entry().direction
+    }
+
+    /// What its utilisation says.
+    #[must_use]
+    pub const fn margin(self) -> Margin {
+        self.entry().margin
+    }
+
+    /// Whether its utilisation is a margin that the ranking looks at.
+    #[must_use]
+    pub const fn has_margin(self) -> bool {
+        match self.margin() {
+            Margin::Share | Margin::Range => true,
+            Margin::Recommendation | Margin::Class => false,
+        }
+    }
+
+    /// Whether it can do no more than advise: what it compares with is a recommendation.
+    #[must_use]
+    pub const fn is_recommendation(self) -> bool {
+        matches!(self.margin(), Margin::Recommendation)
+    }
+
+    /// Whether value and limit are a turn or a speed of the output shaft, which a line behind it follows.
+    #[must_use]
+    pub const fn is_of_the_output(self) -> bool {
+        self.entry().turns
+    }
+
+    /// Whether its answer depends neither on the load nor on the pace of the motion.
+    #[must_use]
+    pub const fn is_of_the_place(self) -> bool {
+        matches!(self.entry().mended, Mended::Neither)
+    }
+
+    /// Whether its answer depends on the pace of the motion alone.
+    pub(crate) const fn is_of_the_pace(self) -> bool {
+        matches!(self.entry().mended, Mended::Pace)
+    }
+
+    /// Its place among the answers.
+    pub(crate) const fn place(self) -> (Stage, Self) {
+        (self.entry().stage, self)
+    }
+
+    pub(crate) const fn stage(self) -> Stage {
+        self.entry().stage
+    }
+
+    pub(crate) const fn answer(self) -> Answer {
+        self.entry().answer
+    }
+
+    /// The key of the project that states its limit or switches it on.
+    pub(crate) const fn key(self) -> Option<&'static str> {
+        match self.entry().requirement {
+            Requirement::None => None,
+            Requirement::Switch(key, _) | Requirement::Limit(key, _) => Some(key),
+        }
+    }
+
+    /// Whether an axis has this check.
+    pub(crate) fn is_made(self, axis: &Axis) -> bool {
+        match self.entry().requirement {
+            Requirement::None | Requirement::Limit(..) => true,
+            Requirement::Switch(_, stated) => stated(axis),
+        }
+    }
+
+    /// Whether it can fail or has a margin: neither a recommendation nor a value without the limit of the project.
+    pub(crate) fn can_fail(self, axis: &Axis) -> bool {
+        match self.entry().requirement {
+            Requirement::None | Requirement::Switch(..) => !self.is_recommendation(),
+            Requirement::Limit(_, stated) => stated(axis),
+        }
+    }
+}

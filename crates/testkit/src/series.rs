@@ -1,0 +1,210 @@
+//! A series that is not embedded: read from its folder and added to the program of a test.
+
+use catalogue::{Further, Head, Mark, MarkEntry, SeriesData, WindingData, WiringTables};
+use order_code::{Feedback, FeedbackKind, Field, FieldWords, Grammar, Meaning, Series, Size, Winding};
+use provenance::CellRef;
+use series_files::{Code, Data};
+use std::path::Path;
+
+/// The invented series `INV`, every figure of which is made up.
+#[must_use]
+pub fn invented() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("series/inv")
+}
+
+/// Adds the series of a folder to this program, before it looks at any code or table.
+///
+/// # Panics
+/// If the folder breaks a rule of `data/README.md`, has errata or facts, which only the build embeds, or if a series was
+/// added before.
+pub fn add(folder: &Path) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
+    let mut faults = Vec::new();
+    // What is added lives as long as the program, like what is embedded.
+    let data: &'static Data = Box::leak(Box::new(series_files::read_one(&root, folder, &mut faults)));
+    let cells = series_files::cells(data, &mut faults);
+    assert!(faults.is_empty(), "{}: {faults:#?}", folder.display());
+    assert!(
+        data.errata.is_empty() && !series_files::facts(data, &mut faults).contains("Fact {"),
+        "no errata, no facts"
+    );
+    let place = u8::try_from(Series::all().count()).unwrap_or(u8::MAX);
+    let added = order_code::extend(data.codes.iter().map(grammar).collect());
+    assert!(added.is_ok(), "a series was added before");
+    let document = |source: &'static series_files::Source| catalogue::Document {
+        id: &source.id,
+        title: &source.title,
+        edition: source.edition.as_deref().unwrap_or(""),
+        language: source.language.as_deref().unwrap_or(""),
+        publisher: source.publisher.as_deref().unwrap_or(""),
+        kind: source.kind.as_deref().unwrap_or(""),
+        place: source.place.as_deref().unwrap_or(""),
+        note: source.note.as_deref().unwrap_or(""),
+    };
+    let new = data.sources.iter().filter(|source| catalogue::document(&source.id).is_none());
+    let further = Further {
+        documents: new.map(document).collect(),
+        series: data.codes.iter().map(|code| Reader { series: Series::at(place), code }.data()).collect(),
+        tables: data.tables.iter().zip(&cells.ranges).map(|(table, range)| self::table(table, *range)).collect(),
+        cells: cells.cells.iter().map(|cell| self::cell(data, cell)).collect(),
+    };
+    assert!(catalogue::extend(further).is_ok(), "a series was added before");
+}
+
+fn leaked<T>(all: impl IntoIterator<Item = T>) -> &'static [T] {
+    Vec::leak(all.into_iter().collect())
+}
+
+fn words(words: &'static [String]) -> &'static [&'static str] {
+    leaked(words.iter().map(String::as_str))
+}
+
+fn grammar(code: &'static Code) -> Grammar {
+    Grammar { series: &code.series, fields: leaked(code.fields.iter().map(|field| field_words(code, field))) }
+}
+
+fn field_of(id: &str) -> Field {
+    Field::ALL.iter().copied().find(|field| field.id() == id).unwrap_or(Field::Series)
+}
+
+fn field_words(code: &'static Code, field: &'static series_files::Field) -> FieldWords {
+    let of = |word: &String| code.feedbacks.iter().find(|feedback| feedback.word == *word);
+    let kind = |feedback: &series_files::Feedback| match feedback.kind.as_str() {
+        "sine_incremental" => FeedbackKind::SineIncremental,
+        "endat_multiturn" => FeedbackKind::EndatMultiturn,
+        "resolver" => FeedbackKind::Resolver,
+        "square_incremental" => FeedbackKind::SquareIncremental,
+        _ => FeedbackKind::SsiMultiturn,
+    };
+    let meaning = |meaning: &'static series_files::Meaning| Meaning {
+        word: meaning.word.as_deref(),
+        when: leaked(meaning.when.iter().map(|(of, all)| (field_of(of), words(all)))),
+        en: &meaning.en,
+        de: &meaning.de,
+    };
+    FieldWords {
+        field: field_of(&field.id),
+        is_optional: field.optional,
+        words: words(&field.words),
+        kinds: leaked(field.words.iter().filter_map(of).map(kind)),
+        meanings: leaked(field.meanings.iter().map(meaning)),
+    }
+}
+
+fn value(text: &str) -> catalogue::Value {
+    match series_files::value_of(text) {
+        series_files::Value::NotPrinted => catalogue::Value::NotPrinted,
+        series_files::Value::Number(value) => catalogue::Value::Number(value),
+        series_files::Value::Range { low, high } => catalogue::Value::Range { low, high },
+        series_files::Value::UpperBound(value) => catalogue::Value::UpperBound(value),
+        series_files::Value::LowerBound(value) => catalogue::Value::LowerBound(value),
+        series_files::Value::PlusMinus(value) => catalogue::Value::PlusMinus(value),
+        series_files::Value::Tolerance { nominal, plus_minus_percent } => {
+            catalogue::Value::Tolerance { nominal, plus_minus_percent }
+        }
+        series_files::Value::Text => catalogue::Value::Text,
+    }
+}
+
+fn cell(data: &'static Data, cell: &series_files::Cell<'static>) -> catalogue::Cell {
+    let [drive, feedback, ratio, symbol, condition] = cell.keys.clone().map(|key| &*key.leak());
+    let (document, table) = data.tables.get(cell.table).map_or(("", ""), |table| (&*table.source, &*table.table));
+    catalogue::Cell {
+        place: CellRef { document, table, symbol, condition, drive, ratio },
+        row: u16::try_from(cell.row).unwrap_or(u16::MAX),
+        column: u16::try_from(cell.column).unwrap_or(u16::MAX),
+        feedback,
+        unit: cell.unit,
+        printed: cell.printed,
+        corrected: cell.corrected,
+        value: value(cell.corrected),
+        checks_use: None,
+        errata: &[],
+    }
+}
+
+fn table(table: &'static series_files::Table, (first, end): (usize, usize)) -> catalogue::Table {
+    catalogue::Table {
+        id: &table.table,
+        section: table.section.as_deref().unwrap_or(""),
+        page: table.page.unwrap_or(0),
+        title_en: &table.title.en,
+        title_de: &table.title.de,
+        source: &table.source,
+        footnotes: &[],
+        row_notes: &[],
+        first,
+        end,
+    }
+}
+
+/// Reads what a series states of its tables.
+struct Reader {
+    series: Series,
+    code: &'static Code,
+}
+
+impl Reader {
+    fn windings(&self, words: &[String]) -> &'static [Winding] {
+        leaked(words.iter().filter_map(|word| Winding::of(self.series, word)))
+    }
+
+    fn feedbacks(&self, words: &[String]) -> &'static [Feedback] {
+        leaked(words.iter().filter_map(|word| Feedback::of(self.series, word)))
+    }
+
+    fn data(&self) -> SeriesData {
+        let (code, tables) = (self.code, &self.code.tables);
+        let winding = |word: &String| code.windings.iter().find(|each| each.words.contains(word));
+        let feedback = |word: &String| code.feedbacks.iter().find(|each| each.word == *word);
+        let head = |drive: &'static series_files::Drive, name: &'static String| {
+            let size = Size::of(self.series, code.size_of(name)?)?;
+            let (windings, feedbacks) = (self.windings(&drive.windings), self.feedbacks(&drive.feedbacks));
+            Some(Head { name, size, windings, feedbacks })
+        };
+        SeriesData {
+            manual: &code.manual,
+            family: &tables.family,
+            matrix: &tables.matrix,
+            pairs: &tables.pairs,
+            thresholds: &tables.thresholds,
+            preselection: &tables.preselection,
+            output_encoder: &tables.output_encoder,
+            output_wiring: words(&tables.output_wiring),
+            cables: words(&tables.cables),
+            by_size: words(&tables.by_size),
+            feedback: words(&tables.feedback),
+            ordering: words(&tables.ordering),
+            of_all: words(&tables.of_all),
+            curves: words(&tables.curves),
+            gear_life: &tables.gear_life,
+            gear_series: &tables.gear_series,
+            marks: leaked(code.marks.iter().map(|mark| Mark {
+                begins: &mark.begins,
+                entry: match mark.entry.as_str() {
+                    "available" => MarkEntry::Available,
+                    "on_request" => MarkEntry::OnRequest,
+                    _ => MarkEntry::NotAvailable,
+                },
+                feedback: mark.feedback.as_ref().and_then(|word| Feedback::of(self.series, word)),
+                longer: &mark.longer,
+            })),
+            windings: leaked(code.words("winding").iter().filter_map(winding).map(|each| WindingData {
+                general: &each.general,
+                general_head: &each.general_head,
+                starting_current: &each.starting_current,
+                stall_current_includes_friction: each.stall_current_includes_friction,
+                ptc: each.ptc,
+            })),
+            feedback_tables: leaked(code.words("feedback").iter().filter_map(feedback).map(|each| &*each.table)),
+            drives: leaked(
+                code.drives.iter().flat_map(|drive| drive.heads.iter().filter_map(move |name| head(drive, name))),
+            ),
+            wirings: leaked(code.wirings.iter().map(|each| WiringTables {
+                windings: self.windings(&each.windings),
+                feedbacks: self.feedbacks(&each.feedbacks),
+                tables: each.tables.each_ref().map(String::as_str),
+            })),
+        }
+    }
+}

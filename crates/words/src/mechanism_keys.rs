@@ -1,0 +1,99 @@
+//! Words of the mechanisms and of their keys.
+
+use project::names::{
+    ArmName, BeltName, ConveyorName, JointName, MechanismName, MechanismsName, 
+    ScrewName, SliderCrankName, TableName, TurntableName, 
+};
+use quantities::Language;
+
+/// What a mechanism is.
+#[rustfmt::skip] // one line per mechanism and language
+pub(crate) const fn mechanism_text(name: MechanismsName, language: Language) -> &'static str {
+    let (en, de) = match name {
+        MechanismsName::turntable => ("turntable or drum of solid bodies", "Drehtisch oder Trommel aus Vollkörpern"),
+        MechanismsName::arm => ("unbalanced arm", "unausgewuchteter Arm"),
+        MechanismsName::screw => ("screw with slide", "Gewindetrieb mit Schlitten"),
+        MechanismsName::belt => ("belt, or rack and pinion, with slide", "Zahnriemen oder Zahnstange mit Schlitten"),
+        MechanismsName::conveyor => (
+            "conveyor or roller that runs endlessly",
+            "endlos laufendes Förderband oder Walze",
+        ),
+        MechanismsName::slider_crank => ("crank, rod and slider", "Schubkurbel"),
+        MechanismsName::joint => (
+            "joint of a robot, its torque recorded with the motion",
+            "Robotergelenk, dessen Moment mit der Bewegung aufgezeichnet ist",
+        ),
+        MechanismsName::table => (
+            "inertia and torque over the position",
+            "Massenträgheitsmoment und Moment über der Stellung",
+        ),
+    };
+    match language {
+        Language::En => en,
+        Language::De => de,
+    }
+}
+
+/// What a key of a mechanism is for.
+#[rustfmt::skip] // one line per key and language
+pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) -> &'static str {
+    let (en, de) = match name {
+        MechanismName::Turntable(TurntableName::body) => (
+            "its solid bodies, each a table; or bodies",
+            "seine Vollkörper, je eine Tabelle; oder bodies",
+        ),
+        MechanismName::Turntable(TurntableName::bodies) => (
+            "the same, each in one line as for antrieb inertia",
+            "dasselbe, je Körper eine Zeile wie bei antrieb inertia",
+        ),
+        MechanismName::Turntable(TurntableName::axis_tilt) => (
+            "tilt of the rotation axis from the vertical; vertical without it",
+            "Neigung der Drehachse gegen die Senkrechte; ohne Angabe senkrecht",
+        ),
+        MechanismName::Turntable(TurntableName::start_angle) => (
+            "position in which the motion begins; zero without it",
+            "Stellung, in der die Bewegung beginnt; ohne Angabe null",
+        ),
+        MechanismName::Turntable(TurntableName::payload_distance) | MechanismName::Arm(ArmName::payload_distance) => (
+            "distance of the payload of a segment from the axis",
+            "Abstand der Nutzlast eines Abschnitts von der Drehachse",
+        ),
+        MechanismName::Arm(ArmName::inertia) => (
+            "moment of inertia of the arm about the axis, without payload",
+            "Massenträgheitsmoment des Arms um die Drehachse, ohne Nutzlast",
+        ),
+        MechanismName::Arm(ArmName::mass) => ("mass of the arm", "Masse des Arms"),
+        MechanismName::Arm(ArmName::centre_distance) => (
+            "distance of its centre of mass from the axis",
+            "Abstand seines Schwerpunkts von der Drehachse",
+        ),
+        MechanismName::Arm(ArmName::axis_tilt) => (
+            "tilt of the rotation axis from the vertical; 90 deg for a horizontal axis",
+            "Neigung der Drehachse gegen die Senkrechte; 90 deg bei waagerechter Achse",
+        ),
+        MechanismName::Screw(ScrewName::lead) => ("travel per revolution", "Steigung, Weg je Umdrehung"),
+        MechanismName::Belt(BeltName::pulley_diameter) => (
+            "pitch diameter of the driving pulley or pinion",
+            "Wirkdurchmesser der Antriebsscheibe oder des Ritzels",
+        ),
+        MechanismName::Conveyor(ConveyorName::roller_diameter) => ("diameter of the driving roller", "Durchmesser der Antriebswalze"),
+        MechanismName::SliderCrank(SliderCrankName::crank) => ("crank radius", "Kurbelradius"),
+        MechanismName::SliderCrank(SliderCrankName::rod) => ("rod length, longer than the crank", "Pleuellänge, größer als der Kurbelradius"),
+        MechanismName::Table(TableName::points) => (
+            "position, moment of inertia, holding torque; straight between the points",
+            "Stellung, Massenträgheitsmoment, Haltemoment; gerade zwischen den Punkten",
+        ),
+        MechanismName::Joint(JointName::inertia) => (
+            "largest moment of inertia that the joint feels, for the ratio of inertias, the natural frequency and the brake; it is in the recorded torque already",
+            "größtes Massenträgheitsmoment am Gelenk, für Trägheitsverhältnis, Eigenfrequenz und Bremse; im aufgezeichneten Moment steckt es schon",
+        ),
+        MechanismName::Joint(JointName::holding_torque) => (
+            "largest torque that holds the arm at rest, for the brake",
+            "größtes Moment, das den Arm im Stillstand hält, für die Bremse",
+        ),
+    };
+    match language {
+        Language::En => en,
+        Language::De => de,
+    }
+}

@@ -1,0 +1,191 @@
+//! Plain words: documents, comments and messages use the words of an engineer of the field, not those that STYLE.md lists.
+
+use std::path::Path;
+
+use super::Finding;
+use super::one_voice::{Part, Parts};
+use super::tree::Tree;
+
+const STYLE: &str = "STYLE.md";
+/// The section of STYLE.md with the words in the first column of its table, as code.
+const SECTION: &str = "### Words that are not used";
+/// The messages of the product.
+const MESSAGES: &str = "crates/words/src/";
+/// Texts of others, and what was written about earlier versions.
+const FREE: [&str; 3] = ["CHANGELOG.md", "THIRD-PARTY.md", "third-party/"];
+/// Not reworded yet.
+const PENDING: [&str; 9] = [
+    "docs/reference/commands.md",
+    "docs/reference/glossar.md",
+    "docs/reference/glossary.md",
+    "docs/reference/project.md",
+    "crates/cli/",
+    "crates/page/",
+    "crates/project/",
+    "crates/questions/",
+    "crates/words/",
+];
+
+pub(super) fn rule(root: &Path) -> Vec<Finding> {
+    findings(root, &PENDING)
+}
+
+/// What the files hold of the list, apart from those that are not reworded yet.
+fn findings(root: &Path, pending: &[&str]) -> Vec<Finding> {
+    let tree = Tree::read(root);
+    let phrases = phrases(&tree.text(STYLE).unwrap_or_default());
+    let mut findings = Vec::new();
+    for file in tree.under("", ".md").chain(tree.under("", ".rs")) {
+        if FREE.iter().chain(pending).any(|free| file.starts_with(free)) {
+            continue;
+        }
+        let text = tree.text(file).unwrap_or_default();
+        let prose = if file.ends_with(".md") { document(&text) } else { comments(&text) };
+        let messages = if file.starts_with(MESSAGES) { literals(&text) } else { Vec::new() };
+        for (line, phrase) in [prose, messages].iter().flat_map(|words| found(words, &phrases)) {
+            let message = format!("`{phrase}` is on the list of words that are not used ({STYLE})");
+            findings.push(Finding { path: file.to_owned(), line, rule: "plain-words", message });
+        }
+    }
+    findings
+}
+
+/// The phrases of the list, each as its words.
+fn phrases(style: &str) -> Vec<Vec<String>> {
+    let section = style.lines().skip_while(|line| *line != SECTION).skip(1).take_while(|line| !line.starts_with('#'));
+    let first = section.filter_map(|line| line.strip_prefix("| `")?.split('|').next());
+    let phrases = first.flat_map(|cell| cell.split('`').step_by(2));
+    let phrases = phrases.map(|phrase| phrase.split_whitespace().map(str::to_owned).collect::<Vec<_>>());
+    phrases.filter(|phrase| phrase.first().is_some_and(|word| word != ",")).collect()
+}
+
+/// A word of a prose with its line; none where a sentence cannot go on.
+type Word = (usize, Option<String>);
+
+fn words_of(line: usize, prose: &str, words: &mut Vec<Word>) {
+    // Every second piece is a code span.
+    for (piece, text) in prose.split('`').enumerate() {
+        if piece % 2 == 1 {
+            words.push((line, None));
+            continue;
+        }
+        let parts = text.split(|sign: char| !sign.is_alphanumeric() && sign != '_' && sign != '\'');
+        words.extend(parts.filter(|part| !part.is_empty()).map(|part| (line, Some(part.to_lowercase()))));
+        if text.trim_end().ends_with(['.', ':', ';', '|']) {
+            words.push((line, None));
+        }
+    }
+}
+
+/// The words of a Markdown document without its blocks of code.
+fn document(text: &str) -> Vec<Word> {
+    let mut words = Vec::new();
+    let mut fenced = false;
+    for (line, content) in (1..).zip(text.lines()) {
+        if content.trim_start().starts_with("```") {
+            fenced = !fenced;
+        } else if !fenced {
+            words_of(line, content, &mut words);
+            if content.is_empty() {
+                words.push((line, None));
+            }
+        }
+    }
+    words
+}
+
+/// The words of the comments of a source that stand on lines of their own.
+fn comments(text: &str) -> Vec<Word> {
+    let mut words = Vec::new();
+    for (line, content) in (1..).zip(text.lines()) {
+        match content.trim_start().strip_prefix("//") {
+            Some(comment) => words_of(line, comment.trim_start_matches(['/', '!']), &mut words),
+            None => words.push((line, None)),
+        }
+    }
+    words
+}
+
+/// The words of the texts in a source.
+fn literals(text: &str) -> Vec<Word> {
+    let mut words = Vec::new();
+    for (line, part) in Parts::of(text) {
+        if let Part::Literal(literal) = part {
+            words_of(line, &literal, &mut words);
+        }
+        words.push((line, None));
+    }
+    words
+}
+
+/// Where a phrase begins, by its line.
+fn found(words: &[Word], phrases: &[Vec<String>]) -> Vec<(usize, String)> {
+    let begins = |at: usize, phrase: &[String]| words.get(at..).is_some_and(|rest| matches(rest, phrase));
+    let lines = words.iter().enumerate().flat_map(|(at, (line, _))| {
+        phrases.iter().filter(move |phrase| begins(at, phrase)).map(|phrase| (*line, phrase.join(" ")))
+    });
+    lines.collect()
+}
+
+fn matches(words: &[Word], phrase: &[String]) -> bool {
+    match phrase.split_first() {
+        None => true,
+        Some((first, rest)) if first == "…" => (1..=2).any(|count| {
+            let skipped = words.get(..count).is_some_and(|skipped| skipped.iter().all(|(_, word)| word.is_some()));
+            skipped && words.get(count..).is_some_and(|after| matches(after, rest))
+        }),
+        Some((first, rest)) => match words.split_first() {
+            Some(((_, word), after)) => word.as_ref() == Some(first) && matches(after, rest),
+            None => false,
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tidy::scratch::Scratch;
+
+    const LIST: &str = "# Style\n\n### Words that are not used\n\nNot told.\n\n| not | instead |\n|---|---|\n| `told`, `asked for` | reported |\n| `what … has` | content |\n\n## Errors\n\n| `limit` | x |\n";
+
+    fn places(files: &[(&str, &str)]) -> Vec<String> {
+        let scratch = Scratch::new(&[&[(STYLE, LIST)], files].concat());
+        let mut found = findings(scratch.root(), &[]);
+        found.retain(|finding| finding.path != STYLE);
+        found.sort();
+        let place = |finding: &Finding| {
+            let phrase = finding.message.split_inclusive('`').take(2).collect::<String>();
+            format!("{}:{} {phrase}", finding.path, finding.line)
+        };
+        found.iter().map(place).collect()
+    }
+
+    #[test]
+    fn a_word_of_the_list_is_found_in_documents_comments_and_messages() {
+        let source = "/// Who is asked\n/// for a limit.\nfn told() { call(\"told\") } // told\n";
+        let found = places(&[
+            (
+                "docs/a.md",
+                "It is Told.\n\n`told`, retold, the limit\n\n```\ntold\n```\n\nwhat the file has, what a long file has\n",
+            ),
+            ("crates/cli/src/a.rs", source),
+            ("crates/words/src/a.rs", "const A: &str = \"you are told\";\n"),
+            ("CHANGELOG.md", "told\n"),
+        ]);
+        let expected = [
+            "crates/cli/src/a.rs:1 `asked for`",
+            "crates/words/src/a.rs:1 `told`",
+            "docs/a.md:1 `told`",
+            "docs/a.md:9 `what … has`",
+        ];
+        assert_eq!(found, expected, "{found:#?}");
+    }
+
+    #[test]
+    fn the_list_of_the_house_is_read() {
+        let style = include_str!("../../../STYLE.md");
+        let phrases = phrases(style);
+        assert!(phrases.iter().any(|phrase| phrase == &["nobody"]), "{phrases:#?}");
+        assert!(phrases.iter().any(|phrase| phrase == &["what", "…", "has"]), "{phrases:#?}");
+    }
+}
