@@ -9,7 +9,8 @@ use testkit::agrees;
 
 #[rustfmt::skip] // several to a line
 const EXAMPLES: [&str; 20] = [
-    "belt-axis", "cam-table", "conveyor",     "indexing-table", "manual-example", "robot-joint", "screw-axis",
+    "belt-axis", "cam-table", "conveyor", "hoist",
+    "indexing-table", "manual-example", "robot-joint", "screw-axis",
     "slewing-arm", "slider-crank", "stage-axis", "tilting-arm", "tolerances",
     "turntable", "two-axes", "two-way-shuttle", ];
 

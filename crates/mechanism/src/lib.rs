@@ -14,6 +14,7 @@ pub mod drawing;
 mod equations;
 mod flange;
 mod friction;
+mod hoist;
 mod joint;
 mod linear;
 mod load;
@@ -29,6 +30,7 @@ pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Sh
 pub use equations::Effects;
 pub use flange::{Aligned, Contact, FlangeForces, Mounting};
 pub use friction::Friction;
+pub use hoist::{Hoist, reeving_efficiency};
 pub use joint::Joint;
 pub use linear::{Linear, LinearKind};
 pub use loading::{Load, Loading};
@@ -141,6 +143,8 @@ mechanisms! {
     Joint "joint" joint "robot-joint";
     /// Inertia and torque over the position, point by point.
     Table "table" table "cam-table";
+    /// Drum, rope and load.
+    Hoist "hoist" hoist "hoist";
 }
 
 impl MechanismId {
@@ -180,6 +184,8 @@ macro_rules! geometry {
 }
 
 geometry! {
+    /// The rope of a hoist has a mass and no length.
+    RopeWithoutLength "rope_without_length" at "rope_mass";
 }
 
 impl Geometry {
@@ -276,6 +282,8 @@ kinds! {
     Table;
     /// A joint of a robot: its torque is recorded with the motion.
     Joint;
+    /// Drum, rope and load.
+    Hoist;
 }
 
 /// A load with its friction and the efficiency of what lies between.

@@ -108,6 +108,18 @@ pub(crate) const BEGINS: [Begin; 11] = [
         ],
         set: &[("mechanism.slider_crank.start_angle", "0 deg"), ("motion[1].law", "constant")],
     },
+    Begin {
+        mechanism: Some("hoist"),
+        asked: &[
+            ("mechanism.hoist.drum_diameter", "120 mm"),
+            ("mechanism.hoist.falls", "2"),
+            ("mechanism.hoist.mass", "45 kg"),
+            ("motion[1].distance", "600 mm"),
+            ("motion[1].time", "6 s"),
+            ("motion[2].time", "2 s"),
+        ],
+        set: &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell"), ("requirements.supply", "560 V")],
+    },
 ];
 
 impl Begin {

@@ -65,6 +65,7 @@ mechanisms! {
     slider_crank: SliderCrank, SliderCrankName;
     joint: Joint, JointName;
     table: Table, TableName;
+    hoist: Hoist, HoistName;
 }
 
 /// What loads the flange.

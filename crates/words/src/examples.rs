@@ -50,6 +50,19 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("f_w, table 74.2", "f_w, Tabelle 74.2"),
     ("for the cables of the fixtures", "für die Leitungen der Aufnahmen"),
     ("DC link", "Zwischenkreis"),
+    // hoist
+    (
+        "A small hoist on two falls with a counterweight: lift, wait, lower empty.",
+        "Ein kleines Hubwerk mit zwei Seilsträngen und Gegengewicht: heben, warten, leer senken.",
+    ),
+    ("\"hoist\"", "\"Hubwerk\""),
+    ("to the middle of the rope", "bis Seilmitte"),
+    ("hook block and gripper", "Unterflasche und Greifer"),
+    ("drum", "Trommel"),
+    ("both falls at position zero", "beide Stränge in Position null"),
+    ("length of each fall", "Länge jedes Strangs"),
+    ("lift, laden", "heben, beladen"),
+    ("lower, empty", "senken, leer"),
 
     // conveyor
     ("A conveyor that moves on by one pitch and waits.", "Ein Förderer, der um eine Teilung weiterfährt und wartet."),

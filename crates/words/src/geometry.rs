@@ -6,6 +6,10 @@ use quantities::Language;
 /// What is wrong, with the keys it is about.
 pub(crate) const fn geometry(fault: Geometry, language: Language) -> &'static str {
     let (en, de) = match fault {
+        Geometry::RopeWithoutLength => (
+            "`rope_mass` needs `hanging`, the length of each fall at position zero",
+            "`rope_mass` braucht `hanging`, die Länge jedes Strangs in Position null",
+        ),
     };
     match language {
         Language::En => en,

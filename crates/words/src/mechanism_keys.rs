@@ -1,7 +1,7 @@
 //! Words of the mechanisms and of their keys.
 
 use project::names::{
-    ArmName, BeltName, ConveyorName, JointName, MechanismName, MechanismsName, 
+    ArmName, BeltName, ConveyorName, HoistName, JointName, MechanismName, MechanismsName, 
     ScrewName, SliderCrankName, TableName, TurntableName, 
 };
 use quantities::Language;
@@ -23,6 +23,7 @@ pub(crate) const fn mechanism_text(name: MechanismsName, language: Language) -> 
             "joint of a robot, its torque recorded with the motion",
             "Robotergelenk, dessen Moment mit der Bewegung aufgezeichnet ist",
         ),
+        MechanismsName::hoist => ("hoist: drum, rope and load", "Hubwerk: Trommel, Seil und Last"),
         MechanismsName::table => (
             "inertia and torque over the position",
             "Massenträgheitsmoment und Moment über der Stellung",
@@ -83,6 +84,13 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
             "position, moment of inertia, holding torque; straight between the points",
             "Stellung, Massenträgheitsmoment, Haltemoment; gerade zwischen den Punkten",
         ),
+        MechanismName::Hoist(HoistName::drum_diameter) => ("diameter of the drum to the middle of the rope", "Trommeldurchmesser bis Seilmitte"),
+        MechanismName::Hoist(HoistName::falls) => ("falls of rope that carry the load", "Seilstränge, die die Last tragen"),
+        MechanismName::Hoist(HoistName::mass) => ("load with hook and lower block", "Last mit Haken und Unterflasche"),
+        MechanismName::Hoist(HoistName::inertia) => ("moment of inertia of the drum and what turns with it", "Massenträgheitsmoment der Trommel und dessen, was mit ihr dreht"),
+        MechanismName::Hoist(HoistName::rope_mass) => ("mass of all falls at position zero; neglected without it", "Masse aller Seilstränge in Position null; ohne Angabe vernachlässigt"),
+        MechanismName::Hoist(HoistName::hanging) => ("length of each fall at position zero", "Länge jedes Seilstrangs in Position null"),
+        MechanismName::Hoist(HoistName::sheave_efficiency) => ("efficiency of one sheave", "Wirkungsgrad einer Rolle"),
         MechanismName::Joint(JointName::inertia) => (
             "largest moment of inertia that the joint feels, for the ratio of inertias, the natural frequency and the brake; it is in the recorded torque already",
             "größtes Massenträgheitsmoment am Gelenk, für Trägheitsverhältnis, Eigenfrequenz und Bremse; im aufgezeichneten Moment steckt es schon",

@@ -1,0 +1,76 @@
+//! Drum, rope and load.
+
+use super::parts::{Counterweight, Friction, Losses, ProcessForce};
+use super::{Driven, MechanismName, OnFlange, sound};
+use crate::about::About;
+use crate::flange::Bearing;
+use crate::read::Reader;
+use crate::section::section;
+use crate::stated::{Field, Stated};
+use mechanism::Kind;
+use quantities::{Force, Length, Mass, MomentOfInertia};
+
+section! {
+    /// A drum that lifts a load by a rope with several falls.
+    Hoist, HoistName of About::Mechanism, MechanismName::Hoist {
+        drum_diameter: Length => positive, needed, example("320 mm");
+        falls: u32 = 1 => whole(1, 32), example("2");
+        mass: Mass => not_negative, needed;
+        inertia: MomentOfInertia => not_negative;
+        rope_mass: Mass => not_negative, example("4 kg");
+        hanging: Length => positive, example("6 m");
+        sheave_efficiency: f64 = 1.0 => within(0.5, 1.0), example("0.98");
+        ..counterweight: Counterweight;
+        ..process: ProcessForce;
+        ..friction: Friction;
+        ..losses: Losses;
+    }
+}
+
+impl Driven for Hoist {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+        let hoist = mechanism::Hoist {
+            drum_diameter: self.drum_diameter.value()?,
+            falls: self.falls(),
+            inertia: self.inertia.or_zero(),
+            mass: self.mass.value()?,
+            counterweight: self.counterweight.counterweight.or_zero(),
+            rope_mass: self.rope_mass.or_zero(),
+            hanging: self.hanging.or_zero(),
+        };
+        sound(self, hoist.faults(), reader)?;
+        Some(Kind::Hoist(hoist))
+    }
+
+    fn inertia(&self) -> Vec<&dyn Field> {
+        vec![&self.inertia, &self.mass]
+    }
+
+    fn friction(&self) -> Option<&Friction> {
+        Some(&self.friction)
+    }
+
+    fn losses(&self) -> Option<&Losses> {
+        Some(&self.losses)
+    }
+
+    fn series_efficiency(&self) -> f64 {
+        mechanism::reeving_efficiency(self.falls(), self.sheave_efficiency())
+    }
+
+    fn process_force(&self) -> Option<&Stated<Force>> {
+        Some(&self.process.process_force)
+    }
+
+    fn travel(&self) -> Option<&dyn Field> {
+        Some(&self.drum_diameter)
+    }
+
+    fn on_flange(&self) -> Option<OnFlange<'_>> {
+        Some(OnFlange::Wheel)
+    }
+
+    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+        vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
+    }
+}
