@@ -12,7 +12,8 @@ const EXAMPLES: [&str; 20] = [
     "belt-axis", "cam-table", "conveyor", "hoist",
     "indexing-table", "manual-example", "robot-joint", "screw-axis",
     "slewing-arm", "slider-crank", "stage-axis", "tilting-arm", "tolerances",
-    "turntable", "two-axes", "two-way-shuttle", ];
+    "turntable", "two-axes", "two-way-shuttle", "winder",
+];
 
 #[test]
 fn the_examples_are_all_there_and_fit() {

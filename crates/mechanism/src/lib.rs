@@ -25,6 +25,7 @@ mod slider_crank;
 mod stage;
 mod table;
 mod turntable;
+mod winder;
 
 pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Shape, inertia};
 pub use equations::Effects;
@@ -38,6 +39,7 @@ pub use rotor::{Rotor, RotorKind};
 pub use slider_crank::SliderCrank;
 pub use stage::{Stage, StageKind};
 pub use table::{Table, TableFault, TablePoint};
+pub use winder::{Winder, Winding};
 
 use drawing::Drawing;
 use equations::{Equations, Reduced};
@@ -145,6 +147,8 @@ mechanisms! {
     Table "table" table "cam-table";
     /// Drum, rope and load.
     Hoist "hoist" hoist "hoist";
+    /// A roll that grows or shrinks.
+    Winder "winder" winder "winder";
 }
 
 impl MechanismId {
@@ -186,6 +190,12 @@ macro_rules! geometry {
 geometry! {
     /// The rope of a hoist has a mass and no length.
     RopeWithoutLength "rope_without_length" at "rope_mass";
+    /// The full roll of a winder is not wider than its core.
+    FullBelowCore "full_below_core" at "full_diameter";
+    /// The roll begins thinner than its core.
+    StartBelowCore "start_below_core" at "start_diameter";
+    /// The roll begins thicker than full.
+    StartAboveFull "start_above_full" at "start_diameter";
 }
 
 impl Geometry {
@@ -284,6 +294,8 @@ kinds! {
     Joint;
     /// Drum, rope and load.
     Hoist;
+    /// A roll that grows or shrinks.
+    Winder;
 }
 
 /// A load with its friction and the efficiency of what lies between.

@@ -120,6 +120,28 @@ pub(crate) const BEGINS: [Begin; 11] = [
         ],
         set: &[("motion[1].law", "polynomial_5"), ("motion[2].law", "dwell"), ("requirements.supply", "560 V")],
     },
+    Begin {
+        mechanism: Some("winder"),
+        asked: &[
+            ("mechanism.winder.core_diameter", "90 mm"),
+            ("mechanism.winder.full_diameter", "330 mm"),
+            ("mechanism.winder.thickness", "2 mm"),
+            ("mechanism.winder.width", "400 mm"),
+            ("mechanism.winder.tension", "80 N"),
+            ("motion[1].speed", "40 1/min"),
+        ],
+        set: &[
+            ("mechanism.winder.winding", "up"),
+            ("mechanism.winder.start_diameter", "90 mm"),
+            ("mechanism.winder.density", "900 kg/m^3"),
+            ("motion[1].law", "trapezoid"),
+            ("motion[1].distance", "21600 deg"),
+            ("motion[1].acceleration", "2 rad/s^2"),
+            ("motion[2].law", "dwell"),
+            ("motion[2].time", "20 s"),
+            ("requirements.supply", "560 V"),
+        ],
+    },
 ];
 
 impl Begin {
@@ -134,7 +156,7 @@ impl Begin {
         }
         // A cycle that comes back: the same way with the other sign.
         let turns_on =
-            matches!(self.mechanism, Some("conveyor" | "turntable" | "slider_crank"));
+            matches!(self.mechanism, Some("conveyor" | "turntable" | "slider_crank" | "winder"));
         all.sort_by_key(|(path, _)| {
             (
                 !path.starts_with("mechanism") && !path.starts_with("load"),

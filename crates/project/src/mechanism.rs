@@ -66,6 +66,7 @@ mechanisms! {
     joint: Joint, JointName;
     table: Table, TableName;
     hoist: Hoist, HoistName;
+    winder: Winder, WinderName;
 }
 
 /// What loads the flange.

@@ -63,6 +63,17 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("length of each fall", "Länge jedes Strangs"),
     ("lift, laden", "heben, beladen"),
     ("lower, empty", "senken, leer"),
+    // winder
+    (
+        "A winder that takes up a foil from the core to the full roll.",
+        "Ein Wickler, der eine Folie von der leeren Hülse bis zum vollen Wickel aufnimmt.",
+    ),
+    ("\"winder\"", "\"Wickler\""),
+    ("the full roll is changed for a core", "der volle Wickel wird gegen eine Hülse getauscht"),
+    ("the radius grows by it with each turn", "um sie wächst der Radius je Umdrehung"),
+    ("core and shaft", "Hülse und Welle"),
+    ("rms values of a phase", "Effektivwerte eines Strangs"),
+    ("60 turns from the core to the full roll", "60 Umdrehungen von der Hülse bis zum vollen Wickel"),
 
     // conveyor
     ("A conveyor that moves on by one pitch and waits.", "Ein Förderer, der um eine Teilung weiterfährt und wartet."),

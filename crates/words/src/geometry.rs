@@ -10,6 +10,17 @@ pub(crate) const fn geometry(fault: Geometry, language: Language) -> &'static st
             "`rope_mass` needs `hanging`, the length of each fall at position zero",
             "`rope_mass` braucht `hanging`, die Länge jedes Strangs in Position null",
         ),
+        Geometry::FullBelowCore => (
+            "`full_diameter` must be larger than `core_diameter`",
+            "`full_diameter` muss größer als `core_diameter` sein",
+        ),
+        Geometry::StartBelowCore => (
+            "`start_diameter` must be at least `core_diameter`",
+            "`start_diameter` muss mindestens `core_diameter` sein",
+        ),
+        Geometry::StartAboveFull => {
+            ("`start_diameter` must be at most `full_diameter`", "`start_diameter` darf höchstens `full_diameter` sein")
+        }
     };
     match language {
         Language::En => en,

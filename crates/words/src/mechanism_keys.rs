@@ -2,7 +2,7 @@
 
 use project::names::{
     ArmName, BeltName, ConveyorName, HoistName, JointName, MechanismName, MechanismsName, 
-    ScrewName, SliderCrankName, TableName, TurntableName, 
+    ScrewName, SliderCrankName, TableName, TurntableName, WinderName,
 };
 use quantities::Language;
 
@@ -24,6 +24,7 @@ pub(crate) const fn mechanism_text(name: MechanismsName, language: Language) -> 
             "Robotergelenk, dessen Moment mit der Bewegung aufgezeichnet ist",
         ),
         MechanismsName::hoist => ("hoist: drum, rope and load", "Hubwerk: Trommel, Seil und Last"),
+        MechanismsName::winder => ("winder: a roll that grows or shrinks", "Wickler: ein Wickel, der wächst oder schrumpft"),
         MechanismsName::table => (
             "inertia and torque over the position",
             "Massenträgheitsmoment und Moment über der Stellung",
@@ -91,6 +92,15 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
         MechanismName::Hoist(HoistName::rope_mass) => ("mass of all falls at position zero; neglected without it", "Masse aller Seilstränge in Position null; ohne Angabe vernachlässigt"),
         MechanismName::Hoist(HoistName::hanging) => ("length of each fall at position zero", "Länge jedes Seilstrangs in Position null"),
         MechanismName::Hoist(HoistName::sheave_efficiency) => ("efficiency of one sheave", "Wirkungsgrad einer Rolle"),
+        MechanismName::Winder(WinderName::winding) => ("whether a positive rotation winds the web up or off", "ob eine positive Drehung die Bahn auf- oder abwickelt"),
+        MechanismName::Winder(WinderName::core_diameter) => ("outer diameter of the core", "Außendurchmesser der Hülse"),
+        MechanismName::Winder(WinderName::full_diameter) => ("diameter of the full roll", "Durchmesser des vollen Wickels"),
+        MechanismName::Winder(WinderName::start_diameter) => ("diameter at position zero", "Durchmesser in Position null"),
+        MechanismName::Winder(WinderName::thickness) => ("thickness of the web; the radius grows by it with each turn", "Dicke der Bahn; um sie wächst der Radius je Umdrehung"),
+        MechanismName::Winder(WinderName::width) => ("width of the web", "Breite der Bahn"),
+        MechanismName::Winder(WinderName::density) => ("density of the wound material", "Dichte des gewickelten Materials"),
+        MechanismName::Winder(WinderName::tension) => ("tension of the web, at rest too", "Bahnzug, auch im Stillstand"),
+        MechanismName::Winder(WinderName::inertia) => ("moment of inertia of core and shaft", "Massenträgheitsmoment von Hülse und Welle"),
         MechanismName::Joint(JointName::inertia) => (
             "largest moment of inertia that the joint feels, for the ratio of inertias, the natural frequency and the brake; it is in the recorded torque already",
             "größtes Massenträgheitsmoment am Gelenk, für Trägheitsverhältnis, Eigenfrequenz und Bremse; im aufgezeichneten Moment steckt es schon",

@@ -1,0 +1,166 @@
+//! `[mechanism.winder]`: a web that is wound up or off, so that the diameter changes with every turn.
+
+use crate::drawing::{Drawing, Look, Step};
+use crate::equations::{Effects, Equations, Reduced};
+use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, metres};
+use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
+use quantities::{Force, Length, MassDensity, Measure, MomentOfInertia};
+use std::f64::consts::{PI, TAU};
+
+/// Which way a positive rotation moves the web.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Winding {
+    /// Onto the roll.
+    Up,
+    /// Off the roll.
+    Off,
+}
+
+/// A winder.
+///
+/// r(q) = D_0/2 ± s q/2π, J = J_k + ½ π ρ b (r⁴ − r_k⁴), T_h = ± F r, T_u = J α + T_h
+///
+/// # Symbols
+/// D_0 diameter at q = 0, s thickness of the web, J_k inertia of core and shaft, ρ density of the wound material, b width,
+/// r_k radius of the core, F tension of the web; the upper sign winds up, the lower one off
+/// # Source
+/// docs/theory/mechanisms.md: the balance of angular momentum of the roll with the web that comes in
+/// # Valid
+/// the web comes in without slip and tightly wound. It brings the angular momentum ṁ v r = J' ω² with it, so that the
+/// change of inertia takes no torque of its own: the term ½ J' ω² of Lagrange's equation holds for a fixed mass only
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Winder {
+    /// Which way a positive rotation moves the web.
+    pub winding: Winding,
+    /// D_k: outer diameter of the core.
+    pub core_diameter: Length,
+    /// D_f: diameter of the full roll.
+    pub full_diameter: Length,
+    /// D_0: diameter at position zero, from that of the core to that of the full roll.
+    pub start_diameter: Length,
+    /// s: thickness of the web, by which the radius grows with each turn.
+    pub thickness: Length,
+    /// b: width of the web.
+    pub width: Length,
+    /// ρ: density of the wound material.
+    pub density: MassDensity,
+    /// F: tension of the web.
+    pub tension: Force,
+    /// J_k: inertia of core and shaft.
+    pub inertia: MomentOfInertia,
+}
+
+impl Winder {
+    /// What is wrong with its figures, all of it.
+    #[must_use]
+    pub fn faults(&self) -> Vec<Geometry> {
+        let (core, full, start) = (self.core_diameter.si(), self.full_diameter.si(), self.start_diameter.si());
+        Geometry::found([
+            (full <= core, Geometry::FullBelowCore),
+            (start < core, Geometry::StartBelowCore),
+            (start > full && full > core, Geometry::StartAboveFull),
+        ])
+    }
+
+    /// +1 while a positive rotation winds up, −1 while it winds off.
+    const fn sign(&self) -> f64 {
+        match self.winding {
+            Winding::Up => 1.0,
+            Winding::Off => -1.0,
+        }
+    }
+
+    /// r(q), within core and full roll \[m\].
+    fn radius(&self, position_rad: f64) -> f64 {
+        let free = 0.5 * self.start_diameter.si() + self.sign() * self.thickness.si() * position_rad / TAU;
+        free.max(0.5 * self.core_diameter.si()).min(0.5 * self.full_diameter.si())
+    }
+}
+
+impl Equations for Winder {
+    fn id(&self) -> MechanismId {
+        MechanismId::Winder
+    }
+
+    fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
+        let (r, core) = (self.radius(position_rad), 0.5 * self.core_diameter.si());
+        let web = 0.5 * PI * self.density.si() * self.width.si() * (r * r * r * r - core * core * core * core);
+        Reduced {
+            inertia: self.inertia.si() + extra.inertia.si() + web,
+            slope: 0.0,
+            holding: self.sign() * self.tension.si() * r + extra.torque.si(),
+            coulomb: 0.0,
+        }
+    }
+
+    fn with_masses(&self, factor: f64) -> Self {
+        Self { inertia: self.inertia * factor, density: self.density * factor, ..*self }
+    }
+
+    /// A polynomial of the fourth degree.
+    fn smooth_over(&self, _from_rad: f64, _to_rad: f64) -> Option<f64> {
+        Some(f64::INFINITY)
+    }
+
+    /// A full roll is changed for a core: a cycle need not come back.
+    fn endless(&self) -> Endless {
+        Endless::Never
+    }
+
+    /// From the core to the full roll.
+    fn range_rad(&self) -> Option<(f64, f64)> {
+        let turns = |diameter: Length| {
+            self.sign() * (diameter.si() - self.start_diameter.si()) / (2.0 * self.thickness.si()) * TAU
+        };
+        let (core, full) = (turns(self.core_diameter), turns(self.full_diameter));
+        Some((core.min(full), core.max(full)))
+    }
+
+    fn effects(&self) -> Effects {
+        Effects { payload: false, payload_inertia: true, process_force: false }
+    }
+
+    fn on_flange(&self) -> Option<OnFlange> {
+        Some(OnFlange { missing: None, overhang: Overhang { of_mechanism: true, of_payload: false } })
+    }
+
+    /// Tension and weight of the roll; the direction of the web is not stated, so that they add at their worst.
+    fn forces(&self, at: &Instant<'_>) -> FlangeForces {
+        let (r, core) = (self.radius(at.output.position_rad), 0.5 * self.core_diameter.si());
+        let mass = PI * self.density.si() * self.width.si() * (r * r - core * core);
+        let mut forces = FlangeForces::default();
+        forces.aligned.radial_n = mass * gravity_m_s2() + self.tension.si().abs();
+        forces.aligned.moment_nm = forces.aligned.radial_n * metres(at.mounting.overhang).abs();
+        forces
+    }
+}
+
+pub(crate) fn drawing() -> Drawing {
+    Drawing::new()
+        .line(Look::Axis, [46.0, 96.0], [244.0, 96.0])
+        .line(Look::Axis, [145.0, 8.0], [145.0, 184.0])
+        .circle(Look::Body, [145.0, 96.0], 74.0)
+        .circle(Look::Thin, [145.0, 96.0], 64.0)
+        .circle(Look::Thin, [145.0, 96.0], 54.0)
+        .face([145.0, 96.0], 30.0)
+        .path(Look::Line, [Step::Move([145.0, 22.0]), Step::Line([344.0, 22.0])])
+        .circle(Look::Housing, [300.0, 36.0], 14.0)
+        .circle(Look::Hole, [300.0, 36.0], 4.0)
+        .arrow([318.0, 22.0], [366.0, 22.0])
+        .turning([150.0, 172.0], 74.0, false, [196.0, 150.0])
+        .line(Look::Thin, [71.0, 96.0], [71.0, 186.0])
+        .line(Look::Thin, [219.0, 96.0], [219.0, 186.0])
+        .dimension([71.0, 183.0], [219.0, 183.0])
+        .line(Look::Thin, [115.0, 96.0], [115.0, 122.0])
+        .line(Look::Thin, [175.0, 96.0], [175.0, 122.0])
+        .dimension([115.0, 118.0], [175.0, 118.0])
+        .calls("full_diameter", "D_f", [206.0, 183.0], [246.0, 176.0])
+        .calls("core_diameter", "D_k", [145.0, 118.0], [145.0, 138.0])
+        .calls("start_diameter", "D_0", [96.0, 55.0], [62.0, 28.0])
+        .calls("thickness", "s", [240.0, 22.0], [240.0, 46.0])
+        .calls("width", "b", [268.0, 22.0], [268.0, 46.0])
+        .calls("tension", "F", [350.0, 22.0], [356.0, 44.0])
+        .calls("density", "ρ", [206.0, 76.0], [256.0, 82.0])
+        .calls("inertia", "J", [160.0, 80.0], [258.0, 112.0])
+        .calls("friction_torque", "T_L", [124.0, 84.0], [40.0, 68.0])
+}

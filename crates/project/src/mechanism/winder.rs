@@ -1,0 +1,71 @@
+//! A web that is wound up or off.
+
+use super::parts::{Friction, Losses};
+use super::{Driven, MechanismName, OnFlange, sound};
+use crate::about::About;
+use crate::flange::Bearing;
+use crate::read::Reader;
+use crate::section::section;
+use crate::stated::Field;
+use crate::value::choices;
+use mechanism::{Kind, Winding};
+use quantities::{Force, Length, MassDensity, MomentOfInertia};
+
+choices! {
+    Winding { Up = "up", Off = "off" }
+}
+
+section! {
+    /// A roll whose diameter changes with every turn.
+    Winder, WinderName of About::Mechanism, MechanismName::Winder {
+        winding: Winding => needed;
+        core_diameter: Length => positive, needed, example("90 mm");
+        full_diameter: Length => positive, needed, example("400 mm");
+        start_diameter: Length => positive, needed, example("90 mm");
+        thickness: Length => positive, needed, example("0.2 mm");
+        width: Length => positive, needed, example("600 mm");
+        density: MassDensity => positive, needed, example("900 kg/m^3");
+        tension: Force => not_negative, needed, example("120 N");
+        inertia: MomentOfInertia => not_negative;
+        ..friction: Friction;
+        ..losses: Losses;
+    }
+}
+
+impl Driven for Winder {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+        let winder = mechanism::Winder {
+            winding: self.winding.value()?,
+            core_diameter: self.core_diameter.value()?,
+            full_diameter: self.full_diameter.value()?,
+            start_diameter: self.start_diameter.value()?,
+            thickness: self.thickness.value()?,
+            width: self.width.value()?,
+            density: self.density.value()?,
+            tension: self.tension.value()?,
+            inertia: self.inertia.or_zero(),
+        };
+        sound(self, winder.faults(), reader)?;
+        Some(Kind::Winder(winder))
+    }
+
+    fn inertia(&self) -> Vec<&dyn Field> {
+        vec![&self.inertia, &self.density]
+    }
+
+    fn friction(&self) -> Option<&Friction> {
+        Some(&self.friction)
+    }
+
+    fn losses(&self) -> Option<&Losses> {
+        Some(&self.losses)
+    }
+
+    fn on_flange(&self) -> Option<OnFlange<'_>> {
+        Some(OnFlange::Wheel)
+    }
+
+    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+        vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
+    }
+}
