@@ -20,6 +20,7 @@ mod linear;
 mod load;
 mod loading;
 mod rotor;
+mod scissor_lift;
 mod screw;
 mod slider_crank;
 mod stage;
@@ -36,6 +37,7 @@ pub use joint::Joint;
 pub use linear::{Linear, LinearKind};
 pub use loading::{Load, Loading};
 pub use rotor::{Rotor, RotorKind};
+pub use scissor_lift::{LEAST_ANGLE_DEG, ScissorLift};
 pub use slider_crank::SliderCrank;
 pub use stage::{Stage, StageKind};
 pub use table::{Table, TableFault, TablePoint};
@@ -149,6 +151,8 @@ mechanisms! {
     Hoist "hoist" hoist "hoist";
     /// A roll that grows or shrinks.
     Winder "winder" winder "winder";
+    /// A platform on crossed arms.
+    ScissorLift "scissor_lift" scissor_lift "scissor-lift";
 }
 
 impl MechanismId {
@@ -196,6 +200,10 @@ geometry! {
     StartBelowCore "start_below_core" at "start_diameter";
     /// The roll begins thicker than full.
     StartAboveFull "start_above_full" at "start_diameter";
+    /// The arms of a lift lie flat, or nearly, at position zero.
+    Flat "arms_flat" at "arm_angle";
+    /// The arms of a lift stand upright, or beyond, at position zero.
+    Upright "arms_upright" at "arm_angle";
 }
 
 impl Geometry {
@@ -296,6 +304,8 @@ kinds! {
     Hoist;
     /// A roll that grows or shrinks.
     Winder;
+    /// A platform on crossed arms.
+    ScissorLift;
 }
 
 /// A load with its friction and the efficiency of what lies between.

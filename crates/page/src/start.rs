@@ -142,6 +142,24 @@ pub(crate) const BEGINS: [Begin; 11] = [
             ("requirements.supply", "560 V"),
         ],
     },
+    Begin {
+        mechanism: Some("scissor_lift"),
+        asked: &[
+            ("mechanism.scissor_lift.arm_length", "700 mm"),
+            ("mechanism.scissor_lift.lead", "10 mm"),
+            ("mechanism.scissor_lift.mass", "60 kg"),
+            ("motion[1].distance", "5760 deg"),
+            ("motion[1].time", "20 s"),
+            ("motion[2].time", "5 s"),
+        ],
+        set: &[
+            ("mechanism.scissor_lift.stages", "2"),
+            ("mechanism.scissor_lift.arm_angle", "20 deg"),
+            ("motion[1].law", "polynomial_5"),
+            ("motion[2].law", "dwell"),
+            ("requirements.supply", "560 V"),
+        ],
+    },
 ];
 
 impl Begin {

@@ -67,6 +67,7 @@ mechanisms! {
     table: Table, TableName;
     hoist: Hoist, HoistName;
     winder: Winder, WinderName;
+    scissor_lift: ScissorLift, ScissorLiftName;
 }
 
 /// What loads the flange.

@@ -74,6 +74,16 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("core and shaft", "Hülse und Welle"),
     ("rms values of a phase", "Effektivwerte eines Strangs"),
     ("60 turns from the core to the full roll", "60 Umdrehungen von der Hülse bis zum vollen Wickel"),
+    // scissor lift
+    (
+        "A scissor lift with two stages and a screw at the lower pin: up, wait, down.",
+        "Ein Scherenhubtisch mit zwei Scherenpaaren und einer Spindel am unteren Bolzen: heben, warten, senken.",
+    ),
+    ("\"scissor lift\"", "\"Scherenhubtisch\""),
+    ("at position zero", "in Position null"),
+    ("platform", "Plattform"),
+    ("all arms together", "alle Arme zusammen"),
+    ("16 turns draw the pins together by 160 mm", "16 Umdrehungen ziehen die Bolzen um 160 mm zusammen"),
 
     // conveyor
     ("A conveyor that moves on by one pitch and waits.", "Ein Förderer, der um eine Teilung weiterfährt und wartet."),

@@ -21,6 +21,14 @@ pub(crate) const fn geometry(fault: Geometry, language: Language) -> &'static st
         Geometry::StartAboveFull => {
             ("`start_diameter` must be at most `full_diameter`", "`start_diameter` darf höchstens `full_diameter` sein")
         }
+        Geometry::Flat => (
+            "`arm_angle` must be at least 1°: near 0° the screw lifts nothing with any force",
+            "`arm_angle` muss mindestens 1° sein: nahe 0° hebt die Spindel mit keiner Kraft",
+        ),
+        Geometry::Upright => (
+            "`arm_angle` must be less than 90°, where the arms stand upright",
+            "`arm_angle` muss kleiner als 90° sein; dort stehen die Arme senkrecht",
+        ),
     };
     match language {
         Language::En => en,

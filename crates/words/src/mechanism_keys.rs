@@ -1,7 +1,7 @@
 //! Words of the mechanisms and of their keys.
 
 use project::names::{
-    ArmName, BeltName, ConveyorName, HoistName, JointName, MechanismName, MechanismsName, 
+    ArmName, BeltName, ConveyorName, HoistName, JointName, MechanismName, MechanismsName, ScissorLiftName,
     ScrewName, SliderCrankName, TableName, TurntableName, WinderName,
 };
 use quantities::Language;
@@ -25,6 +25,7 @@ pub(crate) const fn mechanism_text(name: MechanismsName, language: Language) -> 
         ),
         MechanismsName::hoist => ("hoist: drum, rope and load", "Hubwerk: Trommel, Seil und Last"),
         MechanismsName::winder => ("winder: a roll that grows or shrinks", "Wickler: ein Wickel, der wächst oder schrumpft"),
+        MechanismsName::scissor_lift => ("scissor lift with a screw", "Scherenhubtisch mit Spindel"),
         MechanismsName::table => (
             "inertia and torque over the position",
             "Massenträgheitsmoment und Moment über der Stellung",
@@ -101,6 +102,13 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
         MechanismName::Winder(WinderName::density) => ("density of the wound material", "Dichte des gewickelten Materials"),
         MechanismName::Winder(WinderName::tension) => ("tension of the web, at rest too", "Bahnzug, auch im Stillstand"),
         MechanismName::Winder(WinderName::inertia) => ("moment of inertia of core and shaft", "Massenträgheitsmoment von Hülse und Welle"),
+        MechanismName::ScissorLift(ScissorLiftName::stages) => ("stages one above the other", "Scherenpaare übereinander"),
+        MechanismName::ScissorLift(ScissorLiftName::arm_length) => ("length of an arm between the pins at its ends", "Länge eines Arms zwischen den Endbolzen"),
+        MechanismName::ScissorLift(ScissorLiftName::lead) => ("travel of the nut per revolution, towards the fixed pin", "Steigung der Spindel, Weg der Mutter zum festen Bolzen hin"),
+        MechanismName::ScissorLift(ScissorLiftName::arm_angle) => ("angle of the arms above the horizontal at position zero", "Winkel der Arme über der Waagerechten in Position null"),
+        MechanismName::ScissorLift(ScissorLiftName::mass) => ("platform with what it always carries", "Plattform mit allem, was sie immer trägt"),
+        MechanismName::ScissorLift(ScissorLiftName::arm_mass) => ("mass of all arms together; neglected without it", "Masse aller Arme zusammen; ohne Angabe vernachlässigt"),
+        MechanismName::ScissorLift(ScissorLiftName::inertia) => ("moment of inertia of screw and coupling", "Massenträgheitsmoment von Spindel und Kupplung"),
         MechanismName::Joint(JointName::inertia) => (
             "largest moment of inertia that the joint feels, for the ratio of inertias, the natural frequency and the brake; it is in the recorded torque already",
             "größtes Massenträgheitsmoment am Gelenk, für Trägheitsverhältnis, Eigenfrequenz und Bremse; im aufgezeichneten Moment steckt es schon",

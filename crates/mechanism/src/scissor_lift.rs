@@ -1,0 +1,188 @@
+//! `[mechanism.scissor_lift]`: a platform on crossed arms that a screw draws together.
+
+use crate::drawing::{Drawing, Look};
+use crate::equations::{Effects, Equations, Reduced, beside};
+use crate::flange::{FlangeForces, Instant, Missing, OnFlange, Overhang};
+use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
+use quantities::unit::DEGREE;
+use quantities::{Angle, Length, Mass, Measure, MomentOfInertia};
+
+/// A scissor lift with a screw at the lower end of an arm.
+///
+/// b = L cos θ_0 − k q, w = √(L² − b²), h = n w, h' = n k b/w, h'' = −n k² L²/w³,
+/// J = J_s + (m + m_p) h'² + m_a (k²/4 + (n²/3 − 1/12) w'² + L² θ'²/12),
+/// T_h = (m + m_p + m_a/2) g h' + F_p h'
+///
+/// # Symbols
+/// n stages, L length of an arm between its end pins, b distance of the lower pins, w height of a stage, h height of the
+/// platform, k = lead/2π, θ angle of the arms above the horizontal with θ_0 at q = 0 and θ' = k/w, w' = k b/w, m platform,
+/// m_p payload of the segment, m_a all arms together, J_s inertia of the screw
+/// # Source
+/// docs/theory/mechanisms.md; Lagrange's equation
+/// # Valid
+/// arms pinned at their middle, of even mass; one lower pin fixed, the other on the nut; 0 < θ < 90°. Near θ = 0 the
+/// torque grows without limit
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScissorLift {
+    /// n: stages one above the other.
+    pub stages: u32,
+    /// L: length of an arm between the pins at its ends.
+    pub arm_length: Length,
+    /// Travel of the nut per turn.
+    pub lead: Length,
+    /// θ_0: angle of the arms above the horizontal at position zero.
+    pub angle: Angle,
+    /// m: platform with what it always carries.
+    pub mass: Mass,
+    /// m_a: all arms together.
+    pub arm_mass: Mass,
+    /// J_s: inertia of screw and coupling.
+    pub inertia: MomentOfInertia,
+}
+
+/// The least angle of the arms [°]: 57 times the thrust of the weight at 45°. A guess of what no lift is built for.
+pub const LEAST_ANGLE_DEG: f64 = 1.0;
+
+/// Height of a stage and the rates of the linkage at a position.
+struct Course {
+    /// w' and w'' [m/rad], [m/rad²]
+    rise: f64,
+    rise_slope: f64,
+    /// θ' and θ'' \[1\], [1/rad]
+    turn: f64,
+    turn_slope: f64,
+}
+
+impl ScissorLift {
+    /// What is wrong with its figures.
+    #[must_use]
+    pub fn faults(&self) -> Vec<Geometry> {
+        let angle = self.angle.in_unit(&DEGREE);
+        Geometry::found([(angle < LEAST_ANGLE_DEG, Geometry::Flat), (angle >= 90.0, Geometry::Upright)])
+    }
+
+    /// k [m/rad]
+    fn travel(&self) -> f64 {
+        self.lead.si() / std::f64::consts::TAU
+    }
+
+    /// b at q = 0, and the longest one, of the least angle \[m\].
+    fn bases(&self) -> (f64, f64) {
+        let (l, least) = (self.arm_length.si(), Angle::new_in(LEAST_ANGLE_DEG, &DEGREE));
+        (l * self.angle.si().cos(), l * least.si().cos())
+    }
+
+    /// b(q), between upright and the least angle \[m\].
+    fn base(&self, position_rad: f64) -> f64 {
+        let (start, most) = self.bases();
+        (start - self.travel() * position_rad).max(0.0).min(most)
+    }
+
+    fn course(&self, position_rad: f64) -> Course {
+        let (k, l, b) = (self.travel(), self.arm_length.si(), self.base(position_rad));
+        let w = (l * l - b * b).sqrt();
+        Course {
+            rise: k * b / w,
+            rise_slope: -k * k * l * l / (w * w * w),
+            turn: k / w,
+            turn_slope: -k * k * b / (w * w * w),
+        }
+    }
+}
+
+impl Equations for ScissorLift {
+    fn id(&self) -> MechanismId {
+        MechanismId::ScissorLift
+    }
+
+    fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
+        let (n, k, l) = (f64::from(self.stages), self.travel(), self.arm_length.si());
+        let Course { rise, rise_slope, turn, turn_slope } = self.course(position_rad);
+        let (carried, arms) = (self.mass.si() + extra.mass.si(), self.arm_mass.si());
+        // Σ (i + ½)² over the stages by their number: how high the centres of the arms lie.
+        let (high, wide) = (n * n / 3.0 - 1.0 / 12.0, l * l / 12.0);
+        let along = (carried + 0.5 * arms) * gravity_m_s2() + extra.force.si();
+        Reduced {
+            inertia: self.inertia.si()
+                + extra.inertia.si()
+                + carried * n * n * rise * rise
+                + arms * (0.25 * k * k + high * rise * rise + wide * turn * turn),
+            slope: 2.0 * carried * n * n * rise * rise_slope
+                + 2.0 * arms * (high * rise * rise_slope + wide * turn * turn_slope),
+            holding: n * rise * along + extra.torque.si(),
+            coulomb: 0.0,
+        }
+    }
+
+    fn with_masses(&self, factor: f64) -> Self {
+        let (mass, arm_mass, inertia) = (self.mass * factor, self.arm_mass * factor, self.inertia * factor);
+        Self { mass, arm_mass, inertia, ..*self }
+    }
+
+    /// The root has its branch points at b = ±L, on the real axis beyond the lowest position.
+    fn smooth_over(&self, from_rad: f64, to_rad: f64) -> Option<f64> {
+        let widest = self.base(from_rad).max(self.base(to_rad));
+        Some(beside((self.arm_length.si() - widest) / self.travel()))
+    }
+
+    fn endless(&self) -> Endless {
+        Endless::Never
+    }
+
+    /// From the least angle to upright.
+    fn range_rad(&self) -> Option<(f64, f64)> {
+        let (start, most) = self.bases();
+        Some(((start - most) / self.travel(), start / self.travel()))
+    }
+
+    fn effects(&self) -> Effects {
+        Effects { payload: true, payload_inertia: true, process_force: true }
+    }
+
+    fn on_flange(&self) -> Option<OnFlange> {
+        // The thrust of the screw runs along the axis.
+        let overhang = Overhang { of_mechanism: false, of_payload: false };
+        Some(OnFlange { missing: Some(Missing::FlangeShare), overhang })
+    }
+
+    fn forces(&self, at: &Instant<'_>) -> FlangeForces {
+        FlangeForces { axial_n: self.switches(at)[0], ..FlangeForces::default() }
+    }
+
+    /// The thrust of the screw \[N\].
+    fn switches(&self, at: &Instant<'_>) -> [f64; 2] {
+        let screw_less = Self { inertia: MomentOfInertia::from_si(0.0), ..*self };
+        let of_line = Extra { mass: at.extra.mass, force: at.extra.force, ..Extra::none() };
+        let reduced = screw_less.reduced(at.output.position_rad, &of_line);
+        let (omega, alpha) = (at.output.speed_rad_s, at.output.acceleration_rad_s2);
+        let torque = reduced.inertia * alpha + 0.5 * reduced.slope * omega * omega + reduced.holding + at.recorded_nm;
+        [torque / self.travel(), 0.0]
+    }
+}
+
+pub(crate) fn drawing() -> Drawing {
+    Drawing::new()
+        .line(Look::Axis, [8.0, 140.0], [372.0, 140.0])
+        .actuator([16.0, 140.0])
+        .spindle([94.0, 140.0], 220.0)
+        .rect(Look::Housing, [314.0, 128.0], [12.0, 24.0])
+        .ground([110.0, 168.0], 240.0)
+        .bar([150.0, 140.0], [330.0, 96.0], 5.0)
+        .bar([330.0, 140.0], [150.0, 96.0], 5.0)
+        .bar([150.0, 96.0], [330.0, 52.0], 5.0)
+        .bar([330.0, 96.0], [150.0, 52.0], 5.0)
+        .rect(Look::Hole, [138.0, 132.0], [24.0, 16.0])
+        .rect(Look::Body, [136.0, 34.0], [210.0, 12.0])
+        .centre([240.0, 26.0])
+        .arrow([104.0, 84.0], [104.0, 44.0])
+        .arrow([300.0, 6.0], [300.0, 30.0])
+        .calls("stages", "n", [240.0, 74.0], [366.0, 76.0])
+        .calls("arm_length", "L", [285.0, 107.0], [362.0, 112.0])
+        .calls("lead", "P", [220.0, 146.0], [220.0, 182.0])
+        .calls("mass", "m", [180.0, 40.0], [150.0, 18.0])
+        .calls("arm_mass", "m_a", [195.0, 85.0], [134.0, 76.0])
+        .calls("inertia", "J", [276.0, 146.0], [276.0, 182.0])
+        .calls("arm_angle", "θ_0", [178.0, 134.0], [182.0, 118.0])
+        .calls("process_force", "F", [300.0, 12.0], [322.0, 12.0])
+        .calls("friction_torque", "T_L", [98.0, 134.0], [110.0, 112.0])
+}

@@ -1,0 +1,67 @@
+//! A platform on crossed arms that a screw draws together.
+
+use super::parts::{Friction, Losses, ProcessForce};
+use super::{Driven, MechanismName, OnFlange, sound};
+use crate::about::About;
+use crate::flange::Bearing;
+use crate::read::Reader;
+use crate::section::section;
+use crate::stated::{Field, Stated};
+use mechanism::Kind;
+use quantities::{Angle, Force, Length, Mass, MomentOfInertia};
+
+section! {
+    /// A scissor lift with a screw at the lower end of an arm.
+    ScissorLift, ScissorLiftName of About::Mechanism, MechanismName::ScissorLift {
+        stages: u32 => whole(1, 32), needed, example("2");
+        arm_length: Length => positive, needed, example("1.2 m");
+        lead: Length => positive, needed, example("10 mm");
+        arm_angle: Angle => needed, example("20 deg");
+        mass: Mass => not_negative, needed;
+        arm_mass: Mass => not_negative, example("60 kg");
+        inertia: MomentOfInertia => not_negative;
+        ..process: ProcessForce;
+        ..friction: Friction;
+        ..losses: Losses;
+    }
+}
+
+impl Driven for ScissorLift {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+        let lift = mechanism::ScissorLift {
+            stages: self.stages.value()?,
+            arm_length: self.arm_length.value()?,
+            lead: self.lead.value()?,
+            angle: self.arm_angle.value()?,
+            mass: self.mass.value()?,
+            arm_mass: self.arm_mass.or_zero(),
+            inertia: self.inertia.or_zero(),
+        };
+        sound(self, lift.faults(), reader)?;
+        Some(Kind::ScissorLift(lift))
+    }
+
+    fn inertia(&self) -> Vec<&dyn Field> {
+        vec![&self.inertia, &self.mass]
+    }
+
+    fn friction(&self) -> Option<&Friction> {
+        Some(&self.friction)
+    }
+
+    fn losses(&self) -> Option<&Losses> {
+        Some(&self.losses)
+    }
+
+    fn process_force(&self) -> Option<&Stated<Force>> {
+        Some(&self.process.process_force)
+    }
+
+    fn on_flange(&self) -> Option<OnFlange<'_>> {
+        Some(OnFlange::Shaft)
+    }
+
+    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+        vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
+    }
+}
