@@ -13,6 +13,7 @@ mod conveyor;
 pub mod drawing;
 mod equations;
 mod flange;
+mod four_bar;
 mod friction;
 mod hoist;
 mod joint;
@@ -31,6 +32,7 @@ mod winder;
 pub use body::{Body, BodyError, BodyFault, BodyInertia, Inertia, Orientation, Shape, inertia};
 pub use equations::Effects;
 pub use flange::{Aligned, Contact, FlangeForces, Mounting};
+pub use four_bar::FourBar;
 pub use friction::Friction;
 pub use hoist::{Hoist, reeving_efficiency};
 pub use joint::Joint;
@@ -153,6 +155,8 @@ mechanisms! {
     Winder "winder" winder "winder";
     /// A platform on crossed arms.
     ScissorLift "scissor_lift" scissor_lift "scissor-lift";
+    /// Crank, coupler and rocker.
+    FourBar "four_bar" four_bar "four-bar";
 }
 
 impl MechanismId {
@@ -204,6 +208,12 @@ geometry! {
     Flat "arms_flat" at "arm_angle";
     /// The arms of a lift stand upright, or beyond, at position zero.
     Upright "arms_upright" at "arm_angle";
+    /// One link is as long as the others together, or longer: the linkage cannot be assembled.
+    NotAssembled "not_assembled" at "coupler";
+    /// Coupler and rocker are too short for the crank at its farthest: r + g ≥ c + l.
+    TooShort "crank_blocked_far" at "coupler";
+    /// Coupler and rocker differ by more than the crank leaves at its nearest: |g − r| ≤ |c − l|.
+    TooUnequal "crank_blocked_near" at "coupler";
 }
 
 impl Geometry {
@@ -306,6 +316,8 @@ kinds! {
     Winder;
     /// A platform on crossed arms.
     ScissorLift;
+    /// Crank, coupler and rocker.
+    FourBar;
 }
 
 /// A load with its friction and the efficiency of what lies between.

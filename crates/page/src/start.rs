@@ -160,6 +160,24 @@ pub(crate) const BEGINS: [Begin; 11] = [
             ("requirements.supply", "560 V"),
         ],
     },
+    Begin {
+        mechanism: Some("four_bar"),
+        asked: &[
+            ("mechanism.four_bar.ground", "400 mm"),
+            ("mechanism.four_bar.crank", "100 mm"),
+            ("mechanism.four_bar.coupler", "350 mm"),
+            ("mechanism.four_bar.rocker", "250 mm"),
+            ("mechanism.four_bar.rocker_inertia", "0.25 kg m^2"),
+            ("motion[1].speed", "25 1/min"),
+        ],
+        set: &[
+            ("mechanism.four_bar.axis_tilt", "90 deg"),
+            ("mechanism.four_bar.start_angle", "0 deg"),
+            ("motion[1].law", "constant"),
+            ("motion[1].time", "2.4 s"),
+            ("requirements.supply", "560 V"),
+        ],
+    },
 ];
 
 impl Begin {
@@ -174,7 +192,7 @@ impl Begin {
         }
         // A cycle that comes back: the same way with the other sign.
         let turns_on =
-            matches!(self.mechanism, Some("conveyor" | "turntable" | "slider_crank" | "winder"));
+            matches!(self.mechanism, Some("conveyor" | "turntable" | "slider_crank" | "winder" | "four_bar"));
         all.sort_by_key(|(path, _)| {
             (
                 !path.starts_with("mechanism") && !path.starts_with("load"),

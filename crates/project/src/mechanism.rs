@@ -68,6 +68,7 @@ mechanisms! {
     hoist: Hoist, HoistName;
     winder: Winder, WinderName;
     scissor_lift: ScissorLift, ScissorLiftName;
+    four_bar: FourBar, FourBarName;
 }
 
 /// What loads the flange.

@@ -84,7 +84,17 @@ pub const EXAMPLE_TEXTS: &[(&str, &str)] = &[
     ("platform", "Plattform"),
     ("all arms together", "alle Arme zusammen"),
     ("16 turns draw the pins together by 160 mm", "16 Umdrehungen ziehen die Bolzen um 160 mm zusammen"),
-
+    // four-bar
+    (
+        "A four-bar linkage that swings a gate to and fro while the crank goes round.",
+        "Ein Gelenkviereck, das eine Klappe hin und her schwenkt, während die Kurbel umläuft.",
+    ),
+    ("\"four-bar linkage\"", "\"Gelenkviereck\""),
+    ("crank with its disc", "Kurbel mit ihrer Scheibe"),
+    ("from the crank pin", "vom Kurbelzapfen"),
+    ("from its pivot", "von ihrem Drehpunkt"),
+    ("rocker and gate about the pivot", "Schwinge und Klappe um den Drehpunkt"),
+    ("the linkage stands upright", "das Gelenkviereck steht senkrecht"),
     // conveyor
     ("A conveyor that moves on by one pitch and waits.", "Ein Förderer, der um eine Teilung weiterfährt und wartet."),
     ("\"conveyor\"", "\"Förderer\""),

@@ -29,6 +29,18 @@ pub(crate) const fn geometry(fault: Geometry, language: Language) -> &'static st
             "`arm_angle` must be less than 90°, where the arms stand upright",
             "`arm_angle` muss kleiner als 90° sein; dort stehen die Arme senkrecht",
         ),
+        Geometry::NotAssembled => (
+            "one link is as long as the other three together: the linkage cannot be assembled",
+            "ein Glied ist so lang wie die anderen drei zusammen: das Gelenkviereck lässt sich nicht schließen",
+        ),
+        Geometry::TooShort => (
+            "the crank does not go round: crank + ground must be less than coupler + rocker",
+            "die Kurbel läuft nicht um: crank + ground muss kleiner als coupler + rocker sein",
+        ),
+        Geometry::TooUnequal => (
+            "the crank does not go round: ground and crank must differ by more than coupler and rocker",
+            "die Kurbel läuft nicht um: ground und crank müssen sich um mehr unterscheiden als coupler und rocker",
+        ),
     };
     match language {
         Language::En => en,

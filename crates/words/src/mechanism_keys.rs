@@ -1,7 +1,7 @@
 //! Words of the mechanisms and of their keys.
 
 use project::names::{
-    ArmName, BeltName, ConveyorName, HoistName, JointName, MechanismName, MechanismsName, ScissorLiftName,
+    ArmName, BeltName, ConveyorName, FourBarName, HoistName, JointName, MechanismName, MechanismsName, ScissorLiftName,
     ScrewName, SliderCrankName, TableName, TurntableName, WinderName,
 };
 use quantities::Language;
@@ -26,6 +26,7 @@ pub(crate) const fn mechanism_text(name: MechanismsName, language: Language) -> 
         MechanismsName::hoist => ("hoist: drum, rope and load", "Hubwerk: Trommel, Seil und Last"),
         MechanismsName::winder => ("winder: a roll that grows or shrinks", "Wickler: ein Wickel, der wächst oder schrumpft"),
         MechanismsName::scissor_lift => ("scissor lift with a screw", "Scherenhubtisch mit Spindel"),
+        MechanismsName::four_bar => ("four-bar linkage: crank, coupler and rocker", "Gelenkviereck: Kurbel, Koppel und Schwinge"),
         MechanismsName::table => (
             "inertia and torque over the position",
             "Massenträgheitsmoment und Moment über der Stellung",
@@ -109,6 +110,21 @@ pub(crate) const fn mechanism_key_text(name: MechanismName, language: Language) 
         MechanismName::ScissorLift(ScissorLiftName::mass) => ("platform with what it always carries", "Plattform mit allem, was sie immer trägt"),
         MechanismName::ScissorLift(ScissorLiftName::arm_mass) => ("mass of all arms together; neglected without it", "Masse aller Arme zusammen; ohne Angabe vernachlässigt"),
         MechanismName::ScissorLift(ScissorLiftName::inertia) => ("moment of inertia of screw and coupling", "Massenträgheitsmoment von Spindel und Kupplung"),
+        MechanismName::FourBar(FourBarName::ground) => ("distance of the two fixed pivots", "Abstand der beiden festen Drehpunkte"),
+        MechanismName::FourBar(FourBarName::crank) => ("length of the crank", "Länge der Kurbel"),
+        MechanismName::FourBar(FourBarName::coupler) => ("length of the coupler", "Länge der Koppel"),
+        MechanismName::FourBar(FourBarName::rocker) => ("length of the rocker", "Länge der Schwinge"),
+        MechanismName::FourBar(FourBarName::crossed) => ("true: coupler and rocker lie crossed", "true: Koppel und Schwinge liegen überkreuzt"),
+        MechanismName::FourBar(FourBarName::inertia) => ("moment of inertia of the crank and what turns with it", "Massenträgheitsmoment der Kurbel und dessen, was mit ihr dreht"),
+        MechanismName::FourBar(FourBarName::coupler_mass) => ("mass of the coupler", "Masse der Koppel"),
+        MechanismName::FourBar(FourBarName::coupler_centre) => ("distance of its centre of mass from the crank pin", "Abstand ihres Schwerpunkts vom Kurbelzapfen"),
+        MechanismName::FourBar(FourBarName::coupler_inertia) => ("moment of inertia of the coupler about its centre of mass", "Massenträgheitsmoment der Koppel um ihren Schwerpunkt"),
+        MechanismName::FourBar(FourBarName::rocker_mass) => ("mass of the rocker, for its weight", "Masse der Schwinge, für ihr Gewicht"),
+        MechanismName::FourBar(FourBarName::rocker_centre) => ("distance of its centre of mass from its pivot", "Abstand ihres Schwerpunkts vom Drehpunkt"),
+        MechanismName::FourBar(FourBarName::rocker_inertia) => ("moment of inertia of the rocker and its load about its pivot", "Massenträgheitsmoment von Schwinge und Last um den Drehpunkt"),
+        MechanismName::FourBar(FourBarName::rocker_torque) => ("torque on the rocker against its positive direction", "Moment an der Schwinge gegen ihre positive Richtung"),
+        MechanismName::FourBar(FourBarName::axis_tilt) => ("tilt of the axes from the vertical; 90 deg where the linkage stands upright", "Neigung der Achsen gegen die Senkrechte; 90 deg bei stehendem Gelenkviereck"),
+        MechanismName::FourBar(FourBarName::inclination) => ("angle of the fixed link above the horizontal, from crank to rocker", "Winkel des Gestells über der Waagerechten, von der Kurbel zur Schwinge"),
         MechanismName::Joint(JointName::inertia) => (
             "largest moment of inertia that the joint feels, for the ratio of inertias, the natural frequency and the brake; it is in the recorded torque already",
             "größtes Massenträgheitsmoment am Gelenk, für Trägheitsverhältnis, Eigenfrequenz und Bremse; im aufgezeichneten Moment steckt es schon",

@@ -1,0 +1,269 @@
+//! `[mechanism.four_bar]`: crank, coupler and rocker on a fixed link.
+
+use crate::drawing::{Drawing, Look};
+use crate::equations::{Effects, Equations, Reduced, TWELFTH_RAD, beside};
+use crate::flange::{FlangeForces, Instant, OnFlange, Overhang, metres};
+use crate::{Endless, Extra, Geometry, MechanismId, gravity_m_s2};
+use quantities::{Angle, Length, Mass, Measure, MomentOfInertia, Torque};
+
+/// A four-bar linkage whose crank goes round.
+///
+/// r e^{iq} + c e^{iβ} = g + l e^{iψ},
+/// J = J_1 + m_c |v_c|² + J_c β'² + J_r ψ'², |v_c|² = r² + s² β'² + 2 r s β' cos(q − β),
+/// T_h = g_n sin δ (m_c y_c' + m_r y_r') + T_r ψ'
+///
+/// # Symbols
+/// g fixed link, r crank, c coupler, l rocker \[m\]; q, β, ψ their angles against the fixed link, q = 0 along it towards
+/// the rocker's pivot; J_1 inertia of the crank, m_c, J_c, s mass, inertia about its centre and its distance from the
+/// crank pin of the coupler, m_r mass of the rocker, J_r its inertia about its pivot with what it drives, T_r torque on the
+/// rocker against increasing ψ; y height of a centre of mass, δ tilt of the axes from the vertical
+/// # Source
+/// docs/theory/mechanisms.md: the closed loop and its two derivatives, Lagrange's equation
+/// # Valid
+/// the crank can go round: see [`FourBar::faults`]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FourBar {
+    /// g: distance of the two fixed pivots.
+    pub ground: Length,
+    /// r: crank.
+    pub crank: Length,
+    /// c: coupler.
+    pub coupler: Length,
+    /// l: rocker.
+    pub rocker: Length,
+    /// Whether coupler and rocker lie crossed: the joint between them on the other side of the diagonal.
+    pub is_crossed: bool,
+    /// J_1: inertia of what turns with the crank.
+    pub inertia: MomentOfInertia,
+    /// m_c: mass of the coupler.
+    pub coupler_mass: Mass,
+    /// s: distance of its centre from the crank pin, along the coupler.
+    pub coupler_centre: Length,
+    /// J_c: its inertia about its centre.
+    pub coupler_inertia: MomentOfInertia,
+    /// m_r: mass of the rocker.
+    pub rocker_mass: Mass,
+    /// s_r: distance of its centre from its pivot, along the rocker.
+    pub rocker_centre: Length,
+    /// J_r: its inertia about its pivot, with the load that it drives.
+    pub rocker_inertia: MomentOfInertia,
+    /// T_r: torque on the rocker, against increasing ψ.
+    pub rocker_torque: Torque,
+    /// γ: angle of the fixed link above the horizontal, from crank to rocker.
+    pub inclination: Angle,
+    /// δ: tilt of the axes from the vertical; 90° makes the plane of the linkage vertical.
+    pub tilt: Angle,
+}
+
+/// Angles of coupler and rocker with their first and second derivatives by q.
+struct Course {
+    q: f64,
+    beta: [f64; 3],
+    psi: [f64; 3],
+}
+
+type Vector = [f64; 2];
+
+fn polar(length: f64, angle: f64) -> Vector {
+    [length * angle.cos(), length * angle.sin()]
+}
+
+impl FourBar {
+    fn lengths(&self) -> [f64; 4] {
+        [self.ground.si(), self.crank.si(), self.coupler.si(), self.rocker.si()]
+    }
+
+    /// What is wrong with its lengths, all of it. A crank that goes round needs every diagonal between |g − r| and g + r to
+    /// close a triangle with coupler and rocker (Grashof's condition with the crank or the fixed link as the shortest).
+    #[must_use]
+    pub fn faults(&self) -> Vec<Geometry> {
+        let [g, r, c, l] = self.lengths();
+        let longest = g.max(r).max(c).max(l);
+        if 2.0 * longest >= g + r + c + l {
+            return vec![Geometry::NotAssembled];
+        }
+        Geometry::found([(r + g >= c + l, Geometry::TooShort), ((g - r).abs() <= (c - l).abs(), Geometry::TooUnequal)])
+    }
+
+    /// The angles by the law of cosines on the diagonal from the rocker's pivot to the crank pin, their rates from the
+    /// loop r i e^{iq} + c i β' e^{iβ} = l i ψ' e^{iψ} and its derivative.
+    fn course(&self, q: f64) -> Course {
+        let [g, r, c, l] = self.lengths();
+        let (x, y) = (r * q.cos() - g, r * q.sin());
+        let squared = x * x + y * y;
+        let cosine = (l * l + squared - c * c) / (2.0 * l * squared.sqrt());
+        let corner = cosine.clamp(-1.0, 1.0).acos();
+        let psi = y.atan2(x) + if self.is_crossed { corner } else { -corner };
+        let beta = (l * psi.sin() - y).atan2(l * psi.cos() - x);
+        let across = (psi - beta).sin();
+        let (beta_1, psi_1) = (r * (q - psi).sin() / (c * across), r * (q - beta).sin() / (l * across));
+        let along = (psi - beta).cos();
+        let psi_2 = (r * (q - beta).cos() + c * beta_1 * beta_1 - l * psi_1 * psi_1 * along) / (l * across);
+        let beta_2 = (r * (q - psi).cos() + c * beta_1 * beta_1 * along - l * psi_1 * psi_1) / (c * across);
+        Course { q, beta: [beta, beta_1, beta_2], psi: [psi, psi_1, psi_2] }
+    }
+
+    /// Weight per mass in the plane of the linkage, as a vector \[m/s²\].
+    fn gravity(&self) -> Vector {
+        let across = gravity_m_s2() * self.tilt.si().sin();
+        let gamma = self.inclination.si();
+        [-across * gamma.sin(), -across * gamma.cos()]
+    }
+
+    /// Acceleration of the coupler's centre [m/s²].
+    fn coupler_acceleration(&self, course: &Course, [omega, alpha]: [f64; 2]) -> Vector {
+        let (r, s) = (self.crank.si(), self.coupler_centre.si());
+        let [beta, first, second] = course.beta;
+        let mut sum = [0.0; 2];
+        for (length, angle, rate, change) in
+            [(r, course.q, omega, alpha), (s, beta, first * omega, first * alpha + second * omega * omega)]
+        {
+            let [ex, ey] = polar(length, angle);
+            let [x, y] = &mut sum;
+            *x += -rate * rate * ex - change * ey;
+            *y += -rate * rate * ey + change * ex;
+        }
+        sum
+    }
+
+    /// Force of the crank pin on the coupler, in the plane of the linkage \[N\].
+    ///
+    /// The rocker's moment about its pivot and the coupler's about the crank pin give the force between them; Newton's law
+    /// for the coupler gives the one at the pin.
+    fn pin_force(&self, course: &Course, rates: [f64; 2]) -> Vector {
+        let [_, _, c, l] = self.lengths();
+        let [omega, alpha] = rates;
+        let acceleration = |[_, first, second]: [f64; 3]| first * alpha + second * omega * omega;
+        let cross = |[ax, ay]: Vector, [bx, by]: Vector| ax * by - ay * bx;
+        let gravity = self.gravity();
+        let (rocker, coupler) = (polar(l, course.psi[0]), polar(c, course.beta[0]));
+        // B × on the rocker: J_r ψ̈ = l × B + s_r × m_r g − T_r.
+        let on_rocker = self.rocker_inertia.si() * acceleration(course.psi) + self.rocker_torque.si()
+            - self.rocker_mass.si() * cross(polar(self.rocker_centre.si(), course.psi[0]), gravity);
+        // On the coupler −B: J_c β̈ + s × m_c (a − g) = −c × B.
+        let mass = self.coupler_mass.si();
+        let [ax, ay] = self.coupler_acceleration(course, rates);
+        let lacking = [mass * (ax - gravity[0]), mass * (ay - gravity[1])];
+        let on_coupler = -self.coupler_inertia.si() * acceleration(course.beta)
+            - cross(polar(self.coupler_centre.si(), course.beta[0]), lacking);
+        // l × B and c × B by Cramer's rule.
+        let across = cross(rocker, coupler);
+        let force = [
+            (on_rocker * coupler[0] - on_coupler * rocker[0]) / across,
+            (on_rocker * coupler[1] - on_coupler * rocker[1]) / across,
+        ];
+        [lacking[0] + force[0], lacking[1] + force[1]]
+    }
+}
+
+impl Equations for FourBar {
+    fn id(&self) -> MechanismId {
+        MechanismId::FourBar
+    }
+
+    fn reduced(&self, position_rad: f64, extra: &Extra) -> Reduced {
+        let course = self.course(position_rad);
+        let (q, [beta, beta_1, beta_2], [psi, psi_1, psi_2]) = (course.q, course.beta, course.psi);
+        let (r, s) = (self.crank.si(), self.coupler_centre.si());
+        let (mass, turning, rocker) = (self.coupler_mass.si(), self.coupler_inertia.si(), self.rocker_inertia.si());
+        let (sine, cosine) = (q - beta).sin_cos();
+        let speed = r * r + s * s * beta_1 * beta_1 + 2.0 * r * s * beta_1 * cosine;
+        let speed_slope =
+            2.0 * s * s * beta_1 * beta_2 + 2.0 * r * s * (beta_2 * cosine - beta_1 * (1.0 - beta_1) * sine);
+        let [gx, gy] = self.gravity();
+        // −g · d(centre)/dq
+        let rise = |parts: &[(f64, f64, f64)]| {
+            parts.iter().map(|(length, angle, rate)| length * rate * (gx * angle.sin() - gy * angle.cos())).sum::<f64>()
+        };
+        let weight = mass * rise(&[(r, q, 1.0), (s, beta, beta_1)])
+            + self.rocker_mass.si() * rise(&[(self.rocker_centre.si(), psi, psi_1)]);
+        Reduced {
+            inertia: self.inertia.si()
+                + extra.inertia.si()
+                + mass * speed
+                + turning * beta_1 * beta_1
+                + rocker * psi_1 * psi_1,
+            slope: mass * speed_slope + 2.0 * turning * beta_1 * beta_2 + 2.0 * rocker * psi_1 * psi_2,
+            holding: weight + self.rocker_torque.si() * psi_1 + extra.torque.si(),
+            coulomb: 0.0,
+        }
+    }
+
+    fn with_masses(&self, factor: f64) -> Self {
+        Self {
+            inertia: self.inertia * factor,
+            coupler_mass: self.coupler_mass * factor,
+            coupler_inertia: self.coupler_inertia * factor,
+            rocker_mass: self.rocker_mass * factor,
+            rocker_inertia: self.rocker_inertia * factor,
+            ..*self
+        }
+    }
+
+    /// Branch points where coupler and rocker are in line, cos q = (g² + r² − (c ± l)²)/2gr, and where the diagonal
+    /// vanishes, cos q = (g² + r²)/2gr; all at arcosh |cos q| beside the real axis.
+    fn smooth_over(&self, _from_rad: f64, _to_rad: f64) -> Option<f64> {
+        let [g, r, c, l] = self.lengths();
+        let nearest = [c + l, c - l, 0.0]
+            .map(|diagonal| ((g * g + r * r - diagonal * diagonal) / (2.0 * g * r)).abs().max(1.0).acosh())
+            .into_iter()
+            .fold(f64::INFINITY, f64::min);
+        Some(TWELFTH_RAD.min(beside(nearest)))
+    }
+
+    fn endless(&self) -> Endless {
+        Endless::EachRevolution
+    }
+
+    fn effects(&self) -> Effects {
+        Effects { payload: false, payload_inertia: true, process_force: false }
+    }
+
+    fn on_flange(&self) -> Option<OnFlange> {
+        Some(OnFlange { missing: None, overhang: Overhang { of_mechanism: true, of_payload: false } })
+    }
+
+    /// The force of the coupler on the crank pin; where along the way the losses arise is not known, so that it counts
+    /// before them in any case.
+    fn forces(&self, at: &Instant<'_>) -> FlangeForces {
+        let course = self.course(at.output.position_rad);
+        let [x, y] = self.pin_force(&course, [at.output.speed_rad_s, at.output.acceleration_rad_s2]);
+        let mut forces = FlangeForces::default();
+        let force = [-x / at.efficiency_driving, -y / at.efficiency_driving, 0.0];
+        forces.act([0.0, 0.0, metres(at.mounting.overhang)], force);
+        forces
+    }
+}
+
+pub(crate) fn drawing() -> Drawing {
+    let (crank, rocker, pin, joint) = ([92.0, 128.0], [290.0, 128.0], [114.0, 84.0], [250.0, 44.0]);
+    Drawing::new()
+        .line(Look::Axis, [30.0, 128.0], [352.0, 128.0])
+        .face(crank, 40.0)
+        .pivot(rocker)
+        .bar(rocker, joint, 8.0)
+        .bar(crank, pin, 8.0)
+        .bar(pin, joint, 6.0)
+        .centre([176.0, 66.0])
+        .centre([271.0, 88.0])
+        .turning([142.0, 128.0], 50.0, false, [117.0, 85.0])
+        .turning([330.0, 110.0], 44.0, false, [304.0, 86.0])
+        .line(Look::Thin, crank, [92.0, 184.0])
+        .line(Look::Thin, [290.0, 150.0], [290.0, 184.0])
+        .dimension([92.0, 180.0], [290.0, 180.0])
+        .calls("ground", "g", [180.0, 180.0], [180.0, 166.0])
+        .calls("crank", "r", [103.0, 106.0], [72.0, 70.0])
+        .calls("coupler", "c", [214.0, 55.0], [208.0, 32.0])
+        .calls("rocker", "l", [281.0, 109.0], [248.0, 108.0])
+        .calls("inertia", "J", [72.0, 152.0], [40.0, 172.0])
+        .calls("coupler_mass", "m_c", [172.0, 60.0], [150.0, 36.0])
+        .calls("coupler_centre", "s_c", [146.0, 74.0], [118.0, 54.0])
+        .calls("coupler_inertia", "J_c", [180.0, 70.0], [198.0, 92.0])
+        .calls("rocker_mass", "m_r", [276.0, 84.0], [308.0, 64.0])
+        .calls("rocker_centre", "s_r", [284.0, 118.0], [244.0, 136.0])
+        .calls("rocker_inertia", "J_r", [262.0, 68.0], [288.0, 40.0])
+        .calls("rocker_torque", "T_r", [330.0, 106.0], [354.0, 92.0])
+        .calls("start_angle", "φ_0", [140.0, 114.0], [166.0, 118.0])
+        .calls("inclination", "γ", [346.0, 128.0], [364.0, 142.0])
+        .calls("friction_torque", "T_L", [60.0, 116.0], [28.0, 104.0])
+}

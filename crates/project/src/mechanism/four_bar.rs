@@ -1,0 +1,83 @@
+//! Crank, coupler and rocker.
+
+use super::parts::{Friction, Losses, StartAngle};
+use super::{Driven, MechanismName, OnFlange, sound};
+use crate::about::About;
+use crate::flange::Bearing;
+use crate::read::Reader;
+use crate::section::section;
+use crate::stated::{Field, Stated};
+use mechanism::Kind;
+use quantities::{Angle, Length, Mass, MomentOfInertia, Torque};
+
+section! {
+    /// A four-bar linkage whose crank goes round.
+    FourBar, FourBarName of About::Mechanism, MechanismName::FourBar {
+        ground: Length => positive, needed, example("400 mm");
+        crank: Length => positive, needed, example("100 mm");
+        coupler: Length => positive, needed, example("350 mm");
+        rocker: Length => positive, needed, example("250 mm");
+        crossed: bool;
+        inertia: MomentOfInertia => not_negative;
+        coupler_mass: Mass => not_negative;
+        coupler_centre: Length => not_negative, example("175 mm");
+        coupler_inertia: MomentOfInertia => not_negative;
+        rocker_mass: Mass => not_negative;
+        rocker_centre: Length => not_negative, example("125 mm");
+        rocker_inertia: MomentOfInertia => not_negative;
+        rocker_torque: Torque;
+        axis_tilt: Angle => needed;
+        inclination: Angle;
+        ..start: StartAngle;
+        ..friction: Friction;
+        ..losses: Losses;
+    }
+}
+
+impl Driven for FourBar {
+    fn kind(&self, reader: &mut Reader<'_>) -> Option<Kind> {
+        let linkage = mechanism::FourBar {
+            ground: self.ground.value()?,
+            crank: self.crank.value()?,
+            coupler: self.coupler.value()?,
+            rocker: self.rocker.value()?,
+            is_crossed: self.crossed.value().unwrap_or(false),
+            inertia: self.inertia.or_zero(),
+            coupler_mass: self.coupler_mass.or_zero(),
+            coupler_centre: self.coupler_centre.or_zero(),
+            coupler_inertia: self.coupler_inertia.or_zero(),
+            rocker_mass: self.rocker_mass.or_zero(),
+            rocker_centre: self.rocker_centre.or_zero(),
+            rocker_inertia: self.rocker_inertia.or_zero(),
+            rocker_torque: self.rocker_torque.or_zero(),
+            inclination: self.inclination.or_zero(),
+            tilt: self.axis_tilt.value()?,
+        };
+        sound(self, linkage.faults(), reader)?;
+        Some(Kind::FourBar(linkage))
+    }
+
+    fn inertia(&self) -> Vec<&dyn Field> {
+        vec![&self.inertia, &self.coupler_mass, &self.coupler_inertia, &self.rocker_inertia]
+    }
+
+    fn friction(&self) -> Option<&Friction> {
+        Some(&self.friction)
+    }
+
+    fn losses(&self) -> Option<&Losses> {
+        Some(&self.losses)
+    }
+
+    fn start_angle(&self) -> Option<&Stated<Angle>> {
+        Some(&self.start.start_angle)
+    }
+
+    fn on_flange(&self) -> Option<OnFlange<'_>> {
+        Some(OnFlange::Wheel)
+    }
+
+    fn flange_keys<'b>(&self, bearing: &'b Bearing) -> Vec<&'b dyn Field> {
+        vec![&bearing.overhang, &bearing.flange_share, &bearing.wheel_mass, &bearing.axis_tilt]
+    }
+}
