@@ -9,7 +9,7 @@ use testkit::agrees;
 
 #[rustfmt::skip] // several to a line
 const EXAMPLES: [&str; 20] = [
-    "belt-axis", "cam-table", "conveyor", "four-bar", "hoist",
+    "belt-axis", "cam-motion", "cam-table", "conveyor", "four-bar", "hoist",
     "indexing-table", "manual-example", "robot-joint", "scissor-lift", "screw-axis",
     "slewing-arm", "slider-crank", "stage-axis", "tilting-arm", "tolerances",
     "turntable", "two-axes", "two-way-shuttle", "winder",

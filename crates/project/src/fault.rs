@@ -3,7 +3,7 @@
 use crate::{Column, ids};
 use actuator::{BatteryFault, CurveFault};
 use mechanism::{BodyError, Geometry, TableFault};
-use motion::{MoveFault, RecordedFault};
+use motion::{MoveFault, PointsFault, RecordedFault};
 use order_code::CodeError;
 use quantities::{Dimension, QuantityError, Unit};
 use sizing::TooManyInstants;
@@ -248,6 +248,12 @@ pub enum Fault {
         /// Travel per angle [m/rad] where the segment is stated along a line.
         travel_m_per_rad: Option<f64>,
     },
+    /// Points of a cam table that make no motion.
+    Points(PointsFault),
+    /// A point of a cam table in other quantities than the first one.
+    UnlikeFirstPoint,
+    /// The speed of a master beside points over the time.
+    MasterOfTimes,
     /// A motion over too many revolutions under a load that depends on the position.
     Instants(TooManyInstants),
     /// A unit that is not known.
@@ -392,6 +398,14 @@ impl Fault {
             Self::ToothAngle { .. } => "tooth_angle",
             Self::JointWithoutTorque => "joint_without_torque",
             Self::Move { fault, .. } => ids::motion(fault),
+            Self::Points(fault) => match fault {
+                PointsFault::TooFew { .. } => "points_too_few",
+                PointsFault::NotFinite { .. } => "points_not_finite",
+                PointsFault::NotIncreasing { .. } => "points_not_increasing",
+                PointsFault::Uneven => "points_uneven",
+            },
+            Self::UnlikeFirstPoint => "unlike_first_point",
+            Self::MasterOfTimes => "master_of_times",
             Self::Instants(_) => "too_many_instants",
             Self::UnknownUnit { .. } => "unknown_unit",
             Self::File { .. } => "file_unreadable",

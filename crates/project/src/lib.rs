@@ -154,6 +154,8 @@ pub enum Assumption {
     RecordedTorqueAdds,
     /// Speed and acceleration are differences of a recorded position, not smoothed.
     RecordedPositionDifferentiated,
+    /// Between the points of a cam table the motion is a spline, so many times continuous.
+    SplineThroughPoints(Spline),
 }
 
 impl Assumption {
@@ -192,6 +194,8 @@ impl Assumption {
         Self::MotorHolds,
         Self::RecordedTorqueAdds,
         Self::RecordedPositionDifferentiated,
+        Self::SplineThroughPoints(Spline::Cubic),
+        Self::SplineThroughPoints(Spline::Quintic),
     ];
 }
 

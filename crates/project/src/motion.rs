@@ -52,6 +52,13 @@ section! {
         process_force: Force;
         process_torque: Torque;
         bearing: FlangeLoads;
+        points: Rows<CamPoint> => example("[[\"0 s\", \"0 deg\"], [\"0.2 s\", \"30 deg\"], [\"0.5 s\", \"90 deg\"]]");
+        master_speed: AngularVelocity => positive;
+        spline: Spline;
+        ends: CamEnds;
+        start_speed: Along<AngularVelocity>;
+        start_acceleration: Along<AngularAcceleration>;
+        end_acceleration: Along<AngularAcceleration>;
     }
 }
 
@@ -64,7 +71,7 @@ const MOVE_ON: &[&str] = names!(Segment: distance time speed acceleration end_sp
 
 /// The laws of motion.
 #[rustfmt::skip] // one line per law
-const LAWS: [Entry; 13] = [
+const LAWS: [Entry; 14] = [
     ("manual", SegmentLaw::Manual, names!(Segment: speed accelerate run brake pause), &[]),
     ("trapezoid", SegmentLaw::Law(Law::Trapezoid), &[], MOVE_ON),
     ("triangle", SegmentLaw::Law(Law::Triangle), &[], MOVE),
@@ -79,6 +86,7 @@ const LAWS: [Entry; 13] = [
     ("constant", SegmentLaw::Law(Law::Constant), names!(Segment: speed), names!(Segment: time distance)),
     ("dwell", SegmentLaw::Dwell, names!(Segment: time), names!(Segment: hold)),
     ("recorded", SegmentLaw::Recorded, names!(Segment: file), names!(Segment: columns units from to smoothing standstill gaps)),
+    ("points", SegmentLaw::Points, names!(Segment: points spline ends), names!(Segment: master_speed start_speed end_speed start_acceleration end_acceleration)),
 ];
 
 impl OfKinds for Segment {
@@ -110,6 +118,8 @@ pub enum SegmentLaw {
     Dwell,
     /// A recording.
     Recorded,
+    /// A spline through the points of a cam table.
+    Points,
 }
 
 impl SegmentLaw {
@@ -162,6 +172,11 @@ impl SegmentLaw {
             })),
             Self::Dwell => Some(SegmentSpec::Dwell(second(1.0), Hold::Motor)),
             Self::Recorded => None,
+            Self::Points => {
+                let points = [(0.0, 0.0), (1.0 / 3.0, 0.4), (2.0 / 3.0, 0.6), (1.0, 1.0)];
+                let points = points.map(|(time, position)| (second(time), Angle::from_si(position)));
+                Some(SegmentSpec::Points(Points::new(&points, Spline::Cubic, Ends::Rest).ok()?.into()))
+            }
         }
     }
 
@@ -205,7 +220,45 @@ pub(crate) enum Gaps {
     Allow,
 }
 
+/// What holds at both ends of a cam table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum CamEnds {
+    Rest,
+    Natural,
+    Periodic,
+    Stated,
+}
+
+/// A point of a cam table: an instant or an angle of the master, and the position there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CamPoint([Cell; 2]);
+
+impl Row for CamPoint {
+    const COLUMNS: &'static [Column] = &[&[Dimension::Time, Dimension::Angle], &[Dimension::Angle, Dimension::Length]];
+
+    fn of(cells: &[Cell]) -> Option<Self> {
+        cells.try_into().ok().map(Self)
+    }
+
+    fn cells(&self) -> Vec<Cell> {
+        self.0.to_vec()
+    }
+
+    fn is_of_a_line(&self) -> bool {
+        self.measures()[1] == Dimension::Length
+    }
+}
+
+impl CamPoint {
+    /// What its columns measure.
+    fn measures(&self) -> [Dimension; 2] {
+        self.0.map(|(dimension, _)| dimension)
+    }
+}
+
 choices! {
+    Spline { Cubic = "cubic", Quintic = "quintic" }
+    CamEnds { Rest = "rest", Natural = "natural", Periodic = "periodic", Stated = "stated" }
     Hold { Motor = "motor", Brake = "brake", Free = "free" }
     Gaps { Allow = "allow" }
 }
@@ -232,6 +285,7 @@ impl Segment {
     pub(crate) fn speed_follows_from(&self, reaches_its_speed: bool) -> Vec<&dyn Field> {
         let all: Vec<&dyn Field> = match self.law.value() {
             Some(SegmentLaw::Recorded) => vec![&self.file],
+            Some(SegmentLaw::Points) => vec![&self.points, &self.master_speed],
             Some(SegmentLaw::Manual) => vec![&self.speed],
             Some(SegmentLaw::Law(_) | SegmentLaw::Dwell) | None if reaches_its_speed => vec![&self.speed],
             Some(SegmentLaw::Law(_) | SegmentLaw::Dwell) | None => {
@@ -250,8 +304,8 @@ impl Segment {
                 self.speed.span()
             }
             MoveFault::AccelerationTooLow { .. } => self.acceleration.span(),
+            MoveFault::PointsSpeedJumps { .. } => self.points.span(),
             MoveFault::NoSegment
-            | MoveFault::PointsSpeedJumps { .. }
             | MoveFault::NoDuration
             | MoveFault::NotDetermined { .. }
             | MoveFault::OutOfRange
@@ -295,10 +349,110 @@ impl Segment {
                 brake: self.brake.value()?,
                 pause: self.pause.value()?,
             })),
+            SegmentLaw::Points => self.through_points(given.end_speed, travel, reader).map(SegmentSpec::Points),
             SegmentLaw::Recorded => crate::recorded::motion(self, travel, reader).map(SegmentSpec::Recorded),
             SegmentLaw::Dwell => Some(SegmentSpec::Dwell(given.time?, self.hold())),
             // A value that was refused is reported; without it the move would only seem undetermined.
             SegmentLaw::Law(law) => self.is_whole().then_some(SegmentSpec::Move(law, given)),
+        }
+    }
+}
+
+impl Segment {
+    /// The spline through its points; all that is wrong with them is reported, with the ends that the spline needs.
+    fn through_points(
+        &self,
+        end_speed: Option<AngularVelocity>,
+        travel: Option<f64>,
+        reader: &mut Reader<'_>,
+    ) -> Option<Arc<Points>> {
+        let before = reader.fault_count();
+        let (spline, ends) = (self.spline.value(), self.ends.value());
+        self.end_keys(spline, ends, reader);
+        let mut acceleration = |stated| turned(stated, travel, reader).unwrap_or_else(|| Measure::from_si(0.0));
+        let [first, last] = [&self.start_acceleration, &self.end_acceleration].map(&mut acceleration);
+        let first_speed = turned(&self.start_speed, travel, reader);
+        let ends = ends.map(|ends| match ends {
+            CamEnds::Rest => Ends::Rest,
+            CamEnds::Natural => Ends::Natural,
+            CamEnds::Periodic => Ends::Periodic,
+            CamEnds::Stated => {
+                let speed = |speed: Option<AngularVelocity>| speed.unwrap_or_else(|| Measure::from_si(0.0));
+                let [first_speed, end_speed] = [first_speed, end_speed].map(speed);
+                Ends::Stated(
+                    EndState { speed: first_speed, acceleration: first },
+                    EndState { speed: end_speed, acceleration: last },
+                )
+            }
+        });
+        let rows = self.points.get()?.0.as_slice();
+        let measures = rows.first().map(|(point, _)| point.measures());
+        for (_, span) in rows.iter().filter(|(point, _)| Some(point.measures()) != measures) {
+            reader.fault(span.clone(), Fault::UnlikeFirstPoint, None);
+        }
+        let over_master = measures.is_some_and(|[over, _]| over == Dimension::Angle);
+        if over_master {
+            needs(&self.points, &self.master_speed, reader);
+        } else if self.master_speed.is_given() {
+            reader.fault(self.master_speed.span(), Fault::MasterOfTimes, None);
+        }
+        let along_a_line = measures.is_some_and(|[_, position]| position == Dimension::Length);
+        if along_a_line && travel.is_none() {
+            reader.fault(self.points.span(), Fault::NoLine { path: self.points.path() }, None);
+        }
+        if reader.fault_count() > before && rows.iter().any(|(point, _)| Some(point.measures()) != measures) {
+            return None;
+        }
+        // Without them the points are judged in their own units.
+        let per_second = self.master_speed.value().filter(|_| over_master).map_or(1.0, Measure::si);
+        let per_turn = travel.filter(|_| along_a_line).unwrap_or(1.0);
+        let points: Vec<(Time, Angle)> = rows
+            .iter()
+            .map(|(CamPoint([(_, over), (_, position)]), _)| {
+                (Time::from_si(over / per_second), Angle::from_si(position / per_turn))
+            })
+            .collect();
+        // What the spline needs of the points is reported without its keys too.
+        match Points::new(&points, spline.unwrap_or(Spline::Cubic), ends.unwrap_or(Ends::Rest)) {
+            Ok(found) if spline.is_some() && ends.is_some() && reader.fault_count() == before => Some(found.into()),
+            Ok(_) => None,
+            Err(faults) => {
+                for fault in faults {
+                    let row = match fault {
+                        PointsFault::NotFinite { index } | PointsFault::NotIncreasing { index } => rows.get(index),
+                        PointsFault::TooFew { .. } | PointsFault::Uneven => None,
+                    };
+                    let span = row.map_or_else(|| self.points.span(), |(_, span)| span.clone());
+                    reader.fault(span, Fault::Points(fault), None);
+                }
+                None
+            }
+        }
+    }
+
+    /// Reports speeds and accelerations at the ends that are missing, or that spline and ends do not have.
+    fn end_keys(&self, spline: Option<Spline>, ends: Option<CamEnds>, reader: &mut Reader<'_>) {
+        let Some(ends) = ends else { return };
+        let fields: [(&dyn Field, bool); 4] = [
+            (&self.start_speed, true),
+            (&self.end_speed, true),
+            (&self.start_acceleration, spline != Some(Spline::Cubic)),
+            (&self.end_acceleration, spline != Some(Spline::Cubic)),
+        ];
+        for (field, of_spline) in fields {
+            let other = if ends != CamEnds::Stated {
+                Some((self.ends.name(), ends.written()))
+            } else {
+                (!of_spline).then(|| (self.spline.name(), Spline::Cubic.written()))
+            };
+            match other {
+                Some((by, kind)) if field.is_given() => {
+                    let fault = Fault::KeyOfAnotherKind { path: field.path(), by, kind };
+                    reader.fault(field.span(), fault, None);
+                }
+                None if spline.is_some() => needs(&self.ends, field, reader),
+                Some(_) | None => {}
+            }
         }
     }
 }
@@ -427,6 +581,8 @@ pub(crate) fn assumptions(axis: &AxisSection, driven: Option<&dyn Driven>, found
     if !driven.is_some_and(Driven::torque_is_recorded) && segments.iter().any(Segment::has_torque) {
         found.push(Assumption::RecordedTorqueAdds);
     }
+    let splines = Spline::ALL.into_iter().filter(|each| segments.iter().any(|one| one.spline.value() == Some(*each)));
+    found.extend(splines.map(Assumption::SplineThroughPoints));
     let differences = |segment: &Segment| {
         segment.recording().is_some_and(|read| read.recording.course.speed.is_none()) && !segment.smoothing.is_given()
     };

@@ -9,6 +9,14 @@ use quantities::Language;
 #[must_use]
 pub fn assumption_text(assumption: Assumption, language: Language) -> String {
     let (en, de) = match assumption {
+        Assumption::SplineThroughPoints(Spline::Cubic) => (
+            "a cubic spline goes through the points of the cam table: the acceleration is continuous there (C²), the jerk steps; at the ends the acceleration may step",
+            "durch die Punkte der Kurventabelle geht ein kubischer Spline: die Beschleunigung ist dort stetig (C²), der Ruck springt; an den Enden kann die Beschleunigung springen",
+        ),
+        Assumption::SplineThroughPoints(Spline::Quintic) => (
+            "a spline of the fifth degree goes through the points of the cam table: jerk and its derivative are continuous there (C⁴); at the ends the jerk may step",
+            "durch die Punkte der Kurventabelle geht ein Spline fünften Grades: der Ruck und seine Ableitung sind dort stetig (C⁴); an den Enden kann der Ruck springen",
+        ),
         Assumption::NoFriction => {
             ("no friction torque given: 0 Nm assumed", "kein Reibmoment angegeben: 0 Nm angenommen")
         }

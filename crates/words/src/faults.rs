@@ -89,6 +89,7 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         ),
         Fault::Curve(fault) => curve(*fault, language),
         Fault::Table(fault) => table(*fault, language),
+        Fault::Points(fault) => motion::points_fault(*fault, language),
         Fault::Battery(fault) => battery_fault(fault, language),
         Fault::File { name, trouble } => format!("{name}: {}", trouble_text(trouble, language)),
         Fault::FileOutOfReach { name } => e(
@@ -210,6 +211,14 @@ pub fn fault_text(fault: &Fault, language: Language) -> String {
         Fault::NoRatioInACoupling { key } => e(
             format!("`stage.{key}`: a coupling has the ratio 1 and no wheels"),
             format!("`stage.{key}`: eine Kupplung hat die Übersetzung 1 und keine Räder"),
+        ),
+        Fault::UnlikeFirstPoint => t(
+            "a point states the same quantities as the first one: times or angles of the master, angles or lengths",
+            "ein Punkt nennt dieselben Größen wie der erste: Zeiten oder Winkel des Leitantriebs, Winkel oder Längen",
+        ),
+        Fault::MasterOfTimes => t(
+            "`master_speed` has no effect: the points are stated over the time",
+            "`master_speed` hat keine Wirkung: die Punkte sind über der Zeit angegeben",
         ),
         Fault::WithoutEffect { key } => {
             e(format!("`{key}` has no effect on this load"), format!("`{key}` hat auf diese Last keine Wirkung"))

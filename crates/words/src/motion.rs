@@ -28,6 +28,7 @@ pub fn law_text(law: SegmentLaw, language: Language) -> &'static str {
         SegmentLaw::Law(Law::Constant) => ("constant speed", "konstant"),
         SegmentLaw::Dwell => ("dwell", "Rast"),
         SegmentLaw::Recorded => ("recording", "Aufzeichnung"),
+        SegmentLaw::Points => ("cam table", "Kurventabelle"),
     };
     match language {
         Language::En => en,
@@ -187,6 +188,29 @@ pub(super) fn fault(fault: &MoveFault, travel_m_per_rad: Option<f64>, language: 
             format!("the recording begins {} from where the axis stands", way(gap.si())),
             format!("die Aufzeichnung beginnt {} neben der Stellung der Achse", way(gap.si())),
         )),
+    }
+}
+
+/// What is wrong with the points of a cam table.
+pub(super) fn points_fault(fault: PointsFault, language: Language) -> String {
+    let e = |en: String, de: String| either(language, en, de);
+    match fault {
+        PointsFault::TooFew { points, least } => e(
+            format!("a cam table needs at least {least} points here, and has {points}"),
+            format!("eine Kurventabelle braucht hier mindestens {least} Punkte, vorhanden: {points}"),
+        ),
+        PointsFault::NotFinite { index } => e(
+            format!("point {} is beyond all numbers", index + 1),
+            format!("Punkt {} liegt außerhalb aller Zahlen", index + 1),
+        ),
+        PointsFault::NotIncreasing { index } => e(
+            format!("point {} is not after the one before it", index + 1),
+            format!("Punkt {} liegt nicht nach dem vorigen", index + 1),
+        ),
+        PointsFault::Uneven => e(
+            "the points lie so unevenly that no spline through them can be computed".to_owned(),
+            "die Punkte liegen so ungleichmäßig, dass kein Spline durch sie berechnet werden kann".to_owned(),
+        ),
     }
 }
 
