@@ -69,6 +69,9 @@ section! {
 impl DriveSection {
     /// What the check of the drive is judged by.
     pub(crate) fn apply(&self, axis: &mut Axis) {
+        axis.asked.drive_current_continuous = self.current_continuous.value();
+        axis.asked.drive_current_peak = self.current_peak.value();
+        axis.asked.drive_peak_time = self.peak_time.value();
     }
 }
 

@@ -67,6 +67,12 @@ pub struct Asked {
     pub dc_link_rise: Option<ElectricPotential>,
     /// A field of application that needs the maker's approval.
     pub special_application: Option<SpecialApplication>,
+    /// Current that the drive gives without end, rms of a phase.
+    pub drive_current_continuous: Option<ElectricCurrent>,
+    /// Current that the drive gives for a short time, rms of a phase.
+    pub drive_current_peak: Option<ElectricCurrent>,
+    /// For how long the drive gives more than its continuous current.
+    pub drive_peak_time: Option<Time>,
 }
 
 /// Fields of application that need a risk assessment and the maker's approval.
@@ -257,6 +263,11 @@ checks! {
     PeakCurrent: ListedCheck::new("peak_current", Drive, First, Actuator(currents::peak_current));
     /// Peak motor current against I_E.
     Demagnetisation: ListedCheck::new("demagnetisation", Drive, First, Actuator(currents::demagnetisation));
+    /// Motor current against what the drive of the machine gives.
+    DriveCurrent: ListedCheck::new("drive_current", Drive, Heat, Actuator(electric_checks::drive_current))
+        .only_with("drive.current_continuous", |Axis { asked, .. }| {
+            asked.drive_current_continuous.is_some() || asked.drive_current_peak.is_some()
+        });
     /// Terminal voltage of the motor against what the DC link gives.
     Voltage: ListedCheck::new("voltage", Energy, First, Actuator(currents::voltage))
         .only_with("requirements.supply", |axis| axis.supply.is_some());

@@ -19,6 +19,7 @@ pub fn check_title(id: CheckId, language: Language) -> String {
         CheckId::ContinuousTorque => ("continuous torque", "Dauerdrehmoment"),
         CheckId::PeakCurrent => ("peak current", "Spitzenstrom"),
         CheckId::Demagnetisation => ("demagnetisation", "Entmagnetisierung"),
+        CheckId::DriveCurrent => ("drive current", "Reglerstrom"),
         CheckId::Voltage => ("terminal voltage", "Klemmenspannung"),
         CheckId::InertiaRatio => ("inertia ratio", "Trägheitsverhältnis"),
         CheckId::GearMeanTorque => ("mean gear torque", "mittleres Getriebemoment"),

@@ -1,0 +1,131 @@
+use super::*;
+use crate::judge::{Depth, judge};
+use actuator::Parameters;
+use mechanism::{Extra, Mechanism};
+use motion::{Closing, ManualMove, Motion, SegmentSpec};
+use provenance::{CellRef, Datum, Sourced};
+use quantities::{ElectricCurrent, MomentOfInertia, NoLoadCurrentConstant, TorqueConstant};
+
+fn known<T>(value: T) -> Datum<T> {
+    const CELL: CellRef = CellRef::of_the_manual("54.1", "x", "");
+    Datum::Known(Sourced { value, source: Source::Cell(&CELL), grade: Grade::Printed, errata: &[] })
+}
+
+/// J_out = 2 kgm², k_Tout = 10 Nm/A, I_s = 0.5 A and K = 0.1 A/(rad/s) at every temperature.
+fn actuator() -> Parameters {
+    let constant = NoLoadCurrentConstant::from_si(0.1);
+    Parameters {
+        inertia_out: known(MomentOfInertia::from_si(2.0)),
+        ..Drivetrain {
+            torque_constant_out: known(TorqueConstant::from_si(10.0)),
+            no_load_starting_current: known(ElectricCurrent::from_si(0.5)),
+            no_load_current_constant_cold: known(constant),
+            no_load_current_constant_warm: known(constant),
+            no_load_temperatures: known([303.15, 353.15].map(quantities::ThermodynamicTemperature::from_si)),
+            friction_printed_from: known(quantities::ThermodynamicTemperature::from_si(293.15)),
+            stall_current_includes_friction: true,
+            ..Drivetrain::unknown()
+        }
+        .into()
+    }
+}
+
+/// A load of 1 kgm² at 5 rad/s after 0.5 s with 10 rad/s², for 1 s, and back to rest in 0.5 s.
+///
+/// T = 30 Nm, 0, −30 Nm, so that I = 3 + 0.5 + 0.1 ω: 3.5 to 4 A; 1 A; −3 + 0.5 + 0.1 ω: −2 to −2.5 A; 0 at rest.
+fn axis(pause: f64, drive: [Option<f64>; 3]) -> Axis {
+    let second = Time::from_si;
+    let moved = SegmentSpec::Manual(ManualMove {
+        speed: AngularVelocity::from_si(5.0),
+        accelerate: second(0.5),
+        run: second(1.0),
+        brake: second(0.5),
+        pause: second(pause),
+    });
+    let load = Mechanism::direct(MomentOfInertia::from_si(1.0), Torque::from_si(0.0));
+    let motion = Motion::new(&[moved], None, Closing::Speed).unwrap();
+    let mut axis = Axis::new(load, motion, vec![Extra::none()]);
+    let [continuous, peak, time] = drive;
+    axis.asked.drive_current_continuous = continuous.map(ElectricCurrent::from_si);
+    axis.asked.drive_current_peak = peak.map(ElectricCurrent::from_si);
+    axis.asked.drive_peak_time = time.map(second);
+    axis
+}
+
+fn check(axis: &Axis, actuator: &Parameters) -> Option<Check> {
+    judge(axis, actuator, Depth::Full).checks.iter().find(|check| check.id == CheckId::DriveCurrent).cloned()
+}
+
+/// Verdict, value and limit.
+fn judged(pause: f64, drive: [Option<f64>; 3]) -> (Verdict, f64, f64) {
+    let check = check(&axis(pause, drive), &actuator()).unwrap();
+    (check.verdict, check.value.unwrap().si, check.limit.unwrap().si)
+}
+
+fn near(found: f64, value: f64) {
+    assert!((found - value).abs() < 1e-9, "{found} {value}");
+}
+
+/// The largest current is 4 A, at the end of the acceleration.
+#[test]
+fn the_peak_current_by_hand() {
+    for (limit, verdict) in [(3.99, Verdict::Fail), (4.0, Verdict::Pass), (4.01, Verdict::Pass)] {
+        let (found, value, at) = judged(2.0, [None, Some(limit), None]);
+        assert_eq!((found, at), (verdict, limit));
+        near(value, 4.0);
+    }
+    let at = check(&axis(2.0, [None, Some(5.0), None]), &actuator()).unwrap().at.unwrap();
+    near(at.si(), 0.5);
+}
+
+/// ∫I² dt = 0.5 (3.5² + 3.5·4 + 4²)/3 + 1 + 0.5 (2² + 2·2.5 + 2.5²)/3 = 127/12 A²s over 4 s.
+#[test]
+fn the_effective_current_by_hand() {
+    let effective = (127.0_f64 / 48.0).sqrt();
+    for (limit, verdict) in [(1.62, Verdict::Fail), (effective, Verdict::Pass), (1.63, Verdict::Pass)] {
+        let (found, value, _) = judged(2.0, [Some(limit), None, None]);
+        assert_eq!(found, verdict, "{limit}");
+        near(value, effective);
+    }
+}
+
+/// I rises by 1 A/s while accelerating and |I| while braking: above 3.75 A for the last 0.25 s of the acceleration, above
+/// 2.25 A for all of it, above 0.9 A from the beginning to the end of the move, above 1.9 A also over the seam of a cycle
+/// without a pause.
+#[test]
+fn the_longest_time_above_the_continuous_current_by_hand() {
+    let longest = |pause: f64, level: f64| {
+        let axis = axis(pause, [None; 3]);
+        let actuator = actuator();
+        let electrics = crate::electrics::Electrics::of(&axis, &actuator);
+        let currents = Currents::of(&axis, &actuator, &electrics).unwrap();
+        longest_above(&axis, &currents, level)
+    };
+    near(longest(2.0, 4.5), 0.0);
+    near(longest(2.0, 3.75), 0.25);
+    near(longest(2.0, 2.25), 0.5);
+    near(longest(2.0, 0.9), 2.0);
+    near(longest(0.0, 1.9), 1.0);
+    near(longest(0.0, 0.9), 2.0);
+    for (limit, verdict) in [(0.24, Verdict::Fail), (0.25, Verdict::Pass), (0.26, Verdict::Pass)] {
+        let (found, value, _) = judged(2.0, [Some(3.75), Some(40.0), Some(limit)]);
+        assert_eq!(found, verdict, "{limit}");
+        near(value, 0.25);
+    }
+}
+
+/// Of the peak at 4/8, the effective value at 1.627/1.7 and the time at 0.5/0.6 the effective value is reported.
+#[test]
+fn the_one_nearest_to_its_limit_is_reported() {
+    let (verdict, value, limit) = judged(2.0, [Some(1.7), Some(8.0), Some(0.6)]);
+    assert_eq!((verdict, limit), (Verdict::Pass, 1.7));
+    near(value, (127.0_f64 / 48.0).sqrt());
+}
+
+#[test]
+fn without_a_drive_there_is_no_such_check_and_without_a_current_none_is_made() {
+    assert!(check(&axis(2.0, [None, None, Some(1.0)]), &actuator()).is_none());
+    let unknown = Parameters { inertia_out: known(MomentOfInertia::from_si(2.0)), ..Parameters::unknown() };
+    let found = check(&axis(2.0, [Some(3.0), None, None]), &unknown).unwrap();
+    assert_eq!((found.verdict, found.missing), (Verdict::NotChecked, Some("k_Tout")));
+}
